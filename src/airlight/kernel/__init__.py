@@ -1,0 +1,137 @@
+"""The ``@kernel`` decorator: a scalar formula, compiled once for solvers, renderer and NumPy.
+
+Compiled code is cached on disk under a folder whose name is a fingerprint of the package's own
+sources, because Numba watches only the file of the outermost function: a formula changed in
+another file would otherwise go unnoticed.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import os
+import shutil
+import warnings
+from collections.abc import Callable, Iterator
+from functools import cache
+from pathlib import Path
+from typing import Any, Final
+
+import numba
+import platformdirs
+
+#: Fast-math flags that keep the meaning of NaN and infinity; inputs are checked at the door.
+FAST: Final = frozenset({"contract", "reassoc", "nsz", "arcp", "afn"})
+
+#: How many fingerprints of compiled code stay on disk.
+_KEPT_FINGERPRINTS: Final = 4
+
+
+def cache_folder() -> Path:
+    """The folder for everything that airlight keeps between runs.
+
+    ``AIRLIGHT_CACHE`` names another one.
+    """
+    named = os.environ.get("AIRLIGHT_CACHE")
+    return Path(named) if named else Path(platformdirs.user_cache_dir("airlight", appauthor=False))
+
+
+@cache
+def source_fingerprint() -> str:
+    """A short hash of every source file of the package and of the compiler's version."""
+    digest = hashlib.sha256(f"{numba.__version__}".encode())
+    root = Path(__file__).parent.parent
+    for file in sorted(root.rglob("*.py")):
+        digest.update(file.relative_to(root).as_posix().encode())
+        digest.update(file.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+@cache
+def _compiled_folder() -> Path | None:
+    """Where compiled code goes, or None if nothing can be written there."""
+    kernels = cache_folder() / "kernels"
+    folder = kernels / source_fingerprint()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        folder.touch()
+        if not os.access(folder, os.W_OK):
+            return None
+        others = sorted(kernels.iterdir(), key=lambda path: path.stat().st_mtime, reverse=True)
+        for stale in others[_KEPT_FINGERPRINTS:]:
+            shutil.rmtree(stale, ignore_errors=True)
+    except OSError:
+        return None
+    return folder
+
+
+@contextlib.contextmanager
+def _numba_cache(folder: Path) -> Iterator[None]:
+    """Point Numba at the folder while a function is being declared, and only then."""
+    before = numba.config.CACHE_DIR
+    numba.config.CACHE_DIR = str(folder)
+    try:
+        yield
+    finally:
+        numba.config.CACHE_DIR = before
+
+
+def _declare(
+    make: Callable[..., Any], function: Callable[..., Any], room: str, **options: Any
+) -> Any:
+    folder = _compiled_folder()
+    if folder is None:
+        return make(**options)(function)
+    # A ufunc and a function of one name would share Numba's cache entry, and a process that finds
+    # the one where it wants the other crashes: each kind has a room of its own.
+    with _numba_cache(folder / room):
+        try:
+            return make(cache=True, **options)(function)
+        except RuntimeError:  # a function typed at a prompt has no file to key the cache by
+            return make(**options)(function)
+
+
+def kernel(function: Callable[..., Any]) -> Any:
+    """Compile a scalar formula so that other kernels and compiled loops inline it.
+
+    The function takes and returns scalars (or tuples of them), in restricted Python: floats
+    and ints, ``if``/``else``, bounded ``for`` loops, ``math`` and other kernels.
+    ``vectorized`` turns it into a NumPy ufunc.
+
+    Examples
+    --------
+    >>> @kernel
+    ... def double(x):
+    ...     return 2.0 * x
+    >>> double(3.0)
+    6.0
+    """
+    return _declare(numba.njit, function, "functions", fastmath=set(FAST), error_model="numpy", nogil=True)
+
+
+def compiled_loop(function: Callable[..., Any]) -> Any:
+    """Compile a loop over arrays; it runs without the interpreter's lock, so threads can share it."""
+    return _declare(numba.njit, function, "functions", fastmath=set(FAST), error_model="numpy", nogil=True)
+
+
+def vectorized(scalar: Any) -> Any:
+    """The NumPy ufunc of a kernel: the same formula, broadcasting over arrays.
+
+    Parameters
+    ----------
+    scalar : kernel
+        What ``kernel`` returned.
+
+    Returns
+    -------
+    ufunc
+        Compiled at the first call with given types.
+    """
+    return _ufunc(scalar.py_func)
+
+
+@cache
+def _ufunc(function: Callable[..., Any]) -> Any:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", numba.NumbaWarning)
+        return _declare(numba.vectorize, function, "ufuncs")

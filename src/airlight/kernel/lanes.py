@@ -1,0 +1,187 @@
+"""Eight wavelengths at once: a value type for compiled loops that fills a processor's vector lanes.
+
+Loops over a handful of wavelengths are too short for a compiler to vectorise by itself
+(measured: 16 ns a path node in scalar code, 3 ns so). ``load`` and ``store`` move eight
+neighbouring float32 of a flat array; ``+ - * /`` work lane by lane, with a plain number too.
+"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable
+from typing import Any, ClassVar, Final
+
+from llvmlite import ir
+from numba import types
+from numba.core import cgutils
+from numba.core.typing import signature
+from numba.core.typing.templates import ConcreteTemplate, infer_global
+from numba.extending import intrinsic, lower_builtin, models, register_model
+
+#: Wavelengths in one value.
+LANES: Final = 8
+
+_VECTOR = ir.VectorType(ir.FloatType(), LANES)
+_INTEGERS = ir.VectorType(ir.IntType(32), LANES)
+_FLAGS = ("contract", "reassoc", "nsz", "arcp", "afn")
+
+
+class LanesType(types.Type):
+    """Numba's name for eight float32 in a vector register."""
+
+    def __init__(self) -> None:
+        super().__init__(name=f"float32x{LANES}")
+
+
+_LANES = LanesType()
+_NUMBERS = (types.float32, types.float64, types.int64)
+
+
+@register_model(LanesType)
+class _LanesModel(models.PrimitiveModel):
+    def __init__(self, manager: Any, front_end_type: Any) -> None:
+        super().__init__(manager, front_end_type, _VECTOR)
+
+
+def _splat(builder: Any, scalar: Any) -> Any:
+    first = builder.insert_element(
+        ir.Constant(_VECTOR, ir.Undefined), scalar, ir.Constant(ir.IntType(32), 0)
+    )
+    return builder.shuffle_vector(
+        first, ir.Constant(_VECTOR, ir.Undefined), ir.Constant(_INTEGERS, [0] * LANES)
+    )
+
+
+def _as_vector(context: Any, builder: Any, value: Any, kind: Any) -> Any:
+    if isinstance(kind, LanesType):
+        return value
+    return _splat(builder, context.cast(builder, value, kind, types.float32))
+
+
+def _declare_operator(symbol: Callable[..., Any], instruction: str) -> None:
+    """Teach Numba one operator: lanes with lanes, lanes with a number, a number with lanes."""
+    pairs = [(_LANES, _LANES)]
+    pairs += [(_LANES, number) for number in _NUMBERS] + [(number, _LANES) for number in _NUMBERS]
+
+    @infer_global(symbol)
+    class _Operator(ConcreteTemplate):
+        cases: ClassVar = [signature(_LANES, left, right) for left, right in pairs]
+
+    def build(context: Any, builder: Any, types_: Any, arguments: Any) -> Any:
+        left, right = (
+            _as_vector(context, builder, value, kind)
+            for value, kind in zip(arguments, types_.args, strict=True)
+        )
+        return getattr(builder, instruction)(left, right, flags=_FLAGS)
+
+    for left, right in pairs:
+        lower_builtin(symbol, left, right)(build)
+
+
+_declare_operator(operator.add, "fadd")
+_declare_operator(operator.sub, "fsub")
+_declare_operator(operator.mul, "fmul")
+_declare_operator(operator.truediv, "fdiv")
+
+
+def _address(context: Any, builder: Any, array_type: Any, array: Any, index: Any) -> Any:
+    data = context.make_array(array_type)(context, builder, value=array).data
+    return builder.bitcast(builder.gep(data, [index]), _VECTOR.as_pointer())
+
+
+@intrinsic
+def load(typing_context: Any, array: Any, index: Any) -> Any:
+    """Eight neighbours of a flat, contiguous float32 array, from ``index`` on (not checked)."""
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        index = context.cast(builder, arguments[1], signature.args[1], types.intp)
+        return builder.load(
+            _address(context, builder, signature.args[0], arguments[0], index), align=4
+        )
+
+    return _LANES(array, index), build
+
+
+@intrinsic
+def store(typing_context: Any, array: Any, index: Any, value: Any) -> Any:
+    """Write eight neighbours of a flat, contiguous float32 array, from ``index`` on (not checked)."""
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        index = context.cast(builder, arguments[1], signature.args[1], types.intp)
+        vector = _as_vector(context, builder, arguments[2], signature.args[2])
+        builder.store(
+            vector,
+            _address(context, builder, signature.args[0], arguments[0], index),
+            align=4,
+        )
+        return context.get_dummy_value()
+
+    return types.void(array, index, value), build
+
+
+@intrinsic
+def splat(typing_context: Any, value: Any) -> Any:
+    """The same number in all eight lanes."""
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        return _as_vector(context, builder, arguments[0], signature.args[0])
+
+    return _LANES(value), build
+
+
+def _call(builder: Any, name: str, *arguments: Any) -> Any:
+    kind = ir.FunctionType(_VECTOR, [_VECTOR] * len(arguments))
+    function = cgutils.get_or_insert_function(builder.module, kind, f"llvm.{name}.v{LANES}f32")
+    return builder.call(function, arguments)
+
+
+@intrinsic
+def maximum(typing_context: Any, a: Any, b: Any) -> Any:
+    """The larger of two values, lane by lane; the number where one is NaN."""
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        left, right = (
+            _as_vector(context, builder, value, kind)
+            for value, kind in zip(arguments, signature.args, strict=True)
+        )
+        return _call(builder, "maxnum", left, right)
+
+    return _LANES(a, b), build
+
+
+#: Taylor coefficients of 2^x about 0, for |x| <= 1/2: the next term is below 2e-7.
+_EXP2 = (1.0, 0.6931471805599453, 0.2402265069591007, 0.05550410866482158, 0.009618129107628477)
+_EXP2 += (0.0013333558146428443, 0.00015403530393381608)
+
+
+@intrinsic
+def exponential(typing_context: Any, value: Any) -> Any:
+    """e to each lane, relative error below 3e-7 of it and 1e-7 |x|; 0 below -87, no overflow above 88."""
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        def constant(x: float) -> Any:
+            return ir.Constant(_VECTOR, [x] * LANES)
+
+        x = _call(builder, "maxnum", arguments[0], constant(-87.0))
+        x = _call(builder, "minnum", x, constant(88.0))
+        exponent = builder.fmul(x, constant(1.4426950408889634))
+        whole = _call(builder, "rint", exponent)
+        # The fraction from x itself, with ln 2 in two parts, keeps the digits that x·log2(e) lost.
+        rest = builder.fsub(x, builder.fmul(whole, constant(0.693359375)))
+        rest = builder.fsub(rest, builder.fmul(whole, constant(-2.12194440e-4)))
+        fraction = builder.fmul(rest, constant(1.4426950408889634))
+        result = constant(_EXP2[-1])
+        for coefficient in reversed(_EXP2[:-1]):
+            result = builder.fadd(
+                builder.fmul(result, fraction, flags=("contract",)),
+                constant(coefficient),
+                flags=("contract",),
+            )
+        biased = builder.add(builder.fptosi(whole, _INTEGERS), ir.Constant(_INTEGERS, [127] * LANES))
+        scale = builder.bitcast(
+            builder.shl(biased, ir.Constant(_INTEGERS, [23] * LANES)), _VECTOR
+        )
+        tiny = builder.fcmp_ordered("<=", arguments[0], constant(-87.0))
+        return builder.select(tiny, constant(0.0), builder.fmul(result, scale))
+
+    return _LANES(value), build

@@ -1,0 +1,83 @@
+"""Independent blocks of work on all cores, with progress and cancellation.
+
+Each block writes its own part of the result, so that the result does not depend on how many
+threads there are.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
+from functools import cache
+from itertools import islice
+from typing import TypeAlias
+
+from airlight.errors import Cancelled
+
+#: Called with how much is done, how much there is, and what is being done.
+Progress: TypeAlias = Callable[[int, int, str], None]
+#: Asked between blocks whether to stop.
+Cancel: TypeAlias = Callable[[], bool]
+
+
+def thread_count() -> int:
+    """How many threads to use: the processors that this process may use, or AIRLIGHT_THREADS."""
+    named = os.environ.get("AIRLIGHT_THREADS", "")
+    if named.isdigit() and int(named) > 0:
+        return int(named)
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+@cache
+def _pool(threads: int) -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(threads, thread_name_prefix="airlight")
+
+
+def run_blocks(
+    block: Callable[[int], object],
+    count: int,
+    *,
+    cancel: Cancel | None = None,
+    progress: Progress | None = None,
+    message: str = "",
+) -> None:
+    """Run ``block(0)`` … ``block(count - 1)`` on all cores.
+
+    Parameters
+    ----------
+    block : callable
+        Must release the interpreter's lock to gain from threads.
+    count : int
+        Number of blocks.
+    cancel, progress : callable, optional
+        See ``Cancel`` and ``Progress``; called from the calling thread.
+    message : str
+        Handed to ``progress``.
+
+    Raises
+    ------
+    Cancelled
+        If ``cancel`` said so; blocks under way are waited for.
+    """
+    threads = thread_count()
+    pool = _pool(threads)
+    waiting = iter(range(count))
+    # islice, not zip: zip would swallow one index when the other side ends first.
+    under_way = {pool.submit(block, index) for index in islice(waiting, threads)}
+    done = 0
+    try:
+        while under_way:
+            finished, under_way = wait(under_way, return_when=FIRST_COMPLETED)
+            for one in finished:
+                one.result()
+                done += 1
+            if cancel is not None and cancel():
+                raise Cancelled("cancelled")
+            if progress is not None:
+                progress(done, count, message)
+            under_way |= {pool.submit(block, index) for index in islice(waiting, len(finished))}
+    finally:
+        wait(under_way)
