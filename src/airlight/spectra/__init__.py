@@ -1,0 +1,1 @@
+"""Spectra: the sun and other stars, the eye's colour-matching functions, absorption by ozone."""
