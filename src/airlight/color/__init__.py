@@ -1,0 +1,1 @@
+"""Colour: spectra to linear sRGB, exposure, tone maps, display encodings."""

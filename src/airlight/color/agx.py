@@ -1,0 +1,120 @@
+"""AgX, Sobotka's picture formation: highlights go to white without a turn in hue."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from airlight.color.floating import each, physical
+from airlight.kernel import kernel
+
+#: Linear sRGB into the insetted space in which the curve works; rows sum to 1 within 1.4e-4.
+_INSET: Final = np.array(
+    [
+        [0.842479062253094, 0.0784335999999992, 0.0792237451477643],
+        [0.0423282422610123, 0.878468636469772, 0.0791661274605434],
+        [0.0423756549057051, 0.0784336, 0.879142973793104],
+    ]
+)
+#: Stops below and above middle grey, 0.18, that the curve holds: 10 and 6.5.
+_DARKEST: Final = -10.0
+_STOPS: Final = 16.5
+_GREY: Final = 0.18
+#: The curve's fixed point: middle grey goes to 0.5, with slope 2.
+_PIVOT: Final = 10.0 / 16.5
+_SLOPE: Final = 2.0
+_TOE: Final = 3.0
+_SHOULDER: Final = 3.25
+
+
+def _scale(x: float, y: float, power: float) -> float:
+    """What makes the hyperbola run through 0 or 1, x and y away from the fixed point."""
+    return float(((_SLOPE * x) ** -power * ((_SLOPE * x / y) ** power - 1.0)) ** (-1.0 / power))
+
+
+_TOE_SCALE: Final = _scale(_PIVOT, 0.5, _TOE)
+_SHOULDER_SCALE: Final = _scale(1.0 - _PIVOT, 0.5, _SHOULDER)
+
+
+@kernel
+def agx_curve(light):
+    """Display value of one insetted channel: log₂, then a hyperbolic sigmoid. [1]"""
+    least = _GREY * 2.0**_DARKEST
+    x = (math.log2((light if light > least else least) / _GREY) - _DARKEST) / _STOPS - _PIVOT
+    x = x if x < 1.0 - _PIVOT else 1.0 - _PIVOT
+    if x < 0.0:
+        t = -_SLOPE * x / _TOE_SCALE
+        y = 0.5 - _TOE_SCALE * t / (1.0 + t**_TOE) ** (1.0 / _TOE)
+    else:
+        t = _SLOPE * x / _SHOULDER_SCALE
+        y = 0.5 + _SHOULDER_SCALE * t / (1.0 + t**_SHOULDER) ** (1.0 / _SHOULDER)
+    return y if y > 0.0 else 0.0
+
+
+@kernel
+def agx_curve_inverse(value):
+    """The insetted channel whose display value is given, between the darkest and brightest. [1]"""
+    y = (value if value > 0.0 else 0.0) - 0.5
+    y = y if y < 0.5 else 0.5
+    if y < 0.0:
+        t = -y / _TOE_SCALE
+        x = -t / (1.0 - t**_TOE) ** (1.0 / _TOE) * _TOE_SCALE / _SLOPE
+    else:
+        t = y / _SHOULDER_SCALE
+        x = t / (1.0 - t**_SHOULDER) ** (1.0 / _SHOULDER) * _SHOULDER_SCALE / _SLOPE
+    return _GREY * 2.0 ** ((x + _PIVOT) * _STOPS + _DARKEST)
+
+
+def agx(rgb: ArrayLike) -> NDArray[Any]:
+    """The AgX look of exposed light.
+
+    Inset, log₂ over 16.5 stops around middle grey, sigmoid, outset; the display values stand for
+    a 2.2 power display and are returned as linear light. The sigmoid is Sobotka's own, not
+    the polynomial that is often put in its place (largest difference 0.006, a test).
+
+    Parameters
+    ----------
+    rgb : array, shape (..., 3)
+        Linear sRGB after exposure. Below 0 counts as 0. [1]
+
+    Returns
+    -------
+    array, shape (..., 3)
+        Linear sRGB of the display, 0 to 1, same floating type. [1]
+
+    References
+    ----------
+    Sobotka, AgX (2022), github.com/sobotka/AgX: curve and its parameters; Wrensch, "Minimal AgX
+    Implementation" (2023): the inset matrix for linear sRGB, whose inverse is the outset.
+
+    Examples
+    --------
+    >>> (agx([0.18, 0.18, 0.18]) ** (1 / 2.2)).round(3)  # middle grey goes to the middle
+    array([0.5, 0.5, 0.5])
+    """
+    light = physical(rgb)
+    shaped = each(agx_curve, light @ _INSET.T.astype(light.dtype))
+    shown = shaped @ np.linalg.inv(_INSET).T.astype(light.dtype)
+    return np.asarray(np.clip(shown, 0.0, 1.0) ** light.dtype.type(2.2))
+
+
+def agx_inverse(rgb: ArrayLike) -> NDArray[Any]:
+    """The exposed light that ``agx`` shows so; exact for colours that it did not clip.
+
+    Parameters
+    ----------
+    rgb : array, shape (..., 3)
+        Linear sRGB of the display, 0 to 1. [1]
+
+    Returns
+    -------
+    array, shape (..., 3)
+        Linear sRGB, same floating type; negative where no light is shown so. [1]
+    """
+    shown = np.clip(physical(rgb), 0.0, 1.0)
+    values = shown ** shown.dtype.type(1.0 / 2.2)
+    light = each(agx_curve_inverse, values @ _INSET.T.astype(shown.dtype))
+    return np.asarray(light @ np.linalg.inv(_INSET).T.astype(shown.dtype))

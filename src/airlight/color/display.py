@@ -1,0 +1,86 @@
+"""Linear light to the 8-bit numbers of a picture: exposure, tone map, encoding."""
+
+from __future__ import annotations
+
+from typing import Final, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.color.encoding import encoding_named
+from airlight.color.exposure import DEFAULT_EXPOSURE, automatic_exposure, exposure_factor
+from airlight.color.tone_maps import tone_map_named
+from airlight.errors import ParameterError
+
+#: Pixels worked on at a time; a block's scratch arrays take about 50 MB.
+_BLOCK: Final = 262_144
+
+
+def resolve_exposure(
+    rgb: NDArray[np.floating], exposure: float | str, tone_map: str = "hable"
+) -> float:
+    """The exposure in EV: itself if it is a number, measured on the picture if ``"auto"``.
+
+    Raises
+    ------
+    ParameterError
+        If it is neither, or outside -100 to 100 EV.
+    """
+    if isinstance(exposure, str):
+        if exposure != "auto":
+            raise ParameterError("exposure", exposure, '-100 to 100 EV, or "auto"')
+        return automatic_exposure(rgb, tone_map)
+    exposure_factor(exposure)
+    return float(exposure)
+
+
+def to_display(
+    rgb: NDArray[np.floating],
+    exposure: float | Literal["auto"] = DEFAULT_EXPOSURE,
+    tone_map: str = "hable",
+    encoding: str = "srgb",
+) -> NDArray[np.uint8]:
+    """A frame of linear light as an 8-bit picture.
+
+    Rows are worked on in blocks, so that memory beyond input and output stays bounded.
+
+    Parameters
+    ----------
+    rgb : array, shape (height, width, 3)
+        Linear sRGB of any strength; what is negative or no number is black. [W m⁻² sr⁻¹]
+    exposure : float or "auto"
+        [EV]
+    tone_map : str
+        One of ``TONE_MAPS``.
+    encoding : str
+        ``"srgb"`` or ``"gamma"``.
+
+    Returns
+    -------
+    array, shape (height, width, 3), uint8
+
+    Raises
+    ------
+    ParameterError
+        If the array has another shape, or a name or the exposure is not allowed.
+
+    Examples
+    --------
+    >>> to_display(np.full((1, 1, 3), 1.0), exposure=0.0)[0, 0]  # Hable(1) = 0.4929
+    array([186, 186, 186], dtype=uint8)
+    """
+    if rgb.ndim != 3 or rgb.shape[-1] != 3:
+        raise ParameterError("rgb", rgb.shape, "an array of shape (height, width, 3)")
+    shape = tone_map_named(tone_map).forward
+    encode = encoding_named(encoding).encode
+    factor = exposure_factor(resolve_exposure(rgb, exposure, tone_map))
+    height, width = rgb.shape[:2]
+    picture = np.empty((height, width, 3), dtype=np.uint8)
+    rows = max(1, _BLOCK // max(1, width))
+    for first in range(0, height, rows):
+        block = rgb[first : first + rows]
+        with np.errstate(over="ignore"):  # infinite light is very bright light
+            exposed = block * block.dtype.type(factor)
+        shown = encode(np.clip(shape(exposed), 0.0, 1.0))
+        picture[first : first + rows] = (255.0 * shown + 0.5).astype(np.uint8)
+    return picture

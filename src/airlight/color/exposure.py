@@ -1,0 +1,94 @@
+"""Exposure: how bright the display shows a radiance, given or found from the picture."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.color.tone_maps import tone_map_named
+from airlight.color.xyz import luminance
+from airlight.errors import ParameterError
+
+#: The exposure that suits the sunlit Earth. [EV]
+DEFAULT_EXPOSURE: Final = -2.5
+#: Linear reflectance of the photographer's grey card.
+MIDDLE_GREY: Final = 0.18
+#: Pixels darker than this part of the picture's bright end do not count: the black of space.
+_DARK: Final = 1e-4
+#: About so many pixels are looked at, every k-th row and column.
+_SAMPLE: Final = 1_000_000
+
+
+def exposure_factor(exposure: float) -> float:
+    """What light is multiplied by: 2^EV.
+
+    Parameters
+    ----------
+    exposure : float
+        -100 to 100. [EV]
+
+    Returns
+    -------
+    float
+        [1]
+
+    Raises
+    ------
+    ParameterError
+        If it is outside, or no number.
+
+    Examples
+    --------
+    >>> exposure_factor(-2.0)
+    0.25
+    """
+    if not isinstance(exposure, (int, float, np.number)) or not -100.0 <= exposure <= 100.0:
+        raise ParameterError("exposure", exposure, '-100 to 100 EV, or "auto"')
+    return math.pow(2.0, float(exposure))
+
+
+def automatic_exposure(rgb: NDArray[np.floating], tone_map: str = "hable") -> float:
+    r"""The exposure that shows the picture's log-average luminance as middle grey.
+
+    .. math:: \bar L = \exp\left(\frac1N \sum \ln L\right), \quad
+              \mathrm{EV} = \log_2 (x_{0.18} / \bar L)
+
+    where the tone map shows x₀.₁₈ as 0.18. Pixels below 1e-4 of the picture's 99th percentile are
+    left out, so that black space around a planet does not make the planet white.
+
+    Parameters
+    ----------
+    rgb : array, shape (height, width, 3)
+        Linear sRGB; of a large picture about a million pixels on a regular grid are used.
+    tone_map : str
+        One of ``TONE_MAPS``.
+
+    Returns
+    -------
+    float
+        -100 to 100; 0 for a black picture. [EV]
+
+    References
+    ----------
+    Reinhard et al. (2002), ACM Trans. Graph. 21, 267, eq. 1. doi:10.1145/566654.566575
+
+    Examples
+    --------
+    >>> grey = np.full((2, 2, 3), 0.18)
+    >>> f"{automatic_exposure(0.5 * grey) - automatic_exposure(grey):.6f}"  # half the light
+    '1.000000'
+    """
+    height, width = rgb.shape[:2]
+    step = max(1, math.isqrt(height * width // _SAMPLE))
+    bright = luminance(np.asarray(rgb[::step, ::step], dtype=np.float64))
+    bright = bright[np.isfinite(bright) & (bright > 0.0)]
+    if bright.size == 0:
+        return 0.0
+    bright = bright[bright >= _DARK * np.percentile(bright, 99.0)]
+    grey = np.full(3, MIDDLE_GREY)
+    target = float(luminance(tone_map_named(tone_map).inverse(grey)))
+    exposure = math.log2(target) - float(np.mean(np.log2(bright)))
+    return min(max(exposure, -100.0), 100.0)

@@ -1,0 +1,54 @@
+"""Arrays of light keep their floating type, and stay finite, through every step to the display."""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+#: Brighter light counts as this bright: no square or product of it overflows to a NaN.
+BRIGHTEST: Final = 1e30
+
+
+def floating(values: ArrayLike) -> NDArray[Any]:
+    """The values as they are if they are float32 or float64, else as float64.
+
+    Examples
+    --------
+    >>> floating([1, 2]).dtype, floating(np.float32(1)).dtype
+    (dtype('float64'), dtype('float32'))
+    """
+    array = np.asarray(values)
+    return array if array.dtype in (np.float32, np.float64) else array.astype(np.float64)
+
+
+def physical(values: ArrayLike) -> NDArray[Any]:
+    """The values between 0 and ``BRIGHTEST``: what is negative or no number is black.
+
+    Examples
+    --------
+    >>> physical([-1.0, np.nan, 0.5, np.inf])
+    array([0.e+00, 0.e+00, 5.e-01, 1.e+30])
+    """
+    array = floating(values)
+    return np.asarray(np.where(array > 0.0, np.minimum(array, BRIGHTEST), array.dtype.type(0.0)))
+
+
+def each(scalar: Any, values: ArrayLike) -> NDArray[Any]:
+    """A kernel of one argument, on every element; computed in float64, returned in their type.
+
+    Parameters
+    ----------
+    scalar : kernel
+    values : array, shape (...)
+
+    Returns
+    -------
+    array, shape (...)
+    """
+    from airlight.kernel import vectorized
+
+    array = floating(values)
+    with np.errstate(all="ignore"):  # the kernels say what they make of infinity and NaN
+        return np.asarray(vectorized(scalar)(array)).astype(array.dtype, copy=False)

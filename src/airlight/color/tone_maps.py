@@ -1,0 +1,253 @@
+"""Tone maps: exposed light of any strength onto a display's 0 to 1, by name, each with its inverse.
+
+Each takes linear sRGB, shape (..., 3), and gives linear sRGB of the same floating type. Negative
+light and NaN count as black, infinite light as very bright: no input gives a NaN.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from airlight.color.aces import aces, aces_inverse
+from airlight.color.agx import agx, agx_inverse
+from airlight.color.floating import each, physical
+from airlight.color.xyz import luminance
+from airlight.errors import ParameterError
+from airlight.kernel import kernel
+
+# Hable's shoulder strength, linear strength, linear angle, toe strength, numerator, denominator.
+_A: Final = 0.15
+_B: Final = 0.50
+_C: Final = 0.10
+_D: Final = 0.20
+_E: Final = 0.02
+_F: Final = 0.30
+_BIAS: Final = 2.0
+_WHITE: Final = 11.2
+#: Hable's curve at the white point, by which it is divided.
+_AT_WHITE: Final = (_WHITE * (_A * _WHITE + _C * _B) + _D * _E) / (
+    _WHITE * (_A * _WHITE + _B) + _D * _F
+) - _E / _F
+
+#: The luminance that the extended Reinhard curve shows as white.
+REINHARD_WHITE: Final = 4.0
+
+
+@kernel
+def exponential_curve(x):
+    """1 - e^{-x}. [1]"""
+    return 1.0 - math.exp(-x)
+
+
+@kernel
+def exponential_curve_inverse(y):
+    """-ln(1 - y). [1]"""
+    return -math.log(1.0 - y)
+
+
+@kernel
+def hable_curve(light):
+    """Hable's filmic curve of twice the light, over its value at white, at most 1. [1]"""
+    x = _BIAS * light
+    x = x if x < _WHITE else _WHITE
+    curve = (x * (_A * x + _C * _B) + _D * _E) / (x * (_A * x + _B) + _D * _F) - _E / _F
+    return curve / _AT_WHITE
+
+
+@kernel
+def hable_curve_inverse(y):
+    """The root x ≥ 0 of A(1 - t) x² + B(C - t) x + D(E - tF) = 0, halved; t = y·white + E/F. [1]"""
+    t = y * _AT_WHITE + _E / _F
+    a = _A * (1.0 - t)
+    b = _B * (_C - t)
+    c = _D * (_E - t * _F)
+    return (math.sqrt(b * b - 4.0 * a * c) - b) / (2.0 * a) / _BIAS
+
+
+def exponential(rgb: ArrayLike) -> NDArray[Any]:
+    """1 - e^{-x} on each channel.
+
+    Parameters
+    ----------
+    rgb : array, shape (..., 3)
+        Linear sRGB after exposure. [1]
+
+    Returns
+    -------
+    array, shape (..., 3)
+        0 to 1, same floating type. [1]
+
+    References
+    ----------
+    Costa et al., OpenSpace's atmospheres: its tone map; a film's response to light.
+
+    Examples
+    --------
+    >>> exponential([0.0, 1.0, np.inf]).round(4)
+    array([0.    , 0.6321, 1.    ])
+    """
+    return each(exponential_curve, physical(rgb))
+
+
+def exponential_inverse(rgb: ArrayLike) -> NDArray[Any]:
+    """The light that ``exponential`` shows so; infinite for 1."""
+    return each(exponential_curve_inverse, np.minimum(physical(rgb), 1.0))
+
+
+def hable(rgb: ArrayLike) -> NDArray[Any]:
+    """Hable's filmic curve on each channel: a toe, a straight part, a shoulder that ends at 5.6.
+
+    Parameters
+    ----------
+    rgb : array, shape (..., 3)
+        Linear sRGB after exposure; 5.6 and above is white. [1]
+
+    Returns
+    -------
+    array, shape (..., 3)
+        0 to 1, same floating type. [1]
+
+    References
+    ----------
+    Hable (2010), "Filmic Tonemapping Operators": A to F, exposure bias 2, white 11.2.
+
+    Examples
+    --------
+    >>> hable([0.0, 1.0, 5.6]).round(4) + 0.0
+    array([0.    , 0.4929, 1.    ])
+    """
+    return np.asarray(np.maximum(each(hable_curve, physical(rgb)), 0.0))
+
+
+def hable_inverse(rgb: ArrayLike) -> NDArray[Any]:
+    """The light, 0 to 5.6, that ``hable`` shows so."""
+    return each(hable_curve_inverse, np.minimum(physical(rgb), 1.0))
+
+
+def reinhard(rgb: ArrayLike) -> NDArray[Any]:
+    """L / (1 + L) on luminance; the ratios of the channels stay.
+
+    Parameters
+    ----------
+    rgb : array, shape (..., 3)
+        Linear sRGB after exposure. [1]
+
+    Returns
+    -------
+    array, shape (..., 3)
+        Luminance below 1, single channels up to 14 (pure blue); same floating type. [1]
+
+    References
+    ----------
+    Reinhard et al. (2002), ACM Trans. Graph. 21, 267, eq. 3. doi:10.1145/566654.566575
+
+    Examples
+    --------
+    >>> reinhard([1.0, 1.0, 1.0]).round(4)
+    array([0.5, 0.5, 0.5])
+    """
+    light = physical(rgb)
+    return np.asarray(light / (1.0 + luminance(light)[..., None]))
+
+
+def reinhard_inverse(rgb: ArrayLike) -> NDArray[Any]:
+    """The light that ``reinhard`` shows so, for luminance below 1."""
+    shown = physical(rgb)
+    darkening = np.maximum(1.0 - luminance(shown)[..., None], np.finfo(shown.dtype).eps)
+    return np.asarray(shown / darkening)
+
+
+def reinhard_extended(rgb: ArrayLike, white: float = REINHARD_WHITE) -> NDArray[Any]:
+    r"""Reinhard's curve with a white point, on luminance.
+
+    .. math:: L_d = L (1 + L/L_w^2) / (1 + L)
+
+    Parameters
+    ----------
+    rgb : array, shape (..., 3)
+        Linear sRGB after exposure. [1]
+    white : float
+        The least luminance that is shown as 1; above 0. [1]
+
+    Returns
+    -------
+    array, shape (..., 3)
+        Luminance above 1 beyond the white point; same floating type. [1]
+
+    Raises
+    ------
+    ParameterError
+        If ``white`` is not a positive number.
+
+    References
+    ----------
+    Reinhard et al. (2002), ACM Trans. Graph. 21, 267, eq. 4. doi:10.1145/566654.566575
+
+    Examples
+    --------
+    >>> reinhard_extended([4.0, 4.0, 4.0]).round(4)
+    array([1., 1., 1.])
+    """
+    _check_white(white)
+    light = physical(rgb)
+    bright = luminance(light)[..., None]
+    return np.asarray(light * ((1.0 + bright / white**2) / (1.0 + bright)))
+
+
+def reinhard_extended_inverse(rgb: ArrayLike, white: float = REINHARD_WHITE) -> NDArray[Any]:
+    """The light that ``reinhard_extended`` shows so: L² / L_w² + (1 - L_d) L - L_d = 0."""
+    _check_white(white)
+    shown = physical(rgb)
+    target = luminance(shown)[..., None].astype(np.float64)
+    half = 0.5 * white * (1.0 - target)
+    # The larger root, without the difference of two near numbers when half > 0.
+    root = np.sqrt(half * half + target)
+    light = white * np.where(half > 0.0, target / (root + np.abs(half)), root - half)
+    ratio = np.divide(light, target, out=np.ones_like(light), where=target > 0.0)
+    return np.asarray((shown * ratio).astype(shown.dtype))
+
+
+def _check_white(white: float) -> None:
+    if not 0.0 < white < math.inf:
+        raise ParameterError("white", white, "above 0, finite")
+
+
+class ToneMap(NamedTuple):
+    """A tone map and its inverse, functions of linear sRGB, shape (..., 3)."""
+
+    forward: Callable[[ArrayLike], NDArray[Any]]
+    inverse: Callable[[ArrayLike], NDArray[Any]]
+
+
+#: The tone maps by name.
+TONE_MAPS: Final[dict[str, ToneMap]] = {
+    "exponential": ToneMap(exponential, exponential_inverse),
+    "hable": ToneMap(hable, hable_inverse),
+    "reinhard": ToneMap(reinhard, reinhard_inverse),
+    "reinhard-extended": ToneMap(reinhard_extended, reinhard_extended_inverse),
+    "aces": ToneMap(aces, aces_inverse),
+    "agx": ToneMap(agx, agx_inverse),
+}
+
+
+def tone_map_named(name: str) -> ToneMap:
+    """The tone map of that name.
+
+    Raises
+    ------
+    ParameterError
+        If there is none.
+
+    Examples
+    --------
+    >>> tone_map_named("hable").forward([1.0, 1.0, 1.0]).round(4)
+    array([0.4929, 0.4929, 0.4929])
+    """
+    if name not in TONE_MAPS:
+        raise ParameterError("tone_map", name, ", ".join(TONE_MAPS))
+    return TONE_MAPS[name]
