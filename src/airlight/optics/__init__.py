@@ -1,0 +1,1 @@
+"""From matter to coefficients: cross-sections, phase functions, densities with altitude."""

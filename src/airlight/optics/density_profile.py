@@ -1,0 +1,361 @@
+"""How a constituent thins with altitude: profiles as segments that kernels read quickly.
+
+Every profile, whatever its kind, becomes a row of segments; within one, the relative density is
+``max(0, a·exp(b·x) + c·x + d)`` with x the height above the segment's lower edge. That covers the
+exponential, the tent, Bruneton's layers and (in small exponential pieces) any table without error,
+and its vertical column has a closed form.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.errors import ParameterError
+from airlight.kernel import compiled_loop, kernel
+
+FloatArray = npt.NDArray[np.float64]
+
+#: One profile: its edges, shape (ns + 1,) [m], and its coefficients (a, b, c, d), shape (ns, 4).
+Row = tuple[FloatArray, FloatArray]
+
+#: Largest magnitude that a term of a layer may reach; beyond it the sum loses its digits.
+_LARGEST_TERM: Final = 1e6
+
+
+@kernel
+def segment_density(x: float, a: float, b: float, c: float, d: float) -> float:
+    """Relative density within one segment: max(0, a·exp(b·x) + c·x + d). [1]
+
+    Parameters
+    ----------
+    x : float
+        Height above the segment's lower edge. [m]
+    a, d : float
+        Factor of the exponential, and the constant. [1]
+    b, c : float
+        Rate of the exponential, and slope. [m⁻¹]
+    """
+    return max(0.0, a * math.exp(b * x) + c * x + d)
+
+
+@compiled_loop
+def relative_density(altitude: float, edges: FloatArray, coefficients: FloatArray) -> float:
+    """Relative density of one constituent at an altitude. [1]
+
+    Altitudes outside the shell give the value at its nearer boundary, so that a point which
+    rounding has put a nanometre outside is not empty.
+
+    Parameters
+    ----------
+    altitude : float
+        Above the ground. [m]
+    edges : array, shape (ns + 1,)
+        Ascending; padding repeats the last one. [m]
+    coefficients : array, shape (ns, 4)
+        See ``segment_density``.
+
+    Returns
+    -------
+    float
+        Never negative. [1]
+    """
+    low = 0
+    high = coefficients.shape[0]
+    h = min(max(altitude, edges[0]), edges[high])
+    while high - low > 1:
+        middle = (low + high) // 2
+        if edges[middle] <= h:
+            low = middle
+        else:
+            high = middle
+    return float(
+        segment_density(
+            h - edges[low],
+            coefficients[low, 0],
+            coefficients[low, 1],
+            coefficients[low, 2],
+            coefficients[low, 3],
+        )
+    )
+
+
+@compiled_loop
+def _relative_densities(
+    altitudes: FloatArray, edges: FloatArray, coefficients: FloatArray, out: FloatArray
+) -> None:
+    for i in range(edges.shape[0]):
+        for k in range(altitudes.shape[0]):
+            out[i, k] = relative_density(altitudes[k], edges[i], coefficients[i])
+
+
+@dataclass(frozen=True, eq=False)
+class DensitySegments:
+    """The profiles of all constituents of a planet, as arrays.
+
+    Parameters
+    ----------
+    edges : array, shape (nc, ns + 1)
+        Altitudes where segments meet, ascending from 0 to the shell's thickness; a row with
+        fewer segments repeats its last edge. [m]
+    coefficients : array, shape (nc, ns, 4)
+        a, b, c, d of ``segment_density``.
+    """
+
+    edges: FloatArray
+    coefficients: FloatArray
+
+    @classmethod
+    def from_rows(cls, rows: Sequence[Row]) -> DensitySegments:
+        """Rows of different lengths, padded with segments of no width.
+
+        Examples
+        --------
+        >>> DensitySegments.from_rows([uniform(1e5), tent(25e3, 15e3, 1e5)]).edges.shape
+        (2, 5)
+        """
+        count = max(len(coefficients) for _, coefficients in rows)
+        edges = np.empty((len(rows), count + 1))
+        padded = np.zeros((len(rows), count, 4))
+        for i, (row_edges, row) in enumerate(rows):
+            n = len(row)
+            edges[i, : n + 1] = row_edges
+            edges[i, n + 1 :] = row_edges[-1]
+            padded[i, :n] = row
+            padded[i, n:, 3] = segment_density(row_edges[-1] - row_edges[-2], *row[-1])
+        edges.flags.writeable = False
+        padded.flags.writeable = False
+        return cls(edges, padded)
+
+    def at(self, altitudes: npt.ArrayLike) -> FloatArray:
+        """Relative densities of every constituent.
+
+        Parameters
+        ----------
+        altitudes : array, shape (...)
+            Above the ground. [m]
+
+        Returns
+        -------
+        array, shape (nc, ...)
+            [1]
+
+        Examples
+        --------
+        >>> segments = DensitySegments.from_rows([exponential(8e3, 1e5), tent(25e3, 15e3, 1e5)])
+        >>> segments.at([0.0, 8e3, 25e3]).round(4).tolist()
+        [[1.0, 0.3679, 0.0439], [0.0, 0.0, 1.0]]
+        """
+        h = np.asarray(altitudes, dtype=np.float64)
+        out = np.empty((len(self.edges), h.size))
+        _relative_densities(h.ravel(), self.edges, self.coefficients, out)
+        return out.reshape(len(self.edges), *h.shape)
+
+    def columns(self) -> FloatArray:
+        """Vertical column of every constituent, ∫ density dh over the whole shell.
+
+        Returns
+        -------
+        array, shape (nc,)
+            [m]
+
+        Examples
+        --------
+        >>> column = DensitySegments.from_rows([exponential(8e3, 1e5)]).columns()[0]
+        >>> f"{column:.4f}"  # 8 km (1 - exp(-100/8))
+        '7999.9702'
+        """
+        return np.array(
+            [row_column((e, k)) for e, k in zip(self.edges, self.coefficients, strict=True)]
+        )
+
+
+def row_column(row: Row) -> float:
+    r"""Vertical column of one profile, exact.
+
+    .. math:: \sum_k \frac{a}{b}\left(e^{bL}-1\right) + \frac{c L^2}{2} + d L
+
+    Parameters
+    ----------
+    row : tuple of arrays
+        Edges, shape (ns + 1,) [m], and coefficients, shape (ns, 4).
+
+    Returns
+    -------
+    float
+        [m]
+    """
+    edges, coefficients = row
+    length = np.diff(edges)
+    a, b, c, d = coefficients.T
+    rate = np.where(b == 0.0, 1.0, b)
+    exponential_part = np.where(b == 0.0, a * length, a * np.expm1(b * length) / rate)
+    return float(np.sum(exponential_part + length * (0.5 * c * length + d)))
+
+
+def exponential(scale_height: float, thickness: float) -> Row:
+    """Segments of exp(-h/H).
+
+    Parameters
+    ----------
+    scale_height : float
+        H. [m]
+    thickness : float
+        Of the shell. [m]
+    """
+    return np.array([0.0, thickness]), np.array([[1.0, -1.0 / scale_height, 0.0, 0.0]])
+
+
+def uniform(thickness: float) -> Row:
+    """One segment of density 1 from the ground to the top."""
+    return np.array([0.0, thickness]), np.array([[0.0, 0.0, 0.0, 1.0]])
+
+
+def tent(center: float, half_width: float, thickness: float) -> Row:
+    """Segments of max(0, 1 - |h - center|/half_width), cut off at the ground and the top.
+
+    Parameters
+    ----------
+    center, half_width : float
+        Altitude of the peak, and distance from it to where the density is 0. [m]
+    thickness : float
+        Of the shell. [m]
+    """
+    corners = (center - half_width, center, center + half_width)
+    edges = np.array([0.0, *(h for h in corners if 0.0 < h < thickness), thickness])
+    middles = 0.5 * (edges[:-1] + edges[1:])
+    rows = np.zeros((len(middles), 4))
+    for k, (low, middle) in enumerate(zip(edges[:-1], middles, strict=True)):
+        if abs(middle - center) < half_width:
+            rows[k, 2] = math.copysign(1.0 / half_width, center - middle)
+            rows[k, 3] = 1.0 - abs(low - center) / half_width
+    return edges, rows
+
+
+@dataclass(frozen=True, kw_only=True)
+class LayerTerms:
+    """One of Bruneton's density layers: exp_term·e^(exp_scale·h) + linear_term·h + constant_term.
+
+    The result is clamped to [0, 1]; h is the altitude above the ground, not above the layer.
+
+    Parameters
+    ----------
+    width : float
+        Thickness of the layer; that of the topmost one is not used. [m]
+    exp_term, constant_term : float
+        [1]
+    exp_scale, linear_term : float
+        [m⁻¹]
+
+    References
+    ----------
+    Bruneton (2017), Precomputed Atmospheric Scattering: a New Implementation, where it is called
+    ``DensityProfileLayer``.
+    """
+
+    width: float = 0.0
+    exp_term: float = 0.0
+    exp_scale: float = 0.0
+    linear_term: float = 0.0
+    constant_term: float = 0.0
+
+    def unclamped(self, altitude: float) -> float:
+        """The sum of the terms, before it is clamped. [1]"""
+        return (
+            self.exp_term * math.exp(self.exp_scale * altitude)
+            + self.linear_term * altitude
+            + self.constant_term
+        )
+
+
+def layered(layers: Sequence[LayerTerms], thickness: float) -> Row:
+    """Segments of Bruneton's layers, cut where a layer meets 0 or 1.
+
+    Parameters
+    ----------
+    layers : sequence of LayerTerms
+        From the ground upwards; the last one reaches the top.
+    thickness : float
+        Of the shell. [m]
+
+    Raises
+    ------
+    ParameterError
+        If a term exceeds a million within the shell.
+    """
+    edges = [0.0]
+    rows: list[tuple[float, float, float, float]] = []
+    bottom = 0.0
+    for index, layer in enumerate(layers):
+        last = index == len(layers) - 1
+        top = thickness if last else min(bottom + layer.width, thickness)
+        if top <= bottom:
+            continue
+        _check_terms(layer, index, bottom, top)
+        cuts = [bottom, *_cuts(layer, bottom, top), top]
+        for low, high in itertools.pairwise(cuts):
+            rows.append(_clamped_piece(layer, low, high))
+            edges.append(high)
+        bottom = top
+    return np.array(edges), np.array(rows)
+
+
+def _check_terms(layer: LayerTerms, index: int, bottom: float, top: float) -> None:
+    exponent = max(layer.exp_scale * bottom, layer.exp_scale * top)
+    if exponent > 100.0 or abs(layer.exp_term) * math.exp(exponent) > _LARGEST_TERM:
+        raise ParameterError(
+            f"layers[{index}].exp_scale",
+            layer.exp_scale,
+            f"exp_term·exp(exp_scale·h) of at most {_LARGEST_TERM:g} within the layer",
+        )
+    if abs(layer.linear_term) * top > _LARGEST_TERM:
+        raise ParameterError(
+            f"layers[{index}].linear_term",
+            layer.linear_term,
+            f"linear_term·h of at most {_LARGEST_TERM:g} within the layer",
+        )
+
+
+def _cuts(layer: LayerTerms, low: float, high: float) -> list[float]:
+    """Altitudes strictly inside (low, high) where the unclamped sum crosses 0 or 1.
+
+    The sum is convex or concave, so it has at most one extremum and is monotone on either side.
+    """
+    from scipy.optimize import brentq
+
+    bounds = [low, high]
+    product = layer.exp_term * layer.exp_scale
+    if product != 0.0 and -layer.linear_term / product > 0.0:
+        extremum = math.log(-layer.linear_term / product) / layer.exp_scale
+        if low < extremum < high:
+            bounds.insert(1, extremum)
+    found: set[float] = set()
+    for level in (0.0, 1.0):
+
+        def above(h: float, level: float = level) -> float:
+            return layer.unclamped(h) - level
+
+        for start, stop in itertools.pairwise(bounds):
+            if above(start) * above(stop) < 0.0:
+                found.add(float(brentq(above, start, stop)))
+    return sorted(h for h in found if low < h < high)
+
+
+def _clamped_piece(layer: LayerTerms, low: float, high: float) -> tuple[float, float, float, float]:
+    middle = layer.unclamped(0.5 * (low + high))
+    if middle <= 0.0:
+        return 0.0, 0.0, 0.0, 0.0
+    if middle >= 1.0:
+        return 0.0, 0.0, 0.0, 1.0
+    return (
+        layer.exp_term * math.exp(layer.exp_scale * low),
+        layer.exp_scale,
+        layer.linear_term,
+        layer.constant_term + layer.linear_term * low,
+    )

@@ -1,0 +1,99 @@
+"""Absorption by gases: Dobson units and the ozone layer."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib import resources
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.constants import DOBSON_UNIT
+
+FloatArray = npt.NDArray[np.float64]
+
+
+def column_from_dobson(dobson: float) -> float:
+    """Molecules above an area, from Dobson units.
+
+    Parameters
+    ----------
+    dobson : float
+        10 µm of gas at 0 °C and 101 325 Pa each. [DU]
+
+    Returns
+    -------
+    float
+        [m⁻²]
+
+    Examples
+    --------
+    >>> f"{column_from_dobson(1.0):.4e}"
+    '2.6868e+20'
+    """
+    return dobson * DOBSON_UNIT
+
+
+def dobson_from_column(column: float) -> float:
+    """Dobson units, from molecules above an area [m⁻²]. [DU]"""
+    return column / DOBSON_UNIT
+
+
+@cache
+def ozone_profile_afgl1986() -> tuple[FloatArray, FloatArray]:
+    """Ozone in the AFGL U.S. Standard atmosphere.
+
+    Returns
+    -------
+    altitudes : array, shape (14,)
+        [m]
+    number_densities : array, shape (14,)
+        [m⁻³]
+
+    References
+    ----------
+    Anderson et al. (1986), AFGL Atmospheric Constituent Profiles (0-120 km), AFGL-TR-86-0110,
+    Table 1f.
+
+    Examples
+    --------
+    >>> altitudes, densities = ozone_profile_afgl1986()
+    >>> float(altitudes[densities.argmax()]), float(densities.max())
+    (22000.0, 4.9e+18)
+    """
+    file = resources.files("airlight.optics") / "data" / "ozone-afgl1986-us-standard.csv"
+    rows = [
+        line.split(",")
+        for line in file.read_text(encoding="utf-8").splitlines()
+        if line and not line.startswith("#") and line[0].isdigit()
+    ]
+    table = np.array(rows, dtype=np.float64)
+    table.flags.writeable = False
+    return table[:, 0], table[:, 1]
+
+
+def reference_coefficient(
+    column: float, vertical_column: float, cross_sections: npt.ArrayLike
+) -> FloatArray:
+    """Absorption coefficient at relative density 1 of a gas whose whole column is known.
+
+    Parameters
+    ----------
+    column : float
+        Molecules above an area. [m⁻²]
+    vertical_column : float
+        ∫ relative density dh over the shell. [m]
+    cross_sections : array, shape (...)
+        [m²]
+
+    Returns
+    -------
+    array, shape (...)
+        [m⁻¹]
+
+    Examples
+    --------
+    >>> f"{reference_coefficient(345 * DOBSON_UNIT, 15000.0, 3.314e-25):.3e}"  # 550 nm, AP2's tent
+    '2.048e-06'
+    """
+    return np.asarray(column / vertical_column * np.asarray(cross_sections, dtype=np.float64))

@@ -1,0 +1,87 @@
+"""King factors: how much molecules that are not round scatter beyond round ones."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+FloatArray = npt.NDArray[np.float64]
+
+#: Dry air by volume: N₂, O₂, Ar. [%] Bodhaine et al. (1999), eq. 23.
+_N2_PERCENT: Final = 78.084
+_O2_PERCENT: Final = 20.946
+_AR_PERCENT: Final = 0.934
+#: Carbon dioxide in dry air at 360 ppm. [%] Bodhaine et al. (1999), section 3.
+_CO2_PERCENT: Final = 0.036
+#: King factor of carbon dioxide within air, held constant. [1] Bates (1984).
+_CO2_IN_AIR: Final = 1.15
+
+
+def king_factor_air_bates1984(wavelengths: npt.ArrayLike) -> FloatArray:
+    r"""King factor of dry air, the mean of its gases weighted by volume.
+
+    .. math:: F_{N_2} = 1.034 + \frac{3.17\cdot10^{-4}}{\lambda^2}, \quad
+              F_{O_2} = 1.096 + \frac{1.385\cdot10^{-3}}{\lambda^2}
+                        + \frac{1.448\cdot10^{-4}}{\lambda^4}, \quad
+              F_{Ar} = 1, \quad F_{CO_2} = 1.15 \quad (\lambda\ \text{in µm})
+
+    Parameters
+    ----------
+    wavelengths : array, shape (...)
+        [nm]
+
+    Returns
+    -------
+    array, shape (...)
+        [1]
+
+    References
+    ----------
+    Bates (1984), Planetary and Space Science 32, 785. doi:10.1016/0032-0633(84)90102-8;
+    in the form of Bodhaine et al. (1999), JTECH 16, 1854, eqs. 5, 6 and 23.
+    doi:10.1175/1520-0426(1999)016<1854:ORODC>2.0.CO;2
+
+    Examples
+    --------
+    >>> f"{king_factor_air_bates1984(550.0):.3f}"  # Bates's Table 1 at 550 nm: 1.049
+    '1.049'
+    """
+    um2 = (np.asarray(wavelengths, dtype=np.float64) * 1e-3) ** 2
+    nitrogen = 1.034 + 3.17e-4 / um2
+    oxygen = 1.096 + 1.385e-3 / um2 + 1.448e-4 / um2**2
+    total = _N2_PERCENT + _O2_PERCENT + _AR_PERCENT + _CO2_PERCENT
+    return np.asarray(
+        (_N2_PERCENT * nitrogen + _O2_PERCENT * oxygen + _AR_PERCENT + _CO2_PERCENT * _CO2_IN_AIR)
+        / total
+    )
+
+
+def king_factor_co2_alms1975(wavelengths: npt.ArrayLike) -> FloatArray:
+    r"""King factor of carbon dioxide.
+
+    .. math:: F = 1.1364 + 25.3\cdot10^{-12}\,\tilde\nu^2 \quad (\tilde\nu\ \text{in cm}^{-1})
+
+    Parameters
+    ----------
+    wavelengths : array, shape (...)
+        [nm]
+
+    Returns
+    -------
+    array, shape (...)
+        [1]
+
+    References
+    ----------
+    Alms, Burnham & Flygare (1975), Journal of Chemical Physics 63, 3321. doi:10.1063/1.431821;
+    in the form of Sneep & Ubachs (2005), JQSRT 92, 293. doi:10.1016/j.jqsrt.2004.07.025
+
+    Examples
+    --------
+    >>> f"{king_factor_co2_alms1975(550.0):.4f}"
+    '1.1448'
+    """
+    wavenumber = 1e7 / np.asarray(wavelengths, dtype=np.float64)
+    return np.asarray(1.1364 + 25.3e-12 * wavenumber**2)

@@ -1,0 +1,157 @@
+"""A density profile from a table of altitudes: monotone cubic in the logarithm of the density."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.errors import ParameterError
+from airlight.optics.density_profile import Row
+
+if TYPE_CHECKING:
+    from scipy.interpolate import PchipInterpolator
+
+FloatArray = npt.NDArray[np.float64]
+
+#: Exponential pieces that stand for one interval of the table.
+PIECES: Final = 8
+#: Largest relative density that the continuation down to the ground may reach.
+_LARGEST: Final = 1e6
+#: Steepest exponential of one segment, as an exponent: e^-300 is nothing.
+_STEEPEST: Final = 300.0
+
+#: Lower edge, upper edge [m], then a, b, c, d of the segment.
+_Piece = tuple[float, float, float, float, float, float]
+
+
+def tabulated(altitudes: npt.ArrayLike, densities: npt.ArrayLike, thickness: float) -> Row:
+    """Segments of a tabulated profile.
+
+    Between two positive densities: a monotone cubic (PCHIP) through their logarithms, cut into
+    exponential pieces. Next to a density of 0: a straight line. Beyond the table's ends: 0 where
+    the end value is 0; otherwise the exponential that leaves the end with the cubic's slope, or
+    the end value itself where that exponential would grow upwards.
+
+    Parameters
+    ----------
+    altitudes : array, shape (n,)
+        Strictly ascending, not negative, at least two. [m]
+    densities : array, shape (n,)
+        Relative to the density that the coefficients refer to; not negative. [1]
+    thickness : float
+        Of the shell; the table is cut off there. [m]
+
+    Returns
+    -------
+    tuple of arrays
+        Edges, shape (ns + 1,) [m], and coefficients, shape (ns, 4).
+
+    Raises
+    ------
+    ParameterError
+        If the profile, continued down to the ground, exceeds a million.
+
+    Examples
+    --------
+    >>> edges, rows = tabulated([0.0, 10e3], [1.0, math.exp(-1.25)], 1e5)
+    >>> float(edges[-1]), rows[0].round(6).tolist()  # the exponential of H = 8 km
+    (100000.0, [1.0, -0.000125, 0.0, 0.0])
+    """
+    h = np.asarray(altitudes, dtype=np.float64)
+    density = np.asarray(densities, dtype=np.float64)
+    pieces = _below(h, density)
+    for first, last in _runs(density):
+        if first == last:
+            continue
+        if density[first] == 0.0 or density[last] == 0.0:
+            pieces.append(_line(h[first], h[last], density[first], density[last]))
+        else:
+            pieces += _cubic(h[first : last + 1], density[first : last + 1])
+    pieces += _above(h, density, thickness)
+    return _as_row(pieces, thickness)
+
+
+def _runs(density: FloatArray) -> list[tuple[int, int]]:
+    """Index ranges, in order: each stretch of positive densities, and each interval next to a 0."""
+    runs: list[tuple[int, int]] = []
+    k = 0
+    while k < len(density) - 1:
+        last = k + 1
+        if density[k] > 0.0 and density[last] > 0.0:
+            while last + 1 < len(density) and density[last + 1] > 0.0:
+                last += 1
+        runs.append((k, last))
+        k = last
+    return runs
+
+
+def _log_cubic(h: FloatArray, density: FloatArray) -> PchipInterpolator:
+    from scipy.interpolate import PchipInterpolator
+
+    return PchipInterpolator(h, np.log(density))
+
+
+def _cubic(h: FloatArray, density: FloatArray) -> list[_Piece]:
+    curve = _log_cubic(h, density)
+    pieces: list[_Piece] = []
+    for low, high in itertools.pairwise(h):
+        nodes = np.linspace(low, high, PIECES + 1)
+        logs = curve(nodes)
+        rates = np.diff(logs) / np.diff(nodes)
+        for k in range(PIECES):
+            value = math.exp(logs[k])
+            pieces.append((nodes[k], nodes[k + 1], value, float(rates[k]), 0.0, 0.0))
+    return pieces
+
+
+def _line(low: float, high: float, at_low: float, at_high: float) -> _Piece:
+    return low, high, 0.0, 0.0, (at_high - at_low) / (high - low), at_low
+
+
+def _end_rate(h: FloatArray, density: FloatArray, *, top: bool) -> float:
+    """Slope of the logarithm at an end of the table; 0 where the neighbour is 0. [m⁻¹]"""
+    runs = _runs(density)
+    first, last = runs[-1] if top else runs[0]
+    if density[first] == 0.0 or density[last] == 0.0:
+        return 0.0
+    curve = _log_cubic(h[first : last + 1], density[first : last + 1])
+    return float(curve.derivative()(h[-1] if top else h[0]))
+
+
+def _below(h: FloatArray, density: FloatArray) -> list[_Piece]:
+    if h[0] <= 0.0:
+        return []
+    if density[0] == 0.0:
+        return [_line(0.0, h[0], 0.0, 0.0)]
+    rate = _end_rate(h, density, top=False)
+    exponent = -rate * h[0]
+    if exponent + math.log(density[0]) > math.log(_LARGEST):
+        raise ParameterError(
+            "altitudes[0]",
+            float(h[0]),
+            f"0, or a table whose continuation to the ground stays below {_LARGEST:g}",
+        )
+    # An exponential that vanishes at the ground is started where it has become nothing.
+    start = h[0] - _STEEPEST / rate if exponent < -_STEEPEST else 0.0
+    empty = [_line(0.0, start, 0.0, 0.0)] if start > 0.0 else []
+    return [*empty, (start, h[0], density[0] * math.exp(-rate * (h[0] - start)), rate, 0.0, 0.0)]
+
+
+def _above(h: FloatArray, density: FloatArray, thickness: float) -> list[_Piece]:
+    if h[-1] >= thickness:
+        return []
+    if density[-1] == 0.0:
+        return [_line(h[-1], thickness, 0.0, 0.0)]
+    rate = min(0.0, _end_rate(h, density, top=True))
+    return [(h[-1], thickness, density[-1], rate, 0.0, 0.0)]
+
+
+def _as_row(pieces: list[_Piece], thickness: float) -> Row:
+    """Edges and coefficients of the pieces, cut off at the top of the shell."""
+    kept = [piece for piece in pieces if piece[0] < thickness]
+    edges = [0.0, *(min(piece[1], thickness) for piece in kept)]
+    return np.array(edges), np.array([piece[2:] for piece in kept])
