@@ -1,0 +1,20 @@
+"""Planets: what they are made of, the files that say so, and the medium that solvers read."""
+
+from __future__ import annotations
+
+from airlight.planets.ground_and_star import Ground, Star
+from airlight.planets.medium import Medium
+from airlight.planets.parameters import replace
+from airlight.planets.planet import Constituent, Planet
+from airlight.planets.reader import load_planet, planet_names
+
+__all__ = [
+    "Constituent",
+    "Ground",
+    "Medium",
+    "Planet",
+    "Star",
+    "load_planet",
+    "planet_names",
+    "replace",
+]

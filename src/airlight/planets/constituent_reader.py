@@ -1,0 +1,206 @@
+"""One ``[[constituents]]`` table of a planet file: profile, coefficients, phase function."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final
+
+from airlight.errors import ParameterError
+from airlight.optics.gas_absorption import ozone_profile_afgl1986
+from airlight.optics.rayleigh import scale_height
+from airlight.planets.coefficient_reader import read_coefficients
+from airlight.planets.phases import (
+    CornetteShanks,
+    DoubleHenyeyGreenstein,
+    HenyeyGreenstein,
+    PhaseFunction,
+    Rayleigh,
+    TabulatedPhase,
+)
+from airlight.planets.planet import Constituent
+from airlight.planets.profiles import (
+    Exponential,
+    Layer,
+    Layered,
+    Profile,
+    Tabulated,
+    Tent,
+    Uniform,
+)
+from airlight.planets.spectral import Spectral
+from airlight.planets.toml_section import Section, quantity_list
+
+Wavelengths = tuple[float, ...] | None
+
+#: The table of densities that comes with the package, by name.
+OZONE_TABLE: Final = "ozone-afgl1986-us-standard"
+
+
+def read_constituent(section: Section, thickness: float) -> Constituent:
+    """A constituent from its table.
+
+    Parameters
+    ----------
+    section : Section
+    thickness : float
+        Of the shell, over which optical depths are spread. [m]
+    """
+    name = section.text("name", "a name of its own")
+    wavelengths = section.wavelengths()
+    profile = _profile(section.section("profile", "a table such as { kind = 'exponential', … }"))
+    phase_function = None
+    if "phase_function" in section:
+        phase_function = _phase(
+            section.section("phase_function", "a table such as { kind = 'rayleigh' }"), wavelengths
+        )
+    scattering, absorption = read_coefficients(section, wavelengths, profile, thickness)
+    section.finish()
+    with section.blamed():
+        return Constituent(
+            name=name,
+            profile=profile,
+            scattering=scattering,
+            absorption=absorption,
+            phase_function=phase_function,
+        )
+
+
+# --- profiles ---------------------------------------------------------------------------------
+
+
+def _exponential(section: Section) -> Profile:
+    value = section.required("scale_height", "a length such as '8 km'")
+    if not isinstance(value, dict):
+        height = section.number("scale_height", "m", "8 km")
+        section.finish()
+        return Exponential(scale_height=height)
+    bulk = section.section("scale_height", "a length such as '8 km'")
+    temperature = _positive(bulk, "temperature", "K", "288.15 K")
+    molar_mass = _positive(bulk, "molar_mass", "kg/mol", "28.9644 g/mol")
+    gravity = _positive(bulk, "gravity", "m/s^2", "9.80665 m/s^2")
+    bulk.finish()
+    section.finish()
+    return Exponential(scale_height=scale_height(temperature, molar_mass, gravity))
+
+
+def _positive(section: Section, key: str, unit: str, example: str) -> float:
+    value = section.number(key, unit, example)
+    if not 1e-30 < value < 1e30:
+        raise ParameterError(section.name_of(key), value, f"more than 0, such as {example!r}")
+    return value
+
+
+def _tent(section: Section) -> Profile:
+    center = section.number("center", "m", "25 km")
+    half_width = section.number("half_width", "m", "15 km")
+    section.finish()
+    return Tent(center=center, half_width=half_width)
+
+
+def _layered(section: Section) -> Profile:
+    layers = []
+    for part in section.sections("layers", "a list of tables such as [{ constant_term = 1 }]"):
+        values = {
+            "width": part.optional_number("width", "m"),
+            "exp_term": part.optional_number("exp_term", "1"),
+            "exp_scale": part.optional_number("exp_scale", "1/m"),
+            "linear_term": part.optional_number("linear_term", "1/m"),
+            "constant_term": part.optional_number("constant_term", "1"),
+        }
+        part.finish()
+        with part.blamed():
+            layers.append(Layer(**{key: x for key, x in values.items() if x is not None}))
+    section.finish()
+    return Layered(layers=tuple(layers))
+
+
+def _tabulated(section: Section) -> Profile:
+    if "table" in section:
+        section.choice("table", (OZONE_TABLE,))
+        section.finish()
+        altitudes, densities = ozone_profile_afgl1986()
+        relative = densities / densities.max()
+        return Tabulated(altitudes=tuple(altitudes.tolist()), densities=tuple(relative.tolist()))
+    altitudes_given = section.numbers("altitudes", "m", "0, 10, 20 km")
+    densities_given = section.numbers("densities", "1", "1, 0.3, 0.1")
+    section.finish()
+    return Tabulated(altitudes=altitudes_given, densities=densities_given)
+
+
+def _uniform(section: Section) -> Profile:
+    section.finish()
+    return Uniform()
+
+
+_PROFILES: Final[dict[str, Callable[[Section], Profile]]] = {
+    "exponential": _exponential,
+    "tent": _tent,
+    "layered": _layered,
+    "tabulated": _tabulated,
+    "uniform": _uniform,
+}
+
+
+def _profile(section: Section) -> Profile:
+    read = _PROFILES[section.choice("kind", tuple(_PROFILES))]
+    with section.blamed():
+        return read(section)
+
+
+# --- phase functions --------------------------------------------------------------------------
+
+
+def _rayleigh(section: Section, wavelengths: Wavelengths) -> PhaseFunction:
+    delta: Spectral = 0.0
+    if "depolarisation" in section:
+        delta = section.spectral("depolarisation", "1", "0.035", wavelengths)
+    section.finish()
+    return Rayleigh(depolarisation=delta)
+
+
+def _cornette_shanks(section: Section, wavelengths: Wavelengths) -> PhaseFunction:
+    asymmetry = section.spectral("asymmetry", "1", "0.8", wavelengths)
+    section.finish()
+    return CornetteShanks(asymmetry=asymmetry)
+
+
+def _henyey_greenstein(section: Section, wavelengths: Wavelengths) -> PhaseFunction:
+    asymmetry = section.spectral("asymmetry", "1", "0.8", wavelengths)
+    section.finish()
+    return HenyeyGreenstein(asymmetry=asymmetry)
+
+
+def _double_henyey_greenstein(section: Section, wavelengths: Wavelengths) -> PhaseFunction:
+    first = section.spectral("asymmetry_1", "1", "0.889", wavelengths)
+    second = section.spectral("asymmetry_2", "1", "0.094", wavelengths)
+    weight = section.spectral("weight", "1", "0.743", wavelengths)
+    section.finish()
+    return DoubleHenyeyGreenstein(asymmetry_1=first, asymmetry_2=second, weight=weight)
+
+
+def _tabulated_phase(section: Section, wavelengths: Wavelengths) -> PhaseFunction:
+    angles = section.numbers("angles", "deg", "0, 90, 180 deg")
+    values = section.required("values", "a list of numbers in /sr, or one list per wavelength")
+    field = section.name_of("values")
+    section.finish()
+    if isinstance(values, list) and values and all(isinstance(row, list) for row in values):
+        if wavelengths is None:
+            raise ParameterError(field, len(values), "one list, or wavelengths for the lists")
+        rows = [quantity_list(row, "1/sr", f"{field}[{i}]") for i, row in enumerate(values)]
+        return TabulatedPhase(angles=angles, rows=tuple(rows), wavelengths=wavelengths)
+    return TabulatedPhase(angles=angles, rows=(quantity_list(values, "1/sr", field),))
+
+
+_PHASES: Final[dict[str, Callable[[Section, Wavelengths], PhaseFunction]]] = {
+    "rayleigh": _rayleigh,
+    "cornette-shanks": _cornette_shanks,
+    "henyey-greenstein": _henyey_greenstein,
+    "double-henyey-greenstein": _double_henyey_greenstein,
+    "tabulated": _tabulated_phase,
+}
+
+
+def _phase(section: Section, wavelengths: Wavelengths) -> PhaseFunction:
+    read = _PHASES[section.choice("kind", tuple(_PHASES))]
+    with section.blamed():
+        return read(section, wavelengths)

@@ -1,0 +1,269 @@
+"""The medium: a planet sampled at wavelengths, as plain arrays that kernels can read."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.errors import ParameterError
+from airlight.optics.density_profile import DensitySegments, Row
+from airlight.optics.legendre import legendre_moments
+from airlight.planets.phases import INTEGRAL_TOLERANCE
+from airlight.planets.planet import Constituent, Planet
+from airlight.planets.spectral import check_wavelength_list
+
+FloatArray = npt.NDArray[np.float64]
+
+#: Nodes of the phase tables in u = sin(θ/2), both ends included.
+PHASE_NODES: Final = 4097
+#: Largest vertical optical depth of one constituent.
+LARGEST_OPTICAL_DEPTH: Final = 1e4
+#: The most wavelengths that one medium is sampled at.
+MOST_WAVELENGTHS: Final = 2000
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Medium:
+    """A planet at ``nl`` wavelengths, with ``nc`` constituents.
+
+    Parameters
+    ----------
+    bottom_radius, top_radius : float
+        Of the ground and of the top of the air. [m]
+    wavelengths : array, shape (nl,)
+        In the order asked for. [nm]
+    names : tuple of str, length nc
+        Of the constituents.
+    scattering, absorption : array, shape (nc, nl)
+        Coefficients at relative density 1. [m⁻¹]
+    density : DensitySegments
+        Relative densities over altitude.
+    phase_table : array, shape (nc, nl, 4097)
+        Phase functions on the uniform grid u = sin(θ/2) in [0, 1], nu = 1 - 2u²; zero for a
+        constituent that does not scatter. [sr⁻¹]
+    ground_albedo : array, shape (nl,)
+        [1]
+    ground_map : str or None
+        Name of a picture of the ground.
+    solar_irradiance : array, shape (nl,)
+        At the planet, on a plane that faces the star. [W m⁻² nm⁻¹]
+    star_angular_radius : float
+        [rad]
+    constituents : tuple of Constituent
+        What the arrays were sampled from.
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> medium = Medium.from_planet(load_planet("earth-atmosphere-plus"), [680, 550, 440])
+    >>> medium.vertical_optical_depth.round(4).tolist()[0]  # 8 km (1 - exp(-12.5)) of air
+    [0.0464, 0.1085, 0.2648]
+    """
+
+    bottom_radius: float
+    top_radius: float
+    wavelengths: FloatArray
+    names: tuple[str, ...]
+    scattering: FloatArray
+    absorption: FloatArray
+    density: DensitySegments
+    phase_table: FloatArray
+    ground_albedo: FloatArray
+    ground_map: str | None
+    solar_irradiance: FloatArray
+    star_angular_radius: float
+    constituents: tuple[Constituent, ...] = field(repr=False)
+
+    @classmethod
+    def from_planet(cls, planet: Planet, wavelengths: npt.ArrayLike) -> Medium:
+        """Sample a planet.
+
+        Parameters
+        ----------
+        planet : Planet
+        wavelengths : array, shape (nl,)
+            Within ``planet.wavelength_limits``. [nm]
+
+        Raises
+        ------
+        ParameterError
+            If a wavelength is outside, or the planet cannot be: the constituent is named.
+        """
+        nm = _checked_wavelengths(planet, wavelengths)
+        density = DensitySegments.from_rows(
+            [_row(planet, i) for i in range(len(planet.constituents))]
+        )
+        nu = 1.0 - 2.0 * np.linspace(0.0, 1.0, PHASE_NODES) ** 2
+        constituents = planet.constituents
+        medium = cls(
+            bottom_radius=planet.bottom_radius,
+            top_radius=planet.top_radius,
+            wavelengths=nm,
+            names=tuple(one.name for one in constituents),
+            scattering=np.stack([one.scattering_coefficients(nm) for one in constituents]),
+            absorption=np.stack(
+                [one.absorption_coefficients(nm, planet.thickness) for one in constituents]
+            ),
+            density=density,
+            phase_table=np.stack([one.phase_values(nu, nm).T for one in constituents]),
+            ground_albedo=planet.ground.albedos(nm),
+            ground_map=planet.ground.map,
+            solar_irradiance=planet.star.irradiances(nm),
+            star_angular_radius=math.radians(planet.star.angular_radius_degrees),
+            constituents=constituents,
+        )
+        medium._check()
+        for array in medium._arrays().values():
+            array.flags.writeable = False
+        return medium
+
+    @property
+    def thickness(self) -> float:
+        """Height of the shell. [m]"""
+        return self.top_radius - self.bottom_radius
+
+    @cached_property
+    def columns(self) -> FloatArray:
+        """Vertical column of each constituent, ∫ relative density dh, shape (nc,). [m]"""
+        return self.density.columns()
+
+    @property
+    def extinction(self) -> FloatArray:
+        """Scattering + absorption at relative density 1, shape (nc, nl). [m⁻¹]"""
+        return self.scattering + self.absorption
+
+    @property
+    def vertical_optical_depth(self) -> FloatArray:
+        """Optical depth from the ground straight up to space, shape (nc, nl). [1]"""
+        return self.extinction * self.columns[:, None]
+
+    @property
+    def single_scattering_albedo(self) -> FloatArray:
+        """Scattering / extinction, shape (nc, nl); 0 where there is no extinction. [1]"""
+        extinction = self.extinction
+        return np.divide(
+            self.scattering, extinction, out=np.zeros_like(extinction), where=extinction > 0.0
+        )
+
+    def phase_function(self, nu: npt.ArrayLike) -> FloatArray:
+        """Phase functions, exact rather than from the table.
+
+        Parameters
+        ----------
+        nu : array, shape (...)
+            Cosine of the scattering angle. [1]
+
+        Returns
+        -------
+        array, shape (..., nc, nl)
+            [sr⁻¹]
+        """
+        return np.stack(
+            [one.phase_values(nu, self.wavelengths) for one in self.constituents], axis=-2
+        )
+
+    def phase_moments(self, degree: int) -> FloatArray:
+        """Legendre moments g_l of the phase functions; see ``optics.legendre``.
+
+        Parameters
+        ----------
+        degree : int
+            The last l.
+
+        Returns
+        -------
+        array, shape (nc, nl, degree + 1)
+            g_0 = 1; all zero for a constituent that does not scatter. [1]
+        """
+        moments = self._moments(degree)
+        # What is left of a table's integral is within INTEGRAL_TOLERANCE: energy is kept exactly.
+        scatters = moments[..., :1] > 0.0
+        return np.divide(moments, moments[..., :1], out=np.zeros_like(moments), where=scatters)
+
+    def _moments(self, degree: int) -> FloatArray:
+        """Legendre moments as integrated, g_0 not made 1; shape (nc, nl, degree + 1). [1]"""
+        return legendre_moments(lambda nu: np.moveaxis(self.phase_function(nu), 0, -1), degree)
+
+    def fingerprint(self) -> str:
+        """SHA-256 of everything that a solution depends on.
+
+        Examples
+        --------
+        >>> from airlight.planets import load_planet
+        >>> earth = load_planet("earth-atmosphere-plus")
+        >>> red, green = (Medium.from_planet(earth, [nm]).fingerprint() for nm in (680, 550))
+        >>> red == green
+        False
+        """
+        digest = hashlib.sha256(b"airlight medium 1\n")
+        scalars = (self.bottom_radius, self.top_radius, self.star_angular_radius)
+        digest.update(repr((scalars, self.names, self.ground_map)).encode())
+        for name, array in self._arrays().items():
+            digest.update(f"{name} {array.shape}\n".encode())
+            digest.update(np.ascontiguousarray(array, dtype="<f8").tobytes())
+        return digest.hexdigest()
+
+    def _arrays(self) -> dict[str, FloatArray]:
+        return {
+            "wavelengths": self.wavelengths,
+            "scattering": self.scattering,
+            "absorption": self.absorption,
+            "density edges": self.density.edges,
+            "density coefficients": self.density.coefficients,
+            "phase table": self.phase_table,
+            "ground albedo": self.ground_albedo,
+            "solar irradiance": self.solar_irradiance,
+        }
+
+    def _check(self) -> None:
+        """Refuse what slipped through the checks of the parts: nothing here is NaN or absurd."""
+        for name, array in self._arrays().items():
+            if not np.isfinite(array).all():
+                raise ParameterError(name, float(array[~np.isfinite(array)][0]), "finite numbers")
+        for name, array in (("scattering", self.scattering), ("absorption", self.absorption)):
+            if (array < 0.0).any():
+                raise ParameterError(name, float(array.min()), "0 or more, in /m")
+        depths = self.vertical_optical_depth
+        integrals = self._moments(0)[..., 0]
+        for i, one in enumerate(self.constituents):
+            where = f"constituents[{i}]"
+            if not depths[i].max() <= LARGEST_OPTICAL_DEPTH:
+                raise ParameterError(
+                    f"vertical optical depth of {where}",
+                    float(depths[i].max()),
+                    f"at most {LARGEST_OPTICAL_DEPTH:g}",
+                )
+            off = np.abs(integrals[i] - 1.0)
+            if one.scatters and not off.max() <= INTEGRAL_TOLERANCE:
+                raise ParameterError(
+                    f"integral of {where}.phase_function",
+                    float(integrals[i][off.argmax()]),
+                    f"1 within {INTEGRAL_TOLERANCE:g}",
+                )
+
+
+def _row(planet: Planet, index: int) -> Row:
+    try:
+        return planet.constituents[index].profile.row(planet.thickness)
+    except ParameterError as error:
+        field_name = f"constituents[{index}].profile.{error.field}"
+        raise ParameterError(field_name, error.value, error.allowed) from None
+
+
+def _checked_wavelengths(planet: Planet, wavelengths: npt.ArrayLike) -> FloatArray:
+    try:
+        nm = np.atleast_1d(np.array(wavelengths, dtype=np.float64))
+    except (TypeError, ValueError):
+        raise ParameterError("wavelengths", wavelengths, "a list of numbers in nm") from None
+    if nm.ndim != 1 or nm.size > MOST_WAVELENGTHS:
+        raise ParameterError("wavelengths", nm.shape, f"one list of 1 to {MOST_WAVELENGTHS}")
+    listed = tuple(nm.tolist())
+    check_wavelength_list(listed)
+    planet.check_wavelengths(listed)
+    return nm

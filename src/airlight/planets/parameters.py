@@ -1,0 +1,194 @@
+"""Parameter objects: frozen, keyword only, checked where they are made, with one-line errors."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Callable, Iterable
+from typing import Annotated, Any, TypeVar, dataclass_transform
+
+import numpy as np
+import pydantic
+import pydantic.dataclasses
+from pydantic import BeforeValidator, ValidationInfo
+
+from airlight.errors import ParameterError
+
+Class = TypeVar("Class", bound=type[Any])
+Instance = TypeVar("Instance")
+
+
+class _Missing:
+    """Stands for a value that is not there: an error about it reads ``… is missing``."""
+
+    def __repr__(self) -> str:
+        return "missing"
+
+
+#: The value that errors show for a field that was not given.
+MISSING = _Missing()
+
+
+@dataclass_transform(frozen_default=True, kw_only_default=True)
+def parameters(cls: Class) -> Class:
+    """Make a class a frozen, keyword-only pydantic dataclass that raises ``ParameterError``.
+
+    Fields carry their range as an annotation (``Length``, ``between(0.0, 1.0)``); relations
+    between fields are checked in ``__post_init__``.
+    """
+    config = pydantic.ConfigDict(extra="forbid", arbitrary_types_allowed=True)
+    made: Any = pydantic.dataclasses.dataclass(frozen=True, kw_only=True, config=config)(cls)
+    checked_init: Callable[..., None] = made.__init__
+
+    def __init__(self: Any, *positional: Any, **values: Any) -> None:
+        try:
+            checked_init(self, *positional, **values)
+        except pydantic.ValidationError as error:
+            raise _parameter_error(cls.__name__, error) from None
+
+    __init__.__doc__ = checked_init.__doc__
+    made.__init__ = __init__
+    return made  # type: ignore[no-any-return]
+
+
+def _parameter_error(owner: str, error: pydantic.ValidationError) -> ParameterError:
+    """The first complaint of pydantic, as one line."""
+    first = error.errors(include_url=False)[0]
+    own = first.get("ctx", {}).get("error")
+    if isinstance(own, ParameterError):
+        return own
+    field = str(first["loc"][0]) if first["loc"] else owner
+    if first["type"] == "missing":
+        return ParameterError(field, MISSING, f"a required field of {owner}")
+    return ParameterError(field, first.get("input"), first["msg"])
+
+
+def replace(instance: Instance, **changes: Any) -> Instance:
+    """A copy of a parameter object with some fields changed, checked again.
+
+    Parameters
+    ----------
+    instance : parameter object
+        A ``Planet``, a ``Constituent``, a profile, …
+    **changes
+        Fields and their new values.
+
+    Raises
+    ------
+    ParameterError
+        If a field does not exist or the changed object cannot be.
+
+    Examples
+    --------
+    >>> from airlight.planets.profiles import Exponential
+    >>> replace(Exponential(scale_height=8000.0), scale_height=8500.0)
+    Exponential(scale_height=8500.0)
+    """
+    if not dataclasses.is_dataclass(instance) or isinstance(instance, type):
+        raise ParameterError("instance", instance, "a parameter object such as a Planet")
+    known = [field.name for field in dataclasses.fields(instance) if field.init]
+    for name in changes:
+        if name not in known:
+            raise ParameterError(f"field of {type(instance).__name__}", name, ", ".join(known))
+    return dataclasses.replace(instance, **changes)
+
+
+def finite(value: Any, field: str, allowed: str = "a finite number") -> float:
+    """A number as a float, or a ``ParameterError`` with the name of its field."""
+    if isinstance(value, (bool, str, bytes)):
+        raise ParameterError(field, value, allowed)
+    try:
+        number = float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise ParameterError(field, value, allowed) from None
+    if not math.isfinite(number):
+        raise ParameterError(field, value, allowed)
+    return number
+
+
+def _inside(
+    value: Any, field: str, low: float, high: float, unit: str, *, above: bool, below: bool
+) -> float:
+    """``value`` if it lies between low and high; ``above`` and ``below`` leave the ends out."""
+    lower = f"more than {low:g}" if above else f"{low:g}"
+    upper = f"less than {high:g}" if below else f"{high:g}"
+    allowed = f"{lower} to {upper} {unit}".rstrip()
+    number = finite(value, field, allowed)
+    if number < low or number > high or (above and number == low) or (below and number == high):
+        raise ParameterError(field, value, allowed)
+    return number
+
+
+def between(
+    low: float, high: float, unit: str = "", *, above: bool = False, below: bool = False
+) -> BeforeValidator:
+    """A check that a field is a finite number in a range.
+
+    Parameters
+    ----------
+    low, high : float
+        The ends, which belong to the range.
+    unit : str
+        Shown in the error.
+    above, below : bool
+        Leave the lower or the upper end out.
+    """
+
+    def check(value: Any, info: ValidationInfo) -> float:
+        return _inside(value, info.field_name or "value", low, high, unit, above=above, below=below)
+
+    return BeforeValidator(check)
+
+
+def numbers(value: Any, field: str, low: float, high: float, unit: str = "") -> tuple[float, ...]:
+    """A sequence of finite numbers in a range, as a tuple of floats."""
+    if isinstance(value, np.ndarray):
+        value = value.tolist()
+    if isinstance(value, (str, bytes, dict)) or not isinstance(value, Iterable):
+        raise ParameterError(
+            field, value, f"a list of numbers, {low:g} to {high:g} {unit}".rstrip()
+        )
+    return tuple(
+        _inside(item, f"{field}[{index}]", low, high, unit, above=False, below=False)
+        for index, item in enumerate(value)
+    )
+
+
+def all_between(low: float, high: float, unit: str = "") -> BeforeValidator:
+    """A check that a field is a list of finite numbers, each in a range."""
+
+    def check(value: Any, info: ValidationInfo) -> tuple[float, ...]:
+        return numbers(value, info.field_name or "value", low, high, unit)
+
+    return BeforeValidator(check)
+
+
+def ascending(values: tuple[float, ...], field: str, unit: str = "") -> None:
+    """Refuse a list that does not grow strictly."""
+    for index in range(1, len(values)):
+        if values[index] <= values[index - 1]:
+            raise ParameterError(
+                f"{field}[{index}]",
+                values[index],
+                f"more than the value before it, {values[index - 1]:g} {unit}".rstrip(),
+            )
+
+
+def instance_of(*classes: type[Any]) -> BeforeValidator:
+    """A check that a field is an object of one of the classes."""
+
+    def check(value: Any, info: ValidationInfo) -> Any:
+        if not isinstance(value, classes):
+            names = ", ".join(cls.__name__ for cls in classes)
+            raise ParameterError(info.field_name or "value", value, f"one of {names}")
+        return value
+
+    return BeforeValidator(check)
+
+
+#: Heights and widths within a shell. [m]
+Length = Annotated[float, between(0.0, 1e9, "m")]
+#: Scale heights: thinner layers than a metre are surfaces. [m]
+ScaleHeight = Annotated[float, between(1.0, 1e9, "m")]
+#: A share of a whole. [1]
+Fraction = Annotated[float, between(0.0, 1.0)]

@@ -1,0 +1,293 @@
+"""A planet: ground, shell of air, star, and what the air is made of."""
+
+from __future__ import annotations
+
+from typing import Annotated, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.errors import ParameterError
+from airlight.planets.gases import GasScattering, OzoneAbsorption, RefractiveScattering
+from airlight.planets.ground_and_star import Ground, Star
+from airlight.planets.parameters import (
+    MISSING,
+    all_between,
+    between,
+    instance_of,
+    parameters,
+)
+from airlight.planets.phases import (
+    CornetteShanks,
+    DoubleHenyeyGreenstein,
+    HenyeyGreenstein,
+    PhaseFunction,
+    Rayleigh,
+    TabulatedPhase,
+)
+from airlight.planets.profiles import Exponential, Layered, Profile, Tabulated, Tent, Uniform
+from airlight.planets.spectral import (
+    LONGEST,
+    SHORTEST,
+    Limits,
+    PerWavelength,
+    Spectral,
+    check_spectral,
+    check_wavelength_list,
+    narrowest,
+    spectral_at,
+    spectral_limits,
+)
+
+FloatArray = npt.NDArray[np.float64]
+
+#: The wavelengths that stand for red, green and blue. [nm] Bruneton (2008).
+RED_GREEN_BLUE: Final = (680.0, 550.0, 440.0)
+#: Largest coefficient: light that gets no farther than a metre. [m⁻¹]
+LARGEST_COEFFICIENT: Final = 1.0
+#: The most constituents of a planet.
+MOST_CONSTITUENTS: Final = 64
+
+_PROFILES = (Exponential, Tent, Layered, Tabulated, Uniform)
+_PHASES = (Rayleigh, CornetteShanks, HenyeyGreenstein, DoubleHenyeyGreenstein, TabulatedPhase)
+
+
+def _coefficient(value: object, field: str) -> object:
+    """A given coefficient in its range; a gas has checked itself."""
+    if isinstance(value, (GasScattering, RefractiveScattering, OzoneAbsorption)):
+        return value
+    return check_spectral(value, field, 0.0, LARGEST_COEFFICIENT, "/m")
+
+
+@parameters
+class Constituent:
+    """One thing that the air is made of.
+
+    Parameters
+    ----------
+    name : str
+        1 to 60 letters; no two constituents of a planet share one.
+    profile : Exponential, Tent, Layered, Tabulated or Uniform
+        Relative density over altitude.
+    scattering : float, PerWavelength, GasScattering or RefractiveScattering
+        Coefficient at relative density 1, 0 to 1. [m⁻¹]
+    absorption : float, PerWavelength or OzoneAbsorption
+        Coefficient at relative density 1, 0 to 1. [m⁻¹]
+    phase_function : Rayleigh, CornetteShanks, …, optional
+        Needed if it scatters; a gas has its own if none is given.
+
+    Notes
+    -----
+    Given scattering coefficients beside a ``Rayleigh`` phase function follow λ⁻⁴ between and
+    beyond their wavelengths. All else is linear between them and held for 10 nm beyond.
+    """
+
+    name: str
+    profile: Annotated[Profile, instance_of(*_PROFILES)]
+    scattering: Annotated[
+        Spectral | GasScattering | RefractiveScattering,
+        instance_of(int, float, PerWavelength, GasScattering, RefractiveScattering),
+    ] = 0.0
+    absorption: Annotated[
+        Spectral | OzoneAbsorption, instance_of(int, float, PerWavelength, OzoneAbsorption)
+    ] = 0.0
+    phase_function: Annotated[PhaseFunction, instance_of(*_PHASES)] | None = None
+
+    def __post_init__(self) -> None:
+        if not 1 <= len(self.name) <= 60:
+            raise ParameterError("name", self.name, "1 to 60 letters")
+        _coefficient(self.scattering, "scattering")
+        _coefficient(self.absorption, "absorption")
+        if self.scatters and not self._is_gas and self.phase_function is None:
+            raise ParameterError("phase_function", MISSING, "one, since it scatters")
+
+    @property
+    def _is_gas(self) -> bool:
+        return isinstance(self.scattering, (GasScattering, RefractiveScattering))
+
+    @property
+    def scatters(self) -> bool:
+        """Whether any light is scattered at any wavelength."""
+        if isinstance(self.scattering, PerWavelength):
+            return any(value > 0.0 for value in self.scattering.values)
+        return self._is_gas or self.scattering != 0.0
+
+    @property
+    def _follows_fourth_power(self) -> bool:
+        return isinstance(self.phase_function, Rayleigh)
+
+    @property
+    def limits(self) -> Limits:
+        """The wavelengths at which everything about it is known. [nm]"""
+        limits = []
+        if isinstance(self.scattering, (GasScattering, RefractiveScattering)):
+            limits.append(self.scattering.limits)
+        elif not self._follows_fourth_power:
+            limits.append(spectral_limits(self.scattering))
+        if isinstance(self.absorption, OzoneAbsorption):
+            limits.append(self.absorption.limits)
+        else:
+            limits.append(spectral_limits(self.absorption))
+        if self.phase_function is not None:
+            limits.append(self.phase_function.limits)
+        return narrowest(limits)
+
+    def scattering_coefficients(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """Scattering coefficient at relative density 1, shape (nl,). [m⁻¹]"""
+        if isinstance(self.scattering, (GasScattering, RefractiveScattering)):
+            return self.scattering.coefficients(wavelengths)
+        if self._follows_fourth_power and isinstance(self.scattering, PerWavelength):
+            return self.scattering.at_fourth_power(wavelengths)
+        return spectral_at(self.scattering, wavelengths)
+
+    def absorption_coefficients(self, wavelengths: npt.ArrayLike, thickness: float) -> FloatArray:
+        """Absorption coefficient at relative density 1, shape (nl,). [m⁻¹]
+
+        Parameters
+        ----------
+        wavelengths : array, shape (nl,)
+            [nm]
+        thickness : float
+            Of the shell, over which a column of gas is spread. [m]
+        """
+        if not isinstance(self.absorption, OzoneAbsorption):
+            return spectral_at(self.absorption, wavelengths)
+        column = self.profile.column(thickness)
+        if not column > 0.0:
+            raise ParameterError(
+                "profile", self.profile, "one that is not 0 everywhere in the shell"
+            )
+        return self.absorption.coefficients(wavelengths, column)
+
+    def phase_values(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
+        """Phase function, shape of nu (...) and wavelengths (nl,) to (..., nl). [sr⁻¹]
+
+        Zero where it does not scatter.
+        """
+        nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+        if not self.scatters:
+            return np.zeros((*np.shape(nu), len(nm)))
+        if self.phase_function is not None:
+            return self.phase_function.values(nu, nm)
+        assert isinstance(self.scattering, (GasScattering, RefractiveScattering))
+        delta = tuple(self.scattering.depolarisations(nm).tolist())
+        own = Rayleigh(depolarisation=PerWavelength(wavelengths=tuple(nm.tolist()), values=delta))
+        return own.values(nu, nm)
+
+
+@parameters
+class Planet:
+    """A round ground under a shell of air, lit by a star.
+
+    Parameters
+    ----------
+    name : str
+        1 to 60 letters.
+    bottom_radius, top_radius : float
+        Of the ground and of the top of the air, from the centre. [m]
+    ground : Ground
+    star : Star
+    constituents : tuple of Constituent
+        At least one, at most 64.
+    own_wavelengths : tuple of float, optional
+        The wavelengths that stand for the planet where none are asked for. [nm]
+    description : str, optional
+        What the numbers are and where they come from, in a sentence or two.
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet, replace
+    >>> planet = load_planet("earth-atmosphere-plus")
+    >>> planet.wavelengths
+    (680.0, 550.0, 440.0)
+    >>> higher = replace(planet, top_radius=6.5e6)
+    >>> replace(planet, top_radius=6.3e6)
+    Traceback (most recent call last):
+    ...
+    airlight.errors.ParameterError: top_radius is 6300000.0; allowed: 6360000.636 to 63600000 m
+    """
+
+    name: str
+    bottom_radius: Annotated[float, between(1e3, 1e12, "m")]
+    top_radius: Annotated[float, between(1e3, 1e13, "m")]
+    ground: Annotated[Ground, instance_of(Ground)] = Ground()
+    star: Annotated[Star, instance_of(Star)]
+    constituents: tuple[Annotated[Constituent, instance_of(Constituent)], ...]
+    own_wavelengths: Annotated[tuple[float, ...], all_between(SHORTEST, LONGEST, "nm")] | None = (
+        None
+    )
+    description: str = ""
+
+    def __post_init__(self) -> None:
+        if not 1 <= len(self.name) <= 60:
+            raise ParameterError("name", self.name, "1 to 60 letters")
+        least, most = self.bottom_radius * (1.0 + 1e-7), self.bottom_radius * 10.0
+        if not least <= self.top_radius <= most:
+            raise ParameterError(
+                "top_radius",
+                self.top_radius,
+                f"{least:.10g} to {most:.10g} m",
+            )
+        if not 1 <= len(self.constituents) <= MOST_CONSTITUENTS:
+            raise ParameterError(
+                "constituents", len(self.constituents), f"1 to {MOST_CONSTITUENTS} constituents"
+            )
+        names: set[str] = set()
+        for index, constituent in enumerate(self.constituents):
+            if constituent.name in names:
+                raise ParameterError(
+                    f"constituents[{index}].name", constituent.name, "a name of its own"
+                )
+            names.add(constituent.name)
+        if self.wavelength_limits[0] > self.wavelength_limits[1]:
+            raise ParameterError(
+                "wavelengths",
+                self._limits_by_part(),
+                "parts that are known at a common wavelength",
+            )
+        if self.own_wavelengths is not None:
+            check_wavelength_list(self.own_wavelengths)
+            self.check_wavelengths(self.own_wavelengths)
+
+    @property
+    def thickness(self) -> float:
+        """Height of the shell. [m]"""
+        return self.top_radius - self.bottom_radius
+
+    def _limits_by_part(self) -> dict[str, Limits]:
+        parts = {"ground": self.ground.limits, "star": self.star.limits}
+        return parts | {one.name: one.limits for one in self.constituents}
+
+    @property
+    def wavelength_limits(self) -> Limits:
+        """The wavelengths at which every part is known, lowest and highest. [nm]"""
+        return narrowest([(SHORTEST, LONGEST), *self._limits_by_part().values()])
+
+    @property
+    def wavelengths(self) -> tuple[float, ...]:
+        """The planet's own wavelengths. [nm]
+
+        Those it names; else 680, 550 and 440 if every part is known there; else those of the
+        first part that names any.
+        """
+        if self.own_wavelengths is not None:
+            return self.own_wavelengths
+        low, high = self.wavelength_limits
+        if low <= min(RED_GREEN_BLUE) and max(RED_GREEN_BLUE) <= high:
+            return RED_GREEN_BLUE
+        for constituent in self.constituents:
+            for value in (constituent.scattering, constituent.absorption):
+                if isinstance(value, PerWavelength):
+                    inside = tuple(nm for nm in value.wavelengths if low <= nm <= high)
+                    if inside:
+                        return inside
+        return (0.5 * (low + high),)
+
+    def check_wavelengths(self, wavelengths: tuple[float, ...]) -> None:
+        """Refuse a wavelength at which some part of the planet is not known."""
+        low, high = self.wavelength_limits
+        for nm in wavelengths:
+            if not low <= nm <= high:
+                parts = self._limits_by_part().items()
+                who = next((name for name, (a, b) in parts if not a <= nm <= b), self.name)
+                raise ParameterError("wavelengths", nm, f"{low:g} to {high:g} nm, for {who!r}")

@@ -1,0 +1,137 @@
+"""A value that depends on wavelength: one number, or numbers at given wavelengths."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any, Final
+
+import numpy as np
+import numpy.typing as npt
+from pydantic import BeforeValidator, ValidationInfo
+
+from airlight.errors import ParameterError
+from airlight.planets.parameters import _inside, all_between, finite, numbers, parameters
+
+FloatArray = npt.NDArray[np.float64]
+#: The lowest and the highest wavelength at which something is known. [nm]
+Limits = tuple[float, float]
+
+#: How far beyond its wavelengths a value is held, and no farther. [nm]
+BEYOND: Final = 10.0
+#: Known everywhere. [nm]
+EVERYWHERE: Final[Limits] = (0.0, math.inf)
+#: Wavelengths that a planet may be asked for or described at. [nm]
+SHORTEST: Final = 10.0
+LONGEST: Final = 1e6
+#: The most wavelengths of one list.
+MOST_WAVELENGTHS: Final = 10_000
+
+
+@parameters
+class PerWavelength:
+    """Values at given wavelengths; linear between them, held up to 10 nm beyond them.
+
+    Parameters
+    ----------
+    wavelengths : tuple of float
+        In any order, none twice. [nm]
+    values : tuple of float
+        As many.
+
+    Examples
+    --------
+    >>> dust = PerWavelength(wavelengths=(680.0, 440.0), values=(0.8, 0.4))
+    >>> dust.at([440.0, 500.0, 690.0]).tolist()
+    [0.4, 0.5, 0.8]
+    """
+
+    wavelengths: Annotated[tuple[float, ...], all_between(SHORTEST, LONGEST, "nm")]
+    values: Annotated[tuple[float, ...], all_between(-1e300, 1e300)]
+
+    def __post_init__(self) -> None:
+        check_wavelength_list(self.wavelengths)
+        if len(self.values) != len(self.wavelengths):
+            raise ParameterError(
+                "values", self.values, f"one for each of {len(self.wavelengths)} wavelengths"
+            )
+
+    @property
+    def limits(self) -> Limits:
+        """The wavelengths at which the value is known, the 10 nm included. [nm]"""
+        return min(self.wavelengths) - BEYOND, max(self.wavelengths) + BEYOND
+
+    def at(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """The value at wavelengths within ``limits`` [nm], shape (...)."""
+        order = np.argsort(self.wavelengths)
+        known = np.asarray(self.wavelengths)[order]
+        nm = np.asarray(wavelengths, dtype=np.float64)
+        return np.asarray(np.interp(nm, known, np.asarray(self.values)[order]))
+
+    def at_fourth_power(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """The value at any wavelength [nm], shape (...), as λ⁻⁴ with a factor.
+
+        The factor is linear between the given wavelengths and constant beyond them: the law of
+        Rayleigh scattering, which the given values need not follow exactly.
+        """
+        nm = np.asarray(wavelengths, dtype=np.float64)
+        order = np.argsort(self.wavelengths)
+        known = np.asarray(self.wavelengths)[order]
+        factor = np.asarray(self.values)[order] * known**4
+        return np.asarray(np.interp(nm, known, factor) / nm**4)
+
+
+def check_wavelength_list(wavelengths: tuple[float, ...], field: str = "wavelengths") -> None:
+    """Refuse a list that is empty, too long or names a wavelength twice."""
+    if not 1 <= len(wavelengths) <= MOST_WAVELENGTHS:
+        raise ParameterError(field, wavelengths, f"1 to {MOST_WAVELENGTHS} wavelengths")
+    if len(set(wavelengths)) != len(wavelengths):
+        raise ParameterError(field, wavelengths, "each wavelength once")
+
+
+#: One number for every wavelength, or numbers at given wavelengths.
+Spectral = float | PerWavelength
+
+
+def spectral(low: float, high: float, unit: str = "") -> BeforeValidator:
+    """A check that a field is a number or ``PerWavelength``, each value in a range."""
+
+    def check(value: Any, info: ValidationInfo) -> Any:
+        return check_spectral(value, info.field_name or "value", low, high, unit)
+
+    return BeforeValidator(check)
+
+
+def check_spectral(value: Any, field: str, low: float, high: float, unit: str = "") -> Spectral:
+    """The number or ``PerWavelength``, or an error that names the value out of range."""
+    if isinstance(value, PerWavelength):
+        numbers(value.values, field, low, high, unit)
+        return value
+    return _inside(value, field, low, high, unit, above=False, below=False)
+
+
+def spectral_at(value: Spectral, wavelengths: npt.ArrayLike) -> FloatArray:
+    """The value at each wavelength [nm], shape (n,)."""
+    if isinstance(value, PerWavelength):
+        return value.at(wavelengths)
+    return np.full(np.shape(wavelengths), finite(value, "value"))
+
+
+def spectral_limits(*values: Spectral) -> Limits:
+    """The wavelengths at which all the values are known. [nm]"""
+    return narrowest(value.limits for value in values if isinstance(value, PerWavelength))
+
+
+def narrowest(limits: Any) -> Limits:
+    """The overlap of several limits; lowest above highest if there is none. [nm]"""
+    low, high = EVERYWHERE
+    for one_low, one_high in limits:
+        low, high = max(low, one_low), min(high, one_high)
+    return low, high
+
+
+def table_limits(name: str) -> Limits:
+    """The wavelengths at which a table of ``airlight.spectra`` is known, 10 nm included. [nm]"""
+    from airlight.spectra.tables import read_spectrum
+
+    wavelengths = read_spectrum(name).wavelengths
+    return float(wavelengths[0]) - BEYOND, float(wavelengths[-1]) + BEYOND

@@ -1,0 +1,176 @@
+"""One table of a planet file: typed reads, each with a one-line error, and no key left unread."""
+
+from __future__ import annotations
+
+import contextlib
+import difflib
+from collections.abc import Iterator
+from typing import Any
+
+from airlight.errors import ParameterError
+from airlight.planets.parameters import MISSING, numbers
+from airlight.planets.spectral import (
+    LONGEST,
+    SHORTEST,
+    PerWavelength,
+    Spectral,
+    check_wavelength_list,
+)
+from airlight.units import quantities, quantity
+
+#: The longest list that a file may hold.
+LONGEST_LIST = 10_000
+
+
+class Section:
+    """A table of a TOML file and where it stands.
+
+    Parameters
+    ----------
+    values : dict
+        What the TOML parser made of it.
+    path : str
+        With dots and indices, for errors: ``constituents[1].profile``. Empty for the whole file.
+    """
+
+    def __init__(self, values: Any, path: str = "") -> None:
+        if not isinstance(values, dict):
+            raise ParameterError(path, values, "a table with keys and values")
+        self._values: dict[str, Any] = values
+        self._read: list[str] = []
+        self.path = path
+
+    def name_of(self, key: str) -> str:
+        """The key with the path before it."""
+        return f"{self.path}.{key}" if self.path else key
+
+    def __contains__(self, key: str) -> bool:
+        self._note(key)
+        return key in self._values
+
+    def _note(self, key: str) -> None:
+        if key not in self._read:
+            self._read.append(key)
+
+    def raw(self, key: str) -> Any:
+        """The value as the TOML parser gave it, or None."""
+        self._note(key)
+        return self._values.get(key)
+
+    def required(self, key: str, allowed: str) -> Any:
+        """The value as the TOML parser gave it; an error if it is not there."""
+        if key not in self:
+            raise ParameterError(self.name_of(key), MISSING, allowed)
+        return self._values[key]
+
+    def text(self, key: str, allowed: str, default: str | None = None) -> str:
+        """A text, or the default if the key is not there."""
+        if key not in self and default is not None:
+            return default
+        value = self.required(key, allowed)
+        if not isinstance(value, str):
+            raise ParameterError(self.name_of(key), value, allowed)
+        return value
+
+    def choice(self, key: str, options: tuple[str, ...]) -> str:
+        """One of several words; a misspelt one gets the nearest suggested."""
+        value = self.text(key, f"one of {', '.join(options)}")
+        if value not in options:
+            raise ParameterError(self.name_of(key), value, suggestion(value, options))
+        return value
+
+    def number(self, key: str, unit: str, example: str) -> float:
+        """A quantity in the unit; a number without a unit is taken to be in it."""
+        allowed = f"a number such as {example!r}" if unit == "1" else f"such as {example!r}"
+        return quantity(self.required(key, allowed), unit, self.name_of(key))
+
+    def optional_number(self, key: str, unit: str) -> float | None:
+        """A quantity in the unit, or None if the key is not there."""
+        return quantity(self.raw(key), unit, self.name_of(key)) if key in self else None
+
+    def numbers(self, key: str, unit: str, example: str) -> tuple[float, ...]:
+        """A list of quantities, or one text with commas."""
+        value = self.required(key, f"a list such as {example!r}")
+        return quantity_list(value, unit, self.name_of(key))
+
+    def wavelengths(self) -> tuple[float, ...] | None:
+        """The wavelengths that the lists of this table belong to [nm], or None."""
+        if "wavelengths" not in self:
+            return None
+        field = self.name_of("wavelengths")
+        given = self.numbers("wavelengths", "nm", "680, 550, 440 nm")
+        wavelengths = numbers(given, field, SHORTEST, LONGEST, "nm")
+        check_wavelength_list(wavelengths, field)
+        return wavelengths
+
+    def spectral(
+        self, key: str, unit: str, example: str, wavelengths: tuple[float, ...] | None
+    ) -> Spectral:
+        """One quantity for every wavelength, or a list with one for each of the wavelengths."""
+        value = self.required(key, f"such as {example!r}, or a list with one for each wavelength")
+        return spectral_of(value, unit, self.name_of(key), wavelengths)
+
+    def section(self, key: str, allowed: str) -> Section:
+        """A table within this one."""
+        value = self.required(key, allowed)
+        if not isinstance(value, dict):
+            raise ParameterError(self.name_of(key), value, allowed)
+        return Section(value, self.name_of(key))
+
+    def sections(self, key: str, allowed: str) -> list[Section]:
+        """A list of tables within this one."""
+        value = self.required(key, allowed)
+        if not isinstance(value, list) or len(value) > LONGEST_LIST:
+            raise ParameterError(self.name_of(key), value, allowed)
+        return [Section(item, f"{self.name_of(key)}[{i}]") for i, item in enumerate(value)]
+
+    def finish(self) -> None:
+        """Refuse a key that nothing has read, and suggest the nearest that exists."""
+        for key in self._values:
+            if key not in self._read:
+                where = f"a key of {self.path}" if self.path else "a key of the file"
+                raise ParameterError(where, key, suggestion(key, tuple(self._read)))
+
+    @contextlib.contextmanager
+    def blamed(self) -> Iterator[None]:
+        """Put this section's path before the field of any error raised inside."""
+        try:
+            yield
+        except ParameterError as error:
+            if error.file is not None or (self.path and error.field.startswith(self.path)):
+                raise
+            raise ParameterError(self.name_of(error.field), error.value, error.allowed) from None
+
+
+def quantity_list(value: Any, unit: str, field: str) -> tuple[float, ...]:
+    """A list of quantities, or one text with commas, of bearable length."""
+    too_long = (isinstance(value, list) and len(value) > LONGEST_LIST) or (
+        isinstance(value, str) and len(value) > 20 * LONGEST_LIST
+    )
+    if too_long:
+        raise ParameterError(field, len(value), f"a list of at most {LONGEST_LIST}")
+    return tuple(quantities(value, unit, field))
+
+
+def spectral_of(
+    value: Any, unit: str, field: str, wavelengths: tuple[float, ...] | None
+) -> Spectral:
+    """One quantity for every wavelength, or a list with one for each of the wavelengths."""
+    listed = isinstance(value, list) or (isinstance(value, str) and "," in value)
+    if not listed:
+        return quantity(value, unit, field)
+    values = quantity_list(value, unit, field)
+    if wavelengths is None:
+        raise ParameterError(field, value, "one value, or a list beside a list of wavelengths")
+    if len(values) != len(wavelengths):
+        raise ParameterError(
+            field, value, f"{len(wavelengths)} values, one for each of the wavelengths"
+        )
+    return PerWavelength(wavelengths=wavelengths, values=values)
+
+
+def suggestion(given: str, options: tuple[str, ...]) -> str:
+    """The allowed words, with the one nearest to what was given, if any is near."""
+    near = difflib.get_close_matches(given[:60], options, n=1, cutoff=0.6)
+    listed = ", ".join(options)
+    return f"{listed} (did you mean {near[0]!r}?)" if near else listed
