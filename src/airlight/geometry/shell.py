@@ -1,0 +1,51 @@
+"""Distances and horizons in a spherical shell.
+
+A ray starts at radius ``r`` [m] and leaves with the cosine ``mu`` between its direction and the
+local zenith. Differences of squares are written as products, so that nothing cancels.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+from airlight.kernel import kernel
+
+
+@kernel
+def chord(r, mu, radius):
+    """Half the chord that the line of a ray cuts from a sphere; 0 if it misses. [m]
+
+    The line comes nearest to the centre at distance -r·mu along the ray; the sphere of the
+    given radius is met half a chord before and after that point.
+    """
+    return sqrt(max((radius - r) * (radius + r) + r * r * mu * mu, 0.0))
+
+
+@kernel
+def distance_to_top(r, mu, top_radius):
+    """Distance along a ray to the top of the shell, from a point inside it. [m]"""
+    return max(-r * mu + chord(r, mu, top_radius), 0.0)
+
+
+@kernel
+def distance_to_bottom(r, mu, bottom_radius):
+    """Distance along a ray to the ground, for a ray that meets it. [m]"""
+    return max(-r * mu - chord(r, mu, bottom_radius), 0.0)
+
+
+@kernel
+def horizon_cosine(r, bottom_radius):
+    """Cosine of the zenith angle of the geometric horizon seen from radius r: at most 0. [1]"""
+    return -sqrt(max((r - bottom_radius) * (r + bottom_radius), 0.0)) / r
+
+
+@kernel
+def meets_ground(r, mu, bottom_radius):
+    """Whether a ray meets the ground: it points below the horizon."""
+    return mu < horizon_cosine(r, bottom_radius)
+
+
+@kernel
+def radius_along(r, mu, distance):
+    """Distance from the centre after some way along a ray. [m]"""
+    return sqrt(max(distance * (distance + 2.0 * r * mu) + r * r, 0.0))

@@ -1,0 +1,78 @@
+"""Results kept on disk between runs: named arrays under a key.
+
+A file is written beside its place and renamed, so that it is whole or not there. The key and a
+checksum of every array are read back before anything is used: a truncated, damaged or foreign
+file counts as not there.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import tempfile
+import zipfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.kernel import cache_folder
+
+#: Oldest results are removed once all together are larger than this. [bytes]
+LARGEST_TOTAL: Final = 1_000_000_000
+
+
+def _file(key: str) -> Path:
+    return cache_folder() / "solutions" / f"{key}.npz"
+
+
+def load(key: str) -> dict[str, NDArray[Any]] | None:
+    """The arrays kept under a key, or None if there are none that can be trusted.
+
+    Parameters
+    ----------
+    key : str
+        A fingerprint: letters and digits.
+    """
+    file = _file(key)
+    try:
+        with np.load(file, allow_pickle=False) as stored:
+            arrays = {name: stored[name] for name in stored.files}  # zip checks each CRC-32
+    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile, NotImplementedError):
+        return None
+    if str(arrays.pop("key", "")) != key:
+        return None
+    with contextlib.suppress(OSError):
+        os.utime(file)
+    return arrays
+
+
+def save(key: str, arrays: Mapping[str, NDArray[Any]]) -> None:
+    """Keep arrays under a key; where nothing can be written, nothing is kept and nothing said."""
+    file = _file(key)
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        handle, name = tempfile.mkstemp(dir=file.parent, prefix=".", suffix=".part")
+    except OSError:
+        return
+    part = Path(name)
+    try:
+        with os.fdopen(handle, "wb") as stream:
+            np.savez(stream, key=np.array(key), **arrays)
+        part.replace(file)
+        _remove_oldest(file.parent)
+    except OSError:
+        return
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def _remove_oldest(folder: Path) -> None:
+    files = sorted(folder.glob("*.npz"), key=lambda file: file.stat().st_mtime, reverse=True)
+    total = 0
+    for file in files:
+        total += file.stat().st_size
+        if total > LARGEST_TOTAL:
+            file.unlink(missing_ok=True)
