@@ -1,0 +1,1 @@
+"""Successive orders of scattering, kept as spherical-harmonic moments of the radiance."""

@@ -1,0 +1,82 @@
+"""A medium's optics, packed for kernels that run eight wavelengths at once.
+
+Where light is scattered many times by particles with a sharp forward peak, the part
+f = g_{N+1} of each scattering counts as none at all (δ-M: Wiscombe 1977, JAS 34, 1408), and the
+first order is computed with the exact phase function in the air so thinned (TMS: Nakajima &
+Tanaka 1988, JQSRT 40, 51). Where the particles are thin the peak's light is scattered once, δ-M
+gains nothing and spoils the narrow bright band along the horizon; f is therefore faded in with the
+particles' vertical optical depth. docs/decisions/moments-solver.md has the measurements.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.kernel.lanes import LANES
+from airlight.planets.medium import Medium
+from airlight.solvers.moments.settings import Settings
+from airlight.solvers.moments.sweep import Air
+
+FloatArray = NDArray[np.float64]
+
+#: Vertical scattering optical depth about which forward peaks begin to be cut off. [1]
+_THIN: Final = 0.1
+#: Legendre moments below this count as none.
+_NONE: Final = 1e-6
+
+
+def pack(values: FloatArray) -> NDArray[np.float32]:
+    """Up to eight wavelengths on the last axis to flat float32 in eight lanes.
+
+    Lanes without a wavelength repeat the last one, so that they compute nothing strange.
+    """
+    missing = LANES - values.shape[-1]
+    padded = np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
+    return np.ascontiguousarray(padded, dtype=np.float32).reshape(-1)
+
+
+def peak_weight(medium: Medium) -> FloatArray:
+    """How far forward peaks are cut off, from 0 (thin) to 1 (thick), shape (nc, nl)."""
+    depth = medium.scattering * medium.columns[:, None]
+    return np.asarray(1.0 - np.exp(-((depth / _THIN) ** 2)))
+
+
+def choose_degree(medium: Medium, settings: Settings) -> int:
+    """The harmonics' degree: no higher than the phase functions need, higher for thick dust."""
+    highest = settings.thick_degree
+    moments = medium.phase_moments(highest)
+    strong = np.abs(moments).max(axis=(0, 1)) > _NONE
+    needed = int(np.flatnonzero(strong).max()) if strong.any() else 0
+    peaked = np.abs(moments[..., settings.degree + 1 :]).max(axis=-1, initial=0.0) > 0.01
+    thick = bool((peak_weight(medium)[peaked] > 0.5).any())
+    return max(2, min(needed, highest if thick else settings.degree))
+
+
+def make_air(medium: Medium, degree: int, block: slice) -> Air:
+    """The optics of up to eight of a medium's wavelengths.
+
+    Parameters
+    ----------
+    medium : Medium
+        All wavelengths.
+    degree : int
+        Of the harmonics.
+    block : slice
+        Which wavelengths.
+    """
+    moments = medium.phase_moments(degree + 1)[:, block]
+    scattering = medium.scattering[:, block]
+    extinction = medium.extinction[:, block]
+    peak = np.clip(moments[..., degree + 1], 0.0, 0.98) * peak_weight(medium)[:, block]
+    peak[np.abs(moments[..., degree + 1]) <= _NONE] = 0.0
+    scatters = (scattering > 0.0)[..., None]
+    smooth = scattering[..., None] * (moments[..., : degree + 1] - peak[..., None]) * scatters
+    return Air(
+        extinction=pack(extinction - peak * scattering),
+        moments=pack(np.moveaxis(smooth, 2, 1)),
+        albedo=pack(medium.ground_albedo[block]),
+        star_radius=float(medium.star_angular_radius),
+    )

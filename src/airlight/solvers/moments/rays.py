@@ -1,0 +1,146 @@
+"""The lines along which one sweep gathers light: the same for every wavelength and sun."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.polynomial.legendre import legvander
+from numpy.typing import NDArray
+
+from airlight.geometry.path import MAX_EDGES, place_edges, ray_length
+from airlight.geometry.quadrature import gauss_legendre
+from airlight.geometry.shell import horizon_cosine
+from airlight.kernel import compiled_loop
+from airlight.optics.density_profile import DensitySegments
+from airlight.solvers.moments.grid import Grid
+from airlight.tables.columns import new_path, trace
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+
+class Rays(NamedTuple):
+    """Rays from every radius of a grid in every zenith angle of a quadrature.
+
+    Attributes
+    ----------
+    mu, weight : array, shape (r, a)
+        Zenith cosine and its weight in ∫ dmu; the first half of a row points below the horizon. [1]
+    flux : array, shape (r, a)
+        Weight in ∫ mu dmu over the upper half of the sphere, from the polynomial through the
+        directions above the horizon. [1]
+    length : array, shape (r, a)
+        To the ground or to the top. [m]
+    start : array, shape (r, a + 1)
+        Where the points of a ray begin in the arrays below.
+    total : array, shape (r, a, nc)
+        Columns over the whole ray. [m]
+    distance, radius : array, shape (p,)
+        Of the points, from the start of their ray and from the planet's centre. [m]
+    amount : array, shape (p, nc)
+        Density times length that a point stands for. [m]
+    column : array, shape (p, nc)
+        From the start of the ray to the point. [m]
+    """
+
+    mu: FloatArray
+    weight: FloatArray
+    flux: FloatArray
+    length: FloatArray
+    start: IntArray
+    total: FloatArray
+    distance: FloatArray
+    radius: FloatArray
+    amount: FloatArray
+    column: FloatArray
+
+
+@compiled_loop
+def _trace_rays(grid, mu, panels, rule, density_edges, coefficients, edges, path, rays):
+    count = 0
+    for i in range(mu.shape[0]):
+        r = grid.radii[i]
+        for a in range(mu.shape[1]):
+            rays.start[i, a] = count
+            below = a < mu.shape[1] // 2
+            length = ray_length(r, mu[i, a], grid.bottom_radius, grid.top_radius)
+            # The first half of the quadrature meets the ground whatever rounding says.
+            if below and mu[i, a] >= horizon_cosine(r, grid.bottom_radius):
+                length = max(-r * mu[i, a], 0.0)
+            rays.length[i, a] = length
+            edge_count = place_edges(r, mu[i, a], length, panels, 0.0, 0.0, edges)
+            points = trace(
+                r, mu[i, a], edges, edge_count, rule, grid.bottom_radius,
+                density_edges, coefficients, path,
+            )
+            for c in range(density_edges.shape[0]):
+                rays.total[i, a, c] = path[5][c] if points > 0 else 0.0
+            for k in range(points):
+                rays.distance[count] = path[0][k]
+                rays.radius[count] = min(max(path[1][k], grid.bottom_radius), grid.top_radius)
+                for c in range(density_edges.shape[0]):
+                    rays.amount[count, c] = path[3][k, c] * path[2][k]
+                    rays.column[count, c] = path[4][k, c]
+                count += 1
+        rays.start[i, mu.shape[1]] = count
+    return count
+
+
+def trace_rays(
+    grid: Grid, density: DensitySegments, angles: int, nodes: int, panels: int = 1
+) -> Rays:
+    """Trace all rays of a sweep.
+
+    Parameters
+    ----------
+    grid : Grid
+        Where the rays start.
+    density : DensitySegments
+        The air's profiles.
+    angles : int
+        Gauss-Legendre zenith angles on each side of the local horizon.
+    nodes, panels : int
+        Points a panel, and panels a leg.
+    """
+    rule = gauss_legendre(angles)
+    horizon = -np.sqrt((grid.radii - grid.bottom_radius) * (grid.radii + grid.bottom_radius))
+    horizon = (horizon / grid.radii)[:, None]
+    mu = np.concatenate(
+        [-1.0 + (horizon + 1.0) * rule.nodes, horizon + (1.0 - horizon) * rule.nodes], axis=1
+    )
+    weight = np.concatenate(
+        [(horizon + 1.0) * rule.weights, (1.0 - horizon) * rule.weights], axis=1
+    )
+    per_ray = nodes * 2 * panels
+    constituents = density.edges.shape[0]
+    room = mu.size * per_ray
+    rays = Rays(
+        mu, weight, _flux_weights(horizon[:, 0], angles), np.empty(mu.shape), np.empty((mu.shape[0], mu.shape[1] + 1), np.int64),
+        np.empty((*mu.shape, constituents)), np.empty(room), np.empty(room),
+        np.empty((room, constituents)), np.empty((room, constituents)),
+    )
+    quadrature = gauss_legendre(nodes)
+    count = _trace_rays(
+        grid, mu, panels, (quadrature.nodes, quadrature.weights, quadrature.running),
+        density.edges, density.coefficients, np.empty(MAX_EDGES),
+        new_path(per_ray, constituents), rays,
+    )
+    return rays._replace(
+        distance=rays.distance[:count].copy(), radius=rays.radius[:count].copy(),
+        amount=rays.amount[:count].copy(), column=rays.column[:count].copy(),
+    )
+
+
+def _flux_weights(horizon: FloatArray, angles: int) -> FloatArray:
+    """Weights of ∫_0^1 mu L dmu for L given at the Gauss-Legendre points from the horizon up."""
+    rule, fine = gauss_legendre(angles), gauss_legendre(2 * angles)
+    degrees = np.arange(angles)
+    basis = legvander(2.0 * rule.nodes - 1.0, angles - 1)
+    analysis = (2 * degrees[:, None] + 1) * rule.weights * basis.T
+    weights = np.zeros((horizon.size, 2 * angles))
+    for i, low in enumerate(horizon):
+        x = (fine.nodes - low) / (1.0 - low)
+        cardinal = legvander(2.0 * x - 1.0, angles - 1) @ analysis
+        weights[i, angles:] = (fine.weights * fine.nodes) @ cardinal
+    return weights

@@ -1,0 +1,82 @@
+"""Quality levels of the moments solver: how fine its grids are and when it stops."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Final
+
+from airlight.errors import ParameterError
+
+
+@dataclass(frozen=True, kw_only=True)
+class Settings:
+    """Sizes of the moments solver's grids.
+
+    Attributes
+    ----------
+    degree : int
+        Highest degree of the harmonics for air whose aerosol is thin.
+    thick_degree : int
+        The same where forward peaks are scattered many times (dust, haze).
+    radii, suns : int
+        Nodes in radius and in sun elevation.
+    zenith_angles : int
+        Directions on each side of the local horizon.
+    azimuths : int
+        Directions over half a turn.
+    nodes : int
+        Points on each leg of a ray of a sweep.
+    tolerance : float
+        Largest change by one more order, relative to the sum, that ends the iteration. [1]
+    max_sweeps : int
+        The iteration gives up after so many.
+    march_nodes, march_panels : int
+        Points a panel and panels a leg when radiance is asked for.
+    """
+
+    degree: int
+    thick_degree: int
+    radii: int
+    suns: int
+    zenith_angles: int
+    azimuths: int
+    nodes: int
+    tolerance: float
+    max_sweeps: int
+    march_nodes: int
+    march_panels: int
+
+    def as_text(self) -> str:
+        """All settings on one line, for reports and fingerprints."""
+        return " ".join(f"{name}={value}" for name, value in asdict(self).items())
+
+
+QUALITIES: Final = {
+    "preview": Settings(
+        degree=4, thick_degree=6, radii=14, suns=36, zenith_angles=6, azimuths=4, nodes=8,
+        tolerance=1e-2, max_sweeps=400, march_nodes=16, march_panels=1,
+    ),
+    "default": Settings(
+        degree=8, thick_degree=12, radii=24, suns=56, zenith_angles=12, azimuths=8, nodes=10,
+        tolerance=1e-3, max_sweeps=800, march_nodes=20, march_panels=2,
+    ),
+    "fine": Settings(
+        degree=16, thick_degree=24, radii=40, suns=104, zenith_angles=20, azimuths=20, nodes=20,
+        tolerance=1e-4, max_sweeps=2000, march_nodes=24, march_panels=4,
+    ),
+}
+
+
+def settings_for(quality: str | Settings) -> Settings:
+    """The settings of a named quality level.
+
+    Raises
+    ------
+    ParameterError
+        If the name is not one of ``QUALITIES``.
+    """
+    if isinstance(quality, Settings):
+        return quality
+    if quality not in QUALITIES:
+        raise ParameterError("quality", quality, ", ".join(QUALITIES))
+    return QUALITIES[quality]

@@ -1,0 +1,238 @@
+"""One sweep: from the moments of the light to the moments of the light scattered once more.
+
+For each radius and each direction the radiance is a sum over the points of a ray, and the point's
+source is a sum over the moments there. What depends on the ray alone, the Legendre functions and
+the interpolation in radius, is contracted first, so that the inner loop over sun elevations and
+azimuths only adds up N + 1 cosines. Eight wavelengths run in the lanes of one register.
+
+Between grid nodes the moments are interpolated as ratios: with s = 1/sqrt(M_00) at each node, the
+value is lerp(M·s)/lerp(s). It is exact at the nodes and, for M falling exponentially, at the
+middle between them, and M_00 stays positive, which linear interpolation cannot offer in the
+twilight, where M falls e-fold within a degree.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.kernel import compiled_loop, kernel
+from airlight.kernel.lanes import LANES, exponential, load, splat, store
+from airlight.solvers.moments.harmonics import legendre_functions
+
+Float32Array = NDArray[np.float32]
+
+
+class Air(NamedTuple):
+    """The optics of eight wavelengths, flat, wavelengths in the lanes.
+
+    Attributes
+    ----------
+    extinction : array, shape (nc·8,)
+        After the removal of forward peaks. [m⁻¹]
+    moments : array, shape (nc·(N + 1)·8,)
+        Scattering coefficient times Legendre moment, both after that removal. [m⁻¹]
+    albedo : array, shape (8,)
+        Of the ground. [1]
+    star_radius : float
+        Angular radius of the star. [rad]
+    """
+
+    extinction: Float32Array
+    moments: Float32Array
+    albedo: Float32Array
+    star_radius: float
+
+
+class Azimuths(NamedTuple):
+    """Midpoints of even steps of azimuth over half a turn.
+
+    Attributes
+    ----------
+    cosines : array, shape (b,)
+        cos φ. [1]
+    multiples : array, shape (N + 1, b)
+        cos mφ times the weight 2π/b in ∫ dφ over a whole turn. [rad]
+    """
+
+    cosines: NDArray[np.float64]
+    multiples: Float32Array
+
+
+@kernel
+def place_of(mu_s, place):
+    """Index of a sun cosine in the grid, with its fraction."""
+    x = (mu_s + 1.0) * (0.5 * (place.size - 1))
+    k = min(max(int(x), 0), place.size - 2)
+    return place[k] + (place[k + 1] - place[k]) * (x - k)
+
+
+@kernel
+def optical_depth(columns, first, extinction, constituents):
+    """Σ extinction·column of eight wavelengths; ``columns[first:]`` holds one row. [1]"""
+    tau = splat(0.0)
+    for c in range(constituents):
+        tau = tau + load(extinction, LANES * c) * np.float32(columns[first + c])
+    return tau
+
+
+@compiled_loop
+def project(moments_m, functions, weight, degree, base, out):
+    """Add a ray's azimuth moments, times its Legendre functions, to the moments of a point."""
+    for l in range(degree + 1):
+        for m in range(l + 1):
+            index = l * (l + 1) // 2 + m
+            factor = np.float32(weight * functions[index])
+            at = base + LANES * index
+            store(out, at, load(out, at) + factor * load(moments_m, LANES * m))
+
+
+@compiled_loop
+def sweep_radius(i, grid, rays, azimuths, air, constants, field, ground, out, sky_out):
+    """Gather the light scattered once more at all sun elevations of one radius.
+
+    Parameters
+    ----------
+    i : int
+        Which radius.
+    grid, rays, azimuths, air : Grid, Rays, Azimuths, Air
+        The shell, its rays, and its optics.
+    constants : array, shape (k,)
+        Of the harmonics.
+    field : array, shape (r·s·(1 + k)·8,)
+        Moments so far, as (s, M·s) per node; see the head of this file.
+    ground : array, shape (s·2·8,)
+        Irradiance of the ground by the light so far, as (s, E·s) per node.
+    out : array, shape (s·k·8,)
+        Receives the moments at this radius.
+    sky_out : array, shape (s·8,)
+        Receives the irradiance of a level surface by the light from the upper half sphere.
+    """
+    suns = grid.sun_cosines.size
+    degree = azimuths.multiples.shape[0] - 1
+    turns = azimuths.cosines.size
+    terms = constants.size
+    constituents = rays.total.shape[2]
+    angles = rays.mu.shape[1]
+    r = grid.radii[i]
+    tangent = sqrt((grid.top_radius - grid.bottom_radius) * (grid.top_radius + grid.bottom_radius))
+    most = 0
+    for a in range(angles):
+        most = max(most, rays.start[i, a + 1] - rays.start[i, a])
+    block = (degree + 2) * LANES
+    rows = np.empty(max(most, 1) * suns * block, np.float32)
+    functions = np.empty(terms)
+    factors = np.empty(terms * LANES, np.float32)
+    azimuthal = np.empty((degree + 1) * LANES, np.float32)
+    at_sun = np.empty(max(most, 1))
+    at_nu = np.empty(max(most, 1))
+    mu_at = np.empty(max(most, 1))
+    across = np.empty(max(most, 1))
+    out[:] = 0.0
+    sky_out[:] = 0.0
+    for a in range(angles):
+        mu = rays.mu[i, a]
+        below = a < angles // 2
+        first = rays.start[i, a]
+        points = rays.start[i, a + 1] - first
+        length = rays.length[i, a]
+        for k in range(points):
+            q = rays.radius[first + k]
+            t = rays.distance[first + k]
+            mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
+            at_sun[k] = r / q
+            at_nu[k] = t / q
+            mu_at[k] = mu_q
+            across[k] = (1.0 - mu_q) * (1.0 + mu_q)
+            legendre_functions(mu_q, constants, functions)
+            through = exponential(
+                0.0 - optical_depth(rays.column[first + k], 0, air.extinction, constituents)
+            )
+            for l in range(degree + 1):
+                strength = splat(0.0)
+                for c in range(constituents):
+                    strength = strength + load(
+                        air.moments, LANES * (c * (degree + 1) + l)
+                    ) * np.float32(rays.amount[first + k, c])
+                strength = strength * through
+                for m in range(l + 1):
+                    index = l * (l + 1) // 2 + m
+                    store(factors, LANES * index, strength * np.float32(functions[index]))
+            x = sqrt(max((q - grid.bottom_radius) * (q + grid.bottom_radius), 0.0)) / tangent
+            x *= grid.radii.size - 1
+            row = min(int(x), grid.radii.size - 2)
+            f = np.float32(x - row)
+            g = np.float32(1.0) - f
+            for j in range(suns):
+                low = (row * suns + j) * (1 + terms) * LANES
+                high = low + suns * (1 + terms) * LANES
+                target = (k * suns + j) * block
+                store(rows, target, g * load(field, low) + f * load(field, high))
+                for m in range(degree + 1):
+                    total = splat(0.0)
+                    for l in range(m, degree + 1):
+                        index = l * (l + 1) // 2 + m
+                        at = LANES * (1 + index)
+                        total = total + load(factors, LANES * index) * (
+                            g * load(field, low + at) + f * load(field, high + at)
+                        )
+                    store(rows, target + LANES * (1 + m), total)
+        if below:
+            reflected = load(air.albedo, 0) * np.float32(0.3183098861837907) * exponential(
+                0.0 - optical_depth(rays.total[i, a], 0, air.extinction, constituents)
+            )
+        else:
+            reflected = splat(0.0)
+        legendre_functions(mu, constants, functions)
+        sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
+        for j in range(suns):
+            mu_s = grid.sun_cosines[j]
+            sun_sine = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
+            azimuthal[:] = 0.0
+            for b in range(turns):
+                nu = min(max(mu * mu_s + sine * sun_sine * azimuths.cosines[b], -1.0), 1.0)
+                radiance = splat(0.0)
+                for k in range(points):
+                    mu_sk = min(max(at_sun[k] * mu_s + at_nu[k] * nu, -1.0), 1.0)
+                    x = place_of(mu_sk, grid.place)
+                    column = min(int(x), suns - 2)
+                    f = np.float32(x - column)
+                    g = np.float32(1.0) - f
+                    spread = across[k] * (1.0 - mu_sk) * (1.0 + mu_sk)
+                    cosine = (nu - mu_at[k] * mu_sk) / sqrt(max(spread, 1e-24))
+                    step = np.float32(min(max(cosine, -1.0), 1.0))
+                    low = (k * suns + column) * block
+                    high = low + block
+                    scale = g * load(rows, low) + f * load(rows, high)
+                    total = g * load(rows, low + LANES) + f * load(rows, high + LANES)
+                    before = np.float32(1.0)
+                    multiple = step
+                    for m in range(1, degree + 1):
+                        at = LANES * (1 + m)
+                        total = total + multiple * (g * load(rows, low + at) + f * load(rows, high + at))
+                        following = np.float32(2.0) * step * multiple - before
+                        before = multiple
+                        multiple = following
+                    radiance = radiance + total / scale
+                if below:
+                    mu_sg = min(max((r * mu_s + length * nu) / grid.bottom_radius, -1.0), 1.0)
+                    x = place_of(mu_sg, grid.place)
+                    column = min(int(x), suns - 2)
+                    f = np.float32(x - column)
+                    g = np.float32(1.0) - f
+                    low = column * 2 * LANES
+                    light = (g * load(ground, low + LANES) + f * load(ground, low + 3 * LANES)) / (
+                        g * load(ground, low) + f * load(ground, low + 2 * LANES)
+                    )
+                    radiance = radiance + reflected * light
+                for m in range(degree + 1):
+                    at = LANES * m
+                    store(azimuthal, at, load(azimuthal, at) + azimuths.multiples[m, b] * radiance)
+            project(azimuthal, functions, rays.weight[i, a], degree, j * terms * LANES, out)
+            if not below:
+                at = LANES * j
+                flux = np.float32(rays.flux[i, a])
+                store(sky_out, at, load(sky_out, at) + flux * load(azimuthal, 0))

@@ -1,0 +1,331 @@
+"""The one interface of every solver's result: radiance, transmittance, irradiance, residual.
+
+Here is the door: degrees and metres come in, as arrays that broadcast; observers outside the shell
+are moved to where their line of sight enters it; labelled arrays go out.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from airlight.errors import ParameterError
+from airlight.geometry.path import ray_length
+from airlight.geometry.shell import meets_ground
+from airlight.kernel import vectorized
+from airlight.planets.medium import Medium
+from airlight.tables.columns import columns
+
+if TYPE_CHECKING:
+    import xarray
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Report:
+    """How a solution came about.
+
+    Attributes
+    ----------
+    solver : str
+        Name of the solver.
+    settings : str
+        All its settings, on one line.
+    sweeps : int
+        Orders of scattering computed one by one.
+    residual : tuple of float
+        Largest relative change of the mean radiance by the last sweep, per wavelength. [1]
+    seconds : float
+        What it took; 0 if the solution was read from the cache. [s]
+    """
+
+    solver: str
+    settings: str
+    sweeps: int
+    residual: tuple[float, ...]
+    seconds: float
+
+    def __str__(self) -> str:
+        took = f"{self.seconds:.2f} s" if self.seconds else "from the cache"
+        return (
+            f"{self.solver}: {self.sweeps} sweeps, last change {max(self.residual):.1e}, {took} "
+            f"({self.settings})"
+        )
+
+
+@dataclass(frozen=True)
+class Sight:
+    """Lines of sight inside the shell, flat.
+
+    Attributes
+    ----------
+    r, mu, mu_s, nu : array, shape (n,)
+        Start radius [m]; cosines of view zenith, sun zenith and the angle between them. [1]
+    length : array, shape (n,)
+        Way through the shell, 0 where the line misses it. [m]
+    to_ground : array of bool, shape (n,)
+        Whether it ends on the ground.
+    """
+
+    r: FloatArray
+    mu: FloatArray
+    mu_s: FloatArray
+    nu: FloatArray
+    length: FloatArray
+    to_ground: NDArray[np.bool_]
+
+
+def enter_shell(
+    r: FloatArray, mu: FloatArray, mu_s: FloatArray, nu: FloatArray, bottom: float, top: float
+) -> Sight:
+    """Move observers outside the shell to the point where their line of sight enters it.
+
+    Parameters
+    ----------
+    r, mu, mu_s, nu : array, shape (n,)
+        Of the observers; r may be larger than ``top``. [m], [1]
+    bottom, top : float
+        Radii of the ground and of the shell's top. [m]
+    """
+    outside = r > top
+    # Squares relative to the top: an observer a light-year away must not lose the shell's width.
+    nearest = -r * mu
+    impact_squared = np.square(r * np.sqrt(np.maximum((1.0 - mu) * (1.0 + mu), 0.0)))
+    half_chord = np.sqrt(np.maximum((top * top) - impact_squared, 0.0))
+    meets = (nearest > 0.0) & (impact_squared < top * top)
+    enters = outside & meets
+    way = np.where(enters, nearest - half_chord, 0.0)
+    inside_r = np.where(outside, top, r)
+    inside_mu = np.where(enters, -half_chord / top, mu)
+    inside_mu_s = np.where(enters, np.clip((r * mu_s + way * nu) / top, -1.0, 1.0), mu_s)
+    to_ground = vectorized(meets_ground)(inside_r, inside_mu, bottom)
+    length = vectorized(ray_length)(inside_r, inside_mu, bottom, top)
+    missed = outside & ~meets
+    return Sight(
+        inside_r, inside_mu, inside_mu_s, nu, np.where(missed, 0.0, length), to_ground & ~missed
+    )
+
+
+def _checked(field: str, value: ArrayLike, low: float, high: float, unit: str) -> FloatArray:
+    try:
+        array = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        raise ParameterError(field, value, f"numbers from {low:g} to {high:g} {unit}") from None
+    wrong = ~((array >= low) & (array <= high))
+    if wrong.any():
+        worst = array[wrong].flat[0]
+        raise ParameterError(field, float(worst), f"{low:g} to {high:g} {unit}")
+    return array
+
+
+#: Altitudes that an observer may have. [m]
+HIGHEST = 1e15
+
+
+class Solution(ABC):
+    """The light of one planet's air at some wavelengths.
+
+    Attributes
+    ----------
+    medium : Medium
+        What was solved.
+    report : Report
+        How.
+    """
+
+    medium: Medium
+    report: Report
+
+    @abstractmethod
+    def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
+        """Radiance per irradiance of the star along lines of sight, shape (n, nl). [sr⁻¹]
+
+        ``order = 1`` gives the light scattered or reflected exactly once.
+        """
+
+    @abstractmethod
+    def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
+        """Downward diffuse irradiance of a level surface per irradiance of the star, (n, nl). [1]"""
+
+    @abstractmethod
+    def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
+        """Irradiance of a level surface by the star itself, same unit and shape. [1]"""
+
+    @property
+    def wavelengths(self) -> FloatArray:
+        """Shape (nl,). [nm]"""
+        return self.medium.wavelengths
+
+    def radiance(
+        self,
+        *,
+        altitude: ArrayLike,
+        sun_zenith: ArrayLike,
+        view_zenith: ArrayLike,
+        azimuth: ArrayLike = 0.0,
+        order: int | None = None,
+    ) -> xarray.DataArray:
+        """Radiance of air and ground that an observer sees; the star's own disc is left out.
+
+        Parameters
+        ----------
+        altitude : array
+            Of the observer above the ground, also outside the shell. [m]
+        sun_zenith, view_zenith : array
+            Zenith angles of star and view at the observer, 0 to 180. [deg]
+        azimuth : array
+            Between the horizontal projections of view and star; 0 looks to the star's side. [deg]
+        order : int, optional
+            1 for the light that was scattered or reflected exactly once.
+
+        Returns
+        -------
+        xarray.DataArray, shape (..., wavelength)
+            Spectral radiance. [W m⁻² sr⁻¹ nm⁻¹]
+
+        Raises
+        ------
+        ParameterError
+            If a value is out of its range, or the shapes do not broadcast.
+        """
+        if order not in (None, 1):
+            raise ParameterError("order", order, "1, or nothing for all orders")
+        arrays, shape = _broadcast(
+            altitude=_checked("altitude", altitude, 0.0, HIGHEST, "m"),
+            sun_zenith=_checked("sun_zenith", sun_zenith, 0.0, 180.0, "deg"),
+            view_zenith=_checked("view_zenith", view_zenith, 0.0, 180.0, "deg"),
+            azimuth=_checked("azimuth", azimuth, -360.0, 360.0, "deg"),
+        )
+        sun, view, around = (np.radians(one) for one in arrays[1:])
+        mu, mu_s = np.cos(view), np.cos(sun)
+        nu = np.clip(mu * mu_s + np.sin(view) * np.sin(sun) * np.cos(around), -1.0, 1.0)
+        bottom, top = self.medium.bottom_radius, self.medium.top_radius
+        sight = enter_shell(bottom + arrays[0], mu, mu_s, nu, bottom, top)
+        values = self.relative_radiance(sight, order=order) * self.medium.solar_irradiance
+        return self._labelled(
+            values, shape, "radiance", "W m-2 sr-1 nm-1", altitude=altitude,
+            sun_zenith=sun_zenith, view_zenith=view_zenith, azimuth=azimuth,
+        )
+
+    def transmittance(
+        self, *, altitude: ArrayLike, view_zenith: ArrayLike, distance: ArrayLike | None = None
+    ) -> xarray.DataArray:
+        """Transmittance of the air from an observer along straight lines of sight.
+
+        Parameters
+        ----------
+        altitude : array
+            [m]
+        view_zenith : array
+            [deg]
+        distance : array, optional
+            Ends the stretch; without it the stretch goes to space, and is 0 where the ground is
+            in the way. [m]
+
+        Returns
+        -------
+        xarray.DataArray, shape (..., wavelength)
+            [1]
+        """
+        high = _checked("altitude", altitude, 0.0, HIGHEST, "m")
+        angle = _checked("view_zenith", view_zenith, 0.0, 180.0, "deg")
+        named: dict[str, FloatArray] = {"altitude": high, "view_zenith": angle}
+        if distance is not None:
+            named["distance"] = _checked("distance", distance, 0.0, HIGHEST, "m")
+        arrays, shape = _broadcast(**named)
+        bottom, top = self.medium.bottom_radius, self.medium.top_radius
+        r, mu = bottom + arrays[0], np.cos(np.radians(arrays[1]))
+        zero = np.zeros_like(mu)
+        sight = enter_shell(r, mu, zero, zero, bottom, top)
+        length = sight.length
+        blocked = sight.to_ground
+        if distance is not None:
+            way = np.where(
+                r > top, -r * mu - np.sqrt(np.maximum(top**2 - (r**2 * (1 - mu) * (1 + mu)), 0)), 0.0
+            )
+            asked = np.maximum(arrays[2] - way, 0.0)
+            blocked = blocked & (asked > length * (1.0 + 1e-12))
+            length = np.minimum(length, asked)
+        depth = columns(sight.r, sight.mu, length, bottom, self.medium.density)
+        values = np.exp(-(depth @ self.medium.extinction))
+        values[blocked] = 0.0
+        labels: dict[str, ArrayLike] = {"altitude": altitude, "view_zenith": view_zenith}
+        if distance is not None:
+            labels["distance"] = distance
+        return self._labelled(values, shape, "transmittance", "1", **labels)
+
+    def irradiance(self, *, altitude: ArrayLike, sun_zenith: ArrayLike) -> xarray.Dataset:
+        """Downward irradiance of a level surface by the star and by the sky.
+
+        Parameters
+        ----------
+        altitude : array
+            0 to the top of the shell. [m]
+        sun_zenith : array
+            0 to 180. [deg]
+
+        Returns
+        -------
+        xarray.Dataset
+            ``direct`` and ``diffuse``, each of shape (..., wavelength); light in the cut-off part
+            of forward peaks counts as direct. [W m⁻² nm⁻¹]
+        """
+        thickness = self.medium.thickness
+        arrays, shape = _broadcast(
+            altitude=_checked("altitude", altitude, 0.0, thickness, "m"),
+            sun_zenith=_checked("sun_zenith", sun_zenith, 0.0, 180.0, "deg"),
+        )
+        r = np.minimum(self.medium.bottom_radius + arrays[0], self.medium.top_radius)
+        mu_s = np.cos(np.radians(arrays[1]))
+        parts = {
+            "direct": self.relative_direct_irradiance(r, mu_s),
+            "diffuse": self.relative_sky_irradiance(r, mu_s),
+        }
+        import xarray
+
+        return xarray.Dataset(
+            {
+                name: self._labelled(
+                    values * self.medium.solar_irradiance, shape, f"{name} irradiance",
+                    "W m-2 nm-1", altitude=altitude, sun_zenith=sun_zenith,
+                )
+                for name, values in parts.items()
+            }
+        )
+
+    def _labelled(
+        self, values: FloatArray, shape: tuple[int, ...], name: str, unit: str, **inputs: ArrayLike
+    ) -> xarray.DataArray:
+        import xarray
+
+        dimensions = tuple(f"dim_{k}" for k in range(len(shape)))
+        coordinates: dict[str, Any] = {
+            "wavelength": ("wavelength", self.wavelengths, {"units": "nm"})
+        }
+        for label, given in inputs.items():
+            array = np.asarray(given, dtype=float)
+            used = dimensions[len(shape) - array.ndim :]
+            if array.shape == tuple(shape[len(shape) - array.ndim :]):
+                unit_of = "m" if label in ("altitude", "distance") else "degree"
+                coordinates[label] = (used, array, {"units": unit_of})
+        return xarray.DataArray(
+            values.reshape(*shape, values.shape[-1]),
+            dims=(*dimensions, "wavelength"),
+            coords=coordinates,
+            name=name.replace(" ", "_"),
+            attrs={"units": unit, "long_name": name, "solver": str(self.report)},
+        )
+
+
+def _broadcast(**named: FloatArray) -> tuple[list[FloatArray], tuple[int, ...]]:
+    try:
+        arrays = np.broadcast_arrays(*named.values())
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in named.items())
+        raise ParameterError("shapes", shapes, "shapes that broadcast together") from None
+    return [np.ascontiguousarray(array).ravel() for array in arrays], arrays[0].shape
