@@ -1,0 +1,138 @@
+"""The camera: which direction each pixel of a picture looks in."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import ParameterError
+from airlight.scene.directions import camera_axes
+from airlight.scene.limits import within
+from airlight.scene.projections import PROJECTIONS, Projection
+
+#: Longest side of a picture: a strip of six 8192² faces fits. [pixel]
+LONGEST_SIDE = 65536
+#: Most pixels of a picture: that strip again.
+MOST_PIXELS = 6 * 8192 * 8192
+
+
+@dataclass(frozen=True, kw_only=True)
+class Camera:
+    """A projection, the picture's size, and where the camera looks.
+
+    Angles are in the observer's local frame: the azimuth is 0 on the sun's side and grows
+    clockwise seen from above, so that a camera that looks at the sun's azimuth has azimuth +90°
+    on the right half of its picture.
+
+    Parameters
+    ----------
+    projection : str
+        ``perspective``, ``fisheye`` (equidistant, a dome master), ``equirectangular`` (a panorama
+        of the whole sphere) or ``cubemap`` (a strip of six faces: right, left, up, down, ahead,
+        behind).
+    width, height : int
+        Of the picture: a panorama is twice as wide as high, a cube strip six times. [pixel]
+    field_of_view : float, optional
+        Perspective: between the left and the right edge, default 60. Fisheye: across the circle,
+        default 180. The other two show everything. [deg]
+    look_zenith : float, optional
+        Zenith angle of the line of sight, default 90 (the fisheye's: 0). [deg]
+    look_azimuth : float
+        Azimuth of the line of sight. [deg]
+    roll : float
+        Turns the camera clockwise about its line of sight. [deg]
+
+    Raises
+    ------
+    ParameterError
+        With the field, the value and what is allowed.
+
+    Examples
+    --------
+    >>> camera = Camera(width=3, height=1, field_of_view=90.0)
+    >>> camera.directions(slice(0, 1))[0, 1].round(12) + 0.0  # the middle pixel: to the sun's side
+    array([1., 0., 0.])
+    """
+
+    projection: str = "perspective"
+    width: int = 1280
+    height: int = 720
+    field_of_view: float | None = None
+    look_zenith: float | None = None
+    look_azimuth: float = 0.0
+    roll: float = 0.0
+
+    def __post_init__(self) -> None:
+        if self.projection not in PROJECTIONS:
+            raise ParameterError("camera.projection", self.projection, ", ".join(PROJECTIONS))
+        form = self._form
+        for side in ("width", "height"):
+            value = getattr(self, side)
+            whole = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
+            if not whole or not 1 <= value <= LONGEST_SIDE:
+                raise ParameterError(f"camera.{side}", value, f"1 to {LONGEST_SIDE} pixels")
+        size = f"{self.width}x{self.height}"
+        if self.width * self.height > MOST_PIXELS:
+            raise ParameterError("camera.size", size, f"at most {MOST_PIXELS} pixels in all")
+        if not form.fits(self.width, self.height):
+            raise ParameterError("camera.size", size, f"{form.shape} for {form.name}")
+        defaults = {"field_of_view": form.field_of_view, "look_zenith": form.look_zenith}
+        limits = {
+            "field_of_view": form.field_of_view_limits,
+            "look_zenith": (0.0, 180.0),
+            "look_azimuth": (-360.0, 360.0),
+            "roll": (-360.0, 360.0),
+        }
+        for name, (low, high) in limits.items():
+            value = getattr(self, name)
+            if value is None and name in defaults:
+                value = defaults[name]
+            object.__setattr__(self, name, within(f"camera.{name}", value, low, high, "deg"))
+
+    @property
+    def _form(self) -> Projection:
+        return PROJECTIONS[self.projection]
+
+    @property
+    def _field_of_view_radians(self) -> float:
+        assert self.field_of_view is not None  # filled in when the camera was made
+        return math.radians(self.field_of_view)
+
+    @property
+    def pixel_angle(self) -> float:
+        """The angle that a pixel spans where the camera looks straight ahead. [rad]"""
+        return self._form.pixel_angle(self.width, self.height, self._field_of_view_radians)
+
+    @property
+    def axes(self) -> NDArray[np.float64]:
+        """Rows: the camera's right, up and forward in the local frame, shape (3, 3). [1]"""
+        assert self.look_zenith is not None  # filled in when the camera was made
+        return camera_axes(self.look_zenith, self.look_azimuth, self.roll)
+
+    def directions(
+        self, rows: slice | None = None, *, offset: tuple[float, float] = (0.0, 0.0)
+    ) -> NDArray[np.float64]:
+        """View vectors of the pixels of some rows.
+
+        Parameters
+        ----------
+        rows : slice, optional
+            Rows from the top; all of them if left out.
+        offset : (float, float)
+            How far right of and below each pixel's centre to look, for several samples to a
+            pixel. [pixel]
+
+        Returns
+        -------
+        array, shape (rows, width, 3)
+            Unit vectors in the observer's local frame (x to the sun's side, y left of it, z to
+            the zenith); zero where the picture shows nothing: outside a fisheye's circle. [1]
+        """
+        chosen = np.arange(self.height, dtype=np.float64)[rows if rows is not None else slice(None)]
+        x = np.arange(self.width, dtype=np.float64) + (0.5 + offset[0])
+        y = chosen + (0.5 + offset[1])
+        rays = self._form.rays(x, y, self.width, self.height, self._field_of_view_radians)
+        return np.asarray(rays @ self.axes)

@@ -1,0 +1,119 @@
+"""Where the observer stands: the horizon, what to look at, the frame of the planet below."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import ParameterError
+
+#: What a camera can be told to look at.
+TARGETS = ("horizon", "nadir", "zenith", "sun")
+
+
+def horizon_zenith(altitude: float, bottom_radius: float) -> float:
+    """Zenith angle of the geometric horizon: of the line that touches the ground.
+
+    Parameters
+    ----------
+    altitude : float
+        Of the observer, at least 0. [m]
+    bottom_radius : float
+        Of the ground. [m]
+
+    Returns
+    -------
+    float
+        90 on the ground, towards 180 far away; refraction is left out (at Earth's ground it
+        raises the horizon by about half a degree). [deg]
+
+    Notes
+    -----
+    cos(dip) = R/(R + h), written with the tangent, which keeps its digits at small heights.
+
+    Examples
+    --------
+    >>> round(horizon_zenith(6360e3, 6360e3), 6)  # cos(dip) = 1/2
+    150.0
+    """
+    dip = math.atan2(math.sqrt(altitude * (2.0 * bottom_radius + altitude)), bottom_radius)
+    return 90.0 + math.degrees(dip)
+
+
+def look_at(
+    target: str, *, altitude: float, sun_zenith: float, bottom_radius: float
+) -> tuple[float, float]:
+    """Angles of something worth looking at.
+
+    Parameters
+    ----------
+    target : str
+        ``horizon`` (below the sun, on the ground's edge), ``nadir``, ``zenith`` or ``sun``.
+    altitude : float
+        Of the observer. [m]
+    sun_zenith : float
+        Zenith angle of the sun at the observer. [deg]
+    bottom_radius : float
+        Of the ground. [m]
+
+    Returns
+    -------
+    (float, float)
+        Zenith angle and azimuth. [deg]
+
+    Raises
+    ------
+    ParameterError
+        If there is no such target.
+
+    Examples
+    --------
+    >>> look_at("sun", altitude=0.0, sun_zenith=80.0, bottom_radius=6360e3)
+    (80.0, 0.0)
+    """
+    if target == "horizon":
+        return horizon_zenith(altitude, bottom_radius), 0.0
+    if target == "nadir":
+        return 180.0, 0.0
+    if target == "zenith":
+        return 0.0, 0.0
+    if target == "sun":
+        return sun_zenith, 0.0
+    raise ParameterError("look_at", target, ", ".join(TARGETS))
+
+
+def planet_frame(latitude: float, longitude: float, sun_azimuth: float) -> NDArray[np.float64]:
+    """The rotation from the observer's local frame to the frame that turns with the planet.
+
+    The planet's frame has z to the north pole and x through latitude 0, longitude 0.
+
+    Parameters
+    ----------
+    latitude, longitude : float
+        Of the point below the observer, north and east positive. [deg]
+    sun_azimuth : float
+        Compass bearing of the sun: 0 north, 90 east. [deg]
+
+    Returns
+    -------
+    array, shape (3, 3)
+        A rotation: ``planet = matrix @ local``. [1]
+
+    Examples
+    --------
+    >>> north_pole = planet_frame(90.0, 0.0, 0.0) @ [0.0, 0.0, 1.0]
+    >>> north_pole.round(12) + 0.0
+    array([0., 0., 1.])
+    """
+    phi, lam, bearing = (math.radians(a) for a in (latitude, longitude, sun_azimuth))
+    up = np.array(
+        [math.cos(phi) * math.cos(lam), math.cos(phi) * math.sin(lam), math.sin(phi)],
+    )
+    north = np.array(
+        [-math.sin(phi) * math.cos(lam), -math.sin(phi) * math.sin(lam), math.cos(phi)],
+    )
+    east = np.array([-math.sin(lam), math.cos(lam), 0.0])
+    towards_sun = math.cos(bearing) * north + math.sin(bearing) * east
+    return np.stack([towards_sun, np.cross(up, towards_sun), up], axis=1)

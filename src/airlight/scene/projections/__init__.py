@@ -1,0 +1,16 @@
+"""The projections by name; a new one is a file beside these and a line here."""
+
+from __future__ import annotations
+
+from airlight.scene.projections.cubemap import CUBEMAP
+from airlight.scene.projections.equirectangular import EQUIRECTANGULAR
+from airlight.scene.projections.fisheye import FISHEYE
+from airlight.scene.projections.perspective import PERSPECTIVE
+from airlight.scene.projections.projection import Projection
+
+#: Every projection under its name.
+PROJECTIONS: dict[str, Projection] = {
+    projection.name: projection for projection in (PERSPECTIVE, FISHEYE, EQUIRECTANGULAR, CUBEMAP)
+}
+
+__all__ = ["PROJECTIONS", "Projection"]

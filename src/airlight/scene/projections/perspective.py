@@ -1,0 +1,61 @@
+"""The pinhole camera: straight lines stay straight."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from airlight.scene.projections.projection import FloatArray, Projection
+
+
+def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: float) -> FloatArray:
+    """View vectors through a flat picture; the field of view is the horizontal one.
+
+    Parameters
+    ----------
+    x, y : array, shape (nx,) and (ny,)
+        Pixel coordinates from the left and the top edge. [pixel]
+    width, height : int
+        Of the picture. [pixel]
+    field_of_view : float
+        Between the left and the right edge. [rad]
+
+    Returns
+    -------
+    array, shape (ny, nx, 3)
+        Unit vectors (right, up, forward). [1]
+
+    Examples
+    --------
+    >>> import math
+    >>> left_edge = rays(np.array([0.0]), np.array([1.0]), 4, 2, math.radians(90.0))
+    >>> [round(float(v), 6) for v in left_edge[0, 0]]
+    [-0.707107, 0.0, 0.707107]
+    """
+    slope = math.tan(0.5 * field_of_view)
+    right = (2.0 * x / width - 1.0) * slope
+    up = (height - 2.0 * y) / width * slope
+    length = np.sqrt(1.0 + right[np.newaxis, :] ** 2 + up[:, np.newaxis] ** 2)
+    out = np.empty((len(y), len(x), 3))
+    out[..., 0] = right[np.newaxis, :] / length
+    out[..., 1] = up[:, np.newaxis] / length
+    out[..., 2] = 1.0 / length
+    return out
+
+
+def pixel_angle(width: int, height: int, field_of_view: float) -> float:
+    """Angle of the middle pixel. [rad]"""
+    return 2.0 * math.tan(0.5 * field_of_view) / width
+
+
+PERSPECTIVE = Projection(
+    name="perspective",
+    rays=rays,
+    pixel_angle=pixel_angle,
+    fits=lambda width, height: True,
+    shape="any shape",
+    field_of_view=60.0,
+    field_of_view_limits=(1e-3, 170.0),
+    look_zenith=90.0,
+)

@@ -1,0 +1,99 @@
+"""The scene: an observer, a sun and a camera."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import ParameterError
+from airlight.scene.camera import Camera
+from airlight.scene.directions import direction
+from airlight.scene.limits import within
+from airlight.scene.observer import planet_frame
+
+#: Farthest observer. [m]
+HIGHEST_ALTITUDE = 1e12
+
+
+@dataclass(frozen=True, kw_only=True)
+class Scene:
+    """Who looks from where, and where the sun stands; the planet comes with the solution.
+
+    Parameters
+    ----------
+    camera : Camera
+        Directions of the pixels.
+    altitude : float
+        Of the observer above the ground, 0 to 1e12; outside the air is allowed. [m]
+    sun_zenith : float
+        Zenith angle of the sun at the observer, 0 to 180. [deg]
+    latitude, longitude : float
+        Of the point below the observer, north and east positive; they only place the map of
+        the ground. [deg]
+    sun_azimuth : float
+        Compass bearing of the sun, 0 north and 90 east; it only turns the map of the ground. [deg]
+
+    Raises
+    ------
+    ParameterError
+        With the field, the value and the allowed range.
+
+    Examples
+    --------
+    >>> Scene(altitude=400e3, sun_zenith=90.0).sun_direction.round(12) + 0.0
+    array([1., 0., 0.])
+    """
+
+    camera: Camera = field(default_factory=Camera)
+    altitude: float = 0.0
+    sun_zenith: float = 60.0
+    latitude: float = 0.0
+    longitude: float = 0.0
+    sun_azimuth: float = 180.0
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.camera, Camera):
+            raise ParameterError("scene.camera", self.camera, "a Camera")
+        for name, low, high, unit in (
+            ("altitude", 0.0, HIGHEST_ALTITUDE, "m"),
+            ("sun_zenith", 0.0, 180.0, "deg"),
+            ("latitude", -90.0, 90.0, "deg"),
+            ("longitude", -360.0, 360.0, "deg"),
+            ("sun_azimuth", -360.0, 360.0, "deg"),
+        ):
+            value = within(f"scene.{name}", getattr(self, name), low, high, unit)
+            object.__setattr__(self, name, value)
+
+    @property
+    def sun_direction(self) -> NDArray[np.float64]:
+        """Unit vector towards the sun in the local frame, shape (3,). [1]"""
+        return direction(self.sun_zenith, 0.0)
+
+    @property
+    def ground_frame(self) -> NDArray[np.float64]:
+        """Rotation from the local to the planet's frame, shape (3, 3): ``planet = m @ local``."""
+        return planet_frame(self.latitude, self.longitude, self.sun_azimuth)
+
+    def metadata(self) -> dict[str, str]:
+        """The scene as text, for the header of a picture: every value with its unit.
+
+        Examples
+        --------
+        >>> Scene(altitude=400e3).metadata()["altitude"]
+        '400000 m'
+        """
+        camera = self.camera
+        return {
+            "altitude": f"{self.altitude:.10g} m",
+            "sun_zenith": f"{self.sun_zenith:.10g} deg",
+            "latitude": f"{self.latitude:.10g} deg",
+            "longitude": f"{self.longitude:.10g} deg",
+            "sun_azimuth": f"{self.sun_azimuth:.10g} deg",
+            "projection": camera.projection,
+            "size": f"{camera.width}x{camera.height}",
+            "field_of_view": f"{camera.field_of_view:.10g} deg",
+            "look": f"{camera.look_zenith:.10g},{camera.look_azimuth:.10g} deg",
+            "roll": f"{camera.roll:.10g} deg",
+        }

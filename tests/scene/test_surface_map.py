@@ -1,0 +1,118 @@
+"""The map of the ground: placed right, without a seam, and with the right mean."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+from PIL import Image
+
+from airlight.errors import FileError
+from airlight.scene.surface_map import SurfaceMap, from_pixels, surface_map
+
+
+def striped(height: int = 64) -> SurfaceMap:
+    """Red grows to the north, green to the east of 180° W and back, both linear in the angle."""
+    latitude = 90.0 - (np.arange(height) + 0.5) * 180.0 / height
+    longitude = -180.0 + (np.arange(2 * height) + 0.5) * 180.0 / height
+    red = np.broadcast_to((90.0 + latitude[:, None]) / 180.0, (height, 2 * height))
+    green = np.broadcast_to(1.0 - np.abs(longitude[None, :]) / 180.0, (height, 2 * height))
+    texels = np.stack([red, green, np.zeros_like(red)], axis=-1).astype(np.float32)
+    return SurfaceMap(name="striped", levels=(texels,))
+
+
+def test_colours_between_pixels_are_linear_in_the_angles() -> None:
+    # bilinear interpolation of a linear function is exact (float32: 1e-6), away from the kinks
+    where = striped()
+    latitude, longitude = np.meshgrid([-60.3, 0.0, 71.7], [-150.1, -10.2, 33.3, 170.9])
+    colours = where.sample(latitude, longitude)
+    assert colours.shape == (4, 3, 3)
+    assert_allclose(colours[..., 0], (90.0 + latitude) / 180.0, atol=1e-6)
+    assert_allclose(colours[..., 1], 1.0 - np.abs(longitude) / 180.0, atol=1e-6)
+
+
+def test_longitude_goes_round_without_a_seam() -> None:
+    where = striped()
+    assert_allclose(where.sample(10.0, 180.0 - 1e-9), where.sample(10.0, -180.0 + 1e-9), atol=1e-6)
+    assert_allclose(where.sample(10.0, 33.0 + 720.0), where.sample(10.0, 33.0), atol=1e-5)
+    assert_allclose(where.sample(10.0, -327.0), where.sample(10.0, 33.0), atol=1e-5)
+
+
+def test_the_poles_are_the_first_and_the_last_row() -> None:
+    where = striped()
+    assert_array_equal(where.sample(90.0, 33.0)[0], where.levels[0][0, 0, 0])
+    assert_array_equal(where.sample(-90.0, 33.0)[0], where.levels[0][-1, 0, 0])
+
+
+def test_mean_weighs_a_polar_cap_by_its_area() -> None:
+    # Archimedes: the cap north of 30° has (1 - sin 30°)/2 = 1/4 of the sphere's area
+    pixels = np.zeros((60, 120, 3), dtype=np.uint8)
+    pixels[:20] = 255
+    assert_allclose(from_pixels("cap", pixels).mean_rgb, 0.25, rtol=1e-6)
+
+
+def test_pixels_are_decoded_from_srgb() -> None:
+    # IEC 61966-2-1: 118/255 is 0.1812 (middle grey), 255 is 1
+    where = from_pixels("grey", np.array([[[0, 118, 255]]], dtype=np.uint8))
+    assert_allclose(where.levels[0][0, 0], [0.0, 0.1812, 1.0], atol=5e-5)
+
+
+def test_each_level_has_the_mean_of_the_one_before() -> None:
+    pixels = np.random.default_rng(3).integers(0, 256, (32, 64, 3), dtype=np.uint8)
+    levels = from_pixels("noise", pixels).levels
+    assert [level.shape[:2] for level in levels] == [(32 >> i, 64 >> i) for i in range(6)]
+    means = [level.mean(axis=(0, 1), dtype=np.float64) for level in levels]
+    assert_allclose(means, np.broadcast_to(means[0], (6, 3)), rtol=1e-6)
+
+
+def test_level_has_texels_as_large_as_the_footprint() -> None:
+    where = from_pixels("white", np.full((32, 64, 3), 255, dtype=np.uint8))
+    texel = np.pi / 32.0
+    assert_allclose(where.level([0.0, texel, 2.0 * texel, 8.0 * texel, 1e3]), [0, 0, 1, 3, 5])
+
+
+def test_sampling_different_levels_at_once_is_sampling_each_alone() -> None:
+    pixels = np.random.default_rng(4).integers(0, 256, (16, 32, 3), dtype=np.uint8)
+    where = from_pixels("noise", pixels)
+    latitude, longitude = np.array([-40.0, 5.0, 80.0]), np.array([-170.0, 12.0, 179.0])
+    together = where.sample(latitude, longitude, [0.0, 2.4, 1.6])
+    alone = [where.sample(a, b, c) for a, b, c in zip(latitude, longitude, [0, 2, 2], strict=True)]
+    assert_array_equal(together, alone)
+
+
+def test_a_picture_s_file_is_a_map(tmp_path: Path) -> None:
+    Image.new("L", (8, 4), 255).save(tmp_path / "white.png")
+    assert_allclose(surface_map(str(tmp_path / "white.png")).mean_rgb, 1.0, rtol=1e-6)
+
+
+@pytest.mark.parametrize("content", [None, b"no picture", b"\x89PNG\r\n\x1a\n"])
+def test_what_is_no_picture_is_refused_in_one_line(tmp_path: Path, content: bytes | None) -> None:
+    file = tmp_path / "map.png"
+    if content is not None:
+        file.write_bytes(content)
+    with pytest.raises(FileError) as refusal:
+        surface_map(str(file))
+    assert "\n" not in str(refusal.value)
+
+
+def test_an_unknown_map_is_refused_with_the_known_ones() -> None:
+    with pytest.raises(FileError, match=r"no such map of the ground \(known: earth\)$"):
+        surface_map("vulcan")
+
+
+def test_earth_s_map_lies_the_right_way_round() -> None:
+    # places that any atlas shows: bright sand and ice, dark seas, green forest
+    earth = surface_map("earth")
+    height, width = earth.levels[0].shape[:2]
+    assert width == 2 * height
+    sahara, antarctica, pacific, congo = earth.sample(
+        [23.0, -80.0, -20.0, 0.0], [15.0, 90.0, -120.0, 22.0], 3
+    )
+    assert sahara.mean() > 3.0 * pacific.mean()
+    assert antarctica.mean() > 3.0 * pacific.mean()
+    assert sahara[0] > sahara[2]
+    assert congo[1] > congo[0]
+    # land and sea seen through clear air reflect some tens of percent at most
+    assert np.all((earth.mean_rgb > 0.01) & (earth.mean_rgb < 0.5))
