@@ -1,0 +1,88 @@
+"""OpenEXR: linear float32, every digit that the renderer has."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.constants import LUMINOUS_EFFICACY
+from airlight.errors import FileError, ParameterError
+from airlight.exports.header import header
+from airlight.exports.whole_file import whole_file
+
+#: Chromaticities of red, green, blue and white. [ITU-R BT.709-6, item 1.3 and 1.4]
+REC_709 = (0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290)
+
+
+def write_exr(
+    path: str | Path, rgb: NDArray[np.float32], metadata: Mapping[str, str] | None = None
+) -> None:
+    """Write linear radiance.
+
+    Parameters
+    ----------
+    path : str or Path
+        Of the file.
+    rgb : array, shape (h, w, 3)
+        Linear sRGB radiance, weighted by the colour-matching functions, float32.
+        [W m⁻² sr⁻¹; 683 times its luminance is cd m⁻², which the file's ``whiteLuminance`` says]
+    metadata : mapping of str to str, optional
+        Goes into string attributes, each name with ``airlight.`` before it.
+
+    Raises
+    ------
+    ParameterError
+        If the array has another shape or type.
+    FileError
+        If the file cannot be written; then there is none, or the old one.
+    """
+    import OpenEXR
+
+    if rgb.dtype != np.float32 or rgb.ndim != 3 or rgb.shape[2] != 3:
+        raise ParameterError("rgb", f"{rgb.dtype} {rgb.shape}", "float32, shape (h, w, 3)")
+    attributes: dict[str, Any] = {
+        "compression": OpenEXR.ZIP_COMPRESSION,
+        "type": OpenEXR.scanlineimage,
+        "chromaticities": REC_709,
+        "whiteLuminance": LUMINOUS_EFFICACY,
+        **header(metadata or {}),
+    }
+    with whole_file(path) as place:
+        try:
+            image = OpenEXR.File(attributes, {"RGB": np.ascontiguousarray(rgb)})
+            image.write(str(place))
+        except (RuntimeError, ValueError, TypeError) as error:
+            raise FileError(path, f"cannot be written: {error}") from error
+
+
+def read_exr(path: str | Path) -> tuple[NDArray[np.float32], dict[str, str]]:
+    """Read what ``write_exr`` wrote.
+
+    Parameters
+    ----------
+    path : str or Path
+        Of the file.
+
+    Returns
+    -------
+    (array, dict)
+        Linear red, green, blue, shape (h, w, 3), and the string attributes.
+
+    Raises
+    ------
+    FileError
+        If the file cannot be read or has no such channels.
+    """
+    import OpenEXR
+
+    try:
+        with OpenEXR.File(str(path)) as image:
+            rgb = np.array(image.channels()["RGB"].pixels)
+            texts = {k: v for k, v in image.header().items() if isinstance(v, str)}
+    except (RuntimeError, ValueError, TypeError, KeyError) as error:
+        raise FileError(path, f"cannot be read as RGB OpenEXR: {error}") from error
+    return rgb, texts

@@ -1,0 +1,87 @@
+"""A file appears whole or not at all: written beside its place, then renamed into it."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import secrets
+from collections.abc import Iterator
+from pathlib import Path
+
+from airlight.errors import FileError
+
+
+def check_target(path: str | Path) -> Path:
+    """The place of a file to be written, if one can be written there.
+
+    To be asked before long work, so that a misspelt folder costs no time.
+
+    Parameters
+    ----------
+    path : str or Path
+        Of the file to come; links are followed.
+
+    Returns
+    -------
+    Path
+        Without links.
+
+    Raises
+    ------
+    FileError
+        If the folder is missing or closed, or something else than a file is in the place.
+    """
+    try:
+        target = Path(path).resolve()
+        if target.is_dir():
+            raise FileError(path, "is a folder")
+        if target.exists() and not target.is_file():
+            raise FileError(path, "is no regular file, so it cannot be replaced")
+        if not target.parent.is_dir():
+            raise FileError(path, f"there is no folder {target.parent}")
+        if not os.access(target.parent, os.W_OK | os.X_OK):
+            raise FileError(path, f"the folder {target.parent} cannot be written to")
+    except (OSError, ValueError, RuntimeError) as error:  # too long, a zero byte, a ring of links
+        raise FileError(path, str(error)) from error
+    return target
+
+
+@contextlib.contextmanager
+def whole_file(path: str | Path) -> Iterator[Path]:
+    """A place to write to; its content moves to ``path`` if the block ends well.
+
+    Parameters
+    ----------
+    path : str or Path
+        Of the file to come.
+
+    Yields
+    ------
+    Path
+        An empty file in the same folder.
+
+    Raises
+    ------
+    FileError
+        As ``check_target`` does, and if the file cannot be written.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> folder = Path(tempfile.mkdtemp())
+    >>> with whole_file(folder / "note.txt") as place:
+    ...     _ = place.write_text("done")
+    >>> [file.name for file in folder.iterdir()]
+    ['note.txt']
+    """
+    target = check_target(path)
+    place = target.with_name(f".{secrets.token_hex(8)}.part")
+    try:
+        place.touch(exist_ok=False)
+        yield place
+        place.replace(target)
+    except OSError as error:
+        raise FileError(path, f"cannot be written: {error.strerror or error}") from error
+    finally:
+        with contextlib.suppress(OSError):
+            place.unlink(missing_ok=True)
