@@ -1,0 +1,164 @@
+"""From the text of an option to a number in SI, with the option's name in the error."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import typer
+
+from airlight.errors import ParameterError
+from airlight.units import quantities, quantity
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
+
+Planet_ = Annotated[
+    str, typer.Argument(metavar="PLANET", help="A preset's name, or the path of a TOML file.")
+]
+Quality = Annotated[
+    Literal["preview", "default", "fine"], typer.Option(help="How closely the air is solved.")
+]
+NoCache = Annotated[
+    bool, typer.Option("--no-cache", help="Neither read nor keep solutions on disk.")
+]
+
+#: The wavelengths of the three-wavelength mode. [nm]
+RGB = (680.0, 550.0, 440.0)
+#: A whole number below this counts wavelengths; from here on it is a wavelength. [nm]
+SMALLEST_WAVELENGTH = 100
+
+
+def length(text: str, option: str) -> float:
+    """A length such as ``400km`` or ``10 m``; metres without a unit. [m]
+
+    Examples
+    --------
+    >>> length("400km", "--altitude")
+    400000.0
+    """
+    return quantity(text, "m", option)
+
+
+def angle(text: str, option: str) -> float:
+    """An angle such as ``85deg`` or ``85``; degrees without a unit. [deg]
+
+    Examples
+    --------
+    >>> angle("85deg", "--sun-zenith")
+    85.0
+    """
+    return quantity(text, "deg", option)
+
+
+def direction(text: str, option: str) -> tuple[float, float]:
+    """A zenith angle and an azimuth. [deg]
+
+    Examples
+    --------
+    >>> direction("85,-30", "--look")
+    (85.0, -30.0)
+    """
+    parts = quantities(text, "deg", option)
+    if len(parts) != 2:
+        raise ParameterError(option, text, "zenith,azimuth in degrees, such as 85,0")
+    return parts[0], parts[1]
+
+
+def picture_size(text: str | None, projection: str) -> tuple[int, int]:
+    """Width and height of a picture. [pixel]
+
+    Parameters
+    ----------
+    text : str or None
+        ``1280x720``, or one number: the side of a square, the width of a panorama, the side of
+        one face of a cube map. None: a size that suits the projection.
+    projection : str
+        As the camera calls it.
+
+    Returns
+    -------
+    (int, int)
+        Width, height.
+
+    Examples
+    --------
+    >>> picture_size("1280x720", "perspective")
+    (1280, 720)
+    >>> picture_size("512", "cubemap")
+    (3072, 512)
+    """
+    if text is None:
+        return {
+            "fisheye": (1024, 1024),
+            "equirectangular": (2048, 1024),
+            "cubemap": (6 * 512, 512),
+        }.get(projection, (1280, 720))
+    match = re.fullmatch(r"\s*(\d{1,6})\s*(?:[xX×]\s*(\d{1,6})\s*)?", text)
+    if match is None:
+        raise ParameterError("--size", text, "WIDTHxHEIGHT such as 1280x720, or one number")
+    width = int(match[1])
+    if match[2] is not None:
+        return width, int(match[2])
+    if projection == "cubemap":
+        return 6 * width, width
+    if projection == "equirectangular":
+        return width, width // 2
+    return width, width
+
+
+def exposure(text: str) -> float | Literal["auto"]:
+    """An exposure: ``auto`` or a power of two. [EV]
+
+    Examples
+    --------
+    >>> exposure("-2.5")
+    -2.5
+    """
+    if text.strip().lower() == "auto":
+        return "auto"
+    value = quantity(text.strip().removesuffix("EV"), "1", "--exposure")
+    if not -100.0 <= value <= 100.0:
+        raise ParameterError("--exposure", text, "auto, or -100 to 100 EV")
+    return value
+
+
+def wavelengths(text: str, planet: Planet) -> tuple[float, ...]:
+    """The wavelengths to compute.
+
+    Parameters
+    ----------
+    text : str
+        ``rgb``: 680, 550 and 440 nm. A whole number below 100: so many, over the visible part
+        of what the planet's constituents are known for. Else wavelengths, such as
+        ``680,550,440`` or ``"0.55 um"``.
+    planet : Planet
+        Gives the limits.
+
+    Returns
+    -------
+    tuple of float
+        In the order given. [nm]
+
+    Raises
+    ------
+    ParameterError
+        If the text is none of these, or names a wavelength twice.
+    """
+    option = "--wavelengths"
+    stripped = text.strip().lower()
+    if stripped == "rgb":
+        return RGB
+    if stripped.isdecimal() and int(stripped) < SMALLEST_WAVELENGTH:
+        from airlight.color.spectral import default_wavelengths
+
+        count = int(stripped)
+        if count < 1:
+            raise ParameterError(option, text, "rgb, 1 to 99, or wavelengths in nm")
+        return tuple(float(w) for w in default_wavelengths(count, *planet.wavelength_limits))
+    values = quantities(text, "nm", option)
+    if len(set(values)) < len(values):
+        raise ParameterError(option, text, "each wavelength once")
+    if min(values) <= 0.0:
+        raise ParameterError(option, text, "wavelengths above 0 nm")
+    return tuple(values)

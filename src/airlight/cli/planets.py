@@ -1,0 +1,30 @@
+"""``airlight planets``: the presets."""
+
+from __future__ import annotations
+
+from airlight.cli.examples import examples
+
+EPILOG = examples("airlight planets", "airlight show earth")
+
+
+def planets() -> None:
+    """List the planets that come with airlight."""
+    from rich.console import Console
+    from rich.table import Table
+
+    from airlight.planets import load_planet, planet_names
+
+    table = Table(box=None, pad_edge=False)
+    table.add_column("planet", style="bold", no_wrap=True)
+    table.add_column("radius", justify="right", no_wrap=True)
+    table.add_column("air up to", justify="right", no_wrap=True)
+    table.add_column("constituents")
+    for name in planet_names():
+        planet = load_planet(name)
+        table.add_row(
+            name,
+            f"{planet.bottom_radius / 1e3:.0f} km",
+            f"{(planet.top_radius - planet.bottom_radius) / 1e3:.0f} km",
+            ", ".join(constituent.name for constituent in planet.constituents),
+        )
+    Console().print(table)

@@ -1,0 +1,42 @@
+"""A progress bar on the standard error stream, if somebody is there to see it."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+from collections.abc import Callable, Iterator
+
+#: Called with what is done, what there is to do, and in words what is going on.
+Report = Callable[[int, int, str], None]
+
+
+@contextlib.contextmanager
+def shown_progress() -> Iterator[Report]:
+    """A callback that draws a bar on a terminal and does nothing elsewhere.
+
+    Yields
+    ------
+    callable
+        ``report(done, total, message)``; may be called from any thread. The bar is gone when the
+        block ends.
+    """
+    if not sys.stderr.isatty():
+        yield lambda done, total, message: None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+    with Progress(
+        TextColumn("{task.description}"),
+        BarColumn(),
+        TextColumn("{task.completed:.0f}/{task.total:.0f}"),
+        TimeElapsedColumn(),
+        console=Console(stderr=True),
+        transient=True,
+    ) as bar:
+        task = bar.add_task("starting", total=1)
+
+        def report(done: int, total: int, message: str) -> None:
+            bar.update(task, completed=done, total=max(total, 1), description=message)
+
+        yield report

@@ -1,0 +1,174 @@
+"""``airlight render``: a planet file becomes a picture."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+
+from airlight.cli import options
+from airlight.cli.examples import examples
+from airlight.cli.progress import shown_progress
+from airlight.errors import ParameterError
+
+EPILOG = examples(
+    "airlight render earth -o earth.png",
+    "airlight render earth --altitude 35km --look-at horizon --fov 90 -o limb.png",
+    "airlight render mars --altitude 2m --sun-zenith 80 --look 85,0 --exposure auto -o mars.png",
+    "airlight render earth --altitude 0m --projection fisheye --size 2048 -o dome.exr",
+    "airlight render my-planet.toml --wavelengths rgb --quality preview -o quick.png",
+)
+
+
+def render(
+    planet: options.Planet_,
+    output: Annotated[
+        Path, typer.Option("--output", "-o", metavar="FILE", help="A .png, or a linear .exr.")
+    ],
+    altitude: Annotated[
+        str, typer.Option(metavar="LENGTH", help="Of the observer above the ground: 400km, 10m.")
+    ] = "400km",
+    look: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ZENITH,AZIMUTH",
+            help="Where to look; azimuth 0 is the sun's side, 90 to its right. The horizon below "
+            "the sun if left out; the zenith for a fisheye.",
+        ),
+    ] = None,
+    look_at: Annotated[
+        Literal["horizon", "nadir", "zenith", "sun"] | None,
+        typer.Option(metavar="WORD", help="Instead: horizon, nadir, zenith or sun."),
+    ] = None,
+    roll: Annotated[
+        str, typer.Option(metavar="ANGLE", help="Turns the camera clockwise about its line.")
+    ] = "0deg",
+    sun_zenith: Annotated[
+        str, typer.Option(metavar="ANGLE", help="Zenith angle of the sun at the observer.")
+    ] = "85deg",
+    fov: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ANGLE",
+            help="Perspective: from left to right (60deg); fisheye: across the circle (180deg).",
+        ),
+    ] = None,
+    projection: Annotated[
+        Literal["perspective", "fisheye", "equirectangular", "cubemap"],
+        typer.Option(
+            metavar="NAME",
+            help="perspective, fisheye (dome master), equirectangular (panorama) or cubemap.",
+        ),
+    ] = "perspective",
+    size: Annotated[
+        str | None,
+        typer.Option(
+            metavar="WxH",
+            help="1280x720; one number: a square's, a panorama's or a cube face's width.",
+        ),
+    ] = None,
+    exposure: Annotated[
+        str, typer.Option(metavar="EV|auto", help="Brightens by 2 to this power.")
+    ] = "-2.5",
+    tone_map: Annotated[
+        str,
+        typer.Option(metavar="NAME", help="How bright light is held in: hable, reinhard, aces …"),
+    ] = "hable",
+    encoding: Annotated[
+        Literal["srgb", "gamma"], typer.Option(help="The picture's transfer curve.")
+    ] = "srgb",
+    wavelengths: Annotated[
+        str,
+        typer.Option(
+            metavar="rgb|N|LIST",
+            help="680, 550, 440 nm; or how many over the visible; or a list in nm.",
+        ),
+    ] = "16",
+    quality: options.Quality = "default",
+    latitude: Annotated[
+        str, typer.Option(metavar="ANGLE", help="Of the ground below, for its map.")
+    ] = "0deg",
+    longitude: Annotated[
+        str, typer.Option(metavar="ANGLE", help="Of the ground below, for its map; east is +.")
+    ] = "0deg",
+    sun_azimuth: Annotated[
+        str, typer.Option(metavar="ANGLE", help="Compass bearing of the sun, for the map.")
+    ] = "180deg",
+    no_cache: options.NoCache = False,
+) -> None:
+    """Compute a picture of a planet's air.
+
+    Numbers carry their units (400km, 85deg); without one they are metres and degrees.
+    """
+    started = time.perf_counter()
+    from airlight.exports.picture import picture_suffix, write_picture
+    from airlight.planets import load_planet
+    from airlight.scene import Camera, Scene
+    from airlight.scene import look_at as looking_at
+
+    picture_suffix(output)
+    ev = options.exposure(exposure)
+    _check_tone_map(tone_map)
+    world = load_planet(planet)
+    height = options.length(altitude, "--altitude")
+    sun = options.angle(sun_zenith, "--sun-zenith")
+    if look is not None and look_at is not None:
+        raise ParameterError("--look", look, "one of --look and --look-at")
+    target: tuple[float | None, float] = (None, 0.0)
+    if look is not None:
+        target = options.direction(look, "--look")
+    elif look_at is not None or projection == "perspective":
+        target = looking_at(
+            look_at or "horizon",
+            altitude=max(height, 0.0),
+            sun_zenith=sun,
+            bottom_radius=world.bottom_radius,
+        )
+    columns, rows = options.picture_size(size, projection)
+    scene = Scene(
+        camera=Camera(
+            projection=projection,
+            width=columns,
+            height=rows,
+            field_of_view=None if fov is None else options.angle(fov, "--fov"),
+            look_zenith=target[0],
+            look_azimuth=target[1],
+            roll=options.angle(roll, "--roll"),
+        ),
+        altitude=height,
+        sun_zenith=sun,
+        latitude=options.angle(latitude, "--latitude"),
+        longitude=options.angle(longitude, "--longitude"),
+        sun_azimuth=options.angle(sun_azimuth, "--sun-azimuth"),
+    )
+    nm = options.wavelengths(wavelengths, world)
+    if len(nm) < 3:
+        allowed = "rgb, 3 to 99, or three or more wavelengths: a picture has colours"
+        raise ParameterError("--wavelengths", wavelengths, allowed)
+
+    from airlight.render import render as render_frame
+    from airlight.solvers import solve
+
+    with shown_progress() as report:
+        solution = solve(
+            world, wavelengths=nm, quality=quality, cache=not no_cache, progress=report
+        )
+        frame = render_frame(solution, scene, progress=report)
+    metadata = {"planet": world.name, **scene.metadata(), **frame.metadata}
+    written = write_picture(
+        output, frame.rgb, metadata, exposure=ev, tone_map=tone_map, encoding=encoding
+    )
+    light = "linear" if written.exposure is None else f"exposure {written.exposure:+.2f} EV"
+    seconds = time.perf_counter() - started
+    print(
+        f"{written.path}  {columns}x{rows}  {written.size / 1e3:.0f} kB  {seconds:.1f} s  {light}"
+    )
+
+
+def _check_tone_map(name: str) -> None:
+    from airlight.color.tone_maps import TONE_MAPS
+
+    if name not in TONE_MAPS:
+        raise ParameterError("--tone-map", name, ", ".join(TONE_MAPS))

@@ -1,0 +1,184 @@
+"""``airlight show``: what a planet is made of, and the colour of its sky."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from typing import TYPE_CHECKING, Any
+
+from airlight.cli import options
+from airlight.cli.examples import examples
+from airlight.errors import ParameterError
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+    from rich.console import RenderableType
+    from rich.table import Table
+
+    from airlight.planets import Medium, Planet
+
+EPILOG = examples("airlight show earth", "airlight show mars", "airlight show my-planet.toml")
+
+#: Zenith angle of the sun for the swatch. [deg]
+SUN_ZENITH = 45.0
+#: Lines of sight of the swatch, across the sun's direction: word and zenith angle. [deg]
+LOOKS = (("zenith", 0.0), ("halfway", 45.0), ("horizon", 89.0))
+
+
+def show(planet: options.Planet_, no_cache: options.NoCache = False) -> None:
+    """Show a planet: its parameters, optical depths, phase functions and sky colour.
+
+    Optical depths are vertical, at 680, 550 and 440 nm where the planet is known there.
+    """
+    from rich.console import Console
+
+    from airlight.planets import Medium, load_planet
+
+    world = load_planet(planet)
+    medium = Medium.from_planet(world, world.wavelengths)
+    console = Console()
+    console.print(_overview(world, medium), end="\n\n")
+    console.print(_constituents(world), end="\n\n")
+    console.print(_optics(world, medium), end="\n\n")
+    console.print(_swatch(world, cache=not no_cache))
+
+
+def _table(*columns: str) -> Table:
+    from rich.table import Table
+
+    table = Table(box=None, pad_edge=False)
+    for index, column in enumerate(columns):
+        table.add_column(column, style="bold" if index == 0 else "")
+    return table
+
+
+def _spectral(values: Any) -> str:
+    return "  ".join(f"{float(value):.4g}" for value in values)
+
+
+def _overview(planet: Planet, medium: Medium) -> Table:
+    table = _table(planet.name, "")
+    if planet.description:
+        table.add_row("description", planet.description)
+    table.add_row("ground radius", f"{planet.bottom_radius / 1e3:.8g} km")
+    height = (planet.top_radius - planet.bottom_radius) / 1e3
+    table.add_row("top of the air", f"{planet.top_radius / 1e3:.8g} km ({height:.6g} km up)")
+    low, high = planet.wavelength_limits
+    table.add_row("known from", f"{low:.5g} to {high:.5g} nm")
+    table.add_row("wavelengths", f"{_spectral(medium.wavelengths)} nm")
+    table.add_row("ground albedo", _spectral(medium.ground_albedo))
+    if medium.ground_map is not None:
+        table.add_row("ground map", medium.ground_map)
+    table.add_row("star", _parameters(planet.star))
+    table.add_row("starlight", f"{_spectral(medium.solar_irradiance)} W m⁻² nm⁻¹")
+    degrees = planet.star.angular_radius_degrees
+    table.add_row("star's angular radius", f"{degrees:.5g} deg")
+    return table
+
+
+def _constituents(planet: Planet) -> Table:
+    from rich.table import Table
+
+    table = Table("constituent", "profile", "column height", "phase function", box=None)
+    table.columns[0].style = "bold"
+    for one in planet.constituents:
+        phase: Any = one.phase_function
+        if phase is None:
+            words = "its gas's own" if one.scatters else "none, it only absorbs"
+        else:
+            words = _parameters(phase)
+        column = one.profile.column(planet.thickness)
+        table.add_row(one.name, _parameters(one.profile), _metres(column), words)
+    return table
+
+
+def _optics(planet: Planet, medium: Medium) -> Table:
+    import numpy as np
+    from rich.table import Table
+
+    table = Table(box=None, title="vertical optical depth and single-scattering albedo")
+    table.title_justify = "left"
+    table.title_style = "italic"
+    table.add_column("constituent", style="bold")
+    for wavelength in medium.wavelengths:
+        table.add_column(f"τ {wavelength:.4g} nm", justify="right")
+    for wavelength in medium.wavelengths:
+        table.add_column(f"ϖ {wavelength:.4g} nm", justify="right")
+    depth = medium.vertical_optical_depth
+    extinction = medium.scattering + medium.absorption
+    share = medium.scattering / np.where(extinction > 0.0, extinction, 1.0)
+    for name, tau, albedo in zip(medium.names, depth, share, strict=True):
+        table.add_row(name, *(f"{t:.4g}" for t in tau), *(f"{a:.4f}" for a in albedo))
+    total = depth.sum(axis=0)
+    scattered = (share * depth).sum(axis=0) / np.where(total > 0.0, total, 1.0)
+    table.add_row("all", *(f"{t:.4g}" for t in total), *(f"{a:.4f}" for a in scattered))
+    return table
+
+
+def _metres(value: float) -> str:
+    return f"{value / 1e3:.5g} km" if value >= 1e3 else f"{value:.5g} m"
+
+
+#: Units of the parameters that are not lengths.
+_UNITS = {"angular_radius": " deg", "temperature": " K", "irradiance": " W m⁻² nm⁻¹"}
+_LENGTHS = {"scale_height", "center", "half_width", "radius", "distance"}
+
+
+def _parameters(thing: Any) -> str:
+    """A parameter object in words: its kind, as planet files call it, and what it was given."""
+    kind = re.sub(r"(?<=[a-z])(?=[A-Z])", "-", type(thing).__name__).lower()
+    words = [kind.removesuffix("-phase")]
+    for field in dataclasses.fields(thing):
+        value = getattr(thing, field.name)
+        if value is None or value == field.default:
+            continue
+        name, unit = field.name.replace("_", " "), _UNITS.get(field.name, "")
+        if isinstance(value, (tuple, list)):
+            words.append(f"{len(value)} {name}")
+        elif isinstance(value, float):
+            shown = _metres(value) if field.name in _LENGTHS else f"{value:.6g}{unit}"
+            words.append(f"{name} {shown}")
+        elif dataclasses.is_dataclass(value):
+            words.append(f"{name} {_spectral(getattr(value, 'values', ()))}{unit}")
+        else:
+            words.append(f"{name} {value}")
+    return ", ".join(words)
+
+
+def _swatch(planet: Planet, *, cache: bool) -> RenderableType:
+    """The sky on the ground with the sun half-way up, as blocks of colour with their codes."""
+    from rich.text import Text
+
+    text = Text(f"sky from the ground, sun {SUN_ZENITH:.0f} deg from the zenith, at its side\n")
+    try:
+        colors = _sky_colors(planet, cache=cache)
+    except ParameterError as error:  # a planet that is not known in the visible has no colour
+        return text.append(f"no colour: {error}")
+    for (word, _), (red, green, blue) in zip(LOOKS, colors, strict=True):
+        code = f"#{red:02x}{green:02x}{blue:02x}"
+        text.append("        ", style=f"on {code}")
+        text.append(f"  {word} {code}\n")
+    return text
+
+
+def _sky_colors(planet: Planet, *, cache: bool) -> NDArray[np.uint8]:
+    import numpy as np
+
+    from airlight.cli.progress import shown_progress
+    from airlight.color.display import to_display
+    from airlight.color.spectral import rgb_weights
+    from airlight.solvers import solve
+
+    nm = options.wavelengths("12", planet)
+    with shown_progress() as report:
+        solution = solve(planet, wavelengths=nm, quality="preview", cache=cache, progress=report)
+    radiance = solution.radiance(
+        altitude=0.0,
+        sun_zenith=SUN_ZENITH,
+        view_zenith=np.array([zenith for _, zenith in LOOKS]),
+        azimuth=90.0,
+    )
+    weights = rgb_weights(nm, planet.star.irradiances)
+    rgb = np.asarray(radiance) @ weights
+    return np.asarray(to_display(rgb[np.newaxis, :, :], exposure="auto")[0])

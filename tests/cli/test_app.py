@@ -1,0 +1,168 @@
+"""How the command ends: help, version, one line for every error."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from importlib.metadata import version
+from pathlib import Path
+
+import pytest
+
+from airlight.cli import app, main
+from airlight.errors import Cancelled
+
+COMMANDS = ["planets", "show", "render", "radiance"]
+
+
+def error_line(capsys: pytest.CaptureFixture[str]) -> str:
+    """The standard error stream, which must be one line; nothing on the other one."""
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("airlight: ")
+    assert captured.err.count("\n") == 1
+    assert "Traceback" not in captured.err
+    return captured.err
+
+
+@pytest.mark.parametrize("words", [[], ["--help"], ["-h"]])
+def test_help_names_every_command(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(words) == 0
+    out = capsys.readouterr().out
+    assert all(command in out for command in COMMANDS)
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_help_of_every_command_has_examples(
+    command: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main([command, "--help"]) == 0
+    out = capsys.readouterr().out
+    assert "Examples:" in out
+    assert f"$ airlight {command}" in out
+
+
+def test_version_is_the_installed_one(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["--version"]) == 0
+    assert capsys.readouterr().out == f"airlight {version('airlight')}\n"
+
+
+@pytest.mark.parametrize(
+    ("words", "part"),
+    [
+        (["paint"], "No such command 'paint'"),
+        (["render"], "PLANET"),
+        (["render", "earth"], "--output"),
+        (["render", "earth", "--colour", "-o", "a.png"], "--colour"),
+        (["render", "earth", "--quality", "best", "-o", "a.png"], "'best'"),
+        (["render", "earth", "--projection", "mercator", "-o", "a.png"], "'mercator'"),
+        (["render", "earth", "-o", "a.jpg"], "a.jpg: the name of a picture ends in .png or .exr"),
+        (["render", "earth", "-o", "no/such/a.png"], "there is no folder"),
+        (["render", "earth", "-o", "a.png", "--exposure", "bright"], "--exposure is 'bright'"),
+        (["render", "earth", "-o", "a.png", "--exposure", "101"], "auto, or -100 to 100 EV"),
+        (["render", "earth", "-o", "a.png", "--tone-map", "sepia"], "--tone-map is 'sepia'"),
+        (["radiance", "earth", "--altitude", "0m", "--view-zenith", "0"], "--sun-zenith"),
+        (["radiance", "earth", "--sun-zenith", "1 kg", "--view-zenith", "0"], "--sun-zenith"),
+        (["radiance", "earth", "--sun-zenith", "181", "--view-zenith", "0"], "0 to 180 deg"),
+        (["radiance", "earth", "--altitude=-1m", "--sun-zenith=0", "--view-zenith=0"], "1e+12 m"),
+        (["radiance", "earth", "--output", "a.csv"], "only together with --input"),
+        (["radiance", "earth", "--input", "a.csv", "--azimuth", "0"], "not together with --input"),
+        (["radiance", "earth", "--input", "no.csv"], "no.csv: cannot be read: No such file"),
+    ],
+)
+def test_bad_input_is_one_line_and_status_2(
+    words: list[str],
+    part: str,
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(words) == 2
+    assert part in error_line(capsys)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("words", "part"),
+    [
+        (["--altitude", "5 apples"], "--altitude is '5 apples'"),
+        (["--altitude=-5m"], "scene.altitude is -5.0; allowed: 0 to 1e+12 m"),
+        (["--sun-zenith", "200"], "scene.sun_zenith is 200.0; allowed: 0 to 180 deg"),
+        (["--fov", "180deg"], "camera.field_of_view is 180.0"),
+        (["--size", "big"], "--size is 'big'"),
+        (["--size", "0x10"], "camera.width is 0"),
+        (["--size", "100x100", "--projection", "cubemap"], "six times as wide as high"),
+        (["--look", "90"], "zenith,azimuth in degrees"),
+        (["--look", "90,0", "--look-at", "sun"], "one of --look and --look-at"),
+        (["--wavelengths", "2"], "a picture has colours"),
+        (["--wavelengths", "0"], "--wavelengths is '0'"),
+        (["--wavelengths", "550,550,440"], "each wavelength once"),
+        (["--wavelengths", "550,440,-1"], "wavelengths above 0 nm"),
+    ],
+)
+def test_an_impossible_picture_is_refused_before_anything_is_solved(
+    words: list[str],
+    part: str,
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    solvers = pytest.importorskip("airlight.solvers")
+    monkeypatch.setattr(solvers, "solve", None, raising=False)
+    monkeypatch.chdir(tmp_path)
+    assert main(["render", "earth", "-o", "a.png", *words]) == 2
+    assert part in error_line(capsys)
+    assert not list(tmp_path.iterdir())
+
+
+def test_an_unknown_planet_is_one_line(capsys: pytest.CaptureFixture[str]) -> None:
+    for command in (["show", "vulcan"], ["render", "vulcan", "-o", "a.png"]):
+        assert main(command) == 2
+        assert "vulcan" in error_line(capsys)
+
+
+@pytest.mark.parametrize("interruption", [KeyboardInterrupt, Cancelled])
+def test_an_interrupted_command_says_cancelled_and_leaves_nothing(
+    interruption: type[BaseException],
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def interrupted(*arguments: object, **options: object) -> None:
+        raise interruption
+
+    solvers = pytest.importorskip("airlight.solvers")
+    rendering = pytest.importorskip("airlight.render")
+    monkeypatch.setattr(solvers, "solve", interrupted, raising=False)
+    monkeypatch.setattr(rendering, "render", interrupted, raising=False)
+    assert main(["render", "earth", "-o", str(tmp_path / "a.png")]) == 130
+    assert error_line(capsys) == "airlight: cancelled\n"
+    assert not list(tmp_path.iterdir())
+
+
+def fails(*arguments: object, **options: object) -> None:
+    raise ZeroDivisionError("several\nlines")
+
+
+def test_even_a_mistake_of_ours_is_one_line(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(app, "app", fails)
+    assert main(["planets"]) == 2
+    assert "ZeroDivisionError: several lines (--debug" in error_line(capsys)
+
+
+@pytest.mark.parametrize("words", [["--debug", "planets"], ["planets", "--debug"]])
+def test_debug_shows_the_traceback_wherever_it_stands(
+    words: list[str], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(app, "app", fails)
+    assert main(words) == 2
+    assert "Traceback" in capsys.readouterr().err
+
+
+def test_the_installed_command_is_this_one() -> None:
+    command = Path(sys.executable).with_name("airlight")
+    done = subprocess.run([command, "--version"], capture_output=True, text=True, check=True)
+    assert done.stdout == f"airlight {version('airlight')}\n"

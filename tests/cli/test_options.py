@@ -1,0 +1,93 @@
+"""From the texts of options to numbers."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight.cli import options
+from airlight.errors import ParameterError
+
+
+class Known:
+    """A planet known between two wavelengths."""
+
+    wavelength_limits = (430.0, 690.0)
+
+
+KNOWN: Any = Known()
+
+
+@pytest.mark.parametrize(
+    ("text", "metres"),
+    [("400km", 4e5), ("10 m", 10.0), ("10", 10.0), ("1e8m", 1e8), ("1 au", 149_597_870_700.0)],
+)
+def test_lengths_carry_their_unit(text: str, metres: float) -> None:
+    # the astronomical unit: IAU 2012 resolution B2
+    assert_allclose(options.length(text, "--altitude"), metres, rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("text", "degrees"), [("85deg", 85.0), ("85", 85.0), ("85°", 85.0), ("-0.5 rad", -28.64788976)]
+)
+def test_angles_are_degrees_unless_they_say_otherwise(text: str, degrees: float) -> None:
+    # half a radian: 90/pi, printed to ten digits
+    assert_allclose(options.angle(text, "--fov"), degrees, rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("text", "projection", "size"),
+    [
+        ("1920x1080", "perspective", (1920, 1080)),
+        ("1920 × 1080", "perspective", (1920, 1080)),
+        ("512", "perspective", (512, 512)),
+        ("512", "fisheye", (512, 512)),
+        ("512", "equirectangular", (512, 256)),
+        ("512", "cubemap", (3072, 512)),
+        ("3072x512", "cubemap", (3072, 512)),
+        (None, "perspective", (1280, 720)),
+    ],
+)
+def test_sizes(text: str | None, projection: str, size: tuple[int, int]) -> None:
+    assert options.picture_size(text, projection) == size
+
+
+@pytest.mark.parametrize("projection", ["perspective", "fisheye", "equirectangular", "cubemap"])
+def test_the_size_that_is_not_told_suits_the_projection(projection: str) -> None:
+    from airlight.scene import Camera
+
+    width, height = options.picture_size(None, projection)
+    Camera(projection=projection, width=width, height=height)
+
+
+@pytest.mark.parametrize("text", ["", "x", "10x", "10x10x10", "-5x5", "1.5x2", "auto", "9999999"])
+def test_a_size_that_is_none_is_refused(text: str) -> None:
+    with pytest.raises(ParameterError, match="--size is"):
+        options.picture_size(text, "perspective")
+
+
+def test_rgb_means_the_three_wavelengths_of_the_specification() -> None:
+    assert options.wavelengths("rgb", KNOWN) == (680.0, 550.0, 440.0)
+
+
+def test_a_list_of_wavelengths_keeps_its_order_and_takes_units() -> None:
+    assert options.wavelengths("440, 680,550", KNOWN) == (440.0, 680.0, 550.0)
+    assert_allclose(options.wavelengths("0.44, 0.55 um", KNOWN), (440.0, 550.0), rtol=1e-12)
+    assert options.wavelengths("550", KNOWN) == (550.0,)
+
+
+@pytest.mark.parametrize("count", [1, 8, 16, 40])
+def test_a_count_of_wavelengths_stays_where_the_planet_is_known(count: int) -> None:
+    values = np.array(options.wavelengths(str(count), KNOWN))
+    assert len(values) == count
+    assert values.min() >= 430.0
+    assert values.max() <= 690.0
+
+
+def test_exposure_is_a_number_or_auto() -> None:
+    assert options.exposure("-2.5") == -2.5
+    assert options.exposure("+1 EV") == 1.0
+    assert options.exposure("AUTO") == "auto"

@@ -1,0 +1,39 @@
+"""The progress bar: for people at a terminal, and for nobody else."""
+
+from __future__ import annotations
+
+import io
+
+import pytest
+
+from airlight.cli.progress import shown_progress
+
+
+class Terminal(io.StringIO):
+    """A stream that says that somebody watches it."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+@pytest.mark.parametrize(("stream", "drawn"), [(io.StringIO(), False), (Terminal(), True)])
+def test_a_bar_is_drawn_on_a_terminal_only(
+    stream: io.StringIO, drawn: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sys.stderr", stream)
+    monkeypatch.setenv("TERM", "xterm")
+    with shown_progress() as report:
+        report(0, 0, "solving")  # what there is to do may not be known yet
+        report(3, 4, "solving")
+    assert ("solving" in stream.getvalue()) == drawn
+
+
+def test_the_bar_goes_when_the_work_is_interrupted(monkeypatch: pytest.MonkeyPatch) -> None:
+    stream = Terminal()
+    monkeypatch.setattr("sys.stderr", stream)
+    monkeypatch.setenv("TERM", "xterm")
+    with pytest.raises(KeyboardInterrupt), shown_progress() as report:
+        report(1, 4, "solving")
+        raise KeyboardInterrupt
+    # the cursor is shown again: ECMA-48 private mode 25
+    assert "\x1b[?25h" in stream.getvalue()

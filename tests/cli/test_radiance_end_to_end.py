@@ -1,0 +1,127 @@
+"""``airlight radiance`` with the real solver: one observer, a file of them, and Python agree."""
+
+from __future__ import annotations
+
+import csv
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+from airlight.cli import main
+
+solvers = pytest.importorskip("airlight.solvers")
+pytestmark = pytest.mark.skipif(not hasattr(solvers, "solve"), reason="there is no solver yet")
+
+PLANET = "earth-atmosphere-plus"
+QUICK = ["--quality", "preview"]
+HEADER = ["site", "altitude_m", "sun_zenith_deg", "view_zenith_deg", "azimuth_deg"]
+ROWS = [
+    ["ground", "0", "60", "30", "90"],
+    ["aloft", "10000.0", "85", "95", "0"],
+    ["orbit", "5e5", "30", "180", "0"],
+    ["missing the air", "5e5", "30", "0", "0"],
+    ["twilight", "0", "94", "80", "-45"],
+]
+
+
+@pytest.fixture(scope="module")
+def cases(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("cases") / "cases.csv"
+    with path.open("w", newline="") as stream:
+        csv.writer(stream, lineterminator="\n").writerows([HEADER, *ROWS])
+    return path
+
+
+@pytest.fixture(scope="module")
+def answers(cases: Path) -> Path:
+    out = cases.with_name("out.csv")
+    assert main(["radiance", PLANET, "--input", str(cases), "--output", str(out), *QUICK]) == 0
+    return out
+
+
+def read(path: Path) -> list[list[str]]:
+    with path.open(newline="") as stream:
+        return list(csv.reader(stream))
+
+
+def test_bulk_keeps_the_input_and_appends_the_planet_s_own_wavelengths(answers: Path) -> None:
+    table = read(answers)
+    assert table[0] == [*HEADER, "radiance_680nm", "radiance_550nm", "radiance_440nm"]
+    assert [row[:5] for row in table[1:]] == ROWS
+    assert sorted(path.name for path in answers.parent.iterdir()) == ["cases.csv", "out.csv"]
+
+
+def test_bulk_radiances_are_finite_and_empty_space_is_black(answers: Path) -> None:
+    values = np.array([[float(cell) for cell in row[5:]] for row in read(answers)[1:]])
+    assert np.isfinite(values).all()
+    assert (values >= 0.0).all()
+    assert_array_equal(values[3], 0.0)  # upwards from above the air, 30° off the sun
+    assert (values[[0, 1, 2, 4]] > 0.0).all()
+
+
+def test_bulk_and_python_agree_to_the_digits_written(answers: Path) -> None:
+    # second method: the same solver, asked from Python
+    import airlight
+
+    planet = airlight.load_planet(PLANET)
+    solution = airlight.solve(planet, wavelengths=planet.wavelengths, quality="preview")
+    table = read(answers)[1:]
+    altitude, sun, view, azimuth = np.array([[float(c) for c in row[1:5]] for row in table]).T
+    expected = solution.radiance(
+        altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth
+    )
+    written = np.array([[float(cell) for cell in row[5:]] for row in table])
+    assert_allclose(written, np.asarray(expected), rtol=5.1e-9)  # half the ninth digit
+
+
+@pytest.mark.parametrize("row", ROWS)
+def test_one_observer_and_a_file_of_them_agree(
+    row: list[str], answers: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    altitude, sun, view, azimuth = row[1:]
+    words = ["--altitude", altitude + "m", "--sun-zenith", sun + "deg", "--view-zenith", view]
+    assert main(["radiance", PLANET, *words, "--azimuth", azimuth, *QUICK]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    bulk = read(answers)[1 + ROWS.index(row)][5:]
+    assert [line.split()[0] for line in lines] == ["680", "550", "440"]
+    single = [float(line.split()[2]) for line in lines]
+    # the last of nine digits may fall to either side
+    assert_allclose(single, [float(cell) for cell in bulk], rtol=2e-8)
+    assert all(line.endswith("W m⁻² sr⁻¹ nm⁻¹") for line in lines)
+
+
+def test_wavelengths_are_the_ones_asked_for_in_that_order(
+    cases: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = ["--input", str(cases), "--wavelengths", "500, 640.5", *QUICK]
+    assert main(["radiance", PLANET, *words]) == 0
+    header = capsys.readouterr().out.splitlines()[0]
+    assert header == ",".join([*HEADER, "radiance_500nm", "radiance_640.5nm"])
+
+
+def test_a_wavelength_where_the_planet_is_not_known_is_one_line(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    words = ["--sun-zenith", "60", "--view-zenith", "0", "--wavelengths", "550,2500"]
+    assert main(["radiance", PLANET, *words, *QUICK]) == 2
+    captured = capsys.readouterr()
+    assert "2500" in captured.err
+    assert captured.err.count("\n") == 1
+
+
+def test_pipes_work(cases: Path, answers: Path) -> None:
+    command = Path(sys.executable).with_name("airlight")
+    done = subprocess.run(
+        [command, "radiance", PLANET, "--input", "-", *QUICK],
+        input=cases.read_text(),
+        capture_output=True,
+        text=True,
+        check=True,
+        timeout=300,
+    )
+    assert done.stdout == answers.read_text()
+    assert done.stderr == ""
