@@ -1,0 +1,101 @@
+"""airlight: the light of planetary atmospheres.
+
+A planet file becomes a medium, a medium becomes a solution, a solution seen by a camera becomes a
+frame, a frame becomes a picture.
+
+Nothing heavy is imported before it is used: the names below load their modules at first touch.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from airlight.errors import (
+        AirlightError,
+        Cancelled,
+        ConvergenceError,
+        FileError,
+        ParameterError,
+    )
+    from airlight.exports import write_picture
+    from airlight.planets import (
+        Constituent,
+        Ground,
+        Medium,
+        Planet,
+        Star,
+        load_planet,
+        planet_names,
+        replace,
+    )
+    from airlight.render import Frame, render
+    from airlight.scene import Camera, Scene, look_at
+    from airlight.solvers import Solution, solve
+
+#: Where each public name lives.
+_HOMES = {
+    "load_planet": "airlight.planets",
+    "planet_names": "airlight.planets",
+    "Planet": "airlight.planets",
+    "Constituent": "airlight.planets",
+    "Ground": "airlight.planets",
+    "Star": "airlight.planets",
+    "Medium": "airlight.planets",
+    "replace": "airlight.planets",
+    "solve": "airlight.solvers",
+    "Solution": "airlight.solvers",
+    "Camera": "airlight.scene",
+    "Scene": "airlight.scene",
+    "look_at": "airlight.scene",
+    "render": "airlight.render",
+    "Frame": "airlight.render",
+    "write_picture": "airlight.exports",
+    "AirlightError": "airlight.errors",
+    "ParameterError": "airlight.errors",
+    "FileError": "airlight.errors",
+    "ConvergenceError": "airlight.errors",
+    "Cancelled": "airlight.errors",
+}
+
+__all__ = [
+    "load_planet",
+    "planet_names",
+    "Planet",
+    "Constituent",
+    "Ground",
+    "Star",
+    "Medium",
+    "replace",
+    "solve",
+    "Solution",
+    "Camera",
+    "Scene",
+    "look_at",
+    "render",
+    "Frame",
+    "write_picture",
+    "AirlightError",
+    "ParameterError",
+    "FileError",
+    "ConvergenceError",
+    "Cancelled",
+    "__version__",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("airlight")
+    if name not in _HOMES:
+        raise AttributeError(f"module 'airlight' has no attribute {name!r}")
+    value = getattr(import_module(_HOMES[name]), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -1,0 +1,52 @@
+"""``import airlight`` and the command line's help are quick, because nothing heavy comes along."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+HEAVY = ["numba", "scipy", "xarray", "pint", "PIL", "OpenEXR", "pandas", "matplotlib"]
+
+
+def python(*arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, *arguments], capture_output=True, text=True, check=True, timeout=60
+    )
+
+
+def import_seconds(statement: str) -> float:
+    """What ``python -X importtime`` adds up for one statement, the best of three."""
+    totals = []
+    for _ in range(3):
+        lines = python("-X", "importtime", "-c", statement).stderr.splitlines()
+        own = [line.split("|")[0].removeprefix("import time:") for line in lines]
+        totals.append(sum(int(number) for number in own if number.strip().isdigit()) * 1e-6)
+    return min(totals)
+
+
+def test_import_airlight_takes_less_than_half_a_second() -> None:
+    # the bar of the architecture: 0.5 s, interpreter's own modules included
+    assert import_seconds("import airlight") < 0.5
+
+
+def test_help_of_the_command_line_takes_less_than_a_second() -> None:
+    # 0.4 s on the machine it was written on; twice that for a slower one
+    assert import_seconds("import airlight.cli") < 0.8
+
+
+@pytest.mark.parametrize("statement", ["import airlight", "import airlight.cli"])
+def test_nothing_heavy_is_imported_before_it_is_used(statement: str) -> None:
+    code = f"{statement}; import sys; print(*[m for m in {HEAVY} if m in sys.modules])"
+    assert python("-c", code).stdout.split() == []
+
+
+def test_every_public_name_is_found_where_it_is_said_to_live() -> None:
+    import airlight
+
+    for name in airlight.__all__:
+        assert getattr(airlight, name) is not None
+        assert name in dir(airlight)
+    with pytest.raises(AttributeError, match="no attribute 'no_such_name'"):
+        _ = airlight.no_such_name
