@@ -21,6 +21,9 @@ EPILOG = examples(
     "airlight render my-planet.toml --wavelengths rgb --quality preview -o quick.png",
 )
 
+#: Where the camera looks if nobody says: across the sunlight, which shows the air best. [deg]
+_ACROSS = -75.0
+
 
 def render(
     planet: options.Planet_,
@@ -47,7 +50,7 @@ def render(
     ] = "0deg",
     sun_zenith: Annotated[
         str, typer.Option(metavar="ANGLE", help="Zenith angle of the sun at the observer.")
-    ] = "85deg",
+    ] = "60deg",
     fov: Annotated[
         str | None,
         typer.Option(
@@ -89,13 +92,13 @@ def render(
     quality: options.Quality = "default",
     latitude: Annotated[
         str, typer.Option(metavar="ANGLE", help="Of the ground below, for its map.")
-    ] = "0deg",
+    ] = "32deg",
     longitude: Annotated[
         str, typer.Option(metavar="ANGLE", help="Of the ground below, for its map; east is +.")
-    ] = "0deg",
+    ] = "12deg",
     sun_azimuth: Annotated[
         str, typer.Option(metavar="ANGLE", help="Compass bearing of the sun, for the map.")
-    ] = "180deg",
+    ] = "100deg",
     no_cache: options.NoCache = False,
 ) -> None:
     """Compute a picture of a planet's air.
@@ -126,6 +129,8 @@ def render(
             sun_zenith=sun,
             bottom_radius=world.bottom_radius,
         )
+    if look is None and look_at is None and projection == "perspective":
+        target = (target[0], _ACROSS)
     columns, rows = options.picture_size(size, projection)
     scene = Scene(
         camera=Camera(

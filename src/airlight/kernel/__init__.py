@@ -109,6 +109,19 @@ def kernel(function: Callable[..., Any]) -> Any:
     return _declare(numba.njit, function, "functions", fastmath=set(FAST), error_model="numpy", nogil=True)
 
 
+def inlined(function: Callable[..., Any]) -> Any:
+    """A part of a compiled loop that is always inlined: for what takes arrays in a hot loop."""
+    return _declare(
+        numba.njit,
+        function,
+        "functions",
+        fastmath=set(FAST),
+        error_model="numpy",
+        nogil=True,
+        forceinline=True,
+    )
+
+
 def compiled_loop(function: Callable[..., Any]) -> Any:
     """Compile a loop over arrays; it runs without the interpreter's lock, so threads can share it."""
     return _declare(numba.njit, function, "functions", fastmath=set(FAST), error_model="numpy", nogil=True)

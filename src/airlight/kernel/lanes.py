@@ -11,6 +11,7 @@ import operator
 from collections.abc import Callable
 from typing import Any, ClassVar, Final
 
+import numpy as np
 from llvmlite import ir
 from numba import types
 from numba.core import cgutils
@@ -20,6 +21,8 @@ from numba.extending import intrinsic, lower_builtin, models, register_model
 
 #: Wavelengths in one value.
 LANES: Final = 8
+#: 1/π in float32: a plain literal would turn a product of single precision into double.
+INVERSE_PI: Final = np.float32(0.3183098861837907)
 
 _VECTOR = ir.VectorType(ir.FloatType(), LANES)
 _INTEGERS = ir.VectorType(ir.IntType(32), LANES)
@@ -135,18 +138,23 @@ def _call(builder: Any, name: str, *arguments: Any) -> Any:
     return builder.call(function, arguments)
 
 
-@intrinsic
-def maximum(typing_context: Any, a: Any, b: Any) -> Any:
-    """The larger of two values, lane by lane; the number where one is NaN."""
+def _pair(operation: str, doc: str) -> Callable[..., Any]:
+    def choose(typing_context: Any, a: Any, b: Any) -> Any:
+        def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            left, right = (
+                _as_vector(context, builder, value, kind)
+                for value, kind in zip(arguments, signature.args, strict=True)
+            )
+            return _call(builder, operation, left, right)
 
-    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        left, right = (
-            _as_vector(context, builder, value, kind)
-            for value, kind in zip(arguments, signature.args, strict=True)
-        )
-        return _call(builder, "maxnum", left, right)
+        return _LANES(a, b), build
 
-    return _LANES(a, b), build
+    choose.__doc__ = doc
+    return intrinsic(choose)  # type: ignore[no-any-return]
+
+
+maximum = _pair("maxnum", "The larger of two values, lane by lane; the number where one is NaN.")
+minimum = _pair("minnum", "The smaller of two values, lane by lane; the number where one is NaN.")
 
 
 #: Taylor coefficients of 2^x about 0, for |x| <= 1/2: the next term is below 2e-7.

@@ -1,0 +1,1 @@
+"""Mappings between physical coordinates and tables, each with its inverse."""

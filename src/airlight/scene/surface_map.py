@@ -127,9 +127,9 @@ def from_pixels(name: str, pixels: NDArray[np.uint8]) -> SurfaceMap:
     table = np.asarray(srgb_decode(np.arange(256) / 255.0), dtype=np.float32)
     levels = [table[pixels]]
     while levels[-1].shape[0] % 2 == 0 and levels[-1].shape[1] % 2 == 0:
-        height, width = levels[-1].shape[:2]
-        quads = levels[-1].reshape(height // 2, 2, width // 2, 2, 3)
-        levels.append(quads.mean(axis=(1, 3), dtype=np.float32))
+        fine = levels[-1]
+        upper, lower = fine[0::2], fine[1::2]
+        levels.append(0.25 * (upper[:, 0::2] + upper[:, 1::2] + lower[:, 0::2] + lower[:, 1::2]))
     return SurfaceMap(name=name, levels=tuple(levels))
 
 

@@ -18,6 +18,7 @@ from airlight.geometry.path import ray_length
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import vectorized
 from airlight.planets.medium import Medium
+from airlight.planets.planet import Planet
 from airlight.tables.columns import columns
 
 if TYPE_CHECKING:
@@ -81,21 +82,27 @@ class Sight:
 
 
 def enter_shell(
-    r: FloatArray, mu: FloatArray, mu_s: FloatArray, nu: FloatArray, bottom: float, top: float
+    r: FloatArray,
+    mu: FloatArray,
+    sine: FloatArray,
+    mu_s: FloatArray,
+    nu: FloatArray,
+    bottom: float,
+    top: float,
 ) -> Sight:
     """Move observers outside the shell to the point where their line of sight enters it.
 
     Parameters
     ----------
-    r, mu, mu_s, nu : array, shape (n,)
-        Of the observers; r may be larger than ``top``. [m], [1]
+    r, mu, sine, mu_s, nu : array, shape (n,)
+        Of the observers; r may be larger than ``top``. ``sine`` is the sine of the view's zenith
+        angle, given apart because far away the cosine has lost it. [m], [1]
     bottom, top : float
         Radii of the ground and of the shell's top. [m]
     """
     outside = r > top
-    # Squares relative to the top: an observer a light-year away must not lose the shell's width.
     nearest = -r * mu
-    impact_squared = np.square(r * np.sqrt(np.maximum((1.0 - mu) * (1.0 + mu), 0.0)))
+    impact_squared = np.square(r * sine)
     half_chord = np.sqrt(np.maximum((top * top) - impact_squared, 0.0))
     meets = (nearest > 0.0) & (impact_squared < top * top)
     enters = outside & meets
@@ -136,10 +143,13 @@ class Solution(ABC):
         What was solved.
     report : Report
         How.
+    planet : Planet or None
+        Where the medium came from.
     """
 
     medium: Medium
     report: Report
+    planet: Planet | None = None
 
     @abstractmethod
     def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
@@ -205,7 +215,7 @@ class Solution(ABC):
         mu, mu_s = np.cos(view), np.cos(sun)
         nu = np.clip(mu * mu_s + np.sin(view) * np.sin(sun) * np.cos(around), -1.0, 1.0)
         bottom, top = self.medium.bottom_radius, self.medium.top_radius
-        sight = enter_shell(bottom + arrays[0], mu, mu_s, nu, bottom, top)
+        sight = enter_shell(bottom + arrays[0], mu, np.sin(view), mu_s, nu, bottom, top)
         values = self.relative_radiance(sight, order=order) * self.medium.solar_irradiance
         return self._labelled(
             values, shape, "radiance", "W m-2 sr-1 nm-1", altitude=altitude,
@@ -239,15 +249,14 @@ class Solution(ABC):
             named["distance"] = _checked("distance", distance, 0.0, HIGHEST, "m")
         arrays, shape = _broadcast(**named)
         bottom, top = self.medium.bottom_radius, self.medium.top_radius
-        r, mu = bottom + arrays[0], np.cos(np.radians(arrays[1]))
-        zero = np.zeros_like(mu)
-        sight = enter_shell(r, mu, zero, zero, bottom, top)
+        r, view = bottom + arrays[0], np.radians(arrays[1])
+        mu, sine, zero = np.cos(view), np.sin(view), np.zeros_like(view)
+        sight = enter_shell(r, mu, sine, zero, zero, bottom, top)
         length = sight.length
         blocked = sight.to_ground
         if distance is not None:
-            way = np.where(
-                r > top, -r * mu - np.sqrt(np.maximum(top**2 - (r**2 * (1 - mu) * (1 + mu)), 0)), 0.0
-            )
+            half_chord = np.sqrt(np.maximum(top**2 - (r * sine) ** 2, 0.0))
+            way = np.where(r > top, -r * mu - half_chord, 0.0)
             asked = np.maximum(arrays[2] - way, 0.0)
             blocked = blocked & (asked > length * (1.0 + 1e-12))
             length = np.minimum(length, asked)

@@ -60,4 +60,8 @@ def solve(
     """
     settings = settings_for(quality)
     medium = Medium.from_planet(planet, planet.wavelengths if wavelengths is None else wavelengths)
-    return solve_by_moments(medium, settings, cache=cache, progress=progress, cancel=cancel)
+    solution = solve_by_moments(
+        medium, settings, cache=cache, progress=progress, cancel=cancel
+    )
+    solution.planet = planet
+    return solution

@@ -1,0 +1,1 @@
+"""Tables: columns for look-ups, and results kept on disk."""

@@ -38,7 +38,8 @@ def load(key: str) -> dict[str, NDArray[Any]] | None:
     """
     file = _file(key)
     try:
-        with np.load(file, allow_pickle=False) as stored:
+        # Opened here: NumPy forgets to close a file that turns out to be no archive.
+        with file.open("rb") as stream, np.load(stream, allow_pickle=False) as stored:
             arrays = {name: stored[name] for name in stored.files}  # zip checks each CRC-32
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile, NotImplementedError):
         return None
@@ -60,7 +61,7 @@ def save(key: str, arrays: Mapping[str, NDArray[Any]]) -> None:
     part = Path(name)
     try:
         with os.fdopen(handle, "wb") as stream:
-            np.savez(stream, key=np.array(key), **arrays)
+            np.savez(stream, key=np.array(key), **arrays)  # type: ignore[arg-type]
         part.replace(file)
         _remove_oldest(file.parent)
     except OSError:

@@ -29,11 +29,11 @@ _NONE: Final = 1e-6
 
 
 def pack(values: FloatArray) -> NDArray[np.float32]:
-    """Up to eight wavelengths on the last axis to flat float32 in eight lanes.
+    """Wavelengths on the last axis to flat float32 in whole groups of eight lanes.
 
     Lanes without a wavelength repeat the last one, so that they compute nothing strange.
     """
-    missing = LANES - values.shape[-1]
+    missing = -values.shape[-1] % LANES
     padded = np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
     return np.ascontiguousarray(padded, dtype=np.float32).reshape(-1)
 
@@ -51,12 +51,12 @@ def choose_degree(medium: Medium, settings: Settings) -> int:
     strong = np.abs(moments).max(axis=(0, 1)) > _NONE
     needed = int(np.flatnonzero(strong).max()) if strong.any() else 0
     peaked = np.abs(moments[..., settings.degree + 1 :]).max(axis=-1, initial=0.0) > 0.01
-    thick = bool((peak_weight(medium)[peaked] > 0.5).any())
+    thick = bool((peak_weight(medium)[peaked] > 0.9).any())
     return max(2, min(needed, highest if thick else settings.degree))
 
 
 def make_air(medium: Medium, degree: int, block: slice) -> Air:
-    """The optics of up to eight of a medium's wavelengths.
+    """The optics of some of a medium's wavelengths, in whole groups of eight lanes.
 
     Parameters
     ----------

@@ -7,8 +7,8 @@ from math import sqrt
 import numpy as np
 
 from airlight.geometry.sun_disc import mean_cosine, visible_fraction
-from airlight.kernel import compiled_loop, kernel
-from airlight.kernel.lanes import LANES, exponential, load, splat, store
+from airlight.kernel import compiled_loop, inlined, kernel
+from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
 from airlight.mappings.transmittance import direction_coordinate
 from airlight.solvers.moments.harmonics import legendre_functions
 from airlight.solvers.moments.sweep import optical_depth, project
@@ -28,91 +28,86 @@ def sun_elevation(r, mu_s, bottom_radius):
 
 @compiled_loop
 def interpolate_row(values, x, out):
-    """One row of a column table, between its radii: log-linear, since columns fall e-fold."""
-    x = min(max(x, 0.0), values.shape[0] - 1.0)
+    """One row of a column table, between its radii. [m]"""
     row = min(int(x), values.shape[0] - 2)
     f = x - row
     for j in range(values.shape[1]):
         for c in range(values.shape[2]):
-            low, high = values[row, j, c], values[row + 1, j, c]
-            # lerp of v·s over lerp of s with s = 1/sqrt(v): the geometric mean in the middle.
-            if low > 0.0 and high > 0.0:
-                root_low, root_high = sqrt(low), sqrt(high)
-                out[j, c] = (root_low * (1.0 - f) + root_high * f) / (
-                    (1.0 - f) / root_low + f / root_high
-                )
-            else:
-                out[j, c] = low * (1.0 - f) + high * f
+            out[j, c] = values[row, j, c] + (values[row + 1, j, c] - values[row, j, c]) * f
 
 
 @compiled_loop
-def first_order_radius(i, grid, rays, azimuths, air, constants, columns, out, sky_out):
+def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, out, sky_out):
     """Moments of the light scattered or reflected once, at all sun elevations of one radius.
 
     Parameters
     ----------
-    i, grid, rays, azimuths, air, constants, out, sky_out :
+    i, grid, rays, azimuths, air, expansion, out, sky_out :
         As in ``sweep_radius``.
     columns : array, shape (radii, directions, nc)
         Of a ``ColumnTable``. [m]
     """
-    suns = grid.sun_cosines.size
-    degree = azimuths.multiples.shape[0] - 1
-    terms = constants.size
-    constituents = rays.total.shape[2]
-    angles = rays.mu.shape[1]
-    r = grid.radii[i]
-    bottom, top = grid.bottom_radius, grid.top_radius
+    # Arrays are taken out of their tuples once: inside the loop each access would count references.
+    bottom, top, radii, sun_cosines, _ = grid
+    all_mu, all_weights, all_flux, all_lengths, starts, totals, distances, ray_radii, amounts, depths = rays
+    cosines, multiples = azimuths
+    extinction, moments, albedo, star_radius = air
+    suns = sun_cosines.size
+    degree = multiples.shape[0] - 1
+    terms = (degree + 1) * (degree + 2) // 2
+    constituents = totals.shape[2]
+    angles = all_mu.shape[1]
+    r = radii[i]
     tangent = sqrt((top - bottom) * (top + bottom))
     most = 0
     for a in range(angles):
-        most = max(most, rays.start[i, a + 1] - rays.start[i, a])
+        most = max(most, starts[i, a + 1] - starts[i, a])
     directions = columns.shape[1]
     sun_columns = np.empty((max(most, 1), directions, constituents))
     ground_columns = columns[0]
     strength = np.empty(max(most, 1) * constituents * LANES, np.float32)
     phase = np.empty(constituents * LANES, np.float32)
-    functions = np.empty(constants.size)
+    functions = np.empty(terms)
     azimuthal = np.empty((degree + 1) * LANES, np.float32)
     here = np.empty(constituents)
     out[:] = 0.0
     sky_out[:] = 0.0
     for a in range(angles):
-        mu = rays.mu[i, a]
+        mu = all_mu[i, a]
         below = a < angles // 2
-        first = rays.start[i, a]
-        points = rays.start[i, a + 1] - first
+        first = starts[i, a]
+        points = starts[i, a + 1] - first
         for k in range(points):
-            q = rays.radius[first + k]
+            q = ray_radii[first + k]
             x = sqrt(max((q - bottom) * (q + bottom), 0.0)) / tangent
             interpolate_row(columns, x * (columns.shape[0] - 1), sun_columns[k])
             through = exponential(
-                0.0 - optical_depth(rays.column[first + k], 0, air.extinction, constituents)
+                0.0 - optical_depth(depths[first + k], 0, extinction, constituents)
             )
             for c in range(constituents):
                 store(
                     strength, LANES * (k * constituents + c),
-                    through * np.float32(rays.amount[first + k, c]),
+                    through * np.float32(amounts[first + k, c]),
                 )
         if below:
-            reflected = load(air.albedo, 0) * np.float32(0.3183098861837907) * exponential(
-                0.0 - optical_depth(rays.total[i, a], 0, air.extinction, constituents)
+            reflected = load(albedo, 0) * INVERSE_PI * exponential(
+                0.0 - optical_depth(totals[i, a], 0, extinction, constituents)
             )
         else:
             reflected = splat(0.0)
-        legendre_functions(mu, constants, functions)
+        legendre_functions(mu, expansion, functions)
         sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
         for j in range(suns):
-            mu_s = grid.sun_cosines[j]
+            mu_s = sun_cosines[j]
             sun_sine = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
             azimuthal[:] = 0.0
-            for b in range(azimuths.cosines.size):
-                nu = min(max(mu * mu_s + sine * sun_sine * azimuths.cosines[b], -1.0), 1.0)
+            for b in range(cosines.size):
+                nu = min(max(mu * mu_s + sine * sun_sine * cosines[b], -1.0), 1.0)
                 for c in range(constituents):
                     total = splat(0.0)
                     before, value = 0.0, 1.0
                     for l in range(degree + 1):
-                        total = total + load(air.moments, LANES * (c * (degree + 1) + l)) * np.float32(
+                        total = total + load(moments, LANES * (c * (degree + 1) + l)) * np.float32(
                             (2 * l + 1) * 0.07957747154594767 * value
                         )
                         following = ((2 * l + 1) * nu * value - l * before) / (l + 1)
@@ -120,9 +115,9 @@ def first_order_radius(i, grid, rays, azimuths, air, constants, columns, out, sk
                     store(phase, LANES * c, total)
                 radiance = splat(0.0)
                 for k in range(points):
-                    q = rays.radius[first + k]
-                    mu_sk = min(max((r * mu_s + rays.distance[first + k] * nu) / q, -1.0), 1.0)
-                    seen = visible_fraction(sun_elevation(q, mu_sk, bottom), air.star_radius)
+                    q = ray_radii[first + k]
+                    mu_sk = min(max((r * mu_s + distances[first + k] * nu) / q, -1.0), 1.0)
+                    seen = visible_fraction(sun_elevation(q, mu_sk, bottom), star_radius)
                     if seen <= 0.0:
                         continue
                     x = direction_coordinate(q, mu_sk, bottom, top) * (directions - 1)
@@ -130,7 +125,7 @@ def first_order_radius(i, grid, rays, azimuths, air, constants, columns, out, sk
                     f = x - place
                     for c in range(constituents):
                         here[c] = sun_columns[k, place, c] * (1.0 - f) + sun_columns[k, place + 1, c] * f
-                    light = exponential(0.0 - optical_depth(here, 0, air.extinction, constituents))
+                    light = exponential(0.0 - optical_depth(here, 0, extinction, constituents))
                     source = splat(0.0)
                     for c in range(constituents):
                         source = source + load(phase, LANES * c) * load(
@@ -138,22 +133,22 @@ def first_order_radius(i, grid, rays, azimuths, air, constants, columns, out, sk
                         )
                     radiance = radiance + np.float32(seen) * light * source
                 if below:
-                    mu_sg = min(max((r * mu_s + rays.length[i, a] * nu) / bottom, -1.0), 1.0)
+                    mu_sg = min(max((r * mu_s + all_lengths[i, a] * nu) / bottom, -1.0), 1.0)
                     radiance = radiance + reflected * direct_light(
-                        mu_sg, bottom, top, air, ground_columns, here
+                        mu_sg, bottom, top, star_radius, extinction, ground_columns, here
                     )
                 for m in range(degree + 1):
                     at = LANES * m
-                    store(azimuthal, at, load(azimuthal, at) + azimuths.multiples[m, b] * radiance)
-            project(azimuthal, functions, rays.weight[i, a], degree, j * terms * LANES, out)
+                    store(azimuthal, at, load(azimuthal, at) + multiples[m, b] * radiance)
+            project(azimuthal, functions, all_weights[i, a], degree, j * terms * LANES, out)
             if not below:
                 at = LANES * j
-                flux = np.float32(rays.flux[i, a])
+                flux = np.float32(all_flux[i, a])
                 store(sky_out, at, load(sky_out, at) + flux * load(azimuthal, 0))
 
 
-@kernel
-def direct_light(mu_s, bottom, top, air, ground_columns, here):
+@inlined
+def direct_light(mu_s, bottom, top, star_radius, extinction, ground_columns, here):
     """Irradiance of level ground by the star itself, per irradiance at the top. [1]"""
     x = direction_coordinate(bottom, max(mu_s, 0.0), bottom, top) * (ground_columns.shape[0] - 1)
     place = min(int(x), ground_columns.shape[0] - 2)
@@ -161,5 +156,5 @@ def direct_light(mu_s, bottom, top, air, ground_columns, here):
     constituents = ground_columns.shape[1]
     for c in range(constituents):
         here[c] = ground_columns[place, c] * (1.0 - f) + ground_columns[place + 1, c] * f
-    light = exponential(0.0 - optical_depth(here, 0, air.extinction, constituents))
-    return light * np.float32(mean_cosine(mu_s, mu_s, air.star_radius))
+    light = exponential(0.0 - optical_depth(here, 0, extinction, constituents))
+    return light * np.float32(mean_cosine(mu_s, mu_s, star_radius))

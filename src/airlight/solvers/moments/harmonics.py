@@ -8,11 +8,14 @@ terms vanish and degree N has (N + 1)(N + 2)/2 coefficients; (l, m) stands at l(
 from __future__ import annotations
 
 from math import factorial, pi, sqrt
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import compiled_loop
+from airlight.kernel import inlined
+
+FloatArray = NDArray[np.float64]
 
 
 def coefficient_count(degree: int) -> int:
@@ -43,33 +46,69 @@ def normalisation(degree: int) -> NDArray[np.float64]:
     )
 
 
-@compiled_loop
-def legendre_functions(mu, constants, out):
-    """K_lm P_l^m(mu) for all l, m up to the degree that ``constants`` has.
+class Harmonics(NamedTuple):
+    """Coefficients of the recurrences that give K_lm P_l^m(mu) without a division.
+
+    Attributes
+    ----------
+    degree : int
+        N.
+    start : array, shape (N + 1,)
+        K_mm P_m^m over (sin θ)^m. [1]
+    ahead, back : array, shape (k,)
+        With p_l for K_lm P_l^m: p_l = ahead·mu·p_{l-1} - back·p_{l-2}. [1]
+    """
+
+    degree: int
+    start: FloatArray
+    ahead: FloatArray
+    back: FloatArray
+
+
+def harmonics(degree: int) -> Harmonics:
+    """The recurrences up to a degree; P_{l-2} stands for 0 where l - 2 < m."""
+    constants = normalisation(degree)
+    count = coefficient_count(degree)
+    start, ahead, back = np.empty(degree + 1), np.zeros(count), np.zeros(count)
+    double_factorial = 1.0
+    for m in range(degree + 1):
+        if m > 0:
+            double_factorial *= 2 * m - 1
+        start[m] = constants[m * (m + 1) // 2 + m] * double_factorial
+        for l in range(m + 1, degree + 1):
+            k = l * (l + 1) // 2 + m
+            ahead[k] = (2 * l - 1) / (l - m) * constants[k] / constants[(l - 1) * l // 2 + m]
+            if l > m + 1:
+                second = constants[(l - 2) * (l - 1) // 2 + m]
+                back[k] = (l + m - 1) / (l - m) * constants[k] / second
+    return Harmonics(degree, start, ahead, back)
+
+
+@inlined
+def legendre_functions(mu, terms, out):
+    """K_lm P_l^m(mu) for all l, m.
 
     Parameters
     ----------
     mu : float
         Cosine of the zenith angle. [1]
-    constants : array, shape (k,)
-        From ``normalisation``.
+    terms : Harmonics
+        Fixes the degree.
     out : array, shape (k,)
-        Receives the values. [1]
+        Receives the values, (l, m) at l(l + 1)/2 + m. [1]
     """
-    degree = 0
-    while (degree + 1) * (degree + 2) // 2 < constants.size:
-        degree += 1
+    degree, start, ahead, back = terms
     sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
-    diagonal = 1.0
+    power = 1.0
     for m in range(degree + 1):
-        if m > 0:
-            diagonal *= (2 * m - 1) * sine
         before = 0.0
-        value = diagonal
-        for l in range(m, degree + 1):
-            if l > m:
-                following = ((2 * l - 1) * mu * value - (l + m - 1) * before) / (l - m)
-                before = value
-                value = following
-            index = l * (l + 1) // 2 + m
-            out[index] = constants[index] * value
+        value = start[m] * power
+        index = m * (m + 1) // 2 + m
+        out[index] = value
+        for l in range(m + 1, degree + 1):
+            index += l
+            following = ahead[index] * mu * value - back[index] * before
+            before = value
+            value = following
+            out[index] = value
+        power *= sine

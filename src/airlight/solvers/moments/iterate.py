@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import log, pi
@@ -14,11 +15,11 @@ from airlight.errors import ConvergenceError
 from airlight.kernel.lanes import LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.medium import Medium
-from airlight.solvers.moments.acceleration import Anderson
+from airlight.solvers.moments.acceleration import mixing_weights
 from airlight.solvers.moments.air import choose_degree, make_air
 from airlight.solvers.moments.first_order import first_order_radius
 from airlight.solvers.moments.grid import Grid, make_grid
-from airlight.solvers.moments.harmonics import normalisation
+from airlight.solvers.moments.harmonics import coefficient_count, harmonics
 from airlight.solvers.moments.rays import trace_rays
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.sweep import Azimuths, sweep_radius
@@ -31,6 +32,10 @@ Float32Array = NDArray[np.float32]
 _DARK: Final = 1e-6
 #: Mean radiance never falls below this part of its largest value, so that its root exists.
 _FLOOR: Final = 1e-20
+
+
+#: How many images the acceleration combines.
+_MEMORY: Final = 7
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -125,10 +130,10 @@ def solve_moments(
     grid = make_grid(medium.bottom_radius, medium.top_radius, settings.radii, settings.suns)
     rays = trace_rays(grid, medium.density, settings.zenith_angles, settings.nodes)
     columns = ColumnTable.build(medium.bottom_radius, medium.top_radius, medium.density).values
-    azimuths = even_azimuths(degree, settings.azimuths)
-    constants = normalisation(degree)
+    azimuths = even_azimuths(degree, max(settings.azimuths, 3 * degree // 4))
+    expansion = harmonics(degree)
     count = medium.wavelengths.size
-    shape = (settings.radii, settings.suns, constants.size)
+    shape = (settings.radii, settings.suns, coefficient_count(degree))
     field = np.empty((*shape, count), np.float32)
     sky = np.empty((settings.radii, settings.suns, count), np.float32)
     residual = np.empty(count)
@@ -144,7 +149,7 @@ def solve_moments(
             above = np.empty((settings.radii, settings.suns, LANES), np.float32)
             run_blocks(
                 lambda i: kernel(
-                    i, grid, rays, azimuths, air, constants, *light,
+                    i, grid, rays, azimuths, air, expansion, *light,
                     out[i].reshape(-1), above[i].reshape(-1),
                 ),
                 settings.radii,
@@ -185,53 +190,55 @@ def _iterate(
     if not (first_field[:, :, 0] > 0.0).any():
         return first_field[..., :used], first_sky[..., :used], np.zeros(used), 0
     field, sky = first_field, first_sky
-    memories = [Anderson() for _ in range(used)]
+    images: deque[Light] = deque(maxlen=_MEMORY)
+    residuals: deque[FloatArray] = deque(maxlen=_MEMORY)
     for sweep in range(1, settings.max_sweeps + 1):
         new_field, new_sky = gather(sweep_radius, *pack_light(field, sky[0]))
         new_field += first_field
         new_sky += first_sky
-        change = _relative_change(field, new_field)[:used]
-        report(float(change.max()))
-        before, after = (field, sky[0]), (new_field.copy(), new_sky[0].copy())
-        for lane in range(used):
-            _accelerate(memories[lane], lane, before, after)
-        field, sky = after[0], np.concatenate([after[1][None], new_sky[1:]])
-        if change.max() <= settings.tolerance:
-            return field[..., :used], sky[..., :used], change, sweep
+        change = _relative_change(field[:, :, 0], new_field[:, :, 0])
+        largest = np.abs(change).max(axis=(0, 1))[:used]
+        report(float(largest.max()))
+        images.append((new_field, new_sky))
+        residuals.append(change.reshape(-1, LANES))
+        field, sky = _mix(images, residuals, used)
+        if largest.max() <= settings.tolerance:
+            return field[..., :used], sky[..., :used], largest, sweep
     raise ConvergenceError(
         f"after {settings.max_sweeps} sweeps the last still changed the light by "
-        f"{change.max():.1e}, more than the tolerance {settings.tolerance:g}"
+        f"{largest.max():.1e}, more than the tolerance {settings.tolerance:g}"
     )
 
 
 def _relative_change(before: Float32Array, after: Float32Array) -> FloatArray:
-    """Largest relative change of the mean radiance where it is not dark, per lane."""
-    old, new = before[:, :, 0].astype(float), after[:, :, 0].astype(float)
+    """Relative change of the mean radiance where it is not dark, else 0; shape (r, s, 8)."""
+    old, new = before.astype(float), after.astype(float)
     bright = new > _DARK * new.max(axis=(0, 1))
-    return np.asarray(np.where(bright, np.abs(new - old) / np.where(bright, new, 1.0), 0.0).max(axis=(0, 1)))
+    return np.asarray(np.where(bright, (new - old) / np.where(bright, new, 1.0), 0.0))
 
 
 Light = tuple[Float32Array, Float32Array]
 
 
-def _accelerate(memory: Anderson, lane: int, before: Light, after: Light) -> None:
-    """Replace one lane of ``after`` by the accelerated step from ``before`` to it."""
-    plain = after[0][..., lane].astype(float)
-    plain_ground = after[1][:, lane].astype(float)
-    mean = np.maximum(plain[..., 0], 0.0)
-    lit = 1.0 / np.maximum(mean, _DARK * mean.max())
-    weight = np.concatenate(
-        [np.repeat(lit.ravel(), plain.shape[2]), np.zeros(plain_ground.size)]
-    )
-    old, new = (
-        np.concatenate([part[..., lane].ravel() for part in light]).astype(float)
-        for light in (before, after)
-    )
-    mixed = memory.step(old, new, weight)
-    field, ground = mixed[: plain.size].reshape(plain.shape), mixed[plain.size :]
+def _mix(images: deque[Light], residuals: deque[FloatArray], used: int) -> Light:
+    """The next guess: for each wavelength its own combination of the last images."""
+    weights = np.zeros((len(images), LANES), np.float32)
+    weights[-1] = 1.0
+    for lane in range(used):
+        weights[:, lane] = mixing_weights(np.stack([one[:, lane] for one in residuals]))
+    last_field, last_sky = images[-1]
+    field = np.zeros_like(last_field)
+    sky = np.zeros_like(last_sky)
+    for (one_field, one_sky), weight in zip(images, weights, strict=True):
+        field += one_field * weight
+        sky += one_sky * weight
     # In the dark, and where it leaps, the combination means nothing: keep what was computed.
-    sound = (field[..., 0] > 0.5 * mean) & (field[..., 0] < 2.0 * mean)
-    sound &= mean > _DARK * mean.max()
-    after[0][..., lane] = np.where(sound[..., None], field, plain)
-    sound_ground = (ground > 0.5 * plain_ground) & (ground < 2.0 * plain_ground)
-    after[1][:, lane] = np.where(sound_ground, ground, plain_ground)
+    sound = _is_near(field[:, :, 0], last_field[:, :, 0])
+    field = np.where(sound[:, :, None], field, last_field)
+    return field, np.where(_is_near(sky, last_sky), sky, last_sky)
+
+
+def _is_near(mixed: Float32Array, computed: Float32Array) -> NDArray[np.bool_]:
+    """Whether a mixed value is within a factor of two of a computed one that is not dark."""
+    lit = computed > _DARK * computed.max(axis=(0, 1))
+    return np.asarray(lit & (mixed > 0.5 * computed) & (mixed < 2.0 * computed))

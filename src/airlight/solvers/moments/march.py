@@ -2,260 +2,377 @@
 
 The stretch itself is integrated; nothing is ever the difference of two large numbers. Single
 scattering of the star uses the exact phase function and the exact shadow; light scattered before
-comes from the moments.
+comes from the moments. All wavelengths go along together, in groups of eight lanes: what depends
+on geometry alone is computed once a point.
 """
 
 from __future__ import annotations
 
 from math import sqrt
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.geometry.path import place_edges, shadow_edges
+from airlight.geometry.path import MAX_EDGES, place_edges, shadow_edges
+from airlight.geometry.shell import radius_along
 from airlight.geometry.sun_disc import mean_cosine, visible_fraction
-from airlight.kernel import compiled_loop
+from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, exponential, load, splat, store
 from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate
-from airlight.solvers.moments.first_order import direct_light, sun_elevation
+from airlight.solvers.moments.first_order import sun_elevation
 from airlight.solvers.moments.grid import Grid
-from airlight.solvers.moments.harmonics import legendre_functions
-from airlight.solvers.moments.sweep import Air, optical_depth, place_of
+from airlight.solvers.moments.harmonics import Harmonics, legendre_functions
+from airlight.solvers.moments.sweep import Air, place_of
 from airlight.tables.columns import trace
+
+#: Rays that march side by side: neighbours read the same moments, which then stay in the cache.
+PACKET: Final = 16
+
+#: A stretch is steep if it is so much shorter, of the shell's thickness; and in full daylight if
+#: the star's zenith cosine is larger at both ends. Eight points then err by less than 1e-3.
+_STEEP: Final = 5.0
+_FULL_DAY: Final = 0.1
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 
 class Light(NamedTuple):
-    """All that a march needs of the solution of eight wavelengths.
+    """All that a march needs of a solution; w is the number of lanes, a multiple of 8.
 
     Attributes
     ----------
     grid : Grid
         The nodes of ``field``.
     air : Air
-        The optics after the removal of forward peaks.
-    scattering : array, shape (nc·8,)
+        The optics after the removal of forward peaks, w lanes.
+    scattering : array, shape (nc·w,)
         True scattering coefficients. [m⁻¹]
-    constants : array, shape (k,)
-        Of the harmonics.
-    field : array
-        As in ``sweep_radius``; all orders together.
-    sky : array, shape (r·s·2·8,)
+    expansion : Harmonics
+        Of the moments.
+    field : array, shape (r·s·(1 + k)·w,)
+        Moments of all orders together, as (s, M·s) per node; see ``sweep``.
+    sky : array, shape (r·s·2·w,)
         Irradiance of a level surface by scattered light, as (s, E·s) per node; the first radius
         is the ground.
     columns : array, shape (radii, directions, nc)
         Of a ``ColumnTable``. [m]
-    density_edges, coefficients : array
-        Of ``DensitySegments``.
+    density : array, shape (nodes, nc)
+        From ``density_table``.
     """
 
     grid: Grid
     air: Air
     scattering: Float32Array
-    constants: FloatArray
+    expansion: Harmonics
     field: Float32Array
     sky: Float32Array
     columns: FloatArray
-    density_edges: FloatArray
-    coefficients: FloatArray
+    density: FloatArray
 
 
 class Workspace(NamedTuple):
-    """Scratch of one thread: edges and points of one ray, and small rows."""
+    """Scratch of one thread, and the results of ``march``, for packets of PACKET rays.
+
+    Attributes
+    ----------
+    edges, counts, distance, radius, weight, density, column, total, scratch, functions, here, rho, depths :
+        Overwritten by ``march``.
+    received : array, shape (w,)
+        Irradiance of the ground by ``ground_light``. [1]
+    radiance, through : array, shape (PACKET, w)
+        Radiance of the air [sr⁻¹] and transmittance [1], of ``march``.
+    """
 
     edges: FloatArray
-    path: tuple[FloatArray, ...]
-    functions: FloatArray
+    counts: NDArray[np.int64]
+    distance: FloatArray
+    radius: FloatArray
+    weight: FloatArray
+    density: FloatArray
+    column: FloatArray
+    total: FloatArray
+    scratch: FloatArray
+    functions: Float32Array
     here: FloatArray
+    rho: Float32Array
+    depths: Float32Array
+    received: Float32Array
+    radiance: Float32Array
+    through: Float32Array
 
 
-@compiled_loop
-def sun_columns(q, mu_s, light, here):
+def new_workspace(points: int, constituents: int, terms: int, lanes: int) -> Workspace:
+    """Scratch for rays of at most so many points, of so many harmonics and lanes."""
+    return Workspace(
+        edges=np.empty(MAX_EDGES),
+        counts=np.empty(PACKET, np.int64),
+        distance=np.empty((PACKET, points)),
+        radius=np.empty((PACKET, points)),
+        weight=np.empty((PACKET, points)),
+        density=np.empty((PACKET, constituents, points)),
+        column=np.empty((PACKET, constituents, points)),
+        total=np.empty((PACKET, constituents)),
+        scratch=np.empty(points),
+        functions=np.empty(terms, np.float32),
+        here=np.empty(constituents),
+        rho=np.empty(constituents, np.float32),
+        depths=np.empty(constituents, np.float32),
+        received=np.empty(lanes, np.float32),
+        radiance=np.empty((PACKET, lanes), np.float32),
+        through=np.empty((PACKET, lanes), np.float32),
+    )
+
+
+@inlined
+def sun_columns(q, mu_s, bottom, top, values, here):
     """Columns from a point towards the star, from the table. [m]"""
-    bottom, top = light.grid.bottom_radius, light.grid.top_radius
-    values = light.columns
     x = altitude_coordinate(q, bottom, top) * (values.shape[0] - 1)
     row = min(int(x), values.shape[0] - 2)
     f = x - row
     x = direction_coordinate(q, mu_s, bottom, top) * (values.shape[1] - 1)
     place = min(int(x), values.shape[1] - 2)
     e = x - place
+    w00, w01 = (1.0 - f) * (1.0 - e), (1.0 - f) * e
+    w10, w11 = f * (1.0 - e), f * e
     for c in range(values.shape[2]):
-        low = values[row, place, c] * (1.0 - e) + values[row, place + 1, c] * e
-        high = values[row + 1, place, c] * (1.0 - e) + values[row + 1, place + 1, c] * e
-        if low > 0.0 and high > 0.0:
-            root_low, root_high = sqrt(low), sqrt(high)
-            here[c] = (root_low * (1.0 - f) + root_high * f) / (
-                (1.0 - f) / root_low + f / root_high
-            )
-        else:
-            here[c] = low * (1.0 - f) + high * f
+        here[c] = (
+            w00 * values[row, place, c]
+            + w01 * values[row, place + 1, c]
+            + w10 * values[row + 1, place, c]
+            + w11 * values[row + 1, place + 1, c]
+        )
+
+
+@inlined
+def through_columns(columns, extinction, lanes, at):
+    """Transmittance of eight wavelengths, from lane ``at`` on, through columns (nc,). [1]"""
+    tau = splat(0.0)
+    for c in range(columns.size):
+        tau = tau + load(extinction, lanes * c + at) * np.float32(columns[c])
+    return exponential(0.0 - tau)
+
+
+class Packet(NamedTuple):
+    """Up to PACKET stretches of rays inside the shell.
+
+    Attributes
+    ----------
+    r, mu, mu_s, nu : array, shape (PACKET,)
+        Start radius [m]; cosines of the view's and the star's zenith angle there, and between
+        view and star. [1]
+    length : array, shape (PACKET,)
+        [m]
+    phase : array, shape (PACKET, nc·w)
+        Phase functions at ``nu``. [sr⁻¹]
+    """
+
+    r: FloatArray
+    mu: FloatArray
+    mu_s: FloatArray
+    nu: FloatArray
+    length: FloatArray
+    phase: Float32Array
+
+
+def new_packet(width: int) -> Packet:
+    """Room for a packet whose rows of phase functions have so many values."""
+    r, mu, mu_s, nu, length = (np.empty(PACKET) for _ in range(5))
+    return Packet(r, mu, mu_s, nu, length, np.empty((PACKET, width), np.float32))
 
 
 @compiled_loop
-def march(r, mu, mu_s, nu, length, to_ground, orders, phase, panels, rule, light, work, out):
-    """Radiance of a stretch of air, and of the ground behind it, per irradiance of the star.
+def march(packet, rays, orders, panels, rules, light, work):
+    """Radiance of stretches of air per irradiance of the star, and their transmittance.
 
     Parameters
     ----------
-    r, mu, mu_s, nu : float
-        Start radius [m]; cosines of the view's and the star's zenith angle there, and between
-        view and star. [1]
-    length : float
-        Of the stretch, inside the shell. [m]
-    to_ground : bool
-        Whether the stretch ends on the ground.
+    packet : Packet
+        The stretches.
+    rays : int
+        How many of them there are.
     orders : int
-        1: single scattering and the ground's reflection of the star alone; 0: all the rest;
-        2: both together.
-    phase : array, shape (nc·8,)
-        Phase functions at ``nu``. [sr⁻¹]
+        1: the star's light scattered once; 0: all the rest; 2: both together.
     panels : int
         Panels a leg.
-    rule : tuple of arrays
-        Nodes, weights, running integrals of a panel.
+    rules : pair of tuples of arrays
+        Nodes, weights, running integrals of a panel: for stretches that are steep and in full
+        daylight, where the source is smooth, and for all others.
     light : Light
         The solution.
     work : Workspace
-        Overwritten.
-    out : array, shape (16,)
-        Receives the radiance of air and ground [sr⁻¹] of eight wavelengths, then the
-        transmittance of the stretch [1] with forward peaks counted as unscattered.
+        Receives ``radiance`` and ``through``, the latter with forward peaks counted as
+        unscattered.
     """
-    grid, air = light.grid, light.air
-    bottom, top = grid.bottom_radius, grid.top_radius
-    suns = grid.sun_cosines.size
-    terms = light.constants.size
-    constituents = light.density_edges.shape[0]
-    degree = air.moments.size // (LANES * constituents) - 1
-    block = (1 + terms) * LANES
-    first_cut, second_cut = shadow_edges(r, mu, mu_s, nu, bottom)
-    edge_count = place_edges(r, mu, length, panels, first_cut, second_cut, work.edges)
-    count = trace(
-        r, mu, work.edges, edge_count, rule, bottom, light.density_edges, light.coefficients,
-        work.path,
-    )
-    distance, radius, weight, density, column, total_column = work.path
-    radiance = splat(0.0)
-    for k in range(count):
-        q = min(max(radius[k], bottom), top)
-        t = distance[k]
-        w = np.float32(weight[k])
-        mu_sq = min(max((r * mu_s + t * nu) / q, -1.0), 1.0)
-        through = exponential(0.0 - optical_depth(column[k], 0, air.extinction, constituents))
-        source = splat(0.0)
-        if orders != 0:
-            seen = visible_fraction(sun_elevation(q, mu_sq, bottom), air.star_radius)
-            if seen > 0.0:
-                sun_columns(q, mu_sq, light, work.here)
-                for c in range(constituents):
-                    source = source + (
-                        load(light.scattering, LANES * c) * load(phase, LANES * c)
-                    ) * np.float32(density[k, c])
-                source = source * exponential(
-                    0.0 - optical_depth(work.here, 0, air.extinction, constituents)
-                ) * np.float32(seen)
-        if orders != 1:
-            mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
-            legendre_functions(mu_q, light.constants, work.functions)
-            spread = (1.0 - mu_q) * (1.0 + mu_q) * (1.0 - mu_sq) * (1.0 + mu_sq)
-            step = (nu - mu_q * mu_sq) / sqrt(max(spread, 1e-24))
-            step = min(max(step, -1.0), 1.0)
-            before, multiple = 1.0, 1.0
-            for m in range(degree + 1):
-                if m == 1:
-                    multiple = step
-                elif m > 1:
-                    before, multiple = multiple, 2.0 * step * multiple - before
-                for l in range(m, degree + 1):
-                    work.functions[l * (l + 1) // 2 + m] *= multiple
-            x = altitude_coordinate(q, bottom, top) * (grid.radii.size - 1)
-            row = min(int(x), grid.radii.size - 2)
-            f = x - row
-            x = place_of(mu_sq, grid.place)
-            place = min(int(x), suns - 2)
-            e = x - place
-            w00 = np.float32((1.0 - f) * (1.0 - e))
-            w01 = np.float32((1.0 - f) * e)
-            w10 = np.float32(f * (1.0 - e))
-            w11 = np.float32(f * e)
-            a00 = (row * suns + place) * block
-            a01 = a00 + block
+    # Arrays are taken out of their tuples once: inside the loop each access would count references.
+    bottom, top = light.grid.bottom_radius, light.grid.top_radius
+    place_table, radii = light.grid.place, light.grid.radii.size
+    suns = light.grid.sun_cosines.size
+    extinction, moments = light.air.extinction, light.air.moments
+    star_radius, lanes = light.air.star_radius, light.air.albedo.size
+    scattering, field, sun_table = light.scattering, light.field, light.columns
+    expansion, table = light.expansion, light.density
+    degree = expansion.degree
+    functions, here, edges, counts = work.functions, work.here, work.edges, work.counts
+    rho, depths = work.rho, work.depths
+    distance, radius, weight = work.distance, work.radius, work.weight
+    density, column, total = work.density, work.column, work.total
+    radiance, through = work.radiance, work.through
+    starts, cosines, sun_cosines, angles, lengths, phases = packet
+    constituents = table.shape[1]
+    block = (1 + (degree + 1) * (degree + 2) // 2) * lanes
+    most = 0
+    for p in range(rays):
+        r, mu, mu_s, nu = starts[p], cosines[p], sun_cosines[p], angles[p]
+        first_cut, second_cut = shadow_edges(r, mu, mu_s, nu, bottom)
+        edge_count = place_edges(r, mu, lengths[p], panels, first_cut, second_cut, edges)
+        path = (
+            distance[p], radius[p], weight[p], density[p], column[p], total[p], work.scratch
+        )
+        end = min(mu_s, (r * mu_s + lengths[p] * nu) / radius_along(r, mu, lengths[p]))
+        easy = end > _FULL_DAY and lengths[p] < _STEEP * (top - bottom)
+        rule = rules[0] if easy else rules[1]
+        counts[p] = trace(r, mu, edges, edge_count, rule, bottom, top - bottom, table, path)
+        most = max(most, counts[p])
+        for at in range(0, lanes, LANES):
+            store(radiance[p], at, splat(0.0))
+            store(through[p], at, through_columns(total[p], extinction, lanes, at))
+    for k in range(most):
+        for p in range(rays):
+            if k >= counts[p]:
+                continue
+            r, mu, mu_s, nu = starts[p], cosines[p], sun_cosines[p], angles[p]
+            phase, bright = phases[p], radiance[p]
+            q = min(max(radius[p, k], bottom), top)
+            t = distance[p, k]
+            w = np.float32(weight[p, k])
+            mu_sq = min(max((r * mu_s + t * nu) / q, -1.0), 1.0)
+            for c in range(constituents):
+                rho[c] = np.float32(density[p, c, k])
+                depths[c] = np.float32(column[p, c, k])
+            seen = 0.0
+            if orders != 0:
+                seen = visible_fraction(sun_elevation(q, mu_sq, bottom), star_radius)
+                if seen > 0.0:
+                    sun_columns(q, mu_sq, bottom, top, sun_table, here)
+            w00, w01, w10, w11 = np.float32(0.0), np.float32(0.0), np.float32(0.0), np.float32(0.0)
+            a00 = 0
+            if orders != 1:
+                mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
+                legendre_functions(mu_q, expansion, functions)
+                spread = (1.0 - mu_q) * (1.0 + mu_q) * (1.0 - mu_sq) * (1.0 + mu_sq)
+                step = (nu - mu_q * mu_sq) / sqrt(max(spread, 1e-24))
+                times_cosines(functions, min(max(step, -1.0), 1.0), degree)
+                x = altitude_coordinate(q, bottom, top) * (radii - 1)
+                row = min(int(x), radii - 2)
+                f = x - row
+                x = place_of(mu_sq, place_table)
+                place = min(int(x), suns - 2)
+                e = x - place
+                w00 = np.float32((1.0 - f) * (1.0 - e))
+                w01 = np.float32((1.0 - f) * e)
+                w10 = np.float32(f * (1.0 - e))
+                w11 = np.float32(f * e)
+                a00 = (row * suns + place) * block
             a10 = a00 + suns * block
-            a11 = a10 + block
-            scale = (
-                w00 * load(light.field, a00) + w01 * load(light.field, a01)
-                + w10 * load(light.field, a10) + w11 * load(light.field, a11)
-            )
-            gathered = splat(0.0)
-            for l in range(degree + 1):
-                strength = splat(0.0)
-                for c in range(constituents):
-                    strength = strength + load(
-                        air.moments, LANES * (c * (degree + 1) + l)
-                    ) * np.float32(density[k, c])
-                part = splat(0.0)
-                for m in range(l + 1):
-                    index = l * (l + 1) // 2 + m
-                    at = LANES * (1 + index)
-                    part = part + np.float32(work.functions[index]) * (
-                        w00 * load(light.field, a00 + at) + w01 * load(light.field, a01 + at)
-                        + w10 * load(light.field, a10 + at) + w11 * load(light.field, a11 + at)
+            for at in range(0, lanes, LANES):
+                source = splat(0.0)
+                if seen > 0.0:
+                    for c in range(constituents):
+                        source = source + (
+                            load(scattering, lanes * c + at) * load(phase, lanes * c + at)
+                        ) * rho[c]
+                    source = source * np.float32(seen) * through_columns(
+                        here, extinction, lanes, at
                     )
-                gathered = gathered + strength * part
-            source = source + gathered / scale
-        radiance = radiance + through * source * w
-    through = splat(1.0)
-    if count > 0:
-        through = exponential(0.0 - optical_depth(total_column, 0, air.extinction, constituents))
-    if to_ground:
-        mu_sg = min(max((r * mu_s + length * nu) / bottom, -1.0), 1.0)
-        received = ground_light(mu_sg, orders, light, work)
-        radiance = radiance + through * received * load(air.albedo, 0) * np.float32(0.3183098861837907)
-    store(out, 0, radiance)
-    store(out, LANES, through)
+                if orders != 1:
+                    gathered = splat(0.0)
+                    for l in range(degree + 1):
+                        strength = splat(0.0)
+                        for c in range(constituents):
+                            strength = strength + load(
+                                moments, lanes * (c * (degree + 1) + l) + at
+                            ) * rho[c]
+                        part = splat(0.0)
+                        for index in range(l * (l + 1) // 2, (l + 1) * (l + 2) // 2):
+                            near = a00 + lanes * (1 + index) + at
+                            far = near + (a10 - a00)
+                            part = part + functions[index] * (
+                                w00 * load(field, near)
+                                + w01 * load(field, near + block)
+                                + w10 * load(field, far)
+                                + w11 * load(field, far + block)
+                            )
+                        gathered = gathered + strength * part
+                    scale = (
+                        w00 * load(field, a00 + at)
+                        + w01 * load(field, a00 + block + at)
+                        + w10 * load(field, a10 + at)
+                        + w11 * load(field, a10 + block + at)
+                    )
+                    source = source + gathered / scale
+                tau = splat(0.0)
+                for c in range(constituents):
+                    tau = tau + load(extinction, lanes * c + at) * depths[c]
+                store(bright, at, load(bright, at) + exponential(0.0 - tau) * source * w)
+
+
+@inlined
+def times_cosines(functions, step, degree):
+    """Multiply each Legendre function by cos mφ, from cos φ. [1]"""
+    before, multiple = 1.0, step
+    for m in range(1, degree + 1):
+        index = m * (m + 1) // 2 + m
+        for l in range(m, degree + 1):
+            functions[index] *= multiple
+            index += l + 1
+        before, multiple = multiple, 2.0 * step * multiple - before
 
 
 @compiled_loop
 def ground_light(mu_s, orders, light, work):
-    """Irradiance of level ground by star and sky, per irradiance of the star. [1]"""
+    """Irradiance of level ground per irradiance of the star, into ``work.received``. [1]
+
+    ``orders`` as in ``march``.
+    """
     grid, air = light.grid, light.air
-    received = splat(0.0)
-    if orders != 0:
-        received = received + direct_light(
-            mu_s, grid.bottom_radius, grid.top_radius, air, light.columns[0], work.here
-        )
-    if orders != 1:
-        x = place_of(mu_s, grid.place)
-        place = min(int(x), grid.sun_cosines.size - 2)
-        e = np.float32(x - place)
-        g = np.float32(1.0) - e
-        low = place * 2 * LANES
-        received = received + (
-            g * load(light.sky, low + LANES) + e * load(light.sky, low + 3 * LANES)
-        ) / (g * load(light.sky, low) + e * load(light.sky, low + 2 * LANES))
-    return received
+    bottom, lanes = grid.bottom_radius, air.albedo.size
+    direct = mean_cosine(mu_s, mu_s, air.star_radius)
+    if direct > 0.0:
+        sun_columns(bottom, max(mu_s, 0.0), bottom, grid.top_radius, light.columns, work.here)
+    x = place_of(mu_s, grid.place)
+    place = min(int(x), grid.sun_cosines.size - 2)
+    e = np.float32(x - place)
+    g = np.float32(1.0) - e
+    for at in range(0, lanes, LANES):
+        received = splat(0.0)
+        if orders != 0 and direct > 0.0:
+            received = through_columns(work.here, air.extinction, lanes, at) * np.float32(direct)
+        if orders != 1:
+            low = place * 2 * lanes + at
+            high = low + 2 * lanes
+            received = received + (
+                g * load(light.sky, low + lanes) + e * load(light.sky, high + lanes)
+            ) / (g * load(light.sky, low) + e * load(light.sky, high))
+        store(work.received, at, received)
 
 
 @compiled_loop
 def direct_irradiance(r, mu_s, light, work, out):
     """Irradiance of a level surface by the star, for arrays of radii and star cosines. [1]"""
-    bottom = light.grid.bottom_radius
-    constituents = light.density_edges.shape[0]
+    bottom, top = light.grid.bottom_radius, light.grid.top_radius
+    lanes = light.air.albedo.size
     for k in range(r.size):
-        elevation = sun_elevation(r[k], mu_s[k], bottom)
-        seen = visible_fraction(elevation, light.air.star_radius)
-        cosine = max(mu_s[k], 0.0) * seen
+        cosine = max(mu_s[k], 0.0)
         if r[k] <= bottom:
             cosine = mean_cosine(mu_s[k], mu_s[k], light.air.star_radius)
-        sun_columns(r[k], mu_s[k], light, work.here)
-        through = exponential(
-            0.0 - optical_depth(work.here, 0, light.air.extinction, constituents)
-        )
-        store(out[k], 0, through * np.float32(cosine))
+        elif mu_s[k] <= 0.0:
+            cosine = 0.0
+        sun_columns(r[k], max(mu_s[k], 0.0), bottom, top, light.columns, work.here)
+        for at in range(0, lanes, LANES):
+            through = through_columns(work.here, light.air.extinction, lanes, at)
+            store(out[k], at, through * np.float32(cosine))
 
 
 @compiled_loop
@@ -263,7 +380,7 @@ def sky_irradiance(r, mu_s, light, out):
     """Irradiance of a level surface by the sky, for arrays of radii and star cosines. [1]"""
     grid = light.grid
     bottom, top = grid.bottom_radius, grid.top_radius
-    suns = grid.sun_cosines.size
+    suns, lanes = grid.sun_cosines.size, light.air.albedo.size
     for k in range(r.size):
         x = altitude_coordinate(r[k], bottom, top) * (grid.radii.size - 1)
         row = min(int(x), grid.radii.size - 2)
@@ -271,12 +388,13 @@ def sky_irradiance(r, mu_s, light, out):
         x = place_of(mu_s[k], grid.place)
         place = min(int(x), suns - 2)
         e = x - place
-        scale = splat(0.0)
-        value = splat(0.0)
-        for corner in range(4):
-            up, right = corner // 2, corner % 2
-            weight = np.float32((f if up else 1.0 - f) * (e if right else 1.0 - e))
-            at = ((row + up) * suns + place + right) * 2 * LANES
-            scale = scale + weight * load(light.sky, at)
-            value = value + weight * load(light.sky, at + LANES)
-        store(out[k], 0, value / scale)
+        for at in range(0, lanes, LANES):
+            scale = splat(0.0)
+            value = splat(0.0)
+            for corner in range(4):
+                up, right = corner // 2, corner % 2
+                weight = np.float32((f if up else 1.0 - f) * (e if right else 1.0 - e))
+                node = ((row + up) * suns + place + right) * 2 * lanes + at
+                scale = scale + weight * load(light.sky, node)
+                value = value + weight * load(light.sky, node + lanes)
+            store(out[k], at, value / scale)

@@ -14,7 +14,7 @@ from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import compiled_loop
 from airlight.optics.density_profile import DensitySegments
 from airlight.solvers.moments.grid import Grid
-from airlight.tables.columns import new_path, trace
+from airlight.tables.columns import density_table, new_path, trace
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -57,7 +57,7 @@ class Rays(NamedTuple):
 
 
 @compiled_loop
-def _trace_rays(grid, mu, panels, rule, density_edges, coefficients, edges, path, rays):
+def _trace_rays(grid, mu, panels, rule, table, edges, path, rays):
     count = 0
     for i in range(mu.shape[0]):
         r = grid.radii[i]
@@ -72,16 +72,16 @@ def _trace_rays(grid, mu, panels, rule, density_edges, coefficients, edges, path
             edge_count = place_edges(r, mu[i, a], length, panels, 0.0, 0.0, edges)
             points = trace(
                 r, mu[i, a], edges, edge_count, rule, grid.bottom_radius,
-                density_edges, coefficients, path,
+                grid.top_radius - grid.bottom_radius, table, path,
             )
-            for c in range(density_edges.shape[0]):
+            for c in range(table.shape[1]):
                 rays.total[i, a, c] = path[5][c] if points > 0 else 0.0
             for k in range(points):
                 rays.distance[count] = path[0][k]
                 rays.radius[count] = min(max(path[1][k], grid.bottom_radius), grid.top_radius)
-                for c in range(density_edges.shape[0]):
-                    rays.amount[count, c] = path[3][k, c] * path[2][k]
-                    rays.column[count, c] = path[4][k, c]
+                for c in range(table.shape[1]):
+                    rays.amount[count, c] = path[3][c, k] * path[2][k]
+                    rays.column[count, c] = path[4][c, k]
                 count += 1
         rays.start[i, mu.shape[1]] = count
     return count
@@ -120,10 +120,9 @@ def trace_rays(
         np.empty((*mu.shape, constituents)), np.empty(room), np.empty(room),
         np.empty((room, constituents)), np.empty((room, constituents)),
     )
-    quadrature = gauss_legendre(nodes)
     count = _trace_rays(
-        grid, mu, panels, (quadrature.nodes, quadrature.weights, quadrature.running),
-        density.edges, density.coefficients, np.empty(MAX_EDGES),
+        grid, mu, panels, gauss_legendre(nodes).as_tuple(),
+        density_table(density, grid.top_radius - grid.bottom_radius), np.empty(MAX_EDGES),
         new_path(per_ray, constituents), rays,
     )
     return rays._replace(

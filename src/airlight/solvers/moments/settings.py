@@ -23,7 +23,7 @@ class Settings:
     zenith_angles : int
         Directions on each side of the local horizon.
     azimuths : int
-        Directions over half a turn.
+        Directions over half a turn; three quarters of the degree where that is more.
     nodes : int
         Points on each leg of a ray of a sweep.
     tolerance : float
@@ -57,8 +57,8 @@ QUALITIES: Final = {
         tolerance=1e-2, max_sweeps=400, march_nodes=16, march_panels=1,
     ),
     "default": Settings(
-        degree=8, thick_degree=12, radii=24, suns=56, zenith_angles=12, azimuths=8, nodes=10,
-        tolerance=1e-3, max_sweeps=800, march_nodes=20, march_panels=2,
+        degree=8, thick_degree=16, radii=24, suns=56, zenith_angles=12, azimuths=6, nodes=14,
+        tolerance=2e-3, max_sweeps=800, march_nodes=20, march_panels=2,
     ),
     "fine": Settings(
         degree=16, thick_degree=24, radii=40, suns=104, zenith_angles=20, azimuths=20, nodes=20,

@@ -10,27 +10,29 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.geometry.path import MAX_EDGES
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel import compiled_loop, source_fingerprint
-from airlight.kernel.lanes import LANES
+from airlight.kernel.lanes import INVERSE_PI, LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.medium import Medium
 from airlight.solvers.moments.air import make_air, pack
 from airlight.solvers.moments.grid import make_grid
-from airlight.solvers.moments.harmonics import normalisation
+from airlight.solvers.moments.harmonics import coefficient_count, harmonics
 from airlight.solvers.moments.iterate import Moments, pack_light, solve_moments
 from airlight.solvers.moments.march import (
     Light,
     Workspace,
     direct_irradiance,
+    ground_light,
     march,
+    new_packet,
+    new_workspace,
     sky_irradiance,
 )
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.solution import Report, Sight, Solution
 from airlight.tables import cache as disk
-from airlight.tables.columns import new_path
+from airlight.tables.columns import density_table
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -69,41 +71,35 @@ class MomentsSolution(Solution):
         )
 
     @cached_property
-    def lights(self) -> tuple[tuple[slice, Light], ...]:
-        """What ``march`` needs, for each block of eight wavelengths."""
-        count = self.wavelengths.size
-        blocks = [slice(first, min(first + LANES, count)) for first in range(0, count, LANES)]
-        return tuple((block, self._light(block)) for block in blocks)
-
-    def _light(self, block: slice) -> Light:
-        moments = self.moments
-        missing = LANES - (block.stop - block.start)
+    def light(self) -> Light:
+        """What ``march`` needs, for all wavelengths."""
+        moments, medium = self.moments, self.medium
 
         def filled(values: Float32Array) -> Float32Array:
-            part = values[..., block]
-            return np.concatenate([part, np.repeat(part[..., -1:], missing, axis=-1)], axis=-1)
+            missing = -values.shape[-1] % LANES
+            return np.concatenate(
+                [values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1
+            )
 
         field, sky = pack_light(filled(moments.field), filled(moments.sky))
         return Light(
             grid=moments.grid,
-            air=make_air(self.medium, moments.degree, block),
-            scattering=pack(self.medium.scattering[:, block]),
-            constants=normalisation(moments.degree),
+            air=make_air(medium, moments.degree, slice(None)),
+            scattering=pack(medium.scattering),
+            expansion=harmonics(moments.degree),
             field=field,
             sky=sky,
             columns=moments.columns,
-            density_edges=self.medium.density.edges,
-            coefficients=self.medium.density.coefficients,
+            density=density_table(medium.density, medium.thickness),
         )
 
     def workspace(self, nodes: int, panels: int) -> Workspace:
         """Scratch for one thread that marches with so many nodes a panel and panels a leg."""
-        constituents = len(self.medium.names)
-        return Workspace(
-            edges=np.empty(MAX_EDGES),
-            path=new_path(nodes * (2 * panels + 4), constituents),
-            functions=np.empty(normalisation(self.moments.degree).size),
-            here=np.empty(constituents),
+        return new_workspace(
+            nodes * (2 * panels + 4),
+            len(self.medium.names),
+            coefficient_count(self.moments.degree),
+            self.light.air.albedo.size,
         )
 
     def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
@@ -111,23 +107,22 @@ class MomentsSolution(Solution):
         n = sight.r.size
         out = np.empty((n, self.wavelengths.size))
         nodes, panels = self.settings.march_nodes, self.settings.march_panels
-        quadrature = gauss_legendre(nodes)
-        rule = (quadrature.nodes, quadrature.weights, quadrature.running)
-        lights = self.lights
+        rule = gauss_legendre(nodes).as_tuple()
+        light = self.light
+        count = self.wavelengths.size
 
         def run(index: int) -> None:
             rows = slice(index * _BLOCK, min((index + 1) * _BLOCK, n))
             phases = self.medium.phase_function(sight.nu[rows])
-            work = self.workspace(nodes, panels)
-            for block, light in lights:
-                phase = _pack_rows(phases[..., block])
-                result = np.empty((phase.shape[0], 2 * LANES), np.float32)
-                _march_all(
-                    sight.r[rows], sight.mu[rows], sight.mu_s[rows], sight.nu[rows],
-                    sight.length[rows], sight.to_ground[rows], 2 if order is None else 1, phase,
-                    panels, rule, light, work, result,
-                )
-                out[rows, block] = result[:, : block.stop - block.start]
+            phase = pack(phases).reshape(phases.shape[0], -1)
+            result = np.empty((phase.shape[0], light.air.albedo.size), np.float32)
+            _march_all(
+                sight.r[rows], sight.mu[rows], sight.mu_s[rows], sight.nu[rows],
+                sight.length[rows], sight.to_ground[rows], 2 if order is None else 1, phase,
+                panels, (rule, rule), light, new_packet(phase.shape[1]), self.workspace(nodes, panels),
+                result,
+            )
+            out[rows] = result[:, :count]
 
         run_blocks(run, -(-n // _BLOCK))
         return out
@@ -144,30 +139,35 @@ class MomentsSolution(Solution):
     def _received(
         self, r: FloatArray, fill: Callable[[Light, Float32Array], None]
     ) -> FloatArray:
-        out = np.empty((r.size, self.wavelengths.size))
-        for block, light in self.lights:
-            result = np.empty((r.size, LANES), np.float32)
-            fill(light, result)
-            out[:, block] = result[:, : block.stop - block.start]
-        return out
-
-
-def _pack_rows(values: FloatArray) -> Float32Array:
-    """(n, nc, up to 8) to flat float32 rows (n, nc·8)."""
-    n, constituents, count = values.shape
-    packed = np.zeros((n, constituents, LANES), np.float32)
-    packed[..., :count] = values
-    packed[..., count:] = values[..., -1:]
-    return packed.reshape(n, constituents * LANES)
+        result = np.empty((r.size, self.light.air.albedo.size), np.float32)
+        fill(self.light, result)
+        return result[:, : self.wavelengths.size].astype(float)
 
 
 @compiled_loop
-def _march_all(r, mu, mu_s, nu, length, to_ground, orders, phase, panels, rule, light, work, out):
-    for k in range(r.size):
-        march(
-            r[k], mu[k], mu_s[k], nu[k], length[k], to_ground[k], orders, phase[k], panels, rule,
-            light, work, out[k],
-        )
+def _march_all(
+    r, mu, mu_s, nu, length, to_ground, orders, phase, panels, rules, light, packet, work, out
+):
+    size = packet.r.size
+    for first in range(0, r.size, size):
+        rays = min(size, r.size - first)
+        for p in range(rays):
+            k = first + p
+            packet.r[p], packet.mu[p], packet.length[p] = r[k], mu[k], length[k]
+            packet.mu_s[p], packet.nu[p] = mu_s[k], nu[k]
+            packet.phase[p] = phase[k]
+        march(packet, rays, orders, panels, rules, light, work)
+        for p in range(rays):
+            k = first + p
+            bright = work.radiance[p]
+            if to_ground[k]:
+                bottom = light.grid.bottom_radius
+                mu_s_ground = min(max((r[k] * mu_s[k] + length[k] * nu[k]) / bottom, -1.0), 1.0)
+                ground_light(mu_s_ground, orders, light, work)
+                for at in range(0, bright.size, LANES):
+                    reflected = load(work.received, at) * load(light.air.albedo, at) * INVERSE_PI
+                    store(bright, at, load(bright, at) + load(work.through[p], at) * reflected)
+            out[k] = bright
 
 
 def solve(

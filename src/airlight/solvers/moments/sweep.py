@@ -19,8 +19,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import compiled_loop, kernel
-from airlight.kernel.lanes import LANES, exponential, load, splat, store
+from airlight.kernel import compiled_loop, inlined
+from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
 from airlight.solvers.moments.harmonics import legendre_functions
 
 Float32Array = NDArray[np.float32]
@@ -62,7 +62,7 @@ class Azimuths(NamedTuple):
     multiples: Float32Array
 
 
-@kernel
+@inlined
 def place_of(mu_s, place):
     """Index of a sun cosine in the grid, with its fraction."""
     x = (mu_s + 1.0) * (0.5 * (place.size - 1))
@@ -70,7 +70,7 @@ def place_of(mu_s, place):
     return place[k] + (place[k + 1] - place[k]) * (x - k)
 
 
-@kernel
+@inlined
 def optical_depth(columns, first, extinction, constituents):
     """Σ extinction·column of eight wavelengths; ``columns[first:]`` holds one row. [1]"""
     tau = splat(0.0)
@@ -79,7 +79,7 @@ def optical_depth(columns, first, extinction, constituents):
     return tau
 
 
-@compiled_loop
+@inlined
 def project(moments_m, functions, weight, degree, base, out):
     """Add a ray's azimuth moments, times its Legendre functions, to the moments of a point."""
     for l in range(degree + 1):
@@ -91,7 +91,7 @@ def project(moments_m, functions, weight, degree, base, out):
 
 
 @compiled_loop
-def sweep_radius(i, grid, rays, azimuths, air, constants, field, ground, out, sky_out):
+def sweep_radius(i, grid, rays, azimuths, air, expansion, field, ground, out, sky_out):
     """Gather the light scattered once more at all sun elevations of one radius.
 
     Parameters
@@ -100,8 +100,8 @@ def sweep_radius(i, grid, rays, azimuths, air, constants, field, ground, out, sk
         Which radius.
     grid, rays, azimuths, air : Grid, Rays, Azimuths, Air
         The shell, its rays, and its optics.
-    constants : array, shape (k,)
-        Of the harmonics.
+    expansion : Harmonics
+        Of the moments.
     field : array, shape (r·s·(1 + k)·8,)
         Moments so far, as (s, M·s) per node; see the head of this file.
     ground : array, shape (s·2·8,)
@@ -111,17 +111,22 @@ def sweep_radius(i, grid, rays, azimuths, air, constants, field, ground, out, sk
     sky_out : array, shape (s·8,)
         Receives the irradiance of a level surface by the light from the upper half sphere.
     """
-    suns = grid.sun_cosines.size
-    degree = azimuths.multiples.shape[0] - 1
-    turns = azimuths.cosines.size
-    terms = constants.size
-    constituents = rays.total.shape[2]
-    angles = rays.mu.shape[1]
-    r = grid.radii[i]
-    tangent = sqrt((grid.top_radius - grid.bottom_radius) * (grid.top_radius + grid.bottom_radius))
+    # Arrays are taken out of their tuples once: inside the loop each access would count references.
+    bottom, top, radii, sun_cosines, places = grid
+    all_mu, all_weights, all_flux, all_lengths, starts, totals, distances, ray_radii, amounts, depths = rays
+    cosines, multiples = azimuths
+    extinction, moments, albedo, _ = air
+    suns = sun_cosines.size
+    degree = multiples.shape[0] - 1
+    turns = cosines.size
+    terms = (degree + 1) * (degree + 2) // 2
+    constituents = totals.shape[2]
+    angles = all_mu.shape[1]
+    r = radii[i]
+    tangent = sqrt((top - bottom) * (top + bottom))
     most = 0
     for a in range(angles):
-        most = max(most, rays.start[i, a + 1] - rays.start[i, a])
+        most = max(most, starts[i, a + 1] - starts[i, a])
     block = (degree + 2) * LANES
     rows = np.empty(max(most, 1) * suns * block, np.float32)
     functions = np.empty(terms)
@@ -134,36 +139,36 @@ def sweep_radius(i, grid, rays, azimuths, air, constants, field, ground, out, sk
     out[:] = 0.0
     sky_out[:] = 0.0
     for a in range(angles):
-        mu = rays.mu[i, a]
+        mu = all_mu[i, a]
         below = a < angles // 2
-        first = rays.start[i, a]
-        points = rays.start[i, a + 1] - first
-        length = rays.length[i, a]
+        first = starts[i, a]
+        points = starts[i, a + 1] - first
+        length = all_lengths[i, a]
         for k in range(points):
-            q = rays.radius[first + k]
-            t = rays.distance[first + k]
+            q = ray_radii[first + k]
+            t = distances[first + k]
             mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
             at_sun[k] = r / q
             at_nu[k] = t / q
             mu_at[k] = mu_q
             across[k] = (1.0 - mu_q) * (1.0 + mu_q)
-            legendre_functions(mu_q, constants, functions)
+            legendre_functions(mu_q, expansion, functions)
             through = exponential(
-                0.0 - optical_depth(rays.column[first + k], 0, air.extinction, constituents)
+                0.0 - optical_depth(depths[first + k], 0, extinction, constituents)
             )
             for l in range(degree + 1):
                 strength = splat(0.0)
                 for c in range(constituents):
                     strength = strength + load(
-                        air.moments, LANES * (c * (degree + 1) + l)
-                    ) * np.float32(rays.amount[first + k, c])
+                        moments, LANES * (c * (degree + 1) + l)
+                    ) * np.float32(amounts[first + k, c])
                 strength = strength * through
                 for m in range(l + 1):
                     index = l * (l + 1) // 2 + m
                     store(factors, LANES * index, strength * np.float32(functions[index]))
-            x = sqrt(max((q - grid.bottom_radius) * (q + grid.bottom_radius), 0.0)) / tangent
-            x *= grid.radii.size - 1
-            row = min(int(x), grid.radii.size - 2)
+            x = sqrt(max((q - bottom) * (q + bottom), 0.0)) / tangent
+            x *= radii.size - 1
+            row = min(int(x), radii.size - 2)
             f = np.float32(x - row)
             g = np.float32(1.0) - f
             for j in range(suns):
@@ -181,23 +186,23 @@ def sweep_radius(i, grid, rays, azimuths, air, constants, field, ground, out, sk
                         )
                     store(rows, target + LANES * (1 + m), total)
         if below:
-            reflected = load(air.albedo, 0) * np.float32(0.3183098861837907) * exponential(
-                0.0 - optical_depth(rays.total[i, a], 0, air.extinction, constituents)
+            reflected = load(albedo, 0) * INVERSE_PI * exponential(
+                0.0 - optical_depth(totals[i, a], 0, extinction, constituents)
             )
         else:
             reflected = splat(0.0)
-        legendre_functions(mu, constants, functions)
+        legendre_functions(mu, expansion, functions)
         sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
         for j in range(suns):
-            mu_s = grid.sun_cosines[j]
+            mu_s = sun_cosines[j]
             sun_sine = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
             azimuthal[:] = 0.0
             for b in range(turns):
-                nu = min(max(mu * mu_s + sine * sun_sine * azimuths.cosines[b], -1.0), 1.0)
+                nu = min(max(mu * mu_s + sine * sun_sine * cosines[b], -1.0), 1.0)
                 radiance = splat(0.0)
                 for k in range(points):
                     mu_sk = min(max(at_sun[k] * mu_s + at_nu[k] * nu, -1.0), 1.0)
-                    x = place_of(mu_sk, grid.place)
+                    x = place_of(mu_sk, places)
                     column = min(int(x), suns - 2)
                     f = np.float32(x - column)
                     g = np.float32(1.0) - f
@@ -218,8 +223,8 @@ def sweep_radius(i, grid, rays, azimuths, air, constants, field, ground, out, sk
                         multiple = following
                     radiance = radiance + total / scale
                 if below:
-                    mu_sg = min(max((r * mu_s + length * nu) / grid.bottom_radius, -1.0), 1.0)
-                    x = place_of(mu_sg, grid.place)
+                    mu_sg = min(max((r * mu_s + length * nu) / bottom, -1.0), 1.0)
+                    x = place_of(mu_sg, places)
                     column = min(int(x), suns - 2)
                     f = np.float32(x - column)
                     g = np.float32(1.0) - f
@@ -230,9 +235,9 @@ def sweep_radius(i, grid, rays, azimuths, air, constants, field, ground, out, sk
                     radiance = radiance + reflected * light
                 for m in range(degree + 1):
                     at = LANES * m
-                    store(azimuthal, at, load(azimuthal, at) + azimuths.multiples[m, b] * radiance)
-            project(azimuthal, functions, rays.weight[i, a], degree, j * terms * LANES, out)
+                    store(azimuthal, at, load(azimuthal, at) + multiples[m, b] * radiance)
+            project(azimuthal, functions, all_weights[i, a], degree, j * terms * LANES, out)
             if not below:
                 at = LANES * j
-                flux = np.float32(rays.flux[i, a])
+                flux = np.float32(all_flux[i, a])
                 store(sky_out, at, load(sky_out, at) + flux * load(azimuthal, 0))

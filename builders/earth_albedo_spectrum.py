@@ -1,0 +1,41 @@
+"""Remake ``earth-albedo.csv``: the mean reflectance of the map of the Earth, over wavelength.
+
+Run with ``python builders/earth_albedo_spectrum.py`` after ``earth_albedo.py``; it needs airlight
+itself and nothing else.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from airlight.color.upsampling import reflectance_basis
+from airlight.scene.surface_map import surface_map
+from tables import write_table
+
+
+def main() -> None:
+    """Write the mean colour of the map, spread over wavelength, from 280 to 1000 nm."""
+    wavelengths = np.arange(280.0, 1001.0, 10.0)
+    mean = surface_map("earth").mean_rgb
+    reflectance = np.clip(reflectance_basis(wavelengths) @ mean, 0.0, 1.0)
+    path = write_table(
+        "earth-albedo",
+        {
+            "quantity": "mean reflectance of the Earth's cloudless ground and sea",
+            "unit": "1",
+            "source": "area-weighted mean of the packaged map of the Earth (NASA Blue Marble Next "
+            "Generation, see scene/data/SOURCES.md), its linear sRGB colour "
+            f"({mean[0]:.4f}, {mean[1]:.4f}, {mean[2]:.4f}) spread over wavelength by the "
+            "smoothest reflectance of that colour",
+            "licence": "public domain (NASA)",
+        },
+        ["reflectance"],
+        wavelengths,
+        reflectance[:, None],
+        digits=5,
+    )
+    print(f"{path.name}: {len(wavelengths)} rows")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,152 @@
+"""``render``: rows of pixels on all cores, in blocks that bound the memory."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.color.spectral import rgb_weights
+from airlight.color.upsampling import reflectance_basis
+from airlight.geometry.quadrature import gauss_legendre
+from airlight.kernel import compiled_loop
+from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.render.frame import Frame
+from airlight.render.shade import Paint, View, shade
+from airlight.render.sun_disc import add_sun_disc
+from airlight.scene import Scene
+from airlight.scene.surface_map import surface_map
+from airlight.solvers.moments.air import pack
+from airlight.solvers.moments.march import new_packet
+from airlight.solvers.moments.solution import MomentsSolution
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+#: Pixels in one block of rows: about 1.5 MB of directions.
+_BLOCK_PIXELS: Final = 1 << 16
+
+
+@dataclass(frozen=True, kw_only=True)
+class March:
+    """How finely the renderer marches: points a panel, in easy stretches too, panels a leg."""
+
+    nodes: int
+    easy_nodes: int
+    panels: int
+
+
+#: By quality level of the solution: a pixel needs less than a query.
+MARCHES: Final = {"preview": March(nodes=8, easy_nodes=6, panels=1), "default": March(nodes=12, easy_nodes=8, panels=1)}
+_FINE: Final = March(nodes=20, easy_nodes=20, panels=2)
+
+
+def render(
+    solution: MomentsSolution,
+    scene: Scene,
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Frame:
+    """Render what a camera sees of a planet's air, its ground and its star's disc.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Of at least three wavelengths.
+    scene : Scene
+        Observer, star and camera.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Returns
+    -------
+    Frame
+        Linear sRGB radiance.
+
+    Raises
+    ------
+    Cancelled
+        If ``cancel`` said so.
+    """
+    camera = scene.camera
+    rgb = np.zeros((camera.height, camera.width, 3), np.float32)
+    weights = color_weights(solution)
+    view = View(
+        r=solution.medium.bottom_radius + scene.altitude,
+        sun=scene.sun_direction,
+        ground_frame=scene.ground_frame,
+        pixel_angle=camera.pixel_angle,
+    )
+    march = _march_for(solution)
+    rules = (gauss_legendre(march.easy_nodes).as_tuple(), gauss_legendre(march.nodes).as_tuple())
+    light, paint = solution.light, _paint(solution, weights)
+    step = max(1, _BLOCK_PIXELS // camera.width)
+
+    def rows(index: int) -> None:
+        chosen = slice(index * step, min((index + 1) * step, camera.height))
+        directions = camera.directions(chosen)
+        work = solution.workspace(march.nodes, march.panels)
+        packet = new_packet(light.scattering.size)
+        _shade_rows(directions, view, paint, light, march.panels, rules, packet, work, rgb[chosen])
+
+    run_blocks(
+        rows, -(-camera.height // step), cancel=cancel, progress=progress, message="rendering"
+    )
+    add_sun_disc(rgb, solution, scene, weights)
+    wavelengths = ", ".join(f"{nm:g}" for nm in solution.wavelengths)
+    return Frame(
+        rgb=rgb,
+        metadata={
+            "solver": str(solution.report),
+            "wavelengths": f"{wavelengths} nm",
+            "unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931",
+        },
+    )
+
+
+@compiled_loop
+def _shade_rows(directions, view, paint, light, panels, rules, packet, work, out):
+    for row in range(directions.shape[0]):
+        shade(directions[row], view, paint, light, panels, rules, packet, work, out[row])
+
+
+def _march_for(solution: MomentsSolution) -> March:
+    """The renderer's march for a solution: as coarse as its own grid allows."""
+    if solution.settings.march_panels == 1:
+        return MARCHES["preview"]
+    return MARCHES["default"] if solution.settings.march_panels == 2 else _FINE
+
+
+def color_weights(solution: MomentsSolution) -> FloatArray:
+    """Linear sRGB per radiance over irradiance at each wavelength, shape (nl, 3)."""
+    planet = solution.planet
+    spectrum: Callable[[FloatArray], FloatArray] | None
+    spectrum = None if planet is None else planet.star.irradiances
+    weights = rgb_weights(solution.wavelengths, spectrum)
+    return np.asarray(weights * solution.medium.solar_irradiance[:, None])
+
+
+def _paint(solution: MomentsSolution, weights: FloatArray) -> Paint:
+    medium = solution.medium
+    padded = np.zeros((3, solution.light.air.albedo.size), np.float32)
+    padded[:, : weights.shape[0]] = weights.T
+    phases = np.moveaxis(medium.phase_table, 2, 0)
+    maps: tuple[Float32Array, ...] = (np.zeros((1, 1, 3), np.float32),)
+    if medium.ground_map is not None:
+        maps = surface_map(medium.ground_map).levels
+    starts = np.cumsum([0, *(one.size for one in maps[:-1])])
+    return Paint(
+        weights=padded.reshape(-1),
+        phase=pack(phases),
+        phase_nodes=medium.phase_table.shape[2],
+        basis=pack(reflectance_basis(medium.wavelengths).T),
+        texels=np.concatenate([one.reshape(-1) for one in maps]),
+        levels=np.array([(start, *one.shape[:2]) for start, one in zip(starts, maps, strict=True)]),
+        mapped=medium.ground_map is not None,
+    )
+
+

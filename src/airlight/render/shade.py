@@ -1,0 +1,221 @@
+"""The light of a row of pixels: one march a pixel and eight wavelengths, then the ground.
+
+The radiance is per irradiance of the star until the weights turn it into linear sRGB.
+"""
+
+from __future__ import annotations
+
+from math import asin, atan2, log2, pi, sqrt
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.path import ray_length
+from airlight.geometry.shell import meets_ground
+from airlight.kernel import compiled_loop, inlined
+from airlight.kernel.lanes import INVERSE_PI, LANES, load, maximum, minimum, splat, store
+from airlight.solvers.moments.march import Light, ground_light, march
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+
+class View(NamedTuple):
+    """Who looks, and at which planet.
+
+    Attributes
+    ----------
+    r : float
+        Distance of the observer from the centre. [m]
+    sun : array, shape (3,)
+        Unit vector towards the star in the local frame.
+    ground_frame : array, shape (3, 3)
+        Rotates local to planet-fixed vectors.
+    pixel_angle : float
+        That a pixel spans. [rad]
+    """
+
+    r: float
+    sun: FloatArray
+    ground_frame: FloatArray
+    pixel_angle: float
+
+
+class Paint(NamedTuple):
+    """What turns radiances into colour, and the map into reflectance; w lanes as in ``Light``.
+
+    Attributes
+    ----------
+    weights : array, shape (3·w,)
+        Linear sRGB per radiance over irradiance. [W m⁻² sr⁻¹ sr]
+    phase : array, shape (nodes·nc·w,)
+        Phase functions on the uniform grid sin(θ/2). [sr⁻¹]
+    phase_nodes : int
+    basis : array, shape (3·w,)
+        Reflectance of a red, a green and a blue ground. [1]
+    texels : array, flat
+        The map of the ground and its halvings one after another, linear sRGB reflectance; a
+        single pixel where there is no map. [1]
+    levels : array, shape (n, 3)
+        Start in ``texels``, height and width of each.
+    mapped : bool
+        Whether ``texels`` is a map, rather than the solver's albedo.
+    """
+
+    weights: Float32Array
+    phase: Float32Array
+    phase_nodes: int
+    basis: Float32Array
+    texels: Float32Array
+    levels: NDArray[np.int64]
+    mapped: bool
+
+
+@inlined
+def map_color(texels, levels, latitude, longitude, level, out):
+    """Linear sRGB reflectance of the map between its pixels and its levels.
+
+    ``latitude`` and ``longitude`` in [rad]; ``level`` 0 is the full map, 1 its half, ….
+    """
+    level = min(max(level, 0.0), levels.shape[0] - 1.0)
+    first = min(int(level), max(levels.shape[0] - 2, 0))
+    for c in range(3):
+        out[c] = 0.0
+    for step in range(2):
+        which = min(first + step, levels.shape[0] - 1)
+        part = (level - first) if step == 1 else 1.0 - (level - first)
+        if part <= 0.0:
+            continue
+        start, height, width = levels[which, 0], levels[which, 1], levels[which, 2]
+        y = min(max((0.5 - latitude / pi) * height - 0.5, 0.0), height - 1.0)
+        x = (0.5 + longitude / (2.0 * pi)) * width - 0.5
+        top = min(int(y), max(height - 2, 0))
+        west = int(np.floor(x))
+        down, right = y - top, x - west
+        bottom = min(top + 1, height - 1)
+        east = (west + 1) % width
+        west = west % width
+        for c in range(3):
+            upper_row = start + 3 * width * top + c
+            lower_row = start + 3 * width * bottom + c
+            upper = texels[upper_row + 3 * west] * (1.0 - right) + texels[upper_row + 3 * east] * right
+            lower = texels[lower_row + 3 * west] * (1.0 - right) + texels[lower_row + 3 * east] * right
+            out[c] += part * (upper * (1.0 - down) + lower * down)
+
+
+@inlined
+def ground_color(pixel, reach, cosine, directions, view, paint, bottom, color):
+    """Linear sRGB reflectance of the ground where a pixel's line of sight ends. [1]
+
+    ``reach`` is the distance from the observer [m], ``cosine`` that of the slant there [1].
+    """
+    m, texels, levels = view.ground_frame, paint.texels, paint.levels
+    x = reach * directions[pixel, 0]
+    y = reach * directions[pixel, 1]
+    z = view.r + reach * directions[pixel, 2]
+    gx = m[0, 0] * x + m[0, 1] * y + m[0, 2] * z
+    gy = m[1, 0] * x + m[1, 1] * y + m[1, 2] * z
+    gz = m[2, 0] * x + m[2, 1] * y + m[2, 2] * z
+    # The pixel's footprint is an ellipse; the geometric mean of its axes picks the level.
+    footprint = view.pixel_angle * reach / (bottom * sqrt(max(cosine, 0.05)))
+    level = log2(max(footprint * levels[0, 1] / pi, 1e-6))
+    latitude = asin(min(max(gz / bottom, -1.0), 1.0))
+    map_color(texels, levels, latitude, atan2(gy, gx), level, color)
+
+
+@compiled_loop
+def shade(directions, view, paint, light, panels, rules, packet, work, out):
+    """The pixels of one row.
+
+    Parameters
+    ----------
+    directions : array, shape (width, 3)
+        Unit vectors in the local frame; a zero vector leaves its pixel black.
+    view, paint, light : View, Paint, Light
+        Who looks, the colours, the solution.
+    panels, rules : int, pair of tuples of arrays
+        As in ``march``.
+    packet, work : Packet, Workspace
+        Scratch.
+    out : array, shape (width, 3)
+        Receives linear sRGB; black pixels are not touched.
+    """
+    bottom, top = light.grid.bottom_radius, light.grid.top_radius
+    size = packet.r.size
+    pixels = np.empty(size, np.int64)
+    ways = np.empty(size)
+    sun, sun_z = view.sun, view.sun[2]
+    rays = 0
+    for pixel in range(directions.shape[0]):
+        x, y, z = directions[pixel, 0], directions[pixel, 1], directions[pixel, 2]
+        nu = min(max(x * sun[0] + y * sun[1] + z * sun_z, -1.0), 1.0)
+        r, mu, mu_s, way = view.r, min(max(z, -1.0), 1.0), sun_z, 0.0
+        seen = x != 0.0 or y != 0.0 or z != 0.0
+        if r > top:
+            # Enter the shell; the sine gives the line's nearest distance also from far away.
+            impact = r * sqrt(x * x + y * y)
+            seen = seen and z < 0.0 and impact < top
+            if seen:
+                half_chord = sqrt((top - impact) * (top + impact))
+                way = -r * mu - half_chord
+                mu_s = min(max((r * mu_s + way * nu) / top, -1.0), 1.0)
+                mu = -half_chord / top
+                r = top
+        if seen:
+            packet.r[rays], packet.mu[rays], packet.mu_s[rays] = r, mu, mu_s
+            packet.nu[rays] = nu
+            packet.length[rays] = ray_length(r, mu, bottom, top)
+            # θ from the difference of the vectors: the cosine has no digits left near the star.
+            half = 0.5 * sqrt((x - sun[0]) ** 2 + (y - sun[1]) ** 2 + (z - sun_z) ** 2)
+            read_phase(min(half, 1.0), paint.phase, paint.phase_nodes, packet.phase[rays])
+            pixels[rays], ways[rays] = pixel, way
+            rays += 1
+        if rays == size or (rays > 0 and pixel == directions.shape[0] - 1):
+            march(packet, rays, 2, panels, rules, light, work)
+            for p in range(rays):
+                finish(p, pixels[p], ways[p], directions, view, paint, light, packet, work, out)
+            rays = 0
+
+
+@inlined
+def read_phase(half_sine, table, nodes, out):
+    """Phase functions of all constituents and wavelengths between the table's nodes. [sr⁻¹]"""
+    u = half_sine * (nodes - 1)
+    node = min(int(u), nodes - 2)
+    f = np.float32(u - node)
+    for at in range(0, out.size, LANES):
+        low = load(table, node * out.size + at)
+        high = load(table, (node + 1) * out.size + at)
+        store(out, at, low + f * (high - low))
+
+
+@compiled_loop
+def finish(p, pixel, way, directions, view, paint, light, packet, work, out):
+    """Add the ground behind the air of one ray, and turn its light into colour."""
+    lanes = light.air.albedo.size
+    bottom = light.grid.bottom_radius
+    radiance, through, received = work.radiance[p], work.through[p], work.received
+    r, mu, length = packet.r[p], packet.mu[p], packet.length[p]
+    if meets_ground(r, mu, bottom):
+        mu_s_ground = (r * packet.mu_s[p] + length * packet.nu[p]) / bottom
+        ground_light(min(max(mu_s_ground, -1.0), 1.0), 2, light, work)
+        color = np.zeros(3)
+        if paint.mapped:
+            slant = -(r * mu + length) / bottom
+            ground_color(pixel, way + length, slant, directions, view, paint, bottom, color)
+        for lane in range(0, lanes, LANES):
+            reflectance = load(light.air.albedo, lane)
+            if paint.mapped:
+                reflectance = splat(0.0)
+                for c in range(3):
+                    basis = load(paint.basis, lanes * c + lane)
+                    reflectance = reflectance + basis * np.float32(color[c])
+                reflectance = minimum(maximum(reflectance, splat(0.0)), splat(1.0))
+            reflected = load(received, lane) * reflectance * INVERSE_PI
+            store(radiance, lane, load(radiance, lane) + load(through, lane) * reflected)
+    for c in range(3):
+        total = np.float32(0.0)
+        for lane in range(lanes):
+            total += radiance[lane] * paint.weights[lanes * c + lane]
+        out[pixel, c] = total

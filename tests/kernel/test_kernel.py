@@ -1,0 +1,84 @@
+"""A formula compiled once answers scalars, arrays and other kernels alike."""
+
+from __future__ import annotations
+
+import math
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.testing import assert_array_equal
+
+from airlight.kernel import cache_folder, compiled_loop, kernel, source_fingerprint, vectorized
+
+
+@kernel
+def hypotenuse(x, y):
+    return math.sqrt(x * x + y * y)
+
+
+@compiled_loop
+def hypotenuses(x, y, out):
+    for k in range(x.size):
+        out[k] = hypotenuse(x[k], y[k])
+
+
+def test_scalar_ufunc_and_loop_agree_bit_for_bit() -> None:
+    # One formula, three ways to call it; 3-4-5 triangles are exact in floating point.
+    n = np.arange(1.0, 9.0)
+    out = np.empty(8)
+    hypotenuses(3.0 * n, 4.0 * n, out)
+    assert_array_equal(out, 5.0 * n)
+    assert_array_equal(vectorized(hypotenuse)(3.0 * n, 4.0 * n), 5.0 * n)
+    assert [hypotenuse(3.0 * x, 4.0 * x) for x in n] == (5.0 * n).tolist()
+
+
+def test_ufunc_broadcasts() -> None:
+    table = vectorized(hypotenuse)(np.array([[3.0], [6.0]]), np.array([4.0, 8.0]))
+    assert_array_equal(table, [[5.0, math.sqrt(73.0)], [math.sqrt(52.0), 10.0]])
+
+
+_PROGRAM = """
+import numpy as np
+from airlight.kernel import vectorized
+from airlight.geometry.shell import distance_to_top
+several = vectorized(distance_to_top)(np.array([6.4e6]), 1.0, 6.5e6)
+print(several[0], distance_to_top(6.4e6, 1.0, 6.5e6))
+"""
+
+
+def _run_with_cache(folder: Path | str) -> str:
+    run = subprocess.run(
+        [sys.executable, "-c", _PROGRAM],
+        env={**os.environ, "AIRLIGHT_CACHE": str(folder)},
+        capture_output=True, text=True, check=False, timeout=120,
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    return run.stdout
+
+
+def test_a_kernel_and_its_ufunc_share_a_cache_in_peace(tmp_path: Path) -> None:
+    # Straight up from 6400 km to 6500 km are 100 km; the second process reads what the first
+    # compiled. An entry of the one kind taken for the other crashes the process.
+    first, second = _run_with_cache(tmp_path), _run_with_cache(tmp_path)
+    assert first == second == "100000.0 100000.0\n"
+    assert list((tmp_path / "kernels").rglob("*.nbi"))
+
+
+def test_formulas_work_where_nothing_can_be_kept() -> None:
+    # A file is where the folder should be: nothing can be written below it.
+    assert _run_with_cache(os.devnull) == "100000.0 100000.0\n"
+
+
+def test_the_environment_names_the_cache_folder(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("AIRLIGHT_CACHE", "/somewhere/else")
+    assert cache_folder() == Path("/somewhere/else")
+
+
+def test_the_fingerprint_is_short_and_stable() -> None:
+    assert source_fingerprint() == source_fingerprint()
+    assert len(source_fingerprint()) == 16
+    assert int(source_fingerprint(), 16) >= 0
