@@ -33,7 +33,7 @@ def quantity(text: str | float, unit: str, field: str = "value") -> float:
     text : str or float
         For example ``"8 km"``, ``"5.802e-6 /m"``, ``"0.2678 deg"``, ``8000.0``.
     unit : str
-        The unit of the result, in pint's spelling: ``"m"``, ``"1/m"``, ``"deg"``, ``"nm"``, ``"1"``.
+        The unit of the result, in pint's spelling: ``"m"``, ``"1/m"``, ``"deg"``, ``"1"``.
     field : str
         Named in the error.
 
@@ -100,7 +100,9 @@ def _factor(given: str, unit: str) -> float:
     return float((source / target).to("dimensionless").magnitude)
 
 
-def quantities(text: str | float | list[Any] | tuple[Any, ...], unit: str, field: str = "value") -> list[float]:
+def quantities(
+    text: str | float | list[Any] | tuple[Any, ...], unit: str, field: str = "value"
+) -> list[float]:
     """A list of numbers with units, as floats in the unit asked for.
 
     Accepts a single quantity, a list of quantities, or one text with commas whose last

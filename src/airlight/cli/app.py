@@ -95,7 +95,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _one_line(error: Exception) -> str:
     worded: Any = getattr(error, "format_message", None)  # the parser's own errors
     if worded is not None:
-        text = str(worded())
+        text = str(worded()).replace("Value error, ", "")
     elif isinstance(error, AirlightError):
         text = str(error)
     elif isinstance(error, MemoryError):

@@ -72,7 +72,9 @@ def read_cases(path: str) -> Cases:
     try:
         with _opened(path) as stream:
             return _parse(stream, name)
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
+    except UnicodeDecodeError as error:
+        raise FileError(name, "is no text in UTF-8") from error
+    except (OSError, csv.Error) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise FileError(name, f"cannot be read: {reason}") from error
 

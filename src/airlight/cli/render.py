@@ -37,8 +37,8 @@ def render(
         str | None,
         typer.Option(
             metavar="ZENITH,AZIMUTH",
-            help="Where to look; azimuth 0 is the sun's side, 90 to its right. The horizon below "
-            "the sun if left out; the zenith for a fisheye.",
+            help="Where to look; azimuth 0 is the sun's side, 90 to its right. If left out: the "
+            "horizon at azimuth -75; for a fisheye the zenith.",
         ),
     ] = None,
     look_at: Annotated[

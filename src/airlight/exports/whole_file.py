@@ -29,7 +29,7 @@ def check_target(path: str | Path) -> Path:
     Raises
     ------
     FileError
-        If the folder is missing or closed, or something else than a file is in the place.
+        If the folder is missing or closed, or what is in the place is protected or no file.
     """
     try:
         target = Path(path).resolve()
@@ -37,6 +37,8 @@ def check_target(path: str | Path) -> Path:
             raise FileError(path, "is a folder")
         if target.exists() and not target.is_file():
             raise FileError(path, "is no regular file, so it cannot be replaced")
+        if target.exists() and not os.access(target, os.W_OK):
+            raise FileError(path, "is write-protected")
         if not target.parent.is_dir():
             raise FileError(path, f"there is no folder {target.parent}")
         if not os.access(target.parent, os.W_OK | os.X_OK):

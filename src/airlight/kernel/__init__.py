@@ -106,7 +106,9 @@ def kernel(function: Callable[..., Any]) -> Any:
     >>> double(3.0)
     6.0
     """
-    return _declare(numba.njit, function, "functions", fastmath=set(FAST), error_model="numpy", nogil=True)
+    return _declare(
+        numba.njit, function, "functions", fastmath=set(FAST), error_model="numpy", nogil=True
+    )
 
 
 def inlined(function: Callable[..., Any]) -> Any:
@@ -123,8 +125,10 @@ def inlined(function: Callable[..., Any]) -> Any:
 
 
 def compiled_loop(function: Callable[..., Any]) -> Any:
-    """Compile a loop over arrays; it runs without the interpreter's lock, so threads can share it."""
-    return _declare(numba.njit, function, "functions", fastmath=set(FAST), error_model="numpy", nogil=True)
+    """Compile a loop over arrays; it runs without the interpreter's lock, for threads."""
+    return _declare(
+        numba.njit, function, "functions", fastmath=set(FAST), error_model="numpy", nogil=True
+    )
 
 
 def vectorized(scalar: Any) -> Any:

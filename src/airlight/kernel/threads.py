@@ -7,6 +7,7 @@ threads there are.
 from __future__ import annotations
 
 import os
+import threading
 from collections.abc import Callable
 from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
 from functools import cache
@@ -31,9 +32,16 @@ def thread_count() -> int:
     return os.cpu_count() or 1
 
 
+_here = threading.local()
+
+
+def _enter_pool() -> None:
+    _here.inside = True
+
+
 @cache
 def _pool(threads: int) -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(threads, thread_name_prefix="airlight")
+    return ThreadPoolExecutor(threads, thread_name_prefix="airlight", initializer=_enter_pool)
 
 
 def run_blocks(
@@ -62,6 +70,10 @@ def run_blocks(
     Cancelled
         If ``cancel`` said so; blocks under way are waited for.
     """
+    if getattr(_here, "inside", False):  # a block's own blocks would wait for its own thread
+        for index in range(count):
+            block(index)
+        return
     threads = thread_count()
     pool = _pool(threads)
     waiting = iter(range(count))

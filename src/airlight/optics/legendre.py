@@ -68,7 +68,7 @@ def legendre_moments(phase: Callable[[FloatArray], FloatArray], degree: int) -> 
     weighted = 2.0 * np.pi * weights * np.asarray(phase(nu), dtype=np.float64)
     moments = np.empty((*weighted.shape[:-1], degree + 1))
     before, current = np.ones_like(nu), nu
-    for l in range(degree + 1):  # noqa: E741 - the symbol of the degree
+    for l in range(degree + 1):
         moments[..., l] = weighted @ before
         before, current = current, ((2 * l + 3) * nu * current - (l + 1) * before) / (l + 2)
     return moments

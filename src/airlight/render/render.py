@@ -19,8 +19,8 @@ from airlight.render.shade import Paint, View, shade
 from airlight.render.sun_disc import add_sun_disc
 from airlight.scene import Scene
 from airlight.scene.surface_map import surface_map
-from airlight.solvers.moments.air import pack
 from airlight.solvers.moments.march import new_packet
+from airlight.solvers.moments.packing import pack
 from airlight.solvers.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
@@ -40,7 +40,10 @@ class March:
 
 
 #: By quality level of the solution: a pixel needs less than a query.
-MARCHES: Final = {"preview": March(nodes=8, easy_nodes=6, panels=1), "default": March(nodes=12, easy_nodes=8, panels=1)}
+MARCHES: Final = {
+    "preview": March(nodes=8, easy_nodes=6, panels=1),
+    "default": March(nodes=12, easy_nodes=8, panels=1),
+}
 _FINE: Final = March(nodes=20, easy_nodes=20, panels=2)
 
 
@@ -148,5 +151,3 @@ def _paint(solution: MomentsSolution, weights: FloatArray) -> Paint:
         levels=np.array([(start, *one.shape[:2]) for start, one in zip(starts, maps, strict=True)]),
         mapped=medium.ground_map is not None,
     )
-
-

@@ -15,7 +15,7 @@ from airlight.geometry.path import ray_length
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, maximum, minimum, splat, store
-from airlight.solvers.moments.march import Light, ground_light, march
+from airlight.solvers.moments.march import ground_light, march
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -99,8 +99,12 @@ def map_color(texels, levels, latitude, longitude, level, out):
         for c in range(3):
             upper_row = start + 3 * width * top + c
             lower_row = start + 3 * width * bottom + c
-            upper = texels[upper_row + 3 * west] * (1.0 - right) + texels[upper_row + 3 * east] * right
-            lower = texels[lower_row + 3 * west] * (1.0 - right) + texels[lower_row + 3 * east] * right
+            upper = (
+                texels[upper_row + 3 * west] * (1.0 - right) + texels[upper_row + 3 * east] * right
+            )
+            lower = (
+                texels[lower_row + 3 * west] * (1.0 - right) + texels[lower_row + 3 * east] * right
+            )
             out[c] += part * (upper * (1.0 - down) + lower * down)
 
 

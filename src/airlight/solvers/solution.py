@@ -160,7 +160,7 @@ class Solution(ABC):
 
     @abstractmethod
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
-        """Downward diffuse irradiance of a level surface per irradiance of the star, (n, nl). [1]"""
+        """Diffuse irradiance of a level surface from above, per the star's, (n, nl). [1]"""
 
     @abstractmethod
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
@@ -218,8 +218,14 @@ class Solution(ABC):
         sight = enter_shell(bottom + arrays[0], mu, np.sin(view), mu_s, nu, bottom, top)
         values = self.relative_radiance(sight, order=order) * self.medium.solar_irradiance
         return self._labelled(
-            values, shape, "radiance", "W m-2 sr-1 nm-1", altitude=altitude,
-            sun_zenith=sun_zenith, view_zenith=view_zenith, azimuth=azimuth,
+            values,
+            shape,
+            "radiance",
+            "W m-2 sr-1 nm-1",
+            altitude=altitude,
+            sun_zenith=sun_zenith,
+            view_zenith=view_zenith,
+            azimuth=azimuth,
         )
 
     def transmittance(
@@ -300,8 +306,12 @@ class Solution(ABC):
         return xarray.Dataset(
             {
                 name: self._labelled(
-                    values * self.medium.solar_irradiance, shape, f"{name} irradiance",
-                    "W m-2 nm-1", altitude=altitude, sun_zenith=sun_zenith,
+                    values * self.medium.solar_irradiance,
+                    shape,
+                    f"{name} irradiance",
+                    "W m-2 nm-1",
+                    altitude=altitude,
+                    sun_zenith=sun_zenith,
                 )
                 for name, values in parts.items()
             }

@@ -60,8 +60,6 @@ def solve(
     """
     settings = settings_for(quality)
     medium = Medium.from_planet(planet, planet.wavelengths if wavelengths is None else wavelengths)
-    solution = solve_by_moments(
-        medium, settings, cache=cache, progress=progress, cancel=cancel
-    )
+    solution = solve_by_moments(medium, settings, cache=cache, progress=progress, cancel=cancel)
     solution.planet = planet
     return solution

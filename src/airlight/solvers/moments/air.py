@@ -15,8 +15,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel.lanes import LANES
 from airlight.planets.medium import Medium
+from airlight.solvers.moments.packing import pack
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.sweep import Air
 
@@ -28,19 +28,18 @@ _THIN: Final = 0.1
 _NONE: Final = 1e-6
 
 
-def pack(values: FloatArray) -> NDArray[np.float32]:
-    """Wavelengths on the last axis to flat float32 in whole groups of eight lanes.
+def peak_weight(medium: Medium, degree: int) -> FloatArray:
+    """How far forward peaks are cut off, from 0 (thin) to 1 (thick), shape (nl,).
 
-    Lanes without a wavelength repeat the last one, so that they compute nothing strange.
+    Parameters
+    ----------
+    medium : Medium
+        Its scattering counts if the phase function has moments above the degree.
+    degree : int
+        Of the harmonics.
     """
-    missing = -values.shape[-1] % LANES
-    padded = np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
-    return np.ascontiguousarray(padded, dtype=np.float32).reshape(-1)
-
-
-def peak_weight(medium: Medium) -> FloatArray:
-    """How far forward peaks are cut off, from 0 (thin) to 1 (thick), shape (nc, nl)."""
-    depth = medium.scattering * medium.columns[:, None]
+    peaked = np.abs(medium.phase_moments(degree + 1)[..., degree + 1]) > _NONE
+    depth = (medium.scattering * medium.columns[:, None] * peaked).sum(axis=0)
     return np.asarray(1.0 - np.exp(-((depth / _THIN) ** 2)))
 
 
@@ -50,8 +49,7 @@ def choose_degree(medium: Medium, settings: Settings) -> int:
     moments = medium.phase_moments(highest)
     strong = np.abs(moments).max(axis=(0, 1)) > _NONE
     needed = int(np.flatnonzero(strong).max()) if strong.any() else 0
-    peaked = np.abs(moments[..., settings.degree + 1 :]).max(axis=-1, initial=0.0) > 0.01
-    thick = bool((peak_weight(medium)[peaked] > 0.9).any())
+    thick = bool((peak_weight(medium, settings.degree) > 0.9).any())
     return max(2, min(needed, highest if thick else settings.degree))
 
 
@@ -70,7 +68,7 @@ def make_air(medium: Medium, degree: int, block: slice) -> Air:
     moments = medium.phase_moments(degree + 1)[:, block]
     scattering = medium.scattering[:, block]
     extinction = medium.extinction[:, block]
-    peak = np.clip(moments[..., degree + 1], 0.0, 0.98) * peak_weight(medium)[:, block]
+    peak = np.clip(moments[..., degree + 1], 0.0, 0.98) * peak_weight(medium, degree)[block]
     peak[np.abs(moments[..., degree + 1]) <= _NONE] = 0.0
     scatters = (scattering > 0.0)[..., None]
     smooth = scattering[..., None] * (moments[..., : degree + 1] - peak[..., None]) * scatters

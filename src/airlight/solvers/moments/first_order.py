@@ -9,7 +9,7 @@ import numpy as np
 from airlight.geometry.sun_disc import mean_cosine, visible_fraction
 from airlight.kernel import compiled_loop, inlined, kernel
 from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
-from airlight.mappings.transmittance import direction_coordinate
+from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate
 from airlight.solvers.moments.harmonics import legendre_functions
 from airlight.solvers.moments.sweep import optical_depth, project
 
@@ -27,13 +27,14 @@ def sun_elevation(r, mu_s, bottom_radius):
 
 
 @compiled_loop
-def interpolate_row(values, x, out):
+def interpolate_row(ratios, x, out):
     """One row of a column table, between its radii. [m]"""
-    row = min(int(x), values.shape[0] - 2)
+    row = min(int(x), ratios.shape[0] - 2)
     f = x - row
-    for j in range(values.shape[1]):
-        for c in range(values.shape[2]):
-            out[j, c] = values[row, j, c] + (values[row + 1, j, c] - values[row, j, c]) * f
+    for j in range(ratios.shape[1]):
+        for c in range(ratios.shape[2]):
+            scale = ratios[row, j, c, 0] * (1.0 - f) + ratios[row + 1, j, c, 0] * f
+            out[j, c] = (ratios[row, j, c, 1] * (1.0 - f) + ratios[row + 1, j, c, 1] * f) / scale
 
 
 @compiled_loop
@@ -44,12 +45,23 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, out, sk
     ----------
     i, grid, rays, azimuths, air, expansion, out, sky_out :
         As in ``sweep_radius``.
-    columns : array, shape (radii, directions, nc)
-        Of a ``ColumnTable``. [m]
+    columns : array, shape (radii, directions, nc, 2)
+        Of a ``ColumnTable``, from ``as_column_ratios``.
     """
     # Arrays are taken out of their tuples once: inside the loop each access would count references.
-    bottom, top, radii, sun_cosines, _ = grid
-    all_mu, all_weights, all_flux, all_lengths, starts, totals, distances, ray_radii, amounts, depths = rays
+    bottom, top, radii, sun_cosines, _, _ = grid
+    (
+        all_mu,
+        all_weights,
+        all_flux,
+        all_lengths,
+        starts,
+        totals,
+        distances,
+        ray_radii,
+        amounts,
+        depths,
+    ) = rays
     cosines, multiples = azimuths
     extinction, moments, albedo, star_radius = air
     suns = sun_cosines.size
@@ -58,13 +70,12 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, out, sk
     constituents = totals.shape[2]
     angles = all_mu.shape[1]
     r = radii[i]
-    tangent = sqrt((top - bottom) * (top + bottom))
     most = 0
     for a in range(angles):
         most = max(most, starts[i, a + 1] - starts[i, a])
     directions = columns.shape[1]
     sun_columns = np.empty((max(most, 1), directions, constituents))
-    ground_columns = columns[0]
+    ground_columns = columns[0, :, :, 1] / columns[0, :, :, 0]
     strength = np.empty(max(most, 1) * constituents * LANES, np.float32)
     phase = np.empty(constituents * LANES, np.float32)
     functions = np.empty(terms)
@@ -79,19 +90,22 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, out, sk
         points = starts[i, a + 1] - first
         for k in range(points):
             q = ray_radii[first + k]
-            x = sqrt(max((q - bottom) * (q + bottom), 0.0)) / tangent
+            x = altitude_coordinate(q, bottom, top)
             interpolate_row(columns, x * (columns.shape[0] - 1), sun_columns[k])
             through = exponential(
                 0.0 - optical_depth(depths[first + k], 0, extinction, constituents)
             )
             for c in range(constituents):
                 store(
-                    strength, LANES * (k * constituents + c),
+                    strength,
+                    LANES * (k * constituents + c),
                     through * np.float32(amounts[first + k, c]),
                 )
         if below:
-            reflected = load(albedo, 0) * INVERSE_PI * exponential(
-                0.0 - optical_depth(totals[i, a], 0, extinction, constituents)
+            reflected = (
+                load(albedo, 0)
+                * INVERSE_PI
+                * exponential(0.0 - optical_depth(totals[i, a], 0, extinction, constituents))
             )
         else:
             reflected = splat(0.0)
@@ -124,7 +138,9 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, out, sk
                     place = min(int(x), directions - 2)
                     f = x - place
                     for c in range(constituents):
-                        here[c] = sun_columns[k, place, c] * (1.0 - f) + sun_columns[k, place + 1, c] * f
+                        here[c] = (
+                            sun_columns[k, place, c] * (1.0 - f) + sun_columns[k, place + 1, c] * f
+                        )
                     light = exponential(0.0 - optical_depth(here, 0, extinction, constituents))
                     source = splat(0.0)
                     for c in range(constituents):

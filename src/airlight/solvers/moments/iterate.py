@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import log, pi
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,19 +19,18 @@ from airlight.solvers.moments.acceleration import mixing_weights
 from airlight.solvers.moments.air import choose_degree, make_air
 from airlight.solvers.moments.first_order import first_order_radius
 from airlight.solvers.moments.grid import Grid, make_grid
-from airlight.solvers.moments.harmonics import coefficient_count, harmonics
-from airlight.solvers.moments.rays import trace_rays
+from airlight.solvers.moments.harmonics import Harmonics, coefficient_count, harmonics
+from airlight.solvers.moments.packing import pack_light
+from airlight.solvers.moments.rays import Rays, trace_rays
 from airlight.solvers.moments.settings import Settings
-from airlight.solvers.moments.sweep import Azimuths, sweep_radius
-from airlight.tables.columns import ColumnTable
+from airlight.solvers.moments.sweep import Air, Azimuths, sweep_radius
+from airlight.tables.columns import ColumnTable, as_column_ratios, density_table
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 #: Mean radiance below this part of its largest value is dark: it neither steers nor stops.
 _DARK: Final = 1e-6
-#: Mean radiance never falls below this part of its largest value, so that its root exists.
-_FLOOR: Final = 1e-20
 
 
 #: How many images the acceleration combines.
@@ -57,7 +56,7 @@ class Moments:
     sweeps : int
         Orders of scattering that were computed one by one (the rest is extrapolated).
     residual : array, shape (nl,)
-        Largest relative change of the mean radiance by the last sweep. [1]
+        Largest relative change of the mean radiance that all further sweeps would make. [1]
     """
 
     degree: int
@@ -69,36 +68,21 @@ class Moments:
     residual: FloatArray
 
 
+def grid_for(medium: Medium, settings: Settings) -> Grid:
+    """The grid on which a medium is solved."""
+    table = density_table(medium.density, medium.thickness)
+    altitude = medium.thickness * np.linspace(0.0, 1.0, table.shape[0]) ** 2
+    scattering = table @ medium.scattering.max(axis=1)
+    steps = 0.5 * (scattering[1:] + scattering[:-1]) * np.diff(altitude)
+    depth = np.concatenate([[0.0], np.cumsum(steps)])
+    return make_grid(medium.bottom_radius, medium.top_radius, settings.radii, settings.suns, depth)
+
+
 def even_azimuths(degree: int, count: int) -> Azimuths:
     """Midpoints of ``count`` even steps over half a turn."""
     phi = (np.arange(count) + 0.5) * (pi / count)
     multiples = np.cos(np.arange(degree + 1)[:, None] * phi) * (2.0 * pi / count)
     return Azimuths(np.cos(phi), multiples.astype(np.float32))
-
-
-def as_ratios(values: Float32Array, scale_from: Float32Array) -> Float32Array:
-    """Pack (..., k, 8) values for interpolation as ratios: (s, value·s) with s = 1/sqrt(scale).
-
-    See the head of ``sweep``; ``scale_from`` has shape (..., 8) and is positive.
-    """
-    scale = 1.0 / np.sqrt(scale_from)[..., None, :]
-    return np.concatenate([scale, values * scale], axis=-2).astype(np.float32).reshape(-1)
-
-
-def positive(values: Float32Array) -> Float32Array:
-    """Values (..., 8) with a floor far below anything that can be seen."""
-    axes = tuple(range(values.ndim - 1))
-    floor = np.maximum(values.max(axis=axes) * np.float32(_FLOOR), np.float32(1e-30))
-    return np.maximum(values, floor)
-
-
-def pack_light(field: Float32Array, sky: Float32Array) -> tuple[Float32Array, Float32Array]:
-    """Moments (r, s, k, 8) and irradiances (..., s, 8) as the kernels read them."""
-    mean = positive(field[:, :, 0])
-    whole = field.copy()
-    whole[:, :, 0] = mean
-    received = positive(sky)
-    return as_ratios(whole, mean), as_ratios(received[..., None, :], received)
 
 
 def solve_moments(
@@ -127,82 +111,119 @@ def solve_moments(
         If ``cancel`` said so.
     """
     degree = choose_degree(medium, settings)
-    grid = make_grid(medium.bottom_radius, medium.top_radius, settings.radii, settings.suns)
-    rays = trace_rays(grid, medium.density, settings.zenith_angles, settings.nodes)
+    grid = grid_for(medium, settings)
+    strongest = medium.extinction.max(axis=1)
+    sweeper = Sweeper(
+        grid=grid,
+        rays=trace_rays(grid, medium.density, strongest, settings.zenith_angles, settings.nodes),
+        azimuths=even_azimuths(degree, max(settings.azimuths, 3 * degree // 4)),
+        expansion=harmonics(degree),
+        cancel=cancel,
+    )
     columns = ColumnTable.build(medium.bottom_radius, medium.top_radius, medium.density).values
-    azimuths = even_azimuths(degree, max(settings.azimuths, 3 * degree // 4))
-    expansion = harmonics(degree)
+    ratios = as_column_ratios(columns)
     count = medium.wavelengths.size
-    shape = (settings.radii, settings.suns, coefficient_count(degree))
-    field = np.empty((*shape, count), np.float32)
+    field = np.empty((settings.radii, settings.suns, coefficient_count(degree), count), np.float32)
     sky = np.empty((settings.radii, settings.suns, count), np.float32)
     residual = np.empty(count)
     most = 0
-    blocks = range(0, count, LANES)
-    for number, first in enumerate(blocks):
+    for first in range(0, count, LANES):
         block = slice(first, min(first + LANES, count))
-        used = block.stop - block.start
         air = make_air(medium, degree, block)
-
-        def gather(kernel: Callable[..., None], *light: NDArray[np.floating]) -> tuple[Float32Array, Float32Array]:
-            out = np.empty((*shape, LANES), np.float32)
-            above = np.empty((settings.radii, settings.suns, LANES), np.float32)
-            run_blocks(
-                lambda i: kernel(
-                    i, grid, rays, azimuths, air, expansion, *light,
-                    out[i].reshape(-1), above[i].reshape(-1),
-                ),
-                settings.radii,
-                cancel=cancel,
-            )
-            return out, above
-
-        def report(change: float) -> None:
-            if progress is None:
-                return
-            share = 1.0 if change <= settings.tolerance else log(min(change, 1.0)) / log(settings.tolerance)
-            nm = medium.wavelengths[block]
-            progress(
-                round(100 * (number + min(share, 1.0))),
-                100 * len(blocks),
-                f"orders of scattering, {nm[0]:g} to {nm[-1]:g} nm: last change {change:.1e}",
-            )
-
-        report(1.0)
-        result = _iterate(gather, columns, settings, used, report)
+        watch = _Watch(progress, settings.tolerance, block, medium.wavelengths)
+        result = _iterate(sweeper, air, ratios, settings, watch)
         field[..., block], sky[..., block], residual[block], sweeps = result
         most = max(most, sweeps)
     return Moments(
         degree=degree, grid=grid, field=field, sky=sky, columns=columns, sweeps=most,
         residual=residual,
-    )
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sweeper:
+    """All that a sweep needs beside the optics and the light itself."""
+
+    grid: Grid
+    rays: Rays
+    azimuths: Azimuths
+    expansion: Harmonics
+    cancel: Cancel | None
+
+    def gather(
+        self, kernel: Callable[..., None], air: Air, *light: NDArray[Any]
+    ) -> tuple[Float32Array, Float32Array]:
+        """Run ``first_order_radius`` or ``sweep_radius`` at every radius, on all cores.
+
+        Returns
+        -------
+        moments, sky : array, shapes (r, s, k, 8), (r, s, 8)
+        """
+        radii, suns = self.grid.radii.size, self.grid.sun_cosines.size
+        moments = np.empty(
+            (radii, suns, coefficient_count(self.expansion.degree), LANES), np.float32
+        )
+        sky = np.empty((radii, suns, LANES), np.float32)
+
+        def radius(i: int) -> None:
+            kernel(
+                i, self.grid, self.rays, self.azimuths, air, self.expansion, *light,
+                moments[i].reshape(-1), sky[i].reshape(-1),
+            )  # fmt: skip
+
+        run_blocks(radius, radii, cancel=self.cancel)
+        return moments, sky
+
+
+@dataclass(frozen=True)
+class _Watch:
+    """Tells how far the iteration of one block of wavelengths has come."""
+
+    progress: Progress | None
+    tolerance: float
+    block: slice
+    wavelengths: FloatArray
+
+    def report(self, change: float) -> None:
+        """Progress runs from 0 at a change of 1 to 100 at the tolerance, by its logarithm."""
+        if self.progress is None:
+            return
+        share = 1.0
+        if change > self.tolerance:
+            share = log(min(change, 1.0)) / log(self.tolerance)
+        count = self.wavelengths.size
+        nm = self.wavelengths[self.block]
+        width = self.block.stop - self.block.start
+        self.progress(
+            round(100 * (self.block.start + share * width)),
+            100 * count,
+            f"orders of scattering, {nm[0]:g} to {nm[-1]:g} nm: still to come {change:.1e}",
+        )
 
 
 def _iterate(
-    gather: Callable[..., tuple[Float32Array, Float32Array]],
-    columns: FloatArray,
-    settings: Settings,
-    used: int,
-    report: Callable[[float], None],
+    sweeper: Sweeper, air: Air, columns: FloatArray, settings: Settings, watch: _Watch
 ) -> tuple[Float32Array, Float32Array, FloatArray, int]:
     """One block of wavelengths: the sum of all orders, its residual and the number of sweeps."""
-    first_field, first_sky = gather(first_order_radius, columns)
+    used = watch.block.stop - watch.block.start
+    watch.report(1.0)
+    first_field, first_sky = sweeper.gather(first_order_radius, air, columns)
     if not (first_field[:, :, 0] > 0.0).any():
         return first_field[..., :used], first_sky[..., :used], np.zeros(used), 0
     field, sky = first_field, first_sky
     images: deque[Light] = deque(maxlen=_MEMORY)
     residuals: deque[FloatArray] = deque(maxlen=_MEMORY)
     for sweep in range(1, settings.max_sweeps + 1):
-        new_field, new_sky = gather(sweep_radius, *pack_light(field, sky[0]))
+        new_field, new_sky = sweeper.gather(sweep_radius, air, *pack_light(field, sky[0]))
         new_field += first_field
         new_sky += first_sky
         change = _relative_change(field[:, :, 0], new_field[:, :, 0])
-        largest = np.abs(change).max(axis=(0, 1))[:used]
-        report(float(largest.max()))
         images.append((new_field, new_sky))
         residuals.append(change.reshape(-1, LANES))
+        largest = np.abs(change).max(axis=(0, 1))[:used] * _what_follows(images, residuals)[:used]
+        watch.report(float(largest.max()))
         field, sky = _mix(images, residuals, used)
-        if largest.max() <= settings.tolerance:
+        if largest.max() <= settings.tolerance and sweep > 1:
             return field[..., :used], sky[..., :used], largest, sweep
     raise ConvergenceError(
         f"after {settings.max_sweeps} sweeps the last still changed the light by "
@@ -218,6 +239,26 @@ def _relative_change(before: Float32Array, after: Float32Array) -> FloatArray:
 
 
 Light = tuple[Float32Array, Float32Array]
+
+
+def _what_follows(images: deque[Light], residuals: deque[FloatArray]) -> FloatArray:
+    """All later changes together over the last one, ρ/(1 - ρ), per lane. [1]
+
+    ρ, by which one more sweep shrinks a difference, is the largest seen between the last images
+    and the guesses they came from; in thick air it is close to 1, and a small change is no sign
+    that the sum is near.
+    """
+    ratio = np.full(LANES, 0.5)
+    means = [one[0][:, :, 0].reshape(-1, LANES).astype(float) for one in images]
+    for k in range(1, len(means)):
+        step = means[k] - means[k - 1]
+        # The guess is its image less the residual, which is relative to the image.
+        guess = step - (residuals[k] * means[k] - residuals[k - 1] * means[k - 1])
+        size = np.sqrt(np.square(guess).sum(axis=0))
+        shrunk = np.sqrt(np.square(step).sum(axis=0))
+        seen = np.divide(shrunk, size, out=np.zeros(LANES), where=size > 1e-9 * means[k].max())
+        ratio = np.maximum(ratio, np.minimum(seen, 0.9999))
+    return np.asarray(ratio / (1.0 - ratio))
 
 
 def _mix(images: deque[Light], residuals: deque[FloatArray], used: int) -> Light:

@@ -21,10 +21,10 @@ from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, exponential, load, splat, store
 from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate
 from airlight.solvers.moments.first_order import sun_elevation
-from airlight.solvers.moments.grid import Grid
+from airlight.solvers.moments.grid import Grid, row_of
 from airlight.solvers.moments.harmonics import Harmonics, legendre_functions
 from airlight.solvers.moments.sweep import Air, place_of
-from airlight.tables.columns import trace
+from airlight.tables.columns import trace_resolved
 
 #: Rays that march side by side: neighbours read the same moments, which then stay in the cache.
 PACKET: Final = 16
@@ -56,10 +56,12 @@ class Light(NamedTuple):
     sky : array, shape (r·s·2·w,)
         Irradiance of a level surface by scattered light, as (s, E·s) per node; the first radius
         is the ground.
-    columns : array, shape (radii, directions, nc)
-        Of a ``ColumnTable``. [m]
+    columns : array, shape (radii, directions, nc, 2)
+        Of a ``ColumnTable``, from ``as_column_ratios``. [m]
     density : array, shape (nodes, nc)
         From ``density_table``.
+    strongest : array, shape (nc,)
+        Largest extinction of each constituent at any wavelength. [m⁻¹]
     """
 
     grid: Grid
@@ -70,6 +72,7 @@ class Light(NamedTuple):
     sky: Float32Array
     columns: FloatArray
     density: FloatArray
+    strongest: FloatArray
 
 
 class Workspace(NamedTuple):
@@ -77,8 +80,10 @@ class Workspace(NamedTuple):
 
     Attributes
     ----------
-    edges, counts, distance, radius, weight, density, column, total, scratch, functions, here, rho, depths :
-        Overwritten by ``march``.
+    edges, counts, distance, radius, weight, density, column, total, scratch :
+        Of the rays, overwritten by ``march``.
+    functions, here, rho, depths :
+        Of one point, overwritten by ``march``.
     received : array, shape (w,)
         Irradiance of the ground by ``ground_light``. [1]
     radiance, through : array, shape (PACKET, w)
@@ -137,12 +142,19 @@ def sun_columns(q, mu_s, bottom, top, values, here):
     w00, w01 = (1.0 - f) * (1.0 - e), (1.0 - f) * e
     w10, w11 = f * (1.0 - e), f * e
     for c in range(values.shape[2]):
-        here[c] = (
-            w00 * values[row, place, c]
-            + w01 * values[row, place + 1, c]
-            + w10 * values[row + 1, place, c]
-            + w11 * values[row + 1, place + 1, c]
+        scale = (
+            w00 * values[row, place, c, 0]
+            + w01 * values[row, place + 1, c, 0]
+            + w10 * values[row + 1, place, c, 0]
+            + w11 * values[row + 1, place + 1, c, 0]
         )
+        scaled = (
+            w00 * values[row, place, c, 1]
+            + w01 * values[row, place + 1, c, 1]
+            + w10 * values[row + 1, place, c, 1]
+            + w11 * values[row + 1, place + 1, c, 1]
+        )
+        here[c] = scaled / scale
 
 
 @inlined
@@ -207,12 +219,13 @@ def march(packet, rays, orders, panels, rules, light, work):
     """
     # Arrays are taken out of their tuples once: inside the loop each access would count references.
     bottom, top = light.grid.bottom_radius, light.grid.top_radius
-    place_table, radii = light.grid.place, light.grid.radii.size
+    place_table, row_table = light.grid.place, light.grid.row
+    radii = light.grid.radii.size
     suns = light.grid.sun_cosines.size
     extinction, moments = light.air.extinction, light.air.moments
     star_radius, lanes = light.air.star_radius, light.air.albedo.size
     scattering, field, sun_table = light.scattering, light.field, light.columns
-    expansion, table = light.expansion, light.density
+    expansion, table, strongest = light.expansion, light.density, light.strongest
     degree = expansion.degree
     functions, here, edges, counts = work.functions, work.here, work.edges, work.counts
     rho, depths = work.rho, work.depths
@@ -227,13 +240,13 @@ def march(packet, rays, orders, panels, rules, light, work):
         r, mu, mu_s, nu = starts[p], cosines[p], sun_cosines[p], angles[p]
         first_cut, second_cut = shadow_edges(r, mu, mu_s, nu, bottom)
         edge_count = place_edges(r, mu, lengths[p], panels, first_cut, second_cut, edges)
-        path = (
-            distance[p], radius[p], weight[p], density[p], column[p], total[p], work.scratch
-        )
+        path = (distance[p], radius[p], weight[p], density[p], column[p], total[p], work.scratch)
         end = min(mu_s, (r * mu_s + lengths[p] * nu) / radius_along(r, mu, lengths[p]))
         easy = end > _FULL_DAY and lengths[p] < _STEEP * (top - bottom)
         rule = rules[0] if easy else rules[1]
-        counts[p] = trace(r, mu, edges, edge_count, rule, bottom, top - bottom, table, path)
+        counts[p] = trace_resolved(
+            r, mu, edges, edge_count, rule, bottom, top - bottom, table, strongest, path
+        )
         most = max(most, counts[p])
         for at in range(0, lanes, LANES):
             store(radiance[p], at, splat(0.0))
@@ -264,7 +277,7 @@ def march(packet, rays, orders, panels, rules, light, work):
                 spread = (1.0 - mu_q) * (1.0 + mu_q) * (1.0 - mu_sq) * (1.0 + mu_sq)
                 step = (nu - mu_q * mu_sq) / sqrt(max(spread, 1e-24))
                 times_cosines(functions, min(max(step, -1.0), 1.0), degree)
-                x = altitude_coordinate(q, bottom, top) * (radii - 1)
+                x = row_of(q, bottom, top, row_table)
                 row = min(int(x), radii - 2)
                 f = x - row
                 x = place_of(mu_sq, place_table)
@@ -280,20 +293,23 @@ def march(packet, rays, orders, panels, rules, light, work):
                 source = splat(0.0)
                 if seen > 0.0:
                     for c in range(constituents):
-                        source = source + (
-                            load(scattering, lanes * c + at) * load(phase, lanes * c + at)
-                        ) * rho[c]
-                    source = source * np.float32(seen) * through_columns(
-                        here, extinction, lanes, at
+                        source = (
+                            source
+                            + (load(scattering, lanes * c + at) * load(phase, lanes * c + at))
+                            * rho[c]
+                        )
+                    source = (
+                        source * np.float32(seen) * through_columns(here, extinction, lanes, at)
                     )
                 if orders != 1:
                     gathered = splat(0.0)
                     for l in range(degree + 1):
                         strength = splat(0.0)
                         for c in range(constituents):
-                            strength = strength + load(
-                                moments, lanes * (c * (degree + 1) + l) + at
-                            ) * rho[c]
+                            strength = (
+                                strength
+                                + load(moments, lanes * (c * (degree + 1) + l) + at) * rho[c]
+                            )
                         part = splat(0.0)
                         for index in range(l * (l + 1) // 2, (l + 1) * (l + 2) // 2):
                             near = a00 + lanes * (1 + index) + at
@@ -382,7 +398,7 @@ def sky_irradiance(r, mu_s, light, out):
     bottom, top = grid.bottom_radius, grid.top_radius
     suns, lanes = grid.sun_cosines.size, light.air.albedo.size
     for k in range(r.size):
-        x = altitude_coordinate(r[k], bottom, top) * (grid.radii.size - 1)
+        x = row_of(r[k], bottom, top, grid.row)
         row = min(int(x), grid.radii.size - 2)
         f = x - row
         x = place_of(mu_s[k], grid.place)

@@ -14,7 +14,7 @@ from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import compiled_loop
 from airlight.optics.density_profile import DensitySegments
 from airlight.solvers.moments.grid import Grid
-from airlight.tables.columns import density_table, new_path, trace
+from airlight.tables.columns import density_table, new_path, trace_resolved
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -57,7 +57,7 @@ class Rays(NamedTuple):
 
 
 @compiled_loop
-def _trace_rays(grid, mu, panels, rule, table, edges, path, rays):
+def _trace_rays(grid, mu, panels, rule, table, strongest, edges, path, rays):
     count = 0
     for i in range(mu.shape[0]):
         r = grid.radii[i]
@@ -70,9 +70,17 @@ def _trace_rays(grid, mu, panels, rule, table, edges, path, rays):
                 length = max(-r * mu[i, a], 0.0)
             rays.length[i, a] = length
             edge_count = place_edges(r, mu[i, a], length, panels, 0.0, 0.0, edges)
-            points = trace(
-                r, mu[i, a], edges, edge_count, rule, grid.bottom_radius,
-                grid.top_radius - grid.bottom_radius, table, path,
+            points = trace_resolved(
+                r,
+                mu[i, a],
+                edges,
+                edge_count,
+                rule,
+                grid.bottom_radius,
+                grid.top_radius - grid.bottom_radius,
+                table,
+                strongest,
+                path,
             )
             for c in range(table.shape[1]):
                 rays.total[i, a, c] = path[5][c] if points > 0 else 0.0
@@ -88,7 +96,12 @@ def _trace_rays(grid, mu, panels, rule, table, edges, path, rays):
 
 
 def trace_rays(
-    grid: Grid, density: DensitySegments, angles: int, nodes: int, panels: int = 1
+    grid: Grid,
+    density: DensitySegments,
+    strongest: FloatArray,
+    angles: int,
+    nodes: int,
+    panels: int = 1,
 ) -> Rays:
     """Trace all rays of a sweep.
 
@@ -98,6 +111,8 @@ def trace_rays(
         Where the rays start.
     density : DensitySegments
         The air's profiles.
+    strongest : array, shape (nc,)
+        Largest extinction of each constituent at any wavelength. [m⁻¹]
     angles : int
         Gauss-Legendre zenith angles on each side of the local horizon.
     nodes, panels : int
@@ -112,22 +127,37 @@ def trace_rays(
     weight = np.concatenate(
         [(horizon + 1.0) * rule.weights, (1.0 - horizon) * rule.weights], axis=1
     )
-    per_ray = nodes * 2 * panels
+    per_ray = nodes * (2 * panels + 6)
     constituents = density.edges.shape[0]
     room = mu.size * per_ray
     rays = Rays(
-        mu, weight, _flux_weights(horizon[:, 0], angles), np.empty(mu.shape), np.empty((mu.shape[0], mu.shape[1] + 1), np.int64),
-        np.empty((*mu.shape, constituents)), np.empty(room), np.empty(room),
-        np.empty((room, constituents)), np.empty((room, constituents)),
+        mu,
+        weight,
+        _flux_weights(horizon[:, 0], angles),
+        np.empty(mu.shape),
+        np.empty((mu.shape[0], mu.shape[1] + 1), np.int64),
+        np.empty((*mu.shape, constituents)),
+        np.empty(room),
+        np.empty(room),
+        np.empty((room, constituents)),
+        np.empty((room, constituents)),
     )
     count = _trace_rays(
-        grid, mu, panels, gauss_legendre(nodes).as_tuple(),
-        density_table(density, grid.top_radius - grid.bottom_radius), np.empty(MAX_EDGES),
-        new_path(per_ray, constituents), rays,
+        grid,
+        mu,
+        panels,
+        gauss_legendre(nodes).as_tuple(),
+        density_table(density, grid.top_radius - grid.bottom_radius),
+        strongest,
+        np.empty(MAX_EDGES),
+        new_path(per_ray, constituents),
+        rays,
     )
     return rays._replace(
-        distance=rays.distance[:count].copy(), radius=rays.radius[:count].copy(),
-        amount=rays.amount[:count].copy(), column=rays.column[:count].copy(),
+        distance=rays.distance[:count].copy(),
+        radius=rays.radius[:count].copy(),
+        amount=rays.amount[:count].copy(),
+        column=rays.column[:count].copy(),
     )
 
 

@@ -15,10 +15,9 @@ from airlight.kernel import compiled_loop, source_fingerprint
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.medium import Medium
-from airlight.solvers.moments.air import make_air, pack
-from airlight.solvers.moments.grid import make_grid
+from airlight.solvers.moments.air import make_air
 from airlight.solvers.moments.harmonics import coefficient_count, harmonics
-from airlight.solvers.moments.iterate import Moments, pack_light, solve_moments
+from airlight.solvers.moments.iterate import Moments, grid_for, solve_moments
 from airlight.solvers.moments.march import (
     Light,
     Workspace,
@@ -29,10 +28,11 @@ from airlight.solvers.moments.march import (
     new_workspace,
     sky_irradiance,
 )
+from airlight.solvers.moments.packing import pack, pack_light
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.solution import Report, Sight, Solution
 from airlight.tables import cache as disk
-from airlight.tables.columns import density_table
+from airlight.tables.columns import as_column_ratios, density_table
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -77,9 +77,7 @@ class MomentsSolution(Solution):
 
         def filled(values: Float32Array) -> Float32Array:
             missing = -values.shape[-1] % LANES
-            return np.concatenate(
-                [values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1
-            )
+            return np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
 
         field, sky = pack_light(filled(moments.field), filled(moments.sky))
         return Light(
@@ -89,14 +87,15 @@ class MomentsSolution(Solution):
             expansion=harmonics(moments.degree),
             field=field,
             sky=sky,
-            columns=moments.columns,
+            columns=as_column_ratios(moments.columns),
             density=density_table(medium.density, medium.thickness),
+            strongest=medium.extinction.max(axis=1),
         )
 
     def workspace(self, nodes: int, panels: int) -> Workspace:
         """Scratch for one thread that marches with so many nodes a panel and panels a leg."""
         return new_workspace(
-            nodes * (2 * panels + 4),
+            nodes * (2 * panels + 10),
             len(self.medium.names),
             coefficient_count(self.moments.degree),
             self.light.air.albedo.size,
@@ -117,9 +116,19 @@ class MomentsSolution(Solution):
             phase = pack(phases).reshape(phases.shape[0], -1)
             result = np.empty((phase.shape[0], light.air.albedo.size), np.float32)
             _march_all(
-                sight.r[rows], sight.mu[rows], sight.mu_s[rows], sight.nu[rows],
-                sight.length[rows], sight.to_ground[rows], 2 if order is None else 1, phase,
-                panels, (rule, rule), light, new_packet(phase.shape[1]), self.workspace(nodes, panels),
+                sight.r[rows],
+                sight.mu[rows],
+                sight.mu_s[rows],
+                sight.nu[rows],
+                sight.length[rows],
+                sight.to_ground[rows],
+                2 if order is None else 1,
+                phase,
+                panels,
+                (rule, rule),
+                light,
+                new_packet(phase.shape[1]),
+                self.workspace(nodes, panels),
                 result,
             )
             out[rows] = result[:, :count]
@@ -136,9 +145,7 @@ class MomentsSolution(Solution):
         """See ``Solution``."""
         return self._received(r, lambda light, out: sky_irradiance(r, mu_s, light, out))
 
-    def _received(
-        self, r: FloatArray, fill: Callable[[Light, Float32Array], None]
-    ) -> FloatArray:
+    def _received(self, r: FloatArray, fill: Callable[[Light, Float32Array], None]) -> FloatArray:
         result = np.empty((r.size, self.light.air.albedo.size), np.float32)
         fill(self.light, result)
         return result[:, : self.wavelengths.size].astype(float)
@@ -242,9 +249,7 @@ def _from_arrays(
             return None
         return Moments(
             degree=degree,
-            grid=make_grid(
-                medium.bottom_radius, medium.top_radius, settings.radii, settings.suns
-            ),
+            grid=grid_for(medium, settings),
             field=arrays["field"],
             sky=arrays["sky"],
             columns=arrays["columns"],

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
+from airlight.solvers.moments.grid import row_of
 from airlight.solvers.moments.harmonics import legendre_functions
 
 Float32Array = NDArray[np.float32]
@@ -112,8 +113,19 @@ def sweep_radius(i, grid, rays, azimuths, air, expansion, field, ground, out, sk
         Receives the irradiance of a level surface by the light from the upper half sphere.
     """
     # Arrays are taken out of their tuples once: inside the loop each access would count references.
-    bottom, top, radii, sun_cosines, places = grid
-    all_mu, all_weights, all_flux, all_lengths, starts, totals, distances, ray_radii, amounts, depths = rays
+    bottom, top, radii, sun_cosines, rows_at, places = grid
+    (
+        all_mu,
+        all_weights,
+        all_flux,
+        all_lengths,
+        starts,
+        totals,
+        distances,
+        ray_radii,
+        amounts,
+        depths,
+    ) = rays
     cosines, multiples = azimuths
     extinction, moments, albedo, _ = air
     suns = sun_cosines.size
@@ -123,7 +135,6 @@ def sweep_radius(i, grid, rays, azimuths, air, expansion, field, ground, out, sk
     constituents = totals.shape[2]
     angles = all_mu.shape[1]
     r = radii[i]
-    tangent = sqrt((top - bottom) * (top + bottom))
     most = 0
     for a in range(angles):
         most = max(most, starts[i, a + 1] - starts[i, a])
@@ -166,8 +177,7 @@ def sweep_radius(i, grid, rays, azimuths, air, expansion, field, ground, out, sk
                 for m in range(l + 1):
                     index = l * (l + 1) // 2 + m
                     store(factors, LANES * index, strength * np.float32(functions[index]))
-            x = sqrt(max((q - bottom) * (q + bottom), 0.0)) / tangent
-            x *= radii.size - 1
+            x = row_of(q, bottom, top, rows_at)
             row = min(int(x), radii.size - 2)
             f = np.float32(x - row)
             g = np.float32(1.0) - f
@@ -186,8 +196,10 @@ def sweep_radius(i, grid, rays, azimuths, air, expansion, field, ground, out, sk
                         )
                     store(rows, target + LANES * (1 + m), total)
         if below:
-            reflected = load(albedo, 0) * INVERSE_PI * exponential(
-                0.0 - optical_depth(totals[i, a], 0, extinction, constituents)
+            reflected = (
+                load(albedo, 0)
+                * INVERSE_PI
+                * exponential(0.0 - optical_depth(totals[i, a], 0, extinction, constituents))
             )
         else:
             reflected = splat(0.0)
@@ -217,7 +229,9 @@ def sweep_radius(i, grid, rays, azimuths, air, expansion, field, ground, out, sk
                     multiple = step
                     for m in range(1, degree + 1):
                         at = LANES * (1 + m)
-                        total = total + multiple * (g * load(rows, low + at) + f * load(rows, high + at))
+                        total = total + multiple * (
+                            g * load(rows, low + at) + f * load(rows, high + at)
+                        )
                         following = np.float32(2.0) * step * multiple - before
                         before = multiple
                         multiple = following
