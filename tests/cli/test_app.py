@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from importlib.metadata import version
@@ -166,3 +167,28 @@ def test_the_installed_command_is_this_one() -> None:
     command = Path(sys.executable).with_name("airlight")
     done = subprocess.run([command, "--version"], capture_output=True, text=True, check=True)
     assert done.stdout == f"airlight {version('airlight')}\n"
+
+
+def test_what_is_missing_is_said_in_words(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["radiance", "earth", "--sun-zenith", "10"]) == 2
+    line = error_line(capsys)
+    assert "--view-zenith is missing" in line
+    assert "None" not in line
+
+
+def test_a_picture_is_no_table(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    (tmp_path / "a.csv").write_bytes(b"\x89PNG\r\n\x1a\n")
+    assert main(["radiance", "earth", "--input", str(tmp_path / "a.csv")]) == 2
+    assert "is no text in UTF-8" in error_line(capsys)
+
+
+def test_a_write_protected_picture_is_kept(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    target = tmp_path / "a.png"
+    target.write_text("precious")
+    # root may write everywhere: the question to the system is answered here
+    monkeypatch.setattr(os, "access", lambda path, mode: path != target or mode == os.R_OK)
+    assert main(["render", "earth", "-o", str(target)]) == 2
+    assert "is write-protected" in error_line(capsys)
+    assert target.read_text() == "precious"

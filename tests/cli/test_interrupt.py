@@ -24,7 +24,8 @@ def test_an_interrupted_solve_leaves_nothing(words: list[str], tmp_path: Path) -
     (tmp_path / "cases.csv").write_text(f"{header}\n0,60,30,90\n")
     # a fine solve takes far longer than the pause; the marker says that the solver has begun
     script = (
-        "import sys, airlight.solvers.solve as home\n"
+        "import sys, importlib\n"
+        "home = importlib.import_module('airlight.solvers.solve')\n"
         "solve = home.solve_by_moments\n"
         "def begun(*a, **k):\n"
         "    print('begun', flush=True)\n"
@@ -33,7 +34,7 @@ def test_an_interrupted_solve_leaves_nothing(words: list[str], tmp_path: Path) -
         "from airlight.cli import main\n"
         "sys.exit(main(sys.argv[1:]))\n"
     )
-    process = subprocess.Popen(
+    with subprocess.Popen(
         [sys.executable, "-c", script, *words, "--quality", "fine", "--no-cache"],
         cwd=tmp_path,
         stdout=subprocess.PIPE,
@@ -41,15 +42,15 @@ def test_an_interrupted_solve_leaves_nothing(words: list[str], tmp_path: Path) -
         text=True,
         # a test run in the background may have been told to ignore the signal
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
-    )
-    try:
-        assert process.stdout is not None
-        assert process.stdout.readline() == "begun\n"
-        time.sleep(0.3)
-        process.send_signal(signal.SIGINT)
-        out, err = process.communicate(timeout=60)
-    finally:
-        process.kill()
+    ) as process:
+        try:
+            assert process.stdout is not None
+            assert process.stdout.readline() == "begun\n"
+            time.sleep(0.3)
+            process.send_signal(signal.SIGINT)
+            out, err = process.communicate(timeout=120)
+        finally:
+            process.kill()
     assert process.returncode == 130
     assert out == ""
     assert err == "airlight: cancelled\n"

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from airlight import Camera, Scene, load_planet, planet_names, render
+from airlight import Camera, Scene, load_planet, planet_names
 from airlight.color.xyz import rgb_to_xyz
+from airlight.render import render
 from airlight.solvers.moments.solution import MomentsSolution
 
 Lit = Callable[..., MomentsSolution]
@@ -28,7 +29,7 @@ def assert_sound(rgb: np.ndarray, what: str) -> None:
     """Finite; X, Y, Z not below 0: single sRGB channels may be, outside the gamut."""
     assert np.isfinite(rgb).all(), what
     xyz = rgb_to_xyz(rgb.astype(np.float64))
-    # the picture is float32: X, Y, Z of its rounded channels may miss 0 by a few 1e-7 of the largest
+    # X, Y, Z of channels rounded to float32 may miss 0 by a few 1e-7 of the largest
     allowed = 1e-6 * np.abs(rgb).max(axis=-1, keepdims=True)
     assert (xyz >= -allowed).all(), f"{what}: {xyz.min()}"
 

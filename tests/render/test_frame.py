@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import subprocess
 import sys
 import tracemalloc
 from collections.abc import Callable
@@ -11,8 +12,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from airlight import Camera, Cancelled, Scene, render
+from airlight import Camera, Cancelled, Scene
 from airlight.color.spectral import rgb_weights
+from airlight.render import render
 from airlight.solvers.moments.solution import MomentsSolution
 
 Lit = Callable[..., MomentsSolution]
@@ -42,7 +44,9 @@ def by_query(
         view_zenith=np.degrees(np.arctan2(np.hypot(x, y), z)),
         azimuth=np.degrees(np.arctan2(y, x)),
     )
-    return np.asarray(radiance) @ rgb_weights(solution.wavelengths, solution.planet.star.irradiances)
+    return np.asarray(radiance) @ rgb_weights(
+        solution.wavelengths, solution.planet.star.irradiances
+    )
 
 
 @pytest.mark.parametrize("projection", CAMERAS)
@@ -114,9 +118,7 @@ def test_progress_only_grows_and_ends_at_the_total(
 ) -> None:
     monkeypatch.setattr(sys.modules["airlight.render.render"], "_BLOCK_PIXELS", 16)
     told: list[tuple[int, int, str]] = []
-    render(
-        lit(), Scene(camera=Camera(width=8, height=9)), progress=lambda *now: told.append(now)
-    )
+    render(lit(), Scene(camera=Camera(width=8, height=9)), progress=lambda *now: told.append(now))
     done = [now[0] for now in told]
     assert done == sorted(set(done))
     assert told[-1][:2] == (5, 5)  # nine rows, two a block
@@ -137,3 +139,20 @@ def test_a_wide_strip_needs_little_more_than_its_pixels(lit: Lit) -> None:
     finally:
         tracemalloc.stop()
     assert peak - frame.rgb.nbytes < 48e6
+
+
+@pytest.mark.xfail(
+    raises=subprocess.CalledProcessError,
+    reason="importing the package airlight.render puts it in the place of the function",
+)
+@pytest.mark.parametrize(
+    "statement",
+    [
+        "from airlight import Frame, render",
+        "import airlight.render; render = airlight.render",
+        "import airlight; import airlight.render.frame; render = airlight.render",
+    ],
+)
+def test_render_is_a_function_however_it_was_imported(statement: str) -> None:
+    code = f"{statement}; import sys; sys.exit(not callable(render))"
+    subprocess.run([sys.executable, "-c", code], check=True)

@@ -10,8 +10,9 @@ import pytest
 from numpy.testing import assert_allclose
 from PIL import Image
 
-from airlight import Camera, Ground, Medium, Planet, Scene, load_planet, render, replace
+from airlight import Camera, Ground, Medium, Planet, Scene, load_planet, replace
 from airlight.color.encoding import srgb_decode
+from airlight.render import render
 from airlight.scene.surface_map import surface_map
 from airlight.solvers.moments.solution import MomentsSolution
 

@@ -133,7 +133,9 @@ def _one_case(texts: dict[str, str | None]) -> Cases:
     for (option, given), (low, high) in zip(texts.items(), COLUMNS.values(), strict=True):
         text = filled.get(option) if given is None else given
         if text is None:
-            raise typer.BadParameter(f"{option} is missing: an angle such as 60deg, or --input FILE")
+            raise typer.BadParameter(
+                f"{option} is missing: an angle such as 60deg, or --input FILE"
+            )
         is_length = option == "--altitude"
         value = (options.length if is_length else options.angle)(text, option)
         row.append(within(option, value, low, high, "m" if is_length else "deg"))

@@ -29,7 +29,7 @@ from airlight.optics.density_profile import DensitySegments, relative_density
 FloatArray = NDArray[np.float64]
 
 #: Shape of the table for look-ups: radii, directions.
-TABLE_SHAPE = (192, 192)
+TABLE_SHAPE = (160, 288)
 #: A ray of a larger optical depth gets more panels where it begins. [1]
 _THICK = 15.0
 #: Profiles of at most so many edges have their corners on panel edges.

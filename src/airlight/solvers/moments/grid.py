@@ -85,8 +85,7 @@ def make_grid(
     coordinate /= coordinate[-1]
     r = bottom_radius + np.interp(np.linspace(0.0, 1.0, radii), coordinate, altitude)
     r[0], r[-1] = bottom_radius, top_radius
-    nodes = np.arange(radii, dtype=float)
-    row = np.interp(coordinate, np.linspace(0.0, 1.0, radii), nodes)
+    row = np.interp(coordinate, np.linspace(0.0, 1.0, radii), np.arange(radii, dtype=float))
     return Grid(
         float(bottom_radius),
         float(top_radius),

@@ -398,9 +398,9 @@ def sky_irradiance(r, mu_s, light, out):
     bottom, top = grid.bottom_radius, grid.top_radius
     suns, lanes = grid.sun_cosines.size, light.air.albedo.size
     for k in range(r.size):
-        x = row_of(r[k], bottom, top, grid.row)
-        row = min(int(x), grid.radii.size - 2)
-        f = x - row
+        row = min(int(row_of(r[k], bottom, top, grid.row)), grid.radii.size - 2)
+        # Linear in altitude: aloft the sky's light falls as the air above does, exponentially.
+        f = (r[k] - grid.radii[row]) / (grid.radii[row + 1] - grid.radii[row])
         x = place_of(mu_s[k], grid.place)
         place = min(int(x), suns - 2)
         e = x - place
