@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose
 from airlight.planets import Medium, Planet
 from airlight.solvers.moments.march import sun_columns
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.tables.columns import ColumnTable, as_column_ratios, columns
+from airlight.tables.columns import ColumnTable, columns, mean_density_ratios
 
 BOTTOM, TOP = 6360e3, 6460e3
 #: From the top of the shell past a lowest height of 10 km.
@@ -112,7 +112,7 @@ def test_the_table_of_columns_is_good_to_a_thousandth(
     length = -r * mu + np.sqrt((r * mu) ** 2 + (TOP - r) * (TOP + r))
     truth = columns(r, mu, length, BOTTOM, medium.density)
     got, here = np.empty_like(truth), np.empty(3)
-    ratios = as_column_ratios(table.values)
+    ratios = mean_density_ratios(table)
     for k in range(r.size):
         sun_columns(r[k], mu[k], BOTTOM, TOP, ratios, here)
         got[k] = here

@@ -79,7 +79,7 @@ def test_rayleigh_second_moment_is_a_tenth_times_its_anisotropy(delta):
 def test_double_henyey_greenstein_moments_are_mixed_powers():
     g1, g2, alpha = 0.889, 0.094, 0.743
     moments = legendre_moments(of(phases.double_henyey_greenstein, g1, g2, alpha), 20)
-    l = np.arange(21)  # noqa: E741
+    l = np.arange(21)
     assert_allclose(moments, alpha * g1**l + (1.0 - alpha) * g2**l, rtol=0, atol=1e-12)
 
 

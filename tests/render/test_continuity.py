@@ -49,27 +49,19 @@ def test_cube_faces_meet(altitude: float, lit: Lit) -> None:
 @pytest.mark.parametrize("sun_zenith", [30.0, 88.0, 94.0])
 @pytest.mark.parametrize(
     "altitude",
-    [
-        2.0,
-        35e3,
-        pytest.param(
-            400e3,
-            marks=pytest.mark.xfail(
-                raises=AssertionError, reason="the march is too coarse along the limb"
-            ),
-        ),
-    ],
+    [2.0, 35e3, 400e3],
 )
 def test_no_line_of_pixels_stands_out_at_the_horizon(
     altitude: float, sun_zenith: float, lit: Lit, tell: Callable[[str], None]
 ) -> None:
     # second path: the same moments integrated with eight times the points, ray by ray. Where the
     # renderer's coarser march errs it must err alike from pixel to pixel: a stripe is a pixel
-    # whose relative error is far from the mean of its two neighbours'.
+    # whose relative error is far from the mean of its two neighbours'. No pixel looks just at the
+    # edge of the ground, where rounding alone would tell what it sees.
     solution = lit()
     bottom = solution.medium.bottom_radius
     zenith, _ = look_at("horizon", altitude=altitude, sun_zenith=sun_zenith, bottom_radius=bottom)
-    camera = Camera(width=1, height=241, field_of_view=0.02, look_zenith=zenith, look_azimuth=70.0)
+    camera = Camera(width=1, height=240, field_of_view=0.02, look_zenith=zenith, look_azimuth=70.0)
     scene = Scene(camera=camera, altitude=altitude, sun_zenith=sun_zenith)
     seen = rgb_to_xyz(render(solution, scene).rgb)[:, 0, 1]
     x, y, z = camera.directions()[:, 0].T

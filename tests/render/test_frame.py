@@ -141,10 +141,6 @@ def test_a_wide_strip_needs_little_more_than_its_pixels(lit: Lit) -> None:
     assert peak - frame.rgb.nbytes < 48e6
 
 
-@pytest.mark.xfail(
-    raises=subprocess.CalledProcessError,
-    reason="importing the package airlight.render puts it in the place of the function",
-)
 @pytest.mark.parametrize(
     "statement",
     [

@@ -100,7 +100,8 @@ def test_in_a_white_furnace_no_sphere_gains_or_loses_light(
 
 
 THICK = pytest.mark.xfail(
-    strict=True, reason="the default grid has too few radii inside a low layer this thick: 1 % is lost"
+    strict=True,
+    reason="too few radii inside a low layer this thick: 1 % is lost",
 )
 
 

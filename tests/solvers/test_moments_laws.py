@@ -116,7 +116,6 @@ def test_halving_a_gas_into_two_changes_nothing(
     assert_allclose(b, a, rtol=2e-5, atol=1e-12)
 
 
-@pytest.mark.xfail(strict=True, reason="the cut is weighed by each constituent, not by the air")
 def test_halving_a_haze_into_two_changes_little(
     solved: Callable[..., MomentsSolution], tell: Callable[[str], None]
 ) -> None:

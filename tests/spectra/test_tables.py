@@ -19,9 +19,20 @@ def test_every_table_names_its_quantity_unit_source_and_licence():
         assert table.unit
         assert len(table.source) > 20
         assert table.licence
-        assert np.all(np.diff(table.wavelengths) == 1.0)
+        steps = np.diff(table.wavelengths)
+        assert_array_equal(steps, 10.0 if name == "earth-albedo" else 1.0)
         assert np.all(np.isfinite(table.values))
         assert np.all(table.values >= 0.0)
+
+
+def test_earth_albedo_is_the_mean_of_the_map():
+    # Second path: the spectrum, seen in the sun's light, has the mean colour of the packaged map.
+    from airlight.color.spectral import sun_color
+    from airlight.scene.surface_map import surface_map
+
+    eye = np.arange(360.0, 831.0)
+    reflected = sun_color(solar_irradiance(eye) * read_spectrum("earth-albedo").at(eye))
+    assert_allclose(reflected / sun_color(), surface_map("earth").mean_rgb, rtol=2e-3)
 
 
 def test_solar_spectrum_is_astm_g173_as_pvlib_ships_it():
@@ -81,7 +92,7 @@ def test_shapes_follow_the_wavelengths():
 
 
 def test_an_unknown_table_is_refused_with_the_known_names():
-    with pytest.raises(ParameterError, match="astm-g173, cie-1931, ozone-293k"):
+    with pytest.raises(ParameterError, match="astm-g173, cie-1931, earth-albedo, ozone-293k"):
         read_spectrum("../../planets/earth")
 
 

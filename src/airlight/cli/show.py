@@ -181,4 +181,4 @@ def _sky_colors(planet: Planet, *, cache: bool) -> NDArray[np.uint8]:
     )
     weights = rgb_weights(nm, planet.star.irradiances)
     rgb = np.asarray(radiance) @ weights
-    return np.asarray(to_display(rgb[np.newaxis, :, :], exposure="auto")[0])
+    return np.asarray(to_display(rgb[np.newaxis, :, :])[0])

@@ -1,6 +1,26 @@
-"""A solution seen by a camera becomes a frame."""
+"""A solution seen by a camera becomes a frame.
+
+``airlight.render(solution, scene)`` is the function ``render.render``. Importing this package also
+makes it the attribute ``render`` of ``airlight``, so it answers calls with that function.
+"""
+
+from __future__ import annotations
+
+import sys
+from types import ModuleType
+from typing import Any
 
 from airlight.render.frame import Frame
 from airlight.render.render import render
 
 __all__ = ["Frame", "render"]
+
+
+class _CallablePackage(ModuleType):
+    """The package itself, callable as its function."""
+
+    def __call__(self, *arguments: Any, **options: Any) -> Frame:
+        return render(*arguments, **options)
+
+
+sys.modules[__name__].__class__ = _CallablePackage

@@ -32,19 +32,28 @@ _BLOCK_PIXELS: Final = 1 << 16
 
 @dataclass(frozen=True, kw_only=True)
 class March:
-    """How finely the renderer marches: points a panel, in easy stretches too, panels a leg."""
+    """How finely the renderer marches.
 
-    nodes: int
+    Attributes
+    ----------
+    easy_nodes, nodes, grazing_nodes : int
+        Points a panel, for the three kinds of stretches that ``march`` tells apart.
+    panels : int
+        Panels a leg.
+    """
+
     easy_nodes: int
+    nodes: int
+    grazing_nodes: int
     panels: int
 
 
 #: By quality level of the solution: a pixel needs less than a query.
 MARCHES: Final = {
-    "preview": March(nodes=8, easy_nodes=6, panels=1),
-    "default": March(nodes=12, easy_nodes=8, panels=1),
+    "preview": March(easy_nodes=8, nodes=12, grazing_nodes=24, panels=1),
+    "default": March(easy_nodes=8, nodes=12, grazing_nodes=24, panels=1),
 }
-_FINE: Final = March(nodes=20, easy_nodes=20, panels=2)
+_FINE: Final = March(easy_nodes=20, nodes=20, grazing_nodes=24, panels=2)
 
 
 def render(
@@ -85,14 +94,15 @@ def render(
         pixel_angle=camera.pixel_angle,
     )
     march = _march_for(solution)
-    rules = (gauss_legendre(march.easy_nodes).as_tuple(), gauss_legendre(march.nodes).as_tuple())
+    counts = (march.easy_nodes, march.nodes, march.grazing_nodes)
+    rules = tuple(gauss_legendre(count).as_tuple() for count in counts)
     light, paint = solution.light, _paint(solution, weights)
     step = max(1, _BLOCK_PIXELS // camera.width)
 
     def rows(index: int) -> None:
         chosen = slice(index * step, min((index + 1) * step, camera.height))
         directions = camera.directions(chosen)
-        work = solution.workspace(march.nodes, march.panels)
+        work = solution.workspace(march.grazing_nodes, march.panels)
         packet = new_packet(light.scattering.size)
         _shade_rows(directions, view, paint, light, march.panels, rules, packet, work, rgb[chosen])
 

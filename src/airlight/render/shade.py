@@ -138,7 +138,7 @@ def shade(directions, view, paint, light, panels, rules, packet, work, out):
         Unit vectors in the local frame; a zero vector leaves its pixel black.
     view, paint, light : View, Paint, Light
         Who looks, the colours, the solution.
-    panels, rules : int, pair of tuples of arrays
+    panels, rules : int, three tuples of arrays
         As in ``march``.
     packet, work : Packet, Workspace
         Scratch.

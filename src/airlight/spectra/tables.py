@@ -92,7 +92,7 @@ def spectrum_names() -> tuple[str, ...]:
     Examples
     --------
     >>> spectrum_names()
-    ('astm-g173', 'cie-1931', 'ozone-293k')
+    ('astm-g173', 'cie-1931', 'earth-albedo', 'ozone-293k')
     """
     folder = files("airlight.spectra") / "data"
     found = (entry.name.removesuffix(".csv") for entry in folder.iterdir() if ".csv" in entry.name)

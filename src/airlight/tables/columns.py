@@ -324,23 +324,30 @@ def _table_rays(x, y, bottom_radius, top_radius, r, mu, length):
             length[i, j] = shortest + y[i, j] * (longest - shortest)
 
 
-def as_column_ratios(values: FloatArray) -> FloatArray:
-    """A column table for interpolation as ratios: (s, column·s) with s = 1/sqrt(column).
+def mean_density_ratios(table: ColumnTable) -> FloatArray:
+    """A column table for interpolation as ratios: (s, m·s), m the mean density along the ray.
 
-    The ratio of the two interpolated numbers is exact at the nodes and, for columns that fall
-    exponentially, halfway between them. Below 1e-6 of its largest value a column is interpolated
-    linearly.
+    With m = column/distance and s = 1/sqrt(m), the ratio of the two interpolated numbers is exact
+    at the nodes, halfway between them where m falls exponentially (with altitude, or away from the
+    horizon), and everywhere in flat air, where m does not depend on direction. Times the distance
+    to the top it is the column. Below 1e-6 of its largest value m is interpolated linearly.
 
     Parameters
     ----------
-    values : array, shape (radii, directions, nc)
-        [m]
+    table : ColumnTable
+        The columns.
 
     Returns
     -------
     array, shape (radii, directions, nc, 2)
-        [m^-1/2], [m^1/2]
+        [1]
     """
-    largest = values.max(axis=(0, 1))
-    scale = 1.0 / np.sqrt(np.maximum(values + 1e-6 * largest, 1e-300))
-    return np.stack([scale, values * scale], axis=-1)
+    shape = table.values.shape[:2]
+    x, y = np.meshgrid(np.linspace(0, 1, shape[0]), np.linspace(0, 1, shape[1]), indexing="ij")
+    r, mu, length = np.empty(shape), np.empty(shape), np.empty(shape)
+    _table_rays(x, y, table.bottom_radius, table.top_radius, r, mu, length)
+    mean = table.values / np.maximum(length, 1e-9)[..., None]
+    mean[-1, 0] = mean[-1, 1]  # at the top, straight up, there is no way left
+    largest = mean.max(axis=(0, 1))
+    scale = 1.0 / np.sqrt(np.maximum(mean + 1e-6 * largest, 1e-300))
+    return np.stack([scale, mean * scale], axis=-1)

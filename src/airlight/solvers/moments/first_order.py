@@ -27,14 +27,16 @@ def sun_elevation(r, mu_s, bottom_radius):
 
 
 @compiled_loop
-def interpolate_row(ratios, x, out):
-    """One row of a column table, between its radii. [m]"""
+def interpolate_row(ratios, x, shortest, longest, out):
+    """Columns from one radius in all directions of a table, whose distances lie evenly. [m]"""
     row = min(int(x), ratios.shape[0] - 2)
     f = x - row
+    step = (longest - shortest) / (ratios.shape[1] - 1)
     for j in range(ratios.shape[1]):
         for c in range(ratios.shape[2]):
             scale = ratios[row, j, c, 0] * (1.0 - f) + ratios[row + 1, j, c, 0] * f
-            out[j, c] = (ratios[row, j, c, 1] * (1.0 - f) + ratios[row + 1, j, c, 1] * f) / scale
+            scaled = ratios[row, j, c, 1] * (1.0 - f) + ratios[row + 1, j, c, 1] * f
+            out[j, c] = (shortest + j * step) * scaled / scale
 
 
 @compiled_loop
@@ -46,7 +48,7 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, out, sk
     i, grid, rays, azimuths, air, expansion, out, sky_out :
         As in ``sweep_radius``.
     columns : array, shape (radii, directions, nc, 2)
-        Of a ``ColumnTable``, from ``as_column_ratios``.
+        Of a ``ColumnTable``, from ``mean_density_ratios``.
     """
     # Arrays are taken out of their tuples once: inside the loop each access would count references.
     bottom, top, radii, sun_cosines, _, _ = grid
@@ -70,12 +72,14 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, out, sk
     constituents = totals.shape[2]
     angles = all_mu.shape[1]
     r = radii[i]
+    tangent = sqrt((top - bottom) * (top + bottom))
     most = 0
     for a in range(angles):
         most = max(most, starts[i, a + 1] - starts[i, a])
     directions = columns.shape[1]
     sun_columns = np.empty((max(most, 1), directions, constituents))
-    ground_columns = columns[0, :, :, 1] / columns[0, :, :, 0]
+    ground_columns = np.empty((directions, constituents))
+    interpolate_row(columns, 0.0, top - bottom, tangent, ground_columns)
     strength = np.empty(max(most, 1) * constituents * LANES, np.float32)
     phase = np.empty(constituents * LANES, np.float32)
     functions = np.empty(terms)
@@ -91,7 +95,13 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, out, sk
         for k in range(points):
             q = ray_radii[first + k]
             x = altitude_coordinate(q, bottom, top)
-            interpolate_row(columns, x * (columns.shape[0] - 1), sun_columns[k])
+            interpolate_row(
+                columns,
+                x * (columns.shape[0] - 1),
+                top - q,
+                (1.0 + x) * tangent,
+                sun_columns[k],
+            )
             through = exponential(
                 0.0 - optical_depth(depths[first + k], 0, extinction, constituents)
             )

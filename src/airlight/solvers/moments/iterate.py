@@ -24,7 +24,7 @@ from airlight.solvers.moments.packing import pack_light
 from airlight.solvers.moments.rays import Rays, trace_rays
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.sweep import Air, Azimuths, sweep_radius
-from airlight.tables.columns import ColumnTable, as_column_ratios, density_table
+from airlight.tables.columns import ColumnTable, density_table, mean_density_ratios
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -120,8 +120,8 @@ def solve_moments(
         expansion=harmonics(degree),
         cancel=cancel,
     )
-    columns = ColumnTable.build(medium.bottom_radius, medium.top_radius, medium.density).values
-    ratios = as_column_ratios(columns)
+    table = ColumnTable.build(medium.bottom_radius, medium.top_radius, medium.density)
+    ratios = mean_density_ratios(table)
     count = medium.wavelengths.size
     field = np.empty((settings.radii, settings.suns, coefficient_count(degree), count), np.float32)
     sky = np.empty((settings.radii, settings.suns, count), np.float32)
@@ -135,7 +135,7 @@ def solve_moments(
         field[..., block], sky[..., block], residual[block], sweeps = result
         most = max(most, sweeps)
     return Moments(
-        degree=degree, grid=grid, field=field, sky=sky, columns=columns, sweeps=most,
+        degree=degree, grid=grid, field=field, sky=sky, columns=table.values, sweeps=most,
         residual=residual,
     )  # fmt: skip
 

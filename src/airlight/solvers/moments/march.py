@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.path import MAX_EDGES, place_edges, shadow_edges
-from airlight.geometry.shell import radius_along
+from airlight.geometry.shell import distance_to_top, radius_along
 from airlight.geometry.sun_disc import mean_cosine, visible_fraction
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, exponential, load, splat, store
@@ -31,7 +31,9 @@ PACKET: Final = 16
 
 #: A stretch is steep if it is so much shorter, of the shell's thickness; and in full daylight if
 #: the star's zenith cosine is larger at both ends. Eight points then err by less than 1e-3.
-_STEEP: Final = 5.0
+_STEEP: Final = 3.0
+#: A stretch so many times longer than the shell is thick grazes the densest air.
+_GRAZING: Final = 6.0
 _FULL_DAY: Final = 0.1
 
 FloatArray = NDArray[np.float64]
@@ -57,7 +59,7 @@ class Light(NamedTuple):
         Irradiance of a level surface by scattered light, as (s, E·s) per node; the first radius
         is the ground.
     columns : array, shape (radii, directions, nc, 2)
-        Of a ``ColumnTable``, from ``as_column_ratios``. [m]
+        Of a ``ColumnTable``, from ``mean_density_ratios``. [1]
     density : array, shape (nodes, nc)
         From ``density_table``.
     strongest : array, shape (nc,)
@@ -141,6 +143,7 @@ def sun_columns(q, mu_s, bottom, top, values, here):
     e = x - place
     w00, w01 = (1.0 - f) * (1.0 - e), (1.0 - f) * e
     w10, w11 = f * (1.0 - e), f * e
+    distance = distance_to_top(q, mu_s, top)
     for c in range(values.shape[2]):
         scale = (
             w00 * values[row, place, c, 0]
@@ -154,7 +157,7 @@ def sun_columns(q, mu_s, bottom, top, values, here):
             + w10 * values[row + 1, place, c, 1]
             + w11 * values[row + 1, place + 1, c, 1]
         )
-        here[c] = scaled / scale
+        here[c] = distance * scaled / scale
 
 
 @inlined
@@ -208,9 +211,9 @@ def march(packet, rays, orders, panels, rules, light, work):
         1: the star's light scattered once; 0: all the rest; 2: both together.
     panels : int
         Panels a leg.
-    rules : pair of tuples of arrays
+    rules : three tuples of arrays
         Nodes, weights, running integrals of a panel: for stretches that are steep and in full
-        daylight, where the source is smooth, and for all others.
+        daylight, where the source is smooth; for most; and for those that graze the ground.
     light : Light
         The solution.
     work : Workspace
@@ -242,8 +245,10 @@ def march(packet, rays, orders, panels, rules, light, work):
         edge_count = place_edges(r, mu, lengths[p], panels, first_cut, second_cut, edges)
         path = (distance[p], radius[p], weight[p], density[p], column[p], total[p], work.scratch)
         end = min(mu_s, (r * mu_s + lengths[p] * nu) / radius_along(r, mu, lengths[p]))
-        easy = end > _FULL_DAY and lengths[p] < _STEEP * (top - bottom)
-        rule = rules[0] if easy else rules[1]
+        slant = lengths[p] / (top - bottom)
+        rule = rules[1] if slant < _GRAZING else rules[2]
+        if end > _FULL_DAY and slant < _STEEP:
+            rule = rules[0]
         counts[p] = trace_resolved(
             r, mu, edges, edge_count, rule, bottom, top - bottom, table, strongest, path
         )

@@ -32,7 +32,7 @@ from airlight.solvers.moments.packing import pack, pack_light
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.solution import Report, Sight, Solution
 from airlight.tables import cache as disk
-from airlight.tables.columns import as_column_ratios, density_table
+from airlight.tables.columns import ColumnTable, density_table, mean_density_ratios
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -80,6 +80,7 @@ class MomentsSolution(Solution):
             return np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
 
         field, sky = pack_light(filled(moments.field), filled(moments.sky))
+        table = ColumnTable(medium.bottom_radius, medium.top_radius, moments.columns)
         return Light(
             grid=moments.grid,
             air=make_air(medium, moments.degree, slice(None)),
@@ -87,7 +88,7 @@ class MomentsSolution(Solution):
             expansion=harmonics(moments.degree),
             field=field,
             sky=sky,
-            columns=as_column_ratios(moments.columns),
+            columns=mean_density_ratios(table),
             density=density_table(medium.density, medium.thickness),
             strongest=medium.extinction.max(axis=1),
         )
@@ -125,7 +126,7 @@ class MomentsSolution(Solution):
                 2 if order is None else 1,
                 phase,
                 panels,
-                (rule, rule),
+                (rule, rule, rule),
                 light,
                 new_packet(phase.shape[1]),
                 self.workspace(nodes, panels),
