@@ -20,7 +20,10 @@ _KEPT = {"deg": "degree", "nm": "nanometer", "1": "dimensionless"}
 def _registry() -> pint.UnitRegistry[Any]:
     import pint
 
-    return pint.UnitRegistry()
+    try:
+        return pint.UnitRegistry(cache_folder=":auto:")  # parsed definitions, a tenth of a second
+    except Exception:  # a home without a place for it, or a damaged cache
+        return pint.UnitRegistry()
 
 
 def quantity(text: str | float, unit: str, field: str = "value") -> float:

@@ -26,8 +26,8 @@ from airlight.solvers.moments.solution import MomentsSolution
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Pixels in one block of rows: about 1.5 MB of directions.
-_BLOCK_PIXELS: Final = 1 << 16
+#: Pixels in one block of rows: small enough that no core waits long for the last one.
+_BLOCK_PIXELS: Final = 1 << 13
 
 
 @dataclass(frozen=True, kw_only=True)

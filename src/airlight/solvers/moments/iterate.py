@@ -120,7 +120,12 @@ def solve_moments(
         expansion=harmonics(degree),
         cancel=cancel,
     )
-    table = ColumnTable.build(medium.bottom_radius, medium.top_radius, medium.density)
+    table = ColumnTable.build(
+        medium.bottom_radius,
+        medium.top_radius,
+        medium.density,
+        (settings.column_radii, settings.column_directions),
+    )
     ratios = mean_density_ratios(table)
     count = medium.wavelengths.size
     field = np.empty((settings.radii, settings.suns, coefficient_count(degree), count), np.float32)

@@ -31,9 +31,12 @@ PACKET: Final = 16
 
 #: A stretch is steep if it is so much shorter, of the shell's thickness; and in full daylight if
 #: the star's zenith cosine is larger at both ends. Eight points then err by less than 1e-3.
-_STEEP: Final = 3.0
+_STEEP: Final = 4.0
 #: A stretch so many times longer than the shell is thick grazes the densest air.
-_GRAZING: Final = 6.0
+_GRAZING: Final = 9.0
+#: By day, points that scatter less than this part of their stretch are not asked for the light
+#: scattered before: at most a dozen of them, in the thinnest air.
+_FAINT: Final = 5e-4
 _FULL_DAY: Final = 0.1
 
 FloatArray = NDArray[np.float64]
@@ -62,8 +65,8 @@ class Light(NamedTuple):
         Of a ``ColumnTable``, from ``mean_density_ratios``. [1]
     density : array, shape (nodes, nc)
         From ``density_table``.
-    strongest : array, shape (nc,)
-        Largest extinction of each constituent at any wavelength. [m⁻¹]
+    strongest, brightest : array, shape (nc,)
+        Largest extinction and largest scattering of each constituent at any wavelength. [m⁻¹]
     """
 
     grid: Grid
@@ -75,6 +78,7 @@ class Light(NamedTuple):
     columns: FloatArray
     density: FloatArray
     strongest: FloatArray
+    brightest: FloatArray
 
 
 class Workspace(NamedTuple):
@@ -84,7 +88,7 @@ class Workspace(NamedTuple):
     ----------
     edges, counts, distance, radius, weight, density, column, total, scratch :
         Of the rays, overwritten by ``march``.
-    functions, here, rho, depths :
+    functions, here, rho, depths, faint :
         Of one point, overwritten by ``march``.
     received : array, shape (w,)
         Irradiance of the ground by ``ground_light``. [1]
@@ -105,6 +109,7 @@ class Workspace(NamedTuple):
     here: FloatArray
     rho: Float32Array
     depths: Float32Array
+    faint: FloatArray
     received: Float32Array
     radiance: Float32Array
     through: Float32Array
@@ -126,6 +131,7 @@ def new_workspace(points: int, constituents: int, terms: int, lanes: int) -> Wor
         here=np.empty(constituents),
         rho=np.empty(constituents, np.float32),
         depths=np.empty(constituents, np.float32),
+        faint=np.empty(PACKET),
         received=np.empty(lanes, np.float32),
         radiance=np.empty((PACKET, lanes), np.float32),
         through=np.empty((PACKET, lanes), np.float32),
@@ -228,10 +234,11 @@ def march(packet, rays, orders, panels, rules, light, work):
     extinction, moments = light.air.extinction, light.air.moments
     star_radius, lanes = light.air.star_radius, light.air.albedo.size
     scattering, field, sun_table = light.scattering, light.field, light.columns
-    expansion, table, strongest = light.expansion, light.density, light.strongest
+    expansion, table = light.expansion, light.density
+    strongest, brightest = light.strongest, light.brightest
     degree = expansion.degree
     functions, here, edges, counts = work.functions, work.here, work.edges, work.counts
-    rho, depths = work.rho, work.depths
+    rho, depths, faint = work.rho, work.depths, work.faint
     distance, radius, weight = work.distance, work.radius, work.weight
     density, column, total = work.density, work.column, work.total
     radiance, through = work.radiance, work.through
@@ -246,13 +253,18 @@ def march(packet, rays, orders, panels, rules, light, work):
         path = (distance[p], radius[p], weight[p], density[p], column[p], total[p], work.scratch)
         end = min(mu_s, (r * mu_s + lengths[p] * nu) / radius_along(r, mu, lengths[p]))
         slant = lengths[p] / (top - bottom)
+        day = end > _FULL_DAY
         rule = rules[1] if slant < _GRAZING else rules[2]
-        if end > _FULL_DAY and slant < _STEEP:
+        if day and slant < _STEEP:
             rule = rules[0]
         counts[p] = trace_resolved(
             r, mu, edges, edge_count, rule, bottom, top - bottom, table, strongest, path
         )
         most = max(most, counts[p])
+        depth = 0.0
+        for c in range(constituents):
+            depth += brightest[c] * total[p, c]
+        faint[p] = _FAINT * min(depth, 1.0) if day else 0.0
         for at in range(0, lanes, LANES):
             store(radiance[p], at, splat(0.0))
             store(through[p], at, through_columns(total[p], extinction, lanes, at))
@@ -276,7 +288,11 @@ def march(packet, rays, orders, panels, rules, light, work):
                     sun_columns(q, mu_sq, bottom, top, sun_table, here)
             w00, w01, w10, w11 = np.float32(0.0), np.float32(0.0), np.float32(0.0), np.float32(0.0)
             a00 = 0
-            if orders != 1:
+            depth = 0.0
+            for c in range(constituents):
+                depth += brightest[c] * density[p, c, k]
+            gathers = orders != 1 and depth * weight[p, k] >= faint[p]
+            if gathers:
                 mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
                 legendre_functions(mu_q, expansion, functions)
                 spread = (1.0 - mu_q) * (1.0 + mu_q) * (1.0 - mu_sq) * (1.0 + mu_sq)
@@ -306,7 +322,7 @@ def march(packet, rays, orders, panels, rules, light, work):
                     source = (
                         source * np.float32(seen) * through_columns(here, extinction, lanes, at)
                     )
-                if orders != 1:
+                if gathers:
                     gathered = splat(0.0)
                     for l in range(degree + 1):
                         strength = splat(0.0)

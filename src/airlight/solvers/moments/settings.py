@@ -30,6 +30,8 @@ class Settings:
         Largest change by one more order, relative to the sum, that ends the iteration. [1]
     max_sweeps : int
         The iteration gives up after so many.
+    column_radii, column_directions : int
+        Shape of the table of columns towards the star.
     march_nodes, march_panels : int
         Points a panel and panels a leg when radiance is asked for.
     """
@@ -43,6 +45,8 @@ class Settings:
     nodes: int
     tolerance: float
     max_sweeps: int
+    column_radii: int
+    column_directions: int
     march_nodes: int
     march_panels: int
 
@@ -62,6 +66,8 @@ QUALITIES: Final = {
         nodes=8,
         tolerance=1e-2,
         max_sweeps=400,
+        column_radii=64,
+        column_directions=144,
         march_nodes=16,
         march_panels=1,
     ),
@@ -75,6 +81,8 @@ QUALITIES: Final = {
         nodes=14,
         tolerance=2e-3,
         max_sweeps=800,
+        column_radii=128,
+        column_directions=256,
         march_nodes=20,
         march_panels=2,
     ),
@@ -88,6 +96,8 @@ QUALITIES: Final = {
         nodes=20,
         tolerance=1e-4,
         max_sweeps=2000,
+        column_radii=160,
+        column_directions=288,
         march_nodes=24,
         march_panels=4,
     ),

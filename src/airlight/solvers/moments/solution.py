@@ -91,6 +91,7 @@ class MomentsSolution(Solution):
             columns=mean_density_ratios(table),
             density=density_table(medium.density, medium.thickness),
             strongest=medium.extinction.max(axis=1),
+            brightest=medium.scattering.max(axis=1),
         )
 
     def workspace(self, nodes: int, panels: int) -> Workspace:
