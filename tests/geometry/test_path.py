@@ -12,7 +12,6 @@ from scipy.integrate import quad
 
 from airlight.geometry.path import (
     MAX_EDGES,
-    lowest_radius,
     place_edges,
     place_nodes,
     ray_length,
@@ -120,16 +119,6 @@ def test_rays_just_off_the_horizontal_are_integrated_as_well_as_others() -> None
         truth = (rule.weights * ds) @ np.exp(-(lowest + y * y - BOTTOM) / 8e3)
         assert_allclose(weight @ np.exp(-(radius - BOTTOM) / 8e3), truth, rtol=1e-5)
         assert_allclose(weight.sum(), length, rtol=1e-5)
-
-
-@pytest.mark.parametrize(("altitude", "mu", "share"), RAYS)
-def test_lowest_radius_is_the_lowest_of_many(altitude: float, mu: float, share: float) -> None:
-    # Brute force: the smallest of the radii at 100 001 distances; the spacing errs by d²/8r.
-    r = BOTTOM + altitude
-    length = share * ray_length(r, mu, BOTTOM, TOP)
-    s = np.linspace(0.0, length, 100_001)
-    brute = vectorized(radius_along)(r, mu, s).min()
-    assert_allclose(lowest_radius(r, mu, length), brute, rtol=0, atol=1e-4)
 
 
 def test_shadow_edges_are_where_the_shadow_is_entered_and_left() -> None:

@@ -13,8 +13,6 @@ from __future__ import annotations
 
 from math import sqrt
 
-import numpy as np
-
 from airlight.geometry.shell import (
     chord,
     distance_to_bottom,
@@ -29,17 +27,6 @@ MAX_EDGES = 64
 #: A leg begins beside its line's tangent point if that is lower by less than this part of the
 #: leg's height. A smaller one is less smooth, a larger one leaves few points in a low haze.
 _BESIDE = 0.02
-
-
-@kernel
-def lowest_radius(r, mu, length):
-    """The smallest distance from the centre on a stretch of a ray. [m]"""
-    nearest = -r * mu
-    if nearest <= 0.0:
-        return r
-    if nearest < length:
-        return r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
-    return radius_along(r, mu, length)
 
 
 @kernel
@@ -224,8 +211,3 @@ def place_nodes(r, mu, edges, edge_count, nodes, weights, distance, radius, weig
             weight[count] = abs(to_low - from_low) * weights[k] * slope
             count += 1
     return count
-
-
-def new_edges():
-    """Room for the edges of one ray. [m]"""
-    return np.empty(MAX_EDGES)
