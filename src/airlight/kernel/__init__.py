@@ -36,12 +36,18 @@ def cache_folder() -> Path:
     return Path(named) if named else Path(platformdirs.user_cache_dir("airlight", appauthor=False))
 
 
+#: Rooms above the renderer: nothing below may import them, and they hold no compiled code.
+WITHOUT_KERNELS: Final = ("exports", "plots", "validation", "viewer", "cli")
+
+
 @cache
 def source_fingerprint() -> str:
-    """A short hash of every source file of the package and of the compiler's version."""
+    """A short hash of every source file that compiled code can depend on, and of the compiler."""
     digest = hashlib.sha256(f"{numba.__version__}".encode())
     root = Path(__file__).parent.parent
     for file in sorted(root.rglob("*.py")):
+        if file.relative_to(root).parts[0] in WITHOUT_KERNELS:
+            continue
         digest.update(file.relative_to(root).as_posix().encode())
         digest.update(file.read_bytes())
     return digest.hexdigest()[:16]

@@ -150,12 +150,14 @@ class Solution(ABC):
     medium: Medium
     report: Report
     planet: Planet | None = None
+    #: Orders up to this one can be asked for one by one.
+    highest_order: int = 1
 
     @abstractmethod
     def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
         """Radiance per irradiance of the star along lines of sight, shape (n, nl). [sr⁻¹]
 
-        ``order = 1`` gives the light scattered or reflected exactly once.
+        ``order`` gives the light scattered or reflected exactly so many times.
         """
 
     @abstractmethod
@@ -191,7 +193,8 @@ class Solution(ABC):
         azimuth : array
             Between the horizontal projections of view and star; 0 looks to the star's side. [deg]
         order : int, optional
-            1 for the light that was scattered or reflected exactly once.
+            For the light that was scattered or reflected exactly so many times: 1 to
+            ``highest_order``.
 
         Returns
         -------
@@ -203,19 +206,10 @@ class Solution(ABC):
         ParameterError
             If a value is out of its range, or the shapes do not broadcast.
         """
-        if order not in (None, 1):
-            raise ParameterError("order", order, "1, or nothing for all orders")
-        arrays, shape = _broadcast(
-            altitude=_checked("altitude", altitude, 0.0, HIGHEST, "m"),
-            sun_zenith=_checked("sun_zenith", sun_zenith, 0.0, 180.0, "deg"),
-            view_zenith=_checked("view_zenith", view_zenith, 0.0, 180.0, "deg"),
-            azimuth=_checked("azimuth", azimuth, -360.0, 360.0, "deg"),
+        sight, shape = self.lines_of_sight(
+            altitude=altitude, sun_zenith=sun_zenith, view_zenith=view_zenith, azimuth=azimuth
         )
-        sun, view, around = (np.radians(one) for one in arrays[1:])
-        mu, mu_s = np.cos(view), np.cos(sun)
-        nu = np.clip(mu * mu_s + np.sin(view) * np.sin(sun) * np.cos(around), -1.0, 1.0)
-        bottom, top = self.medium.bottom_radius, self.medium.top_radius
-        sight = enter_shell(bottom + arrays[0], mu, np.sin(view), mu_s, nu, bottom, top)
+        self.check_order(order)
         values = self.relative_radiance(sight, order=order) * self.medium.solar_irradiance
         return self._labelled(
             values,
@@ -227,6 +221,46 @@ class Solution(ABC):
             view_zenith=view_zenith,
             azimuth=azimuth,
         )
+
+    def check_order(self, order: int | None) -> None:
+        """Refuse an order that the solver has not kept apart."""
+        if order is not None and not (
+            isinstance(order, int) and 1 <= order <= self.highest_order
+        ):
+            allowed = f"1 to {self.highest_order}" if self.highest_order > 1 else "1"
+            raise ParameterError("order", order, f"{allowed}, or nothing for all orders")
+
+    def lines_of_sight(
+        self,
+        *,
+        altitude: ArrayLike,
+        sun_zenith: ArrayLike,
+        view_zenith: ArrayLike,
+        azimuth: ArrayLike = 0.0,
+    ) -> tuple[Sight, tuple[int, ...]]:
+        """Lines of sight inside the shell, flat, and the shape that the inputs broadcast to.
+
+        Parameters
+        ----------
+        altitude, sun_zenith, view_zenith, azimuth : array
+            As ``radiance`` takes them. [m], [deg]
+
+        Raises
+        ------
+        ParameterError
+            If a value is out of its range, or the shapes do not broadcast.
+        """
+        arrays, shape = _broadcast(
+            altitude=_checked("altitude", altitude, 0.0, HIGHEST, "m"),
+            sun_zenith=_checked("sun_zenith", sun_zenith, 0.0, 180.0, "deg"),
+            view_zenith=_checked("view_zenith", view_zenith, 0.0, 180.0, "deg"),
+            azimuth=_checked("azimuth", azimuth, -360.0, 360.0, "deg"),
+        )
+        sun, view, around = (np.radians(one) for one in arrays[1:])
+        mu, mu_s = np.cos(view), np.cos(sun)
+        nu = np.clip(mu * mu_s + np.sin(view) * np.sin(sun) * np.cos(around), -1.0, 1.0)
+        bottom, top = self.medium.bottom_radius, self.medium.top_radius
+        return enter_shell(bottom + arrays[0], mu, np.sin(view), mu_s, nu, bottom, top), shape
 
     def transmittance(
         self, *, altitude: ArrayLike, view_zenith: ArrayLike, distance: ArrayLike | None = None
