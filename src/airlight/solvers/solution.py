@@ -224,9 +224,7 @@ class Solution(ABC):
 
     def check_order(self, order: int | None) -> None:
         """Refuse an order that the solver has not kept apart."""
-        if order is not None and not (
-            isinstance(order, int) and 1 <= order <= self.highest_order
-        ):
+        if order is not None and not (isinstance(order, int) and 1 <= order <= self.highest_order):
             allowed = f"1 to {self.highest_order}" if self.highest_order > 1 else "1"
             raise ParameterError("order", order, f"{allowed}, or nothing for all orders")
 
