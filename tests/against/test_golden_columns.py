@@ -10,9 +10,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.planets import Medium, Planet
-from airlight.solvers.moments.march import sun_columns
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.tables.columns import ColumnTable, columns, mean_density_ratios
+from airlight.tables.column_ratios import columns_to_top, mean_density_ratios
+from airlight.tables.columns import ColumnTable, columns
 
 BOTTOM, TOP = 6360e3, 6460e3
 #: From the top of the shell past a lowest height of 10 km.
@@ -114,7 +114,7 @@ def test_the_table_of_columns_is_good_to_a_thousandth(
     got, here = np.empty_like(truth), np.empty(3)
     ratios = mean_density_ratios(table)
     for k in range(r.size):
-        sun_columns(r[k], mu[k], BOTTOM, TOP, ratios, here)
+        columns_to_top(r[k], mu[k], BOTTOM, TOP, ratios, here)
         got[k] = here
     depth = medium.extinction.max(axis=1)
     counts = truth * depth > 0.1

@@ -8,6 +8,18 @@ from airlight.kernel import kernel
 
 
 @kernel
+def sun_elevation(r, mu_s, bottom_radius):
+    """Elevation of the star's centre above the geometric horizon, right near it. [rad]
+
+    The difference of the cosines over the sine of the horizon's zenith angle: within the disc of
+    a star of 0.5° its error is below 3e-5 rad.
+    """
+    sine = bottom_radius / r
+    horizon = -sqrt(max((1.0 - sine) * (1.0 + sine), 0.0))
+    return (mu_s - horizon) / sine
+
+
+@kernel
 def visible_fraction(elevation, angular_radius):
     """Part of a disc's area above a straight horizon: the exact circular segment. [1]
 

@@ -299,7 +299,7 @@ class ColumnTable:
         """Integrate every entry of the table (relative error below 1e-5)."""
         x, y = np.meshgrid(np.linspace(0, 1, shape[0]), np.linspace(0, 1, shape[1]), indexing="ij")
         r, mu, length = np.empty(shape), np.empty(shape), np.empty(shape)
-        _table_rays(x, y, bottom_radius, top_radius, r, mu, length)
+        table_rays(x, y, bottom_radius, top_radius, r, mu, length)
         values = np.empty((*shape, density.edges.shape[0]))
 
         def row(index: int) -> None:
@@ -312,7 +312,8 @@ class ColumnTable:
 
 
 @compiled_loop
-def _table_rays(x, y, bottom_radius, top_radius, r, mu, length):
+def table_rays(x, y, bottom_radius, top_radius, r, mu, length):
+    """Radius [m], cosine [1] and way to the top [m] of each entry, shape (rows, columns)."""
     for i in range(x.shape[0]):
         for j in range(x.shape[1]):
             r[i, j] = min(radius_from_coordinate(x[i, j], bottom_radius, top_radius), top_radius)
@@ -322,32 +323,3 @@ def _table_rays(x, y, bottom_radius, top_radius, r, mu, length):
             tangent = sqrt((top_radius - bottom_radius) * (top_radius + bottom_radius))
             longest = x[i, j] * tangent + tangent
             length[i, j] = shortest + y[i, j] * (longest - shortest)
-
-
-def mean_density_ratios(table: ColumnTable) -> FloatArray:
-    """A column table for interpolation as ratios: (s, m·s), m the mean density along the ray.
-
-    With m = column/distance and s = 1/sqrt(m), the ratio of the two interpolated numbers is exact
-    at the nodes, halfway between them where m falls exponentially (with altitude, or away from the
-    horizon), and everywhere in flat air, where m does not depend on direction. Times the distance
-    to the top it is the column. Below 1e-6 of its largest value m is interpolated linearly.
-
-    Parameters
-    ----------
-    table : ColumnTable
-        The columns.
-
-    Returns
-    -------
-    array, shape (radii, directions, nc, 2)
-        [1]
-    """
-    shape = table.values.shape[:2]
-    x, y = np.meshgrid(np.linspace(0, 1, shape[0]), np.linspace(0, 1, shape[1]), indexing="ij")
-    r, mu, length = np.empty(shape), np.empty(shape), np.empty(shape)
-    _table_rays(x, y, table.bottom_radius, table.top_radius, r, mu, length)
-    mean = table.values / np.maximum(length, 1e-9)[..., None]
-    mean[-1, 0] = mean[-1, 1]  # at the top, straight up, there is no way left
-    largest = mean.max(axis=(0, 1))
-    scale = 1.0 / np.sqrt(np.maximum(mean + 1e-6 * largest, 1e-300))
-    return np.stack([scale, mean * scale], axis=-1)

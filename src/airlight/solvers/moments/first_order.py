@@ -6,24 +6,12 @@ from math import sqrt
 
 import numpy as np
 
-from airlight.geometry.sun_disc import mean_cosine, visible_fraction
-from airlight.kernel import compiled_loop, inlined, kernel
+from airlight.geometry.sun_disc import mean_cosine, sun_elevation, visible_fraction
+from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
 from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate
 from airlight.solvers.moments.harmonics import legendre_functions
 from airlight.solvers.moments.sweep import optical_depth, project
-
-
-@kernel
-def sun_elevation(r, mu_s, bottom_radius):
-    """Elevation of the star's centre above the geometric horizon, right near it. [rad]
-
-    The difference of the cosines over the sine of the horizon's zenith angle: within the disc of
-    a star of 0.5° its error is below 3e-5 rad.
-    """
-    sine = bottom_radius / r
-    horizon = -sqrt(max((1.0 - sine) * (1.0 + sine), 0.0))
-    return (mu_s - horizon) / sine
 
 
 @compiled_loop

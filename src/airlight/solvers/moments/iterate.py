@@ -24,7 +24,8 @@ from airlight.solvers.moments.packing import pack_light
 from airlight.solvers.moments.rays import Rays, trace_rays
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.sweep import Air, Azimuths, sweep_radius
-from airlight.tables.columns import ColumnTable, density_table, mean_density_ratios
+from airlight.tables.column_ratios import mean_density_ratios
+from airlight.tables.columns import ColumnTable, density_table
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]

@@ -15,15 +15,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.path import MAX_EDGES, place_edges, shadow_edges
-from airlight.geometry.shell import distance_to_top, radius_along
-from airlight.geometry.sun_disc import mean_cosine, visible_fraction
+from airlight.geometry.shell import radius_along
+from airlight.geometry.sun_disc import mean_cosine, sun_elevation, visible_fraction
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, exponential, load, splat, store
-from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate
-from airlight.solvers.moments.first_order import sun_elevation
 from airlight.solvers.moments.grid import Grid, row_of
 from airlight.solvers.moments.harmonics import Harmonics, legendre_functions
 from airlight.solvers.moments.sweep import Air, place_of
+from airlight.tables.column_ratios import columns_to_top
 from airlight.tables.columns import trace_resolved
 
 #: Rays that march side by side: neighbours read the same moments, which then stay in the cache.
@@ -136,34 +135,6 @@ def new_workspace(points: int, constituents: int, terms: int, lanes: int) -> Wor
         radiance=np.empty((PACKET, lanes), np.float32),
         through=np.empty((PACKET, lanes), np.float32),
     )
-
-
-@inlined
-def sun_columns(q, mu_s, bottom, top, values, here):
-    """Columns from a point towards the star, from the table. [m]"""
-    x = altitude_coordinate(q, bottom, top) * (values.shape[0] - 1)
-    row = min(int(x), values.shape[0] - 2)
-    f = x - row
-    x = direction_coordinate(q, mu_s, bottom, top) * (values.shape[1] - 1)
-    place = min(int(x), values.shape[1] - 2)
-    e = x - place
-    w00, w01 = (1.0 - f) * (1.0 - e), (1.0 - f) * e
-    w10, w11 = f * (1.0 - e), f * e
-    distance = distance_to_top(q, mu_s, top)
-    for c in range(values.shape[2]):
-        scale = (
-            w00 * values[row, place, c, 0]
-            + w01 * values[row, place + 1, c, 0]
-            + w10 * values[row + 1, place, c, 0]
-            + w11 * values[row + 1, place + 1, c, 0]
-        )
-        scaled = (
-            w00 * values[row, place, c, 1]
-            + w01 * values[row, place + 1, c, 1]
-            + w10 * values[row + 1, place, c, 1]
-            + w11 * values[row + 1, place + 1, c, 1]
-        )
-        here[c] = distance * scaled / scale
 
 
 @inlined
@@ -285,7 +256,7 @@ def march(packet, rays, orders, panels, rules, light, work):
             if orders != 0:
                 seen = visible_fraction(sun_elevation(q, mu_sq, bottom), star_radius)
                 if seen > 0.0:
-                    sun_columns(q, mu_sq, bottom, top, sun_table, here)
+                    columns_to_top(q, mu_sq, bottom, top, sun_table, here)
             w00, w01, w10, w11 = np.float32(0.0), np.float32(0.0), np.float32(0.0), np.float32(0.0)
             a00 = 0
             depth = 0.0
@@ -377,7 +348,7 @@ def ground_light(mu_s, orders, light, work):
     bottom, lanes = grid.bottom_radius, air.albedo.size
     direct = mean_cosine(mu_s, mu_s, air.star_radius)
     if direct > 0.0:
-        sun_columns(bottom, max(mu_s, 0.0), bottom, grid.top_radius, light.columns, work.here)
+        columns_to_top(bottom, max(mu_s, 0.0), bottom, grid.top_radius, light.columns, work.here)
     x = place_of(mu_s, grid.place)
     place = min(int(x), grid.sun_cosines.size - 2)
     e = np.float32(x - place)
@@ -406,7 +377,7 @@ def direct_irradiance(r, mu_s, light, work, out):
             cosine = mean_cosine(mu_s[k], mu_s[k], light.air.star_radius)
         elif mu_s[k] <= 0.0:
             cosine = 0.0
-        sun_columns(r[k], max(mu_s[k], 0.0), bottom, top, light.columns, work.here)
+        columns_to_top(r[k], max(mu_s[k], 0.0), bottom, top, light.columns, work.here)
         for at in range(0, lanes, LANES):
             through = through_columns(work.here, light.air.extinction, lanes, at)
             store(out[k], at, through * np.float32(cosine))

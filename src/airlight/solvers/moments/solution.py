@@ -32,7 +32,8 @@ from airlight.solvers.moments.packing import pack, pack_light
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.solution import Report, Sight, Solution
 from airlight.tables import cache as disk
-from airlight.tables.columns import ColumnTable, density_table, mean_density_ratios
+from airlight.tables.column_ratios import mean_density_ratios
+from airlight.tables.columns import ColumnTable, density_table
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
