@@ -1,0 +1,160 @@
+"""Bruneton's 2017 mapping of (r, mu, mu_s, nu) for scattered light.
+
+The radius is measured by the distance to the horizon (``transmittance.altitude_coordinate``), the
+view by the distance to what ends it, ground or top, between the shortest and the longest such
+distance at that radius. The axis of views has two halves, one on each side of the horizon, since
+the light jumps there. The star's zenith angle is measured by the distance to the top that a ray
+from the ground towards it would have, squeezed so that the end of twilight is reached: the limit
+comes from the planet, since a constant made for Earth clips thick shells.
+
+Sources: E. Bruneton & F. Neyret, "Precomputed Atmospheric Scattering", EGSR 2008, section 4;
+E. Bruneton, "Precomputed Atmospheric Scattering: a New Implementation" (2017).
+"""
+
+from __future__ import annotations
+
+from math import acos, pi, sin, sqrt
+
+from airlight.geometry.shell import distance_to_bottom, distance_to_top
+from airlight.kernel import kernel
+
+#: Twilight ends when the star is so many dips of the horizon, seen from the top, below level.
+_DIPS = 3.0
+
+
+@kernel
+def view_coordinate(r, mu, to_ground, bottom_radius, top_radius):
+    """Direction to [0, 1] in its own half: 0 straight down or up, 1 along the horizon. [1]
+
+    Parameters
+    ----------
+    r, mu : float
+        Radius [m] and cosine of the view's zenith angle [1].
+    to_ground : bool
+        Which half: whether the line of sight ends on the ground.
+    bottom_radius, top_radius : float
+        [m]
+    """
+    to_horizon = sqrt(max((r - bottom_radius) * (r + bottom_radius), 0.0))
+    if to_ground:
+        shortest = r - bottom_radius
+        longest = to_horizon
+        distance = distance_to_bottom(r, mu, bottom_radius)
+    else:
+        shortest = top_radius - r
+        longest = to_horizon + sqrt((top_radius - bottom_radius) * (top_radius + bottom_radius))
+        distance = distance_to_top(r, mu, top_radius)
+    if longest <= shortest:
+        return 0.0
+    return min(max((distance - shortest) / (longest - shortest), 0.0), 1.0)
+
+
+@kernel
+def cosine_from_view(x, to_ground, r, bottom_radius, top_radius):
+    """Inverse of ``view_coordinate`` in one half. [1]
+
+    On the ground every view downwards has length 0: there it is straight down.
+    """
+    to_horizon = sqrt(max((r - bottom_radius) * (r + bottom_radius), 0.0))
+    if to_ground:
+        shortest = r - bottom_radius
+        distance = shortest + x * (to_horizon - shortest)
+        if distance <= 0.0:
+            return -1.0
+        mu = -(to_horizon * to_horizon + distance * distance) / (2.0 * r * distance)
+    else:
+        shortest = top_radius - r
+        longest = to_horizon + sqrt((top_radius - bottom_radius) * (top_radius + bottom_radius))
+        distance = shortest + x * (longest - shortest)
+        if distance <= 0.0:
+            return 1.0
+        mu = ((top_radius - r) * (top_radius + r) - distance * distance) / (2.0 * r * distance)
+    return min(max(mu, -1.0), 1.0)
+
+
+@kernel
+def view_place(x, to_ground, n):
+    """Place on the axis of n views, an index between 0 and n - 1; n is even. [1]
+
+    The ground's half comes first, from the horizon to straight down; then the sky's, from
+    straight up to the horizon. Nothing lies between n/2 - 1 and n/2.
+    """
+    half = n // 2
+    if to_ground:
+        return (1.0 - x) * (half - 1.0)
+    return half + x * (half - 1.0)
+
+
+@kernel
+def view_from_place(place, n):
+    """Inverse of ``view_place``: (coordinate in its half, whether it ends on the ground)."""
+    half = n // 2
+    if place < half - 0.5:
+        return min(max(1.0 - place / (half - 1.0), 0.0), 1.0), True
+    return min(max((place - half) / (half - 1.0), 0.0), 1.0), False
+
+
+@kernel
+def lowest_sun_cosine(bottom_radius, top_radius):
+    """Cosine of the star's zenith angle below which tables end: three dips of the horizon. [1]
+
+    Seen from the top of the shell the horizon is one dip below level; its tangent line leaves the
+    shell two dips further round the planet; the air there is lit until the star stands one dip
+    below level. So beyond three dips no point of the shell sees air that is lit directly. Thick
+    shells, whose three dips are more than a right angle, reach down to -1.
+    """
+    depression = _DIPS * acos(bottom_radius / top_radius)
+    if depression >= 0.5 * pi:
+        return -1.0
+    return -sin(depression)
+
+
+@kernel
+def sun_coordinate(mu_s, lowest, bottom_radius, top_radius):
+    """Cosine of the star's zenith angle to [0, 1]: 0 at ``lowest`` and below, 1 overhead. [1]
+
+    Parameters
+    ----------
+    mu_s : float
+        [1]
+    lowest : float
+        From ``lowest_sun_cosine``. [1]
+    bottom_radius, top_radius : float
+        [m]
+    """
+    shortest = top_radius - bottom_radius
+    longest = sqrt((top_radius - bottom_radius) * (top_radius + bottom_radius))
+    a = (distance_to_top(bottom_radius, mu_s, top_radius) - shortest) / (longest - shortest)
+    end = (distance_to_top(bottom_radius, lowest, top_radius) - shortest) / (longest - shortest)
+    return max(1.0 - a / end, 0.0) / (1.0 + a)
+
+
+@kernel
+def sun_from_coordinate(x, lowest, bottom_radius, top_radius):
+    """Inverse of ``sun_coordinate``. [1]"""
+    shortest = top_radius - bottom_radius
+    longest = sqrt((top_radius - bottom_radius) * (top_radius + bottom_radius))
+    end = (distance_to_top(bottom_radius, lowest, top_radius) - shortest) / (longest - shortest)
+    a = (1.0 - x) * end / (1.0 + x * end)
+    distance = shortest + a * (longest - shortest)
+    mu_s = (longest - distance) * (longest + distance) / (2.0 * bottom_radius * distance)
+    return min(max(mu_s, -1.0), 1.0)
+
+
+@kernel
+def angle_coordinate(nu):
+    """Cosine of the angle between view and star to [0, 1]. [1]"""
+    return 0.5 * (nu + 1.0)
+
+
+@kernel
+def angle_from_coordinate(x):
+    """Inverse of ``angle_coordinate``. [1]"""
+    return 2.0 * x - 1.0
+
+
+@kernel
+def possible_angle(nu, mu, mu_s):
+    """The cosine nearest to nu that a view and a star of these zenith angles can have. [1]"""
+    spread = sqrt(max((1.0 - mu) * (1.0 + mu) * (1.0 - mu_s) * (1.0 + mu_s), 0.0))
+    return min(max(nu, mu * mu_s - spread, -1.0), mu * mu_s + spread, 1.0)

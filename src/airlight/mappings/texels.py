@@ -1,0 +1,105 @@
+"""Texture coordinates, array indices and the place of a texel in memory.
+
+Values of a table stand at the centres of its texels. A coordinate in [0, 1] that runs from the
+first to the last of n values is ``index / (n - 1)``; the texture coordinate of a graphics card
+runs over the texels' outer edges, so that the same place is ``0.5/n + x (1 - 1/n)`` there. Both
+are exact at both ends. Sources: Atmosphere Plus notes, second print, section 3.1.7; E. Bruneton,
+"Precomputed Atmospheric Scattering: a New Implementation" (2017).
+"""
+
+from __future__ import annotations
+
+from airlight.kernel import kernel
+
+
+@kernel
+def texture_coordinate(x, n):
+    """Coordinate from the first to the last of n texels' centres, as a texture's. [1]
+
+    Examples
+    --------
+    >>> texture_coordinate(0.0, 4), texture_coordinate(1.0, 4)
+    (0.125, 0.875)
+    """
+    return 0.5 / n + x * (1.0 - 1.0 / n)
+
+
+@kernel
+def unit_coordinate(u, n):
+    """Inverse of ``texture_coordinate``; 0 if there is one texel only. [1]
+
+    Examples
+    --------
+    >>> unit_coordinate(0.125, 4), unit_coordinate(0.875, 4)
+    (0.0, 1.0)
+    """
+    if n < 2:
+        return 0.0
+    return (u - 0.5 / n) / (1.0 - 1.0 / n)
+
+
+@kernel
+def index_coordinate(i, n):
+    """Array index, whole or between two, to [0, 1]; 0 if there is one value only. [1]
+
+    Examples
+    --------
+    >>> index_coordinate(0, 32), index_coordinate(31, 32)
+    (0.0, 1.0)
+    """
+    if n < 2:
+        return 0.0
+    return i / (n - 1.0)
+
+
+@kernel
+def coordinate_index(x, n):
+    """Inverse of ``index_coordinate``: a place between 0 and n - 1. [1]"""
+    return x * (n - 1.0)
+
+
+@kernel
+def flat_index(x, y, z, width, height):
+    """One-dimensional index of an element of a three-dimensional array, x running fastest. [1]
+
+    Examples
+    --------
+    >>> flat_index(31, 255, 31, 32, 256) == 32 * 256 * 32 - 1
+    True
+    """
+    return x + y * width + z * width * height
+
+
+@kernel
+def split_index(i, width, height):
+    """Inverse of ``flat_index``: (x, y, z). [1]
+
+    Examples
+    --------
+    >>> split_index(flat_index(3, 200, 17, 32, 256), 32, 256)
+    (3, 200, 17)
+    """
+    return i % width, (i // width) % height, i // (width * height)
+
+
+@kernel
+def cell(place, first, last):
+    """The two neighbours of a place among indices, and the share of the second.
+
+    Parameters
+    ----------
+    place : float
+        An index, whole or between two. It is moved into [first, last]. [1]
+    first, last : int
+        Ends of the run of values that may be used.
+
+    Returns
+    -------
+    lower, upper : int
+    share : float
+        Of the upper neighbour, 0 to 1. [1]
+    """
+    held = min(max(place, float(first)), float(last))
+    lower = min(int(held), max(last - 1, first))
+    upper = min(lower + 1, last)
+    return lower, upper, held - lower
