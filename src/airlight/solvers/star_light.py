@@ -1,0 +1,234 @@
+r"""What arrives of the star at a point in the air, by quadrature alone.
+
+Nothing is read from a table: densities come from the profiles themselves, and the column from the
+point to space is integrated each time.
+
+The star's disc is uniform. What it sends through the air is averaged over strips of equal
+elevation, so that a disc that the horizon cuts, or that is redder on one side, is right; the strips
+are taken for straight, which errs by less than 1e-5 for the sun.
+"""
+
+from __future__ import annotations
+
+from math import acos, asin, atan2, cos, exp, pi, sin, sqrt
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.path import MAX_EDGES, insert_edge, place_edges, place_nodes
+from airlight.geometry.quadrature import gauss_legendre
+from airlight.geometry.shell import chord
+from airlight.kernel import compiled_loop, kernel
+from airlight.optics.density_profile import relative_density
+from airlight.planets.medium import Medium
+
+FloatArray = NDArray[np.float64]
+Rule = tuple[FloatArray, FloatArray, FloatArray]
+
+#: Points a panel and panels a leg of the ray to the star.
+_NODES: Final = 20
+PANELS: Final = 3
+#: Strips of the star's disc.
+_STRIPS: Final = 7
+#: A star higher than this above the horizon is taken for a point: its strips differ by less than
+#: 1e-5 in what they send through clear air. [rad]
+_HIGH: Final = 0.7
+#: Profiles of at most so many corners have them on panel edges; more are a smooth curve in pieces.
+_MOST_CORNERS: Final = 12
+
+
+@kernel
+def star_elevation(r, mu_s, bottom_radius):
+    """Elevation of the star's centre above the geometric horizon. [rad]
+
+    Parameters
+    ----------
+    r : float
+        Distance from the planet's centre. [m]
+    mu_s : float
+        Cosine of the star's zenith angle. [1]
+    bottom_radius : float
+        [m]
+
+    Examples
+    --------
+    >>> star_elevation(6360e3, 0.0, 6360e3)
+    0.0
+    """
+    dip = atan2(sqrt(max((r - bottom_radius) * (r + bottom_radius), 0.0)), bottom_radius)
+    return atan2(mu_s, sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))) + dip
+
+
+@compiled_loop
+def cut_at_corners(r, mu, bottom_radius, density_edges, edges, count):
+    """Panel edges where a ray crosses an altitude at which a profile has a corner.
+
+    Parameters
+    ----------
+    r, mu : float
+        Start of the ray. [m], [1]
+    bottom_radius : float
+        [m]
+    density_edges : array, shape (nc, ns + 1)
+        Of ``DensitySegments``. [m]
+    edges, count : array, int
+        As ``place_edges`` leaves them. [m]
+
+    Returns
+    -------
+    int
+        How many edges there are now.
+    """
+    tangent = r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
+    last = density_edges.shape[1] - 1
+    for i in range(density_edges.shape[0]):
+        own = 1
+        while own < last and density_edges[i, own] < density_edges[i, last]:
+            own += 1
+        if own > _MOST_CORNERS:
+            continue
+        for k in range(1, own):
+            radius = bottom_radius + density_edges[i, k]
+            if tangent < radius:
+                beside = chord(r, mu, radius)
+                count = insert_edge(edges, count, -r * mu - beside)
+                count = insert_edge(edges, count, -r * mu + beside)
+    return count
+
+
+@compiled_loop
+def columns_to_space(r, mu, shell, density, rule, room, out):
+    """Columns of all constituents from a point to the top, for a ray that misses the ground.
+
+    Parameters
+    ----------
+    r, mu : float
+        [m], [1]
+    shell : tuple of float
+        Radii of the ground and of the top. [m]
+    density : tuple of arrays
+        Edges and coefficients of ``DensitySegments``.
+    rule : tuple of arrays
+        Of Gauss-Legendre.
+    room : tuple of arrays
+        Scratch from ``new_room``.
+    out : array, shape (nc,)
+        Receives the columns. [m]
+    """
+    edges, distance, radius, weight = room
+    bottom, top = shell
+    density_edges, coefficients = density
+    length = max(-r * mu + chord(r, mu, top), 0.0)
+    count = place_edges(r, mu, length, PANELS, 0.0, 0.0, edges)
+    count = cut_at_corners(r, mu, bottom, density_edges, edges, count)
+    points = place_nodes(r, mu, edges, count, rule[0], rule[1], distance, radius, weight)
+    for i in range(out.size):
+        total = 0.0
+        for k in range(points):
+            total += weight[k] * relative_density(
+                radius[k] - bottom, density_edges[i], coefficients[i]
+            )
+        out[i] = total
+
+
+def new_room() -> tuple[FloatArray, ...]:
+    """Scratch of one thread for ``columns_to_space``."""
+    points = _NODES * MAX_EDGES
+    return np.empty(MAX_EDGES), np.empty(points), np.empty(points), np.empty(points)
+
+
+@compiled_loop
+def star_light(r, mu_s, star_radius, level, shell, density, extinction, rules, room, light):
+    """What arrives of the star at a point, averaged over its disc, per irradiance at the top.
+
+    Parameters
+    ----------
+    r, mu_s : float
+        The point, and the zenith cosine of the star's centre there. [m], [1]
+    star_radius : float
+        Angular radius of the star; 0 for a point. [rad]
+    level : bool
+        Whether on a level surface, with the cosine, rather than on one that faces the star.
+    shell, density, room :
+        As in ``columns_to_space``.
+    extinction : array, shape (nc, nl)
+        [m⁻¹]
+    rules : tuple
+        Rules for the ray to the star and for the strips of its disc.
+    light : array, shape (nl,)
+        Receives the answer. [1]
+
+    Returns
+    -------
+    bool
+        Whether there is any.
+    """
+    bottom = shell[0]
+    light[:] = 0.0
+    elevation = star_elevation(r, mu_s, bottom)
+    if elevation <= -star_radius or (elevation <= 0.0 and star_radius <= 0.0):
+        return False
+    column = np.empty(extinction.shape[0])
+    if star_radius <= 0.0 or elevation > _HIGH + star_radius:
+        columns_to_space(r, mu_s, shell, density, rules[0], room, column)
+        for w in range(light.size):
+            depth = 0.0
+            for i in range(column.size):
+                depth += column[i] * extinction[i, w]
+            light[w] = exp(-depth) * (max(mu_s, 0.0) if level else 1.0)
+        return True
+    # Strips x = -cos t of the unit disc, (2/π) sin²t dt; those below the horizon are dark.
+    first = acos(min(max(elevation / star_radius, -1.0), 1.0))
+    centre = asin(min(max(mu_s, -1.0), 1.0))
+    nodes, weights, _ = rules[1]
+    for k in range(nodes.size):
+        t = first + (pi - first) * nodes[k]
+        share = (2.0 / pi) * (pi - first) * weights[k] * sin(t) * sin(t)
+        strip = sin(centre - star_radius * cos(t))
+        columns_to_space(r, strip, shell, density, rules[0], room, column)
+        for w in range(light.size):
+            depth = 0.0
+            for i in range(column.size):
+                depth += column[i] * extinction[i, w]
+            light[w] += share * exp(-depth) * (max(strip, 0.0) if level else 1.0)
+    return True
+
+
+def star_rules() -> tuple[Rule, Rule]:
+    """Rules for the rays to the star and for the strips of its disc."""
+    return gauss_legendre(_NODES).as_tuple(), gauss_legendre(_STRIPS).as_tuple()
+
+
+def direct_irradiance(medium: Medium, r: FloatArray, mu_s: FloatArray) -> FloatArray:
+    """Irradiance of a level surface by the star itself, per irradiance of the star.
+
+    Parameters
+    ----------
+    medium : Medium
+        The planet's air.
+    r, mu_s : array, shape (n,)
+        Distance from the centre, inside the shell [m], and zenith cosine of the star [1].
+
+    Returns
+    -------
+    array, shape (n, nl)
+        [1]
+    """
+    out = np.empty((r.size, medium.wavelengths.size))
+    rules = star_rules()
+    room = new_room()
+    for k in range(r.size):
+        star_light(
+            float(r[k]),
+            float(mu_s[k]),
+            medium.star_angular_radius,
+            True,
+            (medium.bottom_radius, medium.top_radius),
+            (medium.density.edges, medium.density.coefficients),
+            medium.extinction,
+            rules,
+            room,
+            out[k],
+        )
+    return out
