@@ -156,8 +156,23 @@ def radiance_columns(wavelengths: Sequence[float]) -> list[str]:
     return [f"radiance_{nm:.10g}nm" for nm in wavelengths]
 
 
+def error_columns(wavelengths: Sequence[float]) -> list[str]:
+    """The names of the columns with the answers' standard errors.
+
+    Examples
+    --------
+    >>> error_columns([680.0])
+    ['standard_error_680nm']
+    """
+    return [f"standard_error_{nm:.10g}nm" for nm in wavelengths]
+
+
 def write_cases(
-    path: str, cases: Cases, wavelengths: Sequence[float], radiance: NDArray[np.float64]
+    path: str,
+    cases: Cases,
+    wavelengths: Sequence[float],
+    radiance: NDArray[np.float64],
+    standard_error: NDArray[np.float64] | None = None,
 ) -> None:
     """Write the table with the radiances appended.
 
@@ -171,6 +186,8 @@ def write_cases(
         [nm]
     radiance : array, shape (n, wavelengths)
         Nine digits are written. [W m⁻² sr⁻¹ nm⁻¹]
+    standard_error : array, shape (n, wavelengths), optional
+        Two digits are written, in columns after the radiances. [W m⁻² sr⁻¹ nm⁻¹]
 
     Raises
     ------
@@ -178,20 +195,30 @@ def write_cases(
         If the file cannot be written; then there is none, or the old one.
     """
     if path == "-":
-        _write(sys.stdout, cases, wavelengths, radiance)
+        _write(sys.stdout, cases, wavelengths, radiance, standard_error)
         return
     with (
         whole_file(path) as place,
         place.open("w", encoding="utf-8", newline="") as stream,
     ):
-        _write(stream, cases, wavelengths, radiance)
+        _write(stream, cases, wavelengths, radiance, standard_error)
 
 
 def _write(
-    stream: TextIO, cases: Cases, wavelengths: Sequence[float], radiance: NDArray[np.float64]
+    stream: TextIO,
+    cases: Cases,
+    wavelengths: Sequence[float],
+    radiance: NDArray[np.float64],
+    standard_error: NDArray[np.float64] | None,
 ) -> None:
     stream.writelines(f"{comment}\n" for comment in cases.comments)
     writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow([*cases.header, *radiance_columns(wavelengths)])
-    for row, answer in zip(cases.rows, radiance, strict=True):
-        writer.writerow([*row, *(f"{value:.8e}" for value in answer)])
+    columns = radiance_columns(wavelengths)
+    answers = [[f"{value:.8e}" for value in row] for row in radiance]
+    if standard_error is not None:
+        columns += error_columns(wavelengths)
+        for row, errors in zip(answers, standard_error, strict=True):
+            row += [f"{value:.1e}" for value in errors]
+    writer.writerow([*cases.header, *columns])
+    for cells, answer in zip(cases.rows, answers, strict=True):
+        writer.writerow([*cells, *answer])

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from airlight.color.spectral import rgb_weights
 from airlight.color.upsampling import reflectance_basis
+from airlight.errors import ParameterError
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel import compiled_loop
 from airlight.kernel.threads import Cancel, Progress, run_blocks
@@ -81,9 +82,16 @@ def render(
 
     Raises
     ------
+    ParameterError
+        If the solution is of another solver: pictures march the moments.
     Cancelled
         If ``cancel`` said so.
     """
+    if not isinstance(solution, MomentsSolution):
+        raise ParameterError(
+            "solution", solution.report.solver, "a solution of the moments solver: a picture "
+            "marches its moments",
+        )  # fmt: skip
     camera = scene.camera
     rgb = np.zeros((camera.height, camera.width, 3), np.float32)
     weights = color_weights(solution)

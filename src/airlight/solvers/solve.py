@@ -2,25 +2,96 @@
 
 from __future__ import annotations
 
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, Final, Literal, overload
+
 from numpy.typing import ArrayLike
 
+from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
-from airlight.solvers.moments.settings import settings_for
-from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.moments.solution import solve as solve_by_moments
+from airlight.solvers.solution import Solution
+
+if TYPE_CHECKING:
+    from airlight.solvers.direct.settings import Settings as DirectSettings
+    from airlight.solvers.direct.solution import DirectSolution
+    from airlight.solvers.moments.settings import Settings as MomentsSettings
+    from airlight.solvers.moments.solution import MomentsSolution
+    from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
+    from airlight.solvers.montecarlo.solution import MonteCarloSolution
+
+#: The rooms of the solvers, imported when asked for. Each has ``settings.settings_for`` and
+#: ``solution.solve(medium, settings, *, cache, progress, cancel)``.
+SOLVERS: Final = {
+    "moments": "airlight.solvers.moments",
+    "direct": "airlight.solvers.direct",
+    "montecarlo": "airlight.solvers.montecarlo",
+}
+
+
+@overload
+def solve(
+    planet: Planet,
+    wavelengths: ArrayLike | None = None,
+    quality: str | MomentsSettings = "default",
+    *,
+    solver: Literal["moments"] = "moments",
+    cache: bool = True,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> MomentsSolution: ...
+
+
+@overload
+def solve(
+    planet: Planet,
+    wavelengths: ArrayLike | None = None,
+    quality: str | DirectSettings = "default",
+    *,
+    solver: Literal["direct"],
+    cache: bool = True,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> DirectSolution: ...
+
+
+@overload
+def solve(
+    planet: Planet,
+    wavelengths: ArrayLike | None = None,
+    quality: str | MonteCarloSettings = "default",
+    *,
+    solver: Literal["montecarlo"],
+    cache: bool = True,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> MonteCarloSolution: ...
+
+
+@overload
+def solve(
+    planet: Planet,
+    wavelengths: ArrayLike | None = None,
+    quality: Any = "default",
+    *,
+    solver: str,
+    cache: bool = True,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Solution: ...
 
 
 def solve(
     planet: Planet,
     wavelengths: ArrayLike | None = None,
-    quality: str = "default",
+    quality: Any = "default",
     *,
+    solver: str = "moments",
     cache: bool = True,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
-) -> MomentsSolution:
+) -> Solution:
     """Solve for the light of a planet's air.
 
     Parameters
@@ -29,8 +100,12 @@ def solve(
         From ``load_planet``, or made in Python.
     wavelengths : array, shape (nl,), optional
         Any number; the planet's own without it. [nm]
-    quality : str
-        ``"preview"``, ``"default"`` or ``"fine"``.
+    quality : str or Settings
+        ``"preview"``, ``"default"`` or ``"fine"``, or the solver's own settings.
+    solver : str
+        ``"moments"``, for everything; ``"direct"``, the judge by the book, order by order, slow;
+        ``"montecarlo"``, the referee, which traces each answer
+        anew and knows its standard error.
     cache : bool
         Whether to look for the solution on disk first, and to leave it there.
     progress : callable, optional
@@ -46,7 +121,8 @@ def solve(
     Raises
     ------
     ParameterError
-        If a wavelength is outside what the planet's file covers, or the quality has no such name.
+        If a wavelength is outside what the planet's file covers, or there is no such solver or
+        quality.
     ConvergenceError
         If the orders of scattering do not converge within the settings' bound.
 
@@ -58,8 +134,13 @@ def solve(
     >>> sky.dims, bool((sky.sel(wavelength=440) > sky.sel(wavelength=680)).all())
     (('dim_0', 'wavelength'), True)
     """
-    settings = settings_for(quality)
+    if solver not in SOLVERS:
+        raise ParameterError("solver", solver, ", ".join(SOLVERS))
+    room = SOLVERS[solver]
+    settings = import_module(f"{room}.settings").settings_for(quality)
     medium = Medium.from_planet(planet, planet.wavelengths if wavelengths is None else wavelengths)
-    solution = solve_by_moments(medium, settings, cache=cache, progress=progress, cancel=cancel)
+    solution: Solution = import_module(f"{room}.solution").solve(
+        medium, settings, cache=cache, progress=progress, cancel=cancel
+    )
     solution.planet = planet
     return solution

@@ -33,7 +33,7 @@ TABLE_SHAPE = (160, 288)
 #: A ray of a larger optical depth gets more panels where it begins. [1]
 _THICK = 15.0
 #: Profiles of at most so many edges have their corners on panel edges.
-_MOST_CORNERS = 12
+MOST_CORNERS = 12
 #: Nodes of the density table that marches read.
 DENSITY_NODES = 4097
 
@@ -61,34 +61,21 @@ def density_table(density: DensitySegments, thickness: float) -> FloatArray:
 
 
 @compiled_loop
-def trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, table, path):
-    """Points along a ray with the air's densities there and the columns up to there.
+def accumulate(count, rule, bottom_radius, thickness, table, path):
+    """Densities at the points of a ray, and the columns up to each.
 
     Parameters
     ----------
-    r, mu : float
-        Start of the ray. [m], [1]
-    edges, edge_count : array, int
-        Panels, from ``place_edges``. [m]
-    rule : tuple of arrays
-        Nodes (n,), weights (n,) and running integrals (n, n) on [0, 1].
-    bottom_radius, thickness : float
-        Of the ground and of the shell. [m]
-    table : array, shape (DENSITY_NODES, nc)
-        From ``density_table``.
+    count : int
+        Number of points, those of one rule for each panel.
+    rule, bottom_radius, thickness, table :
+        As in ``trace``.
     path : tuple of arrays
-        Receives distance (p,) [m], radius (p,) [m], weight (p,) [m], density (nc, p) [1],
-        column (nc, p) [m] for each point, and the whole column (nc,) [m]; the last is scratch.
-
-    Returns
-    -------
-    int
-        Number of points.
+        As in ``trace``; distance, radius and weight stand in it already.
     """
-    nodes, weights, running = rule
-    distance, radius, weight, density, column, total, scratch = path
-    count = place_nodes(r, mu, edges, edge_count, nodes, weights, distance, radius, weight)
-    n = nodes.size
+    _, weights, running = rule
+    _, radius, weight, density, column, total, scratch = path
+    n = weights.size
     constituents = table.shape[1]
     for k in range(count):
         altitude = min(max((radius[k] - bottom_radius) / thickness, 0.0), 1.0)
@@ -116,6 +103,36 @@ def trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, table, path)
                 column[i, first + k] = scratch[k]
             so_far += whole
         total[i] = so_far
+
+
+@compiled_loop
+def trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, table, path):
+    """Points along a ray with the air's densities there and the columns up to there.
+
+    Parameters
+    ----------
+    r, mu : float
+        Start of the ray. [m], [1]
+    edges, edge_count : array, int
+        Panels, from ``place_edges``. [m]
+    rule : tuple of arrays
+        Nodes (n,), weights (n,) and running integrals (n, n) on [0, 1].
+    bottom_radius, thickness : float
+        Of the ground and of the shell. [m]
+    table : array, shape (DENSITY_NODES, nc)
+        From ``density_table``.
+    path : tuple of arrays
+        Receives distance (p,) [m], radius (p,) [m], weight (p,) [m], density (nc, p) [1],
+        column (nc, p) [m] for each point, and the whole column (nc,) [m]; the last is scratch.
+
+    Returns
+    -------
+    int
+        Number of points.
+    """
+    nodes, weights, _ = rule
+    count = place_nodes(r, mu, edges, edge_count, nodes, weights, path[0], path[1], path[2])
+    accumulate(count, rule, bottom_radius, thickness, table, path)
     return count
 
 
@@ -187,8 +204,23 @@ def new_path(points: int, constituents: int) -> tuple[FloatArray, ...]:
 
 
 @compiled_loop
-def _cut_at_corners(r, mu, bottom_radius, altitudes, edges, count):
-    """Panel edges where a ray crosses the altitudes at which a profile has a corner."""
+def cut_at_corners(r, mu, bottom_radius, altitudes, edges, count):
+    """Panel edges where a ray crosses the altitudes at which a profile has a corner.
+
+    Parameters
+    ----------
+    r, mu, bottom_radius : float
+        [m], [1], [m]
+    altitudes : array, shape (n,)
+        Of which the first and the last are left out. [m]
+    edges, count : array, int
+        From ``place_edges``; edges are added in place. [m]
+
+    Returns
+    -------
+    int
+        How many edges there are now.
+    """
     tangent = r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
     for altitude in altitudes[1:-1]:
         radius = bottom_radius + altitude
@@ -211,9 +243,9 @@ def _columns(
         r, mu = radii[k], cosines[k]
         edge_count = place_edges(r, mu, lengths[k], panels, 0.0, 0.0, edges)
         # Many segments are one smooth curve in pieces; few have corners (a tent, layers).
-        if density_edges.shape[1] <= _MOST_CORNERS:
+        if density_edges.shape[1] <= MOST_CORNERS:
             for i in range(out.shape[1]):
-                edge_count = _cut_at_corners(
+                edge_count = cut_at_corners(
                     r, mu, bottom_radius, density_edges[i], edges, edge_count
                 )
         count = place_nodes(r, mu, edges, edge_count, nodes, weights, distance, radius, weight)

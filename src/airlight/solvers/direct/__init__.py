@@ -1,0 +1,1 @@
+"""The notes' equations as they stand: trapezoids, a gather over the sphere, order by order."""

@@ -1,0 +1,324 @@
+"""One line of sight: its points, and what light scattered or gathered there reaches its start."""
+
+from __future__ import annotations
+
+from math import exp
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.path import MAX_EDGES, place_edges
+from airlight.geometry.shell import horizon_cosine, radius_along
+from airlight.geometry.sun_disc import sun_elevation, visible_fraction
+from airlight.kernel import compiled_loop
+from airlight.planets.medium import Medium
+from airlight.solvers.direct.layout import Layout, angle_cell, radius_cell, sun_cell, view_cell
+from airlight.solvers.direct.settings import Settings
+from airlight.solvers.direct.trapezoid import graded, uniform
+from airlight.tables.column_ratios import columns_to_top, mean_density_ratios
+from airlight.tables.columns import (
+    MOST_CORNERS,
+    ColumnTable,
+    accumulate,
+    cut_at_corners,
+    density_table,
+    new_path,
+    trace_resolved,
+)
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+
+class Air(NamedTuple):
+    """What lines need of a medium.
+
+    Attributes
+    ----------
+    bottom, top, star_radius : float
+        Radii of ground and top [m], and the star's [rad].
+    scattering : array, shape (ns, nl)
+        Of the constituents that scatter. [m⁻¹]
+    extinction : array, shape (nc, nl)
+        [m⁻¹]
+    scatterers : array, shape (ns,)
+        Their places among all constituents.
+    strongest : array, shape (nc,)
+        Largest extinction at any wavelength. [m⁻¹]
+    density : array, shape (nodes, nc)
+        From ``density_table``. [1]
+    corners : array, shape (n,)
+        Altitudes at which a profile has a corner, ground and top included. [m]
+    ratios : array, shape (radii, directions, nc, 2)
+        From ``mean_density_ratios``: columns to the star for the orders that are gathered. [1]
+    rule : tuple of arrays
+        Nodes, weights and running integrals of the trapezoid.
+    graded : bool
+        Whether the rule is for each leg of a ray; else for equal steps along all of it.
+    """
+
+    bottom: float
+    top: float
+    star_radius: float
+    scattering: FloatArray
+    extinction: FloatArray
+    scatterers: IntArray
+    strongest: FloatArray
+    density: FloatArray
+    corners: FloatArray
+    ratios: FloatArray
+    rule: tuple[FloatArray, FloatArray, FloatArray]
+    graded: bool
+
+
+def air_of(medium: Medium, settings: Settings, steps: int) -> Air:
+    """The arrays of a medium as lines of so many steps take them."""
+    scatterers = np.flatnonzero(medium.scattering.max(axis=1) > 0.0)
+    table = ColumnTable.build(medium.bottom_radius, medium.top_radius, medium.density)
+    edges = medium.density.edges
+    # Many segments are one smooth curve in pieces; few have corners (a tent, layers).
+    corners = np.unique(edges) if edges.shape[1] <= MOST_CORNERS else np.zeros(0)
+    rule = (graded if settings.graded else uniform)(steps)
+    return Air(
+        medium.bottom_radius,
+        medium.top_radius,
+        medium.star_angular_radius,
+        np.ascontiguousarray(medium.scattering[scatterers]),
+        medium.extinction,
+        scatterers,
+        medium.extinction.max(axis=1),
+        density_table(medium.density, medium.thickness),
+        corners,
+        mean_density_ratios(table),
+        rule.as_tuple(),
+        settings.graded,
+    )
+
+
+class Line(NamedTuple):
+    """Scratch for one line of sight with at most p points, and what ``prepare`` finds on it.
+
+    Attributes
+    ----------
+    path : tuple of arrays
+        See ``airlight.tables.columns.trace``.
+    source : array, shape (p, ns·nl)
+        Scattering coefficient times transmittance to the start times weight. [1]
+    through : array, shape (nl,)
+        Transmittance of the whole line. [1]
+    corners : array, shape (p, 4)
+        Of each point, the neighbours in radius and view as rows of the table.
+    shares : array, shape (p, 4)
+        Of these rows. [1]
+    edges, columns : array
+        Scratch.
+    sun : tuple of arrays
+        Scratch for a ray to the star, as ``path``.
+    """
+
+    path: tuple[FloatArray, ...]
+    source: FloatArray
+    through: FloatArray
+    corners: IntArray
+    shares: FloatArray
+    edges: FloatArray
+    columns: FloatArray
+    sun: tuple[FloatArray, ...]
+
+
+def new_line(air: Air) -> Line:
+    """Room for one line; each thread needs its own."""
+    constituents, wavelengths = air.extinction.shape
+    points = air.rule[0].size * (MAX_EDGES if air.graded else 1)
+    return Line(
+        new_path(points, constituents),
+        np.empty((points, air.scattering.size)),
+        np.empty(wavelengths),
+        np.empty((points, 4), np.int64),
+        np.empty((points, 4)),
+        np.empty(MAX_EDGES),
+        np.empty(constituents),
+        new_path(points, constituents),
+    )
+
+
+@compiled_loop
+def follow(r, mu, length, first_cut, second_cut, air, edges, path):
+    """Points, densities and columns along a stretch of a ray.
+
+    Parameters
+    ----------
+    r, mu, length : float
+        [m], [1], [m]
+    first_cut, second_cut : float
+        Where the planet's shadow begins and ends; ignored by equal steps. [m]
+    air, edges, path :
+        See ``Air`` and ``Line``.
+
+    Returns
+    -------
+    int
+        Number of points.
+    """
+    thickness = air.top - air.bottom
+    if air.graded:
+        count = place_edges(r, mu, length, 1, first_cut, second_cut, edges)
+        count = cut_at_corners(r, mu, air.bottom, air.corners, edges, count)
+        return trace_resolved(
+            r, mu, edges, count, air.rule, air.bottom, thickness, air.density, air.strongest, path
+        )
+    nodes, weights, _ = air.rule
+    for k in range(nodes.size):
+        path[0][k] = length * nodes[k]
+        path[1][k] = radius_along(r, mu, path[0][k])
+        path[2][k] = length * weights[k]
+    accumulate(nodes.size, air.rule, air.bottom, thickness, air.density, path)
+    return nodes.size
+
+
+@compiled_loop
+def prepare(r, mu, length, first_cut, second_cut, air, line):
+    """Follow a line and find what its points weigh at its start; returns their number."""
+    count = follow(r, mu, length, first_cut, second_cut, air, line.edges, line.path)
+    _, _, weight, density, column, total, _ = line.path
+    source, through = line.source, line.through
+    scattering, extinction, scatterers = air.scattering, air.extinction, air.scatterers
+    wavelengths = extinction.shape[1]
+    for l in range(wavelengths):
+        tau = 0.0
+        for c in range(extinction.shape[0]):
+            tau += extinction[c, l] * total[c]
+        through[l] = exp(-tau)
+        for k in range(count):
+            tau = 0.0
+            for c in range(extinction.shape[0]):
+                tau += extinction[c, l] * column[c, k]
+            arriving = weight[k] * exp(-tau)
+            for i in range(scatterers.size):
+                source[k, i * wavelengths + l] = (
+                    scattering[i, l] * density[scatterers[i], k] * arriving
+                )
+    return count
+
+
+@compiled_loop
+def place_rows(r, mu, count, axes, line):
+    """For each point of a prepared line, the rows of the table around its radius and view."""
+    distance, radius = line.path[0], line.path[1]
+    for k in range(count):
+        q = min(max(radius[k], axes.bottom), axes.top)
+        low, high, f = radius_cell(q, axes)
+        first, second, e = view_cell(q, (r * mu + distance[k]) / q, axes)
+        line.corners[k, 0] = low * axes.views + first
+        line.corners[k, 1] = low * axes.views + second
+        line.corners[k, 2] = high * axes.views + first
+        line.corners[k, 3] = high * axes.views + second
+        line.shares[k, 0] = (1.0 - f) * (1.0 - e)
+        line.shares[k, 1] = (1.0 - f) * e
+        line.shares[k, 2] = f * (1.0 - e)
+        line.shares[k, 3] = f * e
+
+
+@compiled_loop
+def add_gathered(r, mu_s, nu, count, axes, table, logarithmic, line, out):
+    """Add the gathered light that a prepared line scatters towards its start.
+
+    Parameters
+    ----------
+    r, mu_s, nu : float
+        Of the start. [m], [1]
+    count : int
+        Points of the line.
+    axes : Layout
+        Of the table.
+    table : array, shape (radii·views, suns, angles, ns·nl)
+        Gathered light, or its logarithm. [1]
+    logarithmic : bool
+        Which.
+    line : Line
+        After ``prepare`` and ``place_rows``.
+    out : array, shape (nl,)
+        Receives the light, per irradiance of the star. [sr⁻¹]
+    """
+    distance, radius = line.path[0], line.path[1]
+    corners, shares, source = line.corners, line.shares, line.source
+    wavelengths = out.size
+    channels = table.shape[3]
+    m0, m1, d = angle_cell(nu, axes)
+    for k in range(count):
+        s0, s1, e = sun_cell((r * mu_s + distance[k] * nu) / radius[k], axes)
+        w00, w01 = (1.0 - e) * (1.0 - d), (1.0 - e) * d
+        w10, w11 = e * (1.0 - d), e * d
+        for first in range(0, channels, wavelengths):
+            for l in range(wavelengths):
+                q = first + l
+                value = 0.0
+                for corner in range(4):
+                    row = corners[k, corner]
+                    value += shares[k, corner] * (
+                        w00 * table[row, s0, m0, q]
+                        + w01 * table[row, s0, m1, q]
+                        + w10 * table[row, s1, m0, q]
+                        + w11 * table[row, s1, m1, q]
+                    )
+                if logarithmic:
+                    value = exp(value)
+                out[l] += source[k, q] * value
+
+
+@compiled_loop
+def add_once(r, mu_s, nu, count, phase, nested, air, line, out):
+    """Add the light of the star that a prepared line scatters towards its start.
+
+    Parameters
+    ----------
+    r, mu_s, nu : float
+        Of the start. [m], [1]
+    count : int
+        Points of the line.
+    phase : array, shape (ns·nl,)
+        Phase functions at nu. [sr⁻¹]
+    nested : bool
+        Whether each column to the star is integrated by the rule; else it is looked up.
+    air, line :
+        After ``prepare``.
+    out : array, shape (nl,)
+        Receives the light, per irradiance of the star. [sr⁻¹]
+    """
+    distance, radius = line.path[0], line.path[1]
+    source, here = line.source, line.columns
+    extinction = air.extinction
+    wavelengths = out.size
+    for k in range(count):
+        q = min(max(radius[k], air.bottom), air.top)
+        mu_sk = min(max((r * mu_s + distance[k] * nu) / q, -1.0), 1.0)
+        seen = visible_fraction(sun_elevation(q, mu_sk, air.bottom), air.star_radius)
+        if seen <= 0.0:
+            continue
+        star_columns(q, mu_sk, nested, air, line.edges, line.sun, here)
+        for l in range(wavelengths):
+            tau = 0.0
+            for c in range(extinction.shape[0]):
+                tau += extinction[c, l] * here[c]
+            light = seen * exp(-tau)
+            for at in range(l, phase.size, wavelengths):
+                out[l] += source[k, at] * phase[at] * light
+
+
+@compiled_loop
+def star_columns(r, mu_s, nested, air, edges, path, here):
+    """Columns from a point to the star, or past the horizon if that hides its centre. [m]"""
+    mu = max(mu_s, horizon_cosine(r, air.bottom))
+    if not nested:
+        columns_to_top(r, mu, air.bottom, air.top, air.ratios, here)
+        return
+    length = -r * mu + ((air.top - r) * (air.top + r) + r * r * mu * mu) ** 0.5
+    follow(r, mu, max(length, 0.0), 0.0, 0.0, air, edges, path)
+    for c in range(here.size):
+        here[c] = path[5][c]
+
+
+def axes_shape(axes: Layout, channels: int) -> tuple[int, int, int, int]:
+    """Shape of a table of gathered light."""
+    return axes.radii * axes.views, axes.suns, axes.angles, channels

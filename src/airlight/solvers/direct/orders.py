@@ -1,0 +1,239 @@
+"""Order by order: the passes in turn, until an order adds next to nothing."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import ConvergenceError
+from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.planets.medium import Medium
+from airlight.solvers.direct.gather import (
+    Directions,
+    directions_for,
+    gather,
+    node_suns,
+    phase_nodes,
+)
+from airlight.solvers.direct.layout import Layout, layout_for
+from airlight.solvers.direct.line import Air, air_of, axes_shape, new_line
+from airlight.solvers.direct.passes import direct_light, first_pass, lambert, next_pass, sky_light
+from airlight.solvers.direct.settings import Settings
+
+FloatArray = NDArray[np.float64]
+
+#: Texels darker than this part of the brightest do not decide when to stop. [1]
+_FAINT = 1e-7
+#: A geometric rest is not trusted if the last order is so large a part of the one before. [1]
+_TRUSTED_RATIO = 0.95
+#: In single texels that ratio is held below this. [1]
+_LARGEST_RATIO = 0.98
+#: Where no order is larger than this, the ratio is taken to be 0. [1]
+_DARK = 1e-250
+
+
+@dataclass(frozen=True, kw_only=True)
+class Orders:
+    """What the passes leave.
+
+    Attributes
+    ----------
+    axes : Layout
+        Of the tables.
+    total : array, shape (radii·views, suns, angles, ns·nl)
+        Gathered light of all orders together, its logarithm if so set. [sr⁻¹]
+    ground : array, shape (suns, nl)
+        Radiance of the ground by the sky, all orders together. [sr⁻¹]
+    each : list of array
+        G⁽¹⁾, G⁽²⁾ … as ``total``, if they are kept.
+    each_ground : list of array
+        A⁽²⁾, A⁽³⁾ … as ``ground``.
+    count : int
+        Orders of radiance: one more than were gathered.
+    residual : array, shape (nl,)
+        Largest share of the last order in the sum, before the tail. [1]
+    """
+
+    axes: Layout
+    total: FloatArray
+    ground: FloatArray
+    each: list[FloatArray]
+    each_ground: list[FloatArray]
+    count: int
+    residual: FloatArray
+
+
+def solve_orders(
+    medium: Medium,
+    settings: Settings,
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Orders:
+    """Scatter, light the ground, gather, and again.
+
+    Parameters
+    ----------
+    medium : Medium
+    settings : Settings
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``; the total told is an estimate until the last order.
+
+    Raises
+    ------
+    ConvergenceError
+        If a tail is asked for and the orders do not fall.
+    """
+    work = _Passes(medium, settings, progress, cancel)
+    incoming = work.first()
+    total: FloatArray | None = None
+    before: FloatArray | None = None
+    ground = np.zeros_like(work.lit_by_star)
+    ground_before = ground
+    each: list[FloatArray] = []
+    each_ground: list[FloatArray] = []
+    residual = np.ones(medium.wavelengths.size)
+    count = 1
+    while True:
+        gathered = work.gather(incoming, count)
+        linear = np.exp(gathered) if settings.logarithmic else gathered
+        if settings.keep_orders:
+            each.append(gathered)
+        total = linear if total is None else total + linear
+        count += 1
+        from_sky = work.ground(count)
+        ground = ground + from_sky
+        each_ground.append(from_sky)
+        residual = _share(linear, total, medium.wavelengths.size)
+        if residual.max() <= settings.tolerance or count > settings.orders:
+            break
+        before, ground_before = linear, from_sky
+        incoming = work.next(gathered, count)
+    if settings.tail and before is not None:
+        ratio = float((linear.sum() + from_sky.sum()) / (before.sum() + ground_before.sum()))
+        if not ratio <= _TRUSTED_RATIO:
+            raise ConvergenceError(
+                f"the orders of scattering do not fall: order {count} is still {ratio:.3g} of the "
+                "one before; allow more orders, or none of the tail"
+            )
+        total = total + _rest(linear, before)
+        ground = ground + _rest(from_sky, ground_before)
+    if settings.logarithmic:
+        total = np.log(np.maximum(total, 1e-280))
+    return Orders(
+        axes=work.axes,
+        total=total,
+        ground=ground,
+        each=each,
+        each_ground=each_ground,
+        count=count,
+        residual=residual,
+    )
+
+
+class _Passes:
+    """The passes with their arrays; each returns a new one."""
+
+    def __init__(
+        self,
+        medium: Medium,
+        settings: Settings,
+        progress: Progress | None,
+        cancel: Cancel | None,
+    ) -> None:
+        self.settings = settings
+        self.albedo = medium.ground_albedo
+        self.axes: Layout = layout_for(medium, settings)
+        self.air: Air = air_of(medium, settings, settings.pass_steps)
+        self.directions: Directions = directions_for(self.axes, settings)
+        self.phase, self.which = phase_nodes(medium, self.air.scatterers)
+        self.progress, self.cancel = progress, cancel
+        suns = node_suns(self.axes)
+        line, lit = new_line(self.air), np.empty((suns.size, medium.wavelengths.size))
+        for k, mu_s in enumerate(suns):
+            direct_light(self.axes.bottom, mu_s, True, self.air, line, lit[k])
+        self.lit_by_star = lambert(self.albedo, lit)
+        nz, na = self.directions.zenith.shape[1], self.directions.azimuth.size
+        self.incoming = np.empty((self.axes.radii, suns.size, medium.wavelengths.size, nz, na))
+        self.from_sky = np.zeros_like(lit)
+
+    def _all_radii(self, message: str, one: object) -> None:
+        run_blocks(
+            one,  # type: ignore[arg-type]
+            self.axes.radii,
+            cancel=self.cancel,
+            progress=self.progress,
+            message=message,
+        )
+
+    def _sky(self, air_light: FloatArray) -> None:
+        """The ambient pass: what the ground receives of light scattered by the air last."""
+        received = sky_light(self.directions.zenith[0], self.directions.weights[0], air_light[0])
+        self.from_sky = lambert(self.albedo, received)
+
+    def first(self) -> FloatArray:
+        """S⁽¹⁾ + D·T."""
+        late = self.settings.literal == "atmosphere-plus-2"
+        lit = np.zeros_like(self.lit_by_star) if late else self.lit_by_star
+
+        def one(i: int) -> None:
+            first_pass(
+                i, self.axes, self.directions, self.phase, self.which, self.air, new_line(self.air),
+                lit, self.incoming[i],
+            )  # fmt: skip
+
+        self._all_radii("order 1", one)
+        self._sky(self.incoming)
+        return self.incoming
+
+    def gather(self, incoming: FloatArray, order: int) -> FloatArray:
+        """G⁽ᵏ⁾ from H⁽ᵏ⁾."""
+        axes, settings = self.axes, self.settings
+        shape = axes_shape(axes, self.which.size)
+        out = np.empty(shape)
+        rows = out.reshape(axes.radii, axes.views, *shape[1:])
+        azimuth = np.radians(settings.azimuth)
+
+        def one(i: int) -> None:
+            gather(
+                i, axes, self.directions, self.phase, self.which, incoming[i], np.cos(azimuth),
+                np.sin(azimuth), settings.graded, settings.logarithmic, rows[i],
+            )  # fmt: skip
+
+        self._all_radii(f"gather {order}", one)
+        return out
+
+    def ground(self, order: int) -> FloatArray:
+        return self.from_sky
+
+    def next(self, gathered: FloatArray, order: int) -> FloatArray:
+        """S⁽ᵏ⁾ + A⁽ᵏ⁾·T from G⁽ᵏ⁻¹⁾; as printed, D stands in for A⁽²⁾."""
+        late = self.settings.literal == "atmosphere-plus-2" and order == 2
+        lit = self.lit_by_star if late else self.from_sky
+
+        def one(i: int) -> None:
+            next_pass(
+                i, self.axes, self.directions, gathered, self.settings.logarithmic, self.air,
+                new_line(self.air), lit, self.incoming[i],
+            )  # fmt: skip
+
+        self._all_radii(f"order {order}", one)
+        self._sky(self.incoming)
+        return self.incoming
+
+
+def _share(part: FloatArray, total: FloatArray, wavelengths: int) -> FloatArray:
+    """Largest share of a part in its sum, per wavelength, where it is not too dark. [1]"""
+    part, total = part.reshape(-1, wavelengths), total.reshape(-1, wavelengths)
+    bright = total > _FAINT * total.max(axis=0)
+    share = np.divide(part, total, out=np.zeros_like(part), where=bright)
+    return np.asarray(share.max(axis=0))
+
+
+def _rest(last: FloatArray, before: FloatArray) -> FloatArray:
+    """What follows after the last order if every order is the same part of the one before."""
+    ratio = np.divide(last, before, out=np.zeros_like(last), where=before > _DARK)
+    ratio = np.minimum(ratio, _LARGEST_RATIO)
+    return np.asarray(last * ratio / (1.0 - ratio))

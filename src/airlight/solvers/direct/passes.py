@@ -1,0 +1,200 @@
+"""The passes over the table: light scattered once, light gathered before, light on the ground."""
+
+from __future__ import annotations
+
+from math import cos, exp, log, pi, sin, sqrt
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.path import ray_length, shadow_edges
+from airlight.geometry.shell import meets_ground
+from airlight.geometry.sun_disc import mean_cosine
+from airlight.kernel import compiled_loop
+from airlight.solvers.direct.layout import radius_of, sun_cell, sun_of
+from airlight.solvers.direct.line import (
+    add_gathered,
+    add_once,
+    place_rows,
+    prepare,
+    star_columns,
+)
+
+FloatArray = NDArray[np.float64]
+
+#: What the logarithm takes for zero. [1]
+_DARK = 1e-280
+
+
+@compiled_loop
+def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
+    """Light scattered or reflected once that arrives at one radius: S⁽¹⁾ + D·T.
+
+    Parameters
+    ----------
+    i : int
+        Place of the radius.
+    axes, directions, air, line :
+        See ``Layout``, ``Directions``, ``Air`` and ``Line``.
+    phase, which : array
+        From ``phase_nodes``. [sr⁻¹]
+    lit_ground : array, shape (suns, nl)
+        D, the radiance of the ground that the star lights. [sr⁻¹]
+    out : array, shape (suns, nl, nz, na)
+        Receives the light, per irradiance of the star. [sr⁻¹]
+    """
+    zenith, azimuth = directions.zenith[i], directions.azimuth
+    r = radius_of(i, axes)
+    last = phase.shape[1] - 1
+    here, light = np.empty(which.size), np.empty(out.shape[1])
+    for z in range(zenith.size):
+        mu, sine = cos(zenith[z]), sin(zenith[z])
+        length = ray_length(r, mu, axes.bottom, axes.top)
+        for k in range(axes.suns):
+            mu_s = min(max(sun_of(k, axes), -1.0), 1.0)
+            sun_sine = sqrt((1.0 - mu_s) * (1.0 + mu_s))
+            for a in range(azimuth.size):
+                nu = min(max(mu * mu_s + sine * sun_sine * cos(azimuth[a]), -1.0), 1.0)
+                light[:] = 0.0
+                if length > 0.0:
+                    dark, dawn = shadow_edges(r, mu, mu_s, nu, axes.bottom)
+                    count = prepare(r, mu, length, dark, dawn, air, line)
+                    x = sqrt(max(0.5 - 0.5 * nu, 0.0)) * last
+                    node = min(int(x), last - 1)
+                    for q in range(here.size):
+                        low, high = phase[which[q], node], phase[which[q], node + 1]
+                        here[q] = low + (x - node) * (high - low)
+                    add_once(r, mu_s, nu, count, here, False, air, line, light)
+                else:
+                    line.through[:] = 1.0
+                if meets_ground(r, mu, axes.bottom):
+                    add_ground(r, mu_s, nu, length, axes, lit_ground, False, line.through, light)
+                for l in range(light.size):
+                    out[k, l, z, a] = light[l]
+
+
+@compiled_loop
+def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, out):
+    """Light of the next order that arrives at one radius: S⁽ᵏ⁾ + A⁽ᵏ⁾·T.
+
+    Parameters
+    ----------
+    i, axes, directions, air, line :
+        As in ``first_pass``.
+    table : array, shape (radii·views, suns, angles, ns·nl)
+        G⁽ᵏ⁻¹⁾, the gathered light, or its logarithm. [sr⁻¹]
+    logarithmic : bool
+        Which.
+    lit_ground : array, shape (suns, nl)
+        A⁽ᵏ⁾, the radiance of the ground that the sky lights. [sr⁻¹]
+    out : array, shape (suns, nl, nz, na)
+        Receives the light, per irradiance of the star. [sr⁻¹]
+    """
+    zenith, azimuth = directions.zenith[i], directions.azimuth
+    r = radius_of(i, axes)
+    light = np.empty(out.shape[1])
+    for z in range(zenith.size):
+        mu, sine = cos(zenith[z]), sin(zenith[z])
+        length = ray_length(r, mu, axes.bottom, axes.top)
+        count = 0
+        line.through[:] = 1.0
+        if length > 0.0:
+            count = prepare(r, mu, length, 0.0, 0.0, air, line)
+            place_rows(r, mu, count, axes, line)
+        to_ground = meets_ground(r, mu, axes.bottom)
+        for k in range(axes.suns):
+            mu_s = min(max(sun_of(k, axes), -1.0), 1.0)
+            sun_sine = sqrt((1.0 - mu_s) * (1.0 + mu_s))
+            for a in range(azimuth.size):
+                nu = min(max(mu * mu_s + sine * sun_sine * cos(azimuth[a]), -1.0), 1.0)
+                light[:] = 0.0
+                add_gathered(r, mu_s, nu, count, axes, table, logarithmic, line, light)
+                if to_ground:
+                    add_ground(
+                        r, mu_s, nu, length, axes, lit_ground, logarithmic, line.through, light
+                    )
+                for l in range(light.size):
+                    out[k, l, z, a] = light[l]
+
+
+@compiled_loop
+def add_ground(r, mu_s, nu, length, axes, lit_ground, logarithmic, through, out):
+    """Add the ground's light at the end of a line of sight.
+
+    Parameters
+    ----------
+    r, mu_s, nu, length : float
+        Of the start. [m], [1], [1], [m]
+    axes : Layout
+        Of the suns.
+    lit_ground : array, shape (suns, nl)
+        Radiance of the ground. [sr⁻¹]
+    logarithmic : bool
+        How to interpolate it.
+    through : array, shape (nl,)
+        Transmittance of the line. [1]
+    out : array, shape (nl,)
+        [sr⁻¹]
+    """
+    mu_s_ground = min(max((r * mu_s + length * nu) / axes.bottom, -1.0), 1.0)
+    s0, s1, e = sun_cell(mu_s_ground, axes)
+    for l in range(out.size):
+        low, high = lit_ground[s0, l], lit_ground[s1, l]
+        if logarithmic and low > _DARK and high > _DARK:
+            value = exp((1.0 - e) * log(low) + e * log(high))
+        else:
+            value = (1.0 - e) * low + e * high
+        out[l] += through[l] * value
+
+
+@compiled_loop
+def direct_light(r, mu_s, nested, air, line, out):
+    """Irradiance of a level surface by the star itself, per the star's.
+
+    Parameters
+    ----------
+    r, mu_s : float
+        [m], [1]
+    nested : bool
+        Whether the column is integrated by the rule; else it is looked up.
+    air, line :
+        See ``Air`` and ``Line``.
+    out : array, shape (nl,)
+        [1]
+    """
+    above = mean_cosine(mu_s, mu_s, air.star_radius)  # near the horizon the sine is the angle
+    out[:] = 0.0
+    if above <= 0.0:
+        return
+    star_columns(r, mu_s, nested, air, line.edges, line.sun, line.columns)
+    for l in range(out.size):
+        tau = 0.0
+        for c in range(line.columns.size):
+            tau += air.extinction[c, l] * line.columns[c]
+        out[l] = above * exp(-tau)
+
+
+def sky_light(zenith: FloatArray, weights: FloatArray, incoming: FloatArray) -> FloatArray:
+    """Irradiance of level ground by the sky: the ambient pass.
+
+    Parameters
+    ----------
+    zenith : array, shape (nz,)
+        [rad]
+    weights : array, shape (nz, na)
+        Solid angles. [sr]
+    incoming : array, shape (suns, nl, nz, na)
+        Light of one order on the ground. [sr⁻¹]
+
+    Returns
+    -------
+    array, shape (suns, nl)
+        [1]
+    """
+    cosine = np.maximum(np.cos(zenith), 0.0)
+    return np.asarray(np.einsum("za,klza->kl", weights * cosine[:, None], incoming))
+
+
+def lambert(albedo: FloatArray, irradiance: FloatArray) -> FloatArray:
+    """Radiance of a Lambert ground: albedo·E/π. [sr⁻¹ for irradiance in 1]"""
+    return albedo * irradiance / pi

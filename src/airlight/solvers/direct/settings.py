@@ -1,0 +1,149 @@
+"""How finely the direct solver works, and by which document."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Final
+
+from airlight.errors import ParameterError
+
+#: What the table of gathered light is laid out on.
+MAPPINGS: Final = ("angle", "bruneton", "linear", "power", "weighted-power")
+#: Printed forms that differ from the corrected equations and still run.
+LITERAL: Final = ("", "atmosphere-plus-1", "atmosphere-plus-2")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Settings:
+    """Sizes and rules of the direct solver.
+
+    Attributes
+    ----------
+    mapping : str
+        Of the table of gathered light. ``bruneton`` is his 4-D mapping of (r, mu, mu_s, nu),
+        ``angle`` the same with the view direction and the angle to the sun in even steps of angle;
+        ``linear``, ``power`` and ``weighted-power`` are the 3-D mappings of Atmosphere Plus of
+        (h, φ, δ), which leave azimuth out.
+    radii, views, suns, scatter_angles : int
+        Shape of the table; the last is 1 for the 3-D mappings.
+    power : float
+        Exponent of the power and weighted power mappings. [1]
+    azimuth : float
+        At which a 3-D table holds the gathered light. [deg]
+    zenith_steps, azimuth_steps : int
+        Of the gather over the sphere: steps in Θ (on each side of the horizon if graded, over
+        all of it if not), and in Φ over the whole turn.
+    steps : int
+        Of the trapezoid on each stretch of a line of sight: between lowest point, corners of the
+        profiles, edges of the shadow and ends if graded, else all of it.
+    pass_steps : int
+        The same for the lines of the passes that fill the table.
+    graded : bool
+        Whether trapezoids are graded and split at the horizon and the tangent point; if not, they
+        have equal steps, as printed.
+    logarithmic : bool
+        Whether the table is interpolated in the logarithm; if not, linearly, as printed.
+    orders : int
+        At most so many orders.
+    tolerance : float
+        The iteration stops when an order adds less than this, relative to the sum. [1]
+    tail : bool
+        Whether the orders left out are added as a geometric series.
+    keep_orders : bool
+        Whether each order can be asked for by itself.
+    literal : str
+        ``atmosphere-plus-1`` gathers and attenuates each constituent by itself only, over black
+        ground; ``atmosphere-plus-2`` lets the lit ground join one order late and loses A⁽²⁾.
+    """
+
+    mapping: str = "angle"
+    radii: int = 24
+    views: int = 32
+    suns: int = 40
+    scatter_angles: int = 12
+    power: float = 2.0
+    azimuth: float = 0.0
+    zenith_steps: int = 10
+    azimuth_steps: int = 32
+    steps: int = 16
+    pass_steps: int = 10
+    graded: bool = True
+    logarithmic: bool = True
+    orders: int = 30
+    tolerance: float = 5e-3
+    tail: bool = True
+    keep_orders: bool = True
+    literal: str = ""
+
+    def __post_init__(self) -> None:
+        if self.mapping not in MAPPINGS:
+            raise ParameterError("mapping", self.mapping, ", ".join(MAPPINGS))
+        if self.literal not in LITERAL:
+            raise ParameterError("literal", self.literal, ", ".join(filter(None, LITERAL)))
+        for name, low, high in (
+            ("radii", 2, 256),
+            ("views", 4, 512),
+            ("suns", 4, 512),
+            ("scatter_angles", 1 if self.flat else 2, 1 if self.flat else 256),
+            ("zenith_steps", 3, 200),
+            ("azimuth_steps", 4, 400),
+            ("steps", 3, 400),
+            ("pass_steps", 3, 400),
+            ("orders", 1, 1000),
+        ):
+            value = getattr(self, name)
+            if not low <= value <= high:
+                raise ParameterError(name, value, f"{low} to {high}")
+        if self.views % 2 or self.azimuth_steps % 2:
+            name = "views" if self.views % 2 else "azimuth_steps"
+            raise ParameterError(name, getattr(self, name), "an even number")
+        if not 1.0 <= self.power <= 8.0:
+            raise ParameterError("power", self.power, "1 to 8")
+        if not 0.0 <= self.azimuth <= 180.0:
+            raise ParameterError("azimuth", self.azimuth, "0 to 180 deg")
+        if not 0.0 < self.tolerance < 1.0:
+            raise ParameterError("tolerance", self.tolerance, "above 0, below 1")
+
+    @property
+    def flat(self) -> bool:
+        """Whether the table leaves azimuth out."""
+        return self.mapping not in ("angle", "bruneton")
+
+    def as_text(self) -> str:
+        """All settings on one line, for reports and fingerprints."""
+        return " ".join(f"{name}={value}" for name, value in asdict(self).items() if value != "")
+
+
+QUALITIES: Final = {
+    "preview": Settings(
+        radii=16, views=20, suns=28, scatter_angles=8, zenith_steps=8, azimuth_steps=20, steps=12,
+        pass_steps=8, tolerance=2e-2,
+    ),
+    "default": Settings(),
+    "fine": Settings(
+        radii=26, views=36, suns=72, scatter_angles=16, zenith_steps=20, azimuth_steps=44,
+        steps=28, pass_steps=14, keep_orders=False,
+    ),
+}  # fmt: skip
+
+#: The tables of the Atmosphere Plus notes: 32 heights, 64 view and 32 sun directions, 30 steps.
+ATMOSPHERE_PLUS: Final = Settings(
+    mapping="weighted-power", radii=32, views=64, suns=32, scatter_angles=1, zenith_steps=12,
+    azimuth_steps=24, steps=30, pass_steps=30, graded=False, logarithmic=False, orders=6,
+    tail=False,
+)  # fmt: skip
+
+
+def settings_for(quality: str | Settings) -> Settings:
+    """The settings of a named quality level.
+
+    Raises
+    ------
+    ParameterError
+        If the name is not one of ``QUALITIES``.
+    """
+    if isinstance(quality, Settings):
+        return quality
+    if quality not in QUALITIES:
+        raise ParameterError("quality", quality, ", ".join(QUALITIES))
+    return QUALITIES[quality]

@@ -1,0 +1,296 @@
+"""The direct solver's result: lines of sight through the tables of gathered light."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import replace
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.path import shadow_edges
+from airlight.kernel import compiled_loop, source_fingerprint
+from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.optics.density_profile import DensitySegments
+from airlight.planets.medium import Medium
+from airlight.solvers.direct.layout import layout_for
+from airlight.solvers.direct.line import (
+    Air,
+    add_gathered,
+    add_once,
+    air_of,
+    axes_shape,
+    new_line,
+    place_rows,
+    prepare,
+)
+from airlight.solvers.direct.orders import Orders, solve_orders
+from airlight.solvers.direct.passes import add_ground, direct_light
+from airlight.solvers.direct.settings import Settings
+from airlight.solvers.direct.trapezoid import sphere
+from airlight.solvers.solution import Report, Sight, Solution
+from airlight.tables import cache as disk
+
+FloatArray = NDArray[np.float64]
+
+#: Lines of sight in one block of work.
+_BLOCK = 64
+#: Steps in zenith and azimuth of the irradiance of the sky.
+_SKY_STEPS = (12, 28)
+
+
+class DirectSolution(Solution):
+    """A solution by the direct solver.
+
+    Parameters
+    ----------
+    medium : Medium
+        What was solved.
+    settings : Settings
+        How.
+    parts : list of (Medium, Orders)
+        One; for the literal first notes one for each constituent that scatters.
+    seconds : float
+        What it took. [s]
+    """
+
+    def __init__(
+        self,
+        medium: Medium,
+        settings: Settings,
+        parts: list[tuple[Medium, Orders]],
+        seconds: float,
+    ) -> None:
+        self.medium = medium
+        self.settings = settings
+        self.parts = parts
+        self._airs = [air_of(one, settings, settings.steps) for one, _ in parts]
+        kept = max(len(orders.each) for _, orders in parts) + 1 if settings.keep_orders else 1
+        self.highest_order = kept
+        self.report = Report(
+            solver="direct",
+            settings=settings.as_text(),
+            sweeps=max(orders.count for _, orders in parts),
+            residual=tuple(
+                float(x) for x in np.max([orders.residual for _, orders in parts], axis=0)
+            ),
+            seconds=seconds,
+        )
+
+    def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
+        """See ``Solution``; each order up to ``highest_order``, or all together."""
+        out = np.zeros((sight.r.size, self.wavelengths.size))
+        for (medium, orders), air in zip(self.parts, self._airs, strict=True):
+            out += _radiance(medium, orders, air, self.settings, sight, order)
+        return out
+
+    def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
+        """See ``Solution``."""
+        air = air_of(self.medium, self.settings, self.settings.steps)
+        out, line = np.empty((r.size, self.wavelengths.size)), new_line(air)
+        for k in range(r.size):
+            direct_light(r[k], mu_s[k], True, air, line, out[k])
+        return out
+
+    def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
+        """See ``Solution``; by the trapezoid over the upper hemisphere, split at the sun."""
+        out = np.empty((r.size, self.wavelengths.size))
+        for k in range(r.size):
+            sun = float(np.arccos(np.clip(mu_s[k], -1.0, 1.0)))
+            cuts = (0.0, sun, np.pi / 2) if 0.02 < sun < np.pi / 2 - 0.02 else (0.0, np.pi / 2)
+            zenith, azimuth, weights = sphere(*_SKY_STEPS, cuts, grade=True)
+            mu = np.repeat(np.cos(zenith), azimuth.size)
+            around = np.tile(np.cos(azimuth), zenith.size)
+            sine = np.sqrt((1.0 - mu) * (1.0 + mu) * (1.0 - mu_s[k]) * (1.0 + mu_s[k]))
+            same = np.full_like(mu, 1.0)
+            length = -r[k] * mu + np.sqrt(
+                (self.medium.top_radius - r[k]) * (self.medium.top_radius + r[k]) + (r[k] * mu) ** 2
+            )
+            nu = np.clip(mu * mu_s[k] + sine * around, -1.0, 1.0)
+            sight = Sight(
+                same * r[k], mu, same * mu_s[k], nu, length, np.zeros(mu.size, dtype=bool)
+            )
+            out[k] = (weights.ravel() * mu) @ self.relative_radiance(sight)
+        return out
+
+
+def _radiance(
+    medium: Medium, orders: Orders, air: Air, settings: Settings, sight: Sight, order: int | None
+) -> FloatArray:
+    n, wavelengths = sight.r.size, medium.wavelengths.size
+    out = np.zeros((n, wavelengths))
+    once = order is None or order == 1
+    table, ground = orders.total, orders.ground
+    if order is not None and order > 1:
+        if order - 2 >= len(orders.each):
+            return out
+        table, ground = orders.each[order - 2], orders.each_ground[order - 2]
+    gathered = order is None or order > 1
+    scatterers = air.scatterers
+
+    def block(index: int) -> None:
+        rows = slice(index * _BLOCK, min((index + 1) * _BLOCK, n))
+        phase = medium.phase_function(sight.nu[rows])[:, scatterers]
+        _lines(
+            sight.r[rows],
+            sight.mu[rows],
+            sight.mu_s[rows],
+            sight.nu[rows],
+            sight.length[rows],
+            sight.to_ground[rows],
+            np.ascontiguousarray(phase.reshape(phase.shape[0], -1)),
+            medium.ground_albedo,
+            once,
+            gathered,
+            orders.axes,
+            table,
+            ground,
+            settings.logarithmic,
+            air,
+            new_line(air),
+            out[rows],
+        )
+
+    run_blocks(block, -(-n // _BLOCK))
+    return out
+
+
+@compiled_loop
+def _lines(
+    r, mu, mu_s, nu, length, to_ground, phase, albedo, once, gathered, axes, table, ground,
+    logarithmic, air, line, out,
+):  # fmt: skip
+    received = np.empty(albedo.size)
+    for k in range(r.size):
+        line.through[:] = 1.0
+        if length[k] > 0.0:
+            dark, dawn = shadow_edges(r[k], mu[k], mu_s[k], nu[k], air.bottom)
+            count = prepare(r[k], mu[k], length[k], dark, dawn, air, line)
+            if gathered:
+                place_rows(r[k], mu[k], count, axes, line)
+                add_gathered(r[k], mu_s[k], nu[k], count, axes, table, logarithmic, line, out[k])
+            if once:
+                add_once(r[k], mu_s[k], nu[k], count, phase[k], True, air, line, out[k])
+        if to_ground[k]:
+            if gathered:
+                add_ground(
+                    r[k], mu_s[k], nu[k], length[k], axes, ground, logarithmic, line.through, out[k]
+                )
+            if once:
+                mu_s_ground = (r[k] * mu_s[k] + length[k] * nu[k]) / air.bottom
+                direct_light(
+                    air.bottom, min(max(mu_s_ground, -1.0), 1.0), True, air, line, received
+                )
+                for l in range(albedo.size):
+                    out[k, l] += line.through[l] * albedo[l] * received[l] / np.pi
+
+
+def solve(
+    medium: Medium,
+    settings: Settings,
+    *,
+    cache: bool = True,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> DirectSolution:
+    """Solve a medium by the book, or read its solution from the cache.
+
+    Parameters
+    ----------
+    medium : Medium
+        What to solve.
+    settings : Settings
+        How.
+    cache : bool
+        Whether to look for the solution on disk and to leave it there.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Raises
+    ------
+    ConvergenceError
+        If the orders do not fall.
+    """
+    started = perf_counter()
+    media = [medium]
+    if settings.literal == "atmosphere-plus-1":
+        scatterers = np.flatnonzero(medium.scattering.max(axis=1) > 0.0)
+        media = [alone(medium, int(i)) for i in scatterers]
+    parts = []
+    computed = False
+    for one in media:
+        key = _key(one, settings)
+        orders = _from_arrays(one, settings, disk.load(key)) if cache else None
+        if orders is None:
+            computed = True
+            orders = solve_orders(one, settings, progress=progress, cancel=cancel)
+            if cache:
+                disk.save(key, _to_arrays(orders))
+        parts.append((one, orders))
+    return DirectSolution(medium, settings, parts, perf_counter() - started if computed else 0.0)
+
+
+def _key(medium: Medium, settings: Settings) -> str:
+    text = f"direct {source_fingerprint()} {settings.as_text()} {medium.fingerprint()}"
+    return hashlib.sha256(text.encode()).hexdigest()[:40]
+
+
+def _to_arrays(orders: Orders) -> dict[str, NDArray[Any]]:
+    return {
+        "total": orders.total,
+        "ground": orders.ground,
+        "each": np.array(orders.each),
+        "each_ground": np.array(orders.each_ground),
+        "count": np.array(orders.count),
+        "residual": orders.residual,
+    }
+
+
+def _from_arrays(
+    medium: Medium, settings: Settings, arrays: dict[str, NDArray[Any]] | None
+) -> Orders | None:
+    """The orders that a cache file holds, or None if it holds something else."""
+    if arrays is None:
+        return None
+    axes = layout_for(medium, settings)
+    scatterers = int((medium.scattering.max(axis=1) > 0.0).sum())
+    shape = axes_shape(axes, scatterers * medium.wavelengths.size)
+    try:
+        orders = Orders(
+            axes=axes,
+            total=arrays["total"],
+            ground=arrays["ground"],
+            each=list(arrays["each"]),
+            each_ground=list(arrays["each_ground"]),
+            count=int(arrays["count"]),
+            residual=arrays["residual"],
+        )
+    except (KeyError, TypeError, ValueError):
+        return None
+    lit = (axes.suns, medium.wavelengths.size)
+    sound = (
+        orders.total.shape == shape
+        and orders.ground.shape == lit
+        and all(one.shape == shape for one in orders.each)
+        and all(one.shape == lit for one in orders.each_ground)
+        and orders.residual.shape == lit[1:]
+        and bool(np.isfinite(orders.total).all())
+    )
+    return orders if sound else None
+
+
+def alone(medium: Medium, index: int) -> Medium:
+    """A medium with one constituent only over black ground, as the first notes have it."""
+    here = slice(index, index + 1)
+    return replace(
+        medium,
+        names=medium.names[here],
+        scattering=medium.scattering[here],
+        absorption=medium.absorption[here],
+        density=DensitySegments(medium.density.edges[here], medium.density.coefficients[here]),
+        phase_table=medium.phase_table[here],
+        ground_albedo=np.zeros_like(medium.ground_albedo),
+        constituents=medium.constituents[here],
+    )

@@ -1,0 +1,203 @@
+r"""Trapezoid rules on a line, on a rectangle and on the sphere, uniform and graded.
+
+The uniform rules are those of the Atmosphere Plus notes. The graded one is the same rule after
+the substitution x = t - sin(2πt)/2π (Sidi 1993), whose slope vanishes at both ends: what the
+trapezoid gets wrong at the ends of a stretch is then gone: 16 steps integrate exp(-5x) to 1e-6
+instead of 8e-3.
+"""
+
+from __future__ import annotations
+
+import itertools
+from math import pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.quadrature import Rule
+
+FloatArray = NDArray[np.float64]
+
+#: How much of the graded turn's steps is drawn towards the sun. [1]
+_TOWARDS_SUN = 0.7
+
+
+def weights_1d(steps: int) -> FloatArray:
+    """Weights of the trapezoid rule over ``steps`` steps, in steps: 1/2, 1, …, 1, 1/2.
+
+    Parameters
+    ----------
+    steps : int
+        At least 1.
+
+    Returns
+    -------
+    array, shape (steps + 1,)
+        [1]
+
+    References
+    ----------
+    Atmosphere Plus notes 2, section 4.1.
+    """
+    weights = np.ones(steps + 1)
+    weights[[0, -1]] = 0.5
+    return weights
+
+
+def weights_2d(steps: int, steps_2: int) -> FloatArray:
+    """Weights of the trapezoid rule on a rectangle, in cells: 1/4 in corners, 1/2 on edges, 1.
+
+    Parameters
+    ----------
+    steps, steps_2 : int
+        Along each side.
+
+    Returns
+    -------
+    array, shape (steps + 1, steps_2 + 1)
+        [1]
+
+    References
+    ----------
+    Atmosphere Plus notes 2, section 4.2, where they stand as 1, 2 and 4 quarters. They are the
+    products of the weights of two nested rules: the notes' warning that nesting is less accurate
+    (notes 1, section 1.8) does not hold.
+
+    Examples
+    --------
+    >>> weights_2d(2, 2) * 4
+    array([[1., 2., 1.],
+           [2., 4., 2.],
+           [1., 2., 1.]])
+    """
+    return np.outer(weights_1d(steps), weights_1d(steps_2))
+
+
+def uniform(steps: int) -> Rule:
+    """The trapezoid rule on [0, 1] with equal steps, ends included, and its running sums.
+
+    Parameters
+    ----------
+    steps : int
+        Number of steps.
+
+    Returns
+    -------
+    Rule
+        ``steps + 1`` nodes.
+
+    Examples
+    --------
+    >>> rule = uniform(4)
+    >>> float(rule.weights @ rule.nodes)
+    0.5
+    """
+    nodes = np.linspace(0.0, 1.0, steps + 1)
+    running = np.tril(np.full((steps + 1, steps + 1), 1.0 / steps))
+    running[:, 0] *= 0.5
+    running[np.diag_indices(steps + 1)] *= 0.5
+    running[0, 0] = 0.0
+    return _frozen(nodes, weights_1d(steps) / steps, running)
+
+
+def graded(steps: int) -> Rule:
+    """The trapezoid rule on [0, 1] in t with x = t - sin(2πt)/2π; the ends have no weight.
+
+    Parameters
+    ----------
+    steps : int
+        Number of steps in t.
+
+    Returns
+    -------
+    Rule
+        ``steps - 1`` nodes inside (0, 1). Its running integrals are those of cubics through four
+        neighbours.
+
+    References
+    ----------
+    A. Sidi (1993), A new variable transformation for numerical integration, in Numerical
+    Integration IV, ISNM 112, 359, with m = 1.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> rule = graded(16)  # 1e-6 off, sixteen equal steps 8e-3
+    >>> f"{rule.weights @ np.exp(-5 * rule.nodes):.6f}, exact {(1 - np.exp(-5)) / 5:.6f}"
+    '0.198653, exact 0.198652'
+    """
+    t = np.arange(steps + 1) / steps
+    slope = 1.0 - np.cos(2.0 * pi * t)
+    # Over one step: (-F[k-1] + 13 F[k] + 13 F[k+1] - F[k+2]) / 24, F = f·slope, even at the ends.
+    step = np.zeros((steps, steps + 1))
+    for k in range(steps):
+        for at, share in ((k - 1, -1.0), (k, 13.0), (k + 1, 13.0), (k + 2, -1.0)):
+            mirrored = abs(at) if at <= steps else 2 * steps - at
+            step[k, mirrored] += share / (24.0 * steps)
+    running = np.cumsum(step, axis=0)[:-1] * slope
+    return _frozen(
+        (t - np.sin(2.0 * pi * t) / (2.0 * pi))[1:-1], (slope / steps)[1:-1], running[:, 1:-1]
+    )
+
+
+def _frozen(nodes: FloatArray, weights: FloatArray, running: FloatArray) -> Rule:
+    rule = Rule(nodes, weights, np.ascontiguousarray(running))
+    for array in (rule.nodes, rule.weights, rule.running):
+        array.setflags(write=False)
+    return rule
+
+
+def sphere(
+    zenith_steps: int, azimuth_steps: int, cuts: tuple[float, ...], *, grade: bool
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    r"""Directions for integrals over the sphere of what is even in azimuth.
+
+    .. math:: \int_{4\pi} f\, d\omega = \int_0^{2\pi} \int_0^\pi f \sin\Theta\, d\Theta\, d\Phi
+
+    The rule in Φ has ``azimuth_steps`` steps over the whole turn; of two directions that mirror
+    each other in the plane Φ = 0 only one is kept, with the weight of both. If graded, Φ = t -
+    0.7 sin t with equal steps in t: three times finer towards the sun, where haze is bright, and
+    as exact for what is smooth, since the whole turn has no ends.
+
+    Parameters
+    ----------
+    zenith_steps : int
+        Steps in Θ on each stretch.
+    azimuth_steps : int
+        Steps in Φ over 2π, even.
+    cuts : tuple of float
+        Where stretches of Θ end, ascending, such as (0, horizon, π). [rad]
+    grade : bool
+        Whether each stretch and the turn have their graded rules; else uniform ones.
+
+    Returns
+    -------
+    zenith : array, shape (nz,)
+        Θ. [rad]
+    azimuth : array, shape (azimuth_steps / 2 + 1,)
+        Φ from 0 to π. [rad]
+    weights : array, shape (nz, azimuth_steps / 2 + 1)
+        Solid angles; the sum is 4π for cuts from 0 to π, within the rule's accuracy. [sr]
+
+    References
+    ----------
+    Atmosphere Plus notes 2, section 4.3.
+
+    Examples
+    --------
+    >>> zenith, azimuth, weights = sphere(12, 24, (0.0, 3.141592653589793), grade=True)
+    >>> f"{weights.sum():.4f}"  # 4π
+    '12.5663'
+    """
+    rule = (graded if grade else uniform)(zenith_steps)
+    angles, lengths = [], []
+    for low, high in itertools.pairwise(cuts):
+        angles.append(low + (high - low) * rule.nodes)
+        lengths.append((high - low) * rule.weights)
+    zenith = np.concatenate(angles)
+    half = azimuth_steps // 2
+    t = np.linspace(0.0, pi, half + 1)
+    share = _TOWARDS_SUN if grade else 0.0
+    around = 2.0 * weights_1d(half) * (pi / half) * (1.0 - share * np.cos(t))
+    weights = np.outer(np.concatenate(lengths) * np.sin(zenith), around)
+    return zenith, t - share * np.sin(t), weights

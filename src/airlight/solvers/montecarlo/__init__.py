@@ -1,0 +1,1 @@
+"""Backward Monte Carlo in the spherical shell: the referee without geometric approximation."""

@@ -1,0 +1,233 @@
+"""Histories in rounds, until each line of sight is known well enough.
+
+Every line of sight and wavelength is a task of its own, traced independently of all others. A task
+begins with two blocks of histories; from their scatter follows how many more it needs, and it gets
+at most three times what it had. The decision looks at whole rounds only, and the sums are added in
+the order of the blocks: nothing depends on the number of threads.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.solvers.montecarlo.air import Air
+from airlight.solvers.montecarlo.histories import follow
+from airlight.solvers.montecarlo.lit_air import new_lit
+from airlight.solvers.montecarlo.rays import new_trace
+from airlight.solvers.montecarlo.settings import Settings
+from airlight.solvers.montecarlo.streams import stream
+
+FloatArray = NDArray[np.float64]
+
+#: Histories of a block: what a stream of random numbers is for.
+BLOCK: Final = 8192
+#: Blocks of the first round.
+_FIRST_ROUND: Final = 2
+#: A task that has seen no light after so many blocks gets no more.
+_DARK: Final = 64
+#: Where the star is lower than this on a line of sight, half of the places are drawn in lit air;
+#: elsewhere nearly all air is lit, and the choice would only cost time. [1]
+_LOW_STAR: Final = 0.0
+_LIT_SHARE: Final = 0.5
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """What histories say about some lines of sight.
+
+    Attributes
+    ----------
+    total, total_error : array, shape (n, nl)
+        Radiance (or irradiance) per irradiance of the star and its standard error, orders known
+        before included. [sr⁻¹] or [1]
+    parts, part_errors : array, shape (n, k + 1, nl)
+        Of each order; the last is all further ones. The parts of one line come from the same
+        histories: their errors are correlated, those of different lines or wavelengths are not.
+    histories : array of int, shape (n, nl)
+        How many were followed.
+    reached : array of bool, shape (n, nl)
+        Whether the error is as small as asked for.
+    """
+
+    total: FloatArray
+    total_error: FloatArray
+    parts: FloatArray
+    part_errors: FloatArray
+    histories: NDArray[np.int64]
+    reached: NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Question:
+    """What is to be estimated.
+
+    Attributes
+    ----------
+    starts : array, shape (n, 4)
+        Radius [m], cosines of view zenith, star zenith and the angle between them [1].
+    lengths : array, shape (n,)
+        Of the lines of sight; no histories where it is 0. [m]
+    hemisphere : bool
+        Whether the light from the upper hemisphere is asked for, rather than along a view.
+    known : array, shape (n, nl), or None
+        The first order, if it need not be sampled.
+    order : int or None
+        The order whose error decides; None is all orders together.
+    """
+
+    starts: FloatArray
+    lengths: FloatArray
+    hemisphere: bool
+    known: FloatArray | None
+    order: int | None
+
+
+def estimate(
+    question: Question,
+    airs: Sequence[Air],
+    wavelengths: FloatArray,
+    settings: Settings,
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Estimate:
+    """Follow histories until all tasks are done.
+
+    Parameters
+    ----------
+    question : Question
+    airs : sequence of Air, length nl
+        The medium at each wavelength.
+    wavelengths : array, shape (nl,)
+        They name the streams of random numbers. [nm]
+    settings : Settings
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Raises
+    ------
+    Cancelled
+        If ``cancel`` said so.
+    """
+    n, count = question.starts.shape[0], len(airs)
+    bins = settings.kept_orders + 1
+    sums = np.zeros((n * count, 2, bins + 1))
+    blocks = np.zeros(n * count, np.int64)
+    most = max(1, settings.most_histories // BLOCK)
+    known = np.zeros((n, count)) if question.known is None else question.known
+    open_ = np.repeat(question.lengths > 0.0, count)
+    wanted = np.where(open_, min(_FIRST_ROUND, most), 0)
+    done_before = 0
+    while True:
+        units = [
+            (int(task), block)
+            for task in np.flatnonzero(wanted > blocks)
+            for block in range(blocks[task], wanted[task])
+        ]
+        if not units:
+            break
+        results = np.zeros((len(units), 2, bins + 1))
+
+        def run(
+            index: int, units: list[tuple[int, int]] = units, out: FloatArray = results
+        ) -> None:
+            task, block = units[index]
+            line, at = divmod(task, count)
+            nm = float(wavelengths[at])
+            _run_block(question, line, airs[at], nm, block, settings, out[index])
+
+        def shown(done: int, total: int, message: str, before: int = done_before) -> None:
+            if progress is not None:
+                progress(before + done, before + total, message)
+
+        run_blocks(run, len(units), cancel=cancel, progress=shown, message="histories")
+        done_before += len(units)
+        for (task, _), result in zip(units, results, strict=True):
+            sums[task] += result
+        blocks = np.maximum(blocks, wanted)
+        wanted = _more(question, sums, blocks, known, open_, settings, most)
+    histories = blocks.reshape(n, count) * BLOCK
+    means, errors = _statistics(sums, blocks * BLOCK)
+    parts = np.moveaxis(means[:, :bins].reshape(n, count, bins), 1, 2)
+    part_errors = np.moveaxis(errors[:, :bins].reshape(n, count, bins), 1, 2)
+    if question.known is not None:
+        parts[:, 0] = known
+    total = means[:, bins].reshape(n, count) + known
+    total_error = errors[:, bins].reshape(n, count)
+    judged, judged_error = _judged(question, means, errors, known)
+    reached = judged_error <= settings.relative_error * judged
+    reached = (reached & (judged > 0.0)) | ~open_
+    return Estimate(
+        total=total,
+        total_error=total_error,
+        parts=np.ascontiguousarray(parts),
+        part_errors=np.ascontiguousarray(part_errors),
+        histories=histories,
+        reached=reached.reshape(n, count),
+    )
+
+
+def _run_block(
+    question: Question, line: int, air: Air, nm: float, block: int, settings: Settings,
+    out: FloatArray,
+) -> None:  # fmt: skip
+    """One block of histories of one task."""
+    start = question.starts[line]
+    r, mu, mu_s, nu = (float(one) for one in start)
+    # The stream belongs to the question itself, not to its place in a list of questions.
+    names = struct.unpack("<5Q", struct.pack("<5d", *(one + 0.0 for one in (r, mu, mu_s, nu, nm))))
+    state = stream(settings.seed, *names, int(question.hemisphere), block)
+    along = air.extinction
+    paths = (new_trace(along), new_trace(along), new_trace(along), new_lit(along), new_lit(along))
+    room = np.zeros(air.scattering.size), np.zeros(settings.kept_orders + 1)
+    first_order = 1 if question.known is None else 2
+    end_r = np.sqrt(max(r * r + question.lengths[line] * (question.lengths[line] + 2 * r * mu), 1))
+    end_mu_s = (r * mu_s + question.lengths[line] * nu) / end_r
+    lowest = mu_s if question.hemisphere else min(mu_s, end_mu_s)
+    lit_share = _LIT_SHARE if lowest < _LOW_STAR else 0.0
+    follow(
+        BLOCK, (r, mu, mu_s, nu), question.hemisphere, first_order, lit_share, air, state, paths,
+        room, out,
+    )  # fmt: skip
+
+
+def _statistics(sums: FloatArray, histories: NDArray[np.int64]) -> tuple[FloatArray, FloatArray]:
+    """Means and their standard errors, shape (tasks, k + 2)."""
+    number = np.maximum(histories, 1)[:, None]
+    mean = sums[:, 0] / number
+    scatter = np.maximum(sums[:, 1] / number - mean * mean, 0.0)
+    return mean, np.sqrt(scatter / np.maximum(number - 1, 1))
+
+
+def _judged(
+    question: Question, means: FloatArray, errors: FloatArray, known: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """The value and the error of each task that decide when it is done, shape (tasks,)."""
+    if question.order is None:
+        return means[:, -1] + known.ravel(), errors[:, -1]
+    if question.order == 1 and question.known is not None:
+        return known.ravel(), np.zeros(known.size)
+    return means[:, question.order - 1], errors[:, question.order - 1]
+
+
+def _more(
+    question: Question, sums: FloatArray, blocks: NDArray[np.int64], known: FloatArray,
+    open_: NDArray[np.bool_], settings: Settings, most: int,
+) -> NDArray[np.int64]:  # fmt: skip
+    """How many blocks each task should have after the next round, shape (tasks,)."""
+    means, errors = _statistics(sums, blocks * BLOCK)
+    value, error = _judged(question, means, errors, known)
+    allowed = settings.relative_error * value
+    ratio = np.divide(error, allowed, out=np.full(value.size, 2.0), where=allowed > 0.0)
+    # A tenth more than the scatter asks for: the next round then usually is the last.
+    need = np.where(ratio > 1.0, np.ceil(1.1 * blocks * np.square(np.minimum(ratio, 1e3))), blocks)
+    dark = (value <= 0.0) & (blocks >= _DARK)
+    wanted = np.minimum(np.minimum(need, 4 * blocks), most).astype(np.int64)
+    return np.where(open_ & ~dark, np.maximum(wanted, blocks), blocks)

@@ -1,0 +1,199 @@
+"""Places along a ray chosen where the star shines: importance sampling for twilight.
+
+When the star is low, most of what a ray would hit lies in the planet's shadow. Half of the places
+are then drawn from a density that follows the light scattered once, extinction times transmittance
+times the star's light. That light is read from a coarse table, which matters for the noise alone:
+each place carries the ratio of the true density to the mixture of both (the balance heuristic of
+Veach & Guibas 1995, doi:10.1145/218380.218498), at most 2.
+"""
+
+from __future__ import annotations
+
+from math import exp, sqrt
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.shell import horizon_cosine
+from airlight.kernel import compiled_loop, inlined
+from airlight.solvers.montecarlo.rays import (
+    Extinction,
+    depth_within,
+    most_panels,
+    new_trace,
+    trace,
+)
+
+FloatArray = NDArray[np.float64]
+
+#: Altitudes and elevations of the coarse table.
+_HEIGHTS: Final = 40
+_ELEVATIONS: Final = 80
+
+
+class Starlight(NamedTuple):
+    """How much of the star arrives, roughly.
+
+    Attributes
+    ----------
+    bottom, thickness : float
+        [m]
+    values : array, shape (_HEIGHTS, _ELEVATIONS)
+        Transmittance to space over the square roots of altitude and of the cosine's excess over
+        the horizon's. [1]
+    """
+
+    bottom: float
+    thickness: float
+    values: FloatArray
+
+
+class Lit(NamedTuple):
+    """A ray's pieces and their share of the light.
+
+    Attributes
+    ----------
+    mass : array, shape (p, n)
+        Of the piece around each point of each panel.
+    depth : array, shape (p, n)
+        Optical depth from the panel's start to each point.
+    before : array, shape (p,)
+        Optical depth from the ray's start to each panel's.
+    """
+
+    mass: FloatArray
+    depth: FloatArray
+    before: FloatArray
+
+
+def new_lit(extinction: Extinction) -> Lit:
+    """Room for one ray."""
+    panels, nodes = most_panels(extinction), extinction.nodes.size
+    return Lit(np.empty((panels, nodes)), np.empty((panels, nodes)), np.empty(panels))
+
+
+def make_starlight(extinction: Extinction) -> Starlight:
+    """The table for one wavelength."""
+    values = np.empty((_HEIGHTS, _ELEVATIONS))
+    _fill(extinction, new_trace(extinction), values)
+    return Starlight(extinction.bottom, extinction.top - extinction.bottom, values)
+
+
+@compiled_loop
+def _fill(extinction, path, values):
+    bottom, thickness = extinction.bottom, extinction.top - extinction.bottom
+    for i in range(values.shape[0]):
+        x = i / (values.shape[0] - 1.0)
+        r = bottom + thickness * x * x * 0.9999
+        horizon = horizon_cosine(r, bottom)
+        for j in range(values.shape[1]):
+            e = j / (values.shape[1] - 1.0)
+            mu = min(horizon + (1.0 - horizon) * e * e, 1.0)
+            values[i, j] = exp(-trace(r, mu, False, extinction, path)[1])
+
+
+@inlined
+def _starlight(r, mu_s, light):
+    horizon = horizon_cosine(r, light.bottom)
+    excess = mu_s - horizon
+    if excess <= 0.0:
+        return 0.0
+    x = sqrt(min(max((r - light.bottom) / light.thickness, 0.0), 1.0)) * (_HEIGHTS - 1)
+    e = sqrt(min(excess / (1.0 - horizon), 1.0)) * (_ELEVATIONS - 1)
+    i, j = min(int(x), _HEIGHTS - 2), min(int(e), _ELEVATIONS - 2)
+    f, g = x - i, e - j
+    below = light.values[i, j] * (1.0 - g) + light.values[i, j + 1] * g
+    above = light.values[i + 1, j] * (1.0 - g) + light.values[i + 1, j + 1] * g
+    return below * (1.0 - f) + above * f
+
+
+@compiled_loop
+def weigh(r, mu, mu_s, nu, count, extinction, light, path, lit):
+    """What the star sends along a traced ray, piece by piece.
+
+    Parameters
+    ----------
+    r, mu, mu_s, nu : float
+        The ray's start, and cosines of its zenith angle, of the star's, and between them.
+        [m], [1]
+    count : int
+        Of panels, from ``trace``.
+    extinction, light, path : Extinction, Starlight, Trace
+    lit : Lit
+        Receives the pieces.
+
+    Returns
+    -------
+    float
+        Sum of the masses; 0 where all is dark.
+    """
+    nodes, weights, running = extinction.nodes, extinction.weights, extinction.running
+    n = nodes.size
+    depth, total = 0.0, 0.0
+    for at in range(count):
+        lit.before[at] = depth
+        panel, values = path.panels[at], path.values[at]
+        for k in range(n):
+            within = 0.0
+            for j in range(n):
+                within += running[k, j] * values[j]
+            within = max(within, lit.depth[at, k - 1] if k > 0 else 0.0)
+            lit.depth[at, k] = within
+            y = panel[3] + (panel[4] - panel[3]) * nodes[k]
+            square = y * y
+            away = sqrt(panel[1] * panel[1] + square * (2.0 * panel[0] + square))
+            q = panel[0] + square
+            here = (r * mu_s + (-r * mu + panel[2] * away) * nu) / q
+            mass = weights[k] * values[k] * exp(-depth - within) * _starlight(q, here, light)
+            lit.mass[at, k] = mass
+            total += mass
+        depth += panel[5]
+    return total
+
+
+@compiled_loop
+def place_in_light(u, v, count, total, extinction, path, lit):
+    """A place drawn from the pieces.
+
+    Parameters
+    ----------
+    u, v : float
+        Random numbers in (0, 1).
+    count, total, extinction, path, lit :
+        As ``weigh`` took, returned and wrote them.
+
+    Returns
+    -------
+    panel, t, depth : int, float, float
+        Where, and the optical depth from the ray's start to there.
+    """
+    weights = extinction.weights
+    wanted = u * total
+    at, k = 0, 0
+    for place in range(count * weights.size):
+        at, k = place // weights.size, place % weights.size
+        if lit.mass[at, k] > 0.0:
+            wanted -= lit.mass[at, k]
+            if wanted <= 0.0:
+                break
+    first = 0.0
+    for j in range(k):
+        first += weights[j]
+    t = first + v * weights[k]
+    base = k if t >= extinction.nodes[k] else k - 1
+    before = lit.depth[at, base] if base >= 0 else 0.0
+    depth = lit.before[at] + depth_within(at, t, base, before, extinction, path)
+    return at, t, depth
+
+
+@compiled_loop
+def density_in_light(at, t, total, extinction, lit):
+    """The density with which ``place_in_light`` draws a place, per own variable of the panel."""
+    weights = extinction.weights
+    edge = 0.0
+    for k in range(weights.size):
+        edge += weights[k]
+        if t <= edge or k == weights.size - 1:
+            return lit.mass[at, k] / (total * weights[k])
+    return 0.0

@@ -1,0 +1,353 @@
+"""Optical depth along a ray at one wavelength, and the place where a given depth is reached.
+
+A ray has one or two legs, cut at its lowest point; on a leg the radius is ``r = low + y²`` and y is
+the variable of Gauss-Legendre panels, as in ``geometry.path``. The running integrals of a panel
+give the depth at its points; between two of them the depth is inverted by safeguarded Newton steps
+on a three-point rule that begins at the nearer point.
+
+Extinction comes from a table over the square root of altitude, so fine that it errs by less than
+1e-6 of the ground's value; panels end where a profile jumps and, in thick air, where it has a
+corner. Columns are never looked up.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.kernel import compiled_loop, inlined
+
+FloatArray = NDArray[np.float64]
+
+#: As in ``geometry.path``: beside the tangent point by less than this of the leg's height.
+_BESIDE: Final = 0.02
+#: A panel thicker than this is integrated again up to where the depth was found, until it is not.
+_THICK: Final = 6.0
+#: Three-point Gauss-Legendre on [0, 1].
+_THREE: Final = (0.11270166537925831, 0.5, 0.8872983346207417)
+_SHARES: Final = (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
+
+
+class Extinction(NamedTuple):
+    """The air's extinction at one wavelength, and how rays through it are cut.
+
+    Attributes
+    ----------
+    bottom, top : float
+        Radii of ground and top. [m]
+    table : array, shape (m,)
+        At even steps of the square root of altitude over thickness. [m⁻¹]
+    cuts : array, shape (j,)
+        Radii at which panels end, ascending. [m]
+    panels : int
+        A leg has so many between two cuts.
+    nodes, weights, running : array, shapes (n,), (n,), (n, n)
+        The rule of a panel.
+    """
+
+    bottom: float
+    top: float
+    table: FloatArray
+    cuts: FloatArray
+    panels: int
+    nodes: FloatArray
+    weights: FloatArray
+    running: FloatArray
+
+
+class Trace(NamedTuple):
+    """A traced ray.
+
+    Attributes
+    ----------
+    panels : array, shape (p, 6)
+        Lowest radius of the leg, half the chord there, -1 or 1 for descending or ascending,
+        y at start and end, and optical depth.
+    values : array, shape (p, n)
+        Optical depth per panel's own variable, 0 to 1, at its points.
+    again : array, shape (n,)
+        Scratch.
+    """
+
+    panels: FloatArray
+    values: FloatArray
+    again: FloatArray
+
+
+def most_panels(extinction: Extinction) -> int:
+    """As many panels as a ray can have."""
+    return 2 * (extinction.cuts.size + 1) * extinction.panels
+
+
+def new_trace(extinction: Extinction) -> Trace:
+    """Room for one ray."""
+    panels, nodes = most_panels(extinction), extinction.nodes.size
+    return Trace(np.empty((panels, 6)), np.empty((panels, nodes)), np.empty(nodes))
+
+
+@inlined
+def extinction_at(altitude, table, scale):
+    """Extinction from the table; ``scale`` is (m - 1)/sqrt(thickness). [m⁻¹]"""
+    x = min(sqrt(max(altitude, 0.0)) * scale, table.size - 1.0)
+    node = min(int(x), table.size - 2)
+    f = x - node
+    return table[node] + (table[node + 1] - table[node]) * f
+
+
+@inlined
+def _per_y(y, low, beside, bottom, table, scale):
+    """Optical depth per y: extinction times ds/dy."""
+    square = y * y
+    away = sqrt(beside * beside + square * (2.0 * low + square))
+    slope = 2.0 * y * (low + square) / away if away > 0.0 else sqrt(2.0 * low)
+    return extinction_at(low - bottom + square, table, scale) * slope
+
+
+@inlined
+def _fill(low, beside, start, end, bottom, table, scale, nodes, weights, values):
+    """One panel's values at its points, per own variable; returns its optical depth."""
+    width = abs(end - start)
+    total = 0.0
+    for k in range(nodes.size):
+        y = start + (end - start) * nodes[k]
+        value = width * _per_y(y, low, beside, bottom, table, scale)
+        values[k] = value
+        total += value * weights[k]
+    return total
+
+
+@inlined
+def _leg(
+    start_r, end_r, tangent, sign, extinction, table, nodes, weights, cuts, trace_panels,
+    trace_values, count,
+):  # fmt: skip
+    """Panels of one leg; returns how many there are now, and the leg's optical depth."""
+    bottom = extinction.bottom
+    scale = (table.size - 1) / sqrt(extinction.top - bottom)
+    high, low = max(start_r, end_r), min(start_r, end_r)
+    beside = 0.0
+    if low - tangent <= _BESIDE * (high - tangent):
+        low = min(tangent, low)
+    else:
+        beside = sqrt((low - tangent) * (low + tangent))
+    y_start = sqrt(max(start_r - low, 0.0))
+    y_end = sqrt(max(end_r - low, 0.0))
+    depth = 0.0
+    pieces = cuts.size + 1
+    for piece in range(pieces):
+        # Pieces between cuts, in the order in which the ray meets them.
+        at = piece if sign > 0.0 else pieces - 1 - piece
+        floor_r = cuts[at - 1] if at > 0 else 0.0
+        ceiling_r = cuts[at] if at < cuts.size else 1e300
+        lower = max(min(start_r, end_r), floor_r)
+        upper = min(high, ceiling_r)
+        if upper <= lower and pieces > 1:
+            continue
+        if pieces == 1:
+            first, last = y_start, y_end
+        else:
+            y_lower, y_upper = sqrt(max(lower - low, 0.0)), sqrt(max(upper - low, 0.0))
+            first, last = (y_lower, y_upper) if sign > 0.0 else (y_upper, y_lower)
+        for part in range(extinction.panels):
+            panel = trace_panels[count]
+            panel[0], panel[1], panel[2] = low, beside, sign
+            panel[3] = first + (last - first) * part / extinction.panels
+            panel[4] = first + (last - first) * (part + 1) / extinction.panels
+            panel[5] = _fill(
+                low, beside, panel[3], panel[4], bottom, table, scale, nodes, weights,
+                trace_values[count],
+            )  # fmt: skip
+            depth += panel[5]
+            count += 1
+    return count, depth
+
+
+@compiled_loop
+def trace(r, mu, to_ground, extinction, path):
+    """Cut a ray into panels and integrate the optical depth of each.
+
+    Parameters
+    ----------
+    r, mu : float
+        Start of the ray. [m], [1]
+    to_ground : bool
+        Whether it ends there rather than at the top.
+    extinction : Extinction
+    path : Trace
+        Receives the panels.
+
+    Returns
+    -------
+    count : int
+        Number of panels.
+    depth : float
+        Optical depth of the ray. [1]
+    """
+    panels, values = path.panels, path.values
+    table, cuts = extinction.table, extinction.cuts
+    nodes, weights = extinction.nodes, extinction.weights
+    tangent = r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
+    count, depth = 0, 0.0
+    low = r
+    if mu < 0.0:
+        low = extinction.bottom if to_ground else max(tangent, extinction.bottom)
+        count, depth = _leg(
+            r, low, tangent, -1.0, extinction, table, nodes, weights, cuts, panels, values, count
+        )
+    if not to_ground:
+        count, more = _leg(
+            low, extinction.top, tangent, 1.0, extinction, table, nodes, weights, cuts, panels,
+            values, count,
+        )  # fmt: skip
+        depth += more
+    return count, depth
+
+
+@compiled_loop
+def place_at_depth(depth, count, extinction, path):
+    """Where a traced ray reaches an optical depth.
+
+    Parameters
+    ----------
+    depth : float
+        Below that of the whole ray. [1]
+    extinction : Extinction
+        As in ``trace``.
+    count, path : int, Trace
+        What ``trace`` returned and wrote.
+
+    Returns
+    -------
+    panel : int
+        In which it is.
+    t : float
+        Where on the panel's own variable, 0 to 1.
+    """
+    table, bottom = extinction.table, extinction.bottom
+    nodes, weights, running = extinction.nodes, extinction.weights, extinction.running
+    scale = (table.size - 1) / sqrt(extinction.top - bottom)
+    n = nodes.size
+    at = 0
+    rest = depth
+    while at < count - 1 and rest > path.panels[at, 5]:
+        rest -= path.panels[at, 5]
+        at += 1
+    panel = path.panels[at]
+    low, beside = panel[0], panel[1]
+    start, end, whole = panel[3], panel[4], panel[5]
+    panel_end = end
+    values = path.values[at]
+    while True:
+        # The first point beyond the depth.
+        before, after = 0.0, whole
+        upper = n
+        for k in range(n):
+            so_far = 0.0
+            for j in range(n):
+                so_far += running[k, j] * values[j]
+            so_far = max(so_far, before)
+            if so_far > rest:
+                after = so_far
+                upper = k
+                break
+            before = so_far
+        if whole <= _THICK or upper >= n - 2:
+            break
+        # The rule's error is a share of the whole: a shorter panel knows its beginning better.
+        end = start + (end - start) * nodes[upper + 1]
+        values = path.again
+        whole = _fill(low, beside, start, end, bottom, table, scale, nodes, weights, values)
+        if whole <= rest:
+            break
+    left = start + (end - start) * (nodes[upper - 1] if upper > 0 else 0.0)
+    right = start + (end - start) * (nodes[upper] if upper < n else 1.0)
+    width = abs(right - left)
+    slope_left = _per_y(left, low, beside, bottom, table, scale)
+    slope_right = _per_y(right, low, beside, bottom, table, scale)
+    wanted = max(rest - before, 0.0)
+    # First for a slope that is linear between the points, scaled to what lies between them.
+    x = 0.5
+    mean = 0.5 * (slope_left + slope_right) * width
+    if mean > 0.0 and after > before:
+        share = min(wanted / (after - before), 1.0)
+        a, b = slope_left * width / mean, slope_right * width / mean
+        x = 2.0 * share / (a + sqrt(max(a * a + 2.0 * (b - a) * share, 1e-300)))
+        x = min(max(x, 0.0), 1.0)
+    y = left + (right - left) * x
+    for _ in range(2):
+        step = abs(y - left)
+        found = 0.0
+        for j in range(3):
+            between = left + (y - left) * _THREE[j]
+            found += _SHARES[j] * _per_y(between, low, beside, bottom, table, scale)
+        missing = wanted - step * found
+        slope = _per_y(y, low, beside, bottom, table, scale)
+        if abs(missing) <= 1e-5 * (after - before) or slope <= 0.0:
+            break
+        x = min(max(x + missing / (slope * width), 0.0), 1.0)
+        y = left + (right - left) * x
+    length = panel_end - start
+    return at, (y - start) / length if length != 0.0 else 0.0
+
+
+@compiled_loop
+def point_at(panel, t, r, mu, extinction):
+    """A point of a panel.
+
+    Parameters
+    ----------
+    panel : array, shape (6,)
+        Of a ``Trace``.
+    t : float
+        On its own variable, 0 to 1.
+    r, mu, extinction : float, float, Extinction
+        As in ``trace``.
+
+    Returns
+    -------
+    distance : float
+        From the start of the ray. [m]
+    extinction : float
+        There, as optical depths are computed with it. [m⁻¹]
+    slope : float
+        Optical depth per own variable.
+    """
+    table = extinction.table
+    scale = (table.size - 1) / sqrt(extinction.top - extinction.bottom)
+    low, beside = panel[0], panel[1]
+    y = panel[3] + (panel[4] - panel[3]) * t
+    square = y * y
+    away = sqrt(beside * beside + square * (2.0 * low + square))
+    per_y = 2.0 * y * (low + square) / away if away > 0.0 else sqrt(2.0 * low)
+    found = extinction_at(low - extinction.bottom + square, table, scale)
+    distance = -r * mu + panel[2] * away
+    return distance, found, found * per_y * abs(panel[4] - panel[3])
+
+
+@compiled_loop
+def depth_within(at, t, base, before, extinction, path):
+    """Optical depth from a panel's start to a point next to one of its rule's points.
+
+    Parameters
+    ----------
+    at, t : int, float
+        The panel, and the point on its own variable.
+    base : int
+        The rule's point just below t; -1 is the panel's start.
+    before : float
+        Optical depth from the panel's start to that point.
+    extinction, path : Extinction, Trace
+    """
+    table = extinction.table
+    scale = (table.size - 1) / sqrt(extinction.top - extinction.bottom)
+    panel = path.panels[at]
+    first = extinction.nodes[base] if base >= 0 else 0.0
+    width = panel[4] - panel[3]
+    found = 0.0
+    for j in range(3):
+        y = panel[3] + width * (first + (t - first) * _THREE[j])
+        found += _SHARES[j] * _per_y(y, panel[0], panel[1], extinction.bottom, table, scale)
+    return before + found * abs(width) * (t - first)

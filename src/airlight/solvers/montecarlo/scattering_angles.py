@@ -1,0 +1,355 @@
+"""Random scattering angles, distributed exactly as each phase function says.
+
+Every phase function that a planet can have becomes a kind, three numbers and, for tables, rows;
+compiled loops draw cosines from it and evaluate it. One more phase function is one more kind here,
+or none: whatever has values at angles can be handed over as a table's rows.
+"""
+
+from __future__ import annotations
+
+from math import acos, cos, exp, log, pi, sqrt
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.kernel import compiled_loop, inlined, kernel
+from airlight.optics.phase_functions import cornette_shanks, henyey_greenstein, rayleigh
+from airlight.planets.gases import GasScattering, RefractiveScattering
+from airlight.planets.medium import Medium
+from airlight.planets.phases import (
+    SMALLEST_LOGARITHMIC,
+    CornetteShanks,
+    DoubleHenyeyGreenstein,
+    HenyeyGreenstein,
+    Rayleigh,
+    TabulatedPhase,
+)
+from airlight.planets.spectral import spectral_at
+from airlight.solvers.montecarlo.streams import uniform
+
+FloatArray = NDArray[np.float64]
+
+NOTHING: Final = 0
+RAYLEIGH: Final = 1
+HENYEY: Final = 2
+DOUBLE_HENYEY: Final = 3
+CORNETTE: Final = 4
+TABLE: Final = 5
+
+_LEAST: Final = float(SMALLEST_LOGARITHMIC)
+
+
+class Lobes(NamedTuple):
+    """The phase functions of all constituents at one wavelength.
+
+    Attributes
+    ----------
+    kinds : array of int, shape (nc,)
+        ``RAYLEIGH``, ... ``TABLE``; ``NOTHING`` does not scatter.
+    parameters : array, shape (nc, 3)
+        Depolarisation; g; g₁, g₂, α; g; or of a table: first row, number of rows (1 or 2) and
+        the first row's share of the scattered light.
+    angles : array, shape (rows, m)
+        Of tables, ascending from 0 to π; padded with π. [rad]
+    values : array, shape (rows, m)
+        Normalised to 1. [sr⁻¹]
+    cumulative : array, shape (rows, m)
+        The part of the light that is scattered by less than the angle. [1]
+    """
+
+    kinds: NDArray[np.int64]
+    parameters: FloatArray
+    angles: FloatArray
+    values: FloatArray
+    cumulative: FloatArray
+
+
+def lobes(medium: Medium, wavelength: int) -> Lobes:
+    """The phase functions of a medium at one of its wavelengths.
+
+    Tables are normalised: a planet's may integrate to 1 within 0.001 only.
+
+    Parameters
+    ----------
+    medium : Medium
+    wavelength : int
+        Its index.
+
+    Raises
+    ------
+    TypeError
+        If a constituent has a phase function of an unknown kind.
+    """
+    count = len(medium.names)
+    kinds, parameters = np.zeros(count, np.int64), np.zeros((count, 3))
+    rows: list[tuple[FloatArray, FloatArray, FloatArray]] = []
+    nm = medium.wavelengths[wavelength : wavelength + 1]
+    for i, one in enumerate(medium.constituents):
+        phase: Any = one.phase_function
+        if not (one.scatters and medium.scattering[i, wavelength] > 0.0):
+            continue
+        if phase is None and isinstance(one.scattering, (GasScattering, RefractiveScattering)):
+            kinds[i] = RAYLEIGH
+            parameters[i, 0] = one.scattering.depolarisations(nm)[0]
+        elif isinstance(phase, Rayleigh):
+            kinds[i] = RAYLEIGH
+            parameters[i, 0] = spectral_at(phase.depolarisation, nm)[0]
+        elif isinstance(phase, HenyeyGreenstein):
+            kinds[i] = HENYEY
+            parameters[i, 0] = spectral_at(phase.asymmetry, nm)[0]
+        elif isinstance(phase, CornetteShanks):
+            kinds[i] = CORNETTE
+            parameters[i, 0] = spectral_at(phase.asymmetry, nm)[0]
+        elif isinstance(phase, DoubleHenyeyGreenstein):
+            kinds[i] = DOUBLE_HENYEY
+            parameters[i, 0] = spectral_at(phase.asymmetry_1, nm)[0]
+            parameters[i, 1] = spectral_at(phase.asymmetry_2, nm)[0]
+            parameters[i, 2] = spectral_at(phase.weight, nm)[0]
+        elif isinstance(phase, TabulatedPhase):
+            kinds[i] = TABLE
+            parameters[i] = _add_rows(phase, float(nm[0]), rows)
+        else:
+            raise TypeError(f"no sampler for {type(phase).__name__}")
+    longest = max((row[0].size for row in rows), default=2)
+    arrays = np.zeros((3, max(len(rows), 1), longest))
+    arrays[0], arrays[2] = pi, 1.0
+    for at, row in enumerate(rows):
+        for array, part in zip(arrays, row, strict=True):
+            array[at, : part.size] = part
+    return Lobes(kinds, parameters, arrays[0], arrays[1], arrays[2])
+
+
+def _add_rows(
+    phase: TabulatedPhase, nm: float, rows: list[tuple[FloatArray, FloatArray, FloatArray]]
+) -> tuple[float, float, float]:
+    """Append the one or two rows that hold at a wavelength; the parameters of their mixture."""
+    weights = np.ones(1)
+    if phase.wavelengths:
+        order = np.argsort(phase.wavelengths)
+        known = np.asarray(phase.wavelengths)[order]
+        weights = np.empty(known.size)
+        for position, unit_row in zip(order, np.eye(known.size), strict=True):
+            weights[position] = np.interp(nm, known, unit_row)
+    used = np.flatnonzero(weights > 0.0)
+    first = len(rows)
+    angles = np.radians(np.asarray(phase.angles))
+    angles[-1] = pi
+    light = []
+    for index in used:
+        values = np.asarray(phase.rows[index], dtype=float)
+        within = np.concatenate([[0.0], np.cumsum(cell_light(angles, values))])
+        light.append(weights[index] * within[-1])
+        rows.append((angles, values / within[-1], within / within[-1]))
+    share = light[0] / sum(light)
+    return float(first), float(len(used)), float(share)
+
+
+def cell_light(angles: FloatArray, values: FloatArray) -> FloatArray:
+    r"""Light scattered into each ring between two angles of a table.
+
+    .. math:: 2\pi \int p_0 e^{a(\theta - \theta_0)} \sin\theta\, d\theta
+
+    by Gauss-Legendre, and the linear law where a value is next to 0.
+
+    Parameters
+    ----------
+    angles, values : array, shape (m,)
+        [rad], [sr⁻¹]
+
+    Returns
+    -------
+    array, shape (m - 1,)
+        [1]
+    """
+    from airlight.geometry.quadrature import gauss_legendre
+
+    rule = gauss_legendre(32)
+    low, high = values[:-1, None], values[1:, None]
+    width = np.diff(angles)[:, None]
+    share = rule.nodes
+    positive = (low > _LEAST) & (high > _LEAST)
+    safe_low, safe_high = np.where(positive, low, 1.0), np.where(positive, high, 1.0)
+    p = np.where(positive, safe_low * (safe_high / safe_low) ** share, low + share * (high - low))
+    rings = np.sin(angles[:-1, None] + width * share) * width
+    return np.asarray(2.0 * pi * ((p * rings) @ rule.weights))
+
+
+@kernel
+def rayleigh_cosine(u, depolarisation):
+    r"""Inverse of the distribution function of Rayleigh scattering, in closed form. [1]
+
+    With A = 1+3γ, B = 1-γ it is the real root of ν³ + 3(A/B)ν = (2u-1)(3A/B + 1) (Cardano).
+
+    Parameters
+    ----------
+    u : float
+        0 to 1.
+    depolarisation : float
+        δ, γ = δ/(2-δ). [1]
+
+    Examples
+    --------
+    >>> rayleigh_cosine(0.5, 0.0), round(rayleigh_cosine(1.0, 0.0), 12)
+    (0.0, 1.0)
+    """
+    gamma = depolarisation / (2.0 - depolarisation)
+    third = (1.0 + 3.0 * gamma) / (1.0 - gamma)
+    half = (u - 0.5) * (3.0 * third + 1.0)
+    if half == 0.0:
+        return 0.0
+    size = abs(half)
+    root = (size + sqrt(size * size + third * third * third)) ** (1.0 / 3.0)
+    nu = min(root - third / root, 1.0)
+    return nu if half > 0.0 else -nu
+
+
+@kernel
+def henyey_greenstein_cosine(u, g):
+    r"""Inverse of the distribution function of Henyey-Greenstein, without a division by g. [1]
+
+    .. math:: \nu = \frac{s(1+g^2) + \frac{g}{2}\left(3 - g^2 + s^2(1+g^2)\right)}{(1+gs)^2},
+              \quad s = 2u - 1
+
+    which is Witt's (1977) formula multiplied out.
+
+    Parameters
+    ----------
+    u : float
+        0 to 1.
+    g : float
+        Between -1 and 1.
+
+    References
+    ----------
+    Witt (1977), Astrophysical Journal Supplement 35, 1, eq. 19. doi:10.1086/190463
+
+    Examples
+    --------
+    >>> henyey_greenstein_cosine(0.75, 0.0), round(henyey_greenstein_cosine(1.0, 0.9), 12)
+    (0.5, 1.0)
+    """
+    s = 2.0 * u - 1.0
+    square = 1.0 + g * g
+    bottom = 1.0 + g * s
+    top = s * square + 0.5 * g * (3.0 - g * g + s * s * square)
+    return min(max(top / (bottom * bottom), -1.0), 1.0)
+
+
+@inlined
+def _table_value(angles, values, angle):
+    """A table's phase function: its logarithm is linear in the angle between two values."""
+    low, high = 0, angles.size - 1
+    while high - low > 1:
+        middle = (low + high) // 2
+        if angles[middle] <= angle:
+            low = middle
+        else:
+            high = middle
+    width = angles[low + 1] - angles[low]
+    share = (angle - angles[low]) / width if width > 0.0 else 0.0
+    before, after = values[low], values[low + 1]
+    if before > _LEAST and after > _LEAST:
+        return before * exp(share * log(after / before))
+    return before + share * (after - before)
+
+
+@inlined
+def _table_cosine(angles, values, cumulative, state):
+    """A cosine from a table: the ring by inversion, within the ring by rejection."""
+    u = uniform(state)
+    low, high = 0, cumulative.size - 1
+    while high - low > 1:
+        middle = (low + high) // 2
+        if cumulative[middle] <= u:
+            low = middle
+        else:
+            high = middle
+    start, end = cos(angles[low]), cos(angles[low + 1])
+    before, after = values[low], values[low + 1]
+    most = max(before, after)
+    width = angles[low + 1] - angles[low]
+    while True:
+        nu = start + (end - start) * uniform(state)
+        share = (acos(min(max(nu, -1.0), 1.0)) - angles[low]) / width
+        share = min(max(share, 0.0), 1.0)
+        if before > _LEAST and after > _LEAST:
+            value = before * exp(share * log(after / before))
+        else:
+            value = before + share * (after - before)
+        if uniform(state) * most <= value:
+            return nu
+
+
+@compiled_loop
+def random_cosine(lobes, i, state):
+    """A cosine of the scattering angle, distributed as constituent i scatters.
+
+    Parameters
+    ----------
+    lobes : Lobes
+    i : int
+        Of a constituent that scatters.
+    state : array, shape (1,)
+        A stream of random numbers.
+
+    Returns
+    -------
+    float
+        -1 to 1. [1]
+    """
+    kind = lobes.kinds[i]
+    first = lobes.parameters[i, 0]
+    if kind == RAYLEIGH:
+        return rayleigh_cosine(uniform(state), first)
+    if kind == HENYEY:
+        return henyey_greenstein_cosine(uniform(state), first)
+    if kind == DOUBLE_HENYEY:
+        g = first if uniform(state) < lobes.parameters[i, 2] else lobes.parameters[i, 1]
+        return henyey_greenstein_cosine(uniform(state), g)
+    if kind == CORNETTE:
+        # Proportional to (1 + ν²) times Henyey-Greenstein: at least half are taken.
+        while True:
+            nu = henyey_greenstein_cosine(uniform(state), first)
+            if 2.0 * uniform(state) <= 1.0 + nu * nu:
+                return nu
+    row = int(first)
+    if lobes.parameters[i, 1] > 1.0 and uniform(state) >= lobes.parameters[i, 2]:
+        row += 1
+    return _table_cosine(lobes.angles[row], lobes.values[row], lobes.cumulative[row], state)
+
+
+@compiled_loop
+def lobe_value(lobes, i, nu):
+    """The phase function of constituent i, normalised. [sr⁻¹]
+
+    Parameters
+    ----------
+    lobes : Lobes
+    i : int
+    nu : float
+        Cosine of the scattering angle. [1]
+    """
+    kind = lobes.kinds[i]
+    first = lobes.parameters[i, 0]
+    if kind == RAYLEIGH:
+        return rayleigh(nu, first)
+    if kind == HENYEY:
+        return henyey_greenstein(nu, first)
+    if kind == CORNETTE:
+        return cornette_shanks(nu, first)
+    if kind == DOUBLE_HENYEY:
+        share = lobes.parameters[i, 2]
+        return share * henyey_greenstein(nu, first) + (1.0 - share) * henyey_greenstein(
+            nu, lobes.parameters[i, 1]
+        )
+    if kind == TABLE:
+        row = int(first)
+        angle = acos(min(max(nu, -1.0), 1.0))
+        value = _table_value(lobes.angles[row], lobes.values[row], angle)
+        if lobes.parameters[i, 1] > 1.0:
+            other = _table_value(lobes.angles[row + 1], lobes.values[row + 1], angle)
+            share = lobes.parameters[i, 2]
+            value = share * value + (1.0 - share) * other
+        return value
+    return 0.0

@@ -1,0 +1,75 @@
+"""Quality levels of the Monte Carlo solver: how small the noise gets, and when it gives up."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Final
+
+from airlight.errors import ParameterError
+
+
+@dataclass(frozen=True, kw_only=True)
+class Settings:
+    """When a Monte Carlo estimate is good enough.
+
+    Attributes
+    ----------
+    relative_error : float
+        A line of sight is done when its standard error is below this part of its radiance, at
+        every wavelength; 1e-6 to 1. [1]
+    most_histories : int
+        A line of sight and wavelength gets no more, 1000 to 1e12; what was not reached is said in
+        the report.
+    seed : int
+        Of the random numbers, 0 to 2⁶⁴ - 1.
+    kept_orders : int
+        Orders of scattering whose parts are kept apart, 1 to 64; all further ones are summed.
+    exact_first_order : bool
+        Whether the light scattered or reflected once is integrated rather than sampled.
+    """
+
+    relative_error: float = 0.005
+    most_histories: int = 4_000_000
+    seed: int = 1
+    kept_orders: int = 8
+    exact_first_order: bool = True
+
+    def __post_init__(self) -> None:
+        limits = {
+            "relative_error": (1e-6, 1.0),
+            "most_histories": (1000, 10**12),
+            "seed": (0, 2**64 - 1),
+            "kept_orders": (1, 64),
+        }
+        for name, (low, high) in limits.items():
+            value = getattr(self, name)
+            whole = name == "relative_error" or isinstance(value, int)
+            if isinstance(value, bool) or not (whole and low <= value <= high):
+                kind = "" if name == "relative_error" else "a whole number, "
+                raise ParameterError(name, value, f"{kind}{low:g} to {high:.10g}")
+
+    def as_text(self) -> str:
+        """All settings on one line, for reports."""
+        return " ".join(f"{name}={value}" for name, value in asdict(self).items())
+
+
+QUALITIES: Final = {
+    "preview": Settings(relative_error=0.03, most_histories=200_000),
+    "default": Settings(relative_error=0.005, most_histories=4_000_000),
+    "fine": Settings(relative_error=0.001, most_histories=50_000_000),
+}
+
+
+def settings_for(quality: str | Settings) -> Settings:
+    """The settings of a named quality level.
+
+    Raises
+    ------
+    ParameterError
+        If the name is not one of ``QUALITIES``.
+    """
+    if isinstance(quality, Settings):
+        return quality
+    if not isinstance(quality, str) or quality not in QUALITIES:
+        raise ParameterError("quality", quality, ", ".join(QUALITIES))
+    return QUALITIES[quality]

@@ -1,0 +1,292 @@
+"""The Monte Carlo solver's result: it answers each question with histories of its own."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from airlight.geometry.quadrature import gauss_legendre
+from airlight.geometry.shell import distance_to_top
+from airlight.kernel import vectorized
+from airlight.kernel.threads import Cancel, Progress
+from airlight.planets.medium import Medium
+from airlight.solvers.montecarlo.air import make_air
+from airlight.solvers.montecarlo.estimate import Estimate, Question, estimate
+from airlight.solvers.montecarlo.settings import Settings
+from airlight.solvers.single_scattering import reflected_once, single_scattering
+from airlight.solvers.solution import Report, Sight, Solution
+from airlight.solvers.star_light import direct_irradiance
+
+if TYPE_CHECKING:
+    import xarray
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True, kw_only=True)
+class MonteCarloReport(Report):
+    """How the last answer came about.
+
+    Attributes
+    ----------
+    solver, settings, sweeps, residual, seconds :
+        As in ``Report``; ``sweeps`` is the number of orders kept apart, ``residual`` the largest
+        standard error over radiance per wavelength, of the last answer.
+    histories : int
+        Followed for the last answer.
+    unreached : int
+        Its lines of sight whose error is larger than asked for, at some wavelength: the bound on
+        histories was reached, or no light was found.
+    lines : int
+        Its lines of sight.
+    """
+
+    histories: int = 0
+    unreached: int = 0
+    lines: int = 0
+
+    def __str__(self) -> str:
+        if not self.lines:
+            return f"{self.solver}: nothing asked yet ({self.settings})"
+        missed = ""
+        if self.unreached:
+            missed = f", {self.unreached} of {self.lines} lines of sight NOT within the error asked"
+        return (
+            f"{self.solver}: {self.histories:.3g} histories, largest error "
+            f"{max(self.residual):.1e}{missed}, {self.seconds:.2f} s ({self.settings})"
+        )
+
+
+class MonteCarloSolution(Solution):
+    """A solution by Monte Carlo: no table of radiance, every answer is traced.
+
+    The same question with the same seed gives the same histories, to the last bit, whatever else
+    is asked. Errors of different lines of sight and of different wavelengths are independent; those
+    of the orders of one line are not. Order 1 is exact by quadrature unless the settings say
+    otherwise (irradiances are always sampled whole). Nothing is kept on disk.
+
+    Parameters
+    ----------
+    medium : Medium
+        What is solved.
+    settings : Settings
+        When an answer is good enough.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``; for the answers.
+    """
+
+    def __init__(
+        self,
+        medium: Medium,
+        settings: Settings,
+        *,
+        progress: Progress | None = None,
+        cancel: Cancel | None = None,
+    ) -> None:
+        self.medium = medium
+        self.settings = settings
+        self.progress = progress
+        self.cancel = cancel
+        self.highest_order = settings.kept_orders
+        self.airs = [make_air(medium, k) for k in range(medium.wavelengths.size)]
+        self.report: MonteCarloReport = MonteCarloReport(
+            solver="montecarlo",
+            settings=settings.as_text(),
+            sweeps=settings.kept_orders,
+            residual=(0.0,) * medium.wavelengths.size,
+            seconds=0.0,
+        )
+
+    def trace(self, sight: Sight, *, order: int | None = None) -> Estimate:
+        """Everything that histories say about lines of sight.
+
+        Parameters
+        ----------
+        sight : Sight
+        order : int, optional
+            The order whose error decides when it is enough; all orders together without it.
+        """
+        started = perf_counter()
+        known = self.first_order(sight) if self.settings.exact_first_order else None
+        lengths = sight.length
+        if order == 1 and known is not None:
+            lengths = np.zeros_like(lengths)
+        starts = np.stack([sight.r, sight.mu, sight.mu_s, sight.nu], axis=1)
+        return self._answer(Question(starts, lengths, False, known, order), started)
+
+    def _answer(self, question: Question, started: float) -> Estimate:
+        got = estimate(
+            question,
+            self.airs,
+            self.medium.wavelengths,
+            self.settings,
+            progress=self.progress,
+            cancel=self.cancel,
+        )
+        part = np.divide(
+            got.total_error, got.total, out=np.zeros_like(got.total), where=got.total > 0.0
+        )
+        lines = got.total.shape[0]
+        self.report = replace(
+            self.report,
+            residual=tuple(float(x) for x in part.max(axis=0)) if lines else self.report.residual,
+            seconds=perf_counter() - started,
+            histories=int(got.histories.sum()),
+            unreached=int((~got.reached).any(axis=1).sum()),
+            lines=lines,
+        )
+        return got
+
+    def first_order(self, sight: Sight) -> FloatArray:
+        """Light scattered or reflected once, by quadrature, per the star's, (n, nl). [sr⁻¹]
+
+        The star's light and the phase function are averaged over its disc apart: within the
+        aureole of a sun on the horizon their product's mean differs by up to some parts in 1000.
+        """
+        once = single_scattering(self.medium, sight, progress=self.progress, cancel=self.cancel)
+        phases = disc_mean_phase(self.medium, sight.nu)
+        return np.asarray((once * phases).sum(axis=1) + reflected_once(self.medium, sight))
+
+    def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
+        """See ``Solution``; orders up to ``highest_order`` can be asked for."""
+        got = self.trace(sight, order=order)
+        return got.total if order is None else got.parts[:, order - 1]
+
+    def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
+        """See ``Solution``; sampled over directions, the first order too."""
+        up = np.ones_like(r)
+        lengths = vectorized(distance_to_top)(r, up, self.medium.top_radius)
+        question = Question(np.stack([r, up, mu_s, mu_s], axis=1), lengths, True, None, None)
+        return self._answer(question, perf_counter()).total
+
+    def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
+        """See ``Solution``; by quadrature."""
+        return direct_irradiance(self.medium, r, mu_s)
+
+    def estimate(
+        self,
+        *,
+        altitude: ArrayLike,
+        sun_zenith: ArrayLike,
+        view_zenith: ArrayLike,
+        azimuth: ArrayLike = 0.0,
+    ) -> xarray.Dataset:
+        """Radiance with its standard error, and what each order of scattering brings.
+
+        Parameters
+        ----------
+        altitude, sun_zenith, view_zenith, azimuth : array
+            As ``radiance`` takes them. [m], [deg]
+
+        Returns
+        -------
+        xarray.Dataset
+            ``radiance`` and ``standard_error`` [W m⁻² sr⁻¹ nm⁻¹], ``histories`` and ``reached``
+            (whether the error is as small as asked), each of shape (..., wavelength);
+            ``order_radiance`` and ``order_standard_error`` of shape (..., order, wavelength);
+            ``higher_radiance`` and ``higher_standard_error`` of all further orders together.
+
+        Raises
+        ------
+        ParameterError
+            If a value is out of its range, or the shapes do not broadcast.
+        Cancelled
+            If ``cancel`` said so.
+        """
+        inputs = {
+            "altitude": altitude,
+            "sun_zenith": sun_zenith,
+            "view_zenith": view_zenith,
+            "azimuth": azimuth,
+        }
+        sight, shape = self.lines_of_sight(**inputs)
+        got = self.trace(sight)
+        sun = self.medium.solar_irradiance
+        unit = "W m-2 sr-1 nm-1"
+        kept = self.settings.kept_orders
+
+        def labelled(values: NDArray[Any], name: str, unit: str) -> xarray.DataArray:
+            return self._labelled(values, shape, name, unit, **inputs)
+
+        import xarray
+
+        data = xarray.Dataset(
+            {
+                "radiance": labelled(got.total * sun, "radiance", unit),
+                "standard_error": labelled(got.total_error * sun, "standard error", unit),
+                "histories": labelled(got.histories, "histories", "1").astype(np.int64),
+                "reached": labelled(got.reached, "reached", "1").astype(bool),
+                "higher_radiance": labelled(got.parts[:, kept] * sun, "higher radiance", unit),
+                "higher_standard_error": labelled(
+                    got.part_errors[:, kept] * sun, "higher standard error", unit
+                ),
+            }
+        )
+        for name, values in (
+            ("order_radiance", got.parts),
+            ("order_standard_error", got.part_errors),
+        ):
+            orders = [
+                labelled(values[:, k] * sun, name.replace("_", " "), unit) for k in range(kept)
+            ]
+            joined = xarray.concat(orders, dim="order").assign_coords(order=np.arange(1, kept + 1))
+            data[name] = joined.transpose(..., "order", "wavelength")
+        data.attrs["solver"] = str(self.report)
+        return data
+
+
+def disc_mean_phase(medium: Medium, nu: FloatArray) -> FloatArray:
+    """Phase functions averaged over the star's disc.
+
+    Parameters
+    ----------
+    medium : Medium
+    nu : array, shape (n,)
+        Cosine between the view and the centre of the disc. [1]
+
+    Returns
+    -------
+    array, shape (n, nc, nl)
+        [sr⁻¹]
+    """
+    radius = medium.star_angular_radius
+    if radius <= 0.0:
+        return medium.phase_function(nu)
+    rule = gauss_legendre(4)
+    around = np.cos(np.pi * (np.arange(6) + 0.5) / 6)
+    total = np.zeros((nu.size, *medium.scattering.shape))
+    sine = np.sqrt(np.maximum((1.0 - nu) * (1.0 + nu), 0.0))
+    for share, weight in zip(rule.nodes, rule.weights, strict=True):
+        away = radius * np.sqrt(share)  # equal areas: uniform in the square of the radius
+        for side in around:
+            turned = np.clip(nu * np.cos(away) + sine * np.sin(away) * side, -1.0, 1.0)
+            total += (weight / around.size) * medium.phase_function(turned)
+    return total
+
+
+def solve(
+    medium: Medium,
+    settings: Settings,
+    *,
+    cache: bool = True,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> MonteCarloSolution:
+    """Make a medium ready for histories.
+
+    Parameters
+    ----------
+    medium : Medium
+        What is solved.
+    settings : Settings
+        When an answer is good enough.
+    cache : bool
+        Not used: nothing is kept on disk.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``; kept for the answers.
+    """
+    return MonteCarloSolution(medium, settings, progress=progress, cancel=cancel)
