@@ -59,6 +59,65 @@ def write_exr(
             raise FileError(path, f"cannot be written: {error}") from error
 
 
+def write_exr_channels(
+    path: str | Path,
+    channels: Mapping[str, NDArray[Any]],
+    metadata: Mapping[str, str] | None = None,
+) -> None:
+    """Write named channels of numbers that are no colours.
+
+    Parameters
+    ----------
+    path : str or Path
+        Of the file.
+    channels : mapping of str to array, shape (h, w)
+        float16 or float32, all of one shape and type.
+    metadata : mapping of str to str, optional
+        As for ``write_exr``.
+
+    Raises
+    ------
+    ParameterError
+        If an array has another shape or type.
+    FileError
+        If the file cannot be written; then there is none, or the old one.
+    """
+    import OpenEXR
+
+    kinds = {(array.dtype.name, array.shape) for array in channels.values()}
+    sound = all(name in ("float16", "float32") and len(shape) == 2 for name, shape in kinds)
+    if len(kinds) != 1 or not sound:
+        raise ParameterError("channels", sorted(kinds), "one shape (h, w), float16 or float32")
+    attributes: dict[str, Any] = {
+        "compression": OpenEXR.ZIP_COMPRESSION,
+        "type": OpenEXR.scanlineimage,
+        **header(metadata or {}),
+    }
+    with whole_file(path) as place:
+        try:
+            arrays = {name: np.ascontiguousarray(array) for name, array in channels.items()}
+            OpenEXR.File(attributes, arrays).write(str(place))
+        except (RuntimeError, ValueError, TypeError) as error:
+            raise FileError(path, f"cannot be written: {error}") from error
+
+
+def read_exr_channels(path: str | Path) -> dict[str, NDArray[Any]]:
+    """Read what ``write_exr_channels`` wrote: channels by name.
+
+    Raises
+    ------
+    FileError
+        If the file cannot be read.
+    """
+    import OpenEXR
+
+    try:
+        with OpenEXR.File(str(path), separate_channels=True) as image:
+            return {name: np.array(one.pixels) for name, one in image.channels().items()}
+    except (RuntimeError, ValueError, TypeError) as error:
+        raise FileError(path, f"cannot be read as OpenEXR: {error}") from error
+
+
 def read_exr(path: str | Path) -> tuple[NDArray[np.float32], dict[str, str]]:
     """Read what ``write_exr`` wrote.
 

@@ -1,1 +1,1 @@
-"""Tables: columns for look-ups, and results kept on disk."""
+"""Labelled tables, their layouts and look-up; columns; results kept on disk."""

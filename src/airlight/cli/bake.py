@@ -1,0 +1,189 @@
+"""``airlight bake``: a planet's light as tables for engines."""
+
+from __future__ import annotations
+
+import re
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import typer
+
+from airlight.cli import options
+from airlight.cli.examples import examples
+from airlight.cli.progress import shown_progress
+from airlight.errors import ParameterError
+
+if TYPE_CHECKING:
+    from airlight.exports.bake import Baked
+
+EPILOG = examples(
+    "airlight bake earth --layout bruneton -o earth-tables",
+    "airlight bake mars --layout bruneton --mie combined --precision half -o mars-tables",
+    "airlight bake earth --layout atmosphere-plus --size 32x128x32 -o plus",
+    "airlight bake earth --layout atmosphere-plus --packing phase-included --azimuth 0 -o plane",
+    "airlight bake earth --layout bruneton --order 1 -o first-order",
+)
+
+
+def bake(
+    planet: options.Planet_,
+    layout: Annotated[
+        Literal["bruneton", "atmosphere-plus"],
+        typer.Option(
+            help="bruneton: height, view, sun and the angle between them; atmosphere-plus: "
+            "without that angle."
+        ),
+    ],
+    output: Annotated[
+        Path,
+        typer.Option("--output", "-o", metavar="DIR", help="A folder: new, empty, or of tables."),
+    ],
+    mapping: Annotated[
+        Literal["linear", "power", "weighted-power"] | None,
+        typer.Option(help="Of atmosphere-plus (weighted-power)."),
+    ] = None,
+    packing: Annotated[
+        Literal["rgba", "separate", "phase-included"] | None,
+        typer.Option(
+            help="Of atmosphere-plus. rgba: phase functions at look-up, particles in alpha, grey; "
+            "separate: particles in a table of their own; phase-included: radiance at --azimuth."
+        ),
+    ] = None,
+    azimuth: Annotated[
+        str | None,
+        typer.Option(metavar="ANGLE", help="Of phase-included; 0 is the sun's side (0deg)."),
+    ] = None,
+    mie: Annotated[
+        Literal["separate", "combined"] | None,
+        typer.Option(
+            help="Of bruneton: particles' single light in a table of its own, or in alpha with "
+            "colours restored at look-up."
+        ),
+    ] = None,
+    size: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NxNxN",
+            help="Texels: height x view x sun x angle (32x128x32x8), or height x view x sun "
+            "(32x256x32).",
+        ),
+    ] = None,
+    precision: Annotated[
+        Literal["half", "single"], typer.Option(help="Of the numbers stored; half is scaled.")
+    ] = "single",
+    order: Annotated[
+        str,
+        typer.Option(metavar="K|all", help="Light scattered or reflected exactly K times."),
+    ] = "all",
+    cumulative: Annotated[
+        bool, typer.Option("--cumulative", help="With --order K: at most K times.")
+    ] = False,
+    wavelengths: Annotated[
+        str,
+        typer.Option(
+            metavar="rgb|N|LIST",
+            help="680, 550, 440 nm; or how many over the visible; or a list in nm.",
+        ),
+    ] = "rgb",
+    solver: Annotated[
+        Literal["moments", "direct", "montecarlo"], typer.Option(help="Whose light is baked.")
+    ] = "moments",
+    quality: options.Quality = "default",
+    no_cache: options.NoCache = False,
+) -> None:
+    """Fill look-up tables with a planet's light: NPZ, EXR and a JSON manifest.
+
+    Of scattered light, transmittance and skylight; it says how to look up, and the tables' error.
+    """
+    started = time.perf_counter()
+    from airlight.exports.bake import bake as fill
+    from airlight.exports.table_files import check_folder, write_tables
+    from airlight.planets import load_planet
+
+    chosen = _packing(layout, packing, mie)
+    if mapping is not None and layout == "bruneton":
+        raise ParameterError("--mapping", mapping, "only with --layout atmosphere-plus")
+    if azimuth is not None and chosen != "phase-included":
+        raise ParameterError("--azimuth", azimuth, "only with --packing phase-included")
+    texels = None if size is None else _size(size, layout)
+    number = _order(order, cumulative)
+    check_folder(output)
+    world = load_planet(planet)
+    nm = options.wavelengths(wavelengths, world)
+
+    from airlight.solvers import solve
+
+    with shown_progress() as report:
+        solution = solve(
+            world,
+            wavelengths=nm,
+            quality=quality,
+            solver=solver,
+            cache=not no_cache,
+            progress=report,
+        )
+        baked = fill(
+            solution,
+            layout,
+            mapping=mapping or "weighted-power",
+            packing=chosen,
+            azimuth=0.0 if azimuth is None else options.angle(azimuth, "--azimuth"),
+            size=texels,
+            precision=precision,
+            order=number,
+            cumulative=cumulative,
+            progress=report,
+        )
+        manifest = write_tables(output, baked)
+    _print(manifest, baked)
+    print(f"\n{manifest}  {time.perf_counter() - started:.1f} s")
+
+
+def _packing(layout: str, packing: str | None, mie: str | None) -> str:
+    if layout == "bruneton":
+        if packing is not None:
+            raise ParameterError("--packing", packing, "only with --layout atmosphere-plus")
+        return mie or "separate"
+    if mie is not None:
+        raise ParameterError("--mie", mie, "only with --layout bruneton")
+    return packing or "rgba"
+
+
+def _size(text: str, layout: str) -> tuple[int, ...]:
+    count, example = (4, "32x128x32x8") if layout == "bruneton" else (3, "32x256x32")
+    parts = re.split(r"[xX×]", text.replace(" ", ""))
+    if len(parts) != count or not all(part.isdecimal() and len(part) < 7 for part in parts):
+        raise ParameterError("--size", text, f"{count} whole numbers such as {example}")
+    return tuple(int(part) for part in parts)
+
+
+def _order(text: str, cumulative: bool) -> int | None:
+    if text.strip().lower() == "all":
+        if cumulative:
+            raise ParameterError("--cumulative", True, "only with --order K")
+        return None
+    if not text.strip().isdecimal() or len(text) > 6 or int(text) < 1:
+        raise ParameterError("--order", text, "all, or 1, 2, 3 …")
+    return int(text)
+
+
+def _print(manifest: Path, baked: Baked) -> None:
+    from airlight.exports.table_files import texture_size
+
+    folder = manifest.parent
+    print(f"{'table':<24} {'texture':>14} {'channels':>8} {'stored':>7} {'NPZ':>9} {'EXR':>9}")
+    for name, table in baked.tables.items():
+        texture = "x".join(str(n) for n in texture_size(table) if n > 1)
+        sizes = [
+            f"{(folder / f'{name}.{kind}').stat().st_size / 1e3:.0f} kB" for kind in ("npz", "exr")
+        ]
+        print(
+            f"{name:<24} {texture:>14} {len(table.channels):>8} {table.precision:>7} "
+            f"{sizes[0]:>9} {sizes[1]:>9}"
+        )
+    print(f"\n{'error against the solver':<30} {'median':>9} {'RMS':>9} {'95 %':>9} {'largest':>9}")
+    for name, error in baked.errors.items():
+        kind = "absolute" if "absolute" in error.quantity else "relative"
+        values = (error.median, error.rms, error.percentile_95, error.maximum)
+        print(f"{name:<30} " + " ".join(f"{value:>9.1e}" for value in values) + f"  {kind}")

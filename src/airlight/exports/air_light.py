@@ -1,0 +1,194 @@
+"""What a table of scattered light is filled with: the air's own radiance, from any solution.
+
+A solution answers with all the light along a line of sight, the ground's included. A table holds
+the air's alone, so that an engine can put its own ground behind it. The moments solver marches the
+air apart from the ground; from any other solver's answer the ground's part, which is its radiance
+times the transmittance, is taken off.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.path import ray_length
+from airlight.geometry.quadrature import gauss_legendre
+from airlight.geometry.shell import distance_to_bottom, distance_to_top
+from airlight.kernel import vectorized
+from airlight.planets.medium import Medium
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solvers.solution import Sight, Solution
+from airlight.tables.columns import columns
+from airlight.tables.layout import Places
+
+FloatArray = NDArray[np.float64]
+
+#: Directions on each axis of the sky for the light that one order sends to the ground.
+_SKY = 12
+#: Suns at which that light is computed; between them it is interpolated.
+_SUNS = 129
+
+
+def lines_of_sight(places: Places, medium: Medium) -> Sight:
+    """Places as lines of sight: each ends where its side of the horizon says."""
+    down = vectorized(distance_to_bottom)(places.r, places.mu, medium.bottom_radius)
+    up = vectorized(distance_to_top)(places.r, places.mu, medium.top_radius)
+    return Sight(
+        places.r,
+        places.mu,
+        places.mu_s,
+        places.nu,
+        np.where(places.to_ground, down, up),
+        places.to_ground,
+    )
+
+
+class AirLight:
+    """The air's own light of some orders, along any line of sight.
+
+    Parameters
+    ----------
+    solution : Solution
+        Of any solver.
+    order : int or None
+        For the light scattered or reflected exactly so many times; None for all of it.
+    cumulative : bool
+        With an order: for the light of all orders up to it.
+
+    Raises
+    ------
+    ParameterError
+        If the solution has not kept such an order apart.
+    """
+
+    def __init__(
+        self, solution: Solution, order: int | None = None, *, cumulative: bool = False
+    ) -> None:
+        solution.check_order(order)
+        self.solution = solution
+        self.orders: tuple[int | None, ...] = (order,)
+        if order is not None and cumulative:
+            self.orders = tuple(range(1, order + 1))
+        #: Whether the solver gives the air alone for a line that is said to end in the air.
+        self.apart = isinstance(solution, MomentsSolution)
+        self._skies: dict[int, tuple[FloatArray, FloatArray]] = {}
+
+    @property
+    def has_first(self) -> bool:
+        """Whether light scattered once is part of it."""
+        return None in self.orders or 1 in self.orders
+
+    def with_first(self, sight: Sight) -> tuple[FloatArray, FloatArray]:
+        """The air's light of all the orders together, and of the first, shape (n, nl). [sr⁻¹]"""
+        through = self._through(sight)
+        first = self._of_order(sight, 1, through)
+        rest = [
+            first if order == 1 else self._of_order(sight, order, through) for order in self.orders
+        ]
+        return np.asarray(sum(rest)), first
+
+    def __call__(self, sight: Sight) -> FloatArray:
+        """The air's light of all the orders together, shape (n, nl). [sr⁻¹]"""
+        through = self._through(sight)
+        return np.asarray(sum(self._of_order(sight, order, through) for order in self.orders))
+
+    def with_ground(self, sight: Sight) -> FloatArray:
+        """All the light of the orders, the ground's included, shape (n, nl). [sr⁻¹]"""
+        return np.asarray(
+            sum(self.solution.relative_radiance(sight, order=order) for order in self.orders)
+        )
+
+    def _through(self, sight: Sight) -> FloatArray:
+        """Transmittance of the lines that end on the ground, (n of them, nl)."""
+        medium = self.solution.medium
+        rows = sight.to_ground
+        if self.apart:
+            return np.empty((0, medium.wavelengths.size))
+        depth = columns(
+            sight.r[rows], sight.mu[rows], sight.length[rows],
+            medium.bottom_radius, medium.density, nodes=16, panels=3,
+        )  # fmt: skip
+        return np.exp(-(depth @ medium.extinction))
+
+    def _of_order(self, sight: Sight, order: int | None, through: FloatArray) -> FloatArray:
+        rows = sight.to_ground
+        if self.apart:
+            sight = replace(sight, to_ground=np.zeros_like(rows))
+        light = self.solution.relative_radiance(sight, order=order)
+        if rows.any() and not self.apart:
+            medium = self.solution.medium
+            bottom = medium.bottom_radius
+            there = sight.r[rows] * sight.mu_s[rows] + sight.length[rows] * sight.nu[rows]
+            received = self._received(np.clip(there / bottom, -1.0, 1.0), order)
+            light = np.array(light)
+            light[rows] -= through * received * medium.ground_albedo / np.pi
+        return np.maximum(light, 0.0)
+
+    def _received(self, mu_s: FloatArray, order: int | None) -> FloatArray:
+        """Irradiance of the ground whose reflection is of this order, shape (n, nl). [1]"""
+        r = np.full(mu_s.size, self.solution.medium.bottom_radius)
+        if order == 1:
+            return self.solution.relative_direct_irradiance(r, mu_s)
+        suns, values = self._sky(0 if order is None else order - 1)
+        # In twilight the sky falls e-fold in a degree or two: its logarithm is interpolated.
+        logs = np.log(np.maximum(values.T, 1e-300))
+        sky = np.exp(np.stack([np.interp(mu_s, suns, column) for column in logs], axis=-1))
+        if order is None:
+            sky = sky + self.solution.relative_direct_irradiance(r, mu_s)
+        return np.asarray(sky)
+
+    def _sky(self, order: int) -> tuple[FloatArray, FloatArray]:
+        """Irradiance of the ground by the sky of one order, or of all (0), over the sun's cosine.
+
+        Some solvers integrate it anew for every sun: a table of suns is made once.
+        """
+        if order not in self._skies:
+            t = np.linspace(-1.0, 1.0, _SUNS)
+            suns = np.sin(0.5 * np.pi * (0.3 * t + 0.7 * t**3))  # steps of 0.4° about level
+            if order == 0:
+                ground = np.full(suns.size, self.solution.medium.bottom_radius)
+                self._skies[0] = suns, self.solution.relative_sky_irradiance(ground, suns)
+                return self._skies[0]
+            rule = gauss_legendre(_SKY)
+            # x² crowds the directions at the horizon, where the sky is steep.
+            mu, weight = rule.nodes**2, 2.0 * rule.nodes * rule.weights
+            around = np.cos(np.pi * (np.arange(_SKY) + 0.5) / _SKY)
+            mu_s, view, side = (x.ravel() for x in np.meshgrid(suns, mu, around, indexing="ij"))
+            nu = view * mu_s + np.sqrt((1.0 - view**2) * (1.0 - mu_s**2)) * side
+            medium = self.solution.medium
+            r = np.full(view.size, medium.bottom_radius)
+            length = vectorized(ray_length)(r, view, medium.bottom_radius, medium.top_radius)
+            sky = self.solution.relative_radiance(
+                Sight(r, view, mu_s, nu, length, np.zeros(r.size, bool)), order=order
+            ).reshape(suns.size, _SKY, _SKY, -1)
+            values = 2.0 * np.pi * np.einsum("smal,m->sl", sky, weight * mu) / _SKY
+            self._skies[order] = suns, values
+        return self._skies[order]
+
+
+def described_orders(order: int | None, cumulative: bool) -> str:
+    """The orders of scattering in words."""
+    if order is None:
+        return "all"
+    if cumulative and order > 1:
+        return f"1 to {order}"
+    return str(order)
+
+
+def groups(medium: Medium) -> tuple[list[int], list[int]]:
+    """Indices of the constituents that scatter like molecules, and of the other ones that scatter.
+
+    Molecules have no moments of the phase function but the second.
+    """
+    moments = medium.phase_moments(4)
+    gas: list[int] = []
+    particles: list[int] = []
+    for index in range(len(medium.names)):
+        if not (medium.scattering[index] > 0.0).any():
+            continue
+        other: Any = np.abs(moments[index][:, [1, 3, 4]]).max()
+        (gas if other < 1e-6 else particles).append(index)
+    return gas, particles

@@ -1,0 +1,379 @@
+"""``bake``: a solution becomes tables for engines, with their error against the solution."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import Cancelled, ParameterError
+from airlight.exports import table_errors
+from airlight.exports.air_light import AirLight, described_orders, lines_of_sight
+from airlight.exports.packing import (
+    FIT_AZIMUTHS,
+    Parts,
+    colours_of,
+    combine,
+    fit_azimuths,
+    parts_of,
+    split_once,
+)
+from airlight.exports.table_errors import ERROR_POINTS, SEED, Errors
+from airlight.kernel.threads import Cancel, Progress
+from airlight.solvers.solution import Solution
+from airlight.tables.atmosphere_plus import AtmospherePlusLayout
+from airlight.tables.bruneton import BrunetonLayout
+from airlight.tables.columns import columns
+from airlight.tables.irradiance import IrradianceLayout
+from airlight.tables.layout import Layout, Places
+from airlight.tables.scattered_light import PhaseFunctions, ScatteredLight
+from airlight.tables.table import Table, stored
+from airlight.tables.transmittance import TransmittanceLayout
+
+FloatArray = NDArray[np.float64]
+
+#: Names of the layouts of scattered light.
+LAYOUT_NAMES: Final = ("bruneton", "atmosphere-plus")
+#: Texels that one block of work holds.
+_BLOCK: Final = 1 << 15
+#: Places at which the sky's irradiance is judged, at most.
+_SKIES: Final = 256
+#: What tables of scattered light hold.
+_AIR: Final = "radiance of the air alone, without the ground's, per irradiance of the star"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Baked:
+    """Tables of one planet.
+
+    Attributes
+    ----------
+    light : ScatteredLight
+        Radiance of the air from ``tables``.
+    tables : dict of str to Table
+        ``transmittance``, ``irradiance``, ``scattering``, and ``single-<name>`` or ``particles``.
+    about : dict
+        Planet, fingerprint, solver, orders, wavelengths, irradiance of the star.
+    errors : dict of str to Errors
+        By what was judged.
+    """
+
+    light: ScatteredLight
+    tables: dict[str, Table]
+    about: dict[str, Any]
+    errors: dict[str, Errors]
+
+
+def bake(
+    solution: Solution,
+    layout: str = "bruneton",
+    *,
+    mapping: str = "weighted-power",
+    packing: str | None = None,
+    azimuth: float = 0.0,
+    size: tuple[int, ...] | None = None,
+    precision: str = "single",
+    order: int | None = None,
+    cumulative: bool = False,
+    points: int = ERROR_POINTS,
+    seed: int = SEED,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Baked:
+    """Fill tables from a solution of any solver, and measure their error.
+
+    Parameters
+    ----------
+    solution : Solution
+        The light.
+    layout : str
+        ``bruneton``: (r, mu, mu_s, nu). ``atmosphere-plus``: (altitude, mu, mu_s).
+    mapping : str
+        Of ``atmosphere-plus``: ``linear``, ``power`` or ``weighted-power``.
+    packing : str, optional
+        ``bruneton``: ``separate`` (the usual: particles' single light in a table of its own) or
+        ``combined`` (in alpha, colours restored at look-up). ``atmosphere-plus``: ``rgba`` (the
+        usual: particles in alpha, grey), ``separate`` or ``phase-included`` (at ``azimuth``).
+    azimuth : float
+        Of a ``phase-included`` table; 0 looks to the sun's side. [deg]
+    size : tuple of int, optional
+        Texels along each axis; (32, 128, 32, 8) or (32, 256, 32) if left out.
+    precision : str
+        ``single`` or ``half``; transmittance is always single.
+    order : int, optional
+        For the light scattered or reflected exactly so many times.
+    cumulative : bool
+        With an order: all orders up to it.
+    points, seed : int
+        Random places at which errors are measured.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Returns
+    -------
+    Baked
+
+    Raises
+    ------
+    ParameterError
+        For an unknown or impossible choice, or an order that the solution has not kept.
+    Cancelled
+        If ``cancel`` said so.
+    """
+    where = _layout(solution, layout, mapping, azimuth, size)
+    packing = _packing(layout, packing)
+    if precision not in ("single", "half"):
+        raise ParameterError("precision", precision, "single, half")
+    if points < 1:
+        raise ParameterError("points", points, "1 or more")
+    air = AirLight(solution, order, cumulative=cumulative)
+    step = _Steps(progress, cancel)
+    medium = solution.medium
+    parts = parts_of(medium, each=layout == "bruneton" and packing == "separate")
+    if packing == "separate" and not air.has_first:  # nothing is left for tables of their own
+        gas = PhaseFunctions(parts.phases.names[:1], parts.phases.values[:1])
+        parts = Parts((), parts.gas, gas)
+    reference = int(np.argmax(medium.wavelengths))
+    colours = colours_of(medium, parts, reference)
+    names = tuple(f"{nm:.10g} nm" for nm in medium.wavelengths)
+    orders = described_orders(order, cumulative)
+    provenance = {"solver": str(solution.report), "orders": orders}
+
+    def table(name: str, quantity: str, unit: str, where: Layout, values: FloatArray,
+              channels: tuple[str, ...], precision: str) -> Table:  # fmt: skip
+        if not np.isfinite(values).all():
+            raise ParameterError(f"table {name}", "NaN or infinity", "finite values")
+        kept, scale = stored(values.reshape(*where.shape, len(channels)), precision)
+        return Table(
+            name=name, quantity=quantity, unit=unit, layout=where, channels=channels,
+            values=kept, scale=scale, provenance=provenance,
+        )  # fmt: skip
+
+    tables = {}
+    shell: dict[str, Any] = {"bottom_radius": medium.bottom_radius, "top_radius": medium.top_radius}
+    to_top = TransmittanceLayout(**shell)
+    tables["transmittance"] = table(
+        "transmittance", "transmittance to the top of the shell", "1", to_top,
+        _transmittance(solution, to_top.places()), names, "single",
+    )  # fmt: skip
+    level = IrradianceLayout(**shell)
+    spots = level.places()
+    tables["irradiance"] = table(
+        "irradiance", "irradiance of level ground by the sky, per the star's; all orders", "1",
+        level, solution.relative_sky_irradiance(spots.r, spots.mu_s), names, precision,
+    )  # fmt: skip
+    for name, values, quantity, unit in _scattering(
+        air, where, parts, packing, (colours, reference), step
+    ):
+        channels = names if values.shape[-1] == len(names) else (*names, "particles")
+        tables[name] = table(name, quantity, unit, where, values, channels, precision)
+    light = ScatteredLight(
+        packing=packing, tables=tables, phases=parts.phases, colours=colours, reference=reference
+    )
+    about = {
+        "planet": solution.planet.name if solution.planet is not None else "unnamed",
+        "fingerprint": medium.fingerprint(),
+        "solver": str(solution.report),
+        "orders": orders,
+        "wavelengths_nm": medium.wavelengths.tolist(),
+        "solar_irradiance_W_m-2_nm-1": medium.solar_irradiance.tolist(),
+        "ground_albedo": medium.ground_albedo.tolist(),
+        "star_angular_radius_rad": medium.star_angular_radius,
+        "bottom_radius_m": medium.bottom_radius,
+        "top_radius_m": medium.top_radius,
+    }
+    azimuth_of = azimuth if packing == "phase-included" else None
+    errors = _errors(air, light, azimuth_of, points, seed, step)
+    return Baked(light=light, tables=tables, about=about, errors=errors)
+
+
+def _layout(
+    solution: Solution, layout: str, mapping: str, azimuth: float, size: tuple[int, ...] | None
+) -> Layout:
+    if layout not in LAYOUT_NAMES:
+        raise ParameterError("layout", layout, ", ".join(LAYOUT_NAMES))
+    wanted = 4 if layout == "bruneton" else 3
+    if size is not None and len(size) != wanted:
+        names = "r, mu, mu_s, nu" if wanted == 4 else "altitude, mu, mu_s"
+        raise ParameterError("size", size, f"{wanted} numbers of texels: {names}")
+    shell: dict[str, Any] = {
+        "bottom_radius": solution.medium.bottom_radius,
+        "top_radius": solution.medium.top_radius,
+    }
+    if layout == "bruneton":
+        sizes = dict(zip(("radii", "views", "suns", "angles"), size or (), strict=False))
+        return BrunetonLayout(**shell, **sizes)
+    sizes = dict(zip(("altitudes", "views", "suns"), size or (), strict=False))
+    return AtmospherePlusLayout(**shell, **sizes, mapping=mapping, azimuth=azimuth)
+
+
+def _packing(layout: str, packing: str | None) -> str:
+    allowed: tuple[str, ...] = ("separate", "combined")
+    if layout == "atmosphere-plus":
+        allowed = ("rgba", "separate", "phase-included")
+    if packing is None:
+        return allowed[0]
+    if packing not in allowed:
+        raise ParameterError("packing", packing, f"{', '.join(allowed)} for {layout}")
+    return packing
+
+
+class _Steps:
+    """Runs blocks one after another, each on all cores inside, with progress and cancel."""
+
+    def __init__(self, progress: Progress | None, cancel: Cancel | None) -> None:
+        self.progress, self.cancel = progress, cancel
+
+    def run(
+        self, places: Places, make: Callable[[Places], list[FloatArray]], message: str
+    ) -> list[FloatArray]:
+        """What ``make`` gives for all places, block by block, equal neighbours computed once."""
+        fresh = np.ones(len(places), bool)
+        for array in (places.r, places.mu, places.mu_s, places.nu, places.to_ground):
+            fresh[1:] &= array[1:] == array[:-1]
+        fresh[1:] = ~fresh[1:]
+        index = np.cumsum(fresh) - 1
+        unique = places[fresh]
+        made: list[list[FloatArray]] = []
+        for start in range(0, len(unique), _BLOCK):
+            if self.cancel is not None and self.cancel():
+                raise Cancelled("cancelled")
+            made.append(make(unique[start : start + _BLOCK]))
+            if self.progress is not None:
+                self.progress(min(start + _BLOCK, len(unique)), len(unique), message)
+        return [np.concatenate(blocks)[index] for blocks in zip(*made, strict=True)]
+
+
+def _transmittance(solution: Solution, places: Places) -> FloatArray:
+    medium = solution.medium
+    length = lines_of_sight(places, medium).length
+    depth = columns(places.r, places.mu, length, medium.bottom_radius, medium.density)
+    return np.exp(-(depth @ medium.extinction))
+
+
+def _scattering(
+    air: AirLight,
+    where: Layout,
+    parts: Parts,
+    packing: str,
+    colours: tuple[FloatArray, int],
+    step: _Steps,
+) -> list[tuple[str, FloatArray, str, str]]:
+    """(name, values, quantity, unit) of each table of scattered light."""
+    medium = air.solution.medium
+    places = where.places()
+    smooth_is = f"{_AIR}, divided by the gas's phase function"
+    dust_is = f"{_AIR}: the particles' part, divided by their phase function"
+    if packing == "phase-included":
+        values = step.run(places, lambda p: [air(lines_of_sight(p, medium))], "scattering")[0]
+        return [("scattering", values, _AIR, "sr-1")]
+    if isinstance(where, AtmospherePlusLayout):
+        grey = packing == "rgba"
+
+        def fit(block: Places) -> list[FloatArray]:
+            smooth, dust = fit_azimuths(air, block, parts, grey=grey)
+            return [np.concatenate([smooth, dust], axis=-1)] if grey else [smooth, dust]
+
+        fitted = step.run(places, fit, "scattering")
+        note = f"; best fit over {FIT_AZIMUTHS} azimuths"
+        if grey:
+            return [("scattering", fitted[0], f"{smooth_is}; {dust_is}, grey{note}", "1")]
+        out = [("scattering", fitted[0], smooth_is + note, "1")]
+        if parts.particles:
+            out.append(("particles", fitted[1], dust_is + note, "1"))
+        return out
+
+    def apart(block: Places) -> list[FloatArray]:
+        gas, rest, dust = split_once(air, block, parts, each=packing == "separate")
+        return [gas, rest, *(dust[:, k] for k in range(dust.shape[1]))]
+
+    gas, rest, *dust = step.run(places, apart, "scattering")
+    # A texel whose angle no view and sun can have holds the light at the nearest possible one.
+    # What is scattered more than once does not follow the phase function, by which the texel's
+    # own angle will multiply it.
+    angles = np.linspace(-1.0, 1.0, where.shape[-1])
+    of_axis = np.tile(parts.phases.at("gas", angles), (len(places) // angles.size, 1))
+    smooth = gas + rest / of_axis
+    if packing == "combined":
+        if not dust:
+            dust = [np.zeros_like(smooth)]
+        p_gas = parts.phases.at("gas", places.nu)
+        p_dust = parts.phases.at(parts.phases.names[-1], places.nu)
+        light = smooth * p_gas + dust[0] * p_dust
+        values = combine(light, dust[0], p_gas, p_dust, *colours)
+        nm = medium.wavelengths[colours[1]]
+        quantity = f"{smooth_is}; {dust_is}, scattered once, at {nm:g} nm"
+        return [("scattering", values, quantity, "1")]
+    out = [("scattering", smooth, smooth_is, "1")]
+    out += [
+        (name, values, f"{dust_is}, scattered once", "1")
+        for name, values in zip(parts.phases.names[1:], dust, strict=True)
+    ]
+    return out
+
+
+def _air_and_all(air: AirLight, places: Places) -> list[FloatArray]:
+    """The air's light, and all the light of the same orders, the ground's included."""
+    sight = lines_of_sight(places, air.solution.medium)
+    own = air(sight)
+    return [own, np.maximum(air.with_ground(sight), own)]
+
+
+def _errors(
+    air: AirLight,
+    light: ScatteredLight,
+    azimuth: float | None,
+    points: int,
+    seed: int,
+    step: _Steps,
+) -> dict[str, Errors]:
+    medium, solution = air.solution.medium, air.solution
+    drawn = (
+        "altitude: thickness times the square of an even x; zenith angles even, view 0 to 180, "
+        f"sun 0 to {table_errors.LOWEST_SUN:g} deg"
+    )
+    errors = {}
+    for name, given in (("sky", None), ("sky at its azimuth", azimuth)):
+        if name != "sky" and given is None:
+            continue
+        places = table_errors.random_places(medium, points, seed, given)
+        exact, whole = step.run(places, lambda p: _air_and_all(air, p), "errors")
+        turned = "even, 0 to 180 deg" if given is None else f"{given:g} deg"
+        made = light.relative_radiance(places)
+        for of, rows, quantity in (
+            ("", ~places.to_ground, "radiance of the air in views of the sky; relative"),
+            (
+                " before the ground",
+                places.to_ground,
+                "radiance of the air in views of the ground; relative to the ground's and its own",
+            ),
+        ):
+            seen = places[rows]
+            errors[name.replace("sky", "air") + of if of else name] = table_errors.judge(
+                made[rows], exact[rows], seen, medium, quantity=quantity, seed=seed,
+                floor=table_errors.DARK, per=whole[rows], where=f"{drawn}; azimuth {turned}",
+            )  # fmt: skip
+    # Some solvers integrate the sky anew for every sun.
+    places = table_errors.random_places(medium, min(points, _SKIES), seed)
+    for name, r in (
+        ("irradiance on the ground", np.full(len(places), medium.bottom_radius)),
+        ("irradiance aloft", places.r),
+    ):
+        spots = Places(r, places.mu, places.mu_s, places.nu, places.to_ground)
+        errors[name] = table_errors.judge(
+            light.tables["irradiance"].at(spots),
+            solution.relative_sky_irradiance(spots.r, spots.mu_s), spots, medium,
+            quantity="irradiance of level ground by the sky; relative", seed=seed,
+            floor=table_errors.DARK_GROUND, where=drawn,
+        )  # fmt: skip
+    places = table_errors.random_places(medium, points, seed)
+    up = table_errors.above_horizon(places, medium)
+    errors["transmittance"] = table_errors.judge(
+        light.tables["transmittance"].at(up), _transmittance(solution, up), up, medium,
+        quantity="transmittance to the top; absolute", seed=seed, relative=False,
+        where="altitude as for light; zenith angle even from 0 to the horizon",
+    )  # fmt: skip
+    return errors

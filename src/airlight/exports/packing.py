@@ -1,0 +1,249 @@
+"""The air's light taken apart into what tables hold: a smooth part and the particles' part.
+
+The radiance of a place is made again as smooth · p_gas(ν) + Σ particles · p(ν). Light scattered
+once is exactly of this form; light scattered more often is not, since each phase function then
+depends on the direction the light came from. A table with an axis for ν takes the rest into its
+smooth part and is exact at its texels; a table without one gets the best fit over azimuths.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.exports.air_light import AirLight, groups, lines_of_sight
+from airlight.kernel import vectorized
+from airlight.optics.phase_functions import rayleigh
+from airlight.planets.medium import Medium
+from airlight.solvers.scattered_once import scattered_once
+from airlight.tables.atmosphere_plus import at_azimuth
+from airlight.tables.layout import Places
+from airlight.tables.scattered_light import PhaseFunctions
+
+FloatArray = NDArray[np.float64]
+
+#: Azimuths over which the fit is made: midpoints of so many parts of half a turn.
+FIT_AZIMUTHS: Final = 8
+#: Weight of the light scattered once in the fit, where azimuths do not decide (a view straight
+#: up has one angle to the sun only). [1]
+_PRIOR: Final = 1e-4
+#: Radiance below this part of a place's largest counts as that part in the fit's weights. [1]
+_DIM: Final = 1e-3
+_TINY: Final = 1e-12
+
+
+@dataclass(frozen=True)
+class Parts:
+    """Who scatters, for packing.
+
+    Attributes
+    ----------
+    particles : tuple of int
+        Indices of the constituents that are no molecules.
+    gas : tuple of int
+        Indices of the molecules.
+    phases : PhaseFunctions
+        ``gas``, and for tables of their own ``single-<name>`` each, otherwise ``particles``.
+    """
+
+    particles: tuple[int, ...]
+    gas: tuple[int, ...]
+    phases: PhaseFunctions
+
+
+def parts_of(medium: Medium, *, each: bool) -> Parts:
+    """Phase functions of the gas and of the particles, each kind's or their mean.
+
+    Means are weighted with vertical scattering optical depths. Where there is no gas, Rayleigh's
+    phase function stands for it.
+
+    Parameters
+    ----------
+    medium : Medium
+        The air.
+    each : bool
+        Whether every kind of particles keeps its own.
+    """
+    gas, particles = groups(medium)
+    depth = medium.scattering * medium.columns[:, None]
+    nu = 1.0 - 2.0 * np.linspace(0.0, 1.0, medium.phase_table.shape[-1]) ** 2
+
+    def mean(indices: list[int]) -> FloatArray:
+        weight = depth[indices] / np.maximum(depth[indices].sum(axis=0), 1e-300)
+        return np.asarray((weight[..., None] * medium.phase_table[indices]).sum(axis=0))
+
+    smooth = np.broadcast_to(vectorized(rayleigh)(nu, 0.0), medium.phase_table.shape[1:])
+    names, values = ["gas"], [mean(gas) if gas else np.array(smooth)]
+    if each:
+        names += [f"single-{slug(medium.names[index])}" for index in particles]
+        values += [mean([index]) for index in particles]
+    elif particles:
+        names.append("particles")
+        values.append(mean(particles))
+    return Parts(tuple(particles), tuple(gas), PhaseFunctions(tuple(names), np.stack(values)))
+
+
+def slug(name: str) -> str:
+    """A constituent's name as a part of a file's name.
+
+    Examples
+    --------
+    >>> slug("Fine dust (1.6 µm)")
+    'fine-dust-1-6-µm'
+    """
+    words = "".join(letter if letter.isalnum() else " " for letter in name.lower()).split()
+    return "-".join(words) or "particles"
+
+
+def split_once(
+    air: AirLight, places: Places, parts: Parts, *, each: bool
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Light of the gas, of the particles and of more orders at places whose ν is known.
+
+    The particles' light is their single scattering by quadrature, brought to the solution's own
+    first order where that is mostly theirs (a solver may thin the air by its forward peaks).
+
+    Returns
+    -------
+    gas : array, shape (n, nl)
+        Scattered once by the gas, to be multiplied by ``gas``. [1]
+    rest : array, shape (n, nl)
+        Radiance of all that is left. [sr⁻¹]
+    particles : array, shape (n, kinds, nl)
+        Scattered once, to be multiplied by each kind's phase function, or by their mean
+        (kinds = 1). [1]
+    """
+    medium = air.solution.medium
+    sight = lines_of_sight(places, medium)
+    kinds = len(parts.phases.names) - 1
+    if not air.has_first:
+        light = air(sight)
+        return np.zeros_like(light), light, np.zeros((len(places), kinds, light.shape[-1]))
+    light, first = air.with_first(sight)
+    own = medium.phase_function(places.nu)
+    once = scattered_once(medium, sight)
+    gas, particles = list(parts.gas), list(parts.particles)
+    if each:  # as the look-up has them
+        for kind, index in zip(parts.phases.names[1:], particles, strict=True):
+            own[:, index] = parts.phases.at(kind, places.nu)
+    from_gas = (own[:, gas] * once[:, gas]).sum(axis=1)
+    from_particles = (own[:, particles] * once[:, particles]).sum(axis=1)
+    safe = np.maximum(from_particles, 1e-300)
+    ratio = np.clip((first - from_gas) / safe, 0.5, 2.0)
+    share = (from_particles / np.maximum(from_gas + from_particles, 1e-300)) ** 2
+    factor = 1.0 + share * (ratio - 1.0)
+    # What is more than the whole would leave less than nothing for the rest.
+    factor = np.minimum(factor, light / safe)
+    left = np.maximum(light - factor * from_particles, 0.0)
+    of_gas = np.minimum(from_gas, left)
+    smooth = of_gas / parts.phases.at("gas", places.nu)
+    if each:
+        dust = once[:, particles] * factor[:, None]
+    elif kinds:
+        dust = (factor * from_particles / parts.phases.at("particles", places.nu))[:, None]
+    else:
+        dust = np.zeros((len(places), 0, light.shape[-1]))
+    return smooth, left - of_gas, dust
+
+
+def combine(
+    light: FloatArray, particles: FloatArray, p_gas: FloatArray, p_particles: FloatArray,
+    colours: FloatArray, reference: int,
+) -> FloatArray:  # fmt: skip
+    """Channels of a combined table: the smooth light, then the particles' at the reference.
+
+    The smooth light is chosen so that look-up with ``proportional`` colours gives ``light``.
+
+    Parameters
+    ----------
+    light, particles, p_gas, p_particles : array, shape (n, nl)
+        Radiance of the air [sr⁻¹], particles' part [1] and phase functions [sr⁻¹].
+    colours, reference
+        See ``ScatteredLight``.
+
+    Returns
+    -------
+    array, shape (n, nl + 1)
+        [1]
+    """
+    alpha = particles[:, reference]
+    rest = np.maximum(light[:, reference] - alpha * p_particles[:, reference], 0.0)
+    smooth_reference = rest / p_gas[:, reference]
+    per_smooth = np.divide(
+        alpha, smooth_reference, out=np.zeros_like(alpha), where=smooth_reference > 0.0
+    )
+    smooth = light / (p_gas + p_particles * colours * per_smooth[:, None])
+    smooth[:, reference] = smooth_reference
+    return np.concatenate([smooth, alpha[:, None]], axis=-1)
+
+
+def fit_azimuths(
+    air: AirLight, places: Places, parts: Parts, *, grey: bool
+) -> tuple[FloatArray, FloatArray]:
+    """Smooth light and particles' light that fit all azimuths best, by relative least squares.
+
+    Parameters
+    ----------
+    air, places, parts
+        The light, where (any azimuth), and the phase functions ``gas`` and ``particles``.
+    grey : bool
+        Whether the particles' light is one number for all wavelengths.
+
+    Returns
+    -------
+    smooth : array, shape (n, nl)
+        [1]
+    particles : array, shape (n, nl), or (n, 1) if grey
+        [1]
+    """
+    medium = air.solution.medium
+    azimuths = 180.0 * (np.arange(FIT_AZIMUTHS) + 0.5) / FIT_AZIMUTHS
+    around = [at_azimuth(places, azimuth) for azimuth in azimuths]
+    light = np.stack([air(lines_of_sight(one, medium)) for one in around])
+    p_gas = np.stack([parts.phases.at("gas", one.nu) for one in around])
+    weight = 1.0 / np.maximum(light, _DIM * light.max(axis=0) + _TINY) ** 2
+    gas_gas = (weight * p_gas * p_gas).sum(axis=0)
+    gas_light = (weight * p_gas * light).sum(axis=0)
+    if not parts.particles:
+        nothing = np.zeros((len(places), 1 if grey else light.shape[-1]))
+        return gas_light / gas_gas, nothing
+    p_dust = np.stack([parts.phases.at("particles", one.nu) for one in around])
+    once = np.zeros(light.shape[1:])
+    if air.has_first:
+        across = at_azimuth(places, 90.0)
+        scattered = scattered_once(medium, lines_of_sight(across, medium))
+        once = scattered[:, list(parts.particles)].sum(axis=1)
+    gas_dust = (weight * p_gas * p_dust).sum(axis=0)
+    dust_dust = (weight * p_dust * p_dust).sum(axis=0)
+    dust_light = (weight * p_dust * light).sum(axis=0)
+    prior = _PRIOR * dust_dust
+    above = dust_light + prior * once - gas_dust * gas_light / gas_gas
+    below = dust_dust + prior - gas_dust * gas_dust / gas_gas
+    if grey:
+        above, below = above.sum(axis=-1, keepdims=True), below.sum(axis=-1, keepdims=True)
+    dust = np.maximum(above / below, 0.0)
+    smooth = (gas_light - gas_dust * dust) / gas_gas
+    # Less than nothing is left for the smooth part: the particles' part alone must do.
+    alone = (weight * p_dust * light).sum(axis=0) / dust_dust
+    if grey:
+        alone = alone.min(axis=-1, keepdims=True)
+    dust = np.where((smooth < 0.0).any(axis=-1, keepdims=True) if grey else smooth < 0.0,
+                    np.minimum(dust, alone), dust)  # fmt: skip
+    smooth = np.maximum((gas_light - gas_dust * dust) / gas_gas, 0.0)
+    return smooth, dust
+
+
+def colours_of(medium: Medium, parts: Parts, reference: int) -> FloatArray:
+    """Scattering of particles per scattering of gas, relative to a wavelength, shape (nl,). [1]
+
+    Bruneton & Neyret (2008), section 4; 1 everywhere if there is no gas.
+    """
+    particles = medium.scattering[list(parts.particles)].sum(axis=0)
+    gas = medium.scattering[list(parts.gas)].sum(axis=0)
+    if not particles.any() or not (gas > 0.0).all():
+        return np.ones(medium.wavelengths.size)
+    ratio = particles / gas
+    return np.asarray(ratio / ratio[reference])

@@ -1,0 +1,333 @@
+"""Tables on disk: NPZ for programs, EXR for engines and eyes, one JSON manifest for both.
+
+Of every table there is ``<name>.npz`` with the array ``values``, shape (axes in the manifest's
+order, channels), as stored, and ``<name>.exr`` with the same values as a picture: the texture's
+slices one above the other, the first slice on top, so that the rows in their order are the
+texture in memory. ``value = scale * stored``. ``phase-functions.npz`` has what the light is to be
+multiplied by. The manifest says the rest, with a SHA-256 of every file.
+
+A folder of tables appears whole: files are written beside it first, and the manifest comes last.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import secrets
+import shutil
+from collections.abc import Iterator
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import FileError, ParameterError
+from airlight.exports.bake import Baked
+from airlight.exports.exr import write_exr_channels
+from airlight.exports.header import version
+from airlight.exports.table_errors import Errors
+from airlight.tables.scattered_light import PhaseFunctions, ScatteredLight
+from airlight.tables.table import Table, layout_of
+
+#: The manifest's name in its folder.
+MANIFEST: Final = "manifest.json"
+#: What the manifest says it is.
+FORMAT: Final = "airlight tables 1"
+_PHASES: Final = "phase-functions.npz"
+_FORMULAS: Final = {
+    "phase-included": "radiance = scattering",
+    "separate": "radiance = scattering * p_gas(nu) + sum over the other phase functions of "
+    "table(name) * p_name(nu)",
+    "combined": "radiance_l = scattering_l * p_gas(nu) + alpha * c_l * scattering_l / "
+    "scattering_ref * p_particles(nu); alpha: the last channel; c: colours; ref: reference",
+    "rgba": "radiance_l = scattering_l * p_gas(nu) + alpha * p_particles(nu); alpha: the last "
+    "channel",
+}
+
+
+def write_tables(folder: str | Path, baked: Baked) -> Path:
+    """Write all tables of a bake, and their manifest.
+
+    Parameters
+    ----------
+    folder : str or Path
+        To be made; or an empty folder; or one that holds tables already, which are replaced.
+    baked : Baked
+        From ``bake``.
+
+    Returns
+    -------
+    Path
+        Of the manifest.
+
+    Raises
+    ------
+    FileError
+        If the folder holds other files of these names, or cannot be written to; then it is as
+        before.
+    """
+    target = check_folder(folder)
+    with _beside(target, folder) as part:
+        manifest = _manifest(baked)
+        for name, table in baked.tables.items():
+            arrays = {f"{name}.npz": part / f"{name}.npz", f"{name}.exr": part / f"{name}.exr"}
+            with arrays[f"{name}.npz"].open("wb") as stream:
+                np.savez_compressed(stream, values=table.values)
+            write_exr_channels(arrays[f"{name}.exr"], exr_channels(table), _texts(baked, table))
+            manifest["tables"][name]["files"] = {
+                file: _fingerprint(path) for file, path in arrays.items()
+            }
+        with (part / _PHASES).open("wb") as stream:
+            np.savez_compressed(
+                stream,
+                names=np.array(baked.light.phases.names),
+                values=baked.light.phases.values,
+            )
+        manifest["light"]["files"] = {_PHASES: _fingerprint(part / _PHASES)}
+        (part / MANIFEST).write_text(_manifest_text(manifest), encoding="utf-8")
+        _put(part, target)
+    return Path(folder) / MANIFEST
+
+
+def check_folder(folder: str | Path) -> Path:
+    """The place of a folder of tables, if one can be written there: to be asked before long work.
+
+    Raises
+    ------
+    FileError
+        If it is a file, its parent is missing, or it holds files but no tables of ours.
+    """
+    target = Path(folder).resolve()
+    try:
+        if target.exists() and not target.is_dir():
+            raise FileError(folder, "is a file, not a folder")
+        if not target.parent.is_dir():
+            raise FileError(folder, f"there is no folder {target.parent}")
+        if target.is_dir() and any(target.iterdir()) and not (target / MANIFEST).is_file():
+            raise FileError(folder, f"holds files, but no {MANIFEST}: name a new or empty folder")
+        if (target / MANIFEST).is_file():
+            _read_manifest(target / MANIFEST)
+    except OSError as error:
+        raise FileError(folder, str(error)) from error
+    return target
+
+
+@contextlib.contextmanager
+def _beside(target: Path, named: str | Path) -> Iterator[Path]:
+    part = target.with_name(f".{secrets.token_hex(8)}.part")
+    try:
+        part.mkdir()
+        yield part
+    except OSError as error:
+        raise FileError(named, f"cannot be written: {error.strerror or error}") from error
+    finally:
+        shutil.rmtree(part, ignore_errors=True)
+
+
+def _put(part: Path, target: Path) -> None:
+    if not target.exists():
+        part.rename(target)
+        return
+    old = target / MANIFEST
+    if old.is_file():
+        stale = _files_of(_read_manifest(old))
+        old.unlink()  # from here on the folder says that it is not whole
+        for name in stale:
+            (target / name).unlink(missing_ok=True)
+    for file in sorted(part.iterdir(), key=lambda path: path.name == MANIFEST):
+        file.replace(target / file.name)
+
+
+def _files_of(manifest: dict[str, Any]) -> list[str]:
+    groups = [manifest["light"], *manifest["tables"].values()]
+    return [Path(name).name for group in groups for name in group["files"]]
+
+
+def _fingerprint(path: Path) -> dict[str, Any]:
+    return {
+        "bytes": path.stat().st_size,
+        "sha256": hashlib.sha256(path.read_bytes()).hexdigest(),
+    }
+
+
+def _manifest(baked: Baked) -> dict[str, Any]:
+    light = baked.light
+    return {
+        "format": FORMAT,
+        "airlight": version(),
+        **baked.about,
+        "light": {
+            "packing": light.packing,
+            "formula": _FORMULAS[light.packing],
+            "unit": "sr-1, per irradiance of the star: times solar_irradiance it is radiance",
+            "phase_functions": list(light.phases.names),
+            "phase_functions_axis": "sin(theta/2), even from 0 to 1; theta between view and sun",
+            "colours": light.colours.tolist(),
+            "reference": light.reference,
+        },
+        "tables": {name: _described(table) for name, table in baked.tables.items()},
+        "errors": {name: errors.as_dict() for name, errors in baked.errors.items()},
+    }
+
+
+def _manifest_text(manifest: dict[str, Any]) -> str:
+    return json.dumps(manifest, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _described(table: Table) -> dict[str, Any]:
+    width, height, depth = texture_size(table)
+    return {
+        "quantity": table.quantity,
+        "unit": table.unit,
+        "precision": table.precision,
+        "scale": table.scale,
+        "channels": list(table.channels),
+        "axes": [{**asdict(axis), "parameters": dict(axis.parameters)} for axis in
+                 table.layout.axes],
+        "layout": {"kind": table.layout.kind, **table.layout.parameters()},
+        "texture": {
+            "width": width,
+            "height": height,
+            "depth": depth,
+            "axes": [list(names) for names in table.layout.texture_axes],
+            "exr": "slices of the depth one above the other, the first on top; of two axes "
+            "that share one, the second runs fastest",
+        },
+        "provenance": dict(table.provenance),
+    }  # fmt: skip
+
+
+def texture_size(table: Table) -> tuple[int, int, int]:
+    """Width, height and depth of a table as a texture. [texel]"""
+    sizes = {axis.name: axis.size for axis in table.layout.axes}
+    width, height, depth = (
+        int(np.prod([sizes[name] for name in names])) for names in table.layout.texture_axes
+    )
+    return width, height, depth
+
+
+def exr_channels(table: Table) -> dict[str, NDArray[Any]]:
+    """The stored values as a picture's channels, each of shape (depth·height, width).
+
+    Three wavelengths from long to short are R, G and B; the particles' channel is A.
+    """
+    width, height, depth = texture_size(table)
+    names = [axis.name for axis in table.layout.axes]
+    order = [name for axis in reversed(table.layout.texture_axes) for name in axis]
+    turned = np.transpose(table.values, [*(names.index(name) for name in order), len(names)])
+    flat = turned.reshape(depth * height, width, -1)
+    labels = [label.replace(" ", "").replace(".", "_") for label in table.channels]
+    if labels[-1] == "particles":
+        labels[-1] = "A"
+    colours = [label for label in labels if label != "A"]
+    nm = [float(label.split()[0]) for label in table.channels if label != "particles"]
+    if len(colours) == 3 and nm[0] > nm[1] > nm[2]:
+        labels[:3] = ["R", "G", "B"]
+    return {label: np.ascontiguousarray(flat[..., k]) for k, label in enumerate(labels)}
+
+
+def _texts(baked: Baked, table: Table) -> dict[str, str]:
+    return {
+        "planet": baked.about["planet"],
+        "table": table.name,
+        "quantity": table.quantity,
+        "unit": table.unit,
+        "scale": repr(table.scale),
+        "manifest": MANIFEST,
+    }
+
+
+def load_tables(manifest: str | Path) -> Baked:
+    """Read back what ``write_tables`` wrote: the same look-ups, bit by bit.
+
+    Parameters
+    ----------
+    manifest : str or Path
+        Of the manifest, or of its folder.
+
+    Returns
+    -------
+    Baked
+
+    Raises
+    ------
+    FileError
+        If a file is missing, damaged, or of another kind.
+    """
+    path = _manifest_path(manifest)
+    content = _read_manifest(path)
+    try:
+        tables = {name: _table(path, content, name) for name in content["tables"]}
+        phases = _checked(path.parent / _PHASES, content["light"]["files"][_PHASES])
+        light = ScatteredLight(
+            packing=content["light"]["packing"],
+            tables=tables,
+            phases=PhaseFunctions(tuple(str(x) for x in phases["names"]), phases["values"]),
+            colours=np.array(content["light"]["colours"], float),
+            reference=int(content["light"]["reference"]),
+        )
+        errors = {name: Errors(**fields) for name, fields in content["errors"].items()}
+        own = {"format", "airlight", "light", "tables", "errors"}
+        about = {name: value for name, value in content.items() if name not in own}
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        raise FileError(path, f"is no manifest of tables: {error}") from error
+    return Baked(light=light, tables=tables, about=about, errors=errors)
+
+
+def load_table(manifest: str | Path, name: str = "scattering") -> Table:
+    """One table of a manifest; see ``load_tables``."""
+    path = _manifest_path(manifest)
+    content = _read_manifest(path)
+    if name not in content["tables"]:
+        raise ParameterError("table", name, ", ".join(content["tables"]), path)
+    try:
+        return _table(path, content, name)
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        raise FileError(path, f"is no manifest of tables: {error}") from error
+
+
+def _manifest_path(manifest: str | Path) -> Path:
+    path = Path(manifest)
+    return path / MANIFEST if path.is_dir() else path
+
+
+def _read_manifest(path: Path) -> dict[str, Any]:
+    try:
+        content = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise FileError(path, f"cannot be read: {error}") from error
+    if not isinstance(content, dict) or content.get("format") != FORMAT:
+        raise FileError(path, f"is no manifest of the format {FORMAT!r}")
+    if not isinstance(content.get("tables"), dict) or not isinstance(content.get("light"), dict):
+        raise FileError(path, "is no manifest of tables: tables or light are missing")
+    return content
+
+
+def _checked(path: Path, said: dict[str, Any]) -> dict[str, NDArray[Any]]:
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    if hashlib.sha256(data).hexdigest() != said["sha256"]:
+        raise FileError(path, "is damaged: its SHA-256 is not what the manifest says")
+    with path.open("rb") as stream, np.load(stream, allow_pickle=False) as stored:
+        return {name: stored[name] for name in stored.files}
+
+
+def _table(manifest: Path, content: dict[str, Any], name: str) -> Table:
+    said = content["tables"][name]
+    file = f"{name}.npz"
+    parameters = dict(said["layout"])
+    return Table(
+        name=name,
+        quantity=said["quantity"],
+        unit=said["unit"],
+        layout=layout_of(parameters.pop("kind"), parameters),
+        channels=tuple(said["channels"]),
+        values=_checked(manifest.parent / file, said["files"][file])["values"],
+        scale=float(said["scale"]),
+        provenance=said["provenance"],
+    )

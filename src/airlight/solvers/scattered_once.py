@@ -1,0 +1,114 @@
+"""Light scattered once, without the phase functions, quickly: for tables of a million places.
+
+The same integrals as ``single_scattering`` answers to five digits, here from tables of densities
+and of columns towards the star, two hundred times faster. By day the median error is 1e-4; where
+the star is about to set on the whole line of sight, and little light is left, it reaches 0.1.
+"""
+
+from __future__ import annotations
+
+from math import exp
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.path import MAX_EDGES, place_edges, shadow_edges
+from airlight.geometry.quadrature import gauss_legendre
+from airlight.geometry.sun_disc import sun_elevation, visible_fraction
+from airlight.kernel import compiled_loop
+from airlight.kernel.threads import Cancel, run_blocks
+from airlight.planets.medium import Medium
+from airlight.solvers.solution import Sight
+from airlight.tables.column_ratios import columns_to_top, mean_density_ratios
+from airlight.tables.columns import (
+    ColumnTable,
+    density_table,
+    new_path,
+    trace_resolved,
+)
+
+FloatArray = NDArray[np.float64]
+
+#: Points a panel, and panels a leg.
+_NODES: Final = 16
+_PANELS: Final = 2
+#: Lines of sight in one block of work.
+_BLOCK: Final = 2048
+
+
+@compiled_loop
+def _scattered(sight, panels, rule, shell, star_radius, optics, tables, room, out):
+    r, mu, mu_s, nu, length = sight
+    bottom, top = shell
+    scattering, extinction, strongest = optics
+    densities, sun_table = tables
+    path, edges, here = room
+    distance, radius, weight, density, column, _, _ = path
+    constituents, wavelengths = scattering.shape
+    for p in range(r.size):
+        out[p] = 0.0
+        if length[p] <= 0.0:
+            continue
+        first, second = shadow_edges(r[p], mu[p], mu_s[p], nu[p], bottom)
+        count = place_edges(r[p], mu[p], length[p], panels, first, second, edges)
+        points = trace_resolved(
+            r[p], mu[p], edges, count, rule, bottom, top - bottom, densities, strongest, path
+        )
+        for k in range(points):
+            q = min(max(radius[k], bottom), top)
+            mu_q = min(max((r[p] * mu_s[p] + distance[k] * nu[p]) / q, -1.0), 1.0)
+            seen = visible_fraction(sun_elevation(q, mu_q, bottom), star_radius)
+            if seen <= 0.0:
+                continue
+            columns_to_top(q, mu_q, bottom, top, sun_table, here)
+            for w in range(wavelengths):
+                tau = 0.0
+                for c in range(constituents):
+                    tau += extinction[c, w] * (here[c] + column[c, k])
+                light = weight[k] * seen * exp(-tau)
+                for c in range(constituents):
+                    out[p, c, w] += scattering[c, w] * density[c, k] * light
+
+
+def scattered_once(medium: Medium, sight: Sight, *, cancel: Cancel | None = None) -> FloatArray:
+    """Light of the star that each constituent scatters once, without its phase function.
+
+    Parameters
+    ----------
+    medium : Medium
+        The air.
+    sight : Sight
+        n lines of sight.
+    cancel : callable, optional
+        Asked often; True stops with ``Cancelled``.
+
+    Returns
+    -------
+    array, shape (n, nc, nl)
+        Per irradiance of the star; times p_i(ν) it is radiance per irradiance. [1]
+    """
+    bottom, top = medium.bottom_radius, medium.top_radius
+    columns = ColumnTable.build(bottom, top, medium.density)
+    tables = (density_table(medium.density, top - bottom), mean_density_ratios(columns))
+    rule = gauss_legendre(_NODES).as_tuple()
+    optics = (medium.scattering, medium.extinction, medium.extinction.max(axis=1))
+    constituents = len(medium.names)
+    n = sight.r.size
+    out = np.empty((n, constituents, medium.wavelengths.size))
+
+    def block(index: int) -> None:
+        rows = slice(index * _BLOCK, (index + 1) * _BLOCK)
+        room = (
+            new_path(_NODES * (2 * _PANELS + 10), constituents),
+            np.empty(MAX_EDGES),
+            np.empty(constituents),
+        )
+        lines = tuple(x[rows] for x in (sight.r, sight.mu, sight.mu_s, sight.nu, sight.length))
+        _scattered(
+            lines, _PANELS, rule, (bottom, top), medium.star_angular_radius, optics, tables, room,
+            out[rows],
+        )  # fmt: skip
+
+    run_blocks(block, -(-n // _BLOCK), cancel=cancel)
+    return out

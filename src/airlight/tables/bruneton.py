@@ -1,0 +1,244 @@
+"""Layout of a four-dimensional table of scattered light, Bruneton's 2017 (r, mu, mu_s, nu).
+
+The axis of views has two halves, one on each side of the horizon. In a texture mu_s and nu share
+the width, mu_s running fastest, mu is the height and r the depth: 256 x 128 x 32 for the usual
+32 x 128 x 32 x 8.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import ParameterError
+from airlight.kernel import compiled_loop, kernel
+from airlight.mappings.scattering import (
+    angle_coordinate,
+    angle_from_coordinate,
+    cosine_from_view,
+    lowest_sun_cosine,
+    possible_angle,
+    sun_coordinate,
+    sun_from_coordinate,
+    view_coordinate,
+    view_from_place,
+    view_place,
+)
+from airlight.mappings.texels import cell, index_coordinate
+from airlight.mappings.transmittance import altitude_coordinate, radius_from_coordinate
+from airlight.tables.layout import Axis, FloatArray, Layout, Places
+
+
+class BrunetonGrid(NamedTuple):
+    """The layout for compiled loops.
+
+    Attributes
+    ----------
+    bottom_radius, top_radius : float
+        [m]
+    lowest : float
+        The sun's smallest zenith cosine. [1]
+    radii, views, suns, angles : int
+        Texels along r, mu, mu_s, nu.
+    """
+
+    bottom_radius: float
+    top_radius: float
+    lowest: float
+    radii: int
+    views: int
+    suns: int
+    angles: int
+
+
+@kernel
+def bruneton_corners(r, mu, mu_s, nu, to_ground, grid):
+    """The texels around a place: (lower, upper, share of the upper) of r, mu, mu_s and nu.
+
+    Parameters
+    ----------
+    r, mu, mu_s, nu : float
+        [m], [1]
+    to_ground : bool
+        Whether the line of sight ends on the ground: which half of the views is read.
+    grid : BrunetonGrid
+        The layout.
+
+    Returns
+    -------
+    four tuples of (int, int, float)
+    """
+    bottom, top = grid.bottom_radius, grid.top_radius
+    x = view_coordinate(r, mu, to_ground, bottom, top)
+    half = grid.views // 2
+    first = 0 if to_ground else half
+    return (
+        cell(altitude_coordinate(r, bottom, top) * (grid.radii - 1), 0, grid.radii - 1),
+        cell(view_place(x, to_ground, grid.views), first, first + half - 1),
+        cell(sun_coordinate(mu_s, grid.lowest, bottom, top) * (grid.suns - 1), 0, grid.suns - 1),
+        cell(angle_coordinate(nu) * (grid.angles - 1), 0, grid.angles - 1),
+    )
+
+
+@compiled_loop
+def bruneton_look_up(values, r, mu, mu_s, nu, to_ground, grid, out):
+    """Values between texels, one place: all channels.
+
+    Parameters
+    ----------
+    values : array, shape (radii, views, suns, angles, channels)
+    r, mu, mu_s, nu, to_ground, grid
+        As ``bruneton_corners`` takes them.
+    out : array, shape (channels,)
+        Receives the values.
+    """
+    radius, view, sun, angle = bruneton_corners(r, mu, mu_s, nu, to_ground, grid)
+    out[:] = 0.0
+    for corner in range(16):
+        up, along, around, beside = corner & 1, corner & 2, corner & 4, corner & 8
+        weight = radius[2] if up else 1.0 - radius[2]
+        weight *= view[2] if along else 1.0 - view[2]
+        weight *= sun[2] if around else 1.0 - sun[2]
+        weight *= angle[2] if beside else 1.0 - angle[2]
+        if weight != 0.0:
+            i = radius[1] if up else radius[0]
+            j = view[1] if along else view[0]
+            k = sun[1] if around else sun[0]
+            l = angle[1] if beside else angle[0]
+            for c in range(out.size):
+                out[c] += weight * values[i, j, k, l, c]
+
+
+@compiled_loop
+def _look_up_all(values, r, mu, mu_s, nu, to_ground, grid, out):
+    for p in range(r.size):
+        bruneton_look_up(values, r[p], mu[p], mu_s[p], nu[p], to_ground[p], grid, out[p])
+
+
+@compiled_loop
+def _fill_places(grid, r, mu, mu_s, nu, to_ground):
+    bottom, top = grid.bottom_radius, grid.top_radius
+    at = 0
+    for i in range(grid.radii):
+        radius = radius_from_coordinate(index_coordinate(i, grid.radii), bottom, top)
+        radius = min(max(radius, bottom), top)
+        for j in range(grid.views):
+            x, ground = view_from_place(float(j), grid.views)
+            cosine = cosine_from_view(x, ground, radius, bottom, top)
+            for k in range(grid.suns):
+                sun = sun_from_coordinate(index_coordinate(k, grid.suns), grid.lowest, bottom, top)
+                for l in range(grid.angles):
+                    angle = angle_from_coordinate(index_coordinate(l, grid.angles))
+                    r[at], mu[at], mu_s[at], to_ground[at] = radius, cosine, sun, ground
+                    nu[at] = possible_angle(angle, cosine, sun)
+                    at += 1
+
+
+@dataclass(frozen=True, kw_only=True)
+class BrunetonLayout(Layout):
+    """Axes (r, mu, mu_s, nu).
+
+    Parameters
+    ----------
+    bottom_radius, top_radius : float
+        [m]
+    radii, views, suns, angles : int
+        Texels along each axis; ``views`` is even and at least 4.
+    """
+
+    kind: ClassVar[str] = "bruneton-scattering"
+    bottom_radius: float
+    top_radius: float
+    radii: int = 32
+    views: int = 128
+    suns: int = 32
+    angles: int = 8
+
+    def __post_init__(self) -> None:
+        self._check_shell()
+        if self.views % 2 or self.views < 4:
+            raise ParameterError("size of axis mu", self.views, "an even number from 4")
+
+    @cached_property
+    def grid(self) -> BrunetonGrid:
+        """The layout for compiled loops."""
+        return BrunetonGrid(
+            self.bottom_radius,
+            self.top_radius,
+            lowest_sun_cosine(self.bottom_radius, self.top_radius),
+            self.radii,
+            self.views,
+            self.suns,
+            self.angles,
+        )
+
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """See ``Layout``."""
+        shell = {"bottom_radius": self.bottom_radius, "top_radius": self.top_radius}
+        return (
+            Axis(
+                name="r",
+                size=self.radii,
+                unit="m",
+                parameters=shell,
+                mapping="sqrt((r² - bottom²) / (top² - bottom²))",
+            ),
+            Axis(
+                name="mu",
+                size=self.views,
+                unit="1",
+                parameters=shell,
+                mapping="two halves of x = (d - d_min) / (d_max - d_min): texels 0 to n/2 - 1 for "
+                "views to the ground, x from 1 to 0, d: distance to the ground, d_min = r - "
+                "bottom, d_max = sqrt(r² - bottom²); texels n/2 to n - 1 for views to the sky, x "
+                "from 0 to 1, d: distance to the top, d_min = top - r, d_max = sqrt(r² - bottom²) "
+                "+ sqrt(top² - bottom²); no interpolation between the halves",
+            ),
+            Axis(
+                name="mu_s",
+                size=self.suns,
+                unit="1",
+                parameters={**shell, "lowest_mu_s": self.grid.lowest},
+                mapping="max(1 - a/A, 0) / (1 + a), a = (d - d_min) / (d_max - d_min), d: "
+                "distance to the top from the ground towards the sun, d_min = top - bottom, d_max "
+                "= sqrt(top² - bottom²), A: the same for lowest_mu_s",
+            ),
+            Axis(name="nu", size=self.angles, unit="1", mapping="(nu + 1) / 2"),
+        )
+
+    @property
+    def texture_axes(self) -> tuple[tuple[str, ...], ...]:
+        """See ``Layout``."""
+        return (("nu", "mu_s"), ("mu",), ("r",))
+
+    def places(self) -> Places:
+        """See ``Layout``; angles that a view and a sun cannot have are moved to where they can."""
+        count = int(np.prod(self.shape))
+        r, mu, mu_s, nu = (np.empty(count) for _ in range(4))
+        to_ground = np.empty(count, bool)
+        _fill_places(self.grid, r, mu, mu_s, nu, to_ground)
+        return Places(r, mu, mu_s, nu, to_ground)
+
+    def interpolate(self, values: NDArray[Any], places: Places) -> FloatArray:
+        """See ``Layout``."""
+        out = np.empty((len(places), values.shape[-1]))
+        _look_up_all(
+            values, places.r, places.mu, places.mu_s, places.nu, places.to_ground, self.grid, out
+        )
+        return out
+
+    def parameters(self) -> dict[str, Any]:
+        """See ``Layout``."""
+        return {
+            "bottom_radius": self.bottom_radius,
+            "top_radius": self.top_radius,
+            "radii": self.radii,
+            "views": self.views,
+            "suns": self.suns,
+            "angles": self.angles,
+        }

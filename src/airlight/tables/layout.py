@@ -1,0 +1,168 @@
+"""What every layout of a table has: where its texels are, and how values between them come about.
+
+A table of light or transmittance is an array whose axes follow a mapping of physical quantities.
+A layout knows the mapping and nothing of the values; whoever fills a table asks it for the places
+of its texels. Interpolation is linear along every axis, and never across the horizon: a view of
+the sky is made from texels that see the sky, a view of the ground from texels that see the ground.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from airlight.errors import ParameterError
+from airlight.geometry.shell import meets_ground
+from airlight.kernel import vectorized
+
+FloatArray = NDArray[np.float64]
+
+#: A table has at most so many texels.
+MOST_TEXELS = 1 << 26
+
+
+@dataclass(frozen=True, kw_only=True)
+class Axis:
+    """One axis of a table, as words and numbers for whoever reads it.
+
+    Attributes
+    ----------
+    name : str
+        Of the quantity: ``r``, ``mu``, ``mu_s``, ``nu`` or ``altitude``.
+    size : int
+        Texels along it.
+    mapping : str
+        From the quantity to x in [0, 1]; texel k of n stands at x = k/(n-1).
+    unit : str
+        Of the quantity.
+    parameters : mapping
+        Numbers that the mapping needs.
+    """
+
+    name: str
+    size: int
+    mapping: str
+    unit: str
+    parameters: Mapping[str, float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if not 2 <= self.size <= MOST_TEXELS:
+            raise ParameterError(f"size of axis {self.name}", self.size, f"2 to {MOST_TEXELS}")
+
+
+@dataclass(frozen=True)
+class Places:
+    """Places and directions in the shell, flat: what a table is asked for.
+
+    Attributes
+    ----------
+    r, mu, mu_s, nu : array, shape (n,)
+        Radius [m]; cosines of view zenith, sun zenith and the angle between view and sun. [1]
+    to_ground : array of bool, shape (n,)
+        Whether the line of sight ends on the ground.
+    """
+
+    r: FloatArray
+    mu: FloatArray
+    mu_s: FloatArray
+    nu: FloatArray
+    to_ground: NDArray[np.bool_]
+
+    @classmethod
+    def of(
+        cls,
+        r: ArrayLike,
+        mu: ArrayLike = 1.0,
+        mu_s: ArrayLike = 1.0,
+        nu: ArrayLike = 0.0,
+        *,
+        bottom_radius: float,
+        to_ground: ArrayLike | None = None,
+    ) -> Places:
+        """Places from arrays that broadcast; without ``to_ground`` the geometry decides."""
+        arrays = np.broadcast_arrays(*(np.asarray(x, float) for x in (r, mu, mu_s, nu)))
+        flat = [np.ascontiguousarray(array).ravel() for array in arrays]
+        if to_ground is None:
+            ends = np.asarray(vectorized(meets_ground)(flat[0], flat[1], bottom_radius), bool)
+        else:
+            ends = np.broadcast_to(np.asarray(to_ground, bool), arrays[0].shape).ravel()
+        r, mu, mu_s, nu = flat
+        return cls(r, mu, mu_s, nu, np.ascontiguousarray(ends))
+
+    def __len__(self) -> int:
+        return self.r.size
+
+    def __getitem__(self, rows: slice | NDArray[Any]) -> Places:
+        return Places(
+            self.r[rows], self.mu[rows], self.mu_s[rows], self.nu[rows], self.to_ground[rows]
+        )
+
+
+class Layout(ABC):
+    """Where the texels of a table are, and how to look up between them.
+
+    Attributes
+    ----------
+    kind : str
+        Name of the layout in manifests.
+    bottom_radius, top_radius : float
+        Of the ground and of the top of the shell. [m]
+    """
+
+    kind: ClassVar[str]
+    bottom_radius: float
+    top_radius: float
+
+    @property
+    @abstractmethod
+    def axes(self) -> tuple[Axis, ...]:
+        """In the order of the array's axes; the channels come last and are none of them."""
+
+    @property
+    @abstractmethod
+    def texture_axes(self) -> tuple[tuple[str, ...], ...]:
+        """How the axes lie in a texture: names for width, height and depth, slowest first."""
+
+    @abstractmethod
+    def places(self) -> Places:
+        """The places of all texels, the last axis running fastest."""
+
+    @abstractmethod
+    def interpolate(self, values: NDArray[Any], places: Places) -> FloatArray:
+        """Values between texels.
+
+        Parameters
+        ----------
+        values : array, shape (*shape, channels)
+            float32 or float64.
+        places : Places
+            n of them.
+
+        Returns
+        -------
+        array, shape (n, channels)
+        """
+
+    @abstractmethod
+    def parameters(self) -> dict[str, Any]:
+        """What makes the layout again: ``type(layout)(**layout.parameters())``."""
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Texels along each axis."""
+        return tuple(axis.size for axis in self.axes)
+
+    def _check_shell(self) -> None:
+        if not 0.0 < self.bottom_radius < self.top_radius < np.inf:
+            raise ParameterError(
+                "bottom_radius, top_radius",
+                (self.bottom_radius, self.top_radius),
+                "0 m < bottom_radius < top_radius",
+            )
+        if np.prod([float(axis.size) for axis in self.axes]) > MOST_TEXELS:
+            raise ParameterError("size", self.shape, f"at most {MOST_TEXELS} texels")

@@ -1,0 +1,119 @@
+"""Radiance of the air from tables: parts of scattered light, each times its phase function.
+
+A table without the angle between view and sun, or with few texels along it, cannot hold a phase
+function's peak. So light is packed as a smooth part, to be multiplied by the gas's phase function,
+and the light scattered once by particles, to be multiplied by theirs. The particles' part has a
+table of its own, or one channel: then its colours follow the smooth part (Bruneton & Neyret 2008,
+section 4) or are grey (Atmosphere Plus notes, first print, section 2.3).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import ParameterError
+from airlight.tables.layout import FloatArray, Places
+from airlight.tables.table import Table
+
+#: How the light stands in tables.
+PACKINGS: Final = ("separate", "combined", "rgba", "phase-included")
+
+
+@dataclass(frozen=True, eq=False)
+class PhaseFunctions:
+    """Phase functions as tables over u = sin(θ/2), evenly spaced from 0 to 1.
+
+    Attributes
+    ----------
+    names : tuple of str, length np
+        What each belongs to.
+    values : array, shape (np, nl, nodes)
+        [sr⁻¹]
+    """
+
+    names: tuple[str, ...]
+    values: FloatArray
+
+    def at(self, name: str, nu: FloatArray) -> FloatArray:
+        """One of them, linear in u, shape of nu (n,) to (n, nl). [sr⁻¹]"""
+        rows = self.values[self.names.index(name)]
+        x = np.sqrt(np.clip(0.5 * (1.0 - nu), 0.0, 1.0)) * (rows.shape[-1] - 1)
+        low = np.minimum(x.astype(int), rows.shape[-1] - 2)
+        share = (x - low)[:, None]
+        return np.asarray((1.0 - share) * rows.T[low] + share * rows.T[low + 1])
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ScatteredLight:
+    """The air's radiance per irradiance of the star, put together from tables.
+
+    Parameters
+    ----------
+    packing : str
+        One of ``PACKINGS``. ``phase-included``: the table ``scattering`` alone. ``separate``: it
+        times the phase function ``gas``, and one more table per kind of particles, each times
+        its own. ``combined`` and ``rgba``: the last channel of ``scattering`` holds the
+        particles' light, times the phase function ``particles``, if there is one.
+    tables : mapping of str to Table
+        By name.
+    phases : PhaseFunctions
+        By name.
+    colours : array, shape (nl,)
+        Only for ``combined``: particles' light of each wavelength per smooth light, relative to
+        the same ratio at the wavelength ``reference``. [1]
+    reference : int
+        Index of the wavelength whose particles' light the last channel holds.
+    """
+
+    packing: str
+    tables: Mapping[str, Table]
+    phases: PhaseFunctions
+    colours: NDArray[np.float64]
+    reference: int = 0
+
+    def __post_init__(self) -> None:
+        if self.packing not in PACKINGS:
+            raise ParameterError("packing", self.packing, ", ".join(PACKINGS))
+
+    def relative_radiance(self, places: Places) -> FloatArray:
+        """Radiance of the air alone, without what the ground sends, shape (n, nl). [sr⁻¹]"""
+        main = self.tables["scattering"].at(places)
+        if self.packing == "phase-included":
+            return main
+        if self.packing == "separate":
+            total = main * self.phases.at("gas", places.nu)
+            for name in self.phases.names:
+                if name != "gas":
+                    total += self.tables[name].at(places) * self.phases.at(name, places.nu)
+            return total
+        smooth, alpha = main[:, :-1], main[:, -1:]
+        light = smooth * self.phases.at("gas", places.nu)
+        if "particles" not in self.phases.names:
+            return light
+        particles = self.phases.at("particles", places.nu) * alpha
+        if self.packing == "rgba":
+            return light + particles
+        return light + particles * proportional(smooth, self.colours, self.reference)
+
+
+def proportional(smooth: FloatArray, colours: FloatArray, reference: int) -> FloatArray:
+    """Colours of the particles' light that follow the smooth light's, 1 at the reference. [1]
+
+    Parameters
+    ----------
+    smooth : array, shape (n, nl)
+    colours : array, shape (nl,)
+        See ``ScatteredLight``.
+    reference : int
+        Index of the reference's wavelength.
+    """
+    divisor = smooth[:, reference : reference + 1]
+    ratio = np.divide(smooth, divisor, out=np.zeros_like(smooth), where=divisor > 0.0)
+    ratio *= colours
+    ratio[:, reference] = 1.0
+    return ratio

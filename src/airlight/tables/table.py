@@ -1,0 +1,185 @@
+"""A labelled table: values on a layout, with quantity, unit and provenance, and its look-up."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from airlight.errors import ParameterError
+from airlight.kernel.threads import run_blocks
+from airlight.tables.atmosphere_plus import AtmospherePlusLayout
+from airlight.tables.bruneton import BrunetonLayout
+from airlight.tables.irradiance import IrradianceLayout
+from airlight.tables.layout import FloatArray, Layout, Places
+from airlight.tables.transmittance import TransmittanceLayout
+
+#: Every layout by its name in manifests.
+LAYOUTS: Final[dict[str, type[Layout]]] = {
+    layout.kind: layout
+    for layout in (TransmittanceLayout, IrradianceLayout, BrunetonLayout, AtmospherePlusLayout)
+}
+#: What values can be stored as, by the names of precisions.
+PRECISIONS: Final = {"half": np.float16, "single": np.float32, "double": np.float64}
+#: Values in half precision are scaled so that the largest is below this; a half holds 65504.
+_LARGEST_HALF: Final = 32768.0
+#: Places that one block of a look-up holds.
+_BLOCK: Final = 1 << 15
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Table:
+    """Values of one quantity on a layout.
+
+    Parameters
+    ----------
+    name : str
+        Short: ``transmittance``, ``scattering``.
+    quantity : str
+        What the values are, in words.
+    unit : str
+        Of the values, after ``scale``.
+    layout : Layout
+        Where the values stand.
+    channels : tuple of str
+        Names of the values at one texel.
+    values : array, shape (*layout.shape, channels)
+        As stored: float16, float32 or float64.
+    scale : float
+        What the stored values are multiplied by; 1 unless in half precision.
+    provenance : mapping of str to str
+        Where the values come from.
+
+    Raises
+    ------
+    ParameterError
+        If the shape or the type is another one.
+    """
+
+    name: str
+    quantity: str
+    unit: str
+    layout: Layout
+    channels: tuple[str, ...]
+    values: NDArray[Any]
+    scale: float = 1.0
+    provenance: Mapping[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        shape = (*self.layout.shape, len(self.channels))
+        if self.values.shape != shape:
+            raise ParameterError(f"shape of {self.name}", self.values.shape, str(shape))
+        if self.values.dtype not in (np.float16, np.float32, np.float64):
+            allowed = "float16, float32 or float64"
+            raise ParameterError(f"type of {self.name}", str(self.values.dtype), allowed)
+
+    @property
+    def precision(self) -> str:
+        """``half``, ``single`` or ``double``."""
+        return {2: "half", 4: "single", 8: "double"}[self.values.dtype.itemsize]
+
+    @cached_property
+    def physical(self) -> NDArray[Any]:
+        """The values in their unit, as floats that compiled loops can read."""
+        if self.values.dtype == np.float16:
+            return self.values.astype(np.float32) * np.float32(self.scale)
+        if self.scale == 1.0:
+            return np.ascontiguousarray(self.values)
+        return np.ascontiguousarray(self.values * self.values.dtype.type(self.scale))
+
+    def at(self, places: Places) -> FloatArray:
+        """Values between texels at ``n`` places, shape (n, channels); on all cores."""
+        out = np.empty((len(places), len(self.channels)))
+        values = self.physical
+
+        def block(index: int) -> None:
+            rows = slice(index * _BLOCK, (index + 1) * _BLOCK)
+            out[rows] = self.layout.interpolate(values, places[rows])
+
+        run_blocks(block, -(-len(places) // _BLOCK))
+        return out
+
+    def look_up(
+        self,
+        r: ArrayLike,
+        mu: ArrayLike = 1.0,
+        mu_s: ArrayLike = 1.0,
+        nu: ArrayLike = 0.0,
+        *,
+        to_ground: ArrayLike | None = None,
+    ) -> FloatArray:
+        """Values between texels: mapping and interpolation.
+
+        Parameters
+        ----------
+        r, mu, mu_s, nu : arrays that broadcast to (...)
+            Radius [m]; cosines of view zenith, sun zenith and the angle between view and sun [1].
+            What the layout has no axis for is ignored.
+        to_ground : array of bool, optional
+            Whether the line of sight ends on the ground; without it the geometry decides.
+
+        Returns
+        -------
+        array, shape (..., channels)
+            In the table's unit.
+        """
+        shape = np.broadcast_shapes(*(np.shape(x) for x in (r, mu, mu_s, nu)))
+        places = Places.of(
+            r, mu, mu_s, nu, bottom_radius=self.layout.bottom_radius, to_ground=to_ground
+        )
+        return self.at(places).reshape(*shape, len(self.channels))
+
+
+def stored(values: FloatArray, precision: str) -> tuple[NDArray[Any], float]:
+    """Values as a table stores them, and the scale that gives them back.
+
+    Half precision holds 6e-8 to 65504 only: the values are divided by the power of two that
+    brings the largest just below 32768, so that a sky keeps eleven decades.
+
+    Parameters
+    ----------
+    values : array
+        Finite, 0 or more.
+    precision : str
+        ``half``, ``single`` or ``double``.
+
+    Raises
+    ------
+    ParameterError
+        For another precision.
+
+    Examples
+    --------
+    >>> halves, scale = stored(np.array([1e-9, 0.5]), "half")
+    >>> halves.dtype, scale, (halves * scale).tolist()[1]
+    (dtype('float16'), 1.52587890625e-05, 0.5)
+    """
+    if precision not in PRECISIONS:
+        raise ParameterError("precision", precision, ", ".join(PRECISIONS))
+    if precision != "half":
+        return values.astype(PRECISIONS[precision]), 1.0
+    largest = float(np.abs(values).max(initial=0.0))
+    if largest == 0.0:
+        return values.astype(np.float16), 1.0
+    scale = float(2.0 ** np.ceil(np.log2(largest / _LARGEST_HALF)))
+    return (values / scale).astype(np.float16), scale
+
+
+def layout_of(kind: str, parameters: Mapping[str, Any]) -> Layout:
+    """A layout from its name and parameters, as a manifest has them.
+
+    Raises
+    ------
+    ParameterError
+        If there is no such layout, or a parameter is missing, unknown or out of range.
+    """
+    if kind not in LAYOUTS:
+        raise ParameterError("layout", kind, ", ".join(LAYOUTS))
+    try:
+        return LAYOUTS[kind](**parameters)
+    except TypeError as error:
+        raise ParameterError(f"parameters of layout {kind}", str(error), "its own") from None

@@ -1,0 +1,100 @@
+"""Layout of a table of transmittance to the top of the shell, Bruneton's 2017 (r, mu).
+
+Only rays that do not meet the ground are in it. Transmittance spans too many decades for half
+precision: the eye sees the sun through 1e-5 of it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.kernel import vectorized
+from airlight.mappings.transmittance import (
+    altitude_coordinate,
+    cosine_from_coordinate,
+    direction_coordinate,
+    radius_from_coordinate,
+)
+from airlight.tables.bilinear import bilinear
+from airlight.tables.layout import Axis, FloatArray, Layout, Places
+
+
+@dataclass(frozen=True, kw_only=True)
+class TransmittanceLayout(Layout):
+    """Axes (r, mu): distance to the horizon; distance to the top.
+
+    Parameters
+    ----------
+    bottom_radius, top_radius : float
+        [m]
+    radii, views : int
+        Texels along each axis.
+    """
+
+    kind: ClassVar[str] = "bruneton-transmittance"
+    bottom_radius: float
+    top_radius: float
+    radii: int = 64
+    views: int = 256
+
+    def __post_init__(self) -> None:
+        self._check_shell()
+
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """See ``Layout``."""
+        shell = {"bottom_radius": self.bottom_radius, "top_radius": self.top_radius}
+        return (
+            Axis(
+                name="r",
+                size=self.radii,
+                unit="m",
+                parameters=shell,
+                mapping="sqrt((r² - bottom²) / (top² - bottom²))",
+            ),
+            Axis(
+                name="mu",
+                size=self.views,
+                unit="1",
+                parameters=shell,
+                mapping="(d - d_min) / (d_max - d_min); d: distance to the top, "
+                "d_min = top - r, d_max = sqrt(r² - bottom²) + sqrt(top² - bottom²)",
+            ),
+        )
+
+    @property
+    def texture_axes(self) -> tuple[tuple[str, ...], ...]:
+        """See ``Layout``."""
+        return (("mu",), ("r",), ())
+
+    def places(self) -> Places:
+        """See ``Layout``; the sun's angles stand for nothing."""
+        x = np.linspace(0.0, 1.0, self.radii)
+        y = np.linspace(0.0, 1.0, self.views)
+        r = vectorized(radius_from_coordinate)(x, self.bottom_radius, self.top_radius)
+        r = np.clip(r, self.bottom_radius, self.top_radius)[:, None]
+        mu = vectorized(cosine_from_coordinate)(y, r, self.bottom_radius, self.top_radius)
+        return Places.of(r, mu, bottom_radius=self.bottom_radius, to_ground=False)
+
+    def interpolate(self, values: NDArray[Any], places: Places) -> FloatArray:
+        """See ``Layout``; 0 where the ground is in the way."""
+        shell = (self.bottom_radius, self.top_radius)
+        out = np.empty((len(places), values.shape[-1]))
+        x = vectorized(altitude_coordinate)(places.r, *shell)
+        y = vectorized(direction_coordinate)(places.r, places.mu, *shell)
+        bilinear(values, x, y, out)
+        out[places.to_ground] = 0.0
+        return out
+
+    def parameters(self) -> dict[str, Any]:
+        """See ``Layout``."""
+        return {
+            "bottom_radius": self.bottom_radius,
+            "top_radius": self.top_radius,
+            "radii": self.radii,
+            "views": self.views,
+        }

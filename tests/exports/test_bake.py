@@ -1,0 +1,383 @@
+"""Baked tables: exact at texels, close between them, on Earth, Mars and a small dense planet."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight.errors import Cancelled, ParameterError
+from airlight.exports.air_light import AirLight, lines_of_sight
+from airlight.exports.bake import Baked, bake
+from airlight.exports.table_errors import random_places
+from airlight.geometry.shell import horizon_cosine
+from airlight.kernel import vectorized
+from airlight.planets import Constituent, Ground, Planet, Star, load_planet
+from airlight.planets.medium import Medium
+from airlight.planets.phases import HenyeyGreenstein, Rayleigh
+from airlight.planets.profiles import Exponential
+from airlight.solvers.single_scattering import single_scattering
+from airlight.solvers.solution import Report, Sight, Solution
+from airlight.tables.layout import Places
+
+Solve = Callable[..., Any]
+SMALL = (16, 32, 24, 8)
+FLAT = (16, 48, 24)
+
+
+@pytest.fixture(scope="module")
+def earth(solved: Solve, reference_earth: Callable[..., Planet]) -> Any:
+    return solved(reference_earth(albedo=0.3), quality="preview")
+
+
+@pytest.fixture(scope="module")
+def mars(solved: Solve) -> Any:
+    return solved(load_planet("mars"), (680.0, 440.0), quality="preview")
+
+
+@pytest.fixture(scope="module")
+def pebble(solved: Solve) -> Any:
+    """A made-up world of 50 km with 5 km of thick air: horizons far below level."""
+    planet = Planet(
+        name="Pebble",
+        bottom_radius=50e3,
+        top_radius=55e3,
+        ground=Ground(albedo=0.2),
+        star=Star(irradiance=1.0, angular_radius=0.3),
+        constituents=(
+            Constituent(name="gas", profile=Exponential(scale_height=600.0), scattering=4e-4,
+                        phase_function=Rayleigh()),
+            Constituent(name="haze", profile=Exponential(scale_height=400.0), scattering=3e-4,
+                        absorption=5e-5, phase_function=HenyeyGreenstein(asymmetry=0.6)),
+        ),
+    )  # fmt: skip
+    return solved(planet, (550.0,), quality="preview")
+
+
+@pytest.fixture(scope="module")
+def bruneton(earth: Any) -> Baked:
+    return bake(earth, size=SMALL, points=2000)
+
+
+def texels(baked: Baked, count: int = 400) -> Places:
+    """Some of the table's own places: not those on the ground or at the top, whose views have
+    length 0, nor those whose angle is moved to a possible one."""
+    layout = baked.tables["scattering"].layout
+    p = layout.places()
+    own = (p.r > layout.bottom_radius * (1 + 1e-9)) & (p.r < layout.top_radius * (1 - 1e-9))
+    if "nu" in [axis.name for axis in layout.axes]:
+        nu = np.broadcast_to(np.linspace(-1.0, 1.0, layout.shape[-1]), layout.shape).ravel()
+        own &= np.abs(nu - p.nu) < 1e-12
+    rows = np.random.default_rng(1).choice(np.flatnonzero(own), count, replace=False)
+    return p[rows]
+
+
+@pytest.mark.parametrize(
+    ("layout", "choice"),
+    [
+        ("bruneton", {"size": (6, 12, 8, 5)}),
+        ("bruneton", {"size": (6, 12, 8, 5), "packing": "combined"}),
+        ("bruneton", {"size": (6, 12, 8, 5), "order": 1}),
+        ("atmosphere-plus", {"size": (6, 24, 8), "packing": "phase-included", "azimuth": 40.0}),
+    ],
+)
+def test_texels_give_the_solver_s_own_light(
+    earth: Any, layout: str, choice: dict[str, Any]
+) -> None:
+    # At its texels a table that knows the angle to the sun holds the solver's light, whatever
+    # the packing: what is left is rounding to float32 and of the view's coordinate.
+    baked = bake(earth, layout, points=50, **choice)
+    places = texels(baked)
+    exact = AirLight(earth, choice.get("order"))(lines_of_sight(places, earth.medium))
+    made = baked.light.relative_radiance(places)
+    assert (exact > 1e-9).mean() > 0.4
+    assert_allclose(made, exact, rtol=2e-4, atol=1e-9)
+    assert np.median(np.abs(made - exact)[exact > 1e-9] / exact[exact > 1e-9]) < 1e-6
+
+
+def test_first_order_agrees_with_quadrature(earth: Any) -> None:
+    # Second method: S¹ = Σ p_i S_i by adaptive quadrature, at the table's texels. The moments
+    # solver marches with 16 points in preview quality: a few thousandths by day.
+    baked = bake(earth, size=(6, 12, 8, 5), order=1, points=50)
+    places = texels(baked)
+    places = places[places.mu_s > 0.1][:40]
+    sight = lines_of_sight(places, earth.medium)
+    phase = earth.medium.phase_function(places.nu)
+    exact = (phase * single_scattering(earth.medium, sight)).sum(axis=1)
+    assert_allclose(baked.light.relative_radiance(places), exact, rtol=0.01, atol=1e-7)
+
+
+def test_air_s_light_does_not_depend_on_the_ground_in_first_order(
+    solved: Solve, reference_earth: Callable[..., Planet]
+) -> None:
+    # Light scattered once by air has not met the ground: black and white ground give the same,
+    # though the solution's own first order holds the sun reflected by the ground.
+    black = solved(reference_earth(albedo=0.0), quality="preview")
+    white = solved(reference_earth(albedo=1.0), quality="preview")
+    places = random_places(black.medium, 400, 7)
+    sight = lines_of_sight(places, black.medium)
+    dark, bright = AirLight(black, 1)(sight), AirLight(white, 1)(sight)
+    whole = white.relative_radiance(sight, order=1)
+    assert (whole[places.to_ground] > 2.0 * bright[places.to_ground]).mean() > 0.3
+    # Two solutions of float32 moments; nothing is subtracted.
+    assert_allclose(bright, dark, rtol=1e-5, atol=1e-9)
+
+
+class Closed(Solution):
+    """A solution of which only the interface is known."""
+
+    def __init__(self, solution: Solution) -> None:
+        self.medium, self.report, self.inner = solution.medium, solution.report, solution
+
+    def relative_radiance(self, sight: Sight, *, order: int | None = None) -> np.ndarray:
+        return self.inner.relative_radiance(sight, order=order)
+
+    def relative_sky_irradiance(self, r: np.ndarray, mu_s: np.ndarray) -> np.ndarray:
+        return self.inner.relative_sky_irradiance(r, mu_s)
+
+    def relative_direct_irradiance(self, r: np.ndarray, mu_s: np.ndarray) -> np.ndarray:
+        return self.inner.relative_direct_irradiance(r, mu_s)
+
+
+@pytest.mark.parametrize("order", [None, 1])
+def test_the_ground_s_light_is_taken_off_any_solver_s(earth: Any, order: int | None) -> None:
+    # Second method: the march of the air alone, against all light less the ground's by
+    # quadrature. What preview's transmittance errs by is left of the ground's light: 2e-3
+    # where a ray passes the corners of the ozone's tent (2.6e-4 in default quality).
+    sight = lines_of_sight(random_places(earth.medium, 400, 7), earth.medium)
+    alone, subtracted = AirLight(earth, order)(sight), AirLight(Closed(earth), order)(sight)
+    whole = earth.relative_radiance(sight, order=order)
+    # In twilight the sky on the ground is interpolated between suns: 1e-6 of the star.
+    off = np.abs(alone - subtracted) - 4e-3 * whole
+    assert off.max() <= 3e-6
+    low = sight.to_ground & (sight.mu < -0.3) & (sight.mu_s > 0.3)
+    assert (whole[low] > 2.0 * alone[low]).mean() > 0.5
+
+
+@pytest.mark.parametrize("planet", ["earth", "mars", "pebble"])
+@pytest.mark.parametrize("precision", ["single", "half"])
+def test_tables_are_close_to_the_solver_between_texels(
+    planet: str, precision: str, request: pytest.FixtureRequest, tell: Callable[[str], None]
+) -> None:
+    # Bounds for tables of this small size, twilight included; limits come from the planet, so
+    # that none is clipped.
+    solution = request.getfixturevalue(planet)
+    baked = bake(solution, size=SMALL, points=1500, precision=precision)
+    for table in baked.tables.values():
+        assert np.isfinite(table.values).all()
+        assert (table.values >= 0.0).all()
+    sky, ground = baked.errors["sky"], baked.errors["air before the ground"]
+    tell(
+        f"bruneton {SMALL}, {planet}, {precision}: sky {sky.median:.1%}, 95 % "
+        f"{sky.percentile_95:.1%}; before the ground {ground.median:.1%}, 95 % "
+        f"{ground.percentile_95:.1%}"
+    )
+    assert sky.median < 0.06
+    assert sky.percentile_95 < 0.25
+    assert ground.median < 0.03
+    assert ground.percentile_95 < 0.15
+    assert baked.errors["transmittance"].maximum < 0.01
+    assert baked.errors["irradiance on the ground"].median < 0.01
+
+
+def test_errors_fall_with_the_square_of_the_step(earth: Any) -> None:
+    # Linear interpolation is of second order: twice the texels, a quarter of the error; a little
+    # less, since the light is not smooth everywhere.
+    coarse = bake(earth, size=(9, 18, 13, 5), points=2000).errors["sky"]
+    fine = bake(earth, size=(17, 34, 25, 9), points=2000).errors["sky"]
+    assert 3.0 < coarse.median / fine.median < 5.0
+
+
+def test_half_precision_costs_next_to_nothing(earth: Any, bruneton: Baked) -> None:
+    # Eleven bits are 5e-4, against interpolation's per cents; twilight is not lost to zeros.
+    half = bake(earth, size=SMALL, points=2000, precision="half")
+    assert half.tables["transmittance"].precision == "single"
+    assert half.tables["scattering"].precision == "half"
+    assert half.errors["sky"].median < bruneton.errors["sky"].median + 1e-3
+    assert half.errors["sky"].percentile_95 < bruneton.errors["sky"].percentile_95 + 2e-3
+
+
+def test_weighted_power_beats_linear_near_the_horizon(
+    earth: Any, tell: Callable[[str], None]
+) -> None:
+    # The purpose of the mapping (Atmosphere Plus notes, 3.1.6), in views within 3° of the
+    # horizon, at the table's azimuth.
+    medium = earth.medium
+    rng = np.random.default_rng(8)
+    places = random_places(medium, 3000, 8, 90.0)
+    horizon = np.arccos(vectorized(horizon_cosine)(places.r, medium.bottom_radius))
+    mu = np.cos(np.clip(horizon + np.radians(rng.uniform(-3.0, 3.0, 3000)), 0.0, np.pi))
+    spread = np.sqrt((1.0 - mu**2) * (1.0 - places.mu_s**2))
+    nu = mu * places.mu_s + spread * np.cos(np.pi / 2.0)
+    places = Places.of(places.r, mu, places.mu_s, nu, bottom_radius=medium.bottom_radius)
+    exact = AirLight(earth)(lines_of_sight(places, medium))
+    bright = exact > 1e-5
+    rms = {}
+    for mapping in ("linear", "power", "weighted-power"):
+        baked = bake(earth, "atmosphere-plus", mapping=mapping, packing="phase-included",
+                     azimuth=90.0, size=(32, 64, 32), points=50)  # fmt: skip
+        error = baked.light.relative_radiance(places)[bright] / exact[bright] - 1.0
+        rms[mapping] = float(np.median(np.abs(error)))
+        tell(f"within 3° of the horizon, {mapping}: median error {rms[mapping]:.1%}")
+    assert rms["weighted-power"] < 0.5 * rms["linear"]
+    assert rms["weighted-power"] < rms["power"]
+
+
+def test_packing_states_its_error_and_more_channels_do_not_lose(
+    earth: Any, tell: Callable[[str], None]
+) -> None:
+    # Two numbers per wavelength fit at least as well as one shared grey number; both are far
+    # better at all azimuths than a table of one azimuth.
+    errors = {}
+    for packing in ("rgba", "separate", "phase-included"):
+        baked = bake(earth, "atmosphere-plus", packing=packing, size=FLAT, points=1500)
+        errors[packing] = baked.errors["sky"]
+        tell(
+            f"atmosphere-plus {FLAT}, {packing}: sky median {errors[packing].median:.1%}, "
+            f"95 % {errors[packing].percentile_95:.1%}"
+        )
+    assert errors["separate"].median <= errors["rgba"].median * 1.02
+    assert errors["rgba"].median < 0.06
+    assert errors["phase-included"].percentile_95 > 2.0 * errors["rgba"].percentile_95
+
+
+def test_factored_light_is_exact_for_the_first_order_where_azimuth_does_not_matter(
+    earth: Any,
+) -> None:
+    # physics: RGB p_R + A p_M is exact for S¹ but for the way's own dependence on the azimuth,
+    # which is none under a sun at the zenith.
+    baked = bake(earth, "atmosphere-plus", packing="separate", order=1, size=(8, 24, 9), points=50)
+    layout = baked.tables["scattering"].layout
+    p = layout.places()
+    overhead = (p.mu_s == 1.0) & (p.r > layout.bottom_radius) & (p.r < layout.top_radius)
+    places = p[overhead]
+    exact = AirLight(earth, 1)(lines_of_sight(places, earth.medium))
+    made = baked.light.relative_radiance(places)
+    bright = exact > 1e-5
+    assert_allclose(made[bright], exact[bright], rtol=5e-3)
+
+
+def test_errors_are_those_of_the_tables(bruneton: Baked, earth: Any) -> None:
+    # The same comparison by hand: same seed, same places.
+    error = bruneton.errors["sky"]
+    places = random_places(earth.medium, 2000, error.seed)
+    places = places[~places.to_ground]
+    exact = AirLight(earth)(lines_of_sight(places, earth.medium))
+    judged = exact > error.floor
+    off = (bruneton.light.relative_radiance(places) / np.where(judged, exact, 1.0) - 1.0)[judged]
+    assert error.points == judged.sum()
+    assert_allclose(error.rms, np.sqrt(np.mean(off**2)), rtol=1e-9)
+    assert_allclose(error.maximum, np.abs(off).max(), rtol=1e-9)
+    assert_allclose(error.median, np.median(np.abs(off)), rtol=1e-9)
+    worst = error.worst
+    assert_allclose(abs(worst["table"] / worst["solver"] - 1.0), error.maximum, rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("layout", "packing"),
+    [("bruneton", "separate"), ("bruneton", "combined"), ("atmosphere-plus", "rgba"),
+     ("atmosphere-plus", "separate")],
+)  # fmt: skip
+def test_air_without_particles_has_no_particles_light(
+    layout: str, packing: str, solved: Solve, reference_earth: Callable[..., Planet]
+) -> None:
+    # A limit: alpha is black, no further table is made, and look-up works.
+    clear = solved(reference_earth(albedo=0.3, aerosol=None), quality="preview")
+    size = (9, 18, 13, 5) if layout == "bruneton" else (9, 18, 13)
+    baked = bake(clear, layout, packing=packing, size=size, points=200)
+    assert set(baked.tables) == {"transmittance", "irradiance", "scattering"}
+    values = baked.tables["scattering"].values
+    if values.shape[-1] == 4:
+        assert_allclose(values[..., 3], 0.0, atol=0)
+    assert baked.errors["sky"].median < 0.15
+
+
+class UniformSky(Solution):
+    """Light whose order 1 is a uniform sky, whose order 2 is its reflection and a glow."""
+
+    highest_order = 2
+    SKY, GLOW = 0.02, 0.003
+
+    def __init__(self, medium: Medium) -> None:
+        self.medium = medium
+        self.report = Report(solver="made up", settings="", sweeps=2, residual=(0.0,), seconds=0.0)
+
+    def relative_radiance(self, sight: Sight, *, order: int | None = None) -> np.ndarray:
+        up = np.full((sight.r.size, self.wavelengths.size), self.SKY)
+        if order == 1:
+            return up
+        from airlight.tables.columns import columns
+
+        depth = columns(sight.r, sight.mu, sight.length, self.medium.bottom_radius,
+                        self.medium.density)  # fmt: skip
+        # A uniform sky of radiance L sends π L down, of which albedo L comes back up.
+        back = np.exp(-(depth @ self.medium.extinction)) * self.medium.ground_albedo * self.SKY
+        return self.GLOW + np.where(sight.to_ground[:, None], back, 0.0)
+
+    def relative_sky_irradiance(self, r: np.ndarray, mu_s: np.ndarray) -> np.ndarray:
+        return np.full((r.size, self.wavelengths.size), np.pi * self.SKY)
+
+    def relative_direct_irradiance(self, r: np.ndarray, mu_s: np.ndarray) -> np.ndarray:
+        return np.zeros((r.size, self.wavelengths.size))
+
+
+def test_second_order_s_reflection_of_the_first_order_s_sky_is_taken_off(
+    reference_earth: Callable[..., Planet],
+) -> None:
+    # A law: a uniform sky of radiance L sends π L to the ground. What is left is the glow.
+    planet = reference_earth(albedo=0.5)
+    solution = UniformSky(Medium.from_planet(planet, planet.wavelengths))
+    places = random_places(solution.medium, 200, 9)
+    sight = lines_of_sight(places, solution.medium)
+    # Columns with fewer points: 1e-5.
+    assert_allclose(AirLight(solution, 2)(sight), UniformSky.GLOW, rtol=1e-4)
+    both = AirLight(solution, 2, cumulative=True)(sight)
+    assert_allclose(both, UniformSky.GLOW + UniformSky.SKY, rtol=1e-4)
+
+
+def test_a_table_of_one_order_says_so_and_any_solver_can_fill_it(
+    reference_earth: Callable[..., Planet],
+) -> None:
+    # Interface only: nothing of the moments solver is asked for.
+    planet = reference_earth(albedo=0.5)
+    solution = UniformSky(Medium.from_planet(planet, planet.wavelengths))
+    baked = bake(solution, size=(4, 16, 16, 16), order=2, points=200)
+    assert baked.about["orders"] == "2"
+    assert set(baked.tables) == {"transmittance", "irradiance", "scattering"}
+    places = random_places(solution.medium, 200, 9)
+    # The glow is the same everywhere; divided by p_R and interpolated: 1 + ν² bends, most where
+    # texels stand for angles that are not possible.
+    off = np.abs(baked.light.relative_radiance(places) / UniformSky.GLOW - 1.0)
+    assert np.median(off) < 0.01
+    assert off.max() < 0.3
+    with pytest.raises(ParameterError, match="order is 3; allowed: 1 to 2"):
+        bake(solution, order=3)
+
+
+@pytest.mark.parametrize(
+    ("choice", "said"),
+    [
+        ({"layout": "cube"}, "layout is 'cube'; allowed: bruneton, atmosphere-plus"),
+        ({"packing": "rgba"}, "packing is 'rgba'; allowed: separate, combined for bruneton"),
+        ({"layout": "atmosphere-plus", "packing": "combined"}, "rgba, separate, phase-included"),
+        ({"layout": "atmosphere-plus", "mapping": "log"}, "mapping is 'log'"),
+        ({"size": (4, 4)}, "size is .*4 numbers of texels: r, mu, mu_s, nu"),
+        ({"precision": "quarter"}, "precision is 'quarter'"),
+        ({"points": 0}, "points is 0"),
+    ],
+)
+def test_impossible_choices_are_named(earth: Any, choice: dict[str, Any], said: str) -> None:
+    with pytest.raises(ParameterError, match=said):
+        bake(earth, **choice)
+
+
+def test_baking_reports_progress_and_can_be_cancelled(earth: Any) -> None:
+    seen: list[tuple[int, int, str]] = []
+    bake(earth, size=(4, 8, 4, 4), points=50, progress=lambda *step: seen.append(step))
+    assert {message for _, _, message in seen} == {"scattering", "errors"}
+    assert all(0 < done <= total for done, total, _ in seen)
+    with pytest.raises(Cancelled):
+        bake(earth, size=(4, 8, 4, 4), cancel=lambda: True)
