@@ -1,0 +1,116 @@
+"""``airlight plot``: a planet in figures."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+
+from airlight.cli import options
+from airlight.cli.examples import examples
+from airlight.cli.progress import shown_progress
+from airlight.errors import FileError, ParameterError
+from airlight.plots.catalogue import KINDS, Choices, Work, check_choices, draw, kind_named
+
+_KINDS = [f"{name}: {kind.sentence}" for name, kind in KINDS.items()]
+EPILOG = "\n\n".join(
+    [
+        "Kinds:",
+        *_KINDS,
+        examples(
+            "airlight plot earth density -o density.png",
+            "airlight plot mars sky-profile --sun-zenith 80 -o sky.svg",
+            "airlight plot earth limb --wavelengths 680,550,440 -o limb.pdf",
+            "airlight plot --list",
+        ),
+    ]
+)
+
+#: What a plot's file name may end in.
+_SUFFIXES = (".png", ".svg", ".pdf")
+#: Smallest and largest --dpi.
+_DPI = (20.0, 1200.0)
+
+
+def _print_kinds(asked: bool) -> None:
+    if not asked:
+        return
+    from rich.console import Console
+    from rich.table import Table
+
+    table = Table(box=None, pad_edge=False)
+    table.add_column("kind", style="bold", no_wrap=True)
+    table.add_column("what it shows")
+    for name, kind in KINDS.items():
+        table.add_row(name, kind.sentence)
+    Console().print(table)
+    raise typer.Exit
+
+
+def plot(
+    planet: options.Planet_,
+    kind: Annotated[
+        str, typer.Argument(metavar="KIND", help="What to show; --list says all kinds.")
+    ],
+    output: Annotated[
+        Path, typer.Option("--output", "-o", metavar="FILE", help="A .png, .svg or .pdf.")
+    ],
+    wavelengths: Annotated[
+        str | None,
+        typer.Option(
+            metavar="rgb|N|LIST",
+            help="680, 550, 440 nm; or how many over the visible; or a list in nm.",
+        ),
+    ] = None,
+    sun_zenith: Annotated[
+        str | None, typer.Option(metavar="ANGLE", help="Zenith angle of the sun.")
+    ] = None,
+    altitude: Annotated[
+        str | None, typer.Option(metavar="LENGTH", help="Of the observer above the ground.")
+    ] = None,
+    quality: Annotated[
+        Literal["preview", "default", "fine"] | None,
+        typer.Option(help="How closely the air is solved, where it must be."),
+    ] = None,
+    dpi: Annotated[
+        float, typer.Option(metavar="NUMBER", help="Pixels an inch; figures are 8 inches wide.")
+    ] = 150.0,
+    list_: Annotated[
+        bool, typer.Option("--list", callback=_print_kinds, is_eager=True, help="List all kinds.")
+    ] = False,
+    no_cache: options.NoCache = False,
+) -> None:
+    """Draw a figure of a planet: its star, its air, its light, its tables.
+
+    An option that a kind has no use for is refused.
+    """
+    from airlight.exports.whole_file import check_target, whole_file
+    from airlight.planets import load_planet
+    from airlight.plots.figure import require_matplotlib, write_figure
+
+    kind_named(kind)
+    suffix = output.suffix.lower()
+    if suffix not in _SUFFIXES:
+        raise FileError(output, f"the name of a plot ends in {', '.join(_SUFFIXES)}")
+    check_target(output)
+    if not _DPI[0] <= dpi <= _DPI[1]:
+        raise ParameterError("--dpi", dpi, f"{_DPI[0]:g} to {_DPI[1]:g}")
+    require_matplotlib()
+    world = load_planet(planet)
+    choices = Choices(
+        wavelengths=None if wavelengths is None else options.wavelengths(wavelengths, world),
+        sun_zenith=None if sun_zenith is None else options.angle(sun_zenith, "--sun-zenith"),
+        altitude=None if altitude is None else options.length(altitude, "--altitude"),
+        quality=quality,
+    )
+    try:
+        check_choices(kind, choices)
+    except ParameterError as error:
+        option = f"--{error.field.replace('_', '-')}"
+        raise ParameterError(option, error.value, error.allowed) from None
+    with shown_progress() as report:
+        figure = draw(world, kind, choices, Work(cache=not no_cache, progress=report))
+    with whole_file(output) as place, place.open("wb") as file:
+        write_figure(figure, file, suffix.removeprefix("."), dpi)
+    print(f"{output}  {kind} of {world.name}")

@@ -1,0 +1,314 @@
+"""All kinds of figures: what each shows, which settings it takes, how it comes from a planet."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any, Final
+
+from airlight.errors import ParameterError
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from airlight.kernel.threads import Cancel, Progress
+    from airlight.planets.planet import Planet
+    from airlight.solvers.solution import Solution
+
+
+@dataclass(frozen=True, kw_only=True)
+class Choices:
+    """What may be chosen for a figure; None leaves it to the figure.
+
+    Attributes
+    ----------
+    wavelengths : tuple of float, optional
+        [nm]
+    sun_zenith : float, optional
+        [deg]
+    altitude : float, optional
+        [m]
+    quality : str, optional
+        Of the solution: ``"preview"``, ``"default"`` or ``"fine"``.
+    """
+
+    wavelengths: tuple[float, ...] | None = None
+    sun_zenith: float | None = None
+    altitude: float | None = None
+    quality: str | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Work:
+    """How a solution is come by: ``cache``, ``progress`` and ``cancel`` of ``solve``."""
+
+    cache: bool = True
+    progress: Progress | None = None
+    cancel: Cancel | None = None
+
+
+@dataclass(frozen=True)
+class Kind:
+    """One kind of figure.
+
+    Attributes
+    ----------
+    sentence : str
+        What it shows.
+    takes : tuple of str
+        Which of the ``Choices`` it understands.
+    draw : callable
+        ``draw(planet, choices, work)`` returns the figure.
+    """
+
+    sentence: str
+    takes: tuple[str, ...]
+    draw: Callable[[Planet, Choices, Work], Figure]
+
+
+def _solve(
+    planet: Planet,
+    choices: Choices,
+    work: Work,
+    *,
+    solver: str = "moments",
+    quality: str = "default",
+    colored: bool = False,
+) -> Solution:
+    from airlight.solvers import solve
+
+    nm = choices.wavelengths
+    if nm is None and colored:
+        from airlight.color.spectral import default_wavelengths
+
+        nm = tuple(default_wavelengths(16, *planet.wavelength_limits).tolist())
+    return solve(
+        planet,
+        nm,
+        choices.quality or quality,
+        solver=solver,
+        cache=work.cache,
+        progress=work.progress,
+        cancel=work.cancel,
+    )
+
+
+def _given(choices: Choices, *names: str) -> dict[str, Any]:
+    """Those of the choices that were made, by name."""
+    pairs = {name: getattr(choices, name) for name in names}
+    return {name: value for name, value in pairs.items() if value is not None}
+
+
+def _solar_spectrum(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.plots.solar_spectrum import solar_spectrum
+
+    return solar_spectrum(planet, choices.wavelengths)
+
+
+def _spectral_to_rgb(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.plots.spectral_to_rgb import spectral_to_rgb
+
+    return spectral_to_rgb(choices.wavelengths or planet.wavelengths)
+
+
+def _cie(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.plots.chromaticity import cie
+
+    return cie(_solve(planet, choices, work, colored=True))
+
+
+def _density(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.plots.density import density
+
+    return density(planet)
+
+
+def _phase(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.plots.phase_functions import phase_functions
+
+    return phase_functions(planet, choices.wavelengths)
+
+
+def _optical_depth(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.plots.optical_depth import optical_depth
+
+    return optical_depth(planet, choices.wavelengths)
+
+
+def _transmittance_surface(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.plots.transmittance import transmittance_surface
+
+    return transmittance_surface(planet, choices.wavelengths)
+
+
+def _transmittance_map(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.plots.transmittance import transmittance_map
+
+    return transmittance_map(planet, choices.wavelengths)
+
+
+def _mapping_regions(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.plots.mapping_regions import mapping_regions
+
+    return mapping_regions(planet, choices.altitude)
+
+
+def _mapping_comparison(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.plots.mapping_comparison import mapping_comparison
+
+    return mapping_comparison(
+        _solve(planet, choices, work, colored=True), progress=work.progress, cancel=work.cancel
+    )
+
+
+def _sky_profile(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.plots.sky_profile import sky_profile
+
+    solution = _solve(planet, choices, work)
+    return sky_profile(solution, **_given(choices, "sun_zenith", "altitude"))
+
+
+def _limb(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.plots.limb import SUN_ZENITHS, limb
+
+    suns = SUN_ZENITHS if choices.sun_zenith is None else (choices.sun_zenith,)
+    return limb(_solve(planet, choices, work), suns)
+
+
+def _order_convergence(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.plots.order_convergence import order_convergence
+
+    solution = _solve(planet, choices, work, solver="direct", quality="preview")
+    return order_convergence(
+        solution,
+        **_given(choices, "sun_zenith"),
+        progress=work.progress,
+        cancel=work.cancel,
+    )
+
+
+#: Every kind, in the order in which light takes them.
+KINDS: Final[dict[str, Kind]] = {
+    "solar-spectrum": Kind(
+        "The star's spectrum at the planet, the visible band in its colours.",
+        ("wavelengths",),
+        _solar_spectrum,
+    ),
+    "spectral-to-rgb": Kind(
+        "RGB of pure wavelengths with the normalisations none, sum and peak.",
+        ("wavelengths",),
+        _spectral_to_rgb,
+    ),
+    "cie": Kind(
+        "CIE 1931 matching functions, and the sky's colours in the chromaticity diagram.",
+        ("wavelengths", "quality"),
+        _cie,
+    ),
+    "density": Kind(
+        "Density of each constituent over altitude, linear and logarithmic.", (), _density
+    ),
+    "phase": Kind(
+        "Phase function of each constituent that scatters, polar and Cartesian.",
+        ("wavelengths",),
+        _phase,
+    ),
+    "optical-depth": Kind(
+        "Vertical optical depth of each constituent over wavelength.",
+        ("wavelengths",),
+        _optical_depth,
+    ),
+    "transmittance-surface": Kind(
+        "Mean transmittance over altitude and view zenith angle, as a surface.",
+        ("wavelengths",),
+        _transmittance_surface,
+    ),
+    "transmittance-map": Kind(
+        "Mean transmittance over altitude and view zenith angle, as a map.",
+        ("wavelengths",),
+        _transmittance_map,
+    ),
+    "mapping-regions": Kind(
+        "Regions U, L and S of the weighted power mapping, on the ground and aloft.",
+        ("altitude",),
+        _mapping_regions,
+    ),
+    "mapping-comparison": Kind(
+        "The scattering table on the linear and on the weighted power mapping.",
+        ("wavelengths", "quality"),
+        _mapping_comparison,
+    ),
+    "sky-profile": Kind(
+        "Radiance of the sky through the sun and around at the sun's height.",
+        ("wavelengths", "sun_zenith", "altitude", "quality"),
+        _sky_profile,
+    ),
+    "limb": Kind(
+        "Radiance of the limb over tangent height, seen from space.",
+        ("wavelengths", "sun_zenith", "quality"),
+        _limb,
+    ),
+    "order-convergence": Kind(
+        "Radiance by order of scattering, and what is missing after each.",
+        ("wavelengths", "sun_zenith", "quality"),
+        _order_convergence,
+    ),
+}
+
+
+def kind_named(name: str) -> Kind:
+    """The kind of that name.
+
+    Raises
+    ------
+    ParameterError
+        If there is none.
+    """
+    if name not in KINDS:
+        raise ParameterError("KIND", name, ", ".join(KINDS))
+    return KINDS[name]
+
+
+def draw(
+    planet: Planet, kind: str, choices: Choices | None = None, work: Work | None = None
+) -> Figure:
+    """One figure of a planet.
+
+    Parameters
+    ----------
+    planet : Planet
+    kind : str
+        One of ``KINDS``.
+    choices : Choices, optional
+        Settings; one that the kind does not take is refused.
+    work : Work, optional
+        How a solution is come by, if the figure needs one.
+
+    Returns
+    -------
+    Figure
+        Of matplotlib.
+
+    Raises
+    ------
+    ParameterError
+        If there is no such kind, or it does not take a choice.
+    AirlightError
+        If matplotlib is not installed.
+    """
+    found = kind_named(kind)
+    chosen = choices or Choices()
+    check_choices(kind, chosen)
+    from airlight.plots.figure import require_matplotlib
+
+    require_matplotlib()  # before any long work
+    return found.draw(planet, chosen, work or Work())
+
+
+def check_choices(kind: str, choices: Choices) -> None:
+    """Refuse choices that a kind of figure does not take."""
+    takes = kind_named(kind).takes
+    for field in fields(choices):
+        value = getattr(choices, field.name)
+        if value is not None and field.name not in takes:
+            named = ", ".join(one.replace("_", "-") for one in takes) or "nothing"
+            raise ParameterError(field.name, value, f"none: {kind} takes {named}")

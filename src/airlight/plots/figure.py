@@ -1,0 +1,197 @@
+"""What every figure shares: its frame, its colours, and how it becomes a file.
+
+Figures are made by matplotlib's object interface, never by ``pyplot``: no window, no state that
+outlives them, safe in threads and in servers.
+"""
+
+from __future__ import annotations
+
+from typing import IO, TYPE_CHECKING, Any, Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from airlight.color.encoding import srgb_encode
+from airlight.color.spectral_color import wavelength_color
+from airlight.errors import AirlightError
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+FloatArray = NDArray[np.float64]
+
+#: Colours that stay apart for every kind of colour vision; Okabe & Ito (2008), Color Universal
+#: Design, without black and yellow.
+PALETTE: Final = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+#: Lines that stay apart in black and white.
+LINE_STYLES: Final = ("-", "--", "-.", ":", (0, (6, 1.5, 1, 1.5, 1, 1.5)), (0, (2, 1)))
+#: Text beside the point, and lines that only guide the eye.
+GREY: Final = "#555555"
+#: Background of swatches.
+BLACK: Final = "#000000"
+
+#: Ends of what the eye sees at all well. [nm]
+VISIBLE: Final = (380.0, 750.0)
+#: A wavelength's colour is darkened to this luminance, so that its line stands out from paper. [1]
+_INK: Final = 0.28
+
+#: Kinds of files that a figure can become.
+FORMATS: Final = ("png", "svg", "pdf")
+#: Nothing in a file that changes from day to day.
+_METADATA: Final[dict[str, dict[str, Any]]] = {
+    "png": {"Software": "airlight"},
+    "svg": {"Date": None, "Creator": "airlight"},
+    "pdf": {"CreationDate": None, "Creator": "airlight", "Producer": None},
+}
+
+
+def require_matplotlib() -> None:
+    """Ask for matplotlib, which is not installed with airlight unless it is asked for.
+
+    Raises
+    ------
+    AirlightError
+        If it is not installed.
+    """
+    try:
+        import matplotlib.figure  # noqa: F401
+    except ImportError as error:
+        raise AirlightError("plots need matplotlib: pip install 'airlight[plots]'") from error
+
+
+def new_figure(title: str, caption: str = "", size: tuple[float, float] = (8.0, 5.0)) -> Figure:
+    """An empty figure with a title above and a caption below.
+
+    Parameters
+    ----------
+    title : str
+        Says what is shown, of which planet.
+    caption : str
+        Settings, and how to read it.
+    size : (float, float)
+        Width and height; at eight inches wide its text is readable at 800 pixels. [inch]
+
+    Raises
+    ------
+    AirlightError
+        If matplotlib is not installed.
+    """
+    require_matplotlib()
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=size, layout="constrained", facecolor="white")
+    FigureCanvasAgg(figure)
+    figure.suptitle(title, fontsize=13, fontweight="bold")
+    if caption:
+        figure.supxlabel(caption, fontsize=9, color=GREY)
+    return figure
+
+
+def grid(axes: Axes) -> None:
+    """Light lines behind the data, and no box on the open sides."""
+    axes.grid(True, color="#dddddd", linewidth=0.7)
+    axes.set_axisbelow(True)
+    axes.spines[["top", "right"]].set_visible(False)
+
+
+def wavelength_ink(wavelengths: ArrayLike) -> list[tuple[float, float, float]]:
+    """The wavelengths' own colours, dark enough for lines on paper; grey outside the visible.
+
+    Parameters
+    ----------
+    wavelengths : array, shape (n,)
+        [nm]
+
+    Returns
+    -------
+    list of (float, float, float), length n
+        sRGB, 0 to 1.
+
+    Examples
+    --------
+    >>> red, green, blue = wavelength_ink([680.0, 550.0, 440.0])
+    >>> red.index(max(red)), green.index(max(green)), blue.index(max(blue))
+    (0, 1, 2)
+    """
+    inks = []
+    for nm in np.atleast_1d(np.asarray(wavelengths, dtype=np.float64)):
+        if not VISIBLE[0] <= nm <= VISIBLE[1]:
+            inks.append((0.45, 0.45, 0.45))
+            continue
+        linear = np.clip(wavelength_color(nm, "peak"), 0.0, 1.0)
+        bright = float(linear @ [0.2126, 0.7152, 0.0722])
+        red, green, blue = srgb_encode(linear * min(1.0, _INK / bright)).tolist()
+        inks.append((red, green, blue))
+    return inks
+
+
+def wavelength_strip(wavelengths: ArrayLike) -> FloatArray:
+    """The colours of pure wavelengths as the eye weighs them, dark at both ends, for areas.
+
+    Parameters
+    ----------
+    wavelengths : array, shape (n,)
+        350 to 840. [nm]
+
+    Returns
+    -------
+    array, shape (n, 3)
+        sRGB, 0 to 1.
+    """
+    linear = np.clip(wavelength_color(wavelengths, "none"), 0.0, None)
+    return np.asarray(srgb_encode(np.clip(linear / 1.2, 0.0, 1.0)), dtype=np.float64)
+
+
+def chosen(wavelengths: ArrayLike, most: int) -> list[int]:
+    """Indices of at most so many wavelengths, spread evenly over the list, both ends among them.
+
+    Examples
+    --------
+    >>> chosen([680.0, 550.0, 440.0], 4), chosen(range(410, 700, 19), 3)
+    ([0, 1, 2], [0, 8, 15])
+    """
+    count = np.size(np.asarray(wavelengths))
+    if count <= most:
+        return list(range(count))
+    return [int(k + 0.5) for k in np.linspace(0, count - 1, most)]
+
+
+def wavelength_words(wavelengths: ArrayLike) -> str:
+    """A list of wavelengths for a caption.
+
+    Examples
+    --------
+    >>> wavelength_words([680.0, 550.0, 440.0])
+    '680, 550, 440 nm'
+    >>> wavelength_words([410.0 + 19.0 * k for k in range(16)])
+    '16 wavelengths, 410 to 695 nm'
+    """
+    nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+    if nm.size > 4:
+        return f"{nm.size} wavelengths, {nm.min():.4g} to {nm.max():.4g} nm"
+    return ", ".join(f"{value:.4g}" for value in nm) + " nm"
+
+
+def write_figure(
+    figure: Figure,
+    file: IO[bytes],
+    format: str = "png",
+    dpi: float = 150.0,
+) -> None:
+    """Write a figure, the same bytes each time: without dates and random names.
+
+    Parameters
+    ----------
+    figure : Figure
+    file : binary file
+        Open for writing.
+    format : "png", "svg" or "pdf"
+    dpi : float
+        Of PNG, and of pictures within the others. [pixel/inch]
+    """
+    import matplotlib
+
+    with matplotlib.rc_context({"svg.hashsalt": "airlight"}):
+        figure.savefig(file, format=format, dpi=dpi, metadata=_METADATA[format])
