@@ -58,58 +58,10 @@ def own_solutions(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
 
 @pytest.fixture(scope="session")
 def reference_earth() -> Callable[..., Planet]:
-    """Makes the planet of the reference radiances: AP2's air, a point star of irradiance 1.
+    """Makes the planet of the reference radiances: AP2's air, a point star of irradiance 1."""
+    from airlight.validation import reference_earth
 
-    ``aerosol`` is "cornette-shanks", "henyey-greenstein" or None, ``ozone`` says whether there is
-    any; the aerosol's absorption is that of the reference data and the golden scattering table.
-    """
-    from airlight.planets import Constituent, Ground, Planet, Star
-    from airlight.planets.phases import CornetteShanks, HenyeyGreenstein, Rayleigh
-    from airlight.planets.profiles import Exponential, Tent
-    from airlight.planets.spectral import PerWavelength
-
-    rgb = (680.0, 550.0, 440.0)
-
-    def make(
-        *, albedo: float, aerosol: str | None = "cornette-shanks", ozone: bool = True,
-        aerosol_absorption: float = 4.40e-6,
-    ) -> Planet:  # fmt: skip
-        air = Constituent(
-            name="air",
-            profile=Exponential(scale_height=8000.0),
-            scattering=PerWavelength(wavelengths=rgb, values=(5.802e-6, 13.558e-6, 33.1e-6)),
-            phase_function=Rayleigh(),
-        )
-        parts = [air]
-        if aerosol is not None:
-            lobe = CornetteShanks if aerosol == "cornette-shanks" else HenyeyGreenstein
-            parts.append(
-                Constituent(
-                    name="aerosol",
-                    profile=Exponential(scale_height=1200.0),
-                    scattering=3.996e-6,
-                    absorption=aerosol_absorption,
-                    phase_function=lobe(asymmetry=0.8),
-                )
-            )
-        if ozone:
-            parts.append(
-                Constituent(
-                    name="ozone",
-                    profile=Tent(center=25e3, half_width=15e3),
-                    absorption=PerWavelength(wavelengths=rgb, values=(0.65e-6, 1.881e-6, 0.085e-6)),
-                )
-            )
-        return Planet(
-            name="reference",
-            bottom_radius=6360e3,
-            top_radius=6460e3,
-            ground=Ground(albedo=albedo),
-            star=Star(irradiance=1.0, angular_radius=0.0),
-            constituents=tuple(parts),
-        )
-
-    return make
+    return reference_earth.reference_earth
 
 
 @pytest.fixture(scope="session")

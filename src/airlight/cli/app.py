@@ -11,7 +11,7 @@ from typing import Annotated, Any
 
 import typer
 
-from airlight.cli import planets, radiance, render, show
+from airlight.cli import bake, planets, plot, radiance, render, show, validate
 from airlight.cli.examples import examples
 from airlight.errors import AirlightError, Cancelled
 
@@ -29,7 +29,7 @@ app = typer.Typer(
         "airlight radiance earth --altitude 0m --sun-zenith 60 --view-zenith 30 --azimuth 90",
     ),
 )
-for command in (planets, show, render, radiance):
+for command in (planets, show, render, radiance, plot, bake, validate):
     app.command(epilog=command.EPILOG)(getattr(command, command.__name__.rpartition(".")[2]))
 
 
@@ -51,7 +51,7 @@ def root(
         bool, typer.Option("--debug", help="Show the traceback of an error; may stand anywhere.")
     ] = False,
 ) -> None:
-    """The light of planetary atmospheres: pictures and radiances."""
+    """The light of planetary atmospheres: pictures, radiances, figures and tables."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

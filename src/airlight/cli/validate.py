@@ -1,0 +1,127 @@
+"""``airlight validate``: what airlight computes, held against authorities, as a report."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from airlight.cli.examples import examples
+from airlight.cli.progress import shown_progress
+from airlight.errors import FileError, ParameterError
+
+EPILOG = examples(
+    "airlight validate -o report.html",
+    "airlight validate --suite golden -o golden.html",
+    "airlight validate --data reference-data -o report.html --pictures pictures",
+    "airlight validate --data reference-data -o docs/validation/report.md",
+)
+
+#: Exit status if a bar is missed.
+MISSED = 1
+
+
+def validate(
+    output: Annotated[
+        Path,
+        typer.Option(
+            "--output", "-o", metavar="FILE", help="A page .html, or .md with pictures beside it."
+        ),
+    ],
+    suite: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME",
+            help="golden, solvers, spherical, cie, measured, energy or all (all); may be given "
+            "several times.",
+        ),
+    ] = None,
+    data: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="DIR", help="Reference data, which spherical and measured need; not shipped."
+        ),
+    ] = None,
+    pictures: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="DIR",
+            help="Write a Markdown version too, with its pictures in this folder.",
+        ),
+    ] = None,
+) -> None:
+    """Check airlight against published numbers, independent codes and measured skies.
+
+    The exit status is 0 if every bar is met, 1 if one is missed, 2 after an error.
+    """
+    started = time.perf_counter()
+    from airlight.exports.whole_file import check_target
+    from airlight.validation.run import chosen, run
+
+    check_target(output)
+    kind = output.suffix.lower()
+    if kind not in (".html", ".htm", ".md"):
+        raise ParameterError("--output", str(output), "a file that ends in .html or .md")
+    if kind == ".md" and pictures is None:
+        pictures = output.parent / "pictures"
+    if pictures is not None and pictures.exists() and not pictures.is_dir():
+        raise FileError(pictures, "is no folder")
+    names = suite or ["all"]
+    chosen(names, data)
+    _check_matplotlib()
+
+    from airlight.validation.provenance import provenance
+    from airlight.validation.report import Report, result_word
+
+    suites = []
+    with shown_progress() as report:
+        for one in run(names, data, progress=report):
+            suites.append(one)
+            met = sum(bar.passed for bar in one.bars)
+            print(
+                f"{one.name:10s} {result_word(one):20s} {met} of {len(one.bars)} bars  "
+                f"{one.seconds:.1f} s",
+                flush=True,
+            )
+            for bar in one.bars:
+                if not bar.passed:
+                    print(f"  missed: {bar.name}: {bar.got:.4g}, allowed {bar.allowed:.4g}")
+    whole = Report(suites=suites, provenance=provenance(), seconds=time.perf_counter() - started)
+    _write(whole, output, pictures)
+    print(f"{output}  {output.stat().st_size / 1e3:.0f} kB  {whole.verdict}")
+    if not whole.passed:
+        raise typer.Exit(MISSED)
+
+
+def _check_matplotlib() -> None:
+    """Refuse before the long work, not after it."""
+    from airlight.plots.figure import new_figure
+
+    new_figure("")
+
+
+def _write(report: object, output: Path, pictures: Path | None) -> None:
+    import os
+
+    from airlight.exports.whole_file import whole_file
+    from airlight.validation.markdown import markdown, picture_files
+    from airlight.validation.report import Report, html
+
+    assert isinstance(report, Report)
+    page = output.with_suffix(".md")
+    if pictures is not None:
+        try:
+            pictures.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise FileError(pictures, f"cannot be made: {error.strerror or error}") from error
+        for name, png in picture_files(report).items():
+            with whole_file(pictures / name) as place:
+                place.write_bytes(png)
+        beside = Path(os.path.relpath(pictures, page.parent)).as_posix()
+        with whole_file(page) as place:
+            place.write_text(markdown(report, beside), encoding="utf-8")
+    if output.suffix.lower() != ".md":
+        with whole_file(output) as place:
+            place.write_text(html(report), encoding="utf-8")

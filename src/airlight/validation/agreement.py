@@ -1,0 +1,153 @@
+"""Answers of several solvers to the same questions, and whether two of them agree."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from time import perf_counter
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import Cancelled
+from airlight.planets import load_planet
+from airlight.solvers import solve
+from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
+from airlight.solvers.montecarlo.solution import MonteCarloSolution
+from airlight.validation.cases import CASES, WAVELENGTHS, Case, geometry
+from airlight.validation.finite_disc import with_point_star
+from airlight.validation.metrics import in_standard_errors, relative_errors
+from airlight.validation.suite import Cancel, Progress
+
+FloatArray = NDArray[np.float64]
+
+#: Solvers with their qualities; the last is the referee of the others.
+SOLVERS: Final[tuple[tuple[str, Any], ...]] = (
+    ("moments", "fine"),
+    ("direct", "fine"),
+    ("montecarlo", MonteCarloSettings(relative_error=0.005, most_histories=1_000_000)),
+)
+#: Two solvers agree within so much of the radiance, or within so many standard errors.
+TOLERANCE, NOISE = 0.01, 3.0
+#: Radiances below this part of the star's irradiance per steradian are listed, not judged. [sr⁻¹]
+LEAST_RADIANCE: Final = 1e-6
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a solver says about all cases of a planet.
+
+    Attributes
+    ----------
+    solver, quality : str
+        Who, and how finely.
+    radiance, standard_error : array, shape (cases, wavelengths)
+        Per irradiance of the star; the error is 0 for a method without noise. [sr⁻¹]
+    seconds : float
+        What it took. [s]
+    """
+
+    solver: str
+    quality: str
+    radiance: FloatArray
+    standard_error: FloatArray
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Agreement:
+    """Two answers held against each other.
+
+    Attributes
+    ----------
+    first, second : Answer
+        The second is taken for the truth where one is needed.
+    judged : array of bool, shape (cases, wavelengths)
+        Bright enough to be judged.
+    """
+
+    first: Answer
+    second: Answer
+    judged: NDArray[np.bool_]
+
+    @property
+    def name(self) -> str:
+        """Such as ``"moments - montecarlo"``."""
+        return f"{self.first.solver} - {self.second.solver}"
+
+    @property
+    def relative(self) -> FloatArray:
+        """Signed differences over the second's radiance. [1]"""
+        return relative_errors(self.first.radiance, self.second.radiance)
+
+    @property
+    def noise(self) -> FloatArray:
+        """Standard error of the difference. [sr⁻¹]"""
+        return np.hypot(self.first.standard_error, self.second.standard_error)
+
+    @property
+    def in_errors(self) -> FloatArray:
+        """Signed differences in standard errors; infinite between methods without noise. [1]"""
+        return in_standard_errors(self.first.radiance, self.second.radiance, self.noise)
+
+    @property
+    def disagree(self) -> NDArray[np.bool_]:
+        """Judged values that are neither within the tolerance nor within the noise."""
+        far = ~(np.abs(self.relative) <= TOLERANCE)
+        return self.judged & far & ~(np.abs(self.in_errors) <= NOISE)
+
+
+def answers(
+    planet_name: str, solvers: Sequence[tuple[str, Any]] = SOLVERS, *,
+    cases: Sequence[Case] = CASES, progress: Progress | None = None, cancel: Cancel | None = None,
+) -> list[Answer]:  # fmt: skip
+    """Ask every solver about all cases, the star a point: see ``finite_disc``.
+
+    Parameters
+    ----------
+    planet_name : str
+        A preset, or a file.
+    solvers : sequence of (str, object)
+        Names and qualities, or settings, as ``solve`` takes them.
+    cases : sequence of Case
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Raises
+    ------
+    Cancelled
+        If ``cancel`` said so.
+    """
+    planet = with_point_star(load_planet(planet_name))
+    out = []
+    for name, quality in solvers:
+        if cancel is not None and cancel():
+            raise Cancelled("cancelled")
+        tell: Progress | None = None
+        if progress is not None:
+
+            def tell(done: int, total: int, message: str, name: str = name) -> None:
+                progress(done, total, f"{planet_name}, {name}: {message}")
+
+        started = perf_counter()
+        solution = solve(
+            planet, WAVELENGTHS, quality, solver=name, cache=False, progress=tell, cancel=cancel
+        )
+        sight, _ = solution.lines_of_sight(**geometry(planet, cases))
+        if isinstance(solution, MonteCarloSolution):
+            traced = solution.trace(sight)
+            radiance, noise = traced.total, traced.total_error
+        else:
+            radiance = solution.relative_radiance(sight)
+            noise = np.zeros_like(radiance)
+        words = quality if isinstance(quality, str) else quality.as_text()
+        out.append(Answer(name, words, radiance, noise, perf_counter() - started))
+    return out
+
+
+def agreements(given: Sequence[Answer]) -> list[Agreement]:
+    """Every pair of answers, judged where the last of all, the referee, sees light."""
+    bright = given[-1].radiance > LEAST_RADIANCE
+    return [Agreement(a, b, bright) for a, b in combinations(given, 2)]

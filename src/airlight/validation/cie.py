@@ -1,0 +1,230 @@
+"""The suite ``cie``: luminance of a clear Earth's sky against the CIE standard clear sky."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.color.spectral import default_wavelengths, rgb_weights
+from airlight.color.xyz import luminance
+from airlight.errors import Cancelled
+from airlight.geometry.quadrature import gauss_legendre
+from airlight.planets import Constituent, Planet, load_planet, replace
+from airlight.planets.spectral import PerWavelength
+from airlight.plots.figure import GREY, PALETTE, grid, new_figure
+from airlight.solvers import Solution, solve
+from airlight.validation.cie_clear_sky import angle_to_sun, relative_luminance
+from airlight.validation.metrics import log_ratio_rms
+from airlight.validation.suite import Cancel, Picture, Progress, Suite, Table
+
+FloatArray = NDArray[np.float64]
+
+#: Zenith angles of the sun. [deg]
+SUNS: Final = (10.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0, 85.0)
+#: Zenith angles of views in the principal plane; negative is away from the sun. [deg]
+PLANE: Final = np.linspace(-89.0, 89.0, 179)
+#: So near the sun the fit has no say. [deg]
+NEAR_SUN: Final = 10.0
+#: So many times the planet's aerosol are tried.
+AEROSOL: Final = (0.5, 1.0, 2.0, 4.0)
+#: Points of the dome: zenith cosines, azimuths over half a turn.
+_DOME: Final = (40, 36)
+
+_FIT: Final = (
+    "The CIE sky is a statistical fit: the mean of many measured clear skies, in five numbers that "
+    "depend on no sun height and no aerosol. It is no truth about any one sky. A difference is "
+    "therefore reported and judged by no bar; what the solvers get right is judged by the other "
+    "suites."
+)
+
+
+def cie(
+    *, planet: str = "earth", quality: str = "default", progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Suite:  # fmt: skip
+    """Compare the sky of a clear Earth with the fit.
+
+    Parameters
+    ----------
+    planet : str
+        A preset, or a file.
+    quality : str
+        Of the moments solver.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+    """
+    earth = load_planet(planet)
+    nm = default_wavelengths(16, *earth.wavelength_limits)
+    solution = solve(earth, nm, quality, cache=False, progress=progress, cancel=cancel)
+    weights = rgb_weights(nm)
+    rows, plane = [], []
+    for sun in SUNS:
+        if cancel is not None and cancel():
+            raise Cancelled("cancelled")
+        ours = plane_luminance(solution, weights, sun)
+        fit = relative_luminance(sun, np.abs(PLANE), np.where(PLANE < 0.0, 180.0, 0.0))
+        counted = np.abs(PLANE - sun) >= NEAR_SUN
+        in_plane = log_ratio_rms(ours[counted], fit[counted])
+        over_dome, bias, worst = dome_difference(solution, weights, sun)
+        plane.append((sun, ours, fit))
+        rows.append(
+            (
+                f"{sun:g}",
+                f"{in_plane:.3f}",
+                f"{100 * np.expm1(in_plane):.0f}",
+                f"{over_dome:.3f}",
+                f"{100 * np.expm1(over_dome):.0f}",
+                f"{100 * np.expm1(bias):+.0f}",
+                worst,
+            )
+        )
+    table = Table(
+        title="Logarithm of ours over the fit, root mean square",
+        columns=[
+            "sun zenith [°]", "principal plane [ln]", "as a factor [%]", "whole dome [ln]",
+            "as a factor [%]", "mean over the dome [%]", "where the dome differs most",
+        ],
+        rows=rows,
+        note=f"Luminance over that of the zenith; within {NEAR_SUN:g}° of the sun left out. The "
+        "principal plane has one view a degree, the dome is weighted by solid angle.",
+    )  # fmt: skip
+    return Suite(
+        name="cie",
+        title="CIE clear sky, type 12",
+        summary=(
+            "Luminance of the sky over that of the zenith, of the solved Earth and of the CIE "
+            "standard clear sky with low turbidity. " + _FIT
+        ),
+        parts=[table, _curves(earth, plane), _by_aerosol(earth, nm, quality, progress, cancel)],
+        settings=[
+            f"planet {earth.name}, ground observer",
+            f"{nm.size} wavelengths, {nm[0]:g} to {nm[-1]:g} nm, CIE 1931 luminosity",
+            f"moments, {quality} quality",
+        ],
+    )
+
+
+def with_aerosol(planet: Planet, factor: float) -> Planet:
+    """The planet with so many times its aerosol: the constituent of that name."""
+
+    def thicker(constituent: Constituent) -> Constituent:
+        if constituent.name != "aerosol":
+            return constituent
+        return replace(
+            constituent,
+            scattering=_times(constituent.scattering, factor),
+            absorption=_times(constituent.absorption, factor),
+        )
+
+    return replace(planet, constituents=tuple(thicker(one) for one in planet.constituents))
+
+
+def _times(coefficient: object, factor: float) -> object:
+    if isinstance(coefficient, PerWavelength):
+        return replace(coefficient, values=tuple(factor * value for value in coefficient.values))
+    return factor * coefficient  # type: ignore[operator]
+
+
+def _by_aerosol(
+    earth: Planet, nm: FloatArray, quality: str, progress: Progress | None, cancel: Cancel | None
+) -> Table:
+    """The same numbers under more and under less aerosol: most of the difference is there."""
+    weights = rgb_weights(nm)
+    rows = []
+    for done, factor in enumerate(AEROSOL):
+        if progress is not None:
+            progress(done, len(AEROSOL), f"{factor:g} times the aerosol")
+        hazy = with_aerosol(earth, factor)
+        solution = solve(hazy, nm, quality, cache=False, cancel=cancel)
+        differences = [dome_difference(solution, weights, sun) for sun in (30.0, 60.0, 80.0)]
+        rows.append(
+            (
+                f"{factor:g}",
+                *(f"{rms:.3f}" for rms, _, _ in differences),
+                *(f"{100 * np.expm1(bias):+.0f}" for _, bias, _ in differences),
+            )
+        )
+    return Table(
+        title="How much hangs on the aerosol",
+        columns=[
+            "times the aerosol", "dome, sun 30° [ln]", "sun 60°", "sun 80°",
+            "mean, sun 30° [%]", "sun 60°", "sun 80°",
+        ],
+        rows=rows,
+        note="Root mean square over the dome, and the mean, with all of the aerosol's coefficients "
+        "multiplied. The fit knows no aerosol: how clear its sky is meant to be shows here.",
+    )  # fmt: skip
+
+
+def sky_luminance(
+    solution: Solution, weights: FloatArray, sun: float, view: FloatArray, azimuth: FloatArray
+) -> FloatArray:
+    """Luminance of the sky from the ground, per 683 lm/W.
+
+    Parameters
+    ----------
+    solution : Solution
+    weights : array, shape (nl, 3)
+        From ``rgb_weights``. [nm]
+    sun : float
+        [deg]
+    view, azimuth : array, shape (n,)
+        [deg]
+
+    Returns
+    -------
+    array, shape (n,)
+        [W m⁻² sr⁻¹]
+    """
+    radiance = solution.radiance(altitude=0.0, sun_zenith=sun, view_zenith=view, azimuth=azimuth)
+    return np.asarray(luminance(radiance.values @ weights), dtype=float)
+
+
+def plane_luminance(solution: Solution, weights: FloatArray, sun: float) -> FloatArray:
+    """Luminance over the zenith's along ``PLANE``, shape (179,). [1]"""
+    azimuth = np.where(PLANE < 0.0, 180.0, 0.0)
+    values = sky_luminance(solution, weights, sun, np.abs(PLANE), azimuth)
+    return np.asarray(values / values[np.argmin(np.abs(PLANE))])
+
+
+def dome_difference(
+    solution: Solution, weights: FloatArray, sun: float
+) -> tuple[float, float, str]:
+    """RMS and mean of the log ratio over the dome, and where it is largest, in words."""
+    mu_rule, phi_rule = gauss_legendre(_DOME[0]), gauss_legendre(_DOME[1])
+    mu, phi = np.meshgrid(mu_rule.nodes, 180.0 * phi_rule.nodes, indexing="ij")
+    solid_angle = np.outer(mu_rule.weights, phi_rule.weights).ravel()
+    view, azimuth = np.degrees(np.arccos(mu)).ravel(), phi.ravel()
+    zenith = sky_luminance(solution, weights, sun, np.zeros(1), np.zeros(1))
+    ours = sky_luminance(solution, weights, sun, view, azimuth) / zenith
+    fit = relative_luminance(sun, view, azimuth)
+    counted = angle_to_sun(sun, view, azimuth) >= np.radians(NEAR_SUN)
+    ratio = np.where(counted, np.log(ours / fit), 0.0)
+    rms = log_ratio_rms(ours[counted], fit[counted], solid_angle[counted])
+    mean = float((solid_angle * ratio)[counted].sum() / solid_angle[counted].sum())
+    at = int(np.argmax(np.abs(ratio)))
+    where = f"view {view[at]:.0f}°, azimuth {azimuth[at]:.0f}°: {100 * np.expm1(ratio[at]):+.0f} %"
+    return rms, mean, where
+
+
+def _curves(earth: Planet, plane: list[tuple[float, FloatArray, FloatArray]]) -> Picture:
+    title = f"Sky luminance in the principal plane: {earth.name} and CIE type 12"
+    figure = new_figure(title, size=(9.5, 5.6))
+    panels = figure.subplots(2, 4, sharex=True, sharey=True).ravel()
+    for axes, (sun, ours, fit) in zip(panels, plane, strict=True):
+        axes.axvspan(sun - NEAR_SUN, sun + NEAR_SUN, color="#eeeeee")
+        axes.plot(PLANE, fit, "--", color=PALETTE[1], linewidth=1.4, label="CIE type 12")
+        axes.plot(PLANE, ours, color=PALETTE[0], linewidth=1.4, label="airlight")
+        axes.set_yscale("log")
+        axes.set_ylim(0.2, 100.0)
+        axes.set_yticks([0.3, 1.0, 3.0, 10.0, 30.0, 100.0], ["0.3", "1", "3", "10", "30", "100"])
+        axes.set_xticks([-90.0, -45.0, 0.0, 45.0, 90.0])
+        axes.text(0.03, 0.93, f"sun {sun:g}°", transform=axes.transAxes, color=GREY, va="top")
+        grid(axes)
+    figure.supylabel("luminance over the zenith's", fontsize=10)
+    figure.supxlabel("zenith angle of the view, negative away from the sun [°]", fontsize=10)
+    panels[0].legend(loc="upper right", fontsize=8)
+    caption = f"Grey: within {NEAR_SUN:g}° of the sun, which is left out of the numbers."
+    return Picture.from_figure(figure, title=title, caption=caption)

@@ -1,0 +1,299 @@
+"""The suite ``energy``: what comes in goes out or is absorbed, and light paths can be reversed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import Cancelled
+from airlight.planets import Planet
+from airlight.plots.figure import PALETTE, grid, new_figure
+from airlight.solvers import Solution, solve
+from airlight.validation.energy_planets import VAST, flat_earth, furnace, round_earth
+from airlight.validation.fluxes import absorbed_by_air, level_fluxes, pieces, star_through
+from airlight.validation.order_convergence import ORDER_SOLVERS, order_convergence
+from airlight.validation.reference_earth import WAVELENGTHS
+from airlight.validation.suite import Bar, Cancel, Mark, Part, Picture, Progress, Suite, Table
+
+FloatArray = NDArray[np.float64]
+
+#: What the fluxes of a furnace may be off, of the light that comes in. [1]
+FURNACE_BAR: Final = 0.005
+#: The same for an air that absorbs, and for reversed paths; the furnace's bar, for want of another.
+BALANCE_BAR: Final = 0.005
+RECIPROCITY_BAR: Final = 0.005
+#: Pieces in the cosine of the star's zenith angle, dense around the terminator.
+_SUN_EDGES: Final = (-1.0, -0.4, -0.2, -0.1, -0.03, 0.0, 0.03, 0.1, 0.3, 1.0)
+#: Pieces in altitude; three points each. [m]
+_HEIGHT_EDGES: Final = (0.0, 1.5e3, 4e3, 10e3, 25e3, 40e3, 100e3)
+#: Sun zenith angles over the flat Earth, and those of suns and views for reversed paths. [deg]
+SUNS: Final = (0.0, 30.0, 60.0, 75.0, 85.0)
+REVERSED: Final = (0.0, 20.0, 40.0, 60.0, 75.0, 85.0)
+#: Levels of the furnace. [m]
+LEVELS: Final = (0.0, 2e3, 20e3, 100e3)
+
+
+def energy(
+    *, quality: str = "default", order_solvers: Sequence[tuple[str, object]] = ORDER_SOLVERS,
+    progress: Progress | None = None, cancel: Cancel | None = None,
+) -> Suite:  # fmt: skip
+    """Balance the light of furnaces and Earths, and show how fast the orders converge.
+
+    Parameters
+    ----------
+    quality : str
+        Of the moments solver, which the balances are of.
+    order_solvers : sequence of (str, object)
+        Solvers that know their orders one by one, with their qualities.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+    """
+    bars: list[Bar] = []
+    parts: list[Part] = []
+    steps = (
+        ("white furnace", white_furnace),
+        ("grey furnaces", grey_furnaces),
+        ("round Earth", round_balance),
+        ("flat Earth", flat_balance),
+    )
+    for done, (name, step) in enumerate(steps):
+        if cancel is not None and cancel():
+            raise Cancelled("cancelled")
+        if progress is not None:
+            progress(done, len(steps) + 1, name)
+        more, shown = step(quality, cancel)
+        bars += more
+        parts += shown
+    parts += order_convergence(order_solvers, progress=progress, cancel=cancel)
+    return Suite(
+        name="energy",
+        title="Energy, reversed paths and orders",
+        summary=(
+            "Light is neither made nor lost. In the white furnace nothing absorbs and the ground "
+            "returns everything: through every sphere as much leaves as enters. On an Earth that "
+            "absorbs, what enters at the top is what leaves there, what the ground keeps and what "
+            "the air absorbs, each from its own quadrature of radiances. Where the ground is flat, "
+            "sun and observer can change places. The orders of scattering fall by a nearly "
+            "constant factor."
+        ),
+        bars=bars,
+        parts=parts,
+        settings=[f"moments, {quality} quality, 680, 550, 440 nm, point star"],
+    )
+
+
+def _solved(planet: Planet, quality: str, cancel: Cancel | None) -> Solution:
+    return solve(planet, WAVELENGTHS, quality, cache=False, cancel=cancel)
+
+
+def _largest(name: str, errors: FloatArray, bar: float, source: str) -> Bar:
+    return Bar(
+        name=name, got=100.0 * float(np.abs(errors).max()), allowed=100.0 * bar, unit="%",
+        source=source,
+    )  # fmt: skip
+
+
+def _percent(errors: FloatArray) -> list[str]:
+    return [f"{100.0 * error:+.3f}" for error in errors]
+
+
+def _marks(errors: FloatArray, bar: float) -> list[Mark]:
+    return ["pass" if bool((np.abs(row) <= bar).all()) else "fail" for row in errors]
+
+
+def net_gain(solution: Solution, altitude: float) -> FloatArray:
+    """Light that leaves a sphere less what enters, over the star's on its disc, shape (nl,). [1]"""
+    mu_s, weight = pieces(_SUN_EDGES, 6)
+    flux = level_fluxes(solution, altitude, mu_s)
+    direct = mu_s[:, None] * star_through(solution, altitude, mu_s)
+    # Averaged over the sphere (half of ∫ dmu_s), times its surface 4πr², over its disc πr².
+    return np.asarray(2.0 * weight @ (flux.up - flux.down - direct))
+
+
+def white_furnace(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[Part]]:
+    """Nothing absorbs, the ground returns all."""
+    solution = _solved(furnace(1.0), quality, cancel)
+    gain = np.stack([net_gain(solution, level) for level in LEVELS])
+    table = Table(
+        title="White furnace: light gained by spheres about the centre",
+        columns=["altitude [km]", *(f"optical depth of {nm:g} nm [%]" for nm in WAVELENGTHS)],
+        rows=[
+            (f"{level / 1e3:g}", *_percent(row)) for level, row in zip(LEVELS, gain, strict=True)
+        ],
+        marks=_marks(gain, FURNACE_BAR),
+        note="(leaving - entering) over the starlight on the sphere's disc; 0 is right. Gas and "
+        "haze of albedo 1 over a ground of albedo 1, by quadrature of the radiance at every level.",
+    )
+    bar = _largest(
+        "white furnace: largest gain or loss of a sphere", gain, FURNACE_BAR,
+        "accuracy that counts as done, energy",
+    )  # fmt: skip
+    return [bar], [table]
+
+
+def _entered_and_kept(solution: Solution) -> tuple[FloatArray, FloatArray]:
+    """Light that enters at the top and does not leave, and what the ground keeps of it. [1]"""
+    medium = solution.medium
+    mu_s, weight = pieces(_SUN_EDGES, 6)
+    entered = -net_gain(solution, medium.thickness)
+    ground = solution.irradiance(altitude=0.0, sun_zenith=np.degrees(np.arccos(mu_s)))
+    received = (ground["direct"] + ground["diffuse"]).values / medium.solar_irradiance
+    share = (medium.bottom_radius / medium.top_radius) ** 2
+    return entered, (1.0 - medium.ground_albedo) * 2.0 * (weight @ received) * share
+
+
+def grey_furnaces(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[Part]]:
+    """The air absorbs nothing, the ground keeps what it does not return."""
+    albedos = (0.0, 0.3, 0.8)
+    rows, errors = [], []
+    for albedo in albedos:
+        entered, kept = _entered_and_kept(_solved(furnace(albedo), quality, cancel))
+        errors.append(entered - kept)
+        words = [f"{100 * a:.3f} - {100 * b:.3f}" for a, b in zip(entered, kept, strict=True)]
+        rows.append((f"{albedo:g}", *words, *_percent(entered - kept)))
+    gain = np.stack(errors)
+    table = Table(
+        title="Furnaces with a grey ground: what enters is what the ground keeps",
+        columns=[
+            "ground albedo", *(f"entered - kept, {nm:g} nm [%]" for nm in WAVELENGTHS),
+            *(f"difference, {nm:g} nm [%]" for nm in WAVELENGTHS),
+        ],
+        rows=rows,
+        marks=_marks(gain, BALANCE_BAR),
+        note="Over the starlight on the shell's disc. What enters comes from radiances at the top, "
+        "what the ground keeps from the irradiance.",
+    )  # fmt: skip
+    name = "grey furnaces: largest difference of entering and kept"
+    return [_largest(name, gain, BALANCE_BAR, "conservation of energy")], [table]
+
+
+def round_balance(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[Part]]:
+    """A whole Earth with absorbing air, day and night sides together."""
+    solution = _solved(round_earth(), quality, cancel)
+    medium = solution.medium
+    entered, kept = _entered_and_kept(solution)
+    heights, height_weight = pieces(_HEIGHT_EDGES, 3)
+    mu_s, weight = pieces(_SUN_EDGES, 6)
+    per_volume, _ = absorbed_by_air(solution, heights, mu_s)
+    shells = height_weight * np.square((medium.bottom_radius + heights) / medium.top_radius)
+    air = 2.0 * np.einsum("h,s,hsw->w", shells, weight, per_volume)
+    error = entered - kept - air
+    table = Table(
+        title="Round Earth: what enters is what ground and air absorb",
+        columns=["", *(f"{nm:g} nm [%]" for nm in WAVELENGTHS)],
+        rows=[
+            ("enters and does not leave", *(f"{100 * x:.3f}" for x in entered)),
+            ("kept by the ground", *(f"{100 * x:.3f}" for x in kept)),
+            ("absorbed by the air", *(f"{100 * x:.3f}" for x in air)),
+            ("difference", *_percent(error)),
+        ],
+        marks=["", "", "", *_marks(error[None], BALANCE_BAR)],
+        note="Over the starlight on the shell's disc.",
+    )
+    name = "round Earth: difference of entering and absorbed"
+    return [_largest(name, error, BALANCE_BAR, "conservation of energy")], [table]
+
+
+def flat_balance(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[Part]]:
+    """An Earth without curvature: the balance holds at each sun height, and paths reverse."""
+    solution = _solved(flat_earth(), quality, cancel)
+    medium = solution.medium
+    mu_s = np.cos(np.radians(SUNS))
+    heights, height_weight = pieces(_HEIGHT_EDGES, 3)
+    per_volume, _ = absorbed_by_air(solution, heights, mu_s)
+    air = np.einsum("h,hsw->sw", height_weight, per_volume)
+    out = level_fluxes(solution, medium.thickness, mu_s).up
+    ground = solution.irradiance(altitude=0.0, sun_zenith=list(SUNS))
+    received = (ground["direct"] + ground["diffuse"]).values / medium.solar_irradiance
+    kept = (1.0 - medium.ground_albedo) * received
+    error = (out + air + kept) / mu_s[:, None] - 1.0
+    rows = [
+        (
+            f"{sun:g}",
+            *(_triple(part[k] / mu_s[k]) for part in (out, air, kept)),
+            " ".join(_percent(error[k])),
+        )
+        for k, sun in enumerate(SUNS)
+    ]
+    table = Table(
+        title="Flat Earth: outgoing + absorbed against incoming, by sun height",
+        columns=[
+            "sun zenith [°]", "out, 680 550 440 nm [%]", "absorbed by the air [%]",
+            "kept by the ground [%]", "sum less incoming [%]",
+        ],
+        rows=rows,
+        marks=_marks(error, BALANCE_BAR),
+        note=f"The Earth above with {VAST:g} times its radius, so that no light moves sideways.",
+    )  # fmt: skip
+    off, reversed_paths = _reversed(solution)
+    bars = [
+        _largest("flat Earth: largest difference", error, BALANCE_BAR, "conservation of energy"),
+        _largest("reversed paths: largest difference", off, RECIPROCITY_BAR, "reciprocity"),
+    ]
+    return bars, [table, _shares(mu_s, out, air, kept), reversed_paths]
+
+
+def _triple(values: FloatArray) -> str:
+    return " ".join(f"{100 * value:.3f}" for value in values)
+
+
+def _shares(mu_s: FloatArray, out: FloatArray, air: FloatArray, kept: FloatArray) -> Picture:
+    title = "Where the light goes over a flat clear Earth"
+    figure = new_figure(title, size=(9.0, 3.6))
+    for k, axes in enumerate(figure.subplots(1, 3, sharey=True)):
+        at, below = np.arange(mu_s.size), np.zeros(mu_s.size)
+        for part, name, colour in (
+            (kept, "kept by the ground", PALETTE[2]), (air, "absorbed by the air", PALETTE[1]),
+            (out, "out to space", PALETTE[5]),
+        ):  # fmt: skip
+            share = 100.0 * part[:, k] / mu_s
+            axes.bar(at, share, bottom=below, color=colour, width=0.7, label=name)
+            below = below + share
+        axes.axhline(100.0, color="black", linewidth=0.8)
+        axes.set_xticks(at, [f"{sun:g}°" for sun in SUNS])
+        axes.set_title(f"{WAVELENGTHS[k]:g} nm", fontsize=10)
+        axes.set_xlabel("sun zenith angle")
+        grid(axes)
+        if k == 0:
+            axes.set_ylabel("share of the incoming light [%]")
+            axes.legend(loc="lower left", fontsize=8)
+    caption = "The three shares are computed apart from each other; the line is 100 %."
+    return Picture.from_figure(figure, title=title, caption=caption)
+
+
+def _reversed(solution: Solution) -> tuple[FloatArray, Table]:
+    """Reflected radiance over mu_s with sun and observer exchanged: Helmholtz reciprocity."""
+    angles = np.array(REVERSED)
+    view, sun = np.meshgrid(angles, angles, indexing="ij")
+    found = []
+    for azimuth in (0.0, 90.0, 180.0):
+        radiance = solution.radiance(
+            altitude=solution.medium.thickness,
+            sun_zenith=sun,
+            view_zenith=180.0 - view,
+            azimuth=azimuth,
+        ).values
+        reflectance = radiance / np.cos(np.radians(sun))[..., None]
+        found.append(reflectance / np.swapaxes(reflectance, 0, 1) - 1.0)
+    off = np.stack(found)
+    rows = []
+    for i, first in enumerate(angles):
+        for j, second in enumerate(angles[:i]):
+            rows.append(
+                (f"{first:g}", f"{second:g}", *(" ".join(_percent(off[a, i, j])) for a in range(3)))
+            )
+    table = Table(
+        title="Reversed paths: light reflected to space, sun and observer exchanged",
+        columns=[
+            "zenith angle [°]", "the other [°]", "azimuth 0°: 680 550 440 nm [%]",
+            "azimuth 90° [%]", "azimuth 180° [%]",
+        ],
+        rows=rows,
+        note="R(view, sun)/R(sun, view) - 1 of the flat Earth, R the radiance over the cosine of "
+        "the sun's zenith angle; 0 is right.",
+        folded=True,
+    )  # fmt: skip
+    return off, table

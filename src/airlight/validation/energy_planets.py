@@ -1,0 +1,66 @@
+"""The planets of the energy suite: a furnace, and an Earth so vast that it is flat."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from airlight.planets import Constituent, Ground, Planet, Star, replace
+from airlight.planets.phases import HenyeyGreenstein, Rayleigh
+from airlight.planets.profiles import Exponential
+from airlight.planets.spectral import PerWavelength
+from airlight.validation.reference_earth import (
+    CORRECTED_ABSORPTION,
+    WAVELENGTHS,
+    reference_earth,
+)
+
+#: The flat Earth's radius is so many times the round one's.
+VAST: Final = 1000.0
+
+
+def furnace(albedo: float) -> Planet:
+    """Gas and haze that absorb nothing, over a ground of some albedo.
+
+    The gas has three optical depths, as of three wavelengths; the star is a point of irradiance 1.
+
+    Parameters
+    ----------
+    albedo : float
+        1 is the white furnace: nothing is lost at all. [1]
+    """
+    gas = PerWavelength(wavelengths=WAVELENGTHS, values=(5.8e-6, 13.5e-6, 33.1e-6))
+    return Planet(
+        name="furnace",
+        bottom_radius=6360e3,
+        top_radius=6460e3,
+        ground=Ground(albedo=albedo),
+        star=Star(irradiance=1.0, angular_radius=0.0),
+        constituents=(
+            Constituent(
+                name="gas",
+                profile=Exponential(scale_height=8e3),
+                scattering=gas,
+                phase_function=Rayleigh(),
+            ),
+            Constituent(
+                name="haze",
+                profile=Exponential(scale_height=2e3),
+                scattering=5e-5,
+                phase_function=HenyeyGreenstein(asymmetry=0.6),
+            ),
+        ),
+    )
+
+
+def round_earth() -> Planet:
+    """AP2's clear Earth with the corrected aerosol, ground albedo 0.1, a point star."""
+    return reference_earth(albedo=0.1, aerosol_absorption=CORRECTED_ABSORPTION)
+
+
+def flat_earth() -> Planet:
+    """The same air on a ground a thousand times as large, where each sun height is by itself."""
+    earth = round_earth()
+    bottom = VAST * earth.bottom_radius
+    return replace(
+        earth, name="flat Earth", bottom_radius=bottom, top_radius=bottom + earth.thickness
+    )

@@ -1,0 +1,198 @@
+"""The golden numbers: read from ``data/golden.toml``, and compared with what came out.
+
+A number is kept as it is printed, so that its last digit says how far off a result may be.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Row:
+    """Some numbers that belong together.
+
+    Attributes
+    ----------
+    label : str
+        What they are.
+    at : dict
+        The inputs that they were computed for.
+    printed : tuple of str
+        The numbers as printed.
+    allowed : array, shape (n,)
+        How far off each may be; in the group's unit.
+    """
+
+    label: str
+    at: Mapping[str, Any]
+    printed: tuple[str, ...]
+    allowed: FloatArray
+
+    @property
+    def expected(self) -> FloatArray:
+        """The numbers, shape (n,)."""
+        return np.array([float(text) for text in self.printed])
+
+
+@dataclass(frozen=True)
+class Group:
+    """One table of golden numbers.
+
+    Attributes
+    ----------
+    name, title : str
+        For programs and for readers.
+    source : str
+        Who says so.
+    unit : str
+        Of all its numbers.
+    columns : tuple of str
+        What the numbers of a row are.
+    reason : str
+        Why so much is allowed and no more.
+    rows : tuple of Row
+    """
+
+    name: str
+    title: str
+    source: str
+    unit: str
+    columns: tuple[str, ...]
+    reason: str
+    rows: tuple[Row, ...]
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """One golden number and what came out.
+
+    Attributes
+    ----------
+    label, column : str
+        Which number of which row.
+    printed : str
+        The number as printed.
+    got, difference, allowed : float
+        In the group's unit.
+    """
+
+    label: str
+    column: str
+    printed: str
+    got: float
+    difference: float
+    allowed: float
+
+    @property
+    def passed(self) -> bool:
+        """Whether the difference is allowed; NaN is not."""
+        return bool(abs(self.difference) <= self.allowed)
+
+    @property
+    def used(self) -> float:
+        """The difference over what is allowed; 0 for none at all. [1]"""
+        if self.difference == 0.0:
+            return 0.0
+        return abs(self.difference) / self.allowed if self.allowed > 0.0 else float("inf")
+
+
+def last_digit(printed: str) -> float:
+    """One unit of the last digit of a printed number; 0 for a plain 0, which is meant exactly.
+
+    Examples
+    --------
+    >>> last_digit("5.185366e-3"), last_digit("213"), last_digit(".0625")
+    (1e-09, 1.0, 0.0001)
+    """
+    if printed == "0":
+        return 0.0
+    mantissa, _, exponent = printed.lower().partition("e")
+    decimals = len(mantissa.partition(".")[2])
+    return float(10.0 ** (int(exponent or 0) - decimals))
+
+
+@cache
+def golden_groups() -> tuple[Group, ...]:
+    """All golden numbers that ship with the package, in the order of the file."""
+    text = files("airlight.validation").joinpath("data/golden.toml").read_text(encoding="utf-8")
+    groups: dict[str, Group] = {}
+    for table in tomllib.loads(text)["group"]:
+        rows = table.get("row")
+        if rows is None:
+            rows = _summed([groups[name] for name in table["sum_of"]])
+        groups[table["name"]] = Group(
+            name=table["name"],
+            title=table["title"],
+            source=table["source"],
+            unit=table["unit"],
+            columns=tuple(table["columns"]),
+            reason=table["reason"],
+            rows=tuple(_row(table, row) for row in rows),
+        )
+    return tuple(groups.values())
+
+
+def _row(table: Mapping[str, Any], row: Mapping[str, Any]) -> Row:
+    printed = tuple(row["expected"])
+    relative = row.get("relative", table.get("relative", 0.0))
+    absolute = row.get("absolute", table.get("absolute", 0.0))
+    digits = row.get("digits", table.get("digits", 0.0))
+    allowed = [
+        # Half a digit is a rounding; a hundredth more lets the comparison itself round.
+        max(1.01 * digits * last_digit(text), relative * abs(float(text)), absolute)
+        for text in printed
+    ]
+    return Row(row["label"], row.get("at", {}), printed, np.array(allowed))
+
+
+def _summed(parts: Sequence[Group]) -> list[dict[str, Any]]:
+    return [
+        {
+            "label": rows[0].label,
+            "at": rows[0].at,
+            "expected": [f"{value:.6e}" for value in sum(row.expected for row in rows)],
+        }
+        for rows in zip(*(part.rows for part in parts), strict=True)
+    ]
+
+
+def compare(group: Group, got: Sequence[FloatArray], *, single: bool = False) -> list[Comparison]:
+    """Hold what came out against a group of golden numbers.
+
+    Parameters
+    ----------
+    group : Group
+    got : sequence of array, shape (n,)
+        For each row, in its order.
+    single : bool
+        Whether both are compared as float32.
+
+    Raises
+    ------
+    ValueError
+        If there are more or fewer numbers than in the group.
+    """
+    compared = []
+    for row, values in zip(group.rows, got, strict=True):
+        for column, text, allowed, value in zip(
+            group.columns, row.printed, row.allowed, np.ravel(values), strict=True
+        ):
+            if single:
+                difference = float(np.float32(value)) - float(np.float32(text))
+            else:
+                difference = float(value) - float(text)
+            compared.append(
+                Comparison(row.label, column, text, float(value), difference, float(allowed))
+            )
+    return compared

@@ -1,0 +1,125 @@
+"""Pictures of errors against an independent code: over sun zenith and altitude."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.plots.figure import GREY, PALETTE, grid, new_figure, wavelength_ink
+from airlight.validation.reference_earth import WAVELENGTHS
+from airlight.validation.suite import Picture
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+FloatArray = NDArray[np.float64]
+
+#: Edges of the bins in sun zenith. [deg]
+SUN_EDGES = (0.0, 30.0, 60.0, 75.0, 82.0, 87.0, 89.0, 91.0, 93.0, 95.0, 180.0)
+
+
+def error_scatter(
+    quality: str, suns: FloatArray, errors: FloatArray, channels: NDArray[np.intp],
+    bars: tuple[float, float, float],
+) -> Picture:  # fmt: skip
+    """Every error over the sun's zenith angle, by wavelength.
+
+    Parameters
+    ----------
+    quality : str
+    suns, errors : array, shape (n,)
+        At the observer [deg]; relative, signed [1].
+    channels : array of int, shape (n,)
+        Of ``WAVELENGTHS``.
+    bars : (float, float, float)
+        Median, 95 % and largest that are allowed. [1]
+    """
+    title = f"Errors against Monte Carlo over sun zenith, {quality} quality"
+    figure = new_figure(title, size=(9.0, 4.6))
+    axes = figure.add_subplot()
+    for channel, ink in enumerate(wavelength_ink(WAVELENGTHS)):
+        chosen = channels == channel
+        # A little apart, so that one wavelength does not hide the next.
+        axes.plot(
+            suns[chosen] + 0.25 * (channel - 1),
+            100.0 * errors[chosen],
+            ".",
+            color=ink,
+            markersize=2.5,
+            label=f"{WAVELENGTHS[channel]:g} nm",
+        )
+    _bar_lines(axes, bars, signs=(1.0, -1.0))
+    axes.set_yscale("symlog", linthresh=0.1, linscale=0.7)
+    ticks = [-5.0, -2.0, -1.0, -0.5, -0.1, 0.0, 0.1, 0.5, 1.0, 2.0, 5.0]
+    axes.set_yticks(ticks, [f"{tick:g}" for tick in ticks])
+    axes.minorticks_off()
+    axes.set_xlabel("sun zenith angle at the observer [°]")
+    axes.set_ylabel("error [%]")
+    axes.legend(loc="upper left", fontsize=9, markerscale=4.0)
+    grid(axes)
+    caption = (
+        "Each point is one radiance. Linear within ±0.1 %, logarithmic beyond. Dashed: the bar for "
+        "95 % of the values; solid: the bar for all, beyond the referee's noise."
+    )
+    return Picture.from_figure(figure, title=title, caption=caption)
+
+
+def error_histograms(
+    quality: str, suns: FloatArray, heights: FloatArray, errors: FloatArray,
+    bars: tuple[float, float, float],
+) -> Picture:  # fmt: skip
+    """Median, 95 % and largest error by sun zenith and by altitude.
+
+    Parameters
+    ----------
+    quality : str
+    suns, heights, errors : array, shape (n,)
+        [deg], [m], relative [1].
+    bars : (float, float, float)
+        As in ``error_scatter``. [1]
+    """
+    title = f"Errors by sun zenith and by altitude, {quality} quality"
+    figure = new_figure(title, size=(9.0, 4.2))
+    left, right = figure.subplots(1, 2, sharey=True)
+    size = 100.0 * np.abs(errors)
+    groups = []
+    for low, high in pairwise(SUN_EDGES):
+        name = f"{low:g}–{high:g}" if high < 180.0 else f"> {low:g}"
+        groups.append((name, size[(suns >= low) & (suns < high)]))
+    _grouped(left, groups, bars)
+    left.set_xlabel("sun zenith angle at the observer [°]")
+    left.set_ylabel("size of the error [%]")
+    by_height = [(f"{h / 1e3:g}", size[heights == h]) for h in np.unique(heights)]
+    _grouped(right, by_height, bars)
+    right.set_xlabel("altitude of the observer [km]")
+    figure.legend(*right.get_legend_handles_labels(), loc="outside lower center", ncols=3)
+    caption = "The errors as they are, the referee's noise included. Numbers: values per bin."
+    return Picture.from_figure(figure, title=title, caption=caption)
+
+
+def _grouped(
+    axes: Axes, groups: list[tuple[str, FloatArray]], bars: tuple[float, float, float]
+) -> None:
+    named = [(name, values) for name, values in groups if values.size]
+    at = np.arange(len(named))
+    for k, (label, share) in enumerate((("median", 0.5), ("95 %", 0.95), ("largest", 1.0))):
+        heights = [max(float(np.quantile(values, share)), 1e-3) for _, values in named]
+        axes.bar(at + 0.27 * (k - 1), heights, width=0.25, color=PALETTE[k], label=label)
+    axes.set_yscale("log")
+    axes.set_ylim(1e-2, 30.0)
+    axes.set_yticks([0.01, 0.1, 1.0, 10.0], ["0.01", "0.1", "1", "10"])
+    for x, (_, values) in zip(at, named, strict=True):
+        axes.text(float(x), 18.0, str(values.size), ha="center", fontsize=6.5, color=GREY)
+    axes.set_xticks(at, [name for name, _ in named], fontsize=8, rotation=45)
+    for k, bar in enumerate(bars):
+        axes.axhline(100.0 * bar, color=PALETTE[k], linewidth=0.9, linestyle="--")
+    grid(axes)
+
+
+def _bar_lines(axes: Axes, bars: tuple[float, float, float], signs: tuple[float, ...]) -> None:
+    for sign in signs:
+        axes.axhline(sign * 100.0 * bars[1], color=GREY, linewidth=0.8, linestyle="--")
+        axes.axhline(sign * 100.0 * bars[2], color=GREY, linewidth=0.8)

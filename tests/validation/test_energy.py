@@ -1,0 +1,86 @@
+"""The energy suite: fluxes of light that is known, balances that hold, and one that must not."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight.planets import Medium
+from airlight.solvers import Solution, solve
+from airlight.solvers.solution import Report, Sight
+from airlight.validation.energy_planets import flat_earth, furnace, round_earth
+from airlight.validation.fluxes import level_fluxes, pieces
+from airlight.validation.reference_earth import WAVELENGTHS
+
+pytest.importorskip("matplotlib")
+
+from airlight.validation.energy import energy, net_gain
+from airlight.validation.order_convergence import order_shares
+
+
+class Even(Solution):
+    """Light of radiance 1 from everywhere, on a real planet."""
+
+    report = Report(solver="even", settings="", sweeps=1, residual=(0.0,), seconds=0.0)
+
+    def __init__(self) -> None:
+        self.medium = Medium.from_planet(round_earth(), WAVELENGTHS)
+        self.highest_order = 3
+
+    def relative_radiance(self, sight: Sight, *, order: int | None = None) -> np.ndarray:
+        share = 1.0 if order is None else 0.75 * 0.25 ** (order - 1)
+        return np.full((sight.r.size, 3), share)
+
+    def relative_sky_irradiance(self, r: np.ndarray, mu_s: np.ndarray) -> np.ndarray:
+        return np.full((r.size, 3), np.pi)
+
+    relative_direct_irradiance = relative_sky_irradiance
+
+
+@pytest.mark.parametrize("altitude", [0.0, 30e3, 100e3])
+def test_even_light_has_the_fluxes_of_a_sphere(altitude: float) -> None:
+    # ∫ cosθ dω over a half sphere is π, ∫ dω over the whole is 4π; the rules integrate
+    # polynomials in mu of degree 15 a piece.
+    flux = level_fluxes(Even(), altitude, np.array([-0.5, 0.7]))
+    for got, expected in ((flux.down, np.pi), (flux.up, np.pi), (flux.scalar, 4.0 * np.pi)):
+        assert_allclose(got, np.full((2, 3), expected), rtol=1e-12)
+
+
+def test_pieces_integrate_a_polynomial_exactly() -> None:
+    # Gauss-Legendre with n points: degree 2n - 1. ∫ x⁵ from -1 to 2 is 63/6.
+    x, w = pieces([-1.0, 0.5, 2.0], 3)
+    assert_allclose(w @ x**5, 63.0 / 6.0, rtol=1e-13)
+
+
+def test_a_white_furnace_balances_and_an_earth_that_absorbs_does_not() -> None:
+    # A law, and its reverse: through the ground of an absorbing Earth more enters than leaves.
+    white, earth = (
+        solve(planet, WAVELENGTHS, cache=False) for planet in (furnace(1.0), round_earth())
+    )
+    assert_allclose(net_gain(white, 2e3), 0.0, atol=5e-3)
+    assert (net_gain(earth, 0.0) < -0.5).all()
+
+
+def test_the_furnace_absorbs_nothing_and_the_flat_earth_is_the_round_one() -> None:
+    medium = Medium.from_planet(furnace(1.0), WAVELENGTHS)
+    assert_allclose(medium.absorption, 0.0, atol=0)
+    assert_allclose(medium.ground_albedo, 1.0, atol=0)
+    flat, curved = (Medium.from_planet(p, WAVELENGTHS) for p in (flat_earth(), round_earth()))
+    assert_allclose(flat.vertical_optical_depth, curved.vertical_optical_depth, rtol=1e-12)
+    assert_allclose(flat.bottom_radius, 1000.0 * curved.bottom_radius)
+
+
+def test_shares_of_the_orders_are_those_of_a_known_series() -> None:
+    # 3/4 (1 + 1/4 + 1/16 …) = 1, by construction.
+    where = {"altitude": np.zeros(2), "sun_zenith": np.zeros(2), "view_zenith": np.zeros(2)}
+    shares = order_shares(Even(), {**where, "azimuth": np.zeros(2)})
+    assert_allclose(shares, [[0.75] * 2, [0.1875] * 2, [0.046875] * 2], rtol=1e-12)
+
+
+@pytest.mark.slow
+def test_all_balances_hold_at_default_quality() -> None:
+    # Conservation of energy and reciprocity; the bars are those of the report.
+    suite = energy(order_solvers=())
+    assert [bar.name for bar in suite.bars if not bar.passed] == []
+    assert len(suite.bars) == 5

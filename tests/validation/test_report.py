@@ -1,0 +1,158 @@
+"""The report: everything in it, nothing outside it, and no miss hidden."""
+
+from __future__ import annotations
+
+import base64
+import io
+import re
+from html.parser import HTMLParser
+from xml.etree import ElementTree
+
+import pytest
+from PIL import Image
+
+from airlight.validation.markdown import markdown, picture_files
+from airlight.validation.provenance import provenance
+from airlight.validation.report import Report, html
+from airlight.validation.suite import Bar, Picture, Suite, Table, Text
+
+
+def png(colour: str) -> bytes:
+    buffer = io.BytesIO()
+    Image.new("RGB", (4, 3), colour).save(buffer, format="png")
+    return buffer.getvalue()
+
+
+WORST = Table(
+    title="The worst case",
+    columns=["where", "error [%]"],
+    rows=[("limb at 92°, |Δ| & <5 %", 4.87), ("noon", 0.01)],
+    marks=["fail", ""],
+    folded=True,
+)
+
+
+@pytest.fixture
+def report() -> Report:
+    met = Bar(name="median error", got=0.05, allowed=0.3, unit="%", source="the bars")
+    missed = Bar(name="largest error", got=4.87, allowed=2.0, unit="%", source="the bars")
+    return Report(
+        suites=[
+            Suite(
+                name="energy", title="Energy", summary="Balances.", bars=[met], seconds=1.5,
+                parts=[Picture(title="Shares of light", png=png("red"), caption="One & all.")],
+            ),
+            Suite(
+                name="spherical", title="Spherical", summary="Compares.", bars=[met, missed],
+                parts=[WORST, Text(text="One.\n\nTwo.")],
+            ),
+            Suite(name="measured", title="Measured", summary="", not_run="needs --data"),
+            Suite(name="cie", title="CIE", summary="A fit.", parts=[WORST]),
+        ],
+        provenance=provenance(),
+        seconds=12.3,
+    )  # fmt: skip
+
+
+def test_the_page_is_well_formed(report: Report) -> None:
+    # Written as XML as well, so that a strict parser judges every tag and entity.
+    page = html(report)
+    root = ElementTree.fromstring(page.replace("<!DOCTYPE html>", ""))
+    assert root.tag == "html"
+    assert [e.text for e in root.iter("h2")] == ["Energy", "Spherical", "Measured", "CIE"]
+
+
+def test_the_page_needs_no_network_and_no_file(report: Report) -> None:
+    sources: list[str] = []
+
+    class Links(HTMLParser):
+        def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+            assert tag not in ("script", "link", "iframe", "object")
+            sources.extend(v or "" for k, v in attrs if k in ("src", "href", "srcset"))
+
+    page = html(report)
+    Links().feed(page)
+    assert sources
+    assert all(re.match(r"data:image/png;base64,|#", source) for source in sources)
+    assert "url(" not in page
+    assert "@import" not in page
+
+
+def test_embedded_pictures_are_the_pictures(report: Report) -> None:
+    data = re.search(r'src="data:image/png;base64,([^"]+)"', html(report))
+    assert data is not None
+    assert base64.b64decode(data[1]) == png("red")
+
+
+def test_the_worst_case_and_the_missed_bar_are_shown_not_folded_away(report: Report) -> None:
+    page = html(report)
+    assert "limb at 92°, |Δ| &amp; &lt;5 %" in page
+    assert "4.87" in page
+    assert '<details open="open"><summary>The worst case (2 rows, 1 missed)' in page
+    assert "2 of 3 bars are met; not run: measured" in page
+    assert re.search(r"largest error</td><td>4.87 %</td><td>≤ 2 %</td><td class=\"missed\">", page)
+    text = markdown(report, "pictures")
+    assert "**4.87**" in text
+    assert "<details>" not in text
+    assert "**missed**" in text
+
+
+def test_a_bar_is_met_up_to_it_and_not_by_nothing() -> None:
+    # By definition; a number that is none must never pass.
+    results = [Bar(name="", got=got, allowed=2.0).passed for got in (2.0, 2.0001, float("nan"))]
+    assert results == [True, False, False]
+
+
+def test_the_verdict_counts_misses_and_a_suite_without_bars_fails_nothing(report: Report) -> None:
+    assert not report.passed
+    assert [suite.passed for suite in report.suites] == [True, False, True, True]
+
+
+def test_what_made_the_report_is_said(report: Report) -> None:
+    page = html(report)
+    for name, value in provenance().items():
+        assert f"<dt>{name}</dt>" in page
+        if name not in ("date", "machine"):
+            assert value in page
+    assert "processors used" in page
+
+
+def test_markdown_names_its_pictures_and_they_are_there(report: Report) -> None:
+    assert "![Shares of light](plates/shares-of-light.png)" in markdown(report, "plates")
+    assert picture_files(report) == {"shares-of-light.png": png("red")}
+
+
+def test_markdown_keeps_its_tables_in_shape(report: Report) -> None:
+    # A bar in a cell would end it: every row of a table has the heading's number of cells.
+    lines = markdown(report, "p").splitlines()
+    start = lines.index("| where | error [%] |")
+    assert lines[start + 2].replace("\\|", "").count("|") == 3
+    assert "&lt;5 %" in lines[start + 2]
+
+
+def test_pictures_with_one_name_are_refused() -> None:
+    twice = [Picture(title="A b", png=b""), Picture(title="a B", png=b"")]
+    suite = Suite(name="x", title="X", summary="", parts=twice)
+    with pytest.raises(ValueError, match="same title"):
+        picture_files(Report(suites=[suite], provenance={}, seconds=0.0))
+
+
+@pytest.mark.parametrize(
+    ("rows", "marks", "part"), [([("a",)], (), "a row of 1 for 2"), ([], ("pass",), "1 marks")]
+)
+def test_tables_that_do_not_fit_are_refused(rows: list, marks: tuple, part: str) -> None:
+    with pytest.raises(ValueError, match=part):
+        Table(title="t", columns=["a", "b"], rows=rows, marks=marks)
+
+
+def test_a_figure_becomes_a_small_picture_of_the_size_asked_for() -> None:
+    pytest.importorskip("matplotlib")
+    from airlight.plots.figure import new_figure
+
+    figure = new_figure("Title", size=(5.0, 2.0))
+    figure.add_subplot().plot([0, 1], [1, 0])
+    picture = Picture.from_figure(figure, title="Title", dpi=80)
+    with Image.open(io.BytesIO(picture.png)) as image:
+        assert image.size == (400, 160)
+        assert len(image.convert("RGB").getcolors(100_000) or []) > 2
+    assert len(picture.png) < 20_000
