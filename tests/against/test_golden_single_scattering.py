@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from airlight import solve
 from airlight.planets import Planet
+from airlight.solvers.direct.settings import QUALITIES
 from airlight.solvers.moments.solution import MomentsSolution
 
 #: Altitude [m], sun zenith, view zenith, azimuth [deg], gas and aerosol at 680, 550, 440 nm [sr⁻¹]
@@ -65,3 +68,17 @@ def test_gas_alone_meets_its_own_column_where_absorption_is_none(
     )
     assert_allclose(without.values, row[4], rtol=1e-3)
     assert_allclose(with_it.values, without.values, rtol=1e-5)
+
+
+def test_direct_solver_meets_the_golden_table(reference_earth: Callable[..., Planet]) -> None:
+    # Order 1 is integrated along the line itself by nested trapezoids, 96 graded steps on each leg.
+    rows = np.array([row[:4] for row in TABLE], float)
+    expected = np.array([np.add(row[4], row[5]) for row in TABLE])
+    settings = replace(QUALITIES["preview"], steps=96, orders=1)
+    got = solve(
+        reference_earth(albedo=0.0), quality=settings, solver="direct", cache=False
+    ).radiance(
+        altitude=rows[:, 0], sun_zenith=rows[:, 1], view_zenith=rows[:, 2], azimuth=rows[:, 3],
+        order=1,
+    )  # fmt: skip
+    assert_allclose(got.values, expected, rtol=2e-4)
