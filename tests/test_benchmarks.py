@@ -1,0 +1,70 @@
+"""The benchmarks are there to be run, and what they compare airlight with is right."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight.tables.columns import columns
+from baseline import checks, compiled, plain, work
+
+ROOT = Path(__file__).parents[1]
+
+
+@pytest.fixture(params=["C", "NumPy"])
+def baseline(request: pytest.FixtureRequest, tmp_path: Path) -> Any:
+    if request.param == "NumPy":
+        return plain
+    if compiled.compiler() is None:
+        pytest.skip("no C compiler: there is no cc, and CC names none")
+    return compiled.Classic(tmp_path)
+
+
+def test_columns_of_the_baseline_meet_the_golden_table(baseline: Any) -> None:
+    # an authority converged to 1e-13; the tolerances are the trapezoid's own error
+    checks.columns_are_golden(baseline)
+
+
+def test_columns_of_the_baseline_are_airlights(baseline: Any) -> None:
+    # a second method; the longest ray's steps are a tenth of the aerosol's scale height
+    rays = work.rays(50)
+    expected = columns(*rays, work.BOTTOM, work.whole_air().density)
+    assert_allclose(baseline.columns(*rays, work.AIR, 20_000), expected, rtol=1e-4, atol=0.01)
+
+
+def test_look_ups_of_the_baseline_are_airlights(baseline: Any) -> None:
+    # a second method for the same interpolation
+    checks.look_ups_are_the_tables(baseline)
+
+
+def test_gathers_of_the_baseline_are_exact_in_even_light(baseline: Any) -> None:
+    # a law: the addition theorem gives twice Rayleigh's phase function
+    checks.gathers_are_exact_in_even_light(baseline)
+
+
+def test_gathers_of_the_baseline_converge_to_the_marched_first_order() -> None:
+    # A second method: the first order marched, on another rule. What is left at so many directions
+    # is the small table's interpolation; 512 directions are off by 6 %.
+    table, places = work.first_order((32, 64, 16, 8)), work.places(3, lit_air=True)
+    scattering = work.whole_air().scattering[0]
+    got = plain.gather(
+        table.values, places, table.layout.grid, scattering, work.AIR[1], (256, 64)
+    )  # fmt: skip
+    assert_allclose(got, work.true_gather(places, 24), rtol=0.03)
+
+
+def test_every_benchmark_is_collected() -> None:
+    # each bench_*.py gives at least one; the command is the one in benchmarks/README.md
+    done = subprocess.run(
+        [sys.executable, "-m", "pytest", "benchmarks", "--collect-only", "-q"],
+        cwd=ROOT, capture_output=True, text=True, timeout=60, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout + done.stderr
+    for file in sorted((ROOT / "benchmarks").glob("bench_*.py")):
+        assert f"benchmarks/{file.name}::test_" in done.stdout
+    assert done.stdout.count("::test_") > 30
