@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -103,7 +104,7 @@ def solve_orders(
             each.append(gathered)
         total = linear if total is None else total + linear
         count += 1
-        from_sky = work.ground(count)
+        from_sky = work.from_sky  # A⁽ᵏ⁾, lit by the order before
         ground = ground + from_sky
         each_ground.append(from_sky)
         residual = _share(linear, total, medium.wavelengths.size)
@@ -159,9 +160,9 @@ class _Passes:
         self.incoming = np.empty((self.axes.radii, suns.size, medium.wavelengths.size, nz, na))
         self.from_sky = np.zeros_like(lit)
 
-    def _all_radii(self, message: str, one: object) -> None:
+    def _all_radii(self, message: str, one: Callable[[int], None]) -> None:
         run_blocks(
-            one,  # type: ignore[arg-type]
+            one,
             self.axes.radii,
             cancel=self.cancel,
             progress=self.progress,
@@ -204,9 +205,6 @@ class _Passes:
 
         self._all_radii(f"gather {order}", one)
         return out
-
-    def ground(self, order: int) -> FloatArray:
-        return self.from_sky
 
     def next(self, gathered: FloatArray, order: int) -> FloatArray:
         """S⁽ᵏ⁾ + A⁽ᵏ⁾·T from G⁽ᵏ⁻¹⁾; as printed, D stands in for A⁽²⁾."""
