@@ -208,3 +208,11 @@ def test_the_report_says_how_on_one_line(solution: MomentsSolution) -> None:
     assert f"{solution.report.sweeps} sweeps" in text
     assert "moments" in text
     assert len(solution.report.residual) == 3
+
+
+@pytest.mark.parametrize("solver", ["moments", "direct", "montecarlo"])
+@pytest.mark.parametrize("quality", ["best", 3, None, object()])
+def test_every_solver_refuses_what_is_no_quality_of_its_own(solver: str, quality: object) -> None:
+    # Another solver's settings, numbers and unknown names would fail later and in other words.
+    with pytest.raises(ParameterError, match="quality"):
+        solve(load_planet("earth"), [550.0], quality, solver=solver)

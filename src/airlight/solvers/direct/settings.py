@@ -6,6 +6,7 @@ from dataclasses import asdict, dataclass
 from typing import Final
 
 from airlight.errors import ParameterError
+from airlight.solvers.quality import settings_by_name
 
 #: What the table of gathered light is laid out on.
 MAPPINGS: Final = ("angle", "bruneton", "linear", "power", "weighted-power")
@@ -135,15 +136,11 @@ ATMOSPHERE_PLUS: Final = Settings(
 
 
 def settings_for(quality: str | Settings) -> Settings:
-    """The settings of a named quality level.
+    """The settings of a named quality level, or settings as they are.
 
     Raises
     ------
     ParameterError
         If the name is not one of ``QUALITIES``.
     """
-    if isinstance(quality, Settings):
-        return quality
-    if quality not in QUALITIES:
-        raise ParameterError("quality", quality, ", ".join(QUALITIES))
-    return QUALITIES[quality]
+    return settings_by_name(quality, QUALITIES)

@@ -6,6 +6,7 @@ from dataclasses import asdict, dataclass
 from typing import Final
 
 from airlight.errors import ParameterError
+from airlight.solvers.quality import settings_by_name
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -61,15 +62,11 @@ QUALITIES: Final = {
 
 
 def settings_for(quality: str | Settings) -> Settings:
-    """The settings of a named quality level.
+    """The settings of a named quality level, or settings as they are.
 
     Raises
     ------
     ParameterError
         If the name is not one of ``QUALITIES``.
     """
-    if isinstance(quality, Settings):
-        return quality
-    if not isinstance(quality, str) or quality not in QUALITIES:
-        raise ParameterError("quality", quality, ", ".join(QUALITIES))
-    return QUALITIES[quality]
+    return settings_by_name(quality, QUALITIES)

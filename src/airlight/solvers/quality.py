@@ -1,0 +1,36 @@
+"""Quality levels by name: what every solver's settings have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TypeVar
+
+from airlight.errors import ParameterError
+
+S = TypeVar("S")
+
+
+def settings_by_name(quality: str | S, known: Mapping[str, S]) -> S:
+    """Settings as they are given, or those of a named quality level.
+
+    Parameters
+    ----------
+    quality : str or Settings
+    known : mapping of str to Settings
+        A solver's quality levels.
+
+    Raises
+    ------
+    ParameterError
+        If it is neither one of these names nor settings of that solver.
+
+    Examples
+    --------
+    >>> settings_by_name("fine", {"default": 1, "fine": 2}), settings_by_name(7, {"default": 1})
+    (2, 7)
+    """
+    if isinstance(quality, type(next(iter(known.values())))):
+        return quality
+    if not isinstance(quality, str) or quality not in known:
+        raise ParameterError("quality", quality, ", ".join(known))
+    return known[quality]
