@@ -10,10 +10,13 @@ import numpy.typing as npt
 
 from airlight.errors import ParameterError
 from airlight.optics import king_factor, rayleigh, refractive_index
+from airlight.planets.matter import Absorber
 from airlight.planets.parameters import MISSING, between, parameters
+from airlight.planets.phases import Rayleigh
 from airlight.planets.spectral import (
     EVERYWHERE,
     Limits,
+    PerWavelength,
     Spectral,
     spectral,
     spectral_at,
@@ -78,6 +81,13 @@ def _density_of_state(
     return implied if density is None else density
 
 
+def rayleigh_of(depolarisations: FloatArray, wavelengths: npt.ArrayLike) -> Rayleigh:
+    """Molecules with a depolarisation factor, shape (nl,), at each wavelength [nm]. [1]"""
+    nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+    values = tuple(np.broadcast_to(depolarisations, nm.shape).tolist())
+    return Rayleigh(depolarisation=PerWavelength(wavelengths=tuple(nm.tolist()), values=values))
+
+
 @parameters
 class GasScattering:
     """Rayleigh scattering by a known gas.
@@ -119,6 +129,10 @@ class GasScattering:
             wavelengths, gas.refractivity(wavelengths), measured, gas.king_factor(wavelengths)
         )
         return sigma * _density_of_state(self.number_density, self.temperature, self.pressure)
+
+    def phase_function(self, wavelengths: npt.ArrayLike) -> Rayleigh:
+        """Its phase function, known at these wavelengths [nm], shape (nl,)."""
+        return rayleigh_of(self.depolarisations(wavelengths), wavelengths)
 
     def depolarisations(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """Depolarisation factor, shape (nl,). [1]"""
@@ -188,13 +202,17 @@ class RefractiveScattering:
         )
         return sigma * ground
 
+    def phase_function(self, wavelengths: npt.ArrayLike) -> Rayleigh:
+        """Its phase function, known at these wavelengths [nm], shape (nl,)."""
+        return rayleigh_of(self.depolarisations(wavelengths), wavelengths)
+
     def depolarisations(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """Depolarisation factor, shape (nl,). [1]"""
         return rayleigh.depolarisation_from_king_factor(self._king_factors(wavelengths))
 
 
 @parameters
-class OzoneAbsorption:
+class OzoneAbsorption(Absorber):
     """Absorption by ozone of a given column, however the profile spreads it.
 
     Parameters

@@ -106,7 +106,9 @@ class Medium:
             top_radius=planet.top_radius,
             wavelengths=nm,
             names=tuple(one.name for one in constituents),
-            scattering=np.stack([one.scattering_coefficients(nm) for one in constituents]),
+            scattering=np.stack(
+                [one.scattering_coefficients(nm, planet.thickness) for one in constituents]
+            ),
             absorption=np.stack(
                 [one.absorption_coefficients(nm, planet.thickness) for one in constituents]
             ),

@@ -8,8 +8,9 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ParameterError
-from airlight.planets.gases import GasScattering, OzoneAbsorption, RefractiveScattering
+from airlight.planets.gases import GasScattering, RefractiveScattering
 from airlight.planets.ground_and_star import Ground, Star
+from airlight.planets.matter import Absorber, Matter
 from airlight.planets.parameters import (
     MISSING,
     all_between,
@@ -54,7 +55,7 @@ _PHASES = (Rayleigh, CornetteShanks, HenyeyGreenstein, DoubleHenyeyGreenstein, T
 
 def _coefficient(value: object, field: str) -> object:
     """A given coefficient in its range; a gas has checked itself."""
-    if isinstance(value, (GasScattering, RefractiveScattering, OzoneAbsorption)):
+    if isinstance(value, (GasScattering, RefractiveScattering, Absorber)):
         return value
     return check_spectral(value, field, 0.0, LARGEST_COEFFICIENT, "/m")
 
@@ -71,10 +72,13 @@ class Constituent:
         Relative density over altitude.
     scattering : float, PerWavelength, GasScattering or RefractiveScattering
         Coefficient at relative density 1, 0 to 1. [m⁻¹]
-    absorption : float, PerWavelength or OzoneAbsorption
+    absorption : float, PerWavelength or Absorber
         Coefficient at relative density 1, 0 to 1. [m⁻¹]
     phase_function : Rayleigh, CornetteShanks, …, optional
-        Needed if it scatters; a gas has its own if none is given.
+        Needed if it scatters; a gas and ``matter`` have their own, which one given here replaces.
+    matter : Matter, optional
+        What it is made of, a gas mixture or particles; then ``scattering`` is not given, and
+        ``absorption`` comes on top of the matter's own.
 
     Notes
     -----
@@ -88,17 +92,21 @@ class Constituent:
         Spectral | GasScattering | RefractiveScattering,
         instance_of(int, float, PerWavelength, GasScattering, RefractiveScattering),
     ] = 0.0
-    absorption: Annotated[
-        Spectral | OzoneAbsorption, instance_of(int, float, PerWavelength, OzoneAbsorption)
-    ] = 0.0
+    absorption: Annotated[Spectral | Absorber, instance_of(int, float, PerWavelength, Absorber)] = (
+        0.0
+    )
     phase_function: Annotated[PhaseFunction, instance_of(*_PHASES)] | None = None
+    matter: Annotated[Matter, instance_of(Matter)] | None = None
 
     def __post_init__(self) -> None:
         if not 1 <= len(self.name) <= 60:
             raise ParameterError("name", self.name, "1 to 60 letters")
         _coefficient(self.scattering, "scattering")
         _coefficient(self.absorption, "absorption")
-        if self.scatters and not self._is_gas and self.phase_function is None:
+        if self.matter is not None and self.scattering != 0.0:
+            raise ParameterError("scattering", self.scattering, "none beside matter")
+        own = self._is_gas or self.matter is not None
+        if self.scatters and not own and self.phase_function is None:
             raise ParameterError("phase_function", MISSING, "one, since it scatters")
 
     @property
@@ -110,7 +118,7 @@ class Constituent:
         """Whether any light is scattered at any wavelength."""
         if isinstance(self.scattering, PerWavelength):
             return any(value > 0.0 for value in self.scattering.values)
-        return self._is_gas or self.scattering != 0.0
+        return self._is_gas or self.matter is not None or self.scattering != 0.0
 
     @property
     def _follows_fourth_power(self) -> bool:
@@ -124,7 +132,9 @@ class Constituent:
             limits.append(self.scattering.limits)
         elif not self._follows_fourth_power:
             limits.append(spectral_limits(self.scattering))
-        if isinstance(self.absorption, OzoneAbsorption):
+        if self.matter is not None:
+            limits.append(self.matter.limits)
+        if isinstance(self.absorption, Absorber):
             limits.append(self.absorption.limits)
         else:
             limits.append(spectral_limits(self.absorption))
@@ -132,8 +142,18 @@ class Constituent:
             limits.append(self.phase_function.limits)
         return narrowest(limits)
 
-    def scattering_coefficients(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """Scattering coefficient at relative density 1, shape (nl,). [m⁻¹]"""
+    def scattering_coefficients(self, wavelengths: npt.ArrayLike, thickness: float) -> FloatArray:
+        """Scattering coefficient at relative density 1, shape (nl,). [m⁻¹]
+
+        Parameters
+        ----------
+        wavelengths : array, shape (nl,)
+            [nm]
+        thickness : float
+            Of the shell, over which an optical depth is spread. [m]
+        """
+        if self.matter is not None:
+            return self.matter.scattering_coefficients(wavelengths, self._column(thickness))
         if isinstance(self.scattering, (GasScattering, RefractiveScattering)):
             return self.scattering.coefficients(wavelengths)
         if self._follows_fourth_power and isinstance(self.scattering, PerWavelength):
@@ -145,19 +165,26 @@ class Constituent:
 
         Parameters
         ----------
-        wavelengths : array, shape (nl,)
-            [nm]
-        thickness : float
-            Of the shell, over which a column of gas is spread. [m]
+        wavelengths, thickness
+            As for ``scattering_coefficients``; a column of gas is spread over the shell too.
+            [nm], [m]
         """
-        if not isinstance(self.absorption, OzoneAbsorption):
-            return spectral_at(self.absorption, wavelengths)
+        if isinstance(self.absorption, Absorber):
+            total = self.absorption.coefficients(wavelengths, self._column(thickness))
+        else:
+            total = spectral_at(self.absorption, wavelengths)
+        if self.matter is not None:
+            column = self._column(thickness)
+            total = total + self.matter.absorption_coefficients(wavelengths, column)
+        return total
+
+    def _column(self, thickness: float) -> float:
         column = self.profile.column(thickness)
         if not column > 0.0:
             raise ParameterError(
                 "profile", self.profile, "one that is not 0 everywhere in the shell"
             )
-        return self.absorption.coefficients(wavelengths, column)
+        return column
 
     def phase_values(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
         """Phase function, shape of nu (...) and wavelengths (nl,) to (..., nl). [sr⁻¹]
@@ -167,12 +194,28 @@ class Constituent:
         nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
         if not self.scatters:
             return np.zeros((*np.shape(nu), len(nm)))
+        return self.phase_function_at(nm).values(nu, nm)
+
+    def phase_function_at(self, wavelengths: npt.ArrayLike) -> PhaseFunction:
+        """The phase function given, or that of the gas or matter, known at these wavelengths.
+
+        Parameters
+        ----------
+        wavelengths : array, shape (nl,)
+            [nm]
+
+        Raises
+        ------
+        ParameterError
+            If it does not scatter.
+        """
         if self.phase_function is not None:
-            return self.phase_function.values(nu, nm)
-        assert isinstance(self.scattering, (GasScattering, RefractiveScattering))
-        delta = tuple(self.scattering.depolarisations(nm).tolist())
-        own = Rayleigh(depolarisation=PerWavelength(wavelengths=tuple(nm.tolist()), values=delta))
-        return own.values(nu, nm)
+            return self.phase_function
+        if self.matter is not None:
+            return self.matter.phase_function(wavelengths)
+        if not isinstance(self.scattering, (GasScattering, RefractiveScattering)):
+            raise ParameterError("phase_function", MISSING, "one, if it scatters")
+        return self.scattering.phase_function(wavelengths)
 
 
 @parameters

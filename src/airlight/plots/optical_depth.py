@@ -39,9 +39,9 @@ def optical_depth(planet: Planet, wavelengths: tuple[float, ...] | None = None) 
     nm = np.linspace(low, high, 501)
     parts = []
     for one in planet.constituents:
-        coefficient = one.scattering_coefficients(nm) + one.absorption_coefficients(
+        coefficient = one.scattering_coefficients(
             nm, planet.thickness
-        )
+        ) + one.absorption_coefficients(nm, planet.thickness)
         parts.append(coefficient * one.profile.column(planet.thickness))
     total = np.sum(parts, axis=0)
     figure = new_figure(

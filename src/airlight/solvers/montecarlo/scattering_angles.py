@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, inlined, kernel
 from airlight.optics.phase_functions import cornette_shanks, henyey_greenstein, rayleigh
-from airlight.planets.gases import GasScattering, RefractiveScattering
 from airlight.planets.medium import Medium
 from airlight.planets.phases import (
     SMALLEST_LOGARITHMIC,
@@ -86,13 +85,10 @@ def lobes(medium: Medium, wavelength: int) -> Lobes:
     rows: list[tuple[FloatArray, FloatArray, FloatArray]] = []
     nm = medium.wavelengths[wavelength : wavelength + 1]
     for i, one in enumerate(medium.constituents):
-        phase: Any = one.phase_function
         if not (one.scatters and medium.scattering[i, wavelength] > 0.0):
             continue
-        if phase is None and isinstance(one.scattering, (GasScattering, RefractiveScattering)):
-            kinds[i] = RAYLEIGH
-            parameters[i, 0] = one.scattering.depolarisations(nm)[0]
-        elif isinstance(phase, Rayleigh):
+        phase: Any = one.phase_function_at(nm)
+        if isinstance(phase, Rayleigh):
             kinds[i] = RAYLEIGH
             parameters[i, 0] = spectral_at(phase.depolarisation, nm)[0]
         elif isinstance(phase, HenyeyGreenstein):
