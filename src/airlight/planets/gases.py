@@ -134,6 +134,13 @@ class GasScattering:
         """Its phase function, known at these wavelengths [nm], shape (nl,)."""
         return rayleigh_of(self.depolarisations(wavelengths), wavelengths)
 
+    def refractivities(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """n - 1 at relative density 1, in proportion to the density, shape (nl,). [1]"""
+        gas = GASES[self.gas]
+        measured = rayleigh.number_density(gas.temperature, refractive_index.STANDARD_PRESSURE)
+        here = _density_of_state(self.number_density, self.temperature, self.pressure)
+        return np.asarray(gas.refractivity(wavelengths) * here / measured)
+
     def depolarisations(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """Depolarisation factor, shape (nl,). [1]"""
         factor = GASES[self.gas].king_factor(wavelengths)
@@ -205,6 +212,12 @@ class RefractiveScattering:
     def phase_function(self, wavelengths: npt.ArrayLike) -> Rayleigh:
         """Its phase function, known at these wavelengths [nm], shape (nl,)."""
         return rayleigh_of(self.depolarisations(wavelengths), wavelengths)
+
+    def refractivities(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """n - 1 at relative density 1, in proportion to the density, shape (nl,). [1]"""
+        measured = _density_of_state(self.number_density, self.temperature, self.pressure)
+        ground = measured if self.ground_number_density is None else self.ground_number_density
+        return np.asarray(spectral_at(self.refractivity, wavelengths) * ground / measured)
 
     def depolarisations(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """Depolarisation factor, shape (nl,). [1]"""

@@ -16,6 +16,7 @@ from airlight.planets.parameters import (
     all_between,
     between,
     instance_of,
+    one_of,
     parameters,
 )
 from airlight.planets.phases import (
@@ -186,6 +187,18 @@ class Constituent:
             )
         return column
 
+    def refractivities(self, wavelengths: npt.ArrayLike, thickness: float) -> FloatArray:
+        """n - 1 at relative density 1, shape (nl,); 0 for what is no gas. [1]
+
+        Parameters
+        ----------
+        wavelengths, thickness
+            As for ``scattering_coefficients``. [nm], [m]
+        """
+        if isinstance(self.scattering, (GasScattering, RefractiveScattering)):
+            return self.scattering.refractivities(wavelengths)
+        return np.zeros(np.shape(wavelengths))
+
     def phase_values(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
         """Phase function, shape of nu (...) and wavelengths (nl,) to (..., nl). [sr⁻¹]
 
@@ -236,6 +249,8 @@ class Planet:
         The wavelengths that stand for the planet where none are asked for. [nm]
     description : str, optional
         What the numbers are and where they come from, in a sentence or two.
+    refraction : str, optional
+        ``"bouguer"``: the gases bend light; ``"none"``: it goes straight.
 
     Examples
     --------
@@ -260,6 +275,7 @@ class Planet:
         None
     )
     description: str = ""
+    refraction: Annotated[str, one_of("none", "bouguer")] = "none"
 
     def __post_init__(self) -> None:
         if not 1 <= len(self.name) <= 60:
