@@ -14,9 +14,10 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.geometry.bending import bend_angle, level_light, seen_star, turned
 from airlight.geometry.path import MAX_EDGES, place_edges, shadow_edges
 from airlight.geometry.shell import radius_along
-from airlight.geometry.sun_disc import mean_cosine, sun_elevation, visible_fraction
+from airlight.geometry.sun_disc import visible_fraction
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, exponential, load, splat, store
 from airlight.solvers.moments.grid import Grid, row_of
@@ -66,6 +67,10 @@ class Light(NamedTuple):
         From ``density_table``.
     strongest, brightest : array, shape (nc,)
         Largest extinction and largest scattering of each constituent at any wavelength. [m⁻¹]
+    lift : array, shape (rows, columns, 2)
+        From ``star_lift``; of no rows where light goes straight. [1]
+    bend : float
+        Bending over impact parameter and column of the last constituent. [m⁻²]
     """
 
     grid: Grid
@@ -78,6 +83,8 @@ class Light(NamedTuple):
     density: FloatArray
     strongest: FloatArray
     brightest: FloatArray
+    lift: FloatArray
+    bend: float
 
 
 class Workspace(NamedTuple):
@@ -207,6 +214,7 @@ def march(packet, rays, orders, panels, rules, light, work):
     scattering, field, sun_table = light.scattering, light.field, light.columns
     expansion, table = light.expansion, light.density
     strongest, brightest = light.strongest, light.brightest
+    lift, bend = light.lift, light.bend
     degree = expansion.degree
     functions, here, edges, counts = work.functions, work.here, work.edges, work.counts
     rho, depths, faint = work.rho, work.depths, work.faint
@@ -248,15 +256,22 @@ def march(packet, rays, orders, panels, rules, light, work):
             q = min(max(radius[p, k], bottom), top)
             t = distance[p, k]
             w = np.float32(weight[p, k])
+            mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
             mu_sq = min(max((r * mu_s + t * nu) / q, -1.0), 1.0)
+            nu_q = nu
+            if bend > 0.0:
+                angle = bend_angle(r, mu, bend, column[p, constituents - 1, k])
+                mu_sq, nu_q = turned(mu_q, mu_sq, nu, angle)
+                mu_sq = min(max(mu_sq, -1.0), 1.0)
             for c in range(constituents):
                 rho[c] = np.float32(density[p, c, k])
                 depths[c] = np.float32(column[p, c, k])
             seen = 0.0
             if orders != 0:
-                seen = visible_fraction(sun_elevation(q, mu_sq, bottom), star_radius)
+                mu_seen, squeeze, elevation = seen_star(q, mu_sq, bottom, top, lift)
+                seen = squeeze * visible_fraction(elevation, star_radius)
                 if seen > 0.0:
-                    columns_to_top(q, mu_sq, bottom, top, sun_table, here)
+                    columns_to_top(q, mu_seen, bottom, top, sun_table, here)
             w00, w01, w10, w11 = np.float32(0.0), np.float32(0.0), np.float32(0.0), np.float32(0.0)
             a00 = 0
             depth = 0.0
@@ -264,10 +279,9 @@ def march(packet, rays, orders, panels, rules, light, work):
                 depth += brightest[c] * density[p, c, k]
             gathers = orders != 1 and depth * weight[p, k] >= faint[p]
             if gathers:
-                mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
                 legendre_functions(mu_q, expansion, functions)
                 spread = (1.0 - mu_q) * (1.0 + mu_q) * (1.0 - mu_sq) * (1.0 + mu_sq)
-                step = (nu - mu_q * mu_sq) / sqrt(max(spread, 1e-24))
+                step = (nu_q - mu_q * mu_sq) / sqrt(max(spread, 1e-24))
                 times_cosines(functions, min(max(step, -1.0), 1.0), degree)
                 x = row_of(q, bottom, top, row_table)
                 row = min(int(x), radii - 2)
@@ -346,9 +360,10 @@ def ground_light(mu_s, orders, light, work):
     """
     grid, air = light.grid, light.air
     bottom, lanes = grid.bottom_radius, air.albedo.size
-    direct = mean_cosine(mu_s, mu_s, air.star_radius)
+    top = grid.top_radius
+    mu_seen, direct = level_light(bottom, mu_s, bottom, top, air.star_radius, light.lift)
     if direct > 0.0:
-        columns_to_top(bottom, max(mu_s, 0.0), bottom, grid.top_radius, light.columns, work.here)
+        columns_to_top(bottom, mu_seen, bottom, top, light.columns, work.here)
     x = place_of(mu_s, grid.place)
     place = min(int(x), grid.sun_cosines.size - 2)
     e = np.float32(x - place)
@@ -372,12 +387,8 @@ def direct_irradiance(r, mu_s, light, work, out):
     bottom, top = light.grid.bottom_radius, light.grid.top_radius
     lanes = light.air.albedo.size
     for k in range(r.size):
-        cosine = max(mu_s[k], 0.0)
-        if r[k] <= bottom:
-            cosine = mean_cosine(mu_s[k], mu_s[k], light.air.star_radius)
-        elif mu_s[k] <= 0.0:
-            cosine = 0.0
-        columns_to_top(r[k], max(mu_s[k], 0.0), bottom, top, light.columns, work.here)
+        mu_seen, cosine = level_light(r[k], mu_s[k], bottom, top, light.air.star_radius, light.lift)
+        columns_to_top(r[k], mu_seen, bottom, top, light.columns, work.here)
         for at in range(0, lanes, LANES):
             through = through_columns(work.here, light.air.extinction, lanes, at)
             store(out[k], at, through * np.float32(cosine))
