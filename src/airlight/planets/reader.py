@@ -72,7 +72,7 @@ def load_planet(name_or_path: str | Path) -> Planet:
     if isinstance(name_or_path, str) and not there and path.suffix != ".toml":
         names = suggestion(name_or_path, planet_names())
         raise ParameterError("planet", name_or_path, f"{names}; or the path to a TOML file")
-    return read_planet(_text(path), str(path))
+    return read_planet(_text(path), str(path), path.parent)
 
 
 def _text(path: Path) -> str:
@@ -95,7 +95,7 @@ def _text(path: Path) -> str:
         raise FileError(path, f"is not UTF-8 text at byte {error.start}") from None
 
 
-def read_planet(text: str, file: str) -> Planet:
+def read_planet(text: str, file: str, folder: Path | None = None) -> Planet:
     """A planet from the text of a planet file.
 
     Parameters
@@ -104,6 +104,8 @@ def read_planet(text: str, file: str) -> Planet:
         TOML.
     file : str
         The name that errors show.
+    folder : Path, optional
+        Where files that the text names are looked for; without it, the working directory.
 
     Returns
     -------
@@ -123,7 +125,7 @@ def read_planet(text: str, file: str) -> Planet:
     except ValueError as error:  # TOMLDecodeError, and integers of thousands of digits
         raise FileError(file, f"is not TOML: {error}") from None
     try:
-        planet = _planet(Section(values))
+        planet = _planet(Section(values, folder=folder))
         Medium.from_planet(planet, planet.wavelengths)  # refuse here, where the file is known
         return planet
     except ParameterError as error:
