@@ -42,7 +42,12 @@ _KEYS: Final = (
 
 
 def read_coefficients(
-    section: Section, wavelengths: Wavelengths, profile: Profile, thickness: float
+    section: Section,
+    wavelengths: Wavelengths,
+    profile: Profile,
+    thickness: float,
+    *,
+    beside_matter: bool = False,
 ) -> tuple[Scattering, Absorption]:
     """Scattering and absorption coefficients at relative density 1.
 
@@ -56,6 +61,8 @@ def read_coefficients(
         Over whose column an optical depth is spread.
     thickness : float
         Of the shell. [m]
+    beside_matter : bool
+        Whether matter scatters; then absorption alone may be given, and nothing need be.
 
     Returns
     -------
@@ -63,6 +70,11 @@ def read_coefficients(
         As ``Constituent`` takes them. [m⁻¹]
     """
     given = tuple(sorted(key for key in _KEYS if key in section))
+    if beside_matter:
+        for key in given:
+            if key != "absorption":
+                raise ParameterError(section.name_of(key), section.raw(key), "none beside matter")
+        return 0.0, _absorption(section, wavelengths) if given else 0.0
     if given not in {tuple(sorted(form)) for form in _FORMS}:
         forms = "; ".join(" + ".join(form) for form in _FORMS)
         shown: Any = ", ".join(given) if given else MISSING

@@ -9,6 +9,7 @@ from airlight.errors import ParameterError
 from airlight.optics.gas_absorption import ozone_profile_afgl1986
 from airlight.optics.rayleigh import scale_height
 from airlight.planets.coefficient_reader import read_coefficients
+from airlight.planets.particle_reader import read_particle_matter
 from airlight.planets.phases import (
     CornetteShanks,
     DoubleHenyeyGreenstein,
@@ -53,7 +54,10 @@ def read_constituent(section: Section, thickness: float) -> Constituent:
         phase_function = _phase(
             section.section("phase_function", "a table such as { kind = 'rayleigh' }"), wavelengths
         )
-    scattering, absorption = read_coefficients(section, wavelengths, profile, thickness)
+    matter = read_particle_matter(section, wavelengths)
+    scattering, absorption = read_coefficients(
+        section, wavelengths, profile, thickness, beside_matter=matter is not None
+    )
     section.finish()
     with section.blamed():
         return Constituent(
@@ -62,6 +66,7 @@ def read_constituent(section: Section, thickness: float) -> Constituent:
             scattering=scattering,
             absorption=absorption,
             phase_function=phase_function,
+            matter=matter,
         )
 
 
