@@ -13,6 +13,11 @@ from airlight.planets.coefficient_reader import COEFFICIENT_KEYS, read_coefficie
 from airlight.planets.gas_mixture import GasMixture
 from airlight.planets.gas_reader import read_gas
 from airlight.planets.matter import Matter
+from airlight.planets.particle_reader import (
+    read_literal_turbidity,
+    read_particles,
+    read_turbidity,
+)
 from airlight.planets.phases import (
     CornetteShanks,
     DoubleHenyeyGreenstein,
@@ -77,7 +82,12 @@ def read_constituent(section: Section, thickness: float) -> Constituent:
 # --- matter -----------------------------------------------------------------------------------
 
 #: Keys that say what a constituent is made of, instead of its coefficients, and their readers.
-_MATTER: Final[dict[str, Callable[[Section, Wavelengths], Matter]]] = {"gas": read_gas}
+_MATTER: Final[dict[str, Callable[[Section, Wavelengths], Matter]]] = {
+    "gas": read_gas,
+    "particles": read_particles,
+    "turbidity": read_turbidity,
+    "turbidity_literal": read_literal_turbidity,
+}
 
 
 def _matter(section: Section, wavelengths: Wavelengths) -> Matter | None:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from airlight.errors import FileError, ParameterError
+from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.constituent_reader import read_constituent
 from airlight.planets.ground_and_star import Ground, Star
 from airlight.planets.medium import Medium
@@ -33,7 +34,9 @@ def planet_names() -> tuple[str, ...]:
     return tuple(sorted(name.removesuffix(".toml") for name in found))
 
 
-def load_planet(name_or_path: str | Path) -> Planet:
+def load_planet(
+    name_or_path: str | Path, *, progress: Progress | None = None, cancel: Cancel | None = None
+) -> Planet:
     """A planet by the name of a preset, or from a planet file.
 
     Parameters
@@ -41,6 +44,8 @@ def load_planet(name_or_path: str | Path) -> Planet:
     name_or_path : str or Path
         One of ``planet_names()``, or the path to a TOML file; ``docs/planet-files.md`` says
         what stands in one.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``: particles take seconds where they are met first.
 
     Returns
     -------
@@ -61,7 +66,12 @@ def load_planet(name_or_path: str | Path) -> Planet:
     """
     if isinstance(name_or_path, str) and name_or_path in planet_names():
         file = resources.files("airlight.planets") / "presets" / f"{name_or_path}.toml"
-        return read_planet(file.read_text(encoding="utf-8"), f"{name_or_path}.toml")
+        return read_planet(
+            file.read_text(encoding="utf-8"),
+            f"{name_or_path}.toml",
+            progress=progress,
+            cancel=cancel,
+        )
     if not isinstance(name_or_path, (str, Path)) or not str(name_or_path):
         raise ParameterError("planet", name_or_path, "a name, or the path to a TOML file")
     path = Path(name_or_path)
@@ -72,7 +82,7 @@ def load_planet(name_or_path: str | Path) -> Planet:
     if isinstance(name_or_path, str) and not there and path.suffix != ".toml":
         names = suggestion(name_or_path, planet_names())
         raise ParameterError("planet", name_or_path, f"{names}; or the path to a TOML file")
-    return read_planet(_text(path), str(path), path.parent)
+    return read_planet(_text(path), str(path), path.parent, progress=progress, cancel=cancel)
 
 
 def _text(path: Path) -> str:
@@ -95,7 +105,14 @@ def _text(path: Path) -> str:
         raise FileError(path, f"is not UTF-8 text at byte {error.start}") from None
 
 
-def read_planet(text: str, file: str, folder: Path | None = None) -> Planet:
+def read_planet(
+    text: str,
+    file: str,
+    folder: Path | None = None,
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Planet:
     """A planet from the text of a planet file.
 
     Parameters
@@ -106,6 +123,8 @@ def read_planet(text: str, file: str, folder: Path | None = None) -> Planet:
         The name that errors show.
     folder : Path, optional
         Where files that the text names are looked for; without it, the working directory.
+    progress, cancel : callable, optional
+        As for ``load_planet``.
 
     Returns
     -------
@@ -126,7 +145,8 @@ def read_planet(text: str, file: str, folder: Path | None = None) -> Planet:
         raise FileError(file, f"is not TOML: {error}") from None
     try:
         planet = _planet(Section(values, folder=folder))
-        Medium.from_planet(planet, planet.wavelengths)  # refuse here, where the file is known
+        # Refuse here, where the file is known.
+        Medium.from_planet(planet, planet.wavelengths, progress=progress, cancel=cancel)
         return planet
     except ParameterError as error:
         raise error.in_file(file) from None

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.path import shadow_edges
-from airlight.kernel import compiled_loop, source_fingerprint
+from airlight.kernel import compiled_loop, disk, source_fingerprint
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.density_profile import DensitySegments
 from airlight.planets.medium import Medium
@@ -33,7 +33,6 @@ from airlight.solvers.direct.trapezoid import sphere
 from airlight.solvers.light_paths import only_straight
 from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Report, Solution
-from airlight.tables import cache as disk
 
 FloatArray = NDArray[np.float64]
 
