@@ -17,7 +17,7 @@ from __future__ import annotations
 from math import cos, sin, sqrt
 
 from airlight.geometry.shell import horizon_cosine
-from airlight.geometry.sun_disc import mean_cosine, sun_elevation
+from airlight.geometry.sun_disc import sun_elevation, visible_fraction, visible_spread
 from airlight.kernel import inlined, kernel
 
 
@@ -127,9 +127,14 @@ def seen_star(x, mu_s, bottom, top, lift):
     return min(mu_s + raised, 1.0), squeeze, above / sine
 
 
+#: A star whose middle is higher than so many of its radii above the horizon is looked at through
+#: its middle: the two points of a lower one differ by less than 1e-3 from it in clear air.
+_HIGH = 16.0
+
+
 @inlined
-def level_light(x, mu_s, bottom, top, star_radius, lift):
-    """What a level surface receives of a star, but for the air's transmittance.
+def star_points(x, mu_s, bottom, top, star_radius, lift):
+    """What is visible of a star from a point of the air, as one or two places in the sky.
 
     Parameters
     ----------
@@ -140,19 +145,42 @@ def level_light(x, mu_s, bottom, top, star_radius, lift):
 
     Returns
     -------
-    mu_seen : float
-        Cosine of the zenith angle of what is seen of the star, at least 0. [1]
     received : float
-        Irradiance over that of a surface which faces the star outside the air. [1]
+        Irradiance of a surface that faces the star, over that outside the air, but for the air's
+        transmittance. [1]
+    low, high : float
+        Cosines of the zenith angles at which the two points of the visible part are seen that
+        stand for it, half each; the same where its height does not matter. [1]
     """
-    mu_seen, squeeze, elevation = seen_star(x, mu_s, bottom, top, lift)
-    if x > bottom:
-        # Aloft the level surface hides the half of the sky below, not the planet.
-        return max(mu_seen, 0.0), squeeze * max(mu_seen, 0.0)
-    if lift.shape[0] == 0:
-        return max(mu_s, 0.0), mean_cosine(mu_s, mu_s, star_radius)
-    # On the horizon both the height of each part of the disc and its solid angle are squeezed.
-    height = mean_cosine(elevation, elevation, star_radius)
-    if elevation >= star_radius:
-        height = mu_seen / squeeze
-    return max(mu_seen, 0.0), squeeze * squeeze * height
+    seen, squeeze, elevation = seen_star(x, mu_s, bottom, top, lift)
+    received = squeeze * visible_fraction(elevation, star_radius)
+    if received <= 0.0 or star_radius <= 0.0 or elevation > _HIGH * star_radius:
+        return received, seen, seen
+    mean, deviation = visible_spread(elevation, star_radius)
+    middle = seen + squeeze * (bottom / x) * (mean - elevation)
+    apart = squeeze * (bottom / x) * deviation
+    lowest = horizon_cosine(x, bottom)
+    return received, max(middle - apart, lowest), min(middle + apart, 1.0)
+
+
+@inlined
+def level_light(x, mu_s, bottom, top, star_radius, lift):
+    """What a level surface receives of a star, as one or two places in the sky.
+
+    Parameters
+    ----------
+    x, mu_s, bottom, top, star_radius, lift :
+        As in ``star_points``.
+
+    Returns
+    -------
+    received_low, received_high : float
+        Irradiance from either place over that of a surface which faces the star outside the air,
+        but for the air's transmittance. [1]
+    low, high : float
+        Cosines of the zenith angles at which the places are seen, at least 0. [1]
+    """
+    received, low, high = star_points(x, mu_s, bottom, top, star_radius, lift)
+    # Aloft the level surface hides the half of the sky below, not the planet.
+    low, high = max(low, 0.0), max(high, 0.0)
+    return 0.5 * received * low, 0.5 * received * high, low, high

@@ -6,8 +6,7 @@ from math import sqrt
 
 import numpy as np
 
-from airlight.geometry.bending import level_light, seen_star
-from airlight.geometry.sun_disc import visible_fraction
+from airlight.geometry.bending import level_light, star_points
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
 from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate
@@ -134,18 +133,15 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, lift, o
                 for k in range(points):
                     q = ray_radii[first + k]
                     mu_sk = min(max(turn[k, 0] * mu_s + turn[k, 1] * nu, -1.0), 1.0)
-                    mu_seen, squeeze, elevation = seen_star(q, mu_sk, bottom, top, lift)
-                    seen = squeeze * visible_fraction(elevation, star_radius)
+                    seen, low, high = star_points(q, mu_sk, bottom, top, star_radius, lift)
                     if seen <= 0.0:
                         continue
-                    x = direction_coordinate(q, mu_seen, bottom, top) * (directions - 1)
-                    place = min(int(x), directions - 2)
-                    f = x - place
-                    for c in range(constituents):
-                        here[c] = (
-                            sun_columns[k, place, c] * (1.0 - f) + sun_columns[k, place + 1, c] * f
-                        )
-                    light = exponential(0.0 - optical_depth(here, 0, extinction, constituents))
+                    x = direction_coordinate(q, low, bottom, top) * (directions - 1)
+                    light = through_row(sun_columns[k], x, extinction, here)
+                    if high > low:
+                        x = direction_coordinate(q, high, bottom, top) * (directions - 1)
+                        light = light + through_row(sun_columns[k], x, extinction, here)
+                        light = light * np.float32(0.5)
                     source = splat(0.0)
                     for c in range(constituents):
                         source = source + load(phase, LANES * c) * load(
@@ -168,14 +164,21 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, lift, o
 
 
 @inlined
+def through_row(columns, x, extinction, here):
+    """Transmittance of eight wavelengths at a place between the columns of one row. [1]"""
+    place = min(int(x), columns.shape[0] - 2)
+    f = x - place
+    for c in range(columns.shape[1]):
+        here[c] = columns[place, c] * (1.0 - f) + columns[place + 1, c] * f
+    return exponential(0.0 - optical_depth(here, 0, extinction, columns.shape[1]))
+
+
+@inlined
 def direct_light(mu_s, bottom, top, star_radius, extinction, ground_columns, lift, here):
     """Irradiance of level ground by the star itself, per irradiance at the top. [1]"""
-    mu_seen, received = level_light(bottom, mu_s, bottom, top, star_radius, lift)
-    x = direction_coordinate(bottom, mu_seen, bottom, top) * (ground_columns.shape[0] - 1)
-    place = min(int(x), ground_columns.shape[0] - 2)
-    f = x - place
-    constituents = ground_columns.shape[1]
-    for c in range(constituents):
-        here[c] = ground_columns[place, c] * (1.0 - f) + ground_columns[place + 1, c] * f
-    light = exponential(0.0 - optical_depth(here, 0, extinction, constituents))
-    return light * np.float32(received)
+    from_low, from_high, low, high = level_light(bottom, mu_s, bottom, top, star_radius, lift)
+    directions = ground_columns.shape[0] - 1
+    x = direction_coordinate(bottom, low, bottom, top) * directions
+    light = through_row(ground_columns, x, extinction, here) * np.float32(from_low)
+    x = direction_coordinate(bottom, high, bottom, top) * directions
+    return light + through_row(ground_columns, x, extinction, here) * np.float32(from_high)
