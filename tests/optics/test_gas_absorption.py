@@ -31,8 +31,8 @@ def test_345_dobson_units_have_the_golden_optical_depths():
 
 def test_the_ozone_profile_is_the_printed_table():
     # AFGL U.S. Standard, Table 1f: 1e11 per cm³ at km, every printed digit
-    printed = """0 6.78 · 5 5.78 · 10 11.3 · 15 26.4 · 20 47.7 · 22 49.0 · 25 42.7 · 30 25.1 · 35 13.8
-        · 40 6.07 · 45 2.15 · 50 0.662 · 60 0.0707 · 70 0.00517"""
+    printed = """0 6.78 · 5 5.78 · 10 11.3 · 15 26.4 · 20 47.7 · 22 49.0 · 25 42.7 · 30 25.1
+        · 35 13.8 · 40 6.07 · 45 2.15 · 50 0.662 · 60 0.0707 · 70 0.00517"""
     table = np.array([row.split() for row in printed.split("·")], dtype=np.float64)
     altitudes, densities = ozone_profile_afgl1986()
     assert_allclose(altitudes, 1e3 * table[:, 0], rtol=0)
