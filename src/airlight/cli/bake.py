@@ -109,7 +109,8 @@ def bake(
     texels = None if size is None else _size(size, layout)
     number = _order(order, cumulative)
     check_folder(output)
-    world = load_planet(planet)
+    with shown_progress() as report:
+        world = load_planet(planet, progress=report)
     nm = options.wavelengths(wavelengths, world)
 
     from airlight.solvers import solve

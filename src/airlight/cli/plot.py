@@ -97,7 +97,8 @@ def plot(
     if not _DPI[0] <= dpi <= _DPI[1]:
         raise ParameterError("--dpi", dpi, f"{_DPI[0]:g} to {_DPI[1]:g}")
     require_matplotlib()
-    world = load_planet(planet)
+    with shown_progress() as report:
+        world = load_planet(planet, progress=report)
     choices = Choices(
         wavelengths=None if wavelengths is None else options.wavelengths(wavelengths, world),
         sun_zenith=None if sun_zenith is None else options.angle(sun_zenith, "--sun-zenith"),

@@ -133,7 +133,8 @@ def radiance(
 
     from airlight.planets import load_planet
 
-    world = load_planet(planet)
+    with shown_progress() as report:
+        world = load_planet(planet, progress=report)
     nm = world.wavelengths if wavelengths is None else options.wavelengths(wavelengths, world)
     sampled = solver == "montecarlo"
     columns = radiance_columns(nm) + (error_columns(nm) if sampled else [])

@@ -114,7 +114,8 @@ def render(
     picture_suffix(output)
     ev = options.exposure(exposure)
     _check_tone_map(tone_map)
-    world = load_planet(planet)
+    with shown_progress() as report:
+        world = load_planet(planet, progress=report)
     height = options.length(altitude, "--altitude")
     sun = options.angle(sun_zenith, "--sun-zenith")
     if look is not None and look_at is not None:

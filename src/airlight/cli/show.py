@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from airlight.cli import options
 from airlight.cli.examples import examples
+from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
 
 if TYPE_CHECKING:
@@ -35,7 +36,8 @@ def show(planet: options.Planet_, no_cache: options.NoCache = False) -> None:
 
     from airlight.planets import Medium, load_planet
 
-    world = load_planet(planet)
+    with shown_progress() as report:
+        world = load_planet(planet, progress=report)
     medium = Medium.from_planet(world, world.wavelengths)
     console = Console()
     console.print(_overview(world, medium), end="\n\n")
@@ -165,7 +167,6 @@ def _swatch(planet: Planet, *, cache: bool) -> RenderableType:
 def _sky_colors(planet: Planet, *, cache: bool) -> NDArray[np.uint8]:
     import numpy as np
 
-    from airlight.cli.progress import shown_progress
     from airlight.color.display import to_display
     from airlight.color.spectral import rgb_weights
     from airlight.solvers import solve
