@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Mapping
 from functools import cache
 from importlib import resources
 from pathlib import Path
@@ -12,6 +13,7 @@ from airlight.errors import FileError, ParameterError
 from airlight.planets.constituent_reader import read_constituent
 from airlight.planets.ground_and_star import Ground, Star
 from airlight.planets.medium import Medium
+from airlight.planets.overrides import overridden, with_hint
 from airlight.planets.planet import Planet
 from airlight.planets.toml_section import Section, suggestion
 
@@ -33,7 +35,7 @@ def planet_names() -> tuple[str, ...]:
     return tuple(sorted(name.removesuffix(".toml") for name in found))
 
 
-def load_planet(name_or_path: str | Path) -> Planet:
+def load_planet(name_or_path: str | Path, overrides: Mapping[str, Any] | None = None) -> Planet:
     """A planet by the name of a preset, or from a planet file.
 
     Parameters
@@ -41,6 +43,9 @@ def load_planet(name_or_path: str | Path) -> Planet:
     name_or_path : str or Path
         One of ``planet_names()``, or the path to a TOML file; ``docs/planet-files.md`` says
         what stands in one.
+    overrides : mapping, optional
+        Keys of the file that are changed before it is read, from path to value: constituents by
+        name, values as the file would hold them, None to take a key away.
 
     Returns
     -------
@@ -58,10 +63,12 @@ def load_planet(name_or_path: str | Path) -> Planet:
     --------
     >>> load_planet("earth-atmosphere-plus").top_radius
     6460000.0
+    >>> load_planet("earth", {"ground.albedo": 0.3, "shell.top_radius": "6500 km"}).ground.albedo
+    0.3
     """
     if isinstance(name_or_path, str) and name_or_path in planet_names():
         file = resources.files("airlight.planets") / "presets" / f"{name_or_path}.toml"
-        return read_planet(file.read_text(encoding="utf-8"), f"{name_or_path}.toml")
+        return read_planet(file.read_text(encoding="utf-8"), f"{name_or_path}.toml", overrides)
     if not isinstance(name_or_path, (str, Path)) or not str(name_or_path):
         raise ParameterError("planet", name_or_path, "a name, or the path to a TOML file")
     path = Path(name_or_path)
@@ -72,7 +79,7 @@ def load_planet(name_or_path: str | Path) -> Planet:
     if isinstance(name_or_path, str) and not there and path.suffix != ".toml":
         names = suggestion(name_or_path, planet_names())
         raise ParameterError("planet", name_or_path, f"{names}; or the path to a TOML file")
-    return read_planet(_text(path), str(path))
+    return read_planet(_text(path), str(path), overrides)
 
 
 def _text(path: Path) -> str:
@@ -95,7 +102,7 @@ def _text(path: Path) -> str:
         raise FileError(path, f"is not UTF-8 text at byte {error.start}") from None
 
 
-def read_planet(text: str, file: str) -> Planet:
+def read_planet(text: str, file: str, overrides: Mapping[str, Any] | None = None) -> Planet:
     """A planet from the text of a planet file.
 
     Parameters
@@ -104,6 +111,8 @@ def read_planet(text: str, file: str) -> Planet:
         TOML.
     file : str
         The name that errors show.
+    overrides : mapping, optional
+        As for ``load_planet``.
 
     Returns
     -------
@@ -123,10 +132,13 @@ def read_planet(text: str, file: str) -> Planet:
     except ValueError as error:  # TOMLDecodeError, and integers of thousands of digits
         raise FileError(file, f"is not TOML: {error}") from None
     try:
-        planet = _planet(Section(values))
+        changed = overridden(values, overrides) if overrides is not None else values
+        planet = _planet(Section(changed))
         Medium.from_planet(planet, planet.wavelengths)  # refuse here, where the file is known
         return planet
     except ParameterError as error:
+        if overrides:
+            error = with_hint(error, values, overrides)
         raise error.in_file(file) from None
 
 
