@@ -1,4 +1,7 @@
-"""Refractivity n - 1 of gases, each at the state it was measured at."""
+"""Refractivity n - 1 of air and carbon dioxide, each at the state it was measured at.
+
+Those of other gases are in ``element_refractivity`` and ``compound_refractivity``.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +25,7 @@ AIR_RANGE: Final = (230.0, 1690.0)
 CO2_RANGE: Final = (180.7, 1694.5)
 
 
-def _inverse_square_um(wavelengths: npt.ArrayLike, fitted: tuple[float, float]) -> FloatArray:
+def inverse_square_um(wavelengths: npt.ArrayLike, fitted: tuple[float, float]) -> FloatArray:
     """σ² = 1/λ² of vacuum wavelengths, after a check of the fitted range. [µm⁻²]"""
     nm = np.asarray(wavelengths, dtype=np.float64)
     outside = ~((nm >= fitted[0]) & (nm <= fitted[1]))
@@ -62,7 +65,7 @@ def air_refractivity_peck1972(wavelengths: npt.ArrayLike) -> FloatArray:
     >>> f"{1e8 * air_refractivity_peck1972(644.02492):.3f}"  # Table III: 27638.092
     '27638.092'
     """
-    s2 = _inverse_square_um(wavelengths, AIR_RANGE)
+    s2 = inverse_square_um(wavelengths, AIR_RANGE)
     return np.asarray(1e-8 * (5_791_817.0 / (238.0185 - s2) + 167_909.0 / (57.362 - s2)))
 
 
@@ -99,7 +102,7 @@ def co2_refractivity_bideau_mehu1973(wavelengths: npt.ArrayLike) -> FloatArray:
     >>> f"{co2_refractivity_bideau_mehu1973(550.0):.8f}"
     '0.00045019'
     """
-    s2 = _inverse_square_um(wavelengths, CO2_RANGE)
+    s2 = inverse_square_um(wavelengths, CO2_RANGE)
     return np.asarray(
         6.99100e-2 / (166.175 - s2)
         + 1.44720e-3 / (79.609 - s2)

@@ -32,7 +32,8 @@ _FORMS: Final = (
     ("extinction", "single_scattering_albedo"),
     ("optical_depth", "single_scattering_albedo"),
 )
-_KEYS: Final = (
+#: Every key of a constituent that gives a coefficient.
+COEFFICIENT_KEYS: Final = (
     "scattering",
     "absorption",
     "extinction",
@@ -62,7 +63,7 @@ def read_coefficients(
     scattering, absorption
         As ``Constituent`` takes them. [m⁻¹]
     """
-    given = tuple(sorted(key for key in _KEYS if key in section))
+    given = tuple(sorted(key for key in COEFFICIENT_KEYS if key in section))
     if given not in {tuple(sorted(form)) for form in _FORMS}:
         forms = "; ".join(" + ".join(form) for form in _FORMS)
         shown: Any = ", ".join(given) if given else MISSING
@@ -81,7 +82,7 @@ def read_coefficients(
         return scattering, _combined(
             _absorption_beside, wavelengths, section, "absorption", scattering, albedo
         )
-    return scattering, _absorption(section, wavelengths) if "absorption" in given else 0.0
+    return scattering, read_absorption(section, wavelengths)
 
 
 def _from_extinction(
@@ -216,7 +217,18 @@ def _number_density(gas: Section) -> float | None:
     return number_density_from_mass(mass_density, molar_mass)
 
 
-def _absorption(section: Section, wavelengths: Wavelengths) -> Absorption:
+def read_absorption(section: Section, wavelengths: Wavelengths) -> Absorption:
+    """Absorption coefficient at relative density 1, 0 if none is given.
+
+    Parameters
+    ----------
+    section : Section
+        The constituent's table.
+    wavelengths : tuple of float or None
+        Those that its lists belong to. [nm]
+    """
+    if "absorption" not in section:
+        return 0.0
     if not isinstance(section.raw("absorption"), dict):
         return section.spectral("absorption", "1/m", "0.65e-6 /m", wavelengths)
     gas = section.section("absorption", "a coefficient or a table such as { ozone = '345 DU' }")

@@ -8,7 +8,14 @@ from typing import Final
 from airlight.errors import ParameterError
 from airlight.optics.gas_absorption import ozone_profile_afgl1986
 from airlight.optics.rayleigh import scale_height
-from airlight.planets.coefficient_reader import read_coefficients
+from airlight.planets.coefficient_reader import (
+    COEFFICIENT_KEYS,
+    read_absorption,
+    read_coefficients,
+)
+from airlight.planets.gas_mixture import GasMixture
+from airlight.planets.gas_reader import read_gas
+from airlight.planets.matter import Matter
 from airlight.planets.phases import (
     CornetteShanks,
     DoubleHenyeyGreenstein,
@@ -47,13 +54,17 @@ def read_constituent(section: Section, thickness: float) -> Constituent:
     """
     name = section.text("name", "a name of its own")
     wavelengths = section.wavelengths()
-    profile = _profile(section.section("profile", "a table such as { kind = 'exponential', … }"))
+    matter = _matter(section, wavelengths)
+    profile = _profile_of(section, matter)
     phase_function = None
     if "phase_function" in section:
         phase_function = _phase(
             section.section("phase_function", "a table such as { kind = 'rayleigh' }"), wavelengths
         )
-    scattering, absorption = read_coefficients(section, wavelengths, profile, thickness)
+    if matter is None:
+        scattering, absorption = read_coefficients(section, wavelengths, profile, thickness)
+    else:
+        scattering, absorption = 0.0, read_absorption(section, wavelengths)
     section.finish()
     with section.blamed():
         return Constituent(
@@ -62,7 +73,35 @@ def read_constituent(section: Section, thickness: float) -> Constituent:
             scattering=scattering,
             absorption=absorption,
             phase_function=phase_function,
+            matter=matter,
         )
+
+
+# --- matter -----------------------------------------------------------------------------------
+
+#: Keys that say what a constituent is made of, instead of its coefficients, and their readers.
+_MATTER: Final[dict[str, Callable[[Section, Wavelengths], Matter]]] = {"gas": read_gas}
+
+
+def _matter(section: Section, wavelengths: Wavelengths) -> Matter | None:
+    """What the constituent is made of, if it says so; beside it only absorption is given."""
+    given = [key for key in _MATTER if key in section]
+    if not given:
+        return None
+    for key in (*given[1:], *COEFFICIENT_KEYS):
+        if key != "absorption" and key in section:
+            raise ParameterError(
+                section.name_of(key), section.raw(key), f"none beside {given[0]!r}"
+            )
+    return _MATTER[given[0]](section, wavelengths)
+
+
+def _profile_of(section: Section, matter: Matter | None) -> Profile:
+    """The profile given, or the exponential that temperature and gravity give to a gas."""
+    if isinstance(matter, GasMixture) and "profile" not in section:
+        with section.blamed(), Section({}, section.name_of("gas")).blamed():
+            return Exponential(scale_height=matter.scale_height)
+    return _profile(section.section("profile", "a table such as { kind = 'exponential', … }"))
 
 
 # --- profiles ---------------------------------------------------------------------------------

@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from airlight.errors import ParameterError
 from airlight.optics import king_factor, rayleigh, refractive_index
+from airlight.optics.lorentz_lorenz import refractivity_at
 from airlight.planets.matter import Absorber
 from airlight.planets.parameters import MISSING, between, parameters
 from airlight.planets.phases import Rayleigh
@@ -58,10 +59,23 @@ GASES: Final = {
 }
 
 
-def _density_of_state(
+def density_of_state(
     density: float | None, temperature: float | None, pressure: float | None
 ) -> float:
-    """The number density given or implied; refused if it is missing or said twice differently."""
+    """The number density given or implied; refused if it is missing or said twice differently.
+
+    Parameters
+    ----------
+    density : float or None
+        [m⁻³]
+    temperature, pressure : float or None
+        Both or neither. [K], [Pa]
+
+    Returns
+    -------
+    float
+        [m⁻³]
+    """
     if (temperature is None) != (pressure is None):
         missing = "temperature" if temperature is None else "pressure"
         raise ParameterError(missing, MISSING, "temperature and pressure, both or neither")
@@ -114,7 +128,7 @@ class GasScattering:
     pressure: _Pressure | None = None
 
     def __post_init__(self) -> None:
-        _density_of_state(self.number_density, self.temperature, self.pressure)
+        density_of_state(self.number_density, self.temperature, self.pressure)
 
     @property
     def limits(self) -> Limits:
@@ -128,7 +142,14 @@ class GasScattering:
         sigma = rayleigh.cross_section(
             wavelengths, gas.refractivity(wavelengths), measured, gas.king_factor(wavelengths)
         )
-        return sigma * _density_of_state(self.number_density, self.temperature, self.pressure)
+        return sigma * density_of_state(self.number_density, self.temperature, self.pressure)
+
+    def refractivities(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """n - 1 at relative density 1, shape (nl,). [1]"""
+        gas = GASES[self.gas]
+        measured = rayleigh.number_density(gas.temperature, refractive_index.STANDARD_PRESSURE)
+        density = density_of_state(self.number_density, self.temperature, self.pressure)
+        return refractivity_at(gas.refractivity(wavelengths), measured, density)
 
     def phase_function(self, wavelengths: npt.ArrayLike) -> Rayleigh:
         """Its phase function, known at these wavelengths [nm], shape (nl,)."""
@@ -176,7 +197,7 @@ class RefractiveScattering:
     depolarisation: Annotated[Any, spectral(0.0, 0.5)] = 0.0
 
     def __post_init__(self) -> None:
-        _density_of_state(self.number_density, self.temperature, self.pressure)
+        density_of_state(self.number_density, self.temperature, self.pressure)
         if self.king_factor != 1.0 and self.depolarisation != 0.0:
             raise ParameterError("king_factor", self.king_factor, "none beside a depolarisation")
 
@@ -185,6 +206,18 @@ class RefractiveScattering:
         """The wavelengths at which it is known. [nm]"""
         return EVERYWHERE
 
+    @property
+    def _densities(self) -> tuple[float, float]:
+        """Number density of the refractivity's state, and where the relative density is 1. [m⁻³]"""
+        measured = density_of_state(self.number_density, self.temperature, self.pressure)
+        ground = self.ground_number_density
+        return measured, measured if ground is None else ground
+
+    def refractivities(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """n - 1 at relative density 1, shape (nl,). [1]"""
+        given = spectral_at(self.refractivity, wavelengths)
+        return refractivity_at(given, *self._densities)
+
     def _king_factors(self, wavelengths: npt.ArrayLike) -> FloatArray:
         delta = spectral_at(self.depolarisation, wavelengths)
         implied = rayleigh.king_factor_from_depolarisation(delta)
@@ -192,8 +225,7 @@ class RefractiveScattering:
 
     def coefficients(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """Scattering coefficient at relative density 1, shape (nl,). [m⁻¹]"""
-        measured = _density_of_state(self.number_density, self.temperature, self.pressure)
-        ground = measured if self.ground_number_density is None else self.ground_number_density
+        measured, ground = self._densities
         sigma = rayleigh.cross_section(
             wavelengths,
             spectral_at(self.refractivity, wavelengths),

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ParameterError
+from airlight.planets.gas_mixture import GasMixture
 from airlight.planets.gases import GasScattering, RefractiveScattering
 from airlight.planets.ground_and_star import Ground, Star
 from airlight.planets.matter import Absorber, Matter
@@ -177,6 +178,24 @@ class Constituent:
             column = self._column(thickness)
             total = total + self.matter.absorption_coefficients(wavelengths, column)
         return total
+
+    def refractivities(self, wavelengths: npt.ArrayLike, thickness: float) -> FloatArray:
+        """n - 1 of a gas at relative density 1, shape (nl,); 0 for anything else. [1]
+
+        Parameters
+        ----------
+        wavelengths, thickness
+            As for ``scattering_coefficients``. [nm], [m]
+
+        Raises
+        ------
+        ParameterError
+            If the gas is denser than any gas is.
+        """
+        for gas in (self.scattering, self.matter):
+            if isinstance(gas, (GasScattering, RefractiveScattering, GasMixture)):
+                return gas.refractivities(wavelengths)
+        return np.zeros(np.shape(wavelengths))
 
     def _column(self, thickness: float) -> float:
         column = self.profile.column(thickness)

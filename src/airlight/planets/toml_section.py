@@ -52,6 +52,11 @@ class Section:
         if key not in self._read:
             self._read.append(key)
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The keys that are there, for a table whose keys are names."""
+        return tuple(self._values)
+
     def raw(self, key: str) -> Any:
         """The value as the TOML parser gave it, or None."""
         self._note(key)

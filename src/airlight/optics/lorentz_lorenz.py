@@ -1,0 +1,99 @@
+"""Refractivity of a gas at another density: the Lorentz-Lorenz relation."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.errors import ParameterError
+
+FloatArray = npt.NDArray[np.float64]
+
+#: Largest specific refraction of what is called a gas here: n = 1.6.
+LARGEST_REFRACTION: Final = 0.35
+
+
+def refraction_of(refractivity: npt.ArrayLike) -> FloatArray:
+    """The quantity that adds up over molecules, (n²-1)/(n²+2).
+
+    Parameters
+    ----------
+    refractivity : array, shape (...)
+        n - 1. [1]
+
+    Returns
+    -------
+    array, shape (...)
+        [1]
+    """
+    excess = np.asarray(refractivity, dtype=np.float64)
+    squared = excess * (2.0 + excess)
+    return np.asarray(squared / (squared + 3.0))
+
+
+def refractivity_of(refraction: npt.ArrayLike) -> FloatArray:
+    """The refractivity n - 1 that belongs to (n²-1)/(n²+2): the inverse of ``refraction_of``.
+
+    Parameters
+    ----------
+    refraction : array, shape (...)
+        0 to 0.35. [1]
+
+    Returns
+    -------
+    array, shape (...)
+        n - 1, with all its digits however thin the gas. [1]
+
+    Raises
+    ------
+    ParameterError
+        If it is no gas any more.
+    """
+    value = np.asarray(refraction, dtype=np.float64)
+    if not np.all(value <= LARGEST_REFRACTION):
+        raise ParameterError(
+            "(n²-1)/(n²+2)",
+            float(np.max(value)),
+            f"0 to {LARGEST_REFRACTION:g}: the density is no gas's",
+        )
+    squared = 3.0 * value / (1.0 - value)
+    return np.asarray(squared / (1.0 + np.sqrt(1.0 + squared)))
+
+
+def refractivity_at(
+    refractivity: npt.ArrayLike, number_density: npt.ArrayLike, other_density: npt.ArrayLike
+) -> FloatArray:
+    r"""Refractivity of a gas at another density.
+
+    .. math:: \frac{n^2-1}{n^2+2} \propto N
+
+    Proportionality of n - 1 itself would err by 3e-6 of the value for air from 0 to 15 °C, by
+    0.25 % from there to the ground of Venus.
+
+    Parameters
+    ----------
+    refractivity : array, shape (...)
+        n - 1 at the first density. [1]
+    number_density, other_density : array, shape (...)
+        The first, and the one asked for. [m⁻³]
+
+    Returns
+    -------
+    array, shape (...)
+        n - 1 at the other density. [1]
+
+    Raises
+    ------
+    ParameterError
+        If the gas would be denser than any gas is.
+
+    Examples
+    --------
+    >>> f"{refractivity_at(2.7782e-4, 2.5469e25, 2.6868e25):.4e}"  # air from 15 °C to 0 °C
+    '2.9308e-04'
+    """
+    first = np.asarray(number_density, dtype=np.float64)
+    ratio = np.asarray(other_density, dtype=np.float64) / first
+    return refractivity_of(refraction_of(refractivity) * ratio)
