@@ -13,7 +13,7 @@ import pytest
 from airlight.cli import app, main
 from airlight.errors import Cancelled
 
-COMMANDS = ["planets", "show", "render", "radiance", "plot", "bake", "validate"]
+COMMANDS = ["planets", "show", "render", "radiance", "plot", "bake", "validate", "errata"]
 
 
 def error_line(capsys: pytest.CaptureFixture[str]) -> str:
