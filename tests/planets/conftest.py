@@ -1,6 +1,8 @@
-"""A planet file that is right, for tests that break it."""
+"""Planet files that are right, for tests that break them."""
 
 from __future__ import annotations
+
+from pathlib import Path
 
 import pytest
 
@@ -38,3 +40,9 @@ absorption = ["0.65e-6 /m", "1.881e-6 /m", "0.085e-6 /m"]
 def good() -> str:
     """The file of the issue, flat sunlight apart."""
     return GOOD
+
+
+@pytest.fixture
+def composed() -> str:
+    """A file by composition, with every kind of absorber."""
+    return Path(__file__).with_name("composed.toml").read_text(encoding="utf-8")

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from importlib import resources
+from pathlib import Path
 
 import numpy as np
+import pytest
 from hypothesis import HealthCheck, given, seed, settings
 from hypothesis import strategies as st
 
@@ -16,6 +19,7 @@ TEXTS = tuple(
     (resources.files("airlight.planets") / "presets" / f"{name}.toml").read_text(encoding="utf-8")
     for name in planet_names()
 )
+TEXTS += (Path(__file__).with_name("composed.toml").read_text(encoding="utf-8"),)
 NASTY = (
     *("nan", "inf", "-inf", "0", "-1", "1e308", "1e-308", "-0.0", "1e999", "9" * 400, "true"),
     *("{}", "[]", "[[]]", '""', '"nan"', '"1e400 km"', '"680, 550 nm"', '"0 nm"', '"km"', '"8 kg"'),
@@ -23,7 +27,9 @@ NASTY = (
     *('"1e-12 /m"', '"1 /m"', '"0.01 /m"', '"1e-300 /m"', '"1e-6 deg"', '"30 deg"'),
     *('"20, 30, 1e6 nm"', '"1e9 W/m^2/nm"', '"exponential"', "[1, [2]]", "[nan, nan, nan]"),
     *("1979-05-27", "0x7f", '"1 km" # ', '"\\u0000"', "[1e308, 1e308, 1e308]", "[0, 0, 0]"),
-    *('{ rayleigh = "air" }', '{ ozone = "1e30 DU" }'),
+    *('{ rayleigh = "air" }', '{ ozone = "1e30 DU" }', '"own.csv"', '"/dev/zero.csv"'),
+    *("{ composition = { N2 = 1 } }", "{ N2 = 1e308, O2 = -1e308 }", "{ CO2 = 1 }"),
+    '{ cross_section = "ozone-293k", number_density = "1e29 /m^3" }',
 )
 
 
@@ -94,13 +100,15 @@ def test_two_hundred_damaged_files_never_give_a_traceback_or_a_nan(tmp_path_fact
     check_medium(medium)
 
 
-def test_every_nasty_value_at_every_place_of_a_file(good):
+@pytest.mark.parametrize("which", ["good", "composed"])
+def test_every_nasty_value_at_every_place_of_a_file(request, which):
     # all single wounds of the value kind, none left to chance
-    for line in good.splitlines():
-        if "=" not in line:
-            continue
+    whole = request.getfixturevalue(which)
+    places = [(m.start(), m.end()) for m in re.finditer(r"(?<== )[^={}\[\]\n]+(?=[,}\n])", whole)]
+    places += [(m.start(), m.end()) for m in re.finditer(r"(?<== )[\[{].*(?=\n)", whole)]
+    for start, end in places:
         for value in NASTY:
-            text = good.replace(line, f"{line.split('=')[0]}= {value}", 1)
+            text = f"{whole[:start]}{value}{whole[end:]}"
             try:
                 planet = read_planet(text, "test.toml")
                 medium = Medium.from_planet(planet, planet.wavelengths)

@@ -5,7 +5,11 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from numpy.testing import assert_allclose
+
+from airlight.optics.molecules import MOLECULES
 from airlight.planets import Medium
+from airlight.planets.gases import GasScattering
 from airlight.planets.reader import read_planet
 
 PAGE = (Path(__file__).parents[2] / "docs" / "planet-files.md").read_text(encoding="utf-8")
@@ -16,7 +20,7 @@ def blocks(language: str) -> list[str]:
 
 
 def test_the_whole_file_of_the_page_is_read():
-    (text,) = blocks("toml")
+    text, _ = blocks("toml")
     planet = read_planet(text, "page.toml")
     assert Medium.from_planet(planet, planet.wavelengths).names == ("air", "aerosol", "ozone")
 
@@ -26,6 +30,31 @@ def test_the_python_of_the_page_runs():
     names: dict[str, object] = {}
     exec(code, names)
     assert names["dusty"].ground.albedo == 0.3
+
+
+def test_the_gas_of_the_page_scatters_what_the_page_says():
+    # the numbers printed on the page, and their difference from named air
+    whole, gas = blocks("toml")
+    start = whole.index('profile = { kind = "exponential", scale_height = "8 km" }')
+    stop = whole.index("[[constituents]]", start)
+    planet = read_planet(whole[:start] + gas + whole[stop:], "page.toml")
+    scattering = Medium.from_planet(planet, (680.0, 550.0, 440.0)).scattering[0]
+    assert_allclose(1e6 * scattering, [4.855, 11.495, 28.708], rtol=0, atol=5e-4)
+    named = GasScattering(gas="air", temperature=288.15, pressure=101_325.0)
+    percent = 100.0 * (scattering / named.coefficients([680.0, 550.0, 440.0]) - 1.0)
+    assert_allclose(percent, [0.16, 0.07, -0.01], rtol=0, atol=5e-3)
+
+
+def test_the_page_names_every_gas_with_its_limits():
+    for name, gas in MOLECULES.items():
+        assert f"| `{name}` | {gas.limits[0]:.0f}–{int(gas.limits[1])} |" in PAGE, name
+
+
+def test_the_page_names_every_absorber():
+    from airlight.planets.absorption_reader import _KINDS
+
+    for kind in _KINDS:
+        assert f"`{kind}" in PAGE
 
 
 def test_the_page_names_every_kind():

@@ -36,7 +36,7 @@ absorption = "1e-6 /m"
 
 
 def read(path, value):
-    return read_planet(FILE, "test.toml", {path: value})
+    return read_planet(FILE, "test.toml", overrides={path: value})
 
 
 def test_an_override_equals_the_same_key_edited_in_the_file():
@@ -45,7 +45,7 @@ def test_an_override_equals_the_same_key_edited_in_the_file():
     changed = read_planet(
         FILE,
         "test.toml",
-        {"air v1.2.profile.scale_height": "9 km", "ground.albedo[1]": 0.25},
+        overrides={"air v1.2.profile.scale_height": "9 km", "ground.albedo[1]": 0.25},
     )
     assert changed == read_planet(edited, "test.toml")
     assert changed != read_planet(FILE, "test.toml")
@@ -83,14 +83,16 @@ def test_none_takes_a_key_away_and_makes_room_for_another():
     # a star is an irradiance or a temperature: one must go before the other comes
     with pytest.raises(ParameterError, match="one of spectrum, irradiance, temperature"):
         read("star.spectrum", "astm-g173")
-    sun = read_planet(FILE, "t", {"star.irradiance": None, "star.spectrum": "astm-g173"}).star
+    sun = read_planet(
+        FILE, "t", overrides={"star.irradiance": None, "star.spectrum": "astm-g173"}
+    ).star
     assert sun.irradiance is None
     assert sun.spectrum == "astm-g173"
 
 
 def test_arrays_and_tables_of_python_stand_for_those_of_the_file():
     values = {"ground.albedo": np.array([0.4, 0.5, 0.6]), "constituents[1].wavelengths": (500,)}
-    changed = read_planet(FILE, "t", values)
+    changed = read_planet(FILE, "t", overrides=values)
     assert_allclose(changed.ground.albedos([680.0, 550.0, 440.0]), [0.4, 0.5, 0.6], rtol=1e-15)
     profile = {"kind": "tent", "center": "25 km", "half_width": "15 km"}
     assert read("constituents[1].profile", profile).constituents[1].profile.half_width == 15e3

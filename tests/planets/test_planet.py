@@ -12,7 +12,8 @@ from numpy.testing import assert_allclose
 from airlight.constants import ASTRONOMICAL_UNIT, SOLAR_RADIUS
 from airlight.errors import ParameterError
 from airlight.planets import Constituent, Ground, Medium, Planet, Star, load_planet, replace
-from airlight.planets.gases import GasScattering, OzoneAbsorption, RefractiveScattering
+from airlight.planets.absorbers import OzoneAbsorption
+from airlight.planets.gases import GasScattering, RefractiveScattering
 from airlight.planets.phases import (
     CornetteShanks,
     DoubleHenyeyGreenstein,

@@ -1,4 +1,4 @@
-"""Absorption by gases: Dobson units and the ozone layer."""
+"""Absorption: Dobson units, the ozone layer, particles much smaller than the wavelength."""
 
 from __future__ import annotations
 
@@ -97,3 +97,50 @@ def reference_coefficient(
     '2.048e-06'
     """
     return np.asarray(column / vertical_column * np.asarray(cross_sections, dtype=np.float64))
+
+
+def small_particle_absorption(
+    wavelengths: npt.ArrayLike,
+    radius: float,
+    number_density: float,
+    real: npt.ArrayLike,
+    imaginary: npt.ArrayLike,
+) -> FloatArray:
+    r"""Absorption coefficient of particles much smaller than the wavelength.
+
+    .. math:: \beta = \frac{8\pi^2 r^3 N}{\lambda}\,
+              \mathrm{Im}\,\frac{m^2-1}{m^2+2}, \quad m = n + ik
+
+    The limit of exact Mie absorption at small x = 2πr/λ: at m = 1.5 + 0.1i it is 0.6 % too small at
+    x = 0.1, 5 % at x = 0.3 and 27 % at x = 1.
+
+    Parameters
+    ----------
+    wavelengths : array, shape (...)
+        [nm]
+    radius : float
+        r. [m]
+    number_density : float
+        N. [m⁻³]
+    real, imaginary : array, shape (...)
+        n and k, both not negative. [1]
+
+    Returns
+    -------
+    array, shape (...)
+        Not negative. [m⁻¹]
+
+    References
+    ----------
+    Costa et al., the OpenSpace paper, eq. 12; Bohren & Huffman (1983), Absorption and Scattering
+    of Light by Small Particles, eq. 5.11.
+
+    Examples
+    --------
+    >>> f"{small_particle_absorption(550.0, 1e-8, 1e9, 1.5, 0.1):.3e}"
+    '7.151e-09'
+    """
+    square = (np.asarray(real, dtype=np.float64) + 1j * np.asarray(imaginary)) ** 2
+    metres = np.asarray(wavelengths, dtype=np.float64) * 1e-9
+    factor = ((square - 1.0) / (square + 2.0)).imag
+    return np.asarray(8.0 * np.pi**2 * radius**3 * number_density / metres * factor)

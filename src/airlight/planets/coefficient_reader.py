@@ -3,24 +3,21 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable
 from typing import Any, Final
 
 from airlight.errors import ParameterError
-from airlight.optics.gas_absorption import column_from_dobson
 from airlight.optics.rayleigh import number_density_from_mass
-from airlight.planets.gases import GASES, GasScattering, OzoneAbsorption, RefractiveScattering
+from airlight.planets.absorption_reader import Absorption, read_absorption
+from airlight.planets.gases import GASES, GasScattering, RefractiveScattering
 from airlight.planets.parameters import MISSING
 from airlight.planets.planet import LARGEST_COEFFICIENT
 from airlight.planets.profiles import Profile
 from airlight.planets.spectral import PerWavelength, Spectral, check_spectral
 from airlight.planets.toml_section import Section
-from airlight.units import quantity
 
 Wavelengths = tuple[float, ...] | None
 Scattering = Spectral | GasScattering | RefractiveScattering
-Absorption = Spectral | OzoneAbsorption
 
 #: The sets of keys that say what a constituent scatters and absorbs.
 _FORMS: Final = (
@@ -215,37 +212,3 @@ def _number_density(gas: Section) -> float | None:
             gas.name_of("mass_density"), mass_density, "more than 0, to 1e6 kg/m^3"
         )
     return number_density_from_mass(mass_density, molar_mass)
-
-
-def read_absorption(section: Section, wavelengths: Wavelengths) -> Absorption:
-    """Absorption coefficient at relative density 1, 0 if none is given.
-
-    Parameters
-    ----------
-    section : Section
-        The constituent's table.
-    wavelengths : tuple of float or None
-        Those that its lists belong to. [nm]
-    """
-    if "absorption" not in section:
-        return 0.0
-    if not isinstance(section.raw("absorption"), dict):
-        return section.spectral("absorption", "1/m", "0.65e-6 /m", wavelengths)
-    gas = section.section("absorption", "a coefficient or a table such as { ozone = '345 DU' }")
-    value = gas.required("ozone", "a column such as '345 DU'")
-    gas.finish()
-    with gas.blamed():
-        return OzoneAbsorption(column=column_of_gas(value, gas.name_of("ozone")))
-
-
-def column_of_gas(value: Any, field: str) -> float:
-    """Molecules above an area, from a text such as ``345 DU`` or ``9.3e22 /m^2``. [m⁻²]
-
-    Examples
-    --------
-    >>> f"{column_of_gas('345 DU', 'ozone'):.3e}"
-    '9.269e+22'
-    """
-    if isinstance(value, str) and (match := re.fullmatch(r"\s*(\S{1,40}?)\s*DU\s*", value)):
-        return column_from_dobson(quantity(match[1], "1", field))
-    return quantity(value, "1/m^2", field)

@@ -8,11 +8,8 @@ from typing import Final
 from airlight.errors import ParameterError
 from airlight.optics.gas_absorption import ozone_profile_afgl1986
 from airlight.optics.rayleigh import scale_height
-from airlight.planets.coefficient_reader import (
-    COEFFICIENT_KEYS,
-    read_absorption,
-    read_coefficients,
-)
+from airlight.planets.absorption_reader import read_absorption
+from airlight.planets.coefficient_reader import COEFFICIENT_KEYS, read_coefficients
 from airlight.planets.gas_mixture import GasMixture
 from airlight.planets.gas_reader import read_gas
 from airlight.planets.matter import Matter

@@ -1,4 +1,4 @@
-"""Gases as parameter objects: Rayleigh scattering from their state, ozone from its column."""
+"""Gases as parameter objects: Rayleigh scattering from their state."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ import numpy.typing as npt
 from airlight.errors import ParameterError
 from airlight.optics import king_factor, rayleigh, refractive_index
 from airlight.optics.lorentz_lorenz import refractivity_at
-from airlight.planets.matter import Absorber
 from airlight.planets.parameters import MISSING, between, parameters
 from airlight.planets.phases import Rayleigh
 from airlight.planets.spectral import (
@@ -21,7 +20,6 @@ from airlight.planets.spectral import (
     Spectral,
     spectral,
     spectral_at,
-    table_limits,
 )
 
 FloatArray = npt.NDArray[np.float64]
@@ -241,36 +239,3 @@ class RefractiveScattering:
     def depolarisations(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """Depolarisation factor, shape (nl,). [1]"""
         return rayleigh.depolarisation_from_king_factor(self._king_factors(wavelengths))
-
-
-@parameters
-class OzoneAbsorption(Absorber):
-    """Absorption by ozone of a given column, however the profile spreads it.
-
-    Parameters
-    ----------
-    column : float
-        Molecules above an area of ground. [m⁻²]
-    """
-
-    column: Annotated[float, between(0.0, 1e25, "/m^2")]
-
-    @property
-    def limits(self) -> Limits:
-        """The wavelengths at which the cross-section is known. [nm]"""
-        return table_limits("ozone-293k")
-
-    def coefficients(self, wavelengths: npt.ArrayLike, vertical_column: float) -> FloatArray:
-        """Absorption coefficient at relative density 1, shape (nl,). [m⁻¹]
-
-        Parameters
-        ----------
-        wavelengths : array, shape (nl,)
-            [nm]
-        vertical_column : float
-            ∫ relative density dh over the shell. [m]
-        """
-        from airlight.optics.gas_absorption import reference_coefficient
-        from airlight.spectra.ozone import ozone_cross_section
-
-        return reference_coefficient(self.column, vertical_column, ozone_cross_section(wavelengths))

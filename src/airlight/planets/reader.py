@@ -68,7 +68,9 @@ def load_planet(name_or_path: str | Path, overrides: Mapping[str, Any] | None = 
     """
     if isinstance(name_or_path, str) and name_or_path in planet_names():
         file = resources.files("airlight.planets") / "presets" / f"{name_or_path}.toml"
-        return read_planet(file.read_text(encoding="utf-8"), f"{name_or_path}.toml", overrides)
+        return read_planet(
+            file.read_text(encoding="utf-8"), f"{name_or_path}.toml", overrides=overrides
+        )
     if not isinstance(name_or_path, (str, Path)) or not str(name_or_path):
         raise ParameterError("planet", name_or_path, "a name, or the path to a TOML file")
     path = Path(name_or_path)
@@ -79,7 +81,7 @@ def load_planet(name_or_path: str | Path, overrides: Mapping[str, Any] | None = 
     if isinstance(name_or_path, str) and not there and path.suffix != ".toml":
         names = suggestion(name_or_path, planet_names())
         raise ParameterError("planet", name_or_path, f"{names}; or the path to a TOML file")
-    return read_planet(_text(path), str(path), overrides)
+    return read_planet(_text(path), str(path), path.parent, overrides)
 
 
 def _text(path: Path) -> str:
@@ -102,7 +104,12 @@ def _text(path: Path) -> str:
         raise FileError(path, f"is not UTF-8 text at byte {error.start}") from None
 
 
-def read_planet(text: str, file: str, overrides: Mapping[str, Any] | None = None) -> Planet:
+def read_planet(
+    text: str,
+    file: str,
+    folder: Path | None = None,
+    overrides: Mapping[str, Any] | None = None,
+) -> Planet:
     """A planet from the text of a planet file.
 
     Parameters
@@ -111,6 +118,8 @@ def read_planet(text: str, file: str, overrides: Mapping[str, Any] | None = None
         TOML.
     file : str
         The name that errors show.
+    folder : Path, optional
+        Where files that the text names are looked for; without it, the working directory.
     overrides : mapping, optional
         As for ``load_planet``.
 
@@ -133,7 +142,7 @@ def read_planet(text: str, file: str, overrides: Mapping[str, Any] | None = None
         raise FileError(file, f"is not TOML: {error}") from None
     try:
         changed = overridden(values, overrides) if overrides is not None else values
-        planet = _planet(Section(changed))
+        planet = _planet(Section(changed, folder=folder))
         Medium.from_planet(planet, planet.wavelengths)  # refuse here, where the file is known
         return planet
     except ParameterError as error:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import difflib
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 from airlight.errors import ParameterError
@@ -31,14 +32,17 @@ class Section:
         What the TOML parser made of it.
     path : str
         With dots and indices, for errors: ``constituents[1].profile``. Empty for the whole file.
+    folder : Path, optional
+        Where the planet file stands; files that it names are looked for there.
     """
 
-    def __init__(self, values: Any, path: str = "") -> None:
+    def __init__(self, values: Any, path: str = "", folder: Path | None = None) -> None:
         if not isinstance(values, dict):
             raise ParameterError(path, values, "a table with keys and values")
         self._values: dict[str, Any] = values
         self._read: list[str] = []
         self.path = path
+        self.folder = folder
 
     def name_of(self, key: str) -> str:
         """The key with the path before it."""
@@ -120,14 +124,19 @@ class Section:
         value = self.required(key, allowed)
         if not isinstance(value, dict):
             raise ParameterError(self.name_of(key), value, allowed)
-        return Section(value, self.name_of(key))
+        return Section(value, self.name_of(key), self.folder)
 
     def sections(self, key: str, allowed: str) -> list[Section]:
         """A list of tables within this one."""
         value = self.required(key, allowed)
         if not isinstance(value, list) or len(value) > LONGEST_LIST:
             raise ParameterError(self.name_of(key), value, allowed)
-        return [Section(item, f"{self.name_of(key)}[{i}]") for i, item in enumerate(value)]
+        names = [f"{self.name_of(key)}[{i}]" for i in range(len(value))]
+        return [Section(item, name, self.folder) for item, name in zip(value, names, strict=True)]
+
+    def beside(self, file: str) -> Path:
+        """The path of a file that this one names, relative to where this one stands."""
+        return Path(file) if self.folder is None else self.folder / file
 
     def finish(self) -> None:
         """Refuse a key that nothing has read, and suggest the nearest that exists."""

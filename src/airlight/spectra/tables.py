@@ -5,15 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
+from pathlib import Path
 from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from airlight.errors import ParameterError
+from airlight.errors import FileError, ParameterError
 
 #: How far beyond a table's ends its end value still stands. [nm]
 ALLOWANCE: Final = 10.0
+#: The largest file of a table. [byte]
+LARGEST_FILE: Final = 4_000_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,6 +130,56 @@ def read_spectrum(name: str) -> Spectrum:
     if name not in known:
         raise ParameterError("spectrum", name, ", ".join(known))
     text = (files("airlight.spectra") / "data" / f"{name}.csv").read_text(encoding="utf-8")
+    return _spectrum(text, name)
+
+
+def read_spectrum_file(path: Path) -> Spectrum:
+    """A table of one's own, in the form of the package's.
+
+    Lines ``# unit: …`` and ``# source: …`` first, then the names of the columns, then rows of a
+    wavelength in nm and its values, ascending.
+
+    Parameters
+    ----------
+    path : Path
+        To a CSV file of at most 4 MB.
+
+    Returns
+    -------
+    Spectrum
+        Its arrays cannot be written to; one column of values comes with one axis.
+
+    Raises
+    ------
+    FileError
+        If there is no such file, or it is no such table.
+    """
+    try:
+        if not path.is_file():
+            raise FileError(path, "is no file; allowed: a table in CSV")
+        with path.open("rb") as stream:
+            content = stream.read(LARGEST_FILE + 1)
+    except OSError as error:
+        raise FileError(path, (error.strerror or type(error).__name__).lower()) from None
+    except ValueError:  # a null character within the name
+        raise FileError(repr(str(path)), "is no file name") from None
+    if len(content) > LARGEST_FILE:
+        raise FileError(path, f"is larger than {LARGEST_FILE} bytes; allowed: a table in CSV")
+    try:
+        spectrum = _spectrum(content.decode("utf-8-sig"), path.stem)
+    except KeyError as error:
+        raise FileError(path, f"has no line '# {error.args[0]}: …' before the table") from None
+    except (ValueError, IndexError):
+        raise FileError(path, "is no table of wavelengths and values in CSV") from None
+    nm = spectrum.wavelengths
+    if not (np.all(np.isfinite(spectrum.values)) and np.all(np.isfinite(nm))):
+        raise FileError(path, "has a value that is no finite number")
+    if not np.all(np.diff(nm) > 0.0):
+        raise FileError(path, "has wavelengths that do not ascend")
+    return spectrum
+
+
+def _spectrum(text: str, name: str) -> Spectrum:
     lines = text.splitlines()
     header: dict[str, str] = {}
     for line in lines:
@@ -146,5 +199,5 @@ def read_spectrum(name: str) -> Spectrum:
         unit=header["unit"],
         source=header["source"],
         columns=tuple(body[0].split(",")[1:]),
-        licence=header["licence"],
+        licence=header.get("licence", ""),
     )

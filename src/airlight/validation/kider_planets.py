@@ -14,7 +14,8 @@ from airlight.errors import FileError
 from airlight.optics.gas_absorption import column_from_dobson, ozone_profile_afgl1986
 from airlight.optics.legendre import phase_integral
 from airlight.planets import Constituent, Ground, Planet, Star
-from airlight.planets.gases import GasScattering, OzoneAbsorption, RefractiveScattering
+from airlight.planets.absorbers import OzoneAbsorption
+from airlight.planets.gases import GasScattering, RefractiveScattering
 from airlight.planets.phases import CornetteShanks, Rayleigh, TabulatedPhase
 from airlight.planets.profiles import Exponential, Tabulated
 from airlight.planets.spectral import PerWavelength
