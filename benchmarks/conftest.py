@@ -36,7 +36,7 @@ def tell(pytestconfig: pytest.Config) -> Callable[[str], None]:
 @pytest.fixture(scope="session", autouse=True)
 def own_solutions(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """A fresh folder for solutions; compiled code stays where it is, shared between runs."""
-    from airlight.tables import cache
+    from airlight.kernel import disk as cache
 
     folder = tmp_path_factory.mktemp("cache")
     with pytest.MonkeyPatch.context() as patch:

@@ -48,7 +48,7 @@ def reference_data() -> Path:
 @pytest.fixture(scope="session", autouse=True)
 def own_solutions(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     """A fresh folder for solutions; compiled code stays where it is, shared between runs."""
-    from airlight.tables import cache
+    from airlight.kernel import disk as cache
 
     folder = tmp_path_factory.mktemp("cache")
     with pytest.MonkeyPatch.context() as patch:

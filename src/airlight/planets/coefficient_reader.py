@@ -40,7 +40,10 @@ COEFFICIENT_KEYS: Final = (
 
 
 def read_coefficients(
-    section: Section, wavelengths: Wavelengths, profile: Profile, thickness: float
+    section: Section,
+    wavelengths: Wavelengths,
+    profile: Profile,
+    thickness: float,
 ) -> tuple[Scattering, Absorption]:
     """Scattering and absorption coefficients at relative density 1.
 

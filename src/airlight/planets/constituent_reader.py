@@ -13,6 +13,7 @@ from airlight.planets.coefficient_reader import COEFFICIENT_KEYS, read_coefficie
 from airlight.planets.gas_mixture import GasMixture
 from airlight.planets.gas_reader import read_gas
 from airlight.planets.matter import Matter
+from airlight.planets.particle_reader import PARTICLE_KEYS, read_particle_matter
 from airlight.planets.phases import (
     CornetteShanks,
     DoubleHenyeyGreenstein,
@@ -76,8 +77,8 @@ def read_constituent(section: Section, thickness: float) -> Constituent:
 
 # --- matter -----------------------------------------------------------------------------------
 
-#: Keys that say what a constituent is made of, instead of its coefficients, and their readers.
-_MATTER: Final[dict[str, Callable[[Section, Wavelengths], Matter]]] = {"gas": read_gas}
+#: Keys that say what a constituent is made of, instead of its coefficients.
+_MATTER: Final = ("gas", *PARTICLE_KEYS)
 
 
 def _matter(section: Section, wavelengths: Wavelengths) -> Matter | None:
@@ -90,7 +91,9 @@ def _matter(section: Section, wavelengths: Wavelengths) -> Matter | None:
             raise ParameterError(
                 section.name_of(key), section.raw(key), f"none beside {given[0]!r}"
             )
-    return _MATTER[given[0]](section, wavelengths)
+    if given[0] == "gas":
+        return read_gas(section, wavelengths)
+    return read_particle_matter(section, wavelengths)
 
 
 def _profile_of(section: Section, matter: Matter | None) -> Profile:

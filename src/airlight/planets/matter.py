@@ -12,6 +12,7 @@ from abc import ABC, abstractmethod
 import numpy as np
 import numpy.typing as npt
 
+from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.phases import PhaseFunction
 from airlight.planets.spectral import Limits
 
@@ -71,6 +72,23 @@ class Matter(ABC):
         ----------
         wavelengths, vertical_column
             As for ``scattering_coefficients``. [nm], [m]
+        """
+
+    def prepare(  # noqa: B027 - most matter has nothing to prepare
+        self,
+        wavelengths: npt.ArrayLike,
+        *,
+        progress: Progress | None = None,
+        cancel: Cancel | None = None,
+    ) -> None:
+        """Do what takes long before values are asked for.
+
+        Parameters
+        ----------
+        wavelengths : array, shape (nl,)
+            [nm]
+        progress, cancel : callable, optional
+            See ``airlight.kernel.threads``.
         """
 
     @abstractmethod

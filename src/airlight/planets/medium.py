@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Final
@@ -12,8 +14,8 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ParameterError
+from airlight.kernel.threads import Cancel, Progress
 from airlight.optics.density_profile import DensitySegments, Row
-from airlight.optics.legendre import legendre_moments
 from airlight.planets.phases import INTEGRAL_TOLERANCE
 from airlight.planets.planet import Constituent, Planet
 from airlight.planets.spectral import check_wavelength_list
@@ -81,7 +83,14 @@ class Medium:
     constituents: tuple[Constituent, ...] = field(repr=False)
 
     @classmethod
-    def from_planet(cls, planet: Planet, wavelengths: npt.ArrayLike) -> Medium:
+    def from_planet(
+        cls,
+        planet: Planet,
+        wavelengths: npt.ArrayLike,
+        *,
+        progress: Progress | None = None,
+        cancel: Cancel | None = None,
+    ) -> Medium:
         """Sample a planet.
 
         Parameters
@@ -89,13 +98,21 @@ class Medium:
         planet : Planet
         wavelengths : array, shape (nl,)
             Within ``planet.wavelength_limits``. [nm]
+        progress, cancel : callable, optional
+            See ``airlight.kernel.threads``: particles take seconds where they are met first.
 
         Raises
         ------
         ParameterError
             If a wavelength is outside, or the planet cannot be: the constituent is named.
+        Cancelled
+            If ``cancel`` said so.
         """
         nm = _checked_wavelengths(planet, wavelengths)
+        for i, one in enumerate(planet.constituents):
+            if one.matter is not None:
+                with _blamed(f"constituents[{i}]"):
+                    one.matter.prepare(nm, progress=progress, cancel=cancel)
         density = DensitySegments.from_rows(
             [_row(planet, i) for i in range(len(planet.constituents))]
         )
@@ -190,7 +207,7 @@ class Medium:
 
     def _moments(self, degree: int) -> FloatArray:
         """Legendre moments as integrated, g_0 not made 1; shape (nc, nl, degree + 1). [1]"""
-        return legendre_moments(lambda nu: np.moveaxis(self.phase_function(nu), 0, -1), degree)
+        return np.stack([one.phase_moments(self.wavelengths, degree) for one in self.constituents])
 
     def fingerprint(self) -> str:
         """SHA-256 of everything that a solution depends on.
@@ -248,6 +265,15 @@ class Medium:
                     float(integrals[i][off.argmax()]),
                     f"1 within {INTEGRAL_TOLERANCE:g}",
                 )
+
+
+@contextlib.contextmanager
+def _blamed(where: str) -> Iterator[None]:
+    """Put a constituent before the field of an error."""
+    try:
+        yield
+    except ParameterError as error:
+        raise ParameterError(f"{where}.{error.field}", error.value, error.allowed) from None
 
 
 def _row(planet: Planet, index: int) -> Row:

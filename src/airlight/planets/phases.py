@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Annotated, Any, Final
 
 import numpy as np
@@ -11,7 +12,7 @@ from pydantic import BeforeValidator
 from airlight.errors import ParameterError
 from airlight.kernel import vectorized
 from airlight.optics import phase_functions
-from airlight.optics.legendre import phase_integral
+from airlight.optics.phase_table import interpolated, moments
 from airlight.planets.parameters import all_between, ascending, numbers, parameters
 from airlight.planets.spectral import (
     EVERYWHERE,
@@ -30,8 +31,6 @@ FloatArray = npt.NDArray[np.float64]
 INTEGRAL_TOLERANCE: Final = 1e-3
 #: Largest |g|: beyond it the forward lobe is narrower than the sun's disc.
 LARGEST_ASYMMETRY: Final = 0.999
-#: Tabulated values below this are joined by straight lines, as zeros are. [sr⁻¹]
-SMALLEST_LOGARITHMIC: Final = 1e-30
 
 _Asymmetry = Annotated[Spectral, spectral(-LARGEST_ASYMMETRY, LARGEST_ASYMMETRY)]
 
@@ -185,7 +184,7 @@ class TabulatedPhase:
                 raise ParameterError(
                     f"values[{index}]", len(row), f"as many numbers as angles, {len(self.angles)}"
                 )
-        integrals = phase_integral(self._at_all)
+        integrals = moments(*self._table, 0)[:, 0]
         for index in range(rows):
             if not abs(integrals[index] - 1.0) <= INTEGRAL_TOLERANCE:
                 raise ParameterError(
@@ -194,19 +193,9 @@ class TabulatedPhase:
                     f"1 within {INTEGRAL_TOLERANCE:g}: divide the values by it",
                 )
 
-    def _at_all(self, nu: npt.ArrayLike) -> FloatArray:
-        return np.stack([self._row(nu, row) for row in self.rows])
-
-    def _row(self, nu: npt.ArrayLike, row: tuple[float, ...]) -> FloatArray:
-        angle = np.degrees(np.arccos(np.clip(nu, -1.0, 1.0)))
-        at = np.clip(np.searchsorted(self.angles, angle, side="right") - 1, 0, len(row) - 2)
-        angles, values = np.asarray(self.angles), np.asarray(row)
-        share = (angle - angles[at]) / (angles[at + 1] - angles[at])
-        low, high = values[at], values[at + 1]
-        positive = (low > SMALLEST_LOGARITHMIC) & (high > SMALLEST_LOGARITHMIC)
-        safe_low, safe_high = np.where(positive, low, 1.0), np.where(positive, high, 1.0)
-        geometric = safe_low * (safe_high / safe_low) ** share
-        return np.asarray(np.where(positive, geometric, low + share * (high - low)))
+    @cached_property
+    def _table(self) -> tuple[FloatArray, FloatArray]:
+        return np.array(self.angles), np.array(self.rows)
 
     @property
     def limits(self) -> Limits:
@@ -217,8 +206,19 @@ class TabulatedPhase:
 
     def values(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
         """The phase function, shape of nu (...) and wavelengths (nl,) to (..., nl). [sr⁻¹]"""
+        angle = np.degrees(np.arccos(np.clip(nu, -1.0, 1.0)))
+        return np.asarray(interpolated(*self._table, angle) @ self._weights(wavelengths))
+
+    def moments(self, wavelengths: npt.ArrayLike, degree: int) -> FloatArray:
+        """Legendre moments as ``optics.legendre`` defines them, shape (nl, degree + 1). [1]
+
+        Integrated between the table's own angles, so that no ripple falls between the nodes.
+        """
+        return np.asarray(self._weights(wavelengths).T @ moments(*self._table, degree))
+
+    def _weights(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """Share of each row in the values at each wavelength, shape (nr, nl). [1]"""
         nm = np.asarray(wavelengths, dtype=np.float64)
-        rows = np.moveaxis(self._at_all(nu), 0, -1)
         weights = np.ones((1, len(nm)))
         if self.wavelengths:
             order = np.argsort(self.wavelengths)
@@ -226,7 +226,7 @@ class TabulatedPhase:
             weights = np.empty((len(known), len(nm)))
             for position, unit_row in zip(order, np.eye(len(known)), strict=True):
                 weights[position] = np.interp(nm, known, unit_row)
-        return np.asarray(rows @ weights)
+        return weights
 
 
 PhaseFunction = (

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ParameterError
+from airlight.optics.legendre import legendre_moments
 from airlight.planets.gas_mixture import GasMixture
 from airlight.planets.gases import GasScattering, RefractiveScattering
 from airlight.planets.ground_and_star import Ground, Star
@@ -214,6 +215,26 @@ class Constituent:
         if not self.scatters:
             return np.zeros((*np.shape(nu), len(nm)))
         return self.phase_function_at(nm).values(nu, nm)
+
+    def phase_moments(self, wavelengths: npt.ArrayLike, degree: int) -> FloatArray:
+        """Legendre moments of the phase function, shape (nl, degree + 1). [1]
+
+        See ``optics.legendre``; all zero where it does not scatter.
+
+        Parameters
+        ----------
+        wavelengths : array, shape (nl,)
+            [nm]
+        degree : int
+            The last l.
+        """
+        nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+        if not self.scatters:
+            return np.zeros((len(nm), degree + 1))
+        phase = self.phase_function_at(nm)
+        if isinstance(phase, TabulatedPhase):
+            return phase.moments(nm, degree)
+        return legendre_moments(lambda nu: np.moveaxis(phase.values(nu, nm), 0, -1), degree)
 
     def phase_function_at(self, wavelengths: npt.ArrayLike) -> PhaseFunction:
         """The phase function given, or that of the gas or matter, known at these wavelengths.

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from airlight.errors import FileError, ParameterError
+from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.constituent_reader import read_constituent
 from airlight.planets.ground_and_star import Ground, Star
 from airlight.planets.medium import Medium
@@ -35,7 +36,13 @@ def planet_names() -> tuple[str, ...]:
     return tuple(sorted(name.removesuffix(".toml") for name in found))
 
 
-def load_planet(name_or_path: str | Path, overrides: Mapping[str, Any] | None = None) -> Planet:
+def load_planet(
+    name_or_path: str | Path,
+    overrides: Mapping[str, Any] | None = None,
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Planet:
     """A planet by the name of a preset, or from a planet file.
 
     Parameters
@@ -46,6 +53,8 @@ def load_planet(name_or_path: str | Path, overrides: Mapping[str, Any] | None = 
     overrides : mapping, optional
         Keys of the file that are changed before it is read, from path to value: constituents by
         name, values as the file would hold them, None to take a key away.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``: particles take seconds where they are met first.
 
     Returns
     -------
@@ -69,7 +78,11 @@ def load_planet(name_or_path: str | Path, overrides: Mapping[str, Any] | None = 
     if isinstance(name_or_path, str) and name_or_path in planet_names():
         file = resources.files("airlight.planets") / "presets" / f"{name_or_path}.toml"
         return read_planet(
-            file.read_text(encoding="utf-8"), f"{name_or_path}.toml", overrides=overrides
+            file.read_text(encoding="utf-8"),
+            f"{name_or_path}.toml",
+            overrides=overrides,
+            progress=progress,
+            cancel=cancel,
         )
     if not isinstance(name_or_path, (str, Path)) or not str(name_or_path):
         raise ParameterError("planet", name_or_path, "a name, or the path to a TOML file")
@@ -81,7 +94,9 @@ def load_planet(name_or_path: str | Path, overrides: Mapping[str, Any] | None = 
     if isinstance(name_or_path, str) and not there and path.suffix != ".toml":
         names = suggestion(name_or_path, planet_names())
         raise ParameterError("planet", name_or_path, f"{names}; or the path to a TOML file")
-    return read_planet(_text(path), str(path), path.parent, overrides)
+    return read_planet(
+        _text(path), str(path), path.parent, overrides, progress=progress, cancel=cancel
+    )
 
 
 def _text(path: Path) -> str:
@@ -109,6 +124,9 @@ def read_planet(
     file: str,
     folder: Path | None = None,
     overrides: Mapping[str, Any] | None = None,
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
 ) -> Planet:
     """A planet from the text of a planet file.
 
@@ -121,6 +139,8 @@ def read_planet(
     folder : Path, optional
         Where files that the text names are looked for; without it, the working directory.
     overrides : mapping, optional
+        As for ``load_planet``.
+    progress, cancel : callable, optional
         As for ``load_planet``.
 
     Returns
@@ -143,7 +163,8 @@ def read_planet(
     try:
         changed = overridden(values, overrides) if overrides is not None else values
         planet = _planet(Section(changed, folder=folder))
-        Medium.from_planet(planet, planet.wavelengths)  # refuse here, where the file is known
+        # Refuse here, where the file is known.
+        Medium.from_planet(planet, planet.wavelengths, progress=progress, cancel=cancel)
         return planet
     except ParameterError as error:
         if overrides:

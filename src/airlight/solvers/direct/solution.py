@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.path import shadow_edges
-from airlight.kernel import compiled_loop, source_fingerprint
+from airlight.kernel import compiled_loop, disk, source_fingerprint
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.density_profile import DensitySegments
 from airlight.planets.medium import Medium
@@ -31,7 +31,6 @@ from airlight.solvers.direct.passes import add_ground, direct_light
 from airlight.solvers.direct.settings import Settings
 from airlight.solvers.direct.trapezoid import sphere
 from airlight.solvers.solution import Report, Sight, Solution
-from airlight.tables import cache as disk
 
 FloatArray = NDArray[np.float64]
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.quadrature import gauss_legendre
-from airlight.kernel import compiled_loop, source_fingerprint
+from airlight.kernel import compiled_loop, disk, source_fingerprint
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.medium import Medium
@@ -31,7 +31,6 @@ from airlight.solvers.moments.march import (
 from airlight.solvers.moments.packing import pack, pack_light
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.solution import Report, Sight, Solution
-from airlight.tables import cache as disk
 from airlight.tables.column_ratios import mean_density_ratios
 from airlight.tables.columns import ColumnTable, density_table
 

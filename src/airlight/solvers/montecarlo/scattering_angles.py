@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, inlined, kernel
 from airlight.optics.phase_functions import cornette_shanks, henyey_greenstein, rayleigh
+from airlight.optics.phase_table import SMALLEST_LOGARITHMIC
 from airlight.planets.medium import Medium
 from airlight.planets.phases import (
-    SMALLEST_LOGARITHMIC,
     CornetteShanks,
     DoubleHenyeyGreenstein,
     HenyeyGreenstein,

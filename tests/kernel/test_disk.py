@@ -11,8 +11,8 @@ import pytest
 from numpy.testing import assert_array_equal
 
 from airlight import ParameterError, load_planet, replace, solve
+from airlight.kernel import disk as cache
 from airlight.planets import Planet
-from airlight.tables import cache
 
 ARRAYS = {"field": np.arange(24, dtype=np.float32).reshape(2, 3, 4), "counts": np.array([4, 7])}
 

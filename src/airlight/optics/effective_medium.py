@@ -1,0 +1,59 @@
+"""The refractive index of a particle that holds grains of something else."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.errors import ParameterError
+
+ComplexArray = npt.NDArray[np.complex128]
+
+
+def maxwell_garnett(
+    matrix: npt.ArrayLike, inclusions: npt.ArrayLike, fraction: float
+) -> ComplexArray:
+    r"""Refractive index of a matrix with small round inclusions.
+
+    .. math:: \varepsilon = \varepsilon_m \frac{1 + 2f\beta}{1 - f\beta}, \qquad
+              \beta = \frac{\varepsilon_i - \varepsilon_m}{\varepsilon_i + 2\varepsilon_m},
+              \qquad \varepsilon = (n + ik)^2
+
+    Parameters
+    ----------
+    matrix, inclusions : complex array, shape (...)
+        n + ik of each. [1]
+    fraction : float
+        Share of the inclusions in the volume, 0 to 1. [1]
+
+    Returns
+    -------
+    complex array, shape (...)
+        n + ik. [1]
+
+    Raises
+    ------
+    ParameterError
+        If the fraction is not between 0 and 1.
+
+    Notes
+    -----
+    Made for inclusions much smaller than the wavelength and a small fraction; it tends to both
+    pure substances at 0 and 1.
+
+    References
+    ----------
+    Bohren & Huffman (1983), Absorption and Scattering of Light by Small Particles, eq. 8.50.
+
+    Examples
+    --------
+    >>> complex(maxwell_garnett(1.5, 2.7 + 0.5j, 0.02)).real.__round__(4)
+    1.516
+    """
+    if not 0.0 <= fraction <= 1.0:
+        raise ParameterError("fraction", fraction, "0 to 1")
+    host = np.asarray(matrix, dtype=np.complex128) ** 2
+    guest = np.asarray(inclusions, dtype=np.complex128) ** 2
+    beta = (guest - host) / (guest + 2.0 * host)
+    root = np.sqrt(host * (1.0 + 2.0 * fraction * beta) / (1.0 - fraction * beta))
+    return np.asarray(root)

@@ -1,0 +1,147 @@
+"""Tables of complex refractive indices of what particles are made of: CSV with a cited header."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from importlib import resources
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.errors import FileError, ParameterError
+
+FloatArray = npt.NDArray[np.float64]
+ComplexArray = npt.NDArray[np.complex128]
+
+#: How far beyond a table's ends its end value still stands. [nm]
+ALLOWANCE: Final = 10.0
+#: The file names of the tables that come with the package begin with this.
+_PREFIX: Final = "index-"
+#: The first line after the header.
+_COLUMNS: Final = "wavelength_nm,real,imaginary"
+
+
+@dataclass(frozen=True, eq=False)
+class IndexTable:
+    """Refractive index over wavelength.
+
+    Parameters
+    ----------
+    name : str
+        The table's name, or its path.
+    wavelengths : array, shape (n,)
+        Ascending. [nm]
+    real, imaginary : array, shape (n,)
+        n and k of n + ik, k 0 or more. [1]
+    source : str
+        Where the values come from.
+    """
+
+    name: str
+    wavelengths: FloatArray
+    real: FloatArray
+    imaginary: FloatArray
+    source: str
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """The wavelengths at which the index is known, the 10 nm included. [nm]"""
+        return float(self.wavelengths[0]) - ALLOWANCE, float(self.wavelengths[-1]) + ALLOWANCE
+
+    def at(self, wavelengths: npt.ArrayLike) -> ComplexArray:
+        """n + ik at wavelengths within ``limits`` [nm], shape (...).
+
+        n is linear between the rows, and so is the logarithm of k, which changes by powers of
+        ten; beside a row with k = 0, k itself is.
+
+        Examples
+        --------
+        >>> table = read_index("water")
+        >>> f"{complex(table.at(589.3)).real:.3f}"
+        '1.333'
+        """
+        nm = np.asarray(wavelengths, dtype=np.float64)
+        real = np.interp(nm, self.wavelengths, self.real)
+        straight = np.interp(nm, self.wavelengths, self.imaginary)
+        if (self.imaginary > 0.0).all():
+            straight = np.exp(np.interp(nm, self.wavelengths, np.log(self.imaginary)))
+        return np.asarray(real + 1j * straight)
+
+
+@cache
+def index_names() -> tuple[str, ...]:
+    """The names of the tables that come with the package.
+
+    Examples
+    --------
+    >>> "water" in index_names()
+    True
+    """
+    folder = resources.files("airlight.optics") / "data"
+    found = [entry.name for entry in folder.iterdir() if entry.name.startswith(_PREFIX)]
+    return tuple(sorted(name.removeprefix(_PREFIX).removesuffix(".csv") for name in found))
+
+
+@cache
+def read_index(name: str) -> IndexTable:
+    """One of the package's tables, or a CSV file of the same form.
+
+    Parameters
+    ----------
+    name : str
+        One of ``index_names()``, or the path to a file: lines that begin with ``#``, the line
+        ``wavelength_nm,real,imaginary``, then rows with ascending wavelengths [nm], n and k.
+
+    Returns
+    -------
+    IndexTable
+        Its arrays cannot be written to.
+
+    Raises
+    ------
+    ParameterError
+        If there is no such table.
+    FileError
+        If the file cannot be read or is not of this form.
+    """
+    if name in index_names():
+        file = resources.files("airlight.optics") / "data" / f"{_PREFIX}{name}.csv"
+        return _parsed(file.read_text(encoding="utf-8"), name)
+    path = Path(name)
+    if path.suffix != ".csv":
+        known = ", ".join(index_names())
+        raise ParameterError("index", name, f"{known}; or the path to a CSV file")
+    try:
+        return _parsed(path.read_text(encoding="utf-8"), name)
+    except OSError as error:
+        raise FileError(name, (error.strerror or type(error).__name__).lower()) from None
+    except UnicodeDecodeError as error:
+        raise FileError(name, f"is not UTF-8 text at byte {error.start}") from None
+
+
+def _parsed(text: str, name: str) -> IndexTable:
+    lines = [line for line in text.splitlines() if line.strip()]
+    source = " ".join(
+        line.partition(":")[2].strip() for line in lines if line.startswith("# source:")
+    )
+    body = [line for line in lines if not line.startswith("#")]
+    if not body or body[0].replace(" ", "") != _COLUMNS:
+        raise FileError(name, f"is no table of refractive indices: the first line is {_COLUMNS}")
+    try:
+        rows = np.array([line.split(",") for line in body[1:]], dtype=np.float64)
+    except ValueError as error:
+        raise FileError(name, f"is no table of refractive indices: {error}") from None
+    if rows.ndim != 2 or rows.shape[1] != 3 or not np.isfinite(rows).all():
+        raise FileError(name, "is no table of refractive indices; allowed: rows of three numbers")
+    nm, _, imaginary = rows.T
+    if not (np.diff(nm) > 0.0).all() or not nm[0] > 0.0:
+        raise FileError(name, "is no table of refractive indices; allowed: ascending wavelengths")
+    if not (imaginary >= 0.0).all():
+        row = int(np.argmax(imaginary < 0.0))
+        bad = f"{imaginary[row]:g} at {nm[row]:g} nm"
+        raise FileError(name, f"imaginary is {bad}; allowed: 0 or more")
+    rows.flags.writeable = False
+    return IndexTable(name, rows[:, 0], rows[:, 1], rows[:, 2], source)
