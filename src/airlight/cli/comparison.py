@@ -19,7 +19,7 @@ _NOTHING = "–"
 #: Significant digits: so many, or as many as tell two numbers apart.
 _FEWEST, _MOST = 5, 12
 #: Characters a line has where nobody says; a terminal says.
-_WIDTH = 110
+_WIDTH = 120
 
 
 def print_comparison(first: Planet, second: Planet, *, cache: bool) -> None:
@@ -83,8 +83,8 @@ def _table(first: str, second: str, rows: list[Difference]) -> Table:
     from rich.table import Table
 
     table = Table(box=None, pad_edge=False)
-    table.add_column("", style="bold")
-    table.add_column("quantity")
+    table.add_column("", style="bold", no_wrap=True)
+    table.add_column("quantity", no_wrap=True)
     for name in ("nm", first, second, "difference", "%"):
         table.add_column(name, justify="right", overflow="fold")
     part = ""

@@ -20,7 +20,7 @@ FloatArray = npt.NDArray[np.float64]
 Value = float | str | None
 
 #: Numbers closer than this, relative to the larger, do not differ.
-SAME: Final = 1e-9
+SAME: Final = 1e-6
 #: The part that stands for the whole air.
 ALL: Final = "all"
 #: A mean cosine below this is that of a symmetric phase function.
@@ -110,7 +110,7 @@ def compare(
         Parameters of planet, shell, ground and star, then each constituent by name with its
         parameters, column, optical depth, single-scattering albedo and phase function, then the
         whole air. A constituent that one planet lacks has an optical depth of 0 there, and its
-        parameters are not listed. What differs by less than a part in 10⁹ is left out.
+        parameters are not listed. What differs by less than a part in a million is left out.
 
     Examples
     --------
@@ -129,7 +129,7 @@ def compare(
 
 
 def differs(first: Value, second: Value) -> bool:
-    """Whether two values are not the same, numbers to a part in 10⁹."""
+    """Whether two values are not the same, numbers to a part in a million."""
     if isinstance(first, float) and isinstance(second, float):
         return not math.isclose(first, second, rel_tol=SAME, abs_tol=0.0)
     return first != second

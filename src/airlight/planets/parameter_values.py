@@ -148,8 +148,9 @@ def _derived(value: Any, label: str, nm: tuple[float, ...]) -> Iterator[Any]:
             yield (_joined(label, name), unit, None), number
     for name, (word, unit) in _DERIVED_SPECTRA.items():
         method = getattr(value, name, None)
-        if callable(method) and nm:
-            for wavelength, number in zip(nm, method(list(nm)), strict=True):
+        numbers = method(list(nm)) if callable(method) and nm else None
+        if isinstance(numbers, np.ndarray):  # particles give two cross-sections, listed otherwise
+            for wavelength, number in zip(nm, numbers, strict=True):
                 yield (_joined(label, word), unit, wavelength), float(number)
 
 
