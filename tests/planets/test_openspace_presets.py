@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -144,3 +147,20 @@ def test_optical_depths_at_550_nm_are_those_cited(name, part, cited):
     print(f"{name:28s} {part:16s} {depth:.5f}, cited {cited:.5f}")
     # King factors and shells that end below infinity: 2.5 %
     assert_allclose(depth, cited, rtol=0.025)
+
+
+def test_the_page_of_these_presets_prints_their_optical_depths():
+    # docs/presets-openspace.md: every number of the column "here" to its last digit
+    page = Path(__file__).parents[2] / "docs" / "presets-openspace.md"
+    rows = re.findall(
+        r"^\| `([\w-]+)` \| ([\w ]+?)(?: at (\d+) nm)? \| ([\d.]+) \|",
+        page.read_text(encoding="utf-8"),
+        flags=re.M,
+    )
+    assert len(rows) == 12
+    for name, part, nm, printed in rows:
+        planet = load_planet(name)
+        medium = Medium.from_planet(planet, [float(nm or 550)])
+        depth = medium.vertical_optical_depth[medium.names.index(part), 0]
+        digits = len(printed.partition(".")[2])
+        assert_allclose(depth, float(printed), rtol=0, atol=0.5001 * 10.0**-digits, err_msg=name)

@@ -165,3 +165,10 @@ def test_the_command_line_s_text_is_toml_or_itself(text, expected):
 def test_text_without_path_or_sign_is_refused(text):
     with pytest.raises(ParameterError, match="PATH=VALUE"):
         parsed(text)
+
+
+def test_of_two_names_that_fit_the_longer_is_meant():
+    # "haze.fine" is a constituent, and not the key "fine" of "haze"
+    file = {"constituents": [{"name": "haze"}, {"name": "haze.fine", "at": 1}]}
+    changed = overridden(file, {"haze.fine.at": 2})
+    assert changed["constituents"] == [{"name": "haze"}, {"name": "haze.fine", "at": 2}]

@@ -53,11 +53,14 @@ def planet(name: str, changes: list[str] | None = None) -> Planet:
     ParameterError
         If a path leads nowhere, or the file so changed cannot be read.
     """
+    from airlight.cli.progress import shown_progress
     from airlight.planets import load_planet
     from airlight.planets.overrides import FIELD, parsed
 
     try:
-        return load_planet(name, dict(parsed(change) for change in changes or []))
+        paths = dict(parsed(change) for change in changes or [])
+        with shown_progress() as report:
+            return load_planet(name, paths, progress=report)
     except ParameterError as error:
         if error.field != FIELD:
             raise
