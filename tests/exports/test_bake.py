@@ -19,8 +19,9 @@ from airlight.planets import Constituent, Ground, Planet, Star, load_planet
 from airlight.planets.medium import Medium
 from airlight.planets.phases import HenyeyGreenstein, Rayleigh
 from airlight.planets.profiles import Exponential
+from airlight.solvers.sight import Sight
 from airlight.solvers.single_scattering import single_scattering
-from airlight.solvers.solution import Report, Sight, Solution
+from airlight.solvers.solution import Report, Solution
 from airlight.tables.layout import Places
 
 Solve = Callable[..., Any]

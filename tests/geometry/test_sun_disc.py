@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.integrate import quad
 
-from airlight.geometry.sun_disc import mean_cosine, visible_fraction
+from airlight.geometry.sun_disc import mean_cosine, visible_fraction, visible_spread
 from airlight.kernel import vectorized
 
 RADIUS = 0.004675
@@ -33,6 +33,20 @@ def test_mean_cosine_is_the_mean_over_the_disc(elevation: float) -> None:
     )  # fmt: skip
     got = mean_cosine(elevation, sin(elevation), RADIUS)
     assert_allclose(got, light / pi, rtol=0, atol=2e-5 * RADIUS)
+
+
+@pytest.mark.parametrize("elevation", [*ELEVATIONS, 2.0 * RADIUS])
+def test_visible_spread_is_mean_and_deviation_over_the_visible_part(elevation: float) -> None:
+    # Second method: moments of the strips above the horizon.
+    lowest = max(-elevation / RADIUS, -1.0)
+    area, first, second = (
+        quad(lambda u, n=n: u**n * 2.0 * sqrt(1.0 - u * u), lowest, 1.0, epsabs=1e-14)[0]
+        for n in range(3)
+    )
+    mean, square = first / area, second / area
+    got = visible_spread(elevation, RADIUS)
+    assert_allclose(got[0], elevation + RADIUS * mean, rtol=1e-7, atol=1e-7 * RADIUS)
+    assert_allclose(got[1], RADIUS * sqrt(square - mean * mean), rtol=1e-4)
 
 
 def test_both_end_smoothly_at_the_edges_of_the_disc() -> None:

@@ -12,7 +12,8 @@ pytest.importorskip("matplotlib")
 
 from airlight import load_planet
 from airlight.planets import Medium, Planet
-from airlight.solvers.solution import Report, Sight, Solution
+from airlight.solvers.sight import Sight
+from airlight.solvers.solution import Report, Solution
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

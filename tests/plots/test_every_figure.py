@@ -14,7 +14,7 @@ from airlight.errors import ParameterError
 from airlight.planets import Planet
 from airlight.plots import KINDS, Choices, Work, draw
 from airlight.plots.order_convergence import order_convergence
-from airlight.solvers.solution import Sight
+from airlight.solvers.sight import Sight
 
 
 def halves(sight: Sight, order: int | None) -> NDArray[np.float64]:

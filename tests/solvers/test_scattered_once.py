@@ -13,8 +13,8 @@ from airlight.kernel import vectorized
 from airlight.planets import Planet
 from airlight.planets.medium import Medium
 from airlight.solvers.scattered_once import scattered_once
+from airlight.solvers.sight import Sight
 from airlight.solvers.single_scattering import single_scattering
-from airlight.solvers.solution import Sight
 
 
 def test_quick_and_careful_quadrature_agree_by_day(

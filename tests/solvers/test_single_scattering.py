@@ -15,8 +15,8 @@ from airlight.geometry.shell import meets_ground
 from airlight.planets import Constituent, Ground, Medium, Planet, Star
 from airlight.planets.phases import HenyeyGreenstein
 from airlight.planets.profiles import Uniform
+from airlight.solvers.sight import Sight, enter_shell
 from airlight.solvers.single_scattering import reflected_once, single_scattering
-from airlight.solvers.solution import Sight, enter_shell
 from airlight.solvers.star_light import direct_irradiance, star_elevation
 
 RGB = (680.0, 550.0, 440.0)

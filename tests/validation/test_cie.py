@@ -8,7 +8,8 @@ from numpy.testing import assert_allclose
 
 from airlight.planets import Medium, load_planet
 from airlight.solvers import Solution
-from airlight.solvers.solution import Report, Sight
+from airlight.solvers.sight import Sight
+from airlight.solvers.solution import Report
 from airlight.validation.cie_clear_sky import gradation, indicatrix
 from airlight.validation.energy_planets import round_earth
 

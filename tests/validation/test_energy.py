@@ -8,7 +8,8 @@ from numpy.testing import assert_allclose
 
 from airlight.planets import Medium
 from airlight.solvers import Solution, solve
-from airlight.solvers.solution import Report, Sight
+from airlight.solvers.sight import Sight
+from airlight.solvers.solution import Report
 from airlight.validation.energy_planets import flat_earth, furnace, round_earth
 from airlight.validation.fluxes import level_fluxes, pieces
 from airlight.validation.reference_earth import WAVELENGTHS

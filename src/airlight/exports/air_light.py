@@ -20,7 +20,8 @@ from airlight.geometry.shell import distance_to_bottom, distance_to_top
 from airlight.kernel import vectorized
 from airlight.planets.medium import Medium
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.solution import Sight, Solution
+from airlight.solvers.sight import Sight
+from airlight.solvers.solution import Solution
 from airlight.tables.columns import columns
 from airlight.tables.layout import Places
 

@@ -23,6 +23,7 @@ from airlight.exports.packing import (
 )
 from airlight.exports.table_errors import ERROR_POINTS, SEED, Errors
 from airlight.kernel.threads import Cancel, Progress
+from airlight.solvers.light_paths import only_straight
 from airlight.solvers.solution import Solution
 from airlight.tables.atmosphere_plus import AtmospherePlusLayout
 from airlight.tables.bruneton import BrunetonLayout
@@ -119,10 +120,12 @@ def bake(
     Raises
     ------
     ParameterError
-        For an unknown or impossible choice, or an order that the solution has not kept.
+        For an unknown or impossible choice, or an order that the solution has not kept, or a
+        planet that bends light.
     Cancelled
         If ``cancel`` said so.
     """
+    only_straight(solution.medium, "tables, whose look-ups draw straight lines")
     where = _layout(solution, layout, mapping, azimuth, size)
     packing = _packing(layout, packing)
     if precision not in ("single", "half"):

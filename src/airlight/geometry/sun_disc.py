@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import acos, pi, sqrt
+from math import acos, asin, pi, sqrt
 
 from airlight.kernel import kernel
 
@@ -79,3 +79,43 @@ def mean_cosine(elevation, sine_elevation, angular_radius):
     return sine_elevation * visible_fraction(elevation, angular_radius) + (
         2.0 / (3.0 * pi)
     ) * angular_radius * rest * sqrt(rest)
+
+
+@kernel
+def visible_spread(elevation, angular_radius):
+    r"""Mean elevation of the visible part of a disc, and the standard deviation of it. [rad]
+
+    With x = e/α and the part y > -x of the unit disc, of area A = π F:
+
+    .. math:: \bar y = \frac{2 (1-x^2)^{3/2}}{3A}, \quad
+              \overline{y^2} = \frac{\pi/2 + \arcsin x - x\sqrt{1-x^2}\,(1-2x^2)}{4A}
+
+    Light that changes exponentially over the disc is averaged well by the two points one standard
+    deviation to either side of the mean.
+
+    Parameters
+    ----------
+    elevation, angular_radius : float
+        As in ``visible_fraction``; some of the disc must be visible. [rad]
+
+    Returns
+    -------
+    mean, deviation : float
+        [rad]
+
+    Examples
+    --------
+    >>> visible_spread(1.0, 0.005)  # the whole disc: α/2
+    (1.0, 0.0025)
+    """
+    x = elevation / angular_radius
+    if x >= 1.0:
+        return elevation, 0.5 * angular_radius
+    rest = sqrt(max((1.0 - x) * (1.0 + x), 0.0))
+    area = acos(-x) + x * rest
+    if area < 1e-9:
+        return 0.0, 0.0
+    mean = 2.0 * rest * rest * rest / (3.0 * area)
+    square = (0.5 * pi + asin(x) - x * rest * (1.0 - 2.0 * x * x)) / (4.0 * area)
+    deviation = sqrt(max(square - mean * mean, 0.0))
+    return elevation + angular_radius * mean, angular_radius * deviation

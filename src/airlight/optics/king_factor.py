@@ -186,7 +186,7 @@ def king_factor_h2_hohm1993(wavelengths: npt.ArrayLike) -> FloatArray:
 
     References
     ----------
-    Hohm (1993), Molecular Physics 78, 929. doi:10.1080/00268979300100591
+    Hohm (1993), Molecular Physics 78, 929.
 
     Examples
     --------
@@ -211,7 +211,7 @@ def king_factor_nh3_hohm1993(wavelengths: npt.ArrayLike) -> FloatArray:
 
     References
     ----------
-    Hohm (1993), Molecular Physics 78, 929. doi:10.1080/00268979300100591
+    Hohm (1993), Molecular Physics 78, 929.
 
     Examples
     --------

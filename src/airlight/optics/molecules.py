@@ -97,9 +97,8 @@ _AT_0, _AT_15, _AT_20 = 273.15, 288.15, 293.15
 #: By formula. Molar masses: CIAAW (2021) conventional atomic weights.
 #: King factors: N₂, O₂ Bates (1984); CO₂, N₂O Alms et al. (1975); H₂, NH₃ Hohm (1993); CO from the
 #: depolarisation 0.0048 of polarised light in Sneep & Ubachs (2005), F = (3+6ρ)/(3-4ρ); H₂O from
-#: δ = 3e-4, Murphy (1977), J. Chem. Phys. 67, 5831, doi:10.1063/1.434794; SO₂ from Bogaard et al.
-#: (1978), J. Chem. Soc. Faraday Trans. 1 74, 3008, doi:10.1039/F19787403008; atoms and the
-#: tetrahedral CH₄ are round, F = 1.
+#: δ = 3e-4, Murphy (1977), J. Chem. Phys. 67, 5831; SO₂ from Bogaard et al. (1978), J. Chem. Soc.
+#: Faraday Trans. 1 74, 3008; atoms and the tetrahedral CH₄ are round, F = 1.
 MOLECULES: Final[dict[str, Molecule]] = {
     "N2": Molecule(
         name="nitrogen",

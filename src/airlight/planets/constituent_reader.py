@@ -13,7 +13,11 @@ from airlight.planets.coefficient_reader import COEFFICIENT_KEYS, read_coefficie
 from airlight.planets.gas_mixture import GasMixture
 from airlight.planets.gas_reader import read_gas
 from airlight.planets.matter import Matter
-from airlight.planets.particle_reader import PARTICLE_KEYS, read_particle_matter
+from airlight.planets.particle_reader import (
+    read_literal_turbidity,
+    read_particles,
+    read_turbidity,
+)
 from airlight.planets.phases import (
     CornetteShanks,
     DoubleHenyeyGreenstein,
@@ -77,8 +81,13 @@ def read_constituent(section: Section, thickness: float) -> Constituent:
 
 # --- matter -----------------------------------------------------------------------------------
 
-#: Keys that say what a constituent is made of, instead of its coefficients.
-_MATTER: Final = ("gas", *PARTICLE_KEYS)
+#: Keys that say what a constituent is made of, instead of its coefficients, and their readers.
+_MATTER: Final[dict[str, Callable[[Section, Wavelengths], Matter]]] = {
+    "gas": read_gas,
+    "particles": read_particles,
+    "turbidity": read_turbidity,
+    "turbidity_literal": read_literal_turbidity,
+}
 
 
 def _matter(section: Section, wavelengths: Wavelengths) -> Matter | None:
@@ -91,9 +100,7 @@ def _matter(section: Section, wavelengths: Wavelengths) -> Matter | None:
             raise ParameterError(
                 section.name_of(key), section.raw(key), f"none beside {given[0]!r}"
             )
-    if given[0] == "gas":
-        return read_gas(section, wavelengths)
-    return read_particle_matter(section, wavelengths)
+    return _MATTER[given[0]](section, wavelengths)
 
 
 def _profile_of(section: Section, matter: Matter | None) -> Profile:

@@ -99,7 +99,7 @@ class GasMixture(Matter):
     depolarisation : float or PerWavelength, optional
         0 to 0.5, instead of the gases' King factors. [1]
     refractivity : float or PerWavelength, optional
-        n - 1, instead of the gases' own. Linear between wavelengths, constant beyond. [1]
+        n - 1, instead of the gases' own. [1]
     refractivity_temperature, refractivity_pressure : float, optional
         Of the state that the refractivity belongs to, if it is not the mixture's. [K], [Pa]
 

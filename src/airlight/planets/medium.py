@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import dataclasses
 import hashlib
 import math
 from collections.abc import Iterator
@@ -15,9 +16,11 @@ import numpy.typing as npt
 
 from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
+from airlight.optics.bent_density import BentShell
 from airlight.optics.density_profile import DensitySegments, Row
 from airlight.planets.phases import INTEGRAL_TOLERANCE
 from airlight.planets.planet import Constituent, Planet
+from airlight.planets.profiles import Uniform
 from airlight.planets.spectral import check_wavelength_list
 
 FloatArray = npt.NDArray[np.float64]
@@ -26,6 +29,10 @@ FloatArray = npt.NDArray[np.float64]
 PHASE_NODES: Final = 4097
 #: Largest vertical optical depth of one constituent.
 LARGEST_OPTICAL_DEPTH: Final = 1e4
+#: Name of the constituent whose column is the bending of light.
+BENDING: Final = "bending"
+#: The wavelength whose bending stands for all. [nm]
+BENDING_WAVELENGTH: Final = 550.0
 #: The most wavelengths that one medium is sampled at.
 MOST_WAVELENGTHS: Final = 2000
 
@@ -57,6 +64,10 @@ class Medium:
         At the planet, on a plane that faces the star. [W m⁻² nm⁻¹]
     star_angular_radius : float
         [rad]
+    refractivity : array, shape (nc,)
+        n - 1 of each constituent at relative density 1, at 550 nm or the nearest wavelength that
+        the planet is known at; zero if light goes straight. One value bends all wavelengths
+        alike: the bending of air differs by 3 % over the visible. [1]
     constituents : tuple of Constituent
         What the arrays were sampled from.
 
@@ -80,6 +91,7 @@ class Medium:
     ground_map: str | None
     solar_irradiance: FloatArray
     star_angular_radius: float
+    refractivity: FloatArray
     constituents: tuple[Constituent, ...] = field(repr=False)
 
     @classmethod
@@ -135,6 +147,7 @@ class Medium:
             ground_map=planet.ground.map,
             solar_irradiance=planet.star.irradiances(nm),
             star_angular_radius=math.radians(planet.star.angular_radius_degrees),
+            refractivity=_refractivity(planet),
             constituents=constituents,
         )
         medium._check()
@@ -151,6 +164,37 @@ class Medium:
     def columns(self) -> FloatArray:
         """Vertical column of each constituent, ∫ relative density dh, shape (nc,). [m]"""
         return self.density.columns()
+
+    @cached_property
+    def bent_shell(self) -> BentShell | None:
+        """The shell by optical radius, or None if light goes straight."""
+        if not self.refractivity.any():
+            return None
+        return BentShell.build(self.density, self.refractivity, self.bottom_radius, self.top_radius)
+
+    def drawn_straight(self) -> Medium:
+        """The medium in which rays are straight: by optical radius if light is bent, else itself.
+
+        It has one more constituent, "bending", which neither scatters nor absorbs; see
+        ``optics.bent_density``.
+        """
+        shell = self.bent_shell
+        if shell is None:
+            return self
+        nothing = np.zeros((1, self.wavelengths.size))
+        phases = np.zeros((1, *self.phase_table.shape[1:]))
+        return dataclasses.replace(
+            self,
+            bottom_radius=shell.bottom,
+            top_radius=shell.top,
+            names=(*self.names, BENDING),
+            scattering=np.concatenate([self.scattering, nothing]),
+            absorption=np.concatenate([self.absorption, nothing]),
+            density=shell.density,
+            phase_table=np.concatenate([self.phase_table, phases]),
+            refractivity=np.zeros(len(self.names) + 1),
+            constituents=(*self.constituents, Constituent(name=BENDING, profile=Uniform())),
+        )
 
     @property
     def extinction(self) -> FloatArray:
@@ -238,6 +282,7 @@ class Medium:
             "phase table": self.phase_table,
             "ground albedo": self.ground_albedo,
             "solar irradiance": self.solar_irradiance,
+            "refractivity": self.refractivity,
         }
 
     def _check(self) -> None:
@@ -265,6 +310,22 @@ class Medium:
                     float(integrals[i][off.argmax()]),
                     f"1 within {INTEGRAL_TOLERANCE:g}",
                 )
+
+
+def _refractivity(planet: Planet) -> FloatArray:
+    """n - 1 of each constituent at relative density 1, shape (nc,); zero without refraction."""
+    result = np.zeros(len(planet.constituents))
+    if planet.refraction == "none":
+        return result
+    low, high = planet.wavelength_limits
+    nm = [min(max(BENDING_WAVELENGTH, low), high)]
+    for i, one in enumerate(planet.constituents):
+        result[i] = one.refractivities(nm, planet.thickness)[0]
+    if not result.any():
+        raise ParameterError(
+            "refraction", planet.refraction, "'none', or a gas whose refractivity is known"
+        )
+    return result
 
 
 @contextlib.contextmanager

@@ -186,6 +186,17 @@ def instance_of(*classes: type[Any]) -> BeforeValidator:
     return BeforeValidator(check)
 
 
+def one_of(*words: str) -> BeforeValidator:
+    """A check that a field is one of several words."""
+
+    def check(value: Any, info: ValidationInfo) -> Any:
+        if value not in words:
+            raise ParameterError(info.field_name or "value", value, " or ".join(map(repr, words)))
+        return value
+
+    return BeforeValidator(check)
+
+
 #: Heights and widths within a shell. [m]
 Length = Annotated[float, between(0.0, 1e9, "m")]
 #: Scale heights: thinner layers than a metre are surfaces. [m]

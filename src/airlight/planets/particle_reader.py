@@ -6,7 +6,6 @@ from typing import Any, Final
 
 from airlight.errors import ParameterError
 from airlight.optics.index_table import index_names
-from airlight.planets.matter import Matter
 from airlight.planets.parameters import MISSING
 from airlight.planets.particle_index import GivenIndex, MixedIndex, ParticleIndex, TableIndex
 from airlight.planets.particle_sizes import GammaSizes, LogNormalSizes, ParticleSizes, SingleSize
@@ -17,44 +16,18 @@ from airlight.planets.turbidity import LiteralTurbidity, Turbidity
 Wavelengths = tuple[float, ...] | None
 
 _METHODS: Final = ("mie", "anomalous-diffraction")
-#: The keys of a constituent that say what scatters; one at most.
-PARTICLE_KEYS: Final = ("particles", "turbidity", "turbidity_literal")
 
 
-def read_particle_matter(section: Section, wavelengths: Wavelengths) -> Matter | None:
-    """The particles of a constituent, or None if it has no key for any.
+def read_particles(constituent: Section, wavelengths: Wavelengths) -> Particles:
+    """Particles from the table ``particles`` of a constituent.
 
     Parameters
     ----------
-    section : Section
-        The constituent's table.
+    constituent : Section
     wavelengths : tuple of float or None
-        Those that its lists belong to. [nm]
+        Those that the constituent's lists belong to. [nm]
     """
-    given = [key for key in PARTICLE_KEYS if key in section]
-    if not given:
-        return None
-    if len(given) > 1:
-        raise ParameterError(section.name_of(given[1]), "given", f"none beside {given[0]}")
-    part = section.section(given[0], f"a table [{given[0]}]")
-    has_phase = "phase_function" in section
-    if given[0] == "particles":
-        particles = _particles(part, wavelengths)
-        if particles.method != "mie" and not has_phase:
-            raise ParameterError(
-                section.name_of("phase_function"),
-                MISSING,
-                "one, since anomalous diffraction has none of its own",
-            )
-        return particles
-    if not has_phase:
-        raise ParameterError(
-            section.name_of("phase_function"), MISSING, "one, since turbidity has none of its own"
-        )
-    return _turbidity(part) if given[0] == "turbidity" else _literal(part)
-
-
-def _particles(section: Section, wavelengths: Wavelengths) -> Particles:
+    section = constituent.section("particles", "a table such as { index = 'water', … }")
     values: dict[str, Any] = {
         "index": _index(section, "index", wavelengths),
         "sizes": _sizes(section.section("sizes", "a table such as { kind = 'gamma', … }")),
@@ -67,13 +40,23 @@ def _particles(section: Section, wavelengths: Wavelengths) -> Particles:
         values["at"] = section.number("at", "nm", "550 nm")
     section.finish()
     with section.blamed():
-        return Particles(**values)
+        particles = Particles(**values)
+    if particles.method != "mie":
+        _need_phase(constituent, "anomalous diffraction")
+    return particles
+
+
+def _need_phase(constituent: Section, what: str) -> None:
+    if "phase_function" not in constituent:
+        raise ParameterError(
+            constituent.name_of("phase_function"), MISSING, f"one, since {what} has none of its own"
+        )
 
 
 def _index(section: Section, key: str, wavelengths: Wavelengths) -> ParticleIndex:
     value = section.required(key, "the name of a table, or a table such as { real = 1.5, … }")
     if isinstance(value, str):
-        name = value if value in index_names() else str(section.folder / value)
+        name = value if value in index_names() else str(section.beside(value))
         with section.blamed():
             return TableIndex(table=name if name.endswith(".csv") else value)
     part = section.section(key, "the name of a table, or a table such as { real = 1.5, … }")
@@ -112,7 +95,9 @@ def _sizes(section: Section) -> ParticleSizes:
         return SingleSize(radius=radius)
 
 
-def _turbidity(section: Section) -> Turbidity:
+def read_turbidity(constituent: Section, wavelengths: Wavelengths) -> Turbidity:
+    """A haze from the table ``turbidity`` of a constituent; no lists, so no wavelengths."""
+    section = constituent.section("turbidity", "a table such as { optical_depth = 0.1, … }")
     keys = (
         "turbidity",
         "rayleigh_optical_depth",
@@ -123,13 +108,17 @@ def _turbidity(section: Section) -> Turbidity:
     )
     values = {key: section.optional_number(key, "1") for key in keys}
     section.finish()
+    _need_phase(constituent, "turbidity")
     with section.blamed():
         return Turbidity(**{key: value for key, value in values.items() if value is not None})
 
 
-def _literal(section: Section) -> LiteralTurbidity:
+def read_literal_turbidity(constituent: Section, wavelengths: Wavelengths) -> LiteralTurbidity:
+    """OpenSpace's haze from the table ``turbidity_literal``; no lists, so no wavelengths."""
+    section = constituent.section("turbidity_literal", "a table such as { turbidity = 2 }")
     turbidity = section.number("turbidity", "1", "2")
     junge = section.optional_number("junge", "1")
     section.finish()
+    _need_phase(constituent, "turbidity")
     with section.blamed():
         return LiteralTurbidity(turbidity=turbidity, **({} if junge is None else {"junge": junge}))

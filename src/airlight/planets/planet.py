@@ -18,6 +18,7 @@ from airlight.planets.parameters import (
     all_between,
     between,
     instance_of,
+    one_of,
     parameters,
 )
 from airlight.planets.phases import (
@@ -276,6 +277,8 @@ class Planet:
         The wavelengths that stand for the planet where none are asked for. [nm]
     description : str, optional
         What the numbers are and where they come from, in a sentence or two.
+    refraction : str, optional
+        ``"bouguer"``: the gases bend light; ``"none"``: it goes straight.
 
     Examples
     --------
@@ -300,6 +303,7 @@ class Planet:
         None
     )
     description: str = ""
+    refraction: Annotated[str, one_of("none", "bouguer")] = "none"
 
     def __post_init__(self) -> None:
         if not 1 <= len(self.name) <= 60:

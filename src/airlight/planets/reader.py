@@ -176,6 +176,7 @@ def _planet(root: Section) -> Planet:
     name = root.text("name", "the planet's name")
     description = root.text("description", "a sentence", default="")
     wavelengths = root.wavelengths()
+    refraction = root.text("refraction", "'none' or 'bouguer'", default="none")
     shell = root.section("shell", "a table [shell] with bottom_radius and top_radius")
     bottom = shell.number("bottom_radius", "m", "6360 km")
     top = shell.number("top_radius", "m", "6460 km")
@@ -197,6 +198,7 @@ def _planet(root: Section) -> Planet:
         star=star,
         constituents=constituents,
         own_wavelengths=wavelengths,
+        refraction=refraction,
     )
 
 

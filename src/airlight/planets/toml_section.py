@@ -33,7 +33,7 @@ class Section:
     path : str
         With dots and indices, for errors: ``constituents[1].profile``. Empty for the whole file.
     folder : Path, optional
-        Where the file stands, and other files that it names; the working directory if left out.
+        Where the planet file stands; files that it names are looked for there.
     """
 
     def __init__(self, values: Any, path: str = "", folder: Path | None = None) -> None:
@@ -42,7 +42,7 @@ class Section:
         self._values: dict[str, Any] = values
         self._read: list[str] = []
         self.path = path
-        self.folder = Path() if folder is None else folder
+        self.folder = folder
 
     def name_of(self, key: str) -> str:
         """The key with the path before it."""
@@ -131,12 +131,12 @@ class Section:
         value = self.required(key, allowed)
         if not isinstance(value, list) or len(value) > LONGEST_LIST:
             raise ParameterError(self.name_of(key), value, allowed)
-        names = (f"{self.name_of(key)}[{i}]" for i in range(len(value)))
+        names = [f"{self.name_of(key)}[{i}]" for i in range(len(value))]
         return [Section(item, name, self.folder) for item, name in zip(value, names, strict=True)]
 
     def beside(self, file: str) -> Path:
         """The path of a file that this one names, relative to where this one stands."""
-        return self.folder / file
+        return Path(file) if self.folder is None else self.folder / file
 
     def finish(self) -> None:
         """Refuse a key that nothing has read, and suggest the nearest that exists."""

@@ -19,7 +19,8 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.mappings import linear, power, weighted_power
 from airlight.mappings.texels import index_coordinate
 from airlight.plots.figure import new_figure, wavelength_words
-from airlight.solvers.solution import Sight, Solution
+from airlight.solvers.sight import Sight
+from airlight.solvers.solution import Solution
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

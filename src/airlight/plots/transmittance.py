@@ -13,6 +13,7 @@ from airlight.kernel import vectorized
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.plots.figure import grid, new_figure, wavelength_words
+from airlight.solvers.light_paths import LightPaths
 from airlight.tables.columns import columns
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ _CAPTION: Final = (
 
 
 def mean_transmittance(medium: Medium, altitude: ArrayLike, view_zenith: ArrayLike) -> FloatArray:
-    """Transmittance along straight rays to space or to the ground, mean over the wavelengths.
+    """Transmittance along rays to space or to the ground, mean over the wavelengths.
 
     Parameters
     ----------
@@ -52,16 +53,18 @@ def mean_transmittance(medium: Medium, altitude: ArrayLike, view_zenith: ArrayLi
     >>> f"{float(mean_transmittance(medium, 0.0, 0.0)):.5f}"  # of .940359, .867616, .762310
     '0.85676'
     """
+    paths = LightPaths.of(medium)
+    drawn = paths.medium
     r = np.minimum(medium.bottom_radius + np.asarray(altitude, float), medium.top_radius)
     mu = np.cos(np.radians(np.asarray(view_zenith, float)))
-    r, mu = (np.array(one) for one in np.broadcast_arrays(r, mu))
-    length = vectorized(ray_length)(r, mu, medium.bottom_radius, medium.top_radius)
-    depth = columns(r, mu, length, medium.bottom_radius, medium.density) @ medium.extinction
+    r, mu = (np.array(one) for one in np.broadcast_arrays(paths.optical_radius(r), mu))
+    length = vectorized(ray_length)(r, mu, drawn.bottom_radius, drawn.top_radius)
+    depth = columns(r, mu, length, drawn.bottom_radius, drawn.density) @ drawn.extinction
     return np.asarray(np.exp(-depth).mean(axis=-1))
 
 
 def horizon_zenith(medium: Medium, altitude: ArrayLike) -> FloatArray:
-    """Zenith angle of the geometric horizon, at least 90. [deg]
+    """Zenith angle of the horizon that is seen, at least 90. [deg]
 
     Parameters
     ----------
@@ -69,8 +72,9 @@ def horizon_zenith(medium: Medium, altitude: ArrayLike) -> FloatArray:
     altitude : array, shape (...)
         [m]
     """
-    r = medium.bottom_radius + np.asarray(altitude, float)
-    cosine = vectorized(horizon_cosine)(r, medium.bottom_radius)
+    paths = LightPaths.of(medium)
+    r = paths.optical_radius(medium.bottom_radius + np.asarray(altitude, float))
+    cosine = vectorized(horizon_cosine)(r, paths.medium.bottom_radius)
     return np.asarray(np.degrees(np.arccos(cosine)))
 
 

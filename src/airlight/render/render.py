@@ -17,7 +17,7 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.render.frame import Frame
 from airlight.render.shade import Paint, View, shade
-from airlight.render.sun_disc import add_sun_disc
+from airlight.render.sun_disc import add_sun_disc, seen_direction
 from airlight.scene import Scene
 from airlight.scene.surface_map import surface_map
 from airlight.solvers.moments.march import new_packet
@@ -93,11 +93,13 @@ def render(
             "marches its moments",
         )  # fmt: skip
     camera = scene.camera
+    observer = solution.medium.bottom_radius + scene.altitude
     rgb = np.zeros((camera.height, camera.width, 3), np.float32)
     weights = color_weights(solution)
     view = View(
-        r=solution.medium.bottom_radius + scene.altitude,
+        r=float(solution.paths.optical_radius(np.array(observer))),
         sun=scene.sun_direction,
+        sun_seen=seen_direction(scene.sun_direction, solution, scene.altitude),
         ground_frame=scene.ground_frame,
         pixel_angle=camera.pixel_angle,
     )
@@ -152,7 +154,7 @@ def color_weights(solution: MomentsSolution) -> FloatArray:
 
 
 def _paint(solution: MomentsSolution, weights: FloatArray) -> Paint:
-    medium = solution.medium
+    medium = solution.paths.medium
     padded = np.zeros((3, solution.light.air.albedo.size), np.float32)
     padded[:, : weights.shape[0]] = weights.T
     phases = np.moveaxis(medium.phase_table, 2, 0)

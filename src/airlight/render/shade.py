@@ -5,12 +5,13 @@ The radiance is per irradiance of the star until the weights turn it into linear
 
 from __future__ import annotations
 
-from math import asin, atan2, log2, pi, sqrt
+from math import asin, atan2, cos, log2, pi, sin, sqrt
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.path import ray_length
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop, inlined
@@ -27,9 +28,9 @@ class View(NamedTuple):
     Attributes
     ----------
     r : float
-        Distance of the observer from the centre. [m]
-    sun : array, shape (3,)
-        Unit vector towards the star in the local frame.
+        Distance of the observer from the centre, as optical radius. [m]
+    sun, sun_seen : array, shape (3,)
+        Unit vectors in the local frame towards the star, and to where it is seen.
     ground_frame : array, shape (3, 3)
         Rotates local to planet-fixed vectors.
     pixel_angle : float
@@ -38,6 +39,7 @@ class View(NamedTuple):
 
     r: float
     sun: FloatArray
+    sun_seen: FloatArray
     ground_frame: FloatArray
     pixel_angle: float
 
@@ -109,15 +111,24 @@ def map_color(texels, levels, latitude, longitude, level, out):
 
 
 @inlined
-def ground_color(pixel, reach, cosine, directions, view, paint, bottom, color):
+def ground_color(pixel, reach, cosine, angle, directions, view, paint, bottom, color):
     """Linear sRGB reflectance of the ground where a pixel's line of sight ends. [1]
 
-    ``reach`` is the distance from the observer [m], ``cosine`` that of the slant there [1].
+    ``reach`` is the distance from the observer [m], ``cosine`` that of the slant there [1], and
+    ``angle`` that by which the line has been bent [rad].
     """
     m, texels, levels = view.ground_frame, paint.texels, paint.levels
     x = reach * directions[pixel, 0]
     y = reach * directions[pixel, 1]
     z = view.r + reach * directions[pixel, 2]
+    if angle != 0.0:
+        # On along the ground: the line comes down at the slant, whose level part leads away.
+        sine = sqrt(max((1.0 - cosine) * (1.0 + cosine), 1e-18))
+        keep = cos(angle) + sin(angle) * cosine / sine
+        away = sin(angle) * bottom / sine
+        x = keep * x + away * directions[pixel, 0]
+        y = keep * y + away * directions[pixel, 1]
+        z = keep * z + away * directions[pixel, 2]
     gx = m[0, 0] * x + m[0, 1] * y + m[0, 2] * z
     gy = m[1, 0] * x + m[1, 1] * y + m[1, 2] * z
     gz = m[2, 0] * x + m[2, 1] * y + m[2, 2] * z
@@ -149,7 +160,7 @@ def shade(directions, view, paint, light, panels, rules, packet, work, out):
     size = packet.r.size
     pixels = np.empty(size, np.int64)
     ways = np.empty(size)
-    sun, sun_z = view.sun, view.sun[2]
+    sun, sun_z, seen_sun = view.sun, view.sun[2], view.sun_seen
     rays = 0
     for pixel in range(directions.shape[0]):
         x, y, z = directions[pixel, 0], directions[pixel, 1], directions[pixel, 2]
@@ -171,7 +182,9 @@ def shade(directions, view, paint, light, panels, rules, packet, work, out):
             packet.nu[rays] = nu
             packet.length[rays] = ray_length(r, mu, bottom, top)
             # θ from the difference of the vectors: the cosine has no digits left near the star.
-            half = 0.5 * sqrt((x - sun[0]) ** 2 + (y - sun[1]) ** 2 + (z - sun_z) ** 2)
+            half = 0.5 * sqrt(
+                (x - seen_sun[0]) ** 2 + (y - seen_sun[1]) ** 2 + (z - seen_sun[2]) ** 2
+            )
             read_phase(min(half, 1.0), paint.phase, paint.phase_nodes, packet.phase[rays])
             pixels[rays], ways[rays] = pixel, way
             rays += 1
@@ -203,11 +216,17 @@ def finish(p, pixel, way, directions, view, paint, light, packet, work, out):
     r, mu, length = packet.r[p], packet.mu[p], packet.length[p]
     if meets_ground(r, mu, bottom):
         mu_s_ground = (r * packet.mu_s[p] + length * packet.nu[p]) / bottom
+        angle = 0.0
+        if light.bend > 0.0:
+            angle = bend_angle(r, mu, light.bend, work.total[p, work.total.shape[1] - 1])
+            mu_ground = (r * mu + length) / bottom
+            mu_s_ground, _ = turned(mu_ground, mu_s_ground, packet.nu[p], angle)
         ground_light(min(max(mu_s_ground, -1.0), 1.0), 2, light, work)
         color = np.zeros(3)
         if paint.mapped:
             slant = -(r * mu + length) / bottom
-            ground_color(pixel, way + length, slant, directions, view, paint, bottom, color)
+            reach = way + length
+            ground_color(pixel, reach, slant, angle, directions, view, paint, bottom, color)
         for lane in range(0, lanes, LANES):
             reflectance = load(light.air.albedo, lane)
             if paint.mapped:

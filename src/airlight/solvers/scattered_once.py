@@ -19,7 +19,8 @@ from airlight.geometry.sun_disc import sun_elevation, visible_fraction
 from airlight.kernel import compiled_loop
 from airlight.kernel.threads import Cancel, run_blocks
 from airlight.planets.medium import Medium
-from airlight.solvers.solution import Sight
+from airlight.solvers.light_paths import only_straight
+from airlight.solvers.sight import Sight
 from airlight.tables.column_ratios import columns_to_top, mean_density_ratios
 from airlight.tables.columns import (
     ColumnTable,
@@ -88,6 +89,7 @@ def scattered_once(medium: Medium, sight: Sight, *, cancel: Cancel | None = None
     array, shape (n, nc, nl)
         Per irradiance of the star; times p_i(ν) it is radiance per irradiance. [1]
     """
+    only_straight(medium, "a table of light scattered once")
     bottom, top = medium.bottom_radius, medium.top_radius
     columns = ColumnTable.build(bottom, top, medium.density)
     tables = (density_table(medium.density, top - bottom), mean_density_ratios(columns))

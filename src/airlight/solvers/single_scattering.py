@@ -32,7 +32,8 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.density_profile import relative_density
 from airlight.planets.medium import Medium
-from airlight.solvers.solution import Sight
+from airlight.solvers.light_paths import only_straight
+from airlight.solvers.sight import Sight
 from airlight.solvers.star_light import (
     PANELS,
     cut_at_corners,
@@ -239,6 +240,7 @@ def single_scattering(
     Cancelled
         If ``cancel`` said so.
     """
+    only_straight(medium, "single scattering by quadrature")
     constituents, wavelengths = medium.scattering.shape
     out = np.zeros((sight.r.size, constituents, wavelengths))
     arrays = (sight.r, sight.mu, sight.mu_s, sight.nu, sight.length)

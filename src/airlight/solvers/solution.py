@@ -8,17 +8,18 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from airlight.errors import ParameterError
-from airlight.geometry.path import ray_length
-from airlight.geometry.shell import meets_ground
-from airlight.kernel import vectorized
+from airlight.optics.air_mass import air_mass_pickering2002
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
+from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.sight import Sight, enter_shell
 from airlight.tables.columns import columns
 
 if TYPE_CHECKING:
@@ -59,65 +60,6 @@ class Report:
         )
 
 
-@dataclass(frozen=True)
-class Sight:
-    """Lines of sight inside the shell, flat.
-
-    Attributes
-    ----------
-    r, mu, mu_s, nu : array, shape (n,)
-        Start radius [m]; cosines of view zenith, sun zenith and the angle between them. [1]
-    length : array, shape (n,)
-        Way through the shell, 0 where the line misses it. [m]
-    to_ground : array of bool, shape (n,)
-        Whether it ends on the ground.
-    """
-
-    r: FloatArray
-    mu: FloatArray
-    mu_s: FloatArray
-    nu: FloatArray
-    length: FloatArray
-    to_ground: NDArray[np.bool_]
-
-
-def enter_shell(
-    r: FloatArray,
-    mu: FloatArray,
-    sine: FloatArray,
-    mu_s: FloatArray,
-    nu: FloatArray,
-    bottom: float,
-    top: float,
-) -> Sight:
-    """Move observers outside the shell to the point where their line of sight enters it.
-
-    Parameters
-    ----------
-    r, mu, sine, mu_s, nu : array, shape (n,)
-        Of the observers; r may be larger than ``top``. ``sine`` is the sine of the view's zenith
-        angle, given apart because far away the cosine has lost it. [m], [1]
-    bottom, top : float
-        Radii of the ground and of the shell's top. [m]
-    """
-    outside = r > top
-    nearest = -r * mu
-    impact_squared = np.square(r * sine)
-    half_chord = np.sqrt(np.maximum((top * top) - impact_squared, 0.0))
-    meets = (nearest > 0.0) & (impact_squared < top * top)
-    enters = outside & meets
-    way = np.where(enters, nearest - half_chord, 0.0)
-    inside_r = np.where(outside, top, r)
-    inside_mu = np.where(enters, -half_chord / top, mu)
-    inside_mu_s = np.where(enters, np.clip((r * mu_s + way * nu) / top, -1.0, 1.0), mu_s)
-    to_ground = vectorized(meets_ground)(inside_r, inside_mu, bottom)
-    length = vectorized(ray_length)(inside_r, inside_mu, bottom, top)
-    missed = outside & ~meets
-    return Sight(
-        inside_r, inside_mu, inside_mu_s, nu, np.where(missed, 0.0, length), to_ground & ~missed
-    )
-
-
 def _checked(field: str, value: ArrayLike, low: float, high: float, unit: str) -> FloatArray:
     try:
         array = np.asarray(value, dtype=float)
@@ -150,6 +92,12 @@ class Solution(ABC):
     medium: Medium
     report: Report
     planet: Planet | None = None
+
+    @cached_property
+    def paths(self) -> LightPaths:
+        """The paths of light in the medium."""
+        return LightPaths.of(self.medium)
+
     #: Orders up to this one can be asked for one by one.
     highest_order: int = 1
 
@@ -189,7 +137,8 @@ class Solution(ABC):
         altitude : array
             Of the observer above the ground, also outside the shell. [m]
         sun_zenith, view_zenith : array
-            Zenith angles of star and view at the observer, 0 to 180. [deg]
+            Zenith angles of star and view at the observer, 0 to 180. Where light is bent: the
+            star's true one, and that in which the observer looks. [deg]
         azimuth : array
             Between the horizontal projections of view and star; 0 looks to the star's side. [deg]
         order : int, optional
@@ -261,9 +210,14 @@ class Solution(ABC):
         return enter_shell(bottom + arrays[0], mu, np.sin(view), mu_s, nu, bottom, top), shape
 
     def transmittance(
-        self, *, altitude: ArrayLike, view_zenith: ArrayLike, distance: ArrayLike | None = None
+        self,
+        *,
+        altitude: ArrayLike,
+        view_zenith: ArrayLike,
+        distance: ArrayLike | None = None,
+        air_mass: str | None = None,
     ) -> xarray.DataArray:
-        """Transmittance of the air from an observer along straight lines of sight.
+        """Transmittance of the air from an observer along lines of sight, bent if light is.
 
         Parameters
         ----------
@@ -274,6 +228,10 @@ class Solution(ABC):
         distance : array, optional
             Ends the stretch; without it the stretch goes to space, and is 0 where the ground is
             in the way. [m]
+        air_mass : str, optional
+            ``"pickering"`` takes Pickering's formula for the columns of the gases, as OpenSpace
+            does, for an observer on the ground who looks above the horizon to space; other
+            constituents keep their columns.
 
         Returns
         -------
@@ -289,22 +247,53 @@ class Solution(ABC):
         bottom, top = self.medium.bottom_radius, self.medium.top_radius
         r, view = bottom + arrays[0], np.radians(arrays[1])
         mu, sine, zero = np.cos(view), np.sin(view), np.zeros_like(view)
-        sight = enter_shell(r, mu, sine, zero, zero, bottom, top)
+        sight = self.paths.sight(enter_shell(r, mu, sine, zero, zero, bottom, top))
         length = sight.length
         blocked = sight.to_ground
         if distance is not None:
             half_chord = np.sqrt(np.maximum(top**2 - (r * sine) ** 2, 0.0))
             way = np.where(r > top, -r * mu - half_chord, 0.0)
-            asked = np.maximum(arrays[2] - way, 0.0)
+            asked = self.paths.drawn_length(
+                sight.r, sight.mu, np.maximum(arrays[2] - way, 0.0), length
+            )
             blocked = blocked & (asked > length * (1.0 + 1e-12))
             length = np.minimum(length, asked)
-        depth = columns(sight.r, sight.mu, length, bottom, self.medium.density)
-        values = np.exp(-(depth @ self.medium.extinction))
+        drawn = self.paths.medium
+        depth = columns(sight.r, sight.mu, length, drawn.bottom_radius, drawn.density)
+        if air_mass is not None:
+            self._replace_air_mass(depth, air_mass, arrays[0], arrays[1], distance)
+        values = np.exp(-(depth @ drawn.extinction))
         values[blocked] = 0.0
         labels: dict[str, ArrayLike] = {"altitude": altitude, "view_zenith": view_zenith}
         if distance is not None:
             labels["distance"] = distance
         return self._labelled(values, shape, "transmittance", "1", **labels)
+
+    def _replace_air_mass(
+        self,
+        depth: FloatArray,
+        air_mass: str,
+        altitude: FloatArray,
+        view_zenith: FloatArray,
+        distance: ArrayLike | None,
+    ) -> None:
+        """Columns of the gases by a formula for the whole way through the Earth's air."""
+        if air_mass != "pickering":
+            raise ParameterError("air_mass", air_mass, "'pickering', or none for true columns")
+        for name, value, allowed in (
+            ("altitude", float(altitude.max()), "0 m beside an air mass"),
+            ("view_zenith", float(view_zenith.max()), "0 to 90 deg beside an air mass"),
+        ):
+            if value > (90.0 if name == "view_zenith" else 0.0):
+                raise ParameterError(name, value, allowed)
+        if distance is not None:
+            raise ParameterError("distance", distance, "none beside an air mass")
+        medium = self.medium
+        nm = medium.wavelengths[:1]
+        formula = air_mass_pickering2002(90.0 - view_zenith)
+        for i, one in enumerate(medium.constituents):
+            if one.refractivities(nm, medium.thickness)[0] > 0.0:
+                depth[:, i] = formula * medium.columns[i]
 
     def irradiance(self, *, altitude: ArrayLike, sun_zenith: ArrayLike) -> xarray.Dataset:
         """Downward irradiance of a level surface by the star and by the sky.

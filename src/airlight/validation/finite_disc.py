@@ -1,9 +1,9 @@
 """What the star's disc changes, in light scattered once.
 
-The comparison of solvers has a point star: its disc is no matter of method. The moments and the
-direct solver count how much of the disc is visible but look at it through the air in front of its
-middle; Monte Carlo draws points of it. With the disc low in dense air the two are not the same:
-this is the size of it, from quadratures alone.
+The comparison of solvers has a point star: its disc is no matter of method. The direct solver
+counts how much of the disc is visible but looks at it through the air in front of its middle; the
+moments take two points of a low disc, Monte Carlo draws points of it. With the disc low in dense
+air a point is not the same as the disc: this is the size of it, from quadratures alone.
 """
 
 from __future__ import annotations

@@ -30,7 +30,9 @@ from airlight.solvers.direct.orders import Orders, solve_orders
 from airlight.solvers.direct.passes import add_ground, direct_light
 from airlight.solvers.direct.settings import Settings
 from airlight.solvers.direct.trapezoid import sphere
-from airlight.solvers.solution import Report, Sight, Solution
+from airlight.solvers.light_paths import only_straight
+from airlight.solvers.sight import Sight
+from airlight.solvers.solution import Report, Solution
 
 FloatArray = NDArray[np.float64]
 
@@ -212,6 +214,7 @@ def solve(
     ConvergenceError
         If the orders do not fall.
     """
+    only_straight(medium, "the direct solver")
     started = perf_counter()
     media = [medium]
     if settings.literal == "atmosphere-plus-1":

@@ -6,7 +6,7 @@ from math import sqrt
 
 import numpy as np
 
-from airlight.geometry.sun_disc import mean_cosine, sun_elevation, visible_fraction
+from airlight.geometry.bending import level_light, star_points
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
 from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate
@@ -28,7 +28,7 @@ def interpolate_row(ratios, x, shortest, longest, out):
 
 
 @compiled_loop
-def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, out, sky_out):
+def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, lift, out, sky_out):
     """Moments of the light scattered or reflected once, at all sun elevations of one radius.
 
     Parameters
@@ -37,18 +37,22 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, out, sk
         As in ``sweep_radius``.
     columns : array, shape (radii, directions, nc, 2)
         Of a ``ColumnTable``, from ``mean_density_ratios``.
+    lift : array, shape (rows, columns, 2)
+        From ``star_lift``. [1]
     """
     # Arrays are taken out of their tuples once: inside the loop each access would count references.
-    bottom, top, radii, sun_cosines, _, _ = grid
+    bottom, top, _, sun_cosines, _, _ = grid
     (
         all_mu,
         all_weights,
         all_flux,
-        all_lengths,
+        _,
         starts,
         totals,
-        distances,
+        ends,
         ray_radii,
+        _,
+        turns_along,
         amounts,
         depths,
     ) = rays
@@ -59,7 +63,6 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, out, sk
     terms = (degree + 1) * (degree + 2) // 2
     constituents = totals.shape[2]
     angles = all_mu.shape[1]
-    r = radii[i]
     tangent = sqrt((top - bottom) * (top + bottom))
     most = 0
     for a in range(angles):
@@ -80,6 +83,7 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, out, sk
         below = a < angles // 2
         first = starts[i, a]
         points = starts[i, a + 1] - first
+        turn = turns_along[first : first + points]
         for k in range(points):
             q = ray_radii[first + k]
             x = altitude_coordinate(q, bottom, top)
@@ -128,18 +132,16 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, out, sk
                 radiance = splat(0.0)
                 for k in range(points):
                     q = ray_radii[first + k]
-                    mu_sk = min(max((r * mu_s + distances[first + k] * nu) / q, -1.0), 1.0)
-                    seen = visible_fraction(sun_elevation(q, mu_sk, bottom), star_radius)
+                    mu_sk = min(max(turn[k, 0] * mu_s + turn[k, 1] * nu, -1.0), 1.0)
+                    seen, low, high = star_points(q, mu_sk, bottom, top, star_radius, lift)
                     if seen <= 0.0:
                         continue
-                    x = direction_coordinate(q, mu_sk, bottom, top) * (directions - 1)
-                    place = min(int(x), directions - 2)
-                    f = x - place
-                    for c in range(constituents):
-                        here[c] = (
-                            sun_columns[k, place, c] * (1.0 - f) + sun_columns[k, place + 1, c] * f
-                        )
-                    light = exponential(0.0 - optical_depth(here, 0, extinction, constituents))
+                    x = direction_coordinate(q, low, bottom, top) * (directions - 1)
+                    light = through_row(sun_columns[k], x, extinction, here)
+                    if high > low:
+                        x = direction_coordinate(q, high, bottom, top) * (directions - 1)
+                        light = light + through_row(sun_columns[k], x, extinction, here)
+                        light = light * np.float32(0.5)
                     source = splat(0.0)
                     for c in range(constituents):
                         source = source + load(phase, LANES * c) * load(
@@ -147,9 +149,9 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, out, sk
                         )
                     radiance = radiance + np.float32(seen) * light * source
                 if below:
-                    mu_sg = min(max((r * mu_s + all_lengths[i, a] * nu) / bottom, -1.0), 1.0)
+                    mu_sg = min(max(ends[i, a, 0] * mu_s + ends[i, a, 1] * nu, -1.0), 1.0)
                     radiance = radiance + reflected * direct_light(
-                        mu_sg, bottom, top, star_radius, extinction, ground_columns, here
+                        mu_sg, bottom, top, star_radius, extinction, ground_columns, lift, here
                     )
                 for m in range(degree + 1):
                     at = LANES * m
@@ -162,13 +164,21 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, out, sk
 
 
 @inlined
-def direct_light(mu_s, bottom, top, star_radius, extinction, ground_columns, here):
-    """Irradiance of level ground by the star itself, per irradiance at the top. [1]"""
-    x = direction_coordinate(bottom, max(mu_s, 0.0), bottom, top) * (ground_columns.shape[0] - 1)
-    place = min(int(x), ground_columns.shape[0] - 2)
+def through_row(columns, x, extinction, here):
+    """Transmittance of eight wavelengths at a place between the columns of one row. [1]"""
+    place = min(int(x), columns.shape[0] - 2)
     f = x - place
-    constituents = ground_columns.shape[1]
-    for c in range(constituents):
-        here[c] = ground_columns[place, c] * (1.0 - f) + ground_columns[place + 1, c] * f
-    light = exponential(0.0 - optical_depth(here, 0, extinction, constituents))
-    return light * np.float32(mean_cosine(mu_s, mu_s, star_radius))
+    for c in range(columns.shape[1]):
+        here[c] = columns[place, c] * (1.0 - f) + columns[place + 1, c] * f
+    return exponential(0.0 - optical_depth(here, 0, extinction, columns.shape[1]))
+
+
+@inlined
+def direct_light(mu_s, bottom, top, star_radius, extinction, ground_columns, lift, here):
+    """Irradiance of level ground by the star itself, per irradiance at the top. [1]"""
+    from_low, from_high, low, high = level_light(bottom, mu_s, bottom, top, star_radius, lift)
+    directions = ground_columns.shape[0] - 1
+    x = direction_coordinate(bottom, low, bottom, top) * directions
+    light = through_row(ground_columns, x, extinction, here) * np.float32(from_low)
+    x = direction_coordinate(bottom, high, bottom, top) * directions
+    return light + through_row(ground_columns, x, extinction, here) * np.float32(from_high)

@@ -15,6 +15,7 @@ from airlight.errors import ConvergenceError
 from airlight.kernel.lanes import LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.medium import Medium
+from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.acceleration import mixing_weights
 from airlight.solvers.moments.air import choose_degree, make_air
 from airlight.solvers.moments.first_order import first_order_radius
@@ -87,7 +88,7 @@ def even_azimuths(degree: int, count: int) -> Azimuths:
 
 
 def solve_moments(
-    medium: Medium,
+    paths: LightPaths,
     settings: Settings,
     *,
     progress: Progress | None = None,
@@ -97,8 +98,8 @@ def solve_moments(
 
     Parameters
     ----------
-    medium : Medium
-        Any number of wavelengths and constituents.
+    paths : LightPaths
+        Of a medium with any number of wavelengths and constituents.
     settings : Settings
         Grid sizes and tolerance.
     progress, cancel : callable, optional
@@ -111,12 +112,20 @@ def solve_moments(
     Cancelled
         If ``cancel`` said so.
     """
+    medium = paths.medium
     degree = choose_degree(medium, settings)
     grid = grid_for(medium, settings)
     strongest = medium.extinction.max(axis=1)
     sweeper = Sweeper(
         grid=grid,
-        rays=trace_rays(grid, medium.density, strongest, settings.zenith_angles, settings.nodes),
+        rays=trace_rays(
+            grid,
+            medium.density,
+            strongest,
+            settings.zenith_angles,
+            settings.nodes,
+            bend=paths.bend,
+        ),
         azimuths=even_azimuths(degree, max(settings.azimuths, 3 * degree // 4)),
         expansion=harmonics(degree),
         cancel=cancel,
@@ -137,7 +146,7 @@ def solve_moments(
         block = slice(first, min(first + LANES, count))
         air = make_air(medium, degree, block)
         watch = _Watch(progress, settings.tolerance, block, medium.wavelengths)
-        result = _iterate(sweeper, air, ratios, settings, watch)
+        result = _iterate(sweeper, air, (ratios, paths.lift), settings, watch)
         field[..., block], sky[..., block], residual[block], sweeps = result
         most = max(most, sweeps)
     return Moments(
@@ -208,12 +217,16 @@ class _Watch:
 
 
 def _iterate(
-    sweeper: Sweeper, air: Air, columns: FloatArray, settings: Settings, watch: _Watch
+    sweeper: Sweeper,
+    air: Air,
+    star: tuple[FloatArray, FloatArray],
+    settings: Settings,
+    watch: _Watch,
 ) -> tuple[Float32Array, Float32Array, FloatArray, int]:
     """One block of wavelengths: the sum of all orders, its residual and the number of sweeps."""
     used = watch.block.stop - watch.block.start
     watch.report(1.0)
-    first_field, first_sky = sweeper.gather(first_order_radius, air, columns)
+    first_field, first_sky = sweeper.gather(first_order_radius, air, *star)
     if not (first_field[:, :, 0] > 0.0).any():
         return first_field[..., :used], first_sky[..., :used], np.zeros(used), 0
     field, sky = first_field, first_sky

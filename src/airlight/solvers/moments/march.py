@@ -14,9 +14,9 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.geometry.bending import bend_angle, level_light, star_points, turned
 from airlight.geometry.path import MAX_EDGES, place_edges, shadow_edges
 from airlight.geometry.shell import radius_along
-from airlight.geometry.sun_disc import mean_cosine, sun_elevation, visible_fraction
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, exponential, load, splat, store
 from airlight.solvers.moments.grid import Grid, row_of
@@ -66,6 +66,10 @@ class Light(NamedTuple):
         From ``density_table``.
     strongest, brightest : array, shape (nc,)
         Largest extinction and largest scattering of each constituent at any wavelength. [m⁻¹]
+    lift : array, shape (rows, columns, 2)
+        From ``star_lift``; of no rows where light goes straight. [1]
+    bend : float
+        Bending over impact parameter and column of the last constituent. [m⁻²]
     """
 
     grid: Grid
@@ -78,6 +82,8 @@ class Light(NamedTuple):
     density: FloatArray
     strongest: FloatArray
     brightest: FloatArray
+    lift: FloatArray
+    bend: float
 
 
 class Workspace(NamedTuple):
@@ -87,7 +93,7 @@ class Workspace(NamedTuple):
     ----------
     edges, counts, distance, radius, weight, density, column, total, scratch :
         Of the rays, overwritten by ``march``.
-    functions, here, rho, depths, faint :
+    functions, here, there, rho, depths, faint :
         Of one point, overwritten by ``march``.
     received : array, shape (w,)
         Irradiance of the ground by ``ground_light``. [1]
@@ -106,6 +112,7 @@ class Workspace(NamedTuple):
     scratch: FloatArray
     functions: Float32Array
     here: FloatArray
+    there: FloatArray
     rho: Float32Array
     depths: Float32Array
     faint: FloatArray
@@ -128,6 +135,7 @@ def new_workspace(points: int, constituents: int, terms: int, lanes: int) -> Wor
         scratch=np.empty(points),
         functions=np.empty(terms, np.float32),
         here=np.empty(constituents),
+        there=np.empty(constituents),
         rho=np.empty(constituents, np.float32),
         depths=np.empty(constituents, np.float32),
         faint=np.empty(PACKET),
@@ -207,8 +215,10 @@ def march(packet, rays, orders, panels, rules, light, work):
     scattering, field, sun_table = light.scattering, light.field, light.columns
     expansion, table = light.expansion, light.density
     strongest, brightest = light.strongest, light.brightest
+    lift, bend = light.lift, light.bend
     degree = expansion.degree
-    functions, here, edges, counts = work.functions, work.here, work.edges, work.counts
+    functions, here, there = work.functions, work.here, work.there
+    edges, counts = work.edges, work.counts
     rho, depths, faint = work.rho, work.depths, work.faint
     distance, radius, weight = work.distance, work.radius, work.weight
     density, column, total = work.density, work.column, work.total
@@ -248,15 +258,23 @@ def march(packet, rays, orders, panels, rules, light, work):
             q = min(max(radius[p, k], bottom), top)
             t = distance[p, k]
             w = np.float32(weight[p, k])
+            mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
             mu_sq = min(max((r * mu_s + t * nu) / q, -1.0), 1.0)
+            nu_q = nu
+            if bend > 0.0:
+                angle = bend_angle(r, mu, bend, column[p, constituents - 1, k])
+                mu_sq, nu_q = turned(mu_q, mu_sq, nu, angle)
+                mu_sq = min(max(mu_sq, -1.0), 1.0)
             for c in range(constituents):
                 rho[c] = np.float32(density[p, c, k])
                 depths[c] = np.float32(column[p, c, k])
-            seen = 0.0
+            seen, low, high = 0.0, 0.0, 0.0
             if orders != 0:
-                seen = visible_fraction(sun_elevation(q, mu_sq, bottom), star_radius)
+                seen, low, high = star_points(q, mu_sq, bottom, top, star_radius, lift)
                 if seen > 0.0:
-                    columns_to_top(q, mu_sq, bottom, top, sun_table, here)
+                    columns_to_top(q, low, bottom, top, sun_table, here)
+                if high > low:
+                    columns_to_top(q, high, bottom, top, sun_table, there)
             w00, w01, w10, w11 = np.float32(0.0), np.float32(0.0), np.float32(0.0), np.float32(0.0)
             a00 = 0
             depth = 0.0
@@ -264,10 +282,9 @@ def march(packet, rays, orders, panels, rules, light, work):
                 depth += brightest[c] * density[p, c, k]
             gathers = orders != 1 and depth * weight[p, k] >= faint[p]
             if gathers:
-                mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
                 legendre_functions(mu_q, expansion, functions)
                 spread = (1.0 - mu_q) * (1.0 + mu_q) * (1.0 - mu_sq) * (1.0 + mu_sq)
-                step = (nu - mu_q * mu_sq) / sqrt(max(spread, 1e-24))
+                step = (nu_q - mu_q * mu_sq) / sqrt(max(spread, 1e-24))
                 times_cosines(functions, min(max(step, -1.0), 1.0), degree)
                 x = row_of(q, bottom, top, row_table)
                 row = min(int(x), radii - 2)
@@ -290,9 +307,11 @@ def march(packet, rays, orders, panels, rules, light, work):
                             + (load(scattering, lanes * c + at) * load(phase, lanes * c + at))
                             * rho[c]
                         )
-                    source = (
-                        source * np.float32(seen) * through_columns(here, extinction, lanes, at)
-                    )
+                    light_here = through_columns(here, extinction, lanes, at)
+                    if high > low:
+                        light_here = light_here + through_columns(there, extinction, lanes, at)
+                        light_here = light_here * np.float32(0.5)
+                    source = source * np.float32(seen) * light_here
                 if gathers:
                     gathered = splat(0.0)
                     for l in range(degree + 1):
@@ -346,9 +365,14 @@ def ground_light(mu_s, orders, light, work):
     """
     grid, air = light.grid, light.air
     bottom, lanes = grid.bottom_radius, air.albedo.size
-    direct = mean_cosine(mu_s, mu_s, air.star_radius)
+    top = grid.top_radius
+    from_low, from_high, below, above = level_light(
+        bottom, mu_s, bottom, top, air.star_radius, light.lift
+    )
+    direct = from_low + from_high
     if direct > 0.0:
-        columns_to_top(bottom, max(mu_s, 0.0), bottom, grid.top_radius, light.columns, work.here)
+        columns_to_top(bottom, below, bottom, top, light.columns, work.here)
+        columns_to_top(bottom, above, bottom, top, light.columns, work.there)
     x = place_of(mu_s, grid.place)
     place = min(int(x), grid.sun_cosines.size - 2)
     e = np.float32(x - place)
@@ -356,7 +380,9 @@ def ground_light(mu_s, orders, light, work):
     for at in range(0, lanes, LANES):
         received = splat(0.0)
         if orders != 0 and direct > 0.0:
-            received = through_columns(work.here, air.extinction, lanes, at) * np.float32(direct)
+            received = through_columns(work.here, air.extinction, lanes, at) * np.float32(
+                from_low
+            ) + through_columns(work.there, air.extinction, lanes, at) * np.float32(from_high)
         if orders != 1:
             low = place * 2 * lanes + at
             high = low + 2 * lanes
@@ -372,15 +398,15 @@ def direct_irradiance(r, mu_s, light, work, out):
     bottom, top = light.grid.bottom_radius, light.grid.top_radius
     lanes = light.air.albedo.size
     for k in range(r.size):
-        cosine = max(mu_s[k], 0.0)
-        if r[k] <= bottom:
-            cosine = mean_cosine(mu_s[k], mu_s[k], light.air.star_radius)
-        elif mu_s[k] <= 0.0:
-            cosine = 0.0
-        columns_to_top(r[k], max(mu_s[k], 0.0), bottom, top, light.columns, work.here)
+        from_low, from_high, low, high = level_light(
+            r[k], mu_s[k], bottom, top, light.air.star_radius, light.lift
+        )
+        columns_to_top(r[k], low, bottom, top, light.columns, work.here)
+        columns_to_top(r[k], high, bottom, top, light.columns, work.there)
         for at in range(0, lanes, LANES):
             through = through_columns(work.here, light.air.extinction, lanes, at)
-            store(out[k], at, through * np.float32(cosine))
+            there = through_columns(work.there, light.air.extinction, lanes, at)
+            store(out[k], at, through * np.float32(from_low) + there * np.float32(from_high))
 
 
 @compiled_loop

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.polynomial.legendre import legvander
 from numpy.typing import NDArray
 
+from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.path import MAX_EDGES, place_edges, ray_length
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.shell import horizon_cosine
@@ -36,8 +37,14 @@ class Rays(NamedTuple):
         Where the points of a ray begin in the arrays below.
     total : array, shape (r, a, nc)
         Columns over the whole ray. [m]
-    distance, radius : array, shape (p,)
-        Of the points, from the start of their ray and from the planet's centre. [m]
+    end : array, shape (r, a, 2)
+        The cosine of the star's zenith angle at the ray's end is the first times that at its
+        start, plus the second times the cosine between star and ray. [1]
+    radius, mu_along : array, shape (p,)
+        Of the points: distance from the planet's centre [m] and zenith cosine of the ray [1].
+    turn : array, shape (p, 4)
+        The cosine of the star's zenith angle at the point, from that at the start and the cosine
+        between star and ray, as ``end``; then the cosine between star and ray there, alike. [1]
     amount : array, shape (p, nc)
         Density times length that a point stands for. [m]
     column : array, shape (p, nc)
@@ -50,15 +57,28 @@ class Rays(NamedTuple):
     length: FloatArray
     start: IntArray
     total: FloatArray
-    distance: FloatArray
+    end: FloatArray
     radius: FloatArray
+    mu_along: FloatArray
+    turn: FloatArray
     amount: FloatArray
     column: FloatArray
 
 
 @compiled_loop
-def _trace_rays(grid, mu, panels, rule, table, strongest, edges, path, rays):
+def _turn(r, mu, distance, radius, angle, out):
+    """What ``Rays.turn`` holds for a point of a ray, bent by an angle until there."""
+    mu_along = min(max((r * mu + distance) / radius, -1.0), 1.0)
+    out[0], out[2] = turned(mu_along, r / radius, 0.0, angle)
+    out[1], out[3] = turned(mu_along, distance / radius, 1.0, angle)
+    return mu_along
+
+
+@compiled_loop
+def _trace_rays(grid, mu, panels, rule, table, strongest, bend, edges, path, rays):
     count = 0
+    here = np.empty(4)
+    last = table.shape[1] - 1
     for i in range(mu.shape[0]):
         r = grid.radii[i]
         for a in range(mu.shape[1]):
@@ -84,9 +104,15 @@ def _trace_rays(grid, mu, panels, rule, table, strongest, edges, path, rays):
             )
             for c in range(table.shape[1]):
                 rays.total[i, a, c] = path[5][c] if points > 0 else 0.0
+            if below:
+                bent = bend_angle(r, mu[i, a], bend, rays.total[i, a, last])
+                _turn(r, mu[i, a], length, grid.bottom_radius, bent, here)
+                rays.end[i, a, 0], rays.end[i, a, 1] = here[0], here[1]
             for k in range(points):
-                rays.distance[count] = path[0][k]
-                rays.radius[count] = min(max(path[1][k], grid.bottom_radius), grid.top_radius)
+                q = min(max(path[1][k], grid.bottom_radius), grid.top_radius)
+                rays.radius[count] = q
+                bent = bend_angle(r, mu[i, a], bend, path[4][last, k])
+                rays.mu_along[count] = _turn(r, mu[i, a], path[0][k], q, bent, rays.turn[count])
                 for c in range(table.shape[1]):
                     rays.amount[count, c] = path[3][c, k] * path[2][k]
                     rays.column[count, c] = path[4][c, k]
@@ -102,6 +128,8 @@ def trace_rays(
     angles: int,
     nodes: int,
     panels: int = 1,
+    *,
+    bend: float = 0.0,
 ) -> Rays:
     """Trace all rays of a sweep.
 
@@ -117,6 +145,9 @@ def trace_rays(
         Gauss-Legendre zenith angles on each side of the local horizon.
     nodes, panels : int
         Points a panel, and panels a leg.
+    bend : float
+        Bending over impact parameter and column of the last constituent; 0 for straight rays.
+        [m⁻²]
     """
     rule = gauss_legendre(angles)
     horizon = -np.sqrt((grid.radii - grid.bottom_radius) * (grid.radii + grid.bottom_radius))
@@ -137,8 +168,10 @@ def trace_rays(
         np.empty(mu.shape),
         np.empty((mu.shape[0], mu.shape[1] + 1), np.int64),
         np.empty((*mu.shape, constituents)),
+        np.zeros((*mu.shape, 2)),
         np.empty(room),
         np.empty(room),
+        np.empty((room, 4)),
         np.empty((room, constituents)),
         np.empty((room, constituents)),
     )
@@ -149,13 +182,15 @@ def trace_rays(
         gauss_legendre(nodes).as_tuple(),
         density_table(density, grid.top_radius - grid.bottom_radius),
         strongest,
+        bend,
         np.empty(MAX_EDGES),
         new_path(per_ray, constituents),
         rays,
     )
     return rays._replace(
-        distance=rays.distance[:count].copy(),
         radius=rays.radius[:count].copy(),
+        mu_along=rays.mu_along[:count].copy(),
+        turn=rays.turn[:count].copy(),
         amount=rays.amount[:count].copy(),
         column=rays.column[:count].copy(),
     )

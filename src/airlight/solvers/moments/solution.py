@@ -10,11 +10,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel import compiled_loop, disk, source_fingerprint
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.medium import Medium
+from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.air import make_air
 from airlight.solvers.moments.harmonics import coefficient_count, harmonics
 from airlight.solvers.moments.iterate import Moments, grid_for, solve_moments
@@ -30,7 +32,8 @@ from airlight.solvers.moments.march import (
 )
 from airlight.solvers.moments.packing import pack, pack_light
 from airlight.solvers.moments.settings import Settings
-from airlight.solvers.solution import Report, Sight, Solution
+from airlight.solvers.sight import Sight
+from airlight.solvers.solution import Report, Solution
 from airlight.tables.column_ratios import mean_density_ratios
 from airlight.tables.columns import ColumnTable, density_table
 
@@ -54,12 +57,20 @@ class MomentsSolution(Solution):
         What came out.
     seconds : float
         What it took; 0 from the cache. [s]
+    paths : LightPaths, optional
+        Of the medium, if they are known already.
     """
 
     def __init__(
-        self, medium: Medium, settings: Settings, moments: Moments, seconds: float
+        self,
+        medium: Medium,
+        settings: Settings,
+        moments: Moments,
+        seconds: float,
+        paths: LightPaths | None = None,
     ) -> None:
         self.medium = medium
+        self.paths = LightPaths.of(medium) if paths is None else paths
         self.settings = settings
         self.moments = moments
         self.report = Report(
@@ -73,7 +84,7 @@ class MomentsSolution(Solution):
     @cached_property
     def light(self) -> Light:
         """What ``march`` needs, for all wavelengths."""
-        moments, medium = self.moments, self.medium
+        moments, medium = self.moments, self.paths.medium
 
         def filled(values: Float32Array) -> Float32Array:
             missing = -values.shape[-1] % LANES
@@ -92,19 +103,23 @@ class MomentsSolution(Solution):
             density=density_table(medium.density, medium.thickness),
             strongest=medium.extinction.max(axis=1),
             brightest=medium.scattering.max(axis=1),
+            lift=self.paths.lift,
+            bend=self.paths.bend,
         )
 
     def workspace(self, nodes: int, panels: int) -> Workspace:
         """Scratch for one thread that marches with so many nodes a panel and panels a leg."""
         return new_workspace(
             nodes * (2 * panels + 10),
-            len(self.medium.names),
+            len(self.paths.medium.names),
             coefficient_count(self.moments.degree),
             self.light.air.albedo.size,
         )
 
     def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
         """See ``Solution``; all orders, or the first alone."""
+        sight = self.paths.sight(sight)
+        seen = self.paths.seen_nu(sight)
         n = sight.r.size
         out = np.empty((n, self.wavelengths.size))
         nodes, panels = self.settings.march_nodes, self.settings.march_panels
@@ -114,7 +129,7 @@ class MomentsSolution(Solution):
 
         def run(index: int) -> None:
             rows = slice(index * _BLOCK, min((index + 1) * _BLOCK, n))
-            phases = self.medium.phase_function(sight.nu[rows])
+            phases = self.paths.medium.phase_function(seen[rows])
             phase = pack(phases).reshape(phases.shape[0], -1)
             result = np.empty((phase.shape[0], light.air.albedo.size), np.float32)
             _march_all(
@@ -141,11 +156,13 @@ class MomentsSolution(Solution):
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
         work = self.workspace(1, 1)
-        return self._received(r, lambda light, out: direct_irradiance(r, mu_s, light, work, out))
+        x = self.paths.optical_radius(r)
+        return self._received(x, lambda light, out: direct_irradiance(x, mu_s, light, work, out))
 
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
-        return self._received(r, lambda light, out: sky_irradiance(r, mu_s, light, out))
+        x = self.paths.optical_radius(r)
+        return self._received(x, lambda light, out: sky_irradiance(x, mu_s, light, out))
 
     def _received(self, r: FloatArray, fill: Callable[[Light, Float32Array], None]) -> FloatArray:
         result = np.empty((r.size, self.light.air.albedo.size), np.float32)
@@ -171,7 +188,13 @@ def _march_all(
             bright = work.radiance[p]
             if to_ground[k]:
                 bottom = light.grid.bottom_radius
-                mu_s_ground = min(max((r[k] * mu_s[k] + length[k] * nu[k]) / bottom, -1.0), 1.0)
+                mu_s_ground = (r[k] * mu_s[k] + length[k] * nu[k]) / bottom
+                if light.bend > 0.0:
+                    mu_ground = (r[k] * mu[k] + length[k]) / bottom
+                    last = work.total.shape[1] - 1
+                    angle = bend_angle(r[k], mu[k], light.bend, work.total[p, last])
+                    mu_s_ground, _ = turned(mu_ground, mu_s_ground, nu[k], angle)
+                mu_s_ground = min(max(mu_s_ground, -1.0), 1.0)
                 ground_light(mu_s_ground, orders, light, work)
                 for at in range(0, bright.size, LANES):
                     reflected = load(work.received, at) * load(light.air.albedo, at) * INVERSE_PI
@@ -201,15 +224,16 @@ def solve(
         See ``airlight.kernel.threads``.
     """
     key = _key(medium, settings)
+    paths = LightPaths.of(medium)
     if cache:
         stored = disk.load(key)
         if stored is not None:
-            moments = _from_arrays(medium, settings, stored)
+            moments = _from_arrays(paths.medium, settings, stored)
             if moments is not None:
-                return MomentsSolution(medium, settings, moments, 0.0)
+                return MomentsSolution(medium, settings, moments, 0.0, paths)
     started = perf_counter()
-    moments = solve_moments(medium, settings, progress=progress, cancel=cancel)
-    solution = MomentsSolution(medium, settings, moments, perf_counter() - started)
+    moments = solve_moments(paths, settings, progress=progress, cancel=cancel)
+    solution = MomentsSolution(medium, settings, moments, perf_counter() - started, paths)
     if cache:
         disk.save(
             key,

@@ -118,11 +118,13 @@ def sweep_radius(i, grid, rays, azimuths, air, expansion, field, ground, out, sk
         all_mu,
         all_weights,
         all_flux,
-        all_lengths,
+        _,
         starts,
         totals,
-        distances,
+        ends,
         ray_radii,
+        mu_along,
+        turns_along,
         amounts,
         depths,
     ) = rays
@@ -134,7 +136,6 @@ def sweep_radius(i, grid, rays, azimuths, air, expansion, field, ground, out, sk
     terms = (degree + 1) * (degree + 2) // 2
     constituents = totals.shape[2]
     angles = all_mu.shape[1]
-    r = radii[i]
     most = 0
     for a in range(angles):
         most = max(most, starts[i, a + 1] - starts[i, a])
@@ -143,9 +144,6 @@ def sweep_radius(i, grid, rays, azimuths, air, expansion, field, ground, out, sk
     functions = np.empty(terms)
     factors = np.empty(terms * LANES, np.float32)
     azimuthal = np.empty((degree + 1) * LANES, np.float32)
-    at_sun = np.empty(max(most, 1))
-    at_nu = np.empty(max(most, 1))
-    mu_at = np.empty(max(most, 1))
     across = np.empty(max(most, 1))
     out[:] = 0.0
     sky_out[:] = 0.0
@@ -154,14 +152,10 @@ def sweep_radius(i, grid, rays, azimuths, air, expansion, field, ground, out, sk
         below = a < angles // 2
         first = starts[i, a]
         points = starts[i, a + 1] - first
-        length = all_lengths[i, a]
+        turn = turns_along[first : first + points]
         for k in range(points):
             q = ray_radii[first + k]
-            t = distances[first + k]
-            mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
-            at_sun[k] = r / q
-            at_nu[k] = t / q
-            mu_at[k] = mu_q
+            mu_q = mu_along[first + k]
             across[k] = (1.0 - mu_q) * (1.0 + mu_q)
             legendre_functions(mu_q, expansion, functions)
             through = exponential(
@@ -213,13 +207,14 @@ def sweep_radius(i, grid, rays, azimuths, air, expansion, field, ground, out, sk
                 nu = min(max(mu * mu_s + sine * sun_sine * cosines[b], -1.0), 1.0)
                 radiance = splat(0.0)
                 for k in range(points):
-                    mu_sk = min(max(at_sun[k] * mu_s + at_nu[k] * nu, -1.0), 1.0)
+                    mu_sk = min(max(turn[k, 0] * mu_s + turn[k, 1] * nu, -1.0), 1.0)
+                    nu_k = turn[k, 2] * mu_s + turn[k, 3] * nu
                     x = place_of(mu_sk, places)
                     column = min(int(x), suns - 2)
                     f = np.float32(x - column)
                     g = np.float32(1.0) - f
                     spread = across[k] * (1.0 - mu_sk) * (1.0 + mu_sk)
-                    cosine = (nu - mu_at[k] * mu_sk) / sqrt(max(spread, 1e-24))
+                    cosine = (nu_k - mu_along[first + k] * mu_sk) / sqrt(max(spread, 1e-24))
                     step = np.float32(min(max(cosine, -1.0), 1.0))
                     low = (k * suns + column) * block
                     high = low + block
@@ -237,7 +232,7 @@ def sweep_radius(i, grid, rays, azimuths, air, expansion, field, ground, out, sk
                         multiple = following
                     radiance = radiance + total / scale
                 if below:
-                    mu_sg = min(max((r * mu_s + length * nu) / bottom, -1.0), 1.0)
+                    mu_sg = min(max(ends[i, a, 0] * mu_s + ends[i, a, 1] * nu, -1.0), 1.0)
                     x = place_of(mu_sg, places)
                     column = min(int(x), suns - 2)
                     f = np.float32(x - column)

@@ -14,11 +14,13 @@ from airlight.geometry.shell import distance_to_top
 from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
+from airlight.solvers.light_paths import only_straight
 from airlight.solvers.montecarlo.air import make_air
 from airlight.solvers.montecarlo.estimate import Estimate, Question, estimate
 from airlight.solvers.montecarlo.settings import Settings
+from airlight.solvers.sight import Sight
 from airlight.solvers.single_scattering import reflected_once, single_scattering
-from airlight.solvers.solution import Report, Sight, Solution
+from airlight.solvers.solution import Report, Solution
 from airlight.solvers.star_light import direct_irradiance
 
 if TYPE_CHECKING:
@@ -289,4 +291,5 @@ def solve(
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``; kept for the answers.
     """
+    only_straight(medium, "the montecarlo solver")
     return MonteCarloSolution(medium, settings, progress=progress, cancel=cancel)

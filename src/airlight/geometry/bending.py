@@ -1,0 +1,186 @@
+r"""Bent rays drawn straight: directions along them, and where a star seems to stand.
+
+In air whose refractive index n depends on the radius alone, Bouguer's invariant
+b = n r sin z holds along a ray. With the **optical radius** x = n r it reads b = x sin z: drawn in
+the plane with x for the radius, the ray is straight and has its true zenith angle at every point,
+so all the geometry of straight rays serves bent ones. Two things differ: a step of arc length is
+dr/dx times the drawn one, which is taken into the densities; and the angle ψ at the centre grows
+faster, dψ = dψ_x (x/r) dr/dx. The difference, summed along the ray, is the angle by which the light
+has been bent; a star's zenith angle at a point of the ray is off by it.
+
+Source: Auer & Standish (2000), Astronomical Journal 119, 2472, for Bouguer's invariant and its
+quadrature; Costa et al. (2021), IEEE TVCG 27, 785, section 4.4, for what it is wanted for.
+"""
+
+from __future__ import annotations
+
+from math import cos, sin, sqrt
+
+from airlight.geometry.shell import horizon_cosine
+from airlight.geometry.sun_disc import sun_elevation, visible_fraction, visible_spread
+from airlight.kernel import inlined, kernel
+
+
+@kernel
+def turned(mu, mu_s, nu, angle):
+    """Cosines at a point of a bent ray, from those of the straight ray it is drawn as.
+
+    Parameters
+    ----------
+    mu : float
+        Cosine of the ray's zenith angle at the point. [1]
+    mu_s, nu : float
+        Cosine of the star's zenith angle at the point as drawn, and between star and ray. [1]
+    angle : float
+        By which the ray has been bent from its start to the point. [rad]
+
+    Returns
+    -------
+    mu_s, nu : float
+        At the point as it is. [1]
+
+    Notes
+    -----
+    Point and ray are turned together, about the axis that is at right angles to both; the star
+    stays. A vertical ray is not bent. Both answers are linear in ``mu_s`` and ``nu``.
+
+    Examples
+    --------
+    >>> turned(0.0, 0.0, 1.0, 0.0)  # looking at a star on the horizon, not bent
+    (0.0, 1.0)
+    """
+    sine = sqrt(max((1.0 - mu) * (1.0 + mu), 1e-18))
+    across = (nu - mu * mu_s) / sine
+    turn, keep = sin(angle), cos(angle)
+    here = keep * mu_s + turn * across
+    return here, mu * here + sine * (keep * across - turn * mu_s)
+
+
+@kernel
+def bend_angle(x, mu, bend, column):
+    """Angle by which a ray is bent on a stretch whose column of "bending" is known. [rad]
+
+    Parameters
+    ----------
+    x, mu : float
+        Optical radius of any point of the ray [m], and its zenith cosine there [1].
+    bend : float
+        See ``optics.bent_density``. [m⁻²]
+    column : float
+        [m]
+    """
+    return bend * column * x * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
+
+
+@inlined
+def seen_star(x, mu_s, bottom, top, lift):
+    """Where a star seems to stand from a point of optical radius x, and how it is squeezed.
+
+    Parameters
+    ----------
+    x : float
+        Optical radius of the point. [m]
+    mu_s : float
+        Cosine of the star's true zenith angle there. [1]
+    bottom, top : float
+        Optical radii of the ground and of the top. [m]
+    lift : array, shape (rows, columns, 2)
+        From ``airlight.tables.star_lift``; of no rows where light goes straight. [1]
+
+    Returns
+    -------
+    mu_seen : float
+        Cosine of the zenith angle at which the star is seen. [1]
+    squeeze : float
+        d mu_seen/d mu_s: by so much the star's disc is smaller than without air, and so is the
+        light that arrives, since each part of the disc keeps its radiance. [1]
+    elevation : float
+        True elevation above the true place of the horizon, right near it. [rad]
+    """
+    if lift.shape[0] == 0:
+        return mu_s, 1.0, sun_elevation(x, mu_s, bottom)
+    sine = bottom / x
+    horizon = horizon_cosine(x, bottom)
+    tangent = sqrt((top - bottom) * (top + bottom))
+    at = sqrt(max((x - bottom) * (x + bottom), 0.0)) / tangent * (lift.shape[0] - 1)
+    row = min(int(at), lift.shape[0] - 2)
+    f = at - row
+    true_horizon = horizon - (lift[row, 0, 0] * (1.0 - f) + lift[row + 1, 0, 0] * f)
+    above = mu_s - true_horizon
+    share = sqrt(min(max(above, 0.0) / (1.0 - true_horizon), 1.0)) * (lift.shape[1] - 1)
+    column = min(int(share), lift.shape[1] - 2)
+    e = share - column
+    w00, w01 = (1.0 - f) * (1.0 - e), (1.0 - f) * e
+    w10, w11 = f * (1.0 - e), f * e
+    raised = (
+        w00 * lift[row, column, 0]
+        + w01 * lift[row, column + 1, 0]
+        + w10 * lift[row + 1, column, 0]
+        + w11 * lift[row + 1, column + 1, 0]
+    )
+    squeeze = (
+        w00 * lift[row, column, 1]
+        + w01 * lift[row, column + 1, 1]
+        + w10 * lift[row + 1, column, 1]
+        + w11 * lift[row + 1, column + 1, 1]
+    )
+    return min(mu_s + raised, 1.0), squeeze, above / sine
+
+
+#: A star whose middle is higher than so many of its radii above the horizon is looked at through
+#: its middle: the two points of a lower one differ by less than 1e-3 from it in clear air.
+_HIGH = 16.0
+
+
+@inlined
+def star_points(x, mu_s, bottom, top, star_radius, lift):
+    """What is visible of a star from a point of the air, as one or two places in the sky.
+
+    Parameters
+    ----------
+    x, mu_s, bottom, top, lift :
+        As in ``seen_star``.
+    star_radius : float
+        True angular radius of the star. [rad]
+
+    Returns
+    -------
+    received : float
+        Irradiance of a surface that faces the star, over that outside the air, but for the air's
+        transmittance. [1]
+    low, high : float
+        Cosines of the zenith angles at which the two points of the visible part are seen that
+        stand for it, half each; the same where its height does not matter. [1]
+    """
+    seen, squeeze, elevation = seen_star(x, mu_s, bottom, top, lift)
+    received = squeeze * visible_fraction(elevation, star_radius)
+    if received <= 0.0 or star_radius <= 0.0 or elevation > _HIGH * star_radius:
+        return received, seen, seen
+    mean, deviation = visible_spread(elevation, star_radius)
+    middle = seen + squeeze * (bottom / x) * (mean - elevation)
+    apart = squeeze * (bottom / x) * deviation
+    lowest = horizon_cosine(x, bottom)
+    return received, max(middle - apart, lowest), min(middle + apart, 1.0)
+
+
+@inlined
+def level_light(x, mu_s, bottom, top, star_radius, lift):
+    """What a level surface receives of a star, as one or two places in the sky.
+
+    Parameters
+    ----------
+    x, mu_s, bottom, top, star_radius, lift :
+        As in ``star_points``.
+
+    Returns
+    -------
+    received_low, received_high : float
+        Irradiance from either place over that of a surface which faces the star outside the air,
+        but for the air's transmittance. [1]
+    low, high : float
+        Cosines of the zenith angles at which the places are seen, at least 0. [1]
+    """
+    received, low, high = star_points(x, mu_s, bottom, top, star_radius, lift)
+    # Aloft the level surface hides the half of the sky below, not the planet.
+    low, high = max(low, 0.0), max(high, 0.0)
+    return 0.5 * received * low, 0.5 * received * high, low, high

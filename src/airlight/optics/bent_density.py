@@ -1,0 +1,173 @@
+r"""Profiles over optical altitude: what lets bent rays be integrated as straight ones.
+
+See ``geometry.bending``: with x = n r, a column along a bent ray is the column along a straight one
+of the density times dr/dx, and the bending is b times the column of
+
+.. math:: \frac{1}{x^2}\left(\frac{x}{r}\frac{dr}{dx} - 1\right)
+
+which is positive where n falls with height and vanishes with it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.errors import ParameterError
+from airlight.optics.density_profile import DensitySegments, Row
+
+FloatArray = npt.NDArray[np.float64]
+
+#: Pieces of a profile over optical altitude, even in the square root of altitude, beside its own.
+_PIECES: Final = 192
+#: Least d(n r)/dr that is taken: below it light near the ground goes round the planet.
+_LEAST_GROWTH: Final = 0.05
+
+
+@dataclass(frozen=True, eq=False)
+class BentShell:
+    """A shell in which light is bent, by optical radius.
+
+    Attributes
+    ----------
+    bottom, top : float
+        Optical radii of the ground and of the top of the shell. [m]
+    altitude, optical : array, shape (n,)
+        Altitude above the ground [m], and optical radius there [m].
+    density : DensitySegments
+        Over optical altitude, times dr/dx: the constituents, then one more, "bending", the last
+        formula at the head of this file over its largest value. [1]
+    length : DensitySegments
+        dr/dx itself, whose column is the true length of a ray. [1]
+    bend : float
+        Bending of a ray = ``bend`` · b · column of the last constituent. [m⁻²]
+    """
+
+    bottom: float
+    top: float
+    altitude: FloatArray
+    optical: FloatArray
+    density: DensitySegments
+    length: DensitySegments
+    bend: float
+
+    @classmethod
+    def build(
+        cls,
+        density: DensitySegments,
+        refractivity: FloatArray,
+        bottom_radius: float,
+        top_radius: float,
+    ) -> BentShell:
+        """The shell of profiles of which some refract.
+
+        Parameters
+        ----------
+        density : DensitySegments
+            Over altitude.
+        refractivity : array, shape (nc,)
+            n - 1 of each constituent at relative density 1. [1]
+        bottom_radius, top_radius : float
+            [m]
+
+        Raises
+        ------
+        ParameterError
+            If light would be bent as much as the ground is curved, or the refractivity grows with
+            height.
+        """
+        thickness = top_radius - bottom_radius
+        own = density.edges[(density.edges > 0.0) & (density.edges < thickness)]
+        even = thickness * np.linspace(0.0, 1.0, _PIECES + 1) ** 2
+        nodes = np.unique(np.concatenate([even, own]))
+        nodes = nodes[np.concatenate([[True], np.diff(nodes) > 1e-9 * thickness])]
+        nodes[-1] = thickness
+        # The top counts as vacuum, so that nothing leaps where the shell ends.
+        excess = refractivity @ (density.at(nodes) - density.at(np.array([thickness])))
+        growth = _growth(density, refractivity, bottom_radius, nodes, excess)
+        _check(nodes, growth, excess)
+        r = bottom_radius + nodes
+        optical = r * (1.0 + excess)
+        stretch = 1.0 / growth
+        # The optical altitude from differences that keep their digits.
+        optical_altitude = nodes * (1.0 + excess) + bottom_radius * (excess - excess[0])
+        bending = ((1.0 + excess) * stretch - 1.0) / optical**2
+        bend = float(bending.max())
+        share = bending / bend if bend > 0.0 else bending
+        # From both sides of a node, since a profile may leap there.
+        hair = 1e-6 * np.diff(nodes)
+        above = density.at(nodes[:-1] + hair) * stretch[:-1]
+        below = density.at(nodes[1:] - hair) * stretch[1:]
+        # Density and dr/dx halfway up each piece, the latter to second order.
+        halfway = density.at(nodes[:-1] + 0.5 * np.diff(nodes))
+        halfway = halfway * np.sqrt(stretch[:-1] * stretch[1:])
+        rows = [
+            _row(optical_altitude, *values) for values in zip(above, below, halfway, strict=True)
+        ]
+        return cls(
+            bottom=float(optical[0]),
+            top=float(optical[-1]),
+            altitude=nodes,
+            optical=optical,
+            density=DensitySegments.from_rows(
+                [*rows, _row(optical_altitude, share[:-1], share[1:], None)]
+            ),
+            length=DensitySegments.from_rows(
+                [_row(optical_altitude, stretch[:-1], stretch[1:], None)]
+            ),
+            bend=bend,
+        )
+
+
+def _growth(
+    density: DensitySegments,
+    refractivity: FloatArray,
+    bottom_radius: float,
+    nodes: FloatArray,
+    excess: FloatArray,
+) -> FloatArray:
+    """d(n r)/dr at each node: 1 + excess + r d excess/dr. [1]"""
+    step = 1e-7 * nodes[-1]
+    low, high = np.maximum(nodes - step, 0.0), np.minimum(nodes + step, nodes[-1])
+    change = refractivity @ (density.at(high) - density.at(low)) / (high - low)
+    return np.asarray(1.0 + excess + (bottom_radius + nodes) * change)
+
+
+def _check(nodes: FloatArray, growth: FloatArray, excess: FloatArray) -> None:
+    worst = int(growth.argmin())
+    if growth[worst] < _LEAST_GROWTH:
+        raise ParameterError(
+            "refraction",
+            "bouguer",
+            f"'none' for this air: at {nodes[worst]:.4g} m d(n r)/dr is {growth[worst]:.3g}, less "
+            f"than {_LEAST_GROWTH:g}, and light would follow the ground",
+        )
+    rising = int(np.argmax(np.diff(excess)))
+    if np.diff(excess)[rising] > 1e-12:
+        raise ParameterError(
+            "refraction",
+            "bouguer",
+            f"'none' for this air: its refractivity grows with height at {nodes[rising]:.4g} m",
+        )
+
+
+def _row(altitude: FloatArray, low: FloatArray, high: FloatArray, middle: FloatArray | None) -> Row:
+    """Segments from values at the ends of each and, if known, halfway.
+
+    Exponentials; straight lines next to a 0 and where they come nearer to the middle.
+    """
+    width = np.diff(altitude)
+    curved = (low > 0.0) & (high > 0.0)
+    if middle is not None:
+        straight = np.abs(0.5 * (low + high) - middle)
+        curved &= np.abs(np.sqrt(low * high) - middle) <= straight
+    safe_low, safe_high = np.where(curved, low, 1.0), np.where(curved, high, 1.0)
+    rows = np.zeros((width.size, 4))
+    rows[:, 0] = np.where(curved, low, 0.0)
+    rows[:, 1] = np.where(curved, np.log(safe_high / safe_low) / width, 0.0)
+    rows[:, 2] = np.where(curved, 0.0, (high - low) / width)
+    rows[:, 3] = np.where(curved, 0.0, low)
+    return altitude.copy(), rows

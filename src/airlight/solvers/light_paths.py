@@ -1,0 +1,154 @@
+"""The paths of light in a medium, straight or bent, for solvers that draw all of them straight."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import ParameterError
+from airlight.geometry.bending import seen_star
+from airlight.geometry.path import ray_length
+from airlight.geometry.shell import meets_ground
+from airlight.kernel import compiled_loop, vectorized
+from airlight.optics.bent_density import BentShell
+from airlight.planets.medium import Medium
+from airlight.solvers.sight import Sight
+from airlight.tables.columns import columns
+from airlight.tables.star_lift import NONE, bending, star_lift
+
+FloatArray = NDArray[np.float64]
+
+#: Steps of Newton's method from a true length to one by optical radius; each squares the error.
+_STEPS: Final = 6
+
+
+@dataclass(frozen=True, eq=False)
+class LightPaths:
+    """A medium in which rays are straight, and what it takes to go there and back.
+
+    Attributes
+    ----------
+    medium : Medium
+        By optical radius, with "bending" as its last constituent; the planet's own where light
+        goes straight.
+    shell : BentShell or None
+        None where light goes straight.
+    lift : array, shape (rows, columns, 2)
+        From ``star_lift``; of no rows where light goes straight. [1]
+    """
+
+    medium: Medium
+    shell: BentShell | None
+    lift: FloatArray
+
+    @classmethod
+    def of(cls, medium: Medium) -> LightPaths:
+        """The paths of light in a planet's medium."""
+        drawn, shell = medium.drawn_straight(), medium.bent_shell
+        if shell is None:
+            return cls(drawn, None, NONE)
+        return cls(drawn, shell, star_lift(shell.bottom, shell.top, shell.density, shell.bend))
+
+    @property
+    def bend(self) -> float:
+        """Bending over impact parameter and column of the last constituent. [m⁻²]"""
+        return 0.0 if self.shell is None else self.shell.bend
+
+    def optical_radius(self, r: FloatArray) -> FloatArray:
+        """Optical radius at true radii, which may lie outside the shell. [m]"""
+        if self.shell is None:
+            return np.asarray(r, float)
+        from scipy.interpolate import PchipInterpolator
+
+        shell = self.shell
+        altitude = r - (shell.top - shell.altitude[-1])
+        inside = np.clip(altitude, 0.0, shell.altitude[-1])
+        excess = PchipInterpolator(shell.altitude, shell.optical)(inside)
+        return np.asarray(np.where(altitude > inside, r, excess))
+
+    def sight(self, sight: Sight) -> Sight:
+        """Lines of sight, drawn straight: each to the ground or to the top of the shell."""
+        if self.shell is None:
+            return sight
+        x = self.optical_radius(sight.r)
+        missed = (sight.length <= 0.0) & ~sight.to_ground
+        bottom, top = self.shell.bottom, self.shell.top
+        to_ground = vectorized(meets_ground)(x, sight.mu, bottom) & ~missed
+        length = np.where(missed, 0.0, vectorized(ray_length)(x, sight.mu, bottom, top))
+        return replace(sight, r=x, length=length, to_ground=to_ground)
+
+    def seen_nu(self, sight: Sight) -> FloatArray:
+        """Cosines between lines of sight, drawn straight, and where the star is seen, (n,). [1]"""
+        if self.shell is None:
+            return sight.nu
+        out = np.empty(sight.nu.size)
+        arrays = (sight.r, sight.mu, sight.mu_s, sight.nu)
+        _seen_nu(*arrays, self.shell.bottom, self.shell.top, self.lift, out)
+        return out
+
+    @property
+    def largest_bend(self) -> float:
+        """Angle by which the ray is bent that comes from space and grazes the ground. [rad]"""
+        if self.shell is None:
+            return 0.0
+        x, mu = np.array([self.shell.bottom]), np.zeros(1)
+        return 2.0 * float(self.bent(x, mu)[0])
+
+    def bent(self, x: FloatArray, mu: FloatArray) -> FloatArray:
+        """Angle by which rays that miss the ground are bent from points to space, (n,). [rad]"""
+        if self.shell is None:
+            return np.zeros(np.shape(x))
+        shell = self.shell
+        return bending(x, mu, shell.bottom, shell.top, shell.density, shell.bend)
+
+    def drawn_length(
+        self, x: FloatArray, mu: FloatArray, true_length: FloatArray, longest: FloatArray
+    ) -> FloatArray:
+        """Length by optical radius of stretches of rays whose true length is known, (n,). [m]
+
+        Parameters
+        ----------
+        x, mu : array, shape (n,)
+            Optical radius of the start [m] and zenith cosine there [1].
+        true_length, longest : array, shape (n,)
+            Along the ray, and the most that is returned where it leads farther. [m]
+        """
+        if self.shell is None:
+            return true_length
+        shell = self.shell
+        length = np.minimum(true_length, longest)
+        for _ in range(_STEPS):
+            reached = columns(x, mu, length, shell.bottom, shell.length)[..., 0]
+            end = np.sqrt(np.maximum(x * x + length * (length + 2.0 * x * mu), 0.0))
+            slope = shell.length.at(end - shell.bottom)[0]
+            following = np.maximum(length + (true_length - reached) / slope, 0.0)
+            length = np.minimum(following, longest)
+        return np.asarray(np.where(reached < true_length * (1.0 - 1e-9), following, length))
+
+
+@compiled_loop
+def _seen_nu(x, mu, mu_s, nu, bottom, top, lift, out):
+    for k in range(x.size):
+        sine = max((1.0 - mu[k]) * (1.0 + mu[k]), 0.0) ** 0.5
+        sine_s = max((1.0 - mu_s[k]) * (1.0 + mu_s[k]), 0.0) ** 0.5
+        seen, _, _ = seen_star(x[k], mu_s[k], bottom, top, lift)
+        across = sine * sine_s
+        azimuth = (nu[k] - mu[k] * mu_s[k]) / across if across > 1e-12 else 1.0
+        sine_seen = max((1.0 - seen) * (1.0 + seen), 0.0) ** 0.5
+        value = mu[k] * seen + sine * sine_seen * min(max(azimuth, -1.0), 1.0)
+        out[k] = min(max(value, -1.0), 1.0)
+
+
+def only_straight(medium: Medium, what: str) -> None:
+    """Refuse a medium that bends light, for something whose rays are straight.
+
+    Raises
+    ------
+    ParameterError
+        If it does; ``what`` is named.
+    """
+    if medium.refractivity.any():
+        raise ParameterError("refraction", "bouguer", f"'none' for {what}")

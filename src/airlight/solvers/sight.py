@@ -1,0 +1,73 @@
+"""Lines of sight inside the shell, and how an observer outside gets there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.path import ray_length
+from airlight.geometry.shell import meets_ground
+from airlight.kernel import vectorized
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Sight:
+    """Lines of sight inside the shell, flat.
+
+    Attributes
+    ----------
+    r, mu, mu_s, nu : array, shape (n,)
+        Start radius [m]; cosines of view zenith, sun zenith and the angle between them. [1]
+    length : array, shape (n,)
+        Way through the shell, 0 where the line misses it. [m]
+    to_ground : array of bool, shape (n,)
+        Whether it ends on the ground.
+    """
+
+    r: FloatArray
+    mu: FloatArray
+    mu_s: FloatArray
+    nu: FloatArray
+    length: FloatArray
+    to_ground: NDArray[np.bool_]
+
+
+def enter_shell(
+    r: FloatArray,
+    mu: FloatArray,
+    sine: FloatArray,
+    mu_s: FloatArray,
+    nu: FloatArray,
+    bottom: float,
+    top: float,
+) -> Sight:
+    """Move observers outside the shell to the point where their line of sight enters it.
+
+    Parameters
+    ----------
+    r, mu, sine, mu_s, nu : array, shape (n,)
+        Of the observers; r may be larger than ``top``. ``sine`` is the sine of the view's zenith
+        angle, given apart because far away the cosine has lost it. [m], [1]
+    bottom, top : float
+        Radii of the ground and of the shell's top. [m]
+    """
+    outside = r > top
+    nearest = -r * mu
+    impact_squared = np.square(r * sine)
+    half_chord = np.sqrt(np.maximum((top * top) - impact_squared, 0.0))
+    meets = (nearest > 0.0) & (impact_squared < top * top)
+    enters = outside & meets
+    way = np.where(enters, nearest - half_chord, 0.0)
+    inside_r = np.where(outside, top, r)
+    inside_mu = np.where(enters, -half_chord / top, mu)
+    inside_mu_s = np.where(enters, np.clip((r * mu_s + way * nu) / top, -1.0, 1.0), mu_s)
+    to_ground = vectorized(meets_ground)(inside_r, inside_mu, bottom)
+    length = vectorized(ray_length)(inside_r, inside_mu, bottom, top)
+    missed = outside & ~meets
+    return Sight(
+        inside_r, inside_mu, inside_mu_s, nu, np.where(missed, 0.0, length), to_ground & ~missed
+    )

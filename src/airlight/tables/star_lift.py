@@ -1,0 +1,92 @@
+"""Where a star is seen through air that bends its light: a table for ``geometry.bending``."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.shell import distance_to_top, horizon_cosine
+from airlight.kernel import vectorized
+from airlight.mappings.transmittance import radius_from_coordinate
+from airlight.optics.density_profile import DensitySegments
+from airlight.tables.columns import columns
+
+FloatArray = NDArray[np.float64]
+
+#: Rows in radius, and columns in true elevation above the horizon's true place.
+SHAPE: Final = (97, 129)
+#: Directions at which the bending is integrated, for each radius.
+_DIRECTIONS: Final = 257
+#: Where light goes straight there is no table.
+NONE: Final[FloatArray] = np.zeros((0, 0, 2))
+
+
+def bending(
+    x: FloatArray, mu: FloatArray, bottom: float, top: float, density: DensitySegments, bend: float
+) -> FloatArray:
+    """Angle by which a ray is bent from a point to space.
+
+    Parameters
+    ----------
+    x, mu : array, shapes that broadcast to (...)
+        Optical radius of the point [m] and cosine of the ray's zenith angle there [1]; the ray
+        misses the ground.
+    bottom, top : float
+        Optical radii of the ground and of the top. [m]
+    density : DensitySegments
+        Over optical altitude, "bending" last.
+    bend : float
+        See ``BentShell``. [m⁻²]
+
+    Returns
+    -------
+    array, shape (...)
+        Towards the ground. [rad]
+    """
+    x, mu = (np.array(one) for one in np.broadcast_arrays(x, mu))
+    length = vectorized(distance_to_top)(x, mu, top)
+    last = DensitySegments(density.edges[-1:], density.coefficients[-1:])
+    column = columns(x, mu, length, bottom, last)[..., 0]
+    return np.asarray(bend * x * np.sqrt(np.maximum((1.0 - mu) * (1.0 + mu), 0.0)) * column)
+
+
+def star_lift(bottom: float, top: float, density: DensitySegments, bend: float) -> FloatArray:
+    """By how much the cosine of a star's zenith angle is raised, and squeezed.
+
+    Parameters
+    ----------
+    bottom, top, density, bend :
+        As for ``bending``.
+
+    Returns
+    -------
+    array, shape (rows, columns, 2)
+        Rows even in the distance to the horizon, from the ground to the top; columns even in the
+        square root of the cosine above that of the horizon's true place, from there to the zenith:
+        seen less true cosine, and d seen/d true. [1]
+    """
+    x = vectorized(radius_from_coordinate)(np.linspace(0.0, 1.0, SHAPE[0]), bottom, top)
+    # A hair above the horizon, so that rounding does not send the ray into the ground.
+    steps = np.maximum(np.linspace(0.0, 1.0, _DIRECTIONS) ** 2, 1e-12)
+    lowest = vectorized(horizon_cosine)(x, bottom)[:, None]
+    seen = lowest + (1.0 - lowest) * steps
+    angle = bending(x[:, None], seen, bottom, top, density, bend)
+    true = np.cos(np.arccos(seen) + angle)
+    return np.stack([_inverted(*row) for row in zip(true, seen, strict=True)])
+
+
+def _inverted(true: FloatArray, seen: FloatArray) -> FloatArray:
+    """Seen less true cosines, and d seen/d true, at the table's columns; shape (columns, 2)."""
+    from scipy.interpolate import CubicSpline
+
+    share = np.sqrt(np.maximum(true - true[0], 0.0) / (1.0 - true[0]))
+    # Smooth in the cosine, which is even in its square root.
+    raised = CubicSpline(share, seen - true, bc_type=((1, 0.0), "not-a-knot"))
+    at = np.linspace(0.0, 1.0, SHAPE[1])
+    # d(seen - true)/d true = d raised/d share / (d true/d share), d true/d share = 2 share (1 - t0)
+    slope = np.empty_like(at)
+    slope[1:] = raised(at[1:], 1) / (2.0 * at[1:] * (1.0 - true[0]))
+    slope[0] = raised(0.0, 2) / (2.0 * (1.0 - true[0]))
+    return np.stack([raised(at), np.maximum(1.0 + slope, 0.0)], axis=-1)
