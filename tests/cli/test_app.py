@@ -13,7 +13,7 @@ import pytest
 from airlight.cli import app, main
 from airlight.errors import Cancelled
 
-COMMANDS = ["planets", "show", "render", "radiance", "plot", "bake", "validate"]
+COMMANDS = ["planets", "show", "render", "radiance", "plot", "bake", "validate", "errata"]
 
 
 def error_line(capsys: pytest.CaptureFixture[str]) -> str:
@@ -57,6 +57,11 @@ def test_version_is_the_installed_one(capsys: pytest.CaptureFixture[str]) -> Non
         (["render", "earth", "--colour", "-o", "a.png"], "--colour"),
         (["render", "earth", "--quality", "best", "-o", "a.png"], "'best'"),
         (["render", "earth", "--projection", "mercator", "-o", "a.png"], "'mercator'"),
+        (["show", "earth", "--set", "grond.albedo=1"], "did you mean 'ground.albedo'?"),
+        (["show", "earth", "--set", "ground.albedo=2"], "ground.albedo is 2.0; allowed: 0 to 1"),
+        (["plot", "earth", "density", "-o", "a.png", "--set", "albedo"], "--set is 'albedo'"),
+        (["render", "earth", "-o", "a.png", "--set", "air.h=1"], "a key of constituents[0] is 'h'"),
+        (["bake", "earth", "--layout", "bruneton", "-o", "a", "--set", "x.y=1"], "--set is 'x.y'"),
         (["render", "earth", "-o", "a.jpg"], "a.jpg: the name of a picture ends in .png or .exr"),
         (["render", "earth", "-o", "no/such/a.png"], "there is no folder"),
         (["render", "earth", "-o", "a.png", "--exposure", "bright"], "--exposure is 'bright'"),

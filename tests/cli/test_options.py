@@ -91,3 +91,16 @@ def test_exposure_is_a_number_or_auto() -> None:
     assert options.exposure("-2.5") == -2.5
     assert options.exposure("+1 EV") == 1.0
     assert options.exposure("AUTO") == "auto"
+
+
+def test_keys_of_a_planet_file_are_set_from_their_text() -> None:
+    planet = options.planet("earth", ["ground.albedo=0.3", "ground.map=", "air.name=gas"])
+    assert planet.ground.albedo == 0.3
+    assert planet.ground.map is None
+    assert planet.constituents[0].name == "gas"
+
+
+@pytest.mark.parametrize("text", ["grond.albedo=0.3", "ground.albedo"])
+def test_a_key_that_is_none_is_blamed_on_the_option(text: str) -> None:
+    with pytest.raises(ParameterError, match="--set is"):
+        options.planet("earth", [text])

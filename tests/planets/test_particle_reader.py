@@ -159,7 +159,7 @@ def test_haze_by_turbidity_is_read():
         ),
         (
             "scattering = '1e-6 /m'\n[constituents.particles]\nindex = 'water'\n" + SMALL,
-            r"constituents\[0\]\.scattering is '1e-6 /m'; allowed: none beside matter",
+            r"constituents\[0\]\.scattering is '1e-6 /m'; allowed: none beside 'particles'",
         ),
         (
             PHASE + "turbidity_literal = { turbidity = 2.0, junge = 3.5 }\n",

@@ -26,7 +26,14 @@ def test_all_presets_of_the_plan_are_there():
         "earth-atmosphere-plus-2025",
         "earth-bruneton",
         "earth-openspace",
+        "earth-openspace-advanced",
+        "earth-openspace-dense",
+        "earth-openspace-depolarisation",
+        "earth-openspace-dust",
+        "earth-openspace-refractive",
         "mars",
+        "mars-openspace",
+        "mars-rayleigh",
     }
 
 

@@ -90,6 +90,7 @@ def bake(
         Literal["moments", "direct", "montecarlo"], typer.Option(help="Whose light is baked.")
     ] = "moments",
     quality: options.Quality = "default",
+    set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
     """Fill look-up tables with a planet's light: NPZ, EXR and a JSON manifest.
@@ -99,7 +100,6 @@ def bake(
     started = time.perf_counter()
     from airlight.exports.bake import bake as fill
     from airlight.exports.table_files import check_folder, write_tables
-    from airlight.planets import load_planet
 
     chosen = _packing(layout, packing, mie)
     if mapping is not None and layout == "bruneton":
@@ -109,8 +109,7 @@ def bake(
     texels = None if size is None else _size(size, layout)
     number = _order(order, cumulative)
     check_folder(output)
-    with shown_progress() as report:
-        world = load_planet(planet, progress=report)
+    world = options.planet(planet, set_)
     nm = options.wavelengths(wavelengths, world)
 
     from airlight.solvers import solve

@@ -19,6 +19,15 @@ Planet_ = Annotated[
 Quality = Annotated[
     Literal["preview", "default", "fine"], typer.Option(help="How closely the air is solved.")
 ]
+Set = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--set",
+        metavar="PATH=VALUE",
+        help="Change a key of PLANET's file first: ground.albedo=0.3, "
+        "dust.profile.scale_height='8 km'; PATH= takes it away. May be given several times.",
+    ),
+]
 NoCache = Annotated[
     bool, typer.Option("--no-cache", help="Neither read nor keep solutions on disk.")
 ]
@@ -27,6 +36,35 @@ NoCache = Annotated[
 RGB = (680.0, 550.0, 440.0)
 #: A whole number below this counts wavelengths; from here on it is a wavelength. [nm]
 SMALLEST_WAVELENGTH = 100
+
+
+def planet(name: str, changes: list[str] | None = None) -> Planet:
+    """The planet that a command is about.
+
+    Parameters
+    ----------
+    name : str
+        Of a preset, or the path of a planet file.
+    changes : list of str, optional
+        What ``--set`` was given: ``PATH=VALUE`` each; of one path the last counts.
+
+    Raises
+    ------
+    ParameterError
+        If a path leads nowhere, or the file so changed cannot be read.
+    """
+    from airlight.cli.progress import shown_progress
+    from airlight.planets import load_planet
+    from airlight.planets.overrides import FIELD, parsed
+
+    try:
+        paths = dict(parsed(change) for change in changes or [])
+        with shown_progress() as report:
+            return load_planet(name, paths, progress=report)
+    except ParameterError as error:
+        if error.field != FIELD:
+            raise
+        raise ParameterError("--set", error.value, error.allowed, error.file) from None
 
 
 def length(text: str, option: str) -> float:

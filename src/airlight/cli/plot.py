@@ -79,6 +79,7 @@ def plot(
     list_: Annotated[
         bool, typer.Option("--list", callback=_print_kinds, is_eager=True, help="List all kinds.")
     ] = False,
+    set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
     """Draw a figure of a planet: its star, its air, its light, its tables.
@@ -86,7 +87,6 @@ def plot(
     An option that a kind has no use for is refused.
     """
     from airlight.exports.whole_file import check_target, whole_file
-    from airlight.planets import load_planet
     from airlight.plots.figure import require_matplotlib, write_figure
 
     kind_named(kind)
@@ -97,8 +97,7 @@ def plot(
     if not _DPI[0] <= dpi <= _DPI[1]:
         raise ParameterError("--dpi", dpi, f"{_DPI[0]:g} to {_DPI[1]:g}")
     require_matplotlib()
-    with shown_progress() as report:
-        world = load_planet(planet, progress=report)
+    world = options.planet(planet, set_)
     choices = Choices(
         wavelengths=None if wavelengths is None else options.wavelengths(wavelengths, world),
         sun_zenith=None if sun_zenith is None else options.angle(sun_zenith, "--sun-zenith"),

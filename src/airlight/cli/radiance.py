@@ -103,6 +103,7 @@ def radiance(
         int | None,
         typer.Option(metavar="NUMBER", help="Of montecarlo's random numbers (1)."),
     ] = None,
+    set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
     """Compute spectral radiance along a line of sight, in W m⁻² sr⁻¹ nm⁻¹.
@@ -131,10 +132,7 @@ def radiance(
             check_target(output)
         cases = read_cases(input_)
 
-    from airlight.planets import load_planet
-
-    with shown_progress() as report:
-        world = load_planet(planet, progress=report)
+    world = options.planet(planet, set_)
     nm = world.wavelengths if wavelengths is None else options.wavelengths(wavelengths, world)
     sampled = solver == "montecarlo"
     columns = radiance_columns(nm) + (error_columns(nm) if sampled else [])

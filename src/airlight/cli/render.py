@@ -99,6 +99,7 @@ def render(
     sun_azimuth: Annotated[
         str, typer.Option(metavar="ANGLE", help="Compass bearing of the sun, for the map.")
     ] = "100deg",
+    set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
     """Compute a picture of a planet's air.
@@ -107,15 +108,13 @@ def render(
     """
     started = time.perf_counter()
     from airlight.exports.picture import picture_suffix, write_picture
-    from airlight.planets import load_planet
     from airlight.scene import Camera, Scene
     from airlight.scene import look_at as looking_at
 
     picture_suffix(output)
     ev = options.exposure(exposure)
     _check_tone_map(tone_map)
-    with shown_progress() as report:
-        world = load_planet(planet, progress=report)
+    world = options.planet(planet, set_)
     height = options.length(altitude, "--altitude")
     sun = options.angle(sun_zenith, "--sun-zenith")
     if look is not None and look_at is not None:
@@ -163,6 +162,8 @@ def render(
         )
         frame = render_frame(solution, scene, progress=report)
     metadata = {"planet": world.name, **scene.metadata(), **frame.metadata}
+    if set_:
+        metadata["changes"] = "; ".join(set_)
     written = write_picture(
         output, frame.rgb, metadata, exposure=ev, tone_map=tone_map, encoding=encoding
     )

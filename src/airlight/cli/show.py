@@ -4,40 +4,53 @@ from __future__ import annotations
 
 import dataclasses
 import re
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
 
 from airlight.cli import options
+from airlight.cli.comparison import print_comparison
 from airlight.cli.examples import examples
-from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
     from rich.console import RenderableType
     from rich.table import Table
 
     from airlight.planets import Medium, Planet
 
-EPILOG = examples("airlight show earth", "airlight show mars", "airlight show my-planet.toml")
+EPILOG = examples(
+    "airlight show earth",
+    "airlight show my-planet.toml",
+    "airlight show earth-openspace --compare earth",
+    "airlight show earth --set 'ozone.absorption.ozone=200 DU' --compare earth",
+)
 
-#: Zenith angle of the sun for the swatch. [deg]
-SUN_ZENITH = 45.0
-#: Lines of sight of the swatch, across the sun's direction: word and zenith angle. [deg]
-LOOKS = (("zenith", 0.0), ("halfway", 45.0), ("horizon", 89.0))
 
-
-def show(planet: options.Planet_, no_cache: options.NoCache = False) -> None:
+def show(
+    planet: options.Planet_,
+    compare: Annotated[
+        str | None,
+        typer.Option(
+            metavar="OTHER",
+            help="Show what differs from PLANET to this one instead, and by how much.",
+        ),
+    ] = None,
+    set_: options.Set = None,
+    no_cache: options.NoCache = False,
+) -> None:
     """Show a planet: its parameters, optical depths, phase functions and sky colour.
 
     Optical depths are vertical, at 680, 550 and 440 nm where the planet is known there.
     """
     from rich.console import Console
 
-    from airlight.planets import Medium, load_planet
+    from airlight.planets import Medium
 
-    with shown_progress() as report:
-        world = load_planet(planet, progress=report)
+    world = options.planet(planet, set_)
+    if compare is not None:
+        print_comparison(world, options.planet(compare), cache=not no_cache)
+        return
     medium = Medium.from_planet(world, world.wavelengths)
     console = Console()
     console.print(_overview(world, medium), end="\n\n")
@@ -152,34 +165,16 @@ def _swatch(planet: Planet, *, cache: bool) -> RenderableType:
     """The sky on the ground with the sun half-way up, as blocks of colour with their codes."""
     from rich.text import Text
 
+    from airlight.cli.progress import shown_progress
+    from airlight.render.sky_color import SUN_ZENITH, sky_colors
+
     text = Text(f"sky from the ground, sun {SUN_ZENITH:.0f} deg from the zenith, at its side\n")
     try:
-        colors = _sky_colors(planet, cache=cache)
+        with shown_progress() as report:
+            colors = sky_colors(planet, cache=cache, progress=report)
     except ParameterError as error:  # a planet that is not known in the visible has no colour
         return text.append(f"no colour: {error}")
-    for (word, _), (red, green, blue) in zip(LOOKS, colors, strict=True):
-        code = f"#{red:02x}{green:02x}{blue:02x}"
-        text.append("        ", style=f"on {code}")
-        text.append(f"  {word} {code}\n")
+    for color in colors:
+        text.append("        ", style=f"on {color.code}")
+        text.append(f"  {color.look} {color.code}\n")
     return text
-
-
-def _sky_colors(planet: Planet, *, cache: bool) -> NDArray[np.uint8]:
-    import numpy as np
-
-    from airlight.color.display import to_display
-    from airlight.color.spectral import rgb_weights
-    from airlight.solvers import solve
-
-    nm = options.wavelengths("12", planet)
-    with shown_progress() as report:
-        solution = solve(planet, wavelengths=nm, quality="preview", cache=cache, progress=report)
-    radiance = solution.radiance(
-        altitude=0.0,
-        sun_zenith=SUN_ZENITH,
-        view_zenith=np.array([zenith for _, zenith in LOOKS]),
-        azimuth=90.0,
-    )
-    weights = rgb_weights(nm, planet.star.irradiances)
-    rgb = np.asarray(radiance) @ weights
-    return np.asarray(to_display(rgb[np.newaxis, :, :])[0])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Mapping
 from functools import cache
 from importlib import resources
 from pathlib import Path
@@ -13,6 +14,7 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.constituent_reader import read_constituent
 from airlight.planets.ground_and_star import Ground, Star
 from airlight.planets.medium import Medium
+from airlight.planets.overrides import overridden, with_hint
 from airlight.planets.planet import Planet
 from airlight.planets.toml_section import Section, suggestion
 
@@ -35,7 +37,11 @@ def planet_names() -> tuple[str, ...]:
 
 
 def load_planet(
-    name_or_path: str | Path, *, progress: Progress | None = None, cancel: Cancel | None = None
+    name_or_path: str | Path,
+    overrides: Mapping[str, Any] | None = None,
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
 ) -> Planet:
     """A planet by the name of a preset, or from a planet file.
 
@@ -44,6 +50,9 @@ def load_planet(
     name_or_path : str or Path
         One of ``planet_names()``, or the path to a TOML file; ``docs/planet-files.md`` says
         what stands in one.
+    overrides : mapping, optional
+        Keys of the file that are changed before it is read, from path to value: constituents by
+        name, values as the file would hold them, None to take a key away.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``: particles take seconds where they are met first.
 
@@ -63,12 +72,15 @@ def load_planet(
     --------
     >>> load_planet("earth-atmosphere-plus").top_radius
     6460000.0
+    >>> load_planet("earth", {"ground.albedo": 0.3, "shell.top_radius": "6500 km"}).ground.albedo
+    0.3
     """
     if isinstance(name_or_path, str) and name_or_path in planet_names():
         file = resources.files("airlight.planets") / "presets" / f"{name_or_path}.toml"
         return read_planet(
             file.read_text(encoding="utf-8"),
             f"{name_or_path}.toml",
+            overrides=overrides,
             progress=progress,
             cancel=cancel,
         )
@@ -82,7 +94,9 @@ def load_planet(
     if isinstance(name_or_path, str) and not there and path.suffix != ".toml":
         names = suggestion(name_or_path, planet_names())
         raise ParameterError("planet", name_or_path, f"{names}; or the path to a TOML file")
-    return read_planet(_text(path), str(path), path.parent, progress=progress, cancel=cancel)
+    return read_planet(
+        _text(path), str(path), path.parent, overrides, progress=progress, cancel=cancel
+    )
 
 
 def _text(path: Path) -> str:
@@ -109,6 +123,7 @@ def read_planet(
     text: str,
     file: str,
     folder: Path | None = None,
+    overrides: Mapping[str, Any] | None = None,
     *,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -123,6 +138,8 @@ def read_planet(
         The name that errors show.
     folder : Path, optional
         Where files that the text names are looked for; without it, the working directory.
+    overrides : mapping, optional
+        As for ``load_planet``.
     progress, cancel : callable, optional
         As for ``load_planet``.
 
@@ -144,11 +161,14 @@ def read_planet(
     except ValueError as error:  # TOMLDecodeError, and integers of thousands of digits
         raise FileError(file, f"is not TOML: {error}") from None
     try:
-        planet = _planet(Section(values, folder=folder))
+        changed = overridden(values, overrides) if overrides is not None else values
+        planet = _planet(Section(changed, folder=folder))
         # Refuse here, where the file is known.
         Medium.from_planet(planet, planet.wavelengths, progress=progress, cancel=cancel)
         return planet
     except ParameterError as error:
+        if overrides:
+            error = with_hint(error, values, overrides)
         raise error.in_file(file) from None
 
 

@@ -1,0 +1,81 @@
+"""``airlight errata``: where the source documents are misprinted or wrong, in numbers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from airlight.cli.examples import examples
+from airlight.errors import FileError, ParameterError
+
+if TYPE_CHECKING:
+    from airlight.validation.erratum import Erratum
+
+EPILOG = examples(
+    "airlight errata",
+    "airlight errata --source OS",
+    "airlight errata -o docs/errata.md",
+)
+
+#: Characters a line has where nobody says; a terminal says.
+_WIDTH = 150
+
+
+def errata(
+    source: Annotated[
+        str | None,
+        typer.Option(
+            metavar="AP1|AP2|BT|OS",
+            help="One document: first or later Atmosphere Plus notes, Bruneton walk-through, "
+            "OpenSpace paper.",
+        ),
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", metavar="FILE", help="Write a page of Markdown, .md."),
+    ] = None,
+) -> None:
+    """List what the source documents print otherwise, and compute what it changes.
+
+    Each row: the source, the text as printed, what stands here, and a quantity both ways.
+    """
+    from airlight.exports.whole_file import check_target, whole_file
+    from airlight.validation.errata import errata as table
+    from airlight.validation.errata import markdown
+
+    if output is not None:
+        if output.suffix.lower() != ".md":
+            raise FileError(output, "the name of a page ends in .md")
+        check_target(output)
+    try:
+        rows = table(source)
+    except ParameterError as error:
+        raise ParameterError("--source", error.value, error.allowed) from None
+    if output is None:
+        _print(rows)
+        return
+    with whole_file(output) as place:
+        place.write_text(markdown(rows), encoding="utf-8")
+    print(f"{output}  {len(rows)} rows")
+
+
+def _print(rows: tuple[Erratum, ...]) -> None:
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    console = Console()
+    if not console.is_terminal:
+        console = Console(width=_WIDTH)
+    table = Table(box=None, pad_edge=False, expand=False)
+    table.add_column("source", style="bold", max_width=18)
+    table.add_column("as printed", max_width=36)
+    table.add_column("here", max_width=36)
+    table.add_column("effect, as printed → here")
+    for row in rows:
+        cells = (row.source, row.printed, row.here, row.effect)
+        table.add_row(*(Text(cell) for cell in cells), end_section=False)
+        table.add_row()
+    console.print(table)

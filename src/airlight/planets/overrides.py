@@ -1,0 +1,250 @@
+"""Single keys of a planet file changed before it is read: ``dust.particles.optical_depth = 1``.
+
+A path names a key as the file nests it, with dots, and items of lists by their place:
+``shell.top_radius``, ``star.distance``, ``ground.albedo[2]``. Constituents are found by their
+name, or as ``constituents[0]``.
+"""
+
+from __future__ import annotations
+
+import copy
+import difflib
+import re
+import tomllib
+from collections.abc import Iterator, Mapping
+from typing import Any, Final
+
+import numpy as np
+
+from airlight.errors import ParameterError
+
+#: The field that errors name; the command line calls it by its option.
+FIELD: Final = "override"
+#: The most overrides at once.
+MOST_OVERRIDES: Final = 1000
+
+_Step = str | int
+_STEPS: Final = re.compile(r"[^.\[\]]+|\[\d{1,6}\]|\.")
+
+
+def overridden(values: Mapping[str, Any], overrides: Mapping[str, Any]) -> dict[str, Any]:
+    """The tables of a planet file with some keys changed.
+
+    A key that is not in the file is added, if the table it belongs to is there: the reader says
+    whether it exists. ``None`` takes a key away, so that another may take its place.
+
+    Parameters
+    ----------
+    values : mapping
+        What the TOML parser made of the file; not changed.
+    overrides : mapping
+        From path to value, in order: what the file would hold, text with a unit included.
+
+    Returns
+    -------
+    dict
+
+    Raises
+    ------
+    ParameterError
+        If a path leads nowhere: the nearest that exists is suggested.
+
+    Examples
+    --------
+    >>> file = {"shell": {"top_radius": "6460 km"}, "constituents": [{"name": "dust", "at": 1}]}
+    >>> overridden(file, {"shell.top_radius": "6500 km", "dust.at": "550 nm"})
+    {'shell': {'top_radius': '6500 km'}, 'constituents': [{'name': 'dust', 'at': '550 nm'}]}
+    """
+    if not isinstance(overrides, Mapping) or len(overrides) > MOST_OVERRIDES:
+        allowed = f"a mapping from at most {MOST_OVERRIDES} paths to values"
+        raise ParameterError(f"{FIELD}s", overrides, allowed)
+    changed = copy.deepcopy(dict(values))
+    for path, value in overrides.items():
+        _change(changed, path, _plain(value))
+    return changed
+
+
+def parsed(text: str) -> tuple[str, Any]:
+    """Path and value of ``PATH=VALUE``, the value as TOML or as plain text.
+
+    Parameters
+    ----------
+    text : str
+        ``ground.albedo=0.3``; ``shell.top_radius=6500 km``, where quotes are not needed;
+        ``air.scattering=["5e-6 /m", "1e-5 /m"]``. ``PATH=`` takes the key away.
+
+    Returns
+    -------
+    path : str
+    value : object
+        None if there is nothing after the sign.
+
+    Raises
+    ------
+    ParameterError
+        If there is no sign, or no path before it.
+
+    Examples
+    --------
+    >>> parsed("ground.albedo = 0.3"), parsed("air.gas.pressure=2 bar")
+    (('ground.albedo', 0.3), ('air.gas.pressure', '2 bar'))
+    """
+    path, sign, value = text.partition("=")
+    if not sign or not path.strip():
+        raise ParameterError(FIELD, text, "PATH=VALUE, such as ground.albedo=0.3")
+    return path.strip(), _value(value.strip())
+
+
+def with_hint(
+    error: ParameterError, values: Mapping[str, Any], overrides: Mapping[str, Any]
+) -> ParameterError:
+    """The reader's complaint, with the path in the file that an added key may have meant.
+
+    Parameters
+    ----------
+    error : ParameterError
+        What the reader said of the overridden file.
+    values : mapping
+        The file before it was overridden.
+    overrides : mapping
+        From path to value.
+    """
+    if error.field.startswith(FIELD):
+        return error
+    known = _paths(values)
+    for path in overrides:
+        near = _nearest(path, known)
+        if path not in known and near and "did you mean" not in error.allowed:
+            allowed = f"{error.allowed} (for {path!r} did you mean {near!r}?)"
+            return ParameterError(error.field, error.value, allowed, error.file)
+    return error
+
+
+def _value(text: str) -> Any:
+    if not text:
+        return None
+    try:
+        made = tomllib.loads(f"value = {text}")
+    except (ValueError, RecursionError):
+        return text
+    return made["value"] if set(made) == {"value"} else text
+
+
+def _plain(value: Any) -> Any:
+    """As a TOML parser gives values: numbers and lists of Python, tables as dicts."""
+    if isinstance(value, (np.ndarray, np.generic)):
+        return value.tolist()
+    if isinstance(value, Mapping):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    return value
+
+
+def _change(root: dict[str, Any], path: Any, value: Any) -> None:
+    steps = _steps(root, path)
+    place: Any = root
+    for step in steps[:-1]:
+        place = _inside(root, place, step, path)
+    last = steps[-1]
+    if isinstance(last, int):
+        _inside(root, place, last, path)
+        if value is None:
+            raise ParameterError(FIELD, path, "a value, since an item of a list cannot go")
+        place[last] = value
+        return
+    if not isinstance(place, dict):
+        raise _nowhere(root, path)
+    if value is not None:
+        place[last] = value
+    elif place.pop(last, None) is None:
+        raise _nowhere(root, path)
+
+
+def _inside(root: dict[str, Any], place: Any, step: _Step, path: str) -> Any:
+    """The table, list or value that a step leads to."""
+    if isinstance(step, int):
+        if not isinstance(place, list) or step >= len(place):
+            raise _nowhere(root, path)
+        return place[step]
+    if not isinstance(place, dict) or step not in place:
+        raise _nowhere(root, path)
+    return place[step]
+
+
+def _steps(root: Mapping[str, Any], path: Any) -> list[_Step]:
+    """The keys and places that a path names, a constituent's name turned into its place."""
+    if not isinstance(path, str) or not path.strip():
+        raise ParameterError(FIELD, path, "a path such as ground.albedo")
+    first = re.split(r"[.\[]", path, maxsplit=1)[0]
+    if first in root:
+        return _split(root, path)
+    for index, name in sorted(_names(root), key=lambda found: -len(found[1])):
+        if path == name or path.startswith((f"{name}.", f"{name}[")):
+            rest = path[len(name) :].removeprefix(".")
+            return ["constituents", index, *(_split(root, rest) if rest else [])]
+    if re.fullmatch(r"\w+", path):  # a key of the file itself, which its reader may know
+        return [path]
+    raise _nowhere(root, path)
+
+
+def _split(root: Mapping[str, Any], path: str) -> list[_Step]:
+    parts = _STEPS.findall(path)
+    if "".join(parts) != path or path.startswith((".", "[")) or path.endswith(".") or ".." in path:
+        raise _nowhere(root, path)
+    return [int(part[1:-1]) if part[0] == "[" else part for part in parts if part != "."]
+
+
+def _names(root: Mapping[str, Any]) -> list[tuple[int, str]]:
+    """Places and names of the constituents, where there are any."""
+    listed = root.get("constituents")
+    if not isinstance(listed, list):
+        return []
+    return [
+        (index, one["name"])
+        for index, one in enumerate(listed)
+        if isinstance(one, dict) and isinstance(one.get("name"), str) and one["name"]
+    ]
+
+
+def _nowhere(root: Mapping[str, Any], path: str) -> ParameterError:
+    known = _paths(root)
+    near = _nearest(path, known)
+    tables = [key for key in root if key != "constituents"] + [name for _, name in _names(root)]
+    allowed = f"a path into {', '.join(tables)}" + (f" (did you mean {near!r}?)" if near else "")
+    return ParameterError(FIELD, path, allowed)
+
+
+def _nearest(path: str, known: list[str]) -> str | None:
+    """The path most like this one; with the same last key, if there is such."""
+    last = path.rpartition(".")[2]
+    same = [one for one in known if one.rpartition(".")[2] == last]
+    for options, cutoff in ((known, 0.75), (same, 0.0), (known, 0.5)):
+        near = difflib.get_close_matches(path[:200], options, n=1, cutoff=cutoff)
+        if near:
+            return near[0]
+    return None
+
+
+def _paths(root: Mapping[str, Any]) -> list[str]:
+    """Every path of a file, constituents by name."""
+    names = dict(_names(root))
+    found: list[str] = []
+    for key, value in root.items():
+        found.append(key)
+        if key != "constituents":
+            found += _below(key, value)
+            continue
+        for index, one in enumerate(value if isinstance(value, list) else []):
+            found += _below(names.get(index, f"constituents[{index}]"), one)
+    return found
+
+
+def _below(path: str, value: Any) -> Iterator[str]:
+    if isinstance(value, dict):
+        for key, item in value.items():
+            yield f"{path}.{key}"
+            yield from _below(f"{path}.{key}", item)
+    elif isinstance(value, list):
+        for index, item in enumerate(value):
+            yield from _below(f"{path}[{index}]", item)

@@ -1,0 +1,164 @@
+"""The numbers that a constituent was given, each with its name and unit, from any of its parts.
+
+Constituents are made of nested parameter objects: profiles, gases, particles, phase functions.
+Here they become one flat table, so that two of them can be laid side by side.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+import zlib
+from collections.abc import Iterator, Mapping
+from typing import Any, Final
+
+import numpy as np
+
+from airlight.planets.planet import Constituent
+from airlight.planets.spectral import PerWavelength
+
+#: What is known: name, unit, wavelength [nm] or None.
+Key = tuple[str, str, float | None]
+
+#: Units of the fields that have one, by name.
+UNITS: Final = {
+    "scale_height": "m",
+    "center": "m",
+    "half_width": "m",
+    "width": "m",
+    "temperature": "K",
+    "pressure": "Pa",
+    "gravity": "m s⁻²",
+    "molar_mass": "kg mol⁻¹",
+    "number_density": "m⁻³",
+    "ground_number_density": "m⁻³",
+    "column": "m⁻²",
+    "radius": "m",
+    "effective_radius": "m",
+    "median_radius": "m",
+    "at": "nm",
+}
+#: Longer tuples are said by their length and checksum.
+_LONGEST: Final = 8
+#: What a gas or particles work out from what they were given, with the unit.
+_DERIVED: Final = {
+    "molar_mass": "kg mol⁻¹",
+    "scale_height": "m",
+    "number_density": "m⁻³",
+}
+_DERIVED_SPECTRA: Final = {
+    "refractivities": ("refractivity", ""),
+    "king_factors": ("King factor", ""),
+    "cross_sections": ("cross-section", "m²"),
+    "depolarisations": ("depolarisation", ""),
+}
+
+
+def parameter_values(
+    constituent: Constituent, thickness: float, wavelengths: tuple[float, ...]
+) -> dict[Key, float | str]:
+    """Everything that a constituent was given, and its column.
+
+    Parameters
+    ----------
+    constituent : Constituent
+    thickness : float
+        Of the shell. [m]
+    wavelengths : tuple of float
+        Within its limits: where values that depend on wavelength are taken. [nm]
+
+    Returns
+    -------
+    dict
+        From (name, unit, wavelength or None) to a number in that unit or a word.
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> haze = load_planet("earth-openspace").constituents[1]
+    >>> values = parameter_values(haze, 70e3, (550.0,))
+    >>> values["profile scale height", "m", None], values["phase function", "", None]
+    (1200.0, 'henyey-greenstein')
+    """
+    nm = wavelengths
+    found: dict[Key, float | str] = {}
+    for name in ("profile", "matter", "scattering", "absorption", "phase_function"):
+        part = getattr(constituent, name)
+        if dataclasses.is_dataclass(part) and not isinstance(part, PerWavelength):
+            label = "given as" if name in ("matter", "scattering") else name.replace("_", " ")
+            found[label, "", None] = _kind(part)
+            inner = label if name in ("profile", "phase_function") else ""
+            found.update(_fields(part, inner, nm))
+        elif name == "scattering" and part != 0.0:
+            found["given as", "", None] = "coefficients"
+    for name in ("scattering", "absorption"):
+        values = getattr(constituent, f"{name}_coefficients")(list(nm), thickness)
+        for wavelength, value in zip(nm, np.atleast_1d(values), strict=True):
+            found[f"{name} coefficient", "m⁻¹", wavelength] = float(value)
+    found["column height", "m", None] = constituent.profile.column(thickness)
+    return found
+
+
+def _flattened(value: Any, label: str, unit: str, nm: tuple[float, ...]) -> Iterator[Any]:
+    """Pairs of key and value below one part."""
+    if isinstance(value, PerWavelength):
+        for wavelength, number in zip(nm, np.atleast_1d(value.at(list(nm))), strict=True):
+            yield (label, unit, wavelength), float(number)
+    elif dataclasses.is_dataclass(value) and not isinstance(value, type):
+        yield (label, "", None), _kind(value)
+        yield from _fields(value, label, nm)
+    elif isinstance(value, Mapping):
+        for key, item in value.items():
+            yield from _flattened(item, _joined(label, str(key)), unit, nm)
+    elif isinstance(value, (tuple, list)):
+        yield from _listed(value, label, unit, nm)
+    elif isinstance(value, (bool, str)):
+        yield (label, "", None), str(value)
+    elif isinstance(value, (int, float, np.number)):
+        yield (label, unit, None), float(value)
+    elif value is not None:
+        yield (label, "", None), type(value).__name__
+
+
+def _fields(value: Any, label: str, nm: tuple[float, ...]) -> Iterator[Any]:
+    """Pairs of key and value of each field of a parameter object."""
+    for field in dataclasses.fields(value):
+        if not field.name.startswith("_"):
+            inner, unit = _joined(label, field.name), UNITS.get(field.name, "")
+            yield from _flattened(getattr(value, field.name), inner, unit, nm)
+    yield from _derived(value, label, nm)
+
+
+def _listed(values: Any, label: str, unit: str, nm: tuple[float, ...]) -> Iterator[Any]:
+    pairs = all(isinstance(item, tuple) and len(item) == 2 for item in values)
+    if values and pairs and all(isinstance(item[0], str) for item in values):
+        yield from _flattened(dict(values), label, unit, nm)
+    elif len(values) > _LONGEST:
+        yield (label, "", None), f"{len(values)} values, {zlib.crc32(repr(values).encode()):08x}"
+    else:
+        for index, item in enumerate(values):
+            yield from _flattened(item, f"{label} {index}", unit, nm)
+
+
+def _derived(value: Any, label: str, nm: tuple[float, ...]) -> Iterator[Any]:
+    """What the object works out by itself, if it is a gas."""
+    given = {field.name for field in dataclasses.fields(value)}
+    for name, unit in _DERIVED.items():
+        if name not in given and isinstance(number := getattr(value, name, None), float):
+            yield (_joined(label, name), unit, None), number
+    for name, (word, unit) in _DERIVED_SPECTRA.items():
+        method = getattr(value, name, None)
+        numbers = method(list(nm)) if callable(method) and nm else None
+        if isinstance(numbers, np.ndarray):  # particles give two cross-sections, listed otherwise
+            for wavelength, number in zip(nm, numbers, strict=True):
+                yield (_joined(label, word), unit, wavelength), float(number)
+
+
+def _joined(label: str, name: str) -> str:
+    return f"{label} {name.replace('_', ' ')}".strip()
+
+
+def _kind(value: Any) -> str:
+    """A class as planet files call it: ``henyey-greenstein``."""
+    name = re.sub(r"(?<=[a-z])(?=[A-Z])", "-", type(value).__name__).lower()
+    return name.removesuffix("-phase")

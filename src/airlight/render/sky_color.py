@@ -1,0 +1,90 @@
+"""The colour of a planet's sky in a few words: three directions under a sun half-way up."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.color.display import to_display
+from airlight.color.spectral import default_wavelengths, rgb_weights
+from airlight.color.xyz import chromaticity, rgb_to_xyz
+from airlight.constants import LUMINOUS_EFFICACY
+from airlight.planets.planet import Planet
+
+FloatArray = npt.NDArray[np.float64]
+
+#: Zenith angle of the sun. [deg]
+SUN_ZENITH: Final = 45.0
+#: Lines of sight from the ground, across the sun's direction: word and zenith angle. [deg]
+LOOKS: Final = (("zenith", 0.0), ("halfway", 45.0), ("horizon", 89.0))
+#: So many wavelengths over the visible part of what the planet is known for.
+_WAVELENGTHS: Final = 12
+
+
+@dataclass(frozen=True, kw_only=True)
+class SkyColor:
+    """The sky in one direction.
+
+    Parameters
+    ----------
+    look : str
+        ``zenith``, ``halfway`` or ``horizon``.
+    luminance : float
+        [cd m⁻²]
+    chromaticity : tuple of float
+        CIE 1931 x and y. [1]
+    code : str
+        As the default exposure and tone map show it, ``#rrggbb``.
+    """
+
+    look: str
+    luminance: float
+    chromaticity: tuple[float, float]
+    code: str
+
+
+def sky_colors(planet: Planet, *, cache: bool = True, progress: Any = None) -> tuple[SkyColor, ...]:
+    """The sky from the ground in each of ``LOOKS``, at the quality ``preview``.
+
+    Parameters
+    ----------
+    planet : Planet
+    cache : bool
+        Whether solutions on disk are read and kept.
+    progress : callable, optional
+        ``progress(done, total, message)``.
+
+    Returns
+    -------
+    tuple of SkyColor
+
+    Raises
+    ------
+    ParameterError
+        If the planet is not known in the visible.
+    """
+    from airlight.solvers import solve
+
+    nm = tuple(float(w) for w in default_wavelengths(_WAVELENGTHS, *planet.wavelength_limits))
+    solution = solve(planet, wavelengths=nm, quality="preview", cache=cache, progress=progress)
+    radiance = solution.radiance(
+        altitude=0.0,
+        sun_zenith=SUN_ZENITH,
+        view_zenith=np.array([zenith for _, zenith in LOOKS]),
+        azimuth=90.0,
+    )
+    rgb = np.asarray(radiance) @ rgb_weights(nm, planet.star.irradiances)
+    xyz = rgb_to_xyz(rgb)
+    shown = to_display(rgb[np.newaxis, :, :])[0]
+    return tuple(
+        SkyColor(
+            look=look,
+            luminance=LUMINOUS_EFFICACY * float(xyz[i, 1]),
+            chromaticity=(float(x), float(y)),
+            code="#" + "".join(f"{int(level):02x}" for level in shown[i]),
+        )
+        for i, ((look, _), (x, y)) in enumerate(zip(LOOKS, chromaticity(xyz), strict=True))
+    )

@@ -1,0 +1,174 @@
+"""Keys of a planet file changed before it is read."""
+
+from __future__ import annotations
+
+import tomllib
+from importlib import resources
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight.errors import ParameterError
+from airlight.planets import Medium, load_planet, planet_names
+from airlight.planets.overrides import overridden, parsed
+from airlight.planets.reader import read_planet
+
+FILE = """
+name = "Test"
+shell = { bottom_radius = "6360 km", top_radius = "6460 km" }
+star = { irradiance = 1.0, angular_radius = "0.25 deg" }
+
+[ground]
+wavelengths = [680, 550, 440]
+albedo = [0.1, 0.2, 0.3]
+
+[[constituents]]
+name = "air v1.2"
+profile = { kind = "exponential", scale_height = "8 km" }
+scattering = { rayleigh = "air", temperature = "288.15 K", pressure = "101325 Pa" }
+
+[[constituents]]
+name = "ground"
+profile = { kind = "uniform" }
+absorption = "1e-6 /m"
+"""
+
+
+def read(path, value):
+    return read_planet(FILE, "test.toml", overrides={path: value})
+
+
+def test_an_override_equals_the_same_key_edited_in_the_file():
+    # the definition: the file with other text in that place
+    edited = FILE.replace('"8 km"', '"9 km"').replace("0.2, 0.3", "0.25, 0.3")
+    changed = read_planet(
+        FILE,
+        "test.toml",
+        overrides={"air v1.2.profile.scale_height": "9 km", "ground.albedo[1]": 0.25},
+    )
+    assert changed == read_planet(edited, "test.toml")
+    assert changed != read_planet(FILE, "test.toml")
+
+
+def test_twice_the_dust_is_twice_its_optical_depth():
+    # optical depth is what is set: dust of Mars at 550 nm, the rest untouched
+    nm = [680.0, 550.0, 440.0]
+    before = Medium.from_planet(load_planet("mars"), nm).vertical_optical_depth
+    path = "dust.particles.optical_depth"
+    factor = 2.0
+    if "particles" not in _tables("mars")["constituents"][1]:
+        path, given = "dust.optical_depth", _tables("mars")["constituents"][1]["optical_depth"]
+        doubled = [factor * value for value in given]
+    else:
+        doubled = factor * _tables("mars")["constituents"][1]["particles"]["optical_depth"]
+    after = Medium.from_planet(load_planet("mars", {path: doubled}), nm).vertical_optical_depth
+    assert_allclose(after[1], factor * before[1], rtol=1e-12)
+    assert_allclose(after[0], before[0], rtol=0, atol=0)
+
+
+def _tables(name):
+    file = resources.files("airlight.planets") / "presets" / f"{name}.toml"
+    return tomllib.loads(file.read_text(encoding="utf-8"))
+
+
+def test_a_name_with_dots_and_a_name_that_is_a_table_are_both_found():
+    # "air v1.2" is one name; "ground" is the table, and the constituent only by its place
+    assert read("air v1.2.scattering.pressure", "2 bar").constituents[0].scattering.pressure == 2e5
+    assert read("ground.albedo", 0.5).ground.albedo == 0.5
+    assert read("constituents[1].absorption", "2e-6 /m").constituents[1].absorption == 2e-6
+
+
+def test_none_takes_a_key_away_and_makes_room_for_another():
+    # a star is an irradiance or a temperature: one must go before the other comes
+    with pytest.raises(ParameterError, match="one of spectrum, irradiance, temperature"):
+        read("star.spectrum", "astm-g173")
+    sun = read_planet(
+        FILE, "t", overrides={"star.irradiance": None, "star.spectrum": "astm-g173"}
+    ).star
+    assert sun.irradiance is None
+    assert sun.spectrum == "astm-g173"
+
+
+def test_arrays_and_tables_of_python_stand_for_those_of_the_file():
+    values = {"ground.albedo": np.array([0.4, 0.5, 0.6]), "constituents[1].wavelengths": (500,)}
+    changed = read_planet(FILE, "t", overrides=values)
+    assert_allclose(changed.ground.albedos([680.0, 550.0, 440.0]), [0.4, 0.5, 0.6], rtol=1e-15)
+    profile = {"kind": "tent", "center": "25 km", "half_width": "15 km"}
+    assert read("constituents[1].profile", profile).constituents[1].profile.half_width == 15e3
+
+
+def test_the_file_given_is_not_changed():
+    file = {"ground": {"albedo": [0.1]}}
+    assert overridden(file, {"ground.albedo[0]": 0.9}) == {"ground": {"albedo": [0.9]}}
+    assert file == {"ground": {"albedo": [0.1]}}
+
+
+@pytest.mark.parametrize("name", planet_names())
+def test_no_override_is_no_change(name):
+    assert load_planet(name, {}) == load_planet(name)
+
+
+@pytest.mark.parametrize(
+    ("path", "meant"),
+    [
+        ("grond.albedo", "ground.albedo"),
+        ("air.scattering.pressure", "air v1.2.scattering.pressure"),
+        ("air v1.2.scatering.pressure", "air v1.2.scattering.pressure"),
+        ("scale_height", "air v1.2.profile.scale_height"),
+        ("ground.albedo[3]", "ground.albedo"),
+        ("ground.albedo[0].x", "ground.albedo"),
+        ("ground..albedo", "ground.albedo"),
+        ("ground.albdo", "albedo"),
+    ],
+)
+def test_a_path_that_leads_nowhere_is_one_line_with_the_nearest(path, meant):
+    with pytest.raises(ParameterError) as caught:
+        read(path, 0.3)
+    message = str(caught.value)
+    assert message.startswith("test.toml: ")
+    assert f"did you mean '{meant}" in message
+    assert "\n" not in message
+
+
+@pytest.mark.parametrize("path", ["", " ", "constituents[9].name", "ground.", "[0]", 3, "a\nb.c"])
+def test_what_is_no_path_is_refused(path):
+    with pytest.raises(ParameterError, match="override"):
+        read(path, 0.3)
+
+
+def test_an_impossible_value_is_refused_by_the_field_s_own_range():
+    with pytest.raises(ParameterError, match=r"ground.albedo is 1.5; allowed: 0 to 1"):
+        read("ground.albedo", 1.5)
+    with pytest.raises(ParameterError, match=r"overrides is 'ground.albedo=1'"):
+        load_planet("earth", "ground.albedo=1")
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("ground.albedo=0.3", ("ground.albedo", 0.3)),
+        ("star.distance = 1.5 au", ("star.distance", "1.5 au")),
+        ("name='a = b'", ("name", "a = b")),
+        ("name=a = b", ("name", "a = b")),
+        ("a.b=[1, 2]", ("a.b", [1, 2])),
+        ("a.b={ kind = 'tent' }", ("a.b", {"kind": "tent"})),
+        ("a.b=", ("a.b", None)),
+        ("a=1\nb=2", ("a", "1\nb=2")),
+    ],
+)
+def test_the_command_line_s_text_is_toml_or_itself(text, expected):
+    assert parsed(text) == expected
+
+
+@pytest.mark.parametrize("text", ["ground.albedo", "=0.3", ""])
+def test_text_without_path_or_sign_is_refused(text):
+    with pytest.raises(ParameterError, match="PATH=VALUE"):
+        parsed(text)
+
+
+def test_of_two_names_that_fit_the_longer_is_meant():
+    # "haze.fine" is a constituent, and not the key "fine" of "haze"
+    file = {"constituents": [{"name": "haze"}, {"name": "haze.fine", "at": 1}]}
+    changed = overridden(file, {"haze.fine.at": 2})
+    assert changed["constituents"] == [{"name": "haze"}, {"name": "haze.fine", "at": 2}]
