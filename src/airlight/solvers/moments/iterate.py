@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from airlight.errors import ConvergenceError
 from airlight.kernel.lanes import LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.optics.layer_edges import layer_edges
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.acceleration import mixing_weights
@@ -125,6 +126,7 @@ def solve_moments(
             settings.zenith_angles,
             settings.nodes,
             bend=paths.bend,
+            layers=layer_edges(medium.density, medium.scattering.max(axis=1)),
         ),
         azimuths=even_azimuths(degree, max(settings.azimuths, 3 * degree // 4)),
         expansion=harmonics(degree),

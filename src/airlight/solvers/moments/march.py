@@ -23,7 +23,7 @@ from airlight.solvers.moments.grid import Grid, row_of
 from airlight.solvers.moments.harmonics import Harmonics, legendre_functions
 from airlight.solvers.moments.sweep import Air, place_of
 from airlight.tables.column_ratios import columns_to_top
-from airlight.tables.columns import trace_resolved
+from airlight.tables.columns import cut_at_corners, trace_resolved
 
 #: Rays that march side by side: neighbours read the same moments, which then stay in the cache.
 PACKET: Final = 16
@@ -70,6 +70,8 @@ class Light(NamedTuple):
         From ``star_lift``; of no rows where light goes straight. [1]
     bend : float
         Bending over impact parameter and column of the last constituent. [m⁻²]
+    layers : array, shape (n,)
+        From ``layer_edges``: panels end there. [m]
     """
 
     grid: Grid
@@ -84,6 +86,7 @@ class Light(NamedTuple):
     brightest: FloatArray
     lift: FloatArray
     bend: float
+    layers: FloatArray
 
 
 class Workspace(NamedTuple):
@@ -215,7 +218,7 @@ def march(packet, rays, orders, panels, rules, light, work):
     scattering, field, sun_table = light.scattering, light.field, light.columns
     expansion, table = light.expansion, light.density
     strongest, brightest = light.strongest, light.brightest
-    lift, bend = light.lift, light.bend
+    lift, bend, layers = light.lift, light.bend, light.layers
     degree = expansion.degree
     functions, here, there = work.functions, work.here, work.there
     edges, counts = work.edges, work.counts
@@ -231,6 +234,7 @@ def march(packet, rays, orders, panels, rules, light, work):
         r, mu, mu_s, nu = starts[p], cosines[p], sun_cosines[p], angles[p]
         first_cut, second_cut = shadow_edges(r, mu, mu_s, nu, bottom)
         edge_count = place_edges(r, mu, lengths[p], panels, first_cut, second_cut, edges)
+        edge_count = cut_at_corners(r, mu, bottom, layers, edges, edge_count)
         path = (distance[p], radius[p], weight[p], density[p], column[p], total[p], work.scratch)
         end = min(mu_s, (r * mu_s + lengths[p] * nu) / radius_along(r, mu, lengths[p]))
         slant = lengths[p] / (top - bottom)

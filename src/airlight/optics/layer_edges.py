@@ -1,0 +1,63 @@
+"""Layers aloft: the altitudes between which a march must not take a step too long."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.optics.density_profile import DensitySegments
+
+FloatArray = npt.NDArray[np.float64]
+
+#: Altitudes at which profiles are looked at.
+_SAMPLES: Final = 2001
+#: A layer ends where its density has fallen to this part of its largest.
+_EDGE: Final = 0.01
+#: A profile is a layer aloft if it is so many times denser there than at the ground.
+_ALOFT: Final = 2.0
+#: A layer of less scattering optical depth is not seen.
+_FAINT: Final = 1e-4
+#: Edges nearer to each other than this part of the shell are one.
+_APART: Final = 0.015
+
+
+def layer_edges(density: DensitySegments, scattering: FloatArray) -> FloatArray:
+    """Altitudes of the bottom, the densest place and the top of each layer aloft that scatters.
+
+    Parameters
+    ----------
+    density : DensitySegments
+        The profiles.
+    scattering : array, shape (nc,)
+        Largest scattering coefficient of each constituent at relative density 1. [m⁻¹]
+
+    Returns
+    -------
+    array, shape (n,)
+        Ascending, within the shell; none where all that scatters is densest at the ground. [m]
+
+    Examples
+    --------
+    >>> from airlight.optics.density_profile import exponential, tent
+    >>> air = DensitySegments.from_rows([exponential(8e3, 1e5), tent(22e3, 5e3, 1e5)])
+    >>> layer_edges(air, np.array([1e-5, 1e-5])).round(-2).tolist()
+    [17000.0, 22000.0, 27000.0]
+    """
+    thickness = float(density.edges[0, -1])
+    altitude = thickness * np.linspace(0.0, 1.0, _SAMPLES)
+    found: list[float] = []
+    columns = density.columns()
+    for i, profile in enumerate(density.at(altitude)):
+        peak = int(profile.argmax())
+        if scattering[i] * columns[i] < _FAINT or profile[peak] < _ALOFT * profile[0]:
+            continue
+        within = np.flatnonzero(profile > _EDGE * profile[peak])
+        found += [float(altitude[k]) for k in (within[0], peak, within[-1])]
+    kept: list[float] = []
+    for one in sorted(found):
+        inside = 0.0 < one < thickness
+        if inside and (not kept or one - kept[-1] > _APART * thickness):
+            kept.append(one)
+    return np.array(kept)
