@@ -7,6 +7,7 @@ from pathlib import Path
 
 from numpy.testing import assert_allclose
 
+from airlight.optics.index_table import index_names, read_index
 from airlight.optics.molecules import MOLECULES
 from airlight.planets import Medium
 from airlight.planets.gases import GasScattering
@@ -20,7 +21,7 @@ def blocks(language: str) -> list[str]:
 
 
 def test_the_whole_file_of_the_page_is_read():
-    text, _ = blocks("toml")
+    text, *_ = blocks("toml")
     planet = read_planet(text, "page.toml")
     assert Medium.from_planet(planet, planet.wavelengths).names == ("air", "aerosol", "ozone")
 
@@ -34,7 +35,7 @@ def test_the_python_of_the_page_runs():
 
 def test_the_gas_of_the_page_scatters_what_the_page_says():
     # the numbers printed on the page, and their difference from named air
-    whole, gas = blocks("toml")
+    whole, gas, _ = blocks("toml")
     start = whole.index('profile = { kind = "exponential", scale_height = "8 km" }')
     stop = whole.index("[[constituents]]", start)
     planet = read_planet(whole[:start] + gas + whole[stop:], "page.toml")
@@ -48,6 +49,23 @@ def test_the_gas_of_the_page_scatters_what_the_page_says():
 def test_the_page_names_every_gas_with_its_limits():
     for name, gas in MOLECULES.items():
         assert f"| `{name}` | {gas.limits[0]:.0f}–{int(gas.limits[1])} |" in PAGE, name
+
+
+def test_the_particles_of_the_page_are_read():
+    # the block of the page in the place of the aerosol's coefficients
+    whole, _, dust = blocks("toml")
+    start = whole.index('scattering = "3.996e-6 /m"')
+    stop = whole.index("[[constituents]]", start)
+    planet = read_planet(whole[:start] + dust + whole[stop:], "page.toml")
+    depth = Medium.from_planet(planet, [550.0]).vertical_optical_depth[1, 0]
+    assert_allclose(depth, 0.5, rtol=1e-9)
+
+
+def test_the_page_names_every_index_with_its_limits():
+    for name in index_names():
+        table = read_index(name)
+        first, last = (5 * round(nm / 5) for nm in table.wavelengths[[0, -1]])
+        assert f'| `"{name}"` | {first:.0f}–{last:.0f} |' in PAGE, name
 
 
 def test_the_page_names_every_absorber():

@@ -171,7 +171,7 @@ def test_haze_by_turbidity_is_read():
         ),
         (
             PHASE + HAZE + "turbidity_literal = { turbidity = 2.0 }\n",
-            r"constituents\[0\]\.turbidity_literal is {'turbidity': 2.0}; allowed: none beside",
+            r"constituents\[0\]\.turbidity_literal is {'turbidity': 2\.0}; allowed: none beside",
         ),
     ],
 )

@@ -162,7 +162,7 @@ def test_five_hundred_wavelengths_cost_no_more_than_the_nodes(monkeypatch):
     calls = []
     compute = mie_nodes._computed
     monkeypatch.setattr(mie_nodes, "_computed", lambda *a: calls.append(a) or compute(*a))
-    dust = Particles(index=DUST, sizes=SingleSize(radius=2e-7), optical_depth=0.5)
+    dust = Particles(index=DUST, sizes=FINE, optical_depth=0.5)
     medium = Medium.from_planet(_planet(dust), np.linspace(430.0, 690.0, 501))
     assert len(calls) <= 13
     assert (np.abs(np.diff(np.log(medium.scattering[0]))) < 0.02).all()

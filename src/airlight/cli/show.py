@@ -100,7 +100,7 @@ def _constituents(planet: Planet) -> Table:
     for one in planet.constituents:
         phase: Any = one.phase_function
         if phase is None:
-            words = "its gas's own" if one.scatters else "none, it only absorbs"
+            words = "its own" if one.scatters else "none, it only absorbs"
         else:
             words = _parameters(phase)
         column = one.profile.column(planet.thickness)

@@ -43,7 +43,7 @@ def layer_edges(density: DensitySegments, scattering: FloatArray) -> FloatArray:
     >>> from airlight.optics.density_profile import exponential, tent
     >>> air = DensitySegments.from_rows([exponential(8e3, 1e5), tent(22e3, 5e3, 1e5)])
     >>> layer_edges(air, np.array([1e-5, 1e-5])).round(-2).tolist()
-    [17000.0, 22000.0, 27000.0]
+    [17100.0, 22000.0, 26900.0]
     """
     thickness = float(density.edges[0, -1])
     altitude = thickness * np.linspace(0.0, 1.0, _SAMPLES)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from typing import Final
 
 import numpy as np
 import numpy.typing as npt
+
+from airlight.kernel import compiled_loop
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -40,18 +43,40 @@ def interpolated(angles: FloatArray, rows: FloatArray, at: npt.ArrayLike) -> Flo
     [0.1]
     """
     angle = np.asarray(at, dtype=np.float64)
-    lower = np.clip(np.searchsorted(angles, angle, side="right") - 1, 0, len(angles) - 2)
-    share = ((angle - angles[lower]) / np.diff(angles)[lower])[..., None]
     columns = np.ascontiguousarray(rows.T)
-    positive = (rows > SMALLEST_LOGARITHMIC).T
+    positive = columns > SMALLEST_LOGARITHMIC
     logarithms = np.log(np.where(positive, columns, 1.0))
-    below, above = logarithms[lower], logarithms[lower + 1]
-    values = np.exp(below + share * (above - below))
-    straight = ~(positive[:-1] & positive[1:])
-    if straight.any():
-        low, high = columns[lower], columns[lower + 1]
-        values = np.where(straight[lower], low + share * (high - low), values)
-    return np.asarray(values)
+    values = np.empty((angle.size, len(rows)))
+    _interpolate(angles, columns, logarithms, positive, angle.ravel(), values)
+    return values.reshape(*angle.shape, len(rows))
+
+
+@compiled_loop
+def _interpolate(
+    angles: FloatArray,
+    columns: FloatArray,
+    logarithms: FloatArray,
+    positive: npt.NDArray[np.bool_],
+    at: FloatArray,
+    out: FloatArray,
+) -> None:
+    for i in range(at.shape[0]):
+        low = 0
+        high = angles.shape[0] - 1
+        while high - low > 1:
+            middle = (low + high) // 2
+            if angles[middle] <= at[i]:
+                low = middle
+            else:
+                high = middle
+        share = (at[i] - angles[low]) / (angles[high] - angles[low])
+        for j in range(columns.shape[1]):
+            if positive[low, j] and positive[high, j]:
+                step = logarithms[high, j] - logarithms[low, j]
+                out[i, j] = math.exp(logarithms[low, j] + share * step)
+            else:
+                step = columns[high, j] - columns[low, j]
+                out[i, j] = columns[low, j] + share * step
 
 
 def moments(angles: FloatArray, rows: FloatArray, degree: int) -> FloatArray:

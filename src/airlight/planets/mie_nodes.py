@@ -35,8 +35,10 @@ FloatArray = npt.NDArray[np.float64]
 _ANCHORS: Final = (440.0, 550.0, 680.0)
 #: Nodes are at most this far apart, in ln λ: 25 nm in the green.
 SPACING: Final = 0.0475
-#: A node of the even grid is left out this near to a wavelength that is a node anyway, in ln λ.
-_TOO_NEAR: Final = 0.0125
+#: The same for particles of nearly one size, whose light ripples with wavelength.
+NARROW_SPACING: Final = 0.012
+#: Effective variance below which particles are of nearly one size.
+_NARROW: Final = 0.02
 #: Particles of a constant refractive index are known within these. [nm]
 WIDEST: Final[Limits] = (200.0, 2500.0)
 #: Wavelength that the angles of the phase function are chosen for. [nm]
@@ -54,7 +56,9 @@ _lock = Lock()
 
 
 @cache
-def node_wavelengths(limits: Limits, own: tuple[float, ...]) -> tuple[float, ...]:
+def node_wavelengths(
+    limits: Limits, own: tuple[float, ...], spacing: float = SPACING
+) -> tuple[float, ...]:
     """The wavelengths at which particles are computed exactly, ascending.
 
     Parameters
@@ -62,7 +66,9 @@ def node_wavelengths(limits: Limits, own: tuple[float, ...]) -> tuple[float, ...
     limits : (float, float)
         Within which the refractive index is known; both are nodes. [nm]
     own : tuple of float
-        Wavelengths within them that are nodes. [nm]
+        Wavelengths that are nodes, if they lie within. [nm]
+    spacing : float
+        Of the others, in ln λ; those nearer than a quarter of it to one of these are left out. [1]
 
     Examples
     --------
@@ -70,23 +76,29 @@ def node_wavelengths(limits: Limits, own: tuple[float, ...]) -> tuple[float, ...
     [400, 420, 440, 460, 481, 503, 526, 550, 574, 599, 625, 652, 680, 700]
     """
     low, high = max(limits[0], WIDEST[0]), min(limits[1], WIDEST[1])
-    fixed = sorted({low, high, *own})
+    fixed = {low, high, *(nm for nm in own if low < nm < high)}
     grid = set(_ANCHORS)
     for a, b in itertools.pairwise(_ANCHORS):
-        count = math.ceil(math.log(b / a) / SPACING)
+        count = math.ceil(math.log(b / a) / spacing)
         grid.update(a * (b / a) ** (i / count) for i in range(1, count))
     below, above = _ANCHORS[0], _ANCHORS[-1]
     while below > low:
-        below *= math.exp(-SPACING)
+        below *= math.exp(-spacing)
         grid.add(below)
     while above < high:
-        above *= math.exp(SPACING)
+        above *= math.exp(spacing)
         grid.add(above)
-    nodes = set(fixed)
-    for nm in grid:
-        if low < nm < high and all(abs(math.log(nm / one)) > _TOO_NEAR for one in fixed):
-            nodes.add(nm)
-    return tuple(sorted(nodes))
+    near = 0.25 * spacing
+    inside = (nm for nm in grid if low < nm < high)
+    apart = {nm for nm in inside if all(abs(math.log(nm / one)) > near for one in fixed)}
+    return tuple(sorted(fixed | apart))
+
+
+@cache
+def nearly_one_size(sizes: ParticleSizes) -> bool:
+    """Whether the rings and ripples of single spheres show in the light of all."""
+    variance = sizes.moment(2.0) * sizes.moment(4.0) / sizes.moment(3.0) ** 2 - 1.0
+    return variance < _NARROW
 
 
 def bracketing(nodes: tuple[float, ...], wavelengths: npt.ArrayLike) -> tuple[float, ...]:
@@ -105,9 +117,7 @@ def bracketing(nodes: tuple[float, ...], wavelengths: npt.ArrayLike) -> tuple[fl
 def phase_angles(sizes: ParticleSizes) -> FloatArray:
     """Scattering angles of the phase functions of a size distribution. [deg]"""
     finest = sizes.moment(8.0) / sizes.moment(7.0)
-    variance = sizes.moment(2.0) * sizes.moment(4.0) / sizes.moment(3.0) ** 2 - 1.0
-    # Particles of nearly one size: their rings do not wash each other out.
-    per_ripple = 32.0 if variance < 0.02 else 12.0
+    per_ripple = 32.0 if nearly_one_size(sizes) else 12.0
     size_parameter = 2.0 * np.pi * finest / (1e-9 * _ANGLES_FOR)
     angles = mie.scattering_angles(size_parameter, per_ripple)
     angles.flags.writeable = False

@@ -13,9 +13,12 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.optics import anomalous_diffraction
 from airlight.planets.matter import Matter
 from airlight.planets.mie_nodes import (
+    NARROW_SPACING,
+    SPACING,
     WIDEST,
     bracketing,
     mie_nodes,
+    nearly_one_size,
     node_wavelengths,
     phase_angles,
 )
@@ -52,9 +55,9 @@ class Particles(Matter):
 
     Notes
     -----
-    Exact at 440, 550 and 680 nm and at the wavelengths of a given index; between nodes at most
-    5 % apart the logarithms of the cross-sections are linear in the logarithm of the
-    wavelength, and the phase function linear in the wavelength.
+    Exact at 440, 550 and 680 nm and at the wavelengths of a given index. Between nodes at most 5 %
+    apart (1.2 % for particles of nearly one size) the logarithms of the cross-sections are linear
+    in the logarithm of the wavelength, and the phase function is linear in the wavelength.
 
     Examples
     --------
@@ -109,7 +112,8 @@ class Particles(Matter):
 
     @property
     def _nodes(self) -> tuple[float, ...]:
-        return node_wavelengths(self.limits, self.index.own_wavelengths)
+        spacing = NARROW_SPACING if nearly_one_size(self.sizes) else SPACING
+        return node_wavelengths(self.limits, self.index.own_wavelengths, spacing)
 
     def cross_sections(self, wavelengths: npt.ArrayLike) -> tuple[FloatArray, FloatArray]:
         """Extinction and scattering cross-section of the mean particle, each shape (nl,). [m²]
