@@ -98,31 +98,27 @@ def hematite() -> None:
 
 def titan() -> None:
     """The haze of Titan: from the laboratory, and as the Huygens probe saw it."""
+    laboratory = (
+        "Tomasko et al. (2008), A model of Titan's aerosols based on measurements made inside "
+        "the atmosphere, Planetary and Space Science 56, 669, doi:10.1016/j.pss.2007.11.019"
+    )
+    probe = (
+        "Doose, Karkoschka, Tomasko & Anderson (2016), Vertical structure and optical properties "
+        "of Titan's aerosols from radiance measurements made inside and outside the atmosphere, "
+        "Icarus 270, 355, doi:10.1016/j.icarus.2015.09.039"
+    )
     sources = {
-        "titan-tholin": (
-            "Tholins_CVD",
-            "complex refractive index of tholins made in the laboratory for Titan's haze",
-            "Tomasko et al. (2008), A model of Titan's aerosols based on measurements made inside "
-            "the atmosphere, Planetary and Space Science 56, 669, doi:10.1016/j.pss.2007.11.019, "
-            "after Khare et al. (1984), Icarus 60, 127",
-        ),
-        "titan-haze": (
-            "Tholins_Doose",
-            "complex refractive index of Titan's haze, from the single-scattering albedo that "
-            "the Huygens probe measured",
-            "Doose, Karkoschka, Tomasko & Anderson (2016), Vertical structure and optical "
-            "properties of Titan's aerosols from radiance measurements made inside and outside "
-            "the atmosphere, Icarus 270, 355, doi:10.1016/j.icarus.2015.09.039",
-        ),
+        "titan-tholin": ("Tholins_CVD", "tholins made in the laboratory for Titan", laboratory),
+        "titan-haze": ("Tholins_Doose", "Titan's haze as the Huygens probe saw it", probe),
     }
     with sqlite3.connect(package_file("aerosols", "optical_index.db")) as database:
-        for name, (table, quantity, source) in sources.items():
+        for name, (table, substance, source) in sources.items():
             rows = np.array(
                 database.execute(f"SELECT wvln, nr, ni FROM {table} ORDER BY wvln").fetchall()
             )
             rows[:, 0] *= 1e3
             header = {
-                "quantity": quantity,
+                "quantity": f"complex refractive index of {substance}",
                 "unit": "nm, 1, 1",
                 "source": source,
                 "read through": "titan-aerosols 0.4.0 (B. Seignovert and P. Rannou)",

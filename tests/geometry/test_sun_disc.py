@@ -40,7 +40,7 @@ def test_visible_spread_is_mean_and_deviation_over_the_visible_part(elevation: f
     # Second method: moments of the strips above the horizon.
     lowest = max(-elevation / RADIUS, -1.0)
     area, first, second = (
-        quad(lambda u, n=n: u**n * 2.0 * sqrt(1.0 - u * u), lowest, 1.0, epsabs=1e-14)[0]
+        quad(lambda u, n=n: u**n * 2.0 * sqrt(1.0 - u * u), lowest, 1.0, epsabs=1e-12)[0]
         for n in range(3)
     )
     mean, square = first / area, second / area

@@ -12,12 +12,13 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.geometry.path import ray_length
 from airlight.geometry.shell import meets_ground
+from airlight.geometry.sun_disc import star_elevation
 from airlight.planets import Constituent, Ground, Medium, Planet, Star
 from airlight.planets.phases import HenyeyGreenstein
 from airlight.planets.profiles import Uniform
 from airlight.solvers.sight import Sight, enter_shell
 from airlight.solvers.single_scattering import reflected_once, single_scattering
-from airlight.solvers.star_light import direct_irradiance, star_elevation
+from airlight.solvers.star_light import direct_irradiance
 
 RGB = (680.0, 550.0, 440.0)
 R, TOP = 6360e3, 6460e3

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from airlight.cli.examples import examples
+from airlight.cli.progress import shown_progress
 
 EPILOG = examples("airlight planets", "airlight show earth")
 
@@ -20,7 +21,8 @@ def planets() -> None:
     table.add_column("air up to", justify="right", no_wrap=True)
     table.add_column("constituents")
     for name in planet_names():
-        planet = load_planet(name)
+        with shown_progress() as report:
+            planet = load_planet(name, progress=report)
         table.add_row(
             name,
             f"{planet.bottom_radius / 1e3:.0f} km",

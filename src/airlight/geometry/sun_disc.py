@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import acos, asin, pi, sqrt
+from math import acos, asin, atan2, pi, sqrt
 
 from airlight.kernel import kernel
 
@@ -17,6 +17,28 @@ def sun_elevation(r, mu_s, bottom_radius):
     sine = bottom_radius / r
     horizon = -sqrt(max((1.0 - sine) * (1.0 + sine), 0.0))
     return (mu_s - horizon) / sine
+
+
+@kernel
+def star_elevation(r, mu_s, bottom_radius):
+    """Elevation of the star's centre above the geometric horizon. [rad]
+
+    Parameters
+    ----------
+    r : float
+        Distance from the planet's centre. [m]
+    mu_s : float
+        Cosine of the star's zenith angle. [1]
+    bottom_radius : float
+        [m]
+
+    Examples
+    --------
+    >>> star_elevation(6360e3, 0.0, 6360e3)
+    0.0
+    """
+    dip = atan2(sqrt(max((r - bottom_radius) * (r + bottom_radius), 0.0)), bottom_radius)
+    return atan2(mu_s, sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))) + dip
 
 
 @kernel

@@ -12,6 +12,7 @@ import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Final
 
 import numpy as np
@@ -27,6 +28,8 @@ Row = tuple[FloatArray, FloatArray]
 
 #: Largest magnitude that a term of a layer may reach; beyond it the sum loses its digits.
 _LARGEST_TERM: Final = 1e6
+#: A profile of more inner edges is a smooth curve in pieces.
+_MOST_CORNERS: Final = 12
 
 
 @kernel
@@ -132,6 +135,24 @@ class DensitySegments:
         edges.flags.writeable = False
         padded.flags.writeable = False
         return cls(edges, padded)
+
+    @cached_property
+    def corners(self) -> FloatArray:
+        """Altitudes of the corners of profiles that have few, ascending, shape (n,). [m]
+
+        Many segments are one smooth curve in pieces; few have corners: a tent, layers.
+        """
+        found: set[float] = set()
+        for edges in self.edges:
+            inside = np.unique(edges[(edges > edges[0]) & (edges < edges[-1])])
+            if inside.size <= _MOST_CORNERS:
+                found.update(inside.tolist())
+        return np.array(sorted(found))
+
+    @property
+    def arrays(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Edges, coefficients and corners, as compiled loops take them. [m], [1], [m]"""
+        return self.edges, self.coefficients, self.corners
 
     def at(self, altitudes: npt.ArrayLike) -> FloatArray:
         """Relative densities of every constituent.

@@ -47,8 +47,8 @@ def maxwell_garnett(
 
     Examples
     --------
-    >>> complex(maxwell_garnett(1.5, 2.7 + 0.5j, 0.02)).real.__round__(4)
-    1.516
+    >>> complex(maxwell_garnett(1.5, 1.5, 0.3))  # nothing added
+    (1.5+0j)
     """
     if not 0.0 <= fraction <= 1.0:
         raise ParameterError("fraction", fraction, "0 to 1")

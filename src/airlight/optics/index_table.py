@@ -60,8 +60,8 @@ class IndexTable:
         Examples
         --------
         >>> table = read_index("water")
-        >>> f"{complex(table.at(589.3)).real:.3f}"
-        '1.333'
+        >>> f"{complex(table.at(589.3)).real:.2f}"
+        '1.33'
         """
         nm = np.asarray(wavelengths, dtype=np.float64)
         real = np.interp(nm, self.wavelengths, self.real)

@@ -146,9 +146,7 @@ def check_sizes(sizes: Sizes, wavelength: float) -> None:
     largest = LARGEST_SIZE_PARAMETER * 1e-9 * wavelength / (2.0 * np.pi)
     if not sizes.radii.max() <= largest:
         raise ParameterError(
-            "largest radius of sizes",
-            float(sizes.radii.max()),
-            f"up to {largest:.3g} m at {wavelength:g} nm",
+            "sizes", float(sizes.radii.max()), f"radii up to {largest:.3g} m at {wavelength:g} nm"
         )
 
 

@@ -36,7 +36,7 @@ def interpolated(angles: FloatArray, rows: FloatArray, at: npt.ArrayLike) -> Flo
 
     Examples
     --------
-    >>> interpolated(np.array([0.0, 180.0]), np.array([[1.0, 0.01]]), 90.0).tolist()
+    >>> interpolated(np.array([0.0, 180.0]), np.array([[1.0, 0.01]]), 90.0).round(12).tolist()
     [0.1]
     """
     angle = np.asarray(at, dtype=np.float64)

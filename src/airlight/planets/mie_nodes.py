@@ -42,7 +42,7 @@ WIDEST: Final[Limits] = (200.0, 2500.0)
 #: Wavelength that the angles of the phase function are chosen for. [nm]
 _ANGLES_FOR: Final = 400.0
 #: Fewest radii that stand for a distribution, and how many for each unit of the size parameter.
-_FEWEST_RADII: Final = 300
+_FEWEST_RADII: Final = 800
 _RADII_PER_SIZE: Final = 1.0
 #: How far from 1 the integral of a computed phase function may be.
 _INTEGRAL_TOLERANCE: Final = 1e-3

@@ -28,6 +28,7 @@ from airlight.geometry.path import (
 )
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.shell import radius_along
+from airlight.geometry.sun_disc import star_elevation
 from airlight.kernel import compiled_loop
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.density_profile import relative_density
@@ -36,13 +37,12 @@ from airlight.solvers.light_paths import only_straight
 from airlight.solvers.sight import Sight
 from airlight.solvers.star_light import (
     PANELS,
-    cut_at_corners,
     direct_irradiance,
     new_room,
-    star_elevation,
     star_light,
     star_rules,
 )
+from airlight.tables.columns import cut_at_corners
 
 FloatArray = NDArray[np.float64]
 
@@ -66,7 +66,7 @@ def _panel(
     r, mu, mu_s, nu = ray
     points, along, light = scratch
     nodes, weights, running = rules[2]
-    density_edges, coefficients = density
+    density_edges, coefficients, _ = density
     width = end - start
     n, constituents = nodes.size, column.size
     for k in range(n):
@@ -163,7 +163,7 @@ def _scattered(sight, star_radius, shell, density, extinction, rules, room, out)
         count = _cut_at_shadow(
             r, mu, all_mu_s[ray_at], all_nu[ray_at], shell[0], star_radius, edges, count
         )
-        count = cut_at_corners(r, mu, shell[0], density[0], edges, count)
+        count = cut_at_corners(r, mu, shell[0], density[2], edges, count)
         before[:] = 0.0
         for panel in range(count - 1):
             _panel(
@@ -252,7 +252,7 @@ def single_scattering(
             tuple(np.ascontiguousarray(one[rows]) for one in arrays),
             medium.star_angular_radius,
             (medium.bottom_radius, medium.top_radius),
-            (medium.density.edges, medium.density.coefficients),
+            medium.density.arrays,
             medium.extinction,
             rules,
             new_room(),
@@ -277,7 +277,7 @@ def _ground_columns(all_r, all_mu, shell, density, rule, room, out):
         # From the ground upwards the points crowd where the air is dense.
         up = -(length + r * mu) / bottom
         count = place_edges(bottom, up, length, PANELS, 0.0, 0.0, edges)
-        count = cut_at_corners(bottom, up, bottom, density[0], edges, count)
+        count = cut_at_corners(bottom, up, bottom, density[2], edges, count)
         points = place_nodes(bottom, up, edges, count, rule[0], rule[1], distance, radius, weight)
         for i in range(out.shape[1]):
             total = 0.0
@@ -315,7 +315,7 @@ def reflected_once(medium: Medium, sight: Sight) -> FloatArray:
         r,
         mu,
         (bottom, medium.top_radius),
-        (medium.density.edges, medium.density.coefficients),
+        medium.density.arrays,
         star_rules()[0],
         new_room(),
         column,

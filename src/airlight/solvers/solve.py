@@ -138,7 +138,8 @@ def solve(
         raise ParameterError("solver", solver, ", ".join(SOLVERS))
     room = SOLVERS[solver]
     settings = import_module(f"{room}.settings").settings_for(quality)
-    medium = Medium.from_planet(planet, planet.wavelengths if wavelengths is None else wavelengths)
+    nm = planet.wavelengths if wavelengths is None else wavelengths
+    medium = Medium.from_planet(planet, nm, progress=progress, cancel=cancel)
     solution: Solution = import_module(f"{room}.solution").solve(
         medium, settings, cache=cache, progress=progress, cancel=cancel
     )

@@ -10,18 +10,20 @@ are taken for straight, which errs by less than 1e-5 for the sun.
 
 from __future__ import annotations
 
-from math import acos, asin, atan2, cos, exp, pi, sin, sqrt
+from math import acos, asin, cos, exp, pi, sin
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.geometry.path import MAX_EDGES, insert_edge, place_edges, place_nodes
+from airlight.geometry.path import MAX_EDGES, place_edges, place_nodes
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.shell import chord
-from airlight.kernel import compiled_loop, kernel
+from airlight.geometry.sun_disc import star_elevation
+from airlight.kernel import compiled_loop
 from airlight.optics.density_profile import relative_density
 from airlight.planets.medium import Medium
+from airlight.tables.columns import cut_at_corners
 
 FloatArray = NDArray[np.float64]
 Rule = tuple[FloatArray, FloatArray, FloatArray]
@@ -34,67 +36,6 @@ _STRIPS: Final = 7
 #: A star higher than this above the horizon is taken for a point: its strips differ by less than
 #: 1e-5 in what they send through clear air. [rad]
 _HIGH: Final = 0.7
-#: Profiles of at most so many corners have them on panel edges; more are a smooth curve in pieces.
-_MOST_CORNERS: Final = 12
-
-
-@kernel
-def star_elevation(r, mu_s, bottom_radius):
-    """Elevation of the star's centre above the geometric horizon. [rad]
-
-    Parameters
-    ----------
-    r : float
-        Distance from the planet's centre. [m]
-    mu_s : float
-        Cosine of the star's zenith angle. [1]
-    bottom_radius : float
-        [m]
-
-    Examples
-    --------
-    >>> star_elevation(6360e3, 0.0, 6360e3)
-    0.0
-    """
-    dip = atan2(sqrt(max((r - bottom_radius) * (r + bottom_radius), 0.0)), bottom_radius)
-    return atan2(mu_s, sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))) + dip
-
-
-@compiled_loop
-def cut_at_corners(r, mu, bottom_radius, density_edges, edges, count):
-    """Panel edges where a ray crosses an altitude at which a profile has a corner.
-
-    Parameters
-    ----------
-    r, mu : float
-        Start of the ray. [m], [1]
-    bottom_radius : float
-        [m]
-    density_edges : array, shape (nc, ns + 1)
-        Of ``DensitySegments``. [m]
-    edges, count : array, int
-        As ``place_edges`` leaves them. [m]
-
-    Returns
-    -------
-    int
-        How many edges there are now.
-    """
-    tangent = r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
-    last = density_edges.shape[1] - 1
-    for i in range(density_edges.shape[0]):
-        own = 1
-        while own < last and density_edges[i, own] < density_edges[i, last]:
-            own += 1
-        if own > _MOST_CORNERS:
-            continue
-        for k in range(1, own):
-            radius = bottom_radius + density_edges[i, k]
-            if tangent < radius:
-                beside = chord(r, mu, radius)
-                count = insert_edge(edges, count, -r * mu - beside)
-                count = insert_edge(edges, count, -r * mu + beside)
-    return count
 
 
 @compiled_loop
@@ -108,7 +49,7 @@ def columns_to_space(r, mu, shell, density, rule, room, out):
     shell : tuple of float
         Radii of the ground and of the top. [m]
     density : tuple of arrays
-        Edges and coefficients of ``DensitySegments``.
+        ``DensitySegments.arrays``.
     rule : tuple of arrays
         Of Gauss-Legendre.
     room : tuple of arrays
@@ -118,10 +59,10 @@ def columns_to_space(r, mu, shell, density, rule, room, out):
     """
     edges, distance, radius, weight = room
     bottom, top = shell
-    density_edges, coefficients = density
+    density_edges, coefficients, corners = density
     length = max(-r * mu + chord(r, mu, top), 0.0)
     count = place_edges(r, mu, length, PANELS, 0.0, 0.0, edges)
-    count = cut_at_corners(r, mu, bottom, density_edges, edges, count)
+    count = cut_at_corners(r, mu, bottom, corners, edges, count)
     points = place_nodes(r, mu, edges, count, rule[0], rule[1], distance, radius, weight)
     for i in range(out.size):
         total = 0.0
@@ -225,7 +166,7 @@ def direct_irradiance(medium: Medium, r: FloatArray, mu_s: FloatArray) -> FloatA
             medium.star_angular_radius,
             True,
             (medium.bottom_radius, medium.top_radius),
-            (medium.density.edges, medium.density.coefficients),
+            medium.density.arrays,
             medium.extinction,
             rules,
             room,

@@ -32,8 +32,6 @@ FloatArray = NDArray[np.float64]
 TABLE_SHAPE = (160, 288)
 #: A ray of a larger optical depth gets more panels where it begins. [1]
 _THICK = 15.0
-#: Profiles of at most so many edges have their corners on panel edges.
-MOST_CORNERS = 12
 #: Nodes of the density table that marches read.
 DENSITY_NODES = 4097
 
@@ -204,15 +202,15 @@ def new_path(points: int, constituents: int) -> tuple[FloatArray, ...]:
 
 
 @compiled_loop
-def cut_at_corners(r, mu, bottom_radius, altitudes, edges, count):
+def cut_at_corners(r, mu, bottom_radius, corners, edges, count):
     """Panel edges where a ray crosses the altitudes at which a profile has a corner.
 
     Parameters
     ----------
     r, mu, bottom_radius : float
         [m], [1], [m]
-    altitudes : array, shape (n,)
-        Of which the first and the last are left out. [m]
+    corners : array, shape (n,)
+        Of ``DensitySegments``. [m]
     edges, count : array, int
         From ``place_edges``; edges are added in place. [m]
 
@@ -222,7 +220,7 @@ def cut_at_corners(r, mu, bottom_radius, altitudes, edges, count):
         How many edges there are now.
     """
     tangent = r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
-    for altitude in altitudes[1:-1]:
+    for altitude in corners:
         radius = bottom_radius + altitude
         if tangent < radius:
             beside = chord(r, mu, radius)
@@ -232,22 +230,16 @@ def cut_at_corners(r, mu, bottom_radius, altitudes, edges, count):
 
 
 @compiled_loop
-def _columns(
-    radii, cosines, lengths, panels, rule, bottom_radius, density_edges, coefficients, out
-):
+def _columns(radii, cosines, lengths, panels, rule, bottom_radius, density, out):
     nodes, weights, _ = rule
+    density_edges, coefficients, corners = density
     edges = np.empty(MAX_EDGES)
     points = nodes.size * MAX_EDGES
     distance, radius, weight = np.empty(points), np.empty(points), np.empty(points)
     for k in range(radii.size):
         r, mu = radii[k], cosines[k]
         edge_count = place_edges(r, mu, lengths[k], panels, 0.0, 0.0, edges)
-        # Many segments are one smooth curve in pieces; few have corners (a tent, layers).
-        if density_edges.shape[1] <= MOST_CORNERS:
-            for i in range(out.shape[1]):
-                edge_count = cut_at_corners(
-                    r, mu, bottom_radius, density_edges[i], edges, edge_count
-                )
+        edge_count = cut_at_corners(r, mu, bottom_radius, corners, edges, edge_count)
         count = place_nodes(r, mu, edges, edge_count, nodes, weights, distance, radius, weight)
         for i in range(out.shape[1]):
             total = 0.0
@@ -297,8 +289,7 @@ def columns(
         panels,
         gauss_legendre(nodes).as_tuple(),
         bottom_radius,
-        density.edges,
-        density.coefficients,
+        density.arrays,
         out,
     )
     return out.reshape(*r.shape, constituents)

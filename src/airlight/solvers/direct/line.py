@@ -18,7 +18,6 @@ from airlight.solvers.direct.settings import Settings
 from airlight.solvers.direct.trapezoid import graded, uniform
 from airlight.tables.column_ratios import columns_to_top, mean_density_ratios
 from airlight.tables.columns import (
-    MOST_CORNERS,
     ColumnTable,
     accumulate,
     cut_at_corners,
@@ -76,9 +75,6 @@ def air_of(medium: Medium, settings: Settings, steps: int) -> Air:
     """The arrays of a medium as lines of so many steps take them."""
     scatterers = np.flatnonzero(medium.scattering.max(axis=1) > 0.0)
     table = ColumnTable.build(medium.bottom_radius, medium.top_radius, medium.density)
-    edges = medium.density.edges
-    # Many segments are one smooth curve in pieces; few have corners (a tent, layers).
-    corners = np.unique(edges) if edges.shape[1] <= MOST_CORNERS else np.zeros(0)
     rule = (graded if settings.graded else uniform)(steps)
     return Air(
         medium.bottom_radius,
@@ -89,7 +85,7 @@ def air_of(medium: Medium, settings: Settings, steps: int) -> Air:
         scatterers,
         medium.extinction.max(axis=1),
         density_table(medium.density, medium.thickness),
-        corners,
+        medium.density.corners,
         mean_density_ratios(table),
         rule.as_tuple(),
         settings.graded,

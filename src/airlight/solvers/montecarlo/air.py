@@ -43,8 +43,6 @@ RULES: Final = (
 #: relative to all the light it loses, over ``_test_rays``.
 LARGEST_ERROR: Final = 1e-3
 MEAN_ERROR: Final = 2e-4
-#: Profiles of at most so many corners have them on panel edges; more are a smooth curve in pieces.
-_MOST_CORNERS: Final = 12
 
 
 class Air(NamedTuple):
@@ -148,12 +146,7 @@ def jump_altitudes(density: DensitySegments) -> FloatArray:
 
 def corner_altitudes(density: DensitySegments) -> FloatArray:
     """Jumps, and the corners of profiles that have few. [m]"""
-    found = set(jump_altitudes(density).tolist())
-    for edges in density.edges:
-        inside = np.unique(edges[(edges > 0.0) & (edges < edges[-1])])
-        if inside.size <= _MOST_CORNERS:
-            found.update(inside.tolist())
-    return np.array(sorted(found))
+    return np.union1d(jump_altitudes(density), density.corners)
 
 
 def _test_rays(medium: Medium) -> tuple[FloatArray, FloatArray, FloatArray]:
