@@ -80,3 +80,6 @@ def test_what_is_set_is_what_is_shown(
     assert "0.37" in out
     assert "gas " in out
     assert "zenith #102030" in out
+    # a gas says what it is made of, ozone its column: 345 DU
+    assert "288.15 K" in out
+    assert "9.26939e+22 m⁻²" in out

@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 
 from airlight.planets import Medium, load_planet, planet_names
 from airlight.planets.comparison import ALL, common_wavelengths, compare
-from airlight.planets.parameter_values import parameter_values
+from airlight.planets.parameter_values import made_of, parameter_values
 
 GREEN = (550.0,)
 
@@ -158,3 +158,29 @@ def test_long_tables_differ_though_they_are_equally_long():
     row = found(compare(*sides, GREEN), "aerosol", "profile densities")
     assert row.first.startswith("12 values")
     assert row.first != row.second
+
+
+def test_a_gas_says_what_follows_from_its_composition():
+    # Mars by the paper: RT/(Mg) with 44.0095 g/mol, N as given, F = (6+3δ)/(6-7δ), n - 1 of 0 °C
+    # and one atmosphere thinned to N, all by hand
+    planet = load_planet("mars-openspace")
+    values = made_of(planet.constituents[0], GREEN)
+    height = 8.314462618 * 215.0 / (44.0095e-3 * 3.73)
+    assert_allclose(values["scale height", "m"], height, rtol=1e-4)
+    assert values["number density", "m⁻³"] == (2.8e23,)
+    assert_allclose(values["King factor", ""], (6 + 0.27) / (6 - 0.63), rtol=1e-12)
+    # Lorentz-Lorenz keeps the proportion to 2e-4
+    assert_allclose(values["n - 1", ""], 4.5019e-4 * 2.8e23 / 2.68678e25, rtol=3e-4)
+    assert values["depolarisation", ""] == (0.09,)
+    # what is given by coefficients is made of nothing
+    assert made_of(load_planet("earth-openspace").constituents[1], GREEN) == {}
+
+
+def test_standard_and_advanced_mode_of_one_earth_side_by_side():
+    # coefficients on one side, composition on the other
+    rows = compare(load_planet("earth-openspace"), load_planet("earth-openspace-advanced"), GREEN)
+    given = found(rows, "air", "given as")
+    assert (given.first, given.second) == ("coefficients", "gas-mixture")
+    # f(0.0279)/f(0.035) - 1 = -1.2 %
+    assert_allclose(found(rows, "air", "scattering coefficient").percent, -1.2, rtol=0, atol=0.05)
+    assert found(rows, "air", "molar mass").first is None

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from airlight.cli.examples import examples
+from airlight.cli.progress import shown_progress
 from airlight.errors import FileError, ParameterError
 
 if TYPE_CHECKING:
@@ -39,7 +40,8 @@ def errata(
 ) -> None:
     """List what the source documents print otherwise, and compute what it changes.
 
-    Each row: the source, the text as printed, what stands here, and a quantity both ways.
+    Each row: the source, the text as printed, what stands here, and a quantity both ways. The first
+    run compiles a solver, which takes half a minute.
     """
     from airlight.exports.whole_file import check_target, whole_file
     from airlight.validation.errata import errata as table
@@ -50,7 +52,8 @@ def errata(
             raise FileError(output, "the name of a page ends in .md")
         check_target(output)
     try:
-        rows = table(source)
+        with shown_progress() as report:
+            rows = table(source, progress=report)
     except ParameterError as error:
         raise ParameterError("--source", error.value, error.allowed) from None
     if output is None:

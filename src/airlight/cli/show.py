@@ -46,6 +46,7 @@ def show(
     from rich.console import Console
 
     from airlight.planets import Medium
+    from airlight.planets.parameter_values import made_of
 
     world = options.planet(planet, set_)
     if compare is not None:
@@ -55,6 +56,8 @@ def show(
     console = Console()
     console.print(_overview(world, medium), end="\n\n")
     console.print(_constituents(world), end="\n\n")
+    if any(made_of(one) for one in world.constituents):
+        console.print(_composition(world), end="\n\n")
     console.print(_optics(world, medium), end="\n\n")
     console.print(_swatch(world, cache=not no_cache))
 
@@ -105,6 +108,26 @@ def _constituents(planet: Planet) -> Table:
             words = _parameters(phase)
         column = one.profile.column(planet.thickness)
         table.add_row(one.name, _parameters(one.profile), _metres(column), words)
+    return table
+
+
+def _composition(planet: Planet) -> Table:
+    """What gases and particles were given, and what follows from it."""
+    from rich.table import Table
+
+    from airlight.planets.parameter_values import made_of
+
+    table = Table(box=None, title="what it is made of", title_justify="left")
+    table.title_style = "italic"
+    table.add_column("constituent", style="bold", no_wrap=True)
+    table.add_column("quantity", no_wrap=True)
+    table.add_column("value")
+    for one in planet.constituents:
+        heading = one.name
+        for (quantity, unit), values in made_of(one, planet.wavelengths).items():
+            shown = "  ".join(v if isinstance(v, str) else f"{v:.6g}" for v in values)
+            table.add_row(heading, quantity, f"{shown} {unit}".rstrip())
+            heading = ""
     return table
 
 

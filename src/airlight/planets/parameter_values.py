@@ -32,6 +32,9 @@ UNITS: Final = {
     "molar_mass": "kg mol⁻¹",
     "number_density": "m⁻³",
     "ground_number_density": "m⁻³",
+    "reference_density": "m⁻³",
+    "refractivity_temperature": "K",
+    "refractivity_pressure": "Pa",
     "column": "m⁻²",
     "radius": "m",
     "effective_radius": "m",
@@ -47,7 +50,7 @@ _DERIVED: Final = {
     "number_density": "m⁻³",
 }
 _DERIVED_SPECTRA: Final = {
-    "refractivities": ("refractivity", ""),
+    "refractivities": ("n - 1", ""),
     "king_factors": ("King factor", ""),
     "cross_sections": ("cross-section", "m²"),
     "depolarisations": ("depolarisation", ""),
@@ -148,7 +151,8 @@ def _derived(value: Any, label: str, nm: tuple[float, ...]) -> Iterator[Any]:
             yield (_joined(label, name), unit, None), number
     for name, (word, unit) in _DERIVED_SPECTRA.items():
         method = getattr(value, name, None)
-        numbers = method(list(nm)) if callable(method) and nm else None
+        given_itself = getattr(value, word, None) is not None
+        numbers = method(list(nm)) if callable(method) and nm and not given_itself else None
         if isinstance(numbers, np.ndarray):  # particles give two cross-sections, listed otherwise
             for wavelength, number in zip(nm, numbers, strict=True):
                 yield (_joined(label, word), unit, wavelength), float(number)
@@ -162,3 +166,37 @@ def _kind(value: Any) -> str:
     """A class as planet files call it: ``henyey-greenstein``."""
     name = re.sub(r"(?<=[a-z])(?=[A-Z])", "-", type(value).__name__).lower()
     return name.removesuffix("-phase")
+
+
+def made_of(
+    constituent: Constituent, wavelengths: tuple[float, ...] = ()
+) -> dict[tuple[str, str], tuple[float | str, ...]]:
+    """What a gas, particles or an absorber were given, and what follows from it.
+
+    Parameters
+    ----------
+    constituent : Constituent
+    wavelengths : tuple of float
+        Where values that depend on wavelength are taken. [nm]
+
+    Returns
+    -------
+    dict
+        From (name, unit) to one value, or one for each wavelength; empty for a constituent
+        that is given by its coefficients.
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> made_of(load_planet("earth").constituents[2])
+    {('absorption', ''): ('ozone-absorption',), ('column', 'm⁻²'): (9.269391385704633e+22,)}
+    """
+    found: dict[tuple[str, str], tuple[float | str, ...]] = {}
+    for name in ("matter", "scattering", "absorption"):
+        part = getattr(constituent, name)
+        if dataclasses.is_dataclass(part) and not isinstance(part, PerWavelength):
+            label = "made of" if name == "matter" else name
+            found[label, ""] = (_kind(part),)
+            for (quantity, unit, _), value in _fields(part, "", wavelengths):
+                found[quantity, unit] = (*found.get((quantity, unit), ()), value)
+    return found

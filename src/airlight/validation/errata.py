@@ -2,22 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Final
+import functools
 
 from airlight.errors import ParameterError
+from airlight.kernel.threads import Progress
 from airlight.validation.errata_atmosphere_plus import bruneton_walk, first_notes, later_notes
 from airlight.validation.errata_openspace import openspace
 from airlight.validation.errata_openspace_table import openspace_table
 from airlight.validation.erratum import SOURCES, Erratum
-
-_ROWS: Final[tuple[tuple[str, Callable[[], list[Erratum]]], ...]] = (
-    ("AP1", first_notes),
-    ("AP2", later_notes),
-    ("BT", bruneton_walk),
-    ("OS", openspace),
-    ("OS", openspace_table),
-)
 
 _TITLE = "# What the source documents print otherwise"
 _INTRODUCTION = (
@@ -27,13 +19,15 @@ _INTRODUCTION = (
 )
 
 
-def errata(source: str | None = None) -> tuple[Erratum, ...]:
+def errata(source: str | None = None, *, progress: Progress | None = None) -> tuple[Erratum, ...]:
     """The table of differences.
 
     Parameters
     ----------
     source : str, optional
         One of ``AP1``, ``AP2``, ``BT`` and ``OS``; all if left out.
+    progress : callable, optional
+        See ``airlight.kernel.threads``: the first run of AP2 compiles a solver, half a minute.
 
     Returns
     -------
@@ -53,7 +47,14 @@ def errata(source: str | None = None) -> tuple[Erratum, ...]:
     if source is not None and source not in SOURCES:
         raise ParameterError("source", source, ", ".join(SOURCES))
     rows: list[Erratum] = []
-    for name, make in _ROWS:
+    makers = (
+        ("AP1", first_notes),
+        ("AP2", functools.partial(later_notes, progress)),
+        ("BT", bruneton_walk),
+        ("OS", openspace),
+        ("OS", openspace_table),
+    )
+    for name, make in makers:
         if source in (None, name):
             rows += make()
     return tuple(rows)

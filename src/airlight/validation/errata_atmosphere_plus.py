@@ -10,6 +10,7 @@ import numpy as np
 
 from airlight.geometry.shell import distance_to_top, radius_along
 from airlight.kernel import vectorized
+from airlight.kernel.threads import Progress
 from airlight.mappings.weighted_power import (
     DEFAULT_LOWER_WEIGHT,
     DEFAULT_SURFACE_OFFSET,
@@ -62,12 +63,12 @@ def first_notes() -> list[Erratum]:
     ]
 
 
-def later_notes() -> list[Erratum]:
-    """The rows of AP2."""
+def later_notes(progress: Progress | None = None) -> list[Erratum]:
+    """The rows of AP2; one of them is solved, order by order."""
     return [
         _aerosol_absorption(),
         _ground_light(),
-        _orders(),
+        _orders(progress),
         _weights(),
     ]
 
@@ -175,12 +176,13 @@ def _ground_light() -> Erratum:
     )
 
 
-def _orders() -> Erratum:
+def _orders(progress: Progress | None) -> Erratum:
     planet = load_planet("earth-atmosphere-plus", {"ground.albedo": _GROUND})
     medium = Medium.from_planet(planet, [440.0])
 
     def zenith(literal: str) -> float:
-        solution = solve(medium, replace(_COARSE, literal=literal), cache=False)
+        settings = replace(_COARSE, literal=literal)
+        solution = solve(medium, settings, cache=False, progress=progress)
         return float(solution.radiance(altitude=0.0, sun_zenith=30.0, view_zenith=0.0).values[0])
 
     return Erratum(

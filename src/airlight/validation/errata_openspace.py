@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.kernel import vectorized
+from airlight.optics.air_mass import air_mass_pickering2002
 from airlight.optics.density_profile import row_column
 from airlight.optics.legendre import phase_integral
 from airlight.optics.phase_functions import double_henyey_greenstein, henyey_greenstein
@@ -128,16 +129,14 @@ def _particle_height() -> Erratum:
 def _pickering() -> Erratum:
     altitudes = np.array([0.0, 1.0, 5.0, 10.0])
 
-    def air_mass(lift: FloatArray) -> tuple[float, ...]:
-        return floats(1.0 / np.sin(np.radians(altitudes + lift)))
-
+    lift = 244.0 / (165.0 + 47.0 * altitudes) ** 1.1
     return Erratum(
         source="OS Eq 21",
         printed="244/(165+47h)^{1.1}",
         here="244/(165+47h^{1.1}), degrees",
         quantity="air mass at altitudes 0°, 1°, 5°, 10°",
-        as_printed=air_mass(244.0 / (165.0 + 47.0 * altitudes) ** 1.1),
-        as_here=air_mass(244.0 / (165.0 + 47.0 * altitudes**1.1)),
+        as_printed=floats(1.0 / np.sin(np.radians(altitudes + lift))),
+        as_here=floats(air_mass_pickering2002(altitudes)),
         remark="and it is a ratio of columns, no length of a path",
     )
 
