@@ -28,12 +28,12 @@ def interpolate_row(ratios, x, shortest, longest, out):
 
 
 @compiled_loop
-def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, out, sky_out):
+def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, out, sky_out):
     """Moments of the light scattered or reflected once, at all sun elevations of one radius.
 
     Parameters
     ----------
-    i, grid, rays, azimuths, air, expansion, out, sky_out :
+    i, grid, rays, share, azimuths, air, expansion, out, sky_out :
         As in ``sweep_radius``.
     columns : array, shape (radii, directions, nc, 2)
         Of a ``ColumnTable``, from ``mean_density_ratios``.
@@ -59,7 +59,8 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, out, sk
     terms = (degree + 1) * (degree + 2) // 2
     constituents = totals.shape[2]
     angles = all_mu.shape[1]
-    r = radii[i]
+    # Light is gathered at the first of every so many radii.
+    r = radii[i * ((radii.size - 1) // (all_mu.shape[0] - 1))]
     tangent = sqrt((top - bottom) * (top + bottom))
     most = 0
     for a in range(angles):
@@ -109,6 +110,7 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, out, sk
             reflected = splat(0.0)
         legendre_functions(mu, expansion, functions)
         sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
+        exact = load(share, LANES * (i * angles + a))
         for j in range(suns):
             mu_s = sun_cosines[j]
             sun_sine = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
@@ -146,6 +148,7 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, out, sk
                             strength, LANES * (k * constituents + c)
                         )
                     radiance = radiance + np.float32(seen) * light * source
+                radiance = radiance * exact
                 if below:
                     mu_sg = min(max((r * mu_s + all_lengths[i, a] * nu) / bottom, -1.0), 1.0)
                     radiance = radiance + reflected * direct_light(
