@@ -5,7 +5,7 @@ f = g_{N+1} of each scattering counts as none at all (δ-M: Wiscombe 1977, JAS 3
 first order is computed with the exact phase function in the air so thinned (TMS: Nakajima &
 Tanaka 1988, JQSRT 40, 51). Where the particles are thin the peak's light is scattered once, δ-M
 gains nothing and spoils the narrow bright band along the horizon; f is therefore faded in with the
-particles' vertical optical depth. docs/decisions/moments-solver.md has the measurements.
+particles' vertical optical depth. docs/decisions/0001-moments-in-the-twilight.md has the measurements.
 """
 
 from __future__ import annotations
@@ -16,9 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.planets.medium import Medium
+from airlight.solvers.moments.levels import Depths
 from airlight.solvers.moments.packing import pack
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.sweep import Air
+from airlight.tables.columns import density_table
 
 FloatArray = NDArray[np.float64]
 
@@ -53,6 +55,50 @@ def choose_degree(medium: Medium, settings: Settings) -> int:
     return max(2, min(needed, highest if thick else settings.degree))
 
 
+def forward_peaks(medium: Medium, degree: int) -> FloatArray:
+    """Part of each constituent's scattering that counts as none, shape (nc, nl). [1]
+
+    Parameters
+    ----------
+    medium : Medium
+    degree : int
+        Of the harmonics.
+    """
+    beyond = medium.phase_moments(degree + 1)[..., degree + 1]
+    peak = np.clip(beyond, 0.0, 0.98) * peak_weight(medium, degree)
+    return np.where(np.abs(beyond) > _NONE, peak, 0.0)
+
+
+def scattering_depth(medium: Medium, degree: int) -> FloatArray:
+    """Vertical scattering optical depth without forward peaks, shape (nl,). [1]
+
+    Parameters
+    ----------
+    medium : Medium
+    degree : int
+        Of the harmonics.
+    """
+    smooth = medium.scattering * (1.0 - forward_peaks(medium, degree))
+    return medium.columns @ smooth
+
+
+def optical_depths(medium: Medium, degree: int) -> Depths:
+    """The depths that radii follow.
+
+    Parameters
+    ----------
+    medium : Medium
+    degree : int
+        Of the harmonics.
+    """
+    table = density_table(medium.density, medium.thickness)
+    altitude = medium.thickness * np.linspace(0.0, 1.0, table.shape[0]) ** 2
+    step = 0.5 * (table[1:] + table[:-1]) * np.diff(altitude)[:, None]
+    column = np.concatenate([np.zeros((1, table.shape[1])), np.cumsum(step, axis=0)])
+    smooth = medium.scattering * (1.0 - forward_peaks(medium, degree))
+    return Depths(altitude, column @ smooth.max(axis=1))
+
+
 def make_air(medium: Medium, degree: int, block: slice) -> Air:
     """The optics of some of a medium's wavelengths, in whole groups of eight lanes.
 
@@ -68,8 +114,7 @@ def make_air(medium: Medium, degree: int, block: slice) -> Air:
     moments = medium.phase_moments(degree + 1)[:, block]
     scattering = medium.scattering[:, block]
     extinction = medium.extinction[:, block]
-    peak = np.clip(moments[..., degree + 1], 0.0, 0.98) * peak_weight(medium, degree)[block]
-    peak[np.abs(moments[..., degree + 1]) <= _NONE] = 0.0
+    peak = forward_peaks(medium, degree)[:, block]
     scatters = (scattering > 0.0)[..., None]
     smooth = scattering[..., None] * (moments[..., : degree + 1] - peak[..., None]) * scatters
     return Air(

@@ -28,12 +28,12 @@ def interpolate_row(ratios, x, shortest, longest, out):
 
 
 @compiled_loop
-def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, lift, out, sky_out):
+def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, lift, out, sky_out):
     """Moments of the light scattered or reflected once, at all sun elevations of one radius.
 
     Parameters
     ----------
-    i, grid, rays, azimuths, air, expansion, out, sky_out :
+    i, grid, rays, share, azimuths, air, expansion, out, sky_out :
         As in ``sweep_radius``.
     columns : array, shape (radii, directions, nc, 2)
         Of a ``ColumnTable``, from ``mean_density_ratios``.
@@ -113,6 +113,7 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, lift, o
             reflected = splat(0.0)
         legendre_functions(mu, expansion, functions)
         sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
+        exact = load(share, LANES * (i * angles + a))
         for j in range(suns):
             mu_s = sun_cosines[j]
             sun_sine = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
@@ -148,6 +149,7 @@ def first_order_radius(i, grid, rays, azimuths, air, expansion, columns, lift, o
                             strength, LANES * (k * constituents + c)
                         )
                     radiance = radiance + np.float32(seen) * light * source
+                radiance = radiance * exact
                 if below:
                     mu_sg = min(max(ends[i, a, 0] * mu_s + ends[i, a, 1] * nu, -1.0), 1.0)
                     radiance = radiance + reflected * direct_light(

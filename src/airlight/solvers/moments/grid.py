@@ -1,27 +1,25 @@
 """Where the moments of the radiance are kept: radii and sun elevations.
 
-Radii are even in the distance to the horizon (Bruneton's mapping); where the air is thick, half of
-them are even in scattering optical depth instead, so that a low haze is not all between two. Sun
-elevations crowd around the terminator: elevation = w·sinh(t) - e with t even, where w and e are
+Radii are even in the distance to the horizon (Bruneton's mapping), with more of them where the air
+is thick (``levels``). Sun elevations crowd around the terminator: elevation = w·sinh(t) - e with t even, where w and e are
 0.6 and 0.3 of the dip of the horizon seen from the top of the shell (6° and 3° for Earth), so that
 every planet gets a grid of its own.
 """
 
 from __future__ import annotations
 
-from math import acos, asinh, degrees, exp, sqrt
-from typing import Final, NamedTuple
+from math import acos, asinh, degrees, sqrt
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import inlined, vectorized
 from airlight.mappings.transmittance import altitude_coordinate
+from airlight.solvers.moments.levels import Depths, place_levels
 
 FloatArray = NDArray[np.float64]
 
-#: Scattering optical depth about which radii begin to follow the air. [1]
-_THICK: Final = 1.5
 #: Entries of the table that finds the place of a sun cosine in the grid.
 _LOOKUP = 8192
 
@@ -53,19 +51,18 @@ class Grid(NamedTuple):
 
 
 def make_grid(
-    bottom_radius: float, top_radius: float, radii: int, suns: int, depth: FloatArray
-) -> Grid:
-    """The grid of a shell with so many radii and sun elevations.
+    bottom_radius: float, top_radius: float, radii: int, suns: int, depths: Depths
+) -> tuple[Grid, int]:
+    """The grid of a shell, and which of its radii gather light: one of so many.
 
     Parameters
     ----------
     bottom_radius, top_radius : float
         [m]
     radii, suns : int
-        Numbers of nodes.
-    depth : array, shape (4097,)
-        Scattering optical depth between the ground and even steps of the square root of altitude,
-        ascending from 0. [1]
+        Numbers of nodes; thick air gets more radii.
+    depths : Depths
+        At even steps of the square root of altitude, from the ground to the top.
     """
     dip = degrees(acos(bottom_radius / top_radius))
     width, shift = 0.6 * dip, 0.3 * dip
@@ -76,24 +73,21 @@ def make_grid(
     sun_cosines[0], sun_cosines[-1] = -1.0, 1.0
     wanted = np.degrees(np.arcsin(np.linspace(-1.0, 1.0, _LOOKUP + 1)))
     place = (np.arcsinh((wanted + shift) / width) - first) / (last - first) * (suns - 1)
-    altitude = (top_radius - bottom_radius) * np.linspace(0.0, 1.0, depth.size) ** 2
-    even = vectorized(altitude_coordinate)(bottom_radius + altitude, bottom_radius, top_radius)
-    thick = 0.5 * (1.0 - exp(-((depth[-1] / _THICK) ** 2)))
-    coordinate = (1.0 - thick) * even
-    if depth[-1] > 0.0:
-        coordinate += thick * depth / depth[-1]
-    coordinate /= coordinate[-1]
-    r = bottom_radius + np.interp(np.linspace(0.0, 1.0, radii), coordinate, altitude)
+    even = vectorized(altitude_coordinate)(
+        bottom_radius + depths.altitude, bottom_radius, top_radius
+    )
+    levels = place_levels(even, depths, radii)
+    r = bottom_radius + levels.altitudes
     r[0], r[-1] = bottom_radius, top_radius
-    row = np.interp(coordinate, np.linspace(0.0, 1.0, radii), np.arange(radii, dtype=float))
-    return Grid(
+    grid = Grid(
         float(bottom_radius),
         float(top_radius),
         r,
         sun_cosines,
-        row,
+        levels.row,
         np.clip(place, 0.0, suns - 1.0),
     )
+    return grid, levels.parts
 
 
 @inlined

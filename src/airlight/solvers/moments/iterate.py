@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass
-from math import log, pi
+from dataclasses import dataclass, replace
+from math import acos, log, pi
 from typing import Any, Final
 
 import numpy as np
@@ -18,23 +18,38 @@ from airlight.optics.layer_edges import layer_edges
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.acceleration import mixing_weights
-from airlight.solvers.moments.air import choose_degree, make_air
+from airlight.solvers.moments.air import (
+    choose_degree,
+    make_air,
+    optical_depths,
+    scattering_depth,
+)
+from airlight.solvers.moments.block_rays import rays_in_sight
+from airlight.solvers.moments.coupling import Wandering
 from airlight.solvers.moments.first_order import first_order_radius
 from airlight.solvers.moments.grid import Grid, make_grid
 from airlight.solvers.moments.harmonics import Harmonics, coefficient_count, harmonics
-from airlight.solvers.moments.packing import pack_light
+from airlight.solvers.moments.packing import level_weights, pack_light, thickness
 from airlight.solvers.moments.rays import Rays, trace_rays
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.sweep import Air, Azimuths, sweep_radius
 from airlight.tables.column_ratios import mean_density_ratios
-from airlight.tables.columns import ColumnTable, density_table
+from airlight.tables.columns import ColumnTable
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 #: Mean radiance below this part of its largest value is dark: it neither steers nor stops.
 _DARK: Final = 1e-6
-
+#: Mean radiance of this part of its largest value is dim in thick air.
+_DIM: Final = 3e-3
+#: In thick air a relative change of dim light counts as this power of its brightness.
+_LENIENT: Final = 0.75
+#: Finished light below this part of the swept one is none.
+_LEAST: Final = 0.1
+#: The shrinkage of a sweep is taken to be no better than this.
+_SHRINKAGE: Final = 0.3
+_STALLED: Final = 0.95
 
 #: How many images the acceleration combines.
 _MEMORY: Final = 7
@@ -50,6 +65,8 @@ class Moments:
         Of the harmonics.
     grid : Grid
         The nodes.
+    parts : int
+        Light is gathered at the first of so many radii of the grid.
     field : array, shape (r, s, k, nl)
         Moments of the radiance of all scattered and reflected light. [1]
     sky : array, shape (r, s, nl)
@@ -64,6 +81,7 @@ class Moments:
 
     degree: int
     grid: Grid
+    parts: int
     field: Float32Array
     sky: Float32Array
     columns: FloatArray
@@ -71,14 +89,22 @@ class Moments:
     residual: FloatArray
 
 
-def grid_for(medium: Medium, settings: Settings) -> Grid:
-    """The grid on which a medium is solved."""
-    table = density_table(medium.density, medium.thickness)
-    altitude = medium.thickness * np.linspace(0.0, 1.0, table.shape[0]) ** 2
-    scattering = table @ medium.scattering.max(axis=1)
-    steps = 0.5 * (scattering[1:] + scattering[:-1]) * np.diff(altitude)
-    depth = np.concatenate([[0.0], np.cumsum(steps)])
-    return make_grid(medium.bottom_radius, medium.top_radius, settings.radii, settings.suns, depth)
+def grid_for(medium: Medium, settings: Settings) -> tuple[Grid, int]:
+    """The grid on which a medium is solved; light is gathered at one of so many of its radii."""
+    depths = optical_depths(medium, choose_degree(medium, settings))
+    return make_grid(medium.bottom_radius, medium.top_radius, settings.radii, settings.suns, depths)
+
+
+def level_light(medium: Medium, degree: int, grid: Grid, block: slice) -> Float32Array:
+    """``level_weights`` of some of a medium's wavelengths, shape (s, lanes)."""
+    dip = acos(medium.bottom_radius / medium.top_radius)
+    return level_weights(grid.sun_cosines, dip, scattering_depth(medium, degree)[block])
+
+
+def _filled(values: Float32Array) -> Float32Array:
+    """Wavelengths (..., w) in whole groups of lanes, the last one repeated."""
+    missing = -values.shape[-1] % LANES
+    return np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
 
 
 def even_azimuths(degree: int, count: int) -> Azimuths:
@@ -115,12 +141,14 @@ def solve_moments(
     """
     medium = paths.medium
     degree = choose_degree(medium, settings)
-    grid = grid_for(medium, settings)
+    grid, parts = grid_for(medium, settings)
+    gathering = grid._replace(radii=grid.radii[::parts])
     strongest = medium.extinction.max(axis=1)
     sweeper = Sweeper(
         grid=grid,
+        parts=parts,
         rays=trace_rays(
-            grid,
+            gathering,
             medium.density,
             strongest,
             settings.zenith_angles,
@@ -139,21 +167,27 @@ def solve_moments(
         (settings.column_radii, settings.column_directions),
     )
     ratios = mean_density_ratios(table)
+    reach = optical_depths(medium, degree).reach
     count = medium.wavelengths.size
-    field = np.empty((settings.radii, settings.suns, coefficient_count(degree), count), np.float32)
-    sky = np.empty((settings.radii, settings.suns, count), np.float32)
+    radii = gathering.radii.size
+    field = np.empty((radii, settings.suns, coefficient_count(degree), count), np.float32)
+    sky = np.empty((radii, settings.suns, count), np.float32)
     residual = np.empty(count)
     most = 0
     for first in range(0, count, LANES):
         block = slice(first, min(first + LANES, count))
         air = make_air(medium, degree, block)
         watch = _Watch(progress, settings.tolerance, block, medium.wavelengths)
-        result = _iterate(sweeper, air, (ratios, paths.lift), settings, watch)
+        level = _filled(level_light(medium, degree, grid, block))
+        thick = _filled(thickness(scattering_depth(medium, degree)[block]))
+        rays, share = rays_in_sight(sweeper.rays, air)
+        sight = replace(sweeper, rays=rays, share=share, level=level, reach=reach, thick=thick)
+        result = _iterate(sight, air, (ratios, paths.lift), settings, watch)
         field[..., block], sky[..., block], residual[block], sweeps = result
         most = max(most, sweeps)
     return Moments(
-        degree=degree, grid=grid, field=field, sky=sky, columns=table.values, sweeps=most,
-        residual=residual,
+        degree=degree, grid=grid, parts=parts, field=field, sky=sky, columns=table.values,
+        sweeps=most, residual=residual,
     )  # fmt: skip
 
 
@@ -162,10 +196,15 @@ class Sweeper:
     """All that a sweep needs beside the optics and the light itself."""
 
     grid: Grid
+    parts: int
     rays: Rays
     azimuths: Azimuths
     expansion: Harmonics
     cancel: Cancel | None
+    share: Float32Array | None = None
+    level: Float32Array | None = None
+    reach: float = 0.0
+    thick: FloatArray | None = None
 
     def gather(
         self, kernel: Callable[..., None], air: Air, *light: NDArray[Any]
@@ -176,7 +215,7 @@ class Sweeper:
         -------
         moments, sky : array, shapes (r, s, k, 8), (r, s, 8)
         """
-        radii, suns = self.grid.radii.size, self.grid.sun_cosines.size
+        radii, suns = self.rays.mu.shape[0], self.grid.sun_cosines.size
         moments = np.empty(
             (radii, suns, coefficient_count(self.expansion.degree), LANES), np.float32
         )
@@ -184,7 +223,7 @@ class Sweeper:
 
         def radius(i: int) -> None:
             kernel(
-                i, self.grid, self.rays, self.azimuths, air, self.expansion, *light,
+                i, self.grid, self.rays, self.share, self.azimuths, air, self.expansion, *light,
                 moments[i].reshape(-1), sky[i].reshape(-1),
             )  # fmt: skip
 
@@ -231,25 +270,71 @@ def _iterate(
     first_field, first_sky = sweeper.gather(first_order_radius, air, *star)
     if not (first_field[:, :, 0] > 0.0).any():
         return first_field[..., :used], first_sky[..., :used], np.zeros(used), 0
-    field, sky = first_field, first_sky
+    wandering = Wandering(
+        sweeper.grid,
+        sweeper.rays,
+        sweeper.share,
+        air,
+        sweeper.expansion,
+        sweeper.parts,
+        sweeper.reach,
+        sweeper.cancel,
+    )
+    field, sky = wandering.finish(first_field, first_sky)
+    field, sky = _or_at_least(field, sky, first_field, first_sky)
     images: deque[Light] = deque(maxlen=_MEMORY)
     residuals: deque[FloatArray] = deque(maxlen=_MEMORY)
     for sweep in range(1, settings.max_sweeps + 1):
-        new_field, new_sky = sweeper.gather(sweep_radius, air, *pack_light(field, sky[0]))
-        new_field += first_field
-        new_sky += first_sky
+        packed = pack_light(field, sky[:1], sweeper.level, sweeper.parts)
+        swept_field, swept_sky = sweeper.gather(sweep_radius, air, *packed)
+        swept_field += first_field
+        swept_sky += first_sky
+        more_field, more_sky = wandering.finish(swept_field - field, swept_sky - sky)
+        trust = _trust(swept_field[:, :, 0], sweeper.thick)
+        more_field = swept_field - field + trust[:, :, None] * (more_field - swept_field + field)
+        more_sky = swept_sky - sky + trust * (more_sky - swept_sky + sky)
+        new_field, new_sky = _or_at_least(
+            field + more_field, sky + more_sky, swept_field, swept_sky
+        )
         change = _relative_change(field[:, :, 0], new_field[:, :, 0])
+        change *= _counts(new_field[:, :, 0], sweeper.thick)
         images.append((new_field, new_sky))
         residuals.append(change.reshape(-1, LANES))
-        largest = np.abs(change).max(axis=(0, 1))[:used] * _what_follows(images, residuals)[:used]
+        largest = np.abs(change).max(axis=(0, 1))[:used] * _what_follows(residuals)[:used]
         watch.report(float(largest.max()))
-        field, sky = _mix(images, residuals, used)
+        field, sky = _mix(images, residuals, used, trust)
         if largest.max() <= settings.tolerance and sweep > 1:
             return field[..., :used], sky[..., :used], largest, sweep
     raise ConvergenceError(
         f"after {settings.max_sweeps} sweeps the last still changed the light by "
         f"{largest.max():.1e}, more than the tolerance {settings.tolerance:g}"
     )
+
+
+def _trust(mean: Float32Array, thick: FloatArray) -> Float32Array:
+    """Where the light along the vertical tells what further sweeps would add, shape (r, s, 8).
+
+    In the night of thick air it does not: there light comes from the side.
+    """
+    most = np.maximum(mean.max(axis=(0, 1)), 1e-30).astype(float)
+    here, column = mean / most, mean.max(axis=0) / most
+    bright = np.maximum(here * column, 0.0)
+    return np.asarray(bright / (bright + np.square(_DIM * thick) + 1e-30), np.float32)
+
+
+def _counts(mean: Float32Array, thick: FloatArray) -> FloatArray:
+    """How much a relative change counts, shape (r, s, 8): less in the night of thick air."""
+    bright = np.maximum(mean / (_DIM * mean.max(axis=(0, 1))), 1e-30).astype(float)
+    return np.minimum(bright, 1.0) ** (_LENIENT * thick)
+
+
+def _or_at_least(
+    field: Float32Array, sky: Float32Array, swept_field: Float32Array, swept_sky: Float32Array
+) -> Light:
+    """A finished guess, or what was swept where that is far below it: in the dark."""
+    sound = field[:, :, 0] > _LEAST * swept_field[:, :, 0]
+    field = np.where(sound[:, :, None], field, swept_field)
+    return field, np.where(sky > _LEAST * swept_sky, sky, swept_sky)
 
 
 def _relative_change(before: Float32Array, after: Float32Array) -> FloatArray:
@@ -262,27 +347,24 @@ def _relative_change(before: Float32Array, after: Float32Array) -> FloatArray:
 Light = tuple[Float32Array, Float32Array]
 
 
-def _what_follows(images: deque[Light], residuals: deque[FloatArray]) -> FloatArray:
+def _what_follows(residuals: deque[FloatArray]) -> FloatArray:
     """All later changes together over the last one, ρ/(1 - ρ), per lane. [1]
 
-    ρ, by which one more sweep shrinks a difference, is the largest seen between the last images
-    and the guesses they came from; in thick air it is close to 1, and a small change is no sign
-    that the sum is near.
+    ρ is by how much the changes shrank with the last two sweeps, each.
     """
-    ratio = np.full(LANES, 0.5)
-    means = [one[0][:, :, 0].reshape(-1, LANES).astype(float) for one in images]
-    for k in range(1, len(means)):
-        step = means[k] - means[k - 1]
-        # The guess is its image less the residual, which is relative to the image.
-        guess = step - (residuals[k] * means[k] - residuals[k - 1] * means[k - 1])
-        size = np.sqrt(np.square(guess).sum(axis=0))
-        shrunk = np.sqrt(np.square(step).sum(axis=0))
-        seen = np.divide(shrunk, size, out=np.zeros(LANES), where=size > 1e-9 * means[k].max())
-        ratio = np.maximum(ratio, np.minimum(seen, 0.9999))
+    sizes = [np.sqrt(np.square(one).sum(axis=0)) for one in residuals]
+    before = sizes[-min(len(sizes), 3)]
+    steps = max(min(len(sizes), 3) - 1, 1)
+    ratio = np.divide(sizes[-1], before, out=np.full(LANES, 0.5), where=before > 0.0)
+    if len(sizes) == 1:
+        ratio[:] = 0.5
+    ratio = np.clip(ratio ** (1.0 / steps), _SHRINKAGE, _STALLED)
     return np.asarray(ratio / (1.0 - ratio))
 
 
-def _mix(images: deque[Light], residuals: deque[FloatArray], used: int) -> Light:
+def _mix(
+    images: deque[Light], residuals: deque[FloatArray], used: int, trust: Float32Array
+) -> Light:
     """The next guess: for each wavelength its own combination of the last images."""
     weights = np.zeros((len(images), LANES), np.float32)
     weights[-1] = 1.0
@@ -294,6 +376,8 @@ def _mix(images: deque[Light], residuals: deque[FloatArray], used: int) -> Light
     for (one_field, one_sky), weight in zip(images, weights, strict=True):
         field += one_field * weight
         sky += one_sky * weight
+    field = last_field + trust[:, :, None] * (field - last_field)
+    sky = last_sky + trust * (sky - last_sky)
     # In the dark, and where it leaps, the combination means nothing: keep what was computed.
     sound = _is_near(field[:, :, 0], last_field[:, :, 0])
     field = np.where(sound[:, :, None], field, last_field)

@@ -8,12 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel.lanes import LANES
+from airlight.solvers.moments.levels import THICK, finer
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 #: Mean radiance never falls below this part of its largest value, so that its root exists.
 _FLOOR: Final = 1e-20
+#: Dusk is so wide in sun elevation, of the horizon's dip.
+_DUSK: Final = 0.3
 
 
 def pack(values: FloatArray) -> Float32Array:
@@ -43,10 +46,59 @@ def positive(values: Float32Array) -> Float32Array:
     return np.asarray(np.maximum(values, floor), np.float32)
 
 
-def pack_light(field: Float32Array, sky: Float32Array) -> tuple[Float32Array, Float32Array]:
-    """Moments (r, s, k, 8) and irradiances (..., s, 8) as the kernels read them."""
+def pack_light(
+    field: Float32Array, sky: Float32Array, level: Float32Array, parts: int
+) -> tuple[Float32Array, Float32Array]:
+    """Moments (r, s, k, w) and irradiances (r, s, w) as the kernels read them.
+
+    Parameters
+    ----------
+    field, sky : array
+        At the radii that gather light.
+    level : array, shape (s, w)
+        From ``level_weights``: where 1, s is the same at all radii, so that the moments are linear
+        between two of them; where 0 they are as ratios.
+    parts : int
+        See ``levels.finer``. Irradiances of one radius alone stay as they are.
+    """
     mean = positive(field[:, :, 0])
     whole = field.copy()
     whole[:, :, 0] = mean
+    whole = finer(whole, mean, level, parts)
+    mean = whole[:, :, 0]
     received = positive(sky)
-    return as_ratios(whole, mean), as_ratios(received[..., None, :], received)
+    if received.shape[0] > 1:
+        received = finer(received[:, :, None], received, level, parts)[:, :, 0]
+    scale = mean * (mean.max(axis=0) / mean) ** level
+    return as_ratios(whole, scale), as_ratios(received[..., None, :], received)
+
+
+def level_weights(sun_cosines: FloatArray, dip: float, depth: FloatArray) -> Float32Array:
+    """Where thick air is in full light, so that the moments are linear between radii.
+
+    By day the light inside thick air is a linear function of depth, and its slope is the flux: as
+    ratios it would be underestimated between radii, each time as if some were absorbed. At night
+    it falls e-fold from one radius to the next, and only ratios keep it positive and smooth.
+
+    Parameters
+    ----------
+    sun_cosines : array, shape (s,)
+        [1]
+    dip : float
+        Of the horizon, seen from the top of the shell. [rad]
+    depth : array, shape (w,)
+        Vertical scattering optical depth. [1]
+
+    Returns
+    -------
+    array, shape (s, w)
+        0 to 1. [1]
+    """
+    height = np.clip(0.5 + np.arcsin(sun_cosines) / (_DUSK * dip), 0.0, 1.0)
+    day = height * height * (3.0 - 2.0 * height)
+    return np.asarray(day[:, None] * thickness(depth), np.float32)
+
+
+def thickness(depth: FloatArray) -> FloatArray:
+    """0 for clear air, 1 for thick, by the vertical scattering optical depth. [1]"""
+    return np.asarray(-np.expm1(-((depth / THICK) ** 4)))

@@ -20,7 +20,7 @@ from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.air import make_air
 from airlight.solvers.moments.harmonics import coefficient_count, harmonics
-from airlight.solvers.moments.iterate import Moments, grid_for, solve_moments
+from airlight.solvers.moments.iterate import Moments, grid_for, level_light, solve_moments
 from airlight.solvers.moments.march import (
     Light,
     Workspace,
@@ -91,7 +91,8 @@ class MomentsSolution(Solution):
             missing = -values.shape[-1] % LANES
             return np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
 
-        field, sky = pack_light(filled(moments.field), filled(moments.sky))
+        level = filled(level_light(medium, moments.degree, moments.grid, slice(None)))
+        field, sky = pack_light(filled(moments.field), filled(moments.sky), level, moments.parts)
         table = ColumnTable(medium.bottom_radius, medium.top_radius, moments.columns)
         return Light(
             grid=moments.grid,
@@ -264,11 +265,13 @@ def _from_arrays(
     try:
         degree, sweeps = (int(x) for x in arrays["counts"])
         count, terms = medium.wavelengths.size, (degree + 1) * (degree + 2) // 2
-        shape = (settings.radii, settings.suns, terms, count)
+        grid, parts = grid_for(medium, settings)
+        radii = (grid.radii.size - 1) // parts + 1
+        shape = (radii, settings.suns, terms, count)
         sound = (
             arrays["field"].shape == shape
             and arrays["field"].dtype == np.float32
-            and arrays["sky"].shape == (settings.radii, settings.suns, count)
+            and arrays["sky"].shape == (radii, settings.suns, count)
             and arrays["residual"].shape == (count,)
             and arrays["columns"].shape[2] == len(medium.names)
             and bool(np.isfinite(arrays["field"]).all())
@@ -277,7 +280,8 @@ def _from_arrays(
             return None
         return Moments(
             degree=degree,
-            grid=grid_for(medium, settings),
+            grid=grid,
+            parts=parts,
             field=arrays["field"],
             sky=arrays["sky"],
             columns=arrays["columns"],

@@ -92,7 +92,7 @@ def project(moments_m, functions, weight, degree, base, out):
 
 
 @compiled_loop
-def sweep_radius(i, grid, rays, azimuths, air, expansion, field, ground, out, sky_out):
+def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, out, sky_out):
     """Gather the light scattered once more at all sun elevations of one radius.
 
     Parameters
@@ -101,6 +101,8 @@ def sweep_radius(i, grid, rays, azimuths, air, expansion, field, ground, out, sk
         Which radius.
     grid, rays, azimuths, air : Grid, Rays, Azimuths, Air
         The shell, its rays, and its optics.
+    share : array, shape (r·a·8,)
+        Of ``rays_in_sight``. [1]
     expansion : Harmonics
         Of the moments.
     field : array, shape (r·s·(1 + k)·8,)
@@ -199,6 +201,7 @@ def sweep_radius(i, grid, rays, azimuths, air, expansion, field, ground, out, sk
             reflected = splat(0.0)
         legendre_functions(mu, expansion, functions)
         sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
+        exact = load(share, LANES * (i * angles + a))
         for j in range(suns):
             mu_s = sun_cosines[j]
             sun_sine = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
@@ -231,6 +234,7 @@ def sweep_radius(i, grid, rays, azimuths, air, expansion, field, ground, out, sk
                         before = multiple
                         multiple = following
                     radiance = radiance + total / scale
+                radiance = radiance * exact
                 if below:
                     mu_sg = min(max(ends[i, a, 0] * mu_s + ends[i, a, 1] * nu, -1.0), 1.0)
                     x = place_of(mu_sg, places)

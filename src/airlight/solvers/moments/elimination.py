@@ -1,0 +1,78 @@
+"""Linear equations for eight wavelengths at once: each lane has a matrix of its own.
+
+Elimination without exchange of rows, which matrices 1 - K with a small K need not. Lanes make a
+small system as quick as a large one, and the result does not depend on the threads of a library.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.kernel import compiled_loop
+from airlight.kernel.lanes import LANES, load, splat, store
+
+Float32Array = NDArray[np.float32]
+
+#: Rows that are eliminated together, so that each row above is read once for all of them.
+ROWS: Final = 8
+
+
+@compiled_loop
+def factorise(matrix, size):
+    """Replace a matrix by its triangular factors, L below the diagonal and U from it on.
+
+    Parameters
+    ----------
+    matrix : array, shape (size·size·8,)
+        By rows; the eight lanes of an element are neighbours. Overwritten. [1]
+    size : int
+        Number of rows.
+    """
+    for first in range(0, size, ROWS):
+        last = min(first + ROWS, size)
+        for k in range(last - 1):
+            above = k * size * LANES
+            pivot = 1.0 / load(matrix, above + k * LANES)
+            for i in range(max(first, k + 1), last):
+                row = i * size * LANES
+                factor = load(matrix, row + k * LANES) * pivot
+                store(matrix, row + k * LANES, factor)
+                for j in range((k + 1) * LANES, size * LANES, LANES):
+                    store(matrix, row + j, load(matrix, row + j) - factor * load(matrix, above + j))
+
+
+@compiled_loop
+def substitute(factors, size, values, columns):
+    """Solve for right-hand sides, in place.
+
+    Parameters
+    ----------
+    factors : array, shape (size·size·8,)
+        From ``factorise``. [1]
+    size : int
+        Number of rows.
+    values : array, shape (size·columns·8,)
+        Right-hand sides by rows, overwritten by the solutions.
+    columns : int
+        Number of right-hand sides.
+    """
+    width = columns * LANES
+    for i in range(size):
+        for k in range(i):
+            factor = load(factors, (i * size + k) * LANES)
+            for j in range(0, width, LANES):
+                here = i * width + j
+                store(values, here, load(values, here) - factor * load(values, k * width + j))
+    for back in range(size):
+        i = size - 1 - back
+        for k in range(i + 1, size):
+            factor = load(factors, (i * size + k) * LANES)
+            for j in range(0, width, LANES):
+                here = i * width + j
+                store(values, here, load(values, here) - factor * load(values, k * width + j))
+        scale = splat(1.0) / load(factors, (i * size + i) * LANES)
+        for j in range(0, width, LANES):
+            store(values, i * width + j, load(values, i * width + j) * scale)

@@ -1,0 +1,181 @@
+"""At which radii the moments are kept, and how they are read between two of them.
+
+In clear air the radii are even in the distance to the horizon (Bruneton's mapping). Where the air
+scatters often, more radii follow the optical depth: their steps grow from a small part of a mean
+free path at the air's two ends, where the light has boundary layers, to two mean free paths
+inside, where it obeys diffusion and is a linear function of depth.
+
+Linear interpolation underestimates a light that is curved downwards, each time as if air that
+absorbs nothing did absorb some. In thick air by day the moments are therefore read between radii
+from the cubic through four of them; at the places where it is tabled between two radii, linear
+interpolation serves. At night the light falls e-fold from one radius to the next; there ratios keep it positive.
+"""
+
+from __future__ import annotations
+
+from math import exp
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+#: Scattering optical depth about which radii begin to follow the air. [1]
+THICK: Final = 1.5
+#: Step next to an end of thick air, its growth with the depth from that end, and the largest
+#: one, for a grid of 24 clear radii. [1]
+_FIRST_STEP: Final = 0.15
+_GROWTH: Final = 0.2
+_LAST_STEP: Final = 2.0
+#: The number of steps that these steps are for.
+_STEPS: Final = 23
+#: Part of the clear grid's radii that thick air can do without.
+_SPARED: Final = 0.25
+#: At most so many times the steps of a clear grid.
+_MOST: Final = 4.0
+#: Places tabled between two radii of thick air, and the part of thickness from which on they are.
+_PARTS: Final = 3
+_REFINED: Final = 0.5
+#: A cubic that is so far from the straight line, of its value, leaps.
+_LEAP: Final = 0.2
+
+
+class Depths(NamedTuple):
+    """Vertical optical depths above the ground, at ascending altitudes.
+
+    Attributes
+    ----------
+    altitude : array, shape (n,)
+        [m]
+    scattering : array, shape (n,)
+        Of the wavelength that scatters most, forward peaks not counted, from 0. [1]
+    """
+
+    altitude: FloatArray
+    scattering: FloatArray
+
+    @property
+    def reach(self) -> float:
+        """How far light that wanders in the air spreads sideways: half of its thickness. [m]"""
+        total = self.scattering[-1]
+        low, high = np.interp([0.05 * total, 0.95 * total], self.scattering, self.altitude)
+        return 0.5 * float(high - low)
+
+
+class Levels(NamedTuple):
+    """Where light is gathered, and where it is tabled.
+
+    Attributes
+    ----------
+    altitudes : array, shape (n,)
+        Of the table's levels. [m]
+    row : array, shape (m,)
+        The table's level, with its fraction, of each altitude of ``Depths``. [1]
+    parts : int
+        Light is gathered at each ``parts``-th level.
+    """
+
+    altitudes: FloatArray
+    row: FloatArray
+    parts: int
+
+
+def place_levels(even: FloatArray, depths: Depths, count: int) -> Levels:
+    """The levels of a shell.
+
+    Parameters
+    ----------
+    even : array, shape (m,)
+        Coordinate, 0 to 1, in which a clear grid's levels are even. [1]
+    depths : Depths
+        At the same altitudes.
+    count : int
+        Number of levels of a clear grid.
+    """
+    total = depths.scattering[-1]
+    thick = 1.0 - exp(-((total / THICK) ** 2))
+    coordinate = (count - 1) * (1.0 - _SPARED * thick) * even
+    if total > 0.0:
+        follows = thick * (count - 1) / _STEPS * _steps(depths.scattering)
+        most = _MOST * (count - 1)
+        coordinate = coordinate + follows * min(1.0, most / follows[-1])
+    parts = _PARTS if thick > _REFINED else 1
+    steps = parts * max(count - 1, round(coordinate[-1]))
+    row = coordinate * (steps / coordinate[-1])
+    altitudes = np.interp(np.arange(steps + 1, dtype=float), row, depths.altitude)
+    altitudes[0], altitudes[-1] = depths.altitude[0], depths.altitude[-1]
+    return Levels(altitudes, row, parts)
+
+
+def finer(
+    values: Float32Array, scale: Float32Array, level: Float32Array, parts: int
+) -> Float32Array:
+    """Values at all levels from those where light is gathered.
+
+    Parameters
+    ----------
+    values : array, shape (r, s, k, w)
+        Moments.
+    scale : array, shape (r, s, w)
+        The first of them, positive.
+    level : array, shape (s, w)
+        1 where they shall follow a cubic from radius to radius, 0 where ratios.
+    parts : int
+        Of ``Levels``.
+
+    Returns
+    -------
+    array, shape ((r - 1)·parts + 1, s, k, w)
+    """
+    if parts == 1:
+        return values
+    out = np.empty(((values.shape[0] - 1) * parts + 1, *values.shape[1:]), np.float32)
+    out[::parts] = values
+    root = 1.0 / np.sqrt(scale)
+    scaled = values * root[:, :, None]
+    for part in range(1, parts):
+        x = np.float32(part / parts)
+        y = 1 - x
+        linear = y * values[:-1] + x * values[1:]
+        bend = _bend(values, x)
+        ratio = (y * scaled[:-1] + x * scaled[1:]) / (y * root[:-1] + x * root[1:])[:, :, None]
+        # Where the cubic leaps it means nothing.
+        sound = np.abs(bend[:, :, :1]) < _LEAP * linear[:, :, :1]
+        cubic = linear + np.where(sound, bend, 0)
+        out[part::parts] = ratio + level[:, None] * (cubic - ratio)
+    return out
+
+
+def finer_weights(count: int, parts: int) -> FloatArray:
+    """The cubics of ``finer`` as a matrix, shape ((count - 1)·parts + 1, count). [1]"""
+    unit = np.eye(count)
+    out = np.empty(((count - 1) * parts + 1, count))
+    out[::parts] = unit
+    for part in range(1, parts):
+        x = part / parts
+        out[part::parts] = (1.0 - x) * unit[:-1] + x * unit[1:] + _bend(unit, x)
+    return out
+
+
+def _bend(values: NDArray[Any], x: float) -> NDArray[Any]:
+    """The cubic through four levels less the straight line, at x between each two of them."""
+    # The level beyond each end continues the parabola through the last three.
+    first = 3 * (values[:1] - values[1:2]) + values[2:3]
+    last = 3 * (values[-1:] - values[-2:-1]) + values[-3:-2]
+    below, above = np.concatenate([first, values[:-2]]), np.concatenate([values[2:], last])
+    near, far = values[:-1], values[1:]
+    y = 1 - x
+    return np.asarray(
+        (x * y / 6) * ((1 + y) * (2 * near - below - far) + (1 + x) * (2 * far - above - near))
+    )
+
+
+def _steps(depth: FloatArray) -> FloatArray:
+    """∫ dτ/step(τ), the step growing from both ends; the depth ascends from 0."""
+    near = np.minimum(depth, depth[-1] - depth)
+    growing = np.minimum(near, (_LAST_STEP - _FIRST_STEP) / _GROWTH)
+    half = np.log1p(growing * _GROWTH / _FIRST_STEP) / _GROWTH + (near - growing) / _LAST_STEP
+    whole = 2.0 * half.max()
+    return np.where(depth < 0.5 * depth[-1], half, whole - half)
