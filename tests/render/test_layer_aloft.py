@@ -1,0 +1,66 @@
+"""A thin layer high above the ground: neither the picture nor a query may step over it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.testing import assert_allclose
+
+from airlight import Camera, Constituent, Planet, Scene, load_planet, replace
+from airlight.optics.density_profile import DensitySegments, exponential, tent
+from airlight.optics.layer_edges import layer_edges
+from airlight.planets.phases import HenyeyGreenstein
+from airlight.planets.profiles import Tent
+from airlight.render import render
+from airlight.render.render import color_weights
+from airlight.solvers.moments.solution import MomentsSolution
+
+Lit = Callable[..., MomentsSolution]
+
+
+def layered() -> Planet:
+    earth = load_planet("earth-atmosphere-plus")
+    layer = Constituent(
+        name="layer",
+        profile=Tent(center=22e3, half_width=2e3),
+        scattering=1e-4,  # optical depth 0.2
+        phase_function=HenyeyGreenstein(asymmetry=0.7),
+    )
+    return replace(earth, constituents=(*earth.constituents, layer))
+
+
+def test_a_picture_has_the_radiance_of_queries_under_a_layer(lit: Lit) -> None:
+    # Second method: the query marches with more points. Without panels that end at the layer the
+    # picture was up to 30 % darker from the zenith to 76°, and leapt there.
+    solution = lit(layered())
+    camera = Camera(width=3, height=90, field_of_view=1.0, look_zenith=60.0, look_azimuth=90.0)
+    rgb = render(solution, Scene(altitude=0.0, sun_zenith=60.0, camera=camera)).rgb[:, 1]
+    zenith = np.degrees(np.arccos(camera.directions(slice(0, 90))[:, 1, 2]))
+    sky = solution.radiance(altitude=0.0, sun_zenith=60.0, view_zenith=zenith, azimuth=90.0)
+    relative = np.asarray(sky) / solution.medium.solar_irradiance
+    assert_allclose(rgb, relative @ color_weights(solution), rtol=5e-3)
+
+
+def test_a_layer_has_the_column_that_its_profile_has(lit: Lit) -> None:
+    # An exact integral: scattering once, straight down from space onto black ground, is the sum
+    # of slabs; here the share of the layer, whose optical depth is 1e-4 · 2 km.
+    solution = lit(layered())
+    through = solution.transmittance(altitude=30e3, view_zenith=180.0, distance=16e3)
+    below = solution.transmittance(altitude=18e3, view_zenith=180.0, distance=4e3)
+    bare = lit("earth-atmosphere-plus")
+    air = bare.transmittance(altitude=30e3, view_zenith=180.0, distance=16e3)
+    assert_allclose(np.asarray(through) / np.asarray(air), np.exp(-0.2), rtol=1e-4)
+    assert_allclose(
+        np.asarray(below),
+        np.asarray(bare.transmittance(altitude=18e3, view_zenith=180.0, distance=4e3)),
+        rtol=1e-6,
+    )
+
+
+def test_layer_edges_are_those_of_what_scatters_aloft() -> None:
+    # The tent's own ends and top, to the samples' 50 m and the 1 % at which it counts as ended;
+    # nothing of what is densest at the ground, and nothing that scatters nothing.
+    rows = [exponential(8e3, 1e5), tent(22e3, 2e3, 1e5), tent(50e3, 5e3, 1e5)]
+    found = layer_edges(DensitySegments.from_rows(rows), np.array([1e-5, 1e-4, 0.0]))
+    assert_allclose(found, [20e3, 22e3, 24e3], atol=100.0)
