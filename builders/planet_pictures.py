@@ -47,7 +47,7 @@ RAYLEIGH_OF_MARS = (0.1023e-6, 0.2429e-6, 0.6081e-6)
 
 def views(planet: Planet) -> Iterator[tuple[str, Scene]]:
     """Name and scene of the three pictures of a planet."""
-    high = Camera(width=WIDTH, height=HEIGHT, look_zenith=65.0, field_of_view=80.0)
+    high = Camera(width=WIDTH, height=HEIGHT, look_zenith=72.0, field_of_view=80.0)
     low = Camera(width=WIDTH, height=HEIGHT, look_zenith=80.0, field_of_view=60.0)
     yield "day", Scene(camera=high, sun_zenith=70.0)
     yield "sunset", Scene(camera=low, sun_zenith=89.0)
@@ -55,7 +55,7 @@ def views(planet: Planet) -> Iterator[tuple[str, Scene]]:
     distance = 6.0 * planet.bottom_radius
     half = 1.15 * math.asin(planet.top_radius / distance)
     across = 2.0 * math.degrees(math.atan(WIDTH / HEIGHT * math.tan(half)))
-    far = Camera(width=WIDTH, height=HEIGHT, look_zenith=180.0, field_of_view=across)
+    far = Camera(width=WIDTH, height=HEIGHT, look_zenith=180.0, field_of_view=across, roll=90.0)
     altitude = distance - planet.bottom_radius
     yield "space", Scene(camera=far, altitude=altitude, sun_zenith=55.0, latitude=15.0)
 
