@@ -20,7 +20,10 @@ def medium_of(name, wavelengths=NM):
 
 def test_all_presets_of_the_plan_are_there():
     assert set(planet_names()) >= {
+        "early-earth",
         "earth",
+        "earth-hazy",
+        "earth-volcanic",
         "earth-atmosphere-plus",
         "earth-atmosphere-plus-literal",
         "earth-atmosphere-plus-2025",
@@ -31,9 +34,12 @@ def test_all_presets_of_the_plan_are_there():
         "earth-openspace-depolarisation",
         "earth-openspace-dust",
         "earth-openspace-refractive",
+        "exoplanet",
         "mars",
         "mars-openspace",
         "mars-rayleigh",
+        "titan",
+        "venus",
     }
 
 
@@ -62,8 +68,12 @@ def test_presets_are_physical_at_their_own_wavelengths(name):
     assert_allclose(moments[~scatters], 0.0, rtol=0, atol=0)
 
 
-@pytest.mark.parametrize("name", ["earth", "mars"])
-def test_earth_and_mars_cover_the_visible(name):
+COLORED = ("early-earth", "earth", "earth-hazy", "earth-volcanic")
+COLORED += ("exoplanet", "mars", "titan", "venus")
+
+
+@pytest.mark.parametrize("name", COLORED)
+def test_planets_of_their_own_cover_the_visible(name):
     low, high = load_planet(name).wavelength_limits
     assert low <= 380.0
     assert high >= 730.0
@@ -71,18 +81,20 @@ def test_earth_and_mars_cover_the_visible(name):
 
 def test_earth_is_the_reference_of_the_golden_tables():
     medium = medium_of("earth")
-    # 15 °C, Peck-Reeder, Bates: half the last printed digit
-    assert_allclose(1e6 * medium.scattering[0], [4.848, 11.487, 28.710], rtol=0, atol=5e-4)
-    # H 8434 m
-    assert_allclose(medium.columns[0], 8434.0 * (1.0 - np.exp(-1e5 / 8434.0)), rtol=1e-12)
+    # 15 °C, Peck-Reeder, Bates: measured air; ours is composed of its gases, each measured
+    # elsewhere, which agree with it to 0.2 %
+    assert_allclose(1e6 * medium.scattering[0], [4.848, 11.487, 28.710], rtol=2e-3)
+    # H 8434 m, half the last printed digit
+    assert_allclose(medium.columns[0], 8434.0 * (1.0 - np.exp(-1e5 / 8434.0)), rtol=0, atol=0.5)
     # ozone at 345 DU: half the last printed digit
     ozone = medium.vertical_optical_depth[2]
     assert_allclose(ozone, [0.0127, 0.0307, 0.0013], rtol=0, atol=5e-5)
-    # King factor of air at 550 nm, 1.0488 (Bates 1984): γ = δ/(2-δ), g_2 = (1-γ)/(10(1+2γ))
+    # King factor of air at 550 nm, 1.0488 (Bates 1984): γ = δ/(2-δ), g_2 = (1-γ)/(10(1+2γ)). Bates
+    # weights the gases by their number; by what they scatter it is 1.0469, and g_2 0.2 % more
     delta = 6.0 * 0.0488 / (3.0 + 7.0 * 1.0488)
     gamma = delta / (2.0 - delta)
     expected = 0.1 * (1.0 - gamma) / (1.0 + 2.0 * gamma)
-    assert_allclose(medium.phase_moments(2)[0, 1, 2], expected, rtol=1e-4)
+    assert_allclose(medium.phase_moments(2)[0, 1, 2], expected, rtol=3e-3)
 
 
 def test_earths_aerosol_is_opac_continental_clean():
@@ -147,18 +159,80 @@ def test_openspace_is_table_1_put_right():
 
 
 def test_mars_has_the_dust_of_the_golden_check():
-    # gamma(1.6 µm, 0.3), exact Mie: ⟨Q⟩ 2.440, 2.370, 2.310; albedo .970, .839, .702;
-    # g .718, .774, .834
+    # gamma(1.6 µm, 0.3), exact Mie with 1.52 + ik, k = .001, .006, .013: ⟨Q⟩ 2.440, 2.370, 2.310;
+    # albedo .970, .839, .702; g .718, .774, .834. Hematite in a matrix comes within 0.001 of n and
+    # within 10 % of k: the albedo moves by 10 % of Q_abs/Q at most, 0.01 where k is small
     medium = medium_of("mars")
     dust = medium.vertical_optical_depth[1]
     assert_allclose(dust[1], 0.5, rtol=1e-12)
-    assert_allclose(dust / dust[1], np.array([2.440, 2.370, 2.310]) / 2.370, rtol=0, atol=2e-4)
-    assert_allclose(medium.single_scattering_albedo[1], [0.970, 0.839, 0.702], rtol=1e-12)
-    assert_allclose(medium.phase_moments(1)[1, :, 1], [0.718, 0.774, 0.834], rtol=0, atol=1e-9)
-    # Rayleigh on Mars: (0.1023, 0.2429, 0.6081)e-6 with δ = 0.09, 2 % less with Alms's King factor
-    assert_allclose(1e6 * medium.scattering[0], [0.1023, 0.2429, 0.6081], rtol=0.025)
+    assert_allclose(dust / dust[1], np.array([2.440, 2.370, 2.310]) / 2.370, rtol=3e-3)
+    assert_allclose(medium.single_scattering_albedo[1], [0.970, 0.839, 0.702], rtol=0, atol=0.01)
+    assert_allclose(medium.phase_moments(1)[1, :, 1], [0.718, 0.774, 0.834], rtol=0, atol=0.005)
+    # Rayleigh on Mars: (0.1023, 0.2429, 0.6081)e-6 of pure CO₂ with δ = 0.09; 2 % less with Alms's
+    # King factor, 3 % less with 5 % of lighter molecules that scatter 0.4 times as much
+    assert_allclose(1e6 * medium.scattering[0], [0.1023, 0.2429, 0.6081], rtol=0.055)
     # sunlight at 1.524 au, and a ground that reddens
     sun = medium_of("earth").solar_irradiance
     assert_allclose(medium.solar_irradiance, sun / 1.524**2, rtol=1e-12)
     assert_allclose(np.degrees(medium.star_angular_radius), 0.2665 / 1.524, rtol=2e-4)
     assert np.all(np.diff(medium.ground_albedo) < 0.0)
+
+
+def test_hazy_earth_has_the_optics_of_opac():
+    # Hess et al. 1998, Table 4, continental polluted: 0.175 /km, 0.892, 0.698, Ångström 1.13 and
+    # 1.45; OPAC 3.1 prints 0.1746, 0.8925, 0.6977. Half the last printed digit
+    medium = medium_of("earth-hazy", [350.0, 500.0, 550.0, 800.0])
+    chosen = [medium.names.index(name) for name in ("water-soluble", "insoluble", "soot")]
+    extinction = medium.extinction[chosen]
+    scattering = medium.scattering[chosen]
+    cosines = medium.phase_moments(1)[chosen, :, 1]
+    total = extinction.sum(axis=0)
+    assert_allclose(total[2], 0.1746e-3, rtol=0, atol=0.0005e-3)
+    assert_allclose(scattering.sum(axis=0)[2] / total[2], 0.8925, rtol=0, atol=5e-4)
+    mean = (scattering * cosines).sum(axis=0) / scattering.sum(axis=0)
+    assert_allclose(mean[2], 0.6977, rtol=0, atol=5e-4)
+    assert_allclose(np.log(total[0] / total[1]) / np.log(500.0 / 350.0), 1.13, rtol=0, atol=5e-3)
+    assert_allclose(np.log(total[1] / total[3]) / np.log(800.0 / 500.0), 1.45, rtol=0, atol=5e-3)
+
+
+def test_pinatubos_droplets_dim_all_colours_alike():
+    # Russell et al. 1996: effective radii of 0.5 µm make the optical depth flat from 0.4 to 0.7 µm
+    medium = medium_of("earth-volcanic", [400.0, 550.0, 700.0])
+    acid = medium.names.index("sulphuric acid")
+    assert_allclose(medium.vertical_optical_depth[acid], 0.15, rtol=0.1)
+    assert_allclose(medium.single_scattering_albedo[acid], 1.0, rtol=0, atol=1e-4)
+
+
+def test_the_young_sun_had_four_fifths_of_todays_light():
+    # Gough 1981: 1/(1 + 0.4·2.7/4.57) = 0.809; the file's 1.111 au make 0.810
+    young = medium_of("early-earth").solar_irradiance / medium_of("earth").solar_irradiance
+    assert_allclose(young, 1.0 / (1.0 + 0.4 * 2.7 / 4.57), rtol=2e-3)
+
+
+def test_trappist_1e_gets_two_thirds_of_earths_light_and_hardly_any_blue():
+    # Agol et al. 2021: 0.646 of the solar constant, all wavelengths together; σT⁴(R/d)²
+    planet = load_planet("exoplanet")
+    star = planet.star
+    total = 5.670374e-8 * star.temperature**4 * (star.radius / star.distance) ** 2
+    assert_allclose(total / 1361.0, 0.646, rtol=0.01)
+    medium = medium_of("exoplanet")
+    blue_to_red = medium.solar_irradiance[2] / medium.solar_irradiance[0]
+    # Wien: exp(-c₂/T·(1/440 nm - 1/680 nm)) times (680/440)⁵, with c₂ 0.014388 m K
+    wien = np.exp(-0.014388 / 2566.0 * (1.0 / 440e-9 - 1.0 / 680e-9)) * (680.0 / 440.0) ** 5
+    assert_allclose(blue_to_red, wien, rtol=1e-3)
+
+
+def test_titans_haze_is_the_probes():
+    # Tomasko et al. 2008, Table 2 at 491 and 600 nm; laws of the optical depth at 550 nm
+    medium = medium_of("titan", [491.0, 550.0, 600.0])
+    haze = slice(1, 4)
+    expected = [1.012e7 * 550**-2.339, 2.029e4 * 550**-1.409, 6.270e2 * 550**-0.9706]
+    # 1 %: straight lines between seven wavelengths
+    assert_allclose(medium.vertical_optical_depth[haze, 1], expected, rtol=0.01)
+    albedo = medium.single_scattering_albedo[haze]
+    assert_allclose(albedo[:, 0], [0.8700, 0.9450, 0.9752], rtol=0, atol=5e-5)
+    assert_allclose(albedo[:, 2], [0.9195, 0.9813, 0.9750], rtol=0, atol=5e-5)
+    # law: the layers follow each other without gap, and without a step of more than a third
+    above, between, below = (medium.extinction[i, 1] for i in (1, 2, 3))
+    assert_allclose([above / between, between / below], 1.0, rtol=0, atol=1.0 / 3.0)
+    assert_allclose(medium.density.at([29e3, 31e3, 79e3, 81e3])[haze].sum(axis=0), 1.0, rtol=0.02)

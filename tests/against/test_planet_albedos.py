@@ -1,0 +1,55 @@
+"""How bright planets are: geometric albedos, from the moments, beside telescopes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight import load_planet
+from airlight.geometry.quadrature import gauss_legendre
+from airlight.solvers.moments.solution import MomentsSolution
+
+
+def geometric_albedo(solution: MomentsSolution) -> np.ndarray:
+    """Brightness at full phase over that of a white Lambert disc as large as the ground, (nl,)."""
+    bottom, top = solution.medium.bottom_radius, solution.medium.top_radius
+    far = 1e4 * top
+    rule = gauss_legendre(24)
+    b = top * rule.nodes  # distance from the disc's centre
+    sky = solution.radiance(
+        altitude=far - bottom,
+        sun_zenith=0.0,
+        view_zenith=180.0 - np.degrees(np.arcsin(b / far)),
+        azimuth=0.0,
+    ).to_numpy()
+    rings = top * rule.weights * 2.0 * np.pi * b
+    received = (rings[:, None] * sky / solution.medium.solar_irradiance).sum(axis=0)
+    return received / bottom**2
+
+
+@pytest.mark.parametrize(
+    ("name", "wavelengths", "expected", "within"),
+    [
+        # Mallama (2007), Icarus 192, 404: R, V, B. The ground has these albedos, and the dust,
+        # which is part of them, must not change them by more than 15 %
+        ("mars", (700.0, 550.0, 440.0), (0.289, 0.170, 0.089), 0.15),
+        # NASA, Saturnian Satellite Fact Sheet: 0.2, one digit
+        ("titan", (550.0,), (0.2,), 0.25),
+        # Mallama, Wang & Howard (2006), Icarus 182, 10: V 0.67; clouds vary by some per cent
+        ("venus", (550.0,), (0.67,), 0.10),
+    ],
+)
+def test_geometric_albedos_are_those_that_telescopes_see(
+    name: str,
+    wavelengths: tuple[float, ...],
+    expected: tuple[float, ...],
+    within: float,
+    solved: Callable[..., MomentsSolution],
+    tell: Callable[[str], None],
+) -> None:
+    ours = geometric_albedo(solved(load_planet(name), wavelengths, "preview"))
+    tell(f"{name}: geometric albedo {ours.round(3)} at {wavelengths} nm, seen {expected}")
+    assert_allclose(ours, expected, rtol=within)
