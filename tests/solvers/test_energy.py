@@ -99,15 +99,9 @@ def test_in_a_white_furnace_no_sphere_gains_or_loses_light(
     assert_allclose(net, 0.0, atol=5e-3)
 
 
-THICK = pytest.mark.xfail(
-    strict=True,
-    reason="too few radii inside a low layer this thick: 1 % is lost",
-)
-
-
 @pytest.mark.parametrize(
     ("albedo", "haze"),
-    [(0.0, 0.1), (0.3, 0.1), (0.8, 0.1), pytest.param(0.3, 3.0, marks=THICK)],
+    [(0.0, 0.1), (0.3, 0.1), (0.8, 0.1), (0.3, 3.0)],
 )
 def test_what_leaves_and_what_the_ground_keeps_is_what_came(
     albedo: float, haze: float, solved: Callable[..., MomentsSolution], tell: Callable[[str], None]
@@ -177,8 +171,6 @@ def vast_cloud(depth: float, albedo: float = 0.0) -> Planet:
     )  # fmt: skip
 
 
-@pytest.mark.slow
-@THICK
 @pytest.mark.parametrize("depth", [30.0])
 def test_a_thick_cloud_lets_through_what_asymptotic_theory_says(
     depth: float, solved: Callable[..., MomentsSolution], tell: Callable[[str], None]
@@ -195,4 +187,6 @@ def test_a_thick_cloud_lets_through_what_asymptotic_theory_says(
         f"cloud of optical depth {depth:.0f}: transmits {received:.4f}, theory {expected:.4f}; "
         f"{solution.report.sweeps} sweeps, {solution.report.seconds:.1f} s"
     )
-    assert_allclose(received, expected, rtol=0.02)
+    # 0.5 % of the light that came.
+    assert_allclose(received, expected, rtol=0, atol=5e-3)
+    assert solution.report.sweeps < 15

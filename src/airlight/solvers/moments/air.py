@@ -82,6 +82,12 @@ def scattering_depth(medium: Medium, degree: int) -> FloatArray:
     return medium.columns @ smooth
 
 
+def transport_depth(medium: Medium) -> FloatArray:
+    """Vertical depth in which each scattering counts by 1 - g, shape (nl,). [1]"""
+    forward = medium.scattering * medium.phase_moments(1)[..., 1]
+    return medium.columns @ (medium.extinction - forward)
+
+
 def optical_depths(medium: Medium, degree: int) -> Depths:
     """The depths that radii follow.
 

@@ -107,17 +107,19 @@ class Wandering:
         Of the sweeps.
     parts : int
         See ``levels.finer``.
-    reach : float
-        How far light wanders sideways. [m]
+    reach : two floats
+        How far light wanders sideways, and the length that the interpolation between sun
+        elevations adds, see ``sideways``. [m]
     cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
 
     def __init__(
         self, grid: Grid, rays: Rays, share: Float32Array, air: Air, expansion: Harmonics,
-        parts: int, reach: float, cancel: Cancel | None = None,
+        parts: int, reach: tuple[float, float], cancel: Cancel | None = None,
     ) -> None:  # fmt: skip
-        self.spread = sideways(grid.sun_cosines, reach / grid.bottom_radius)
+        wide, leak = (length / grid.bottom_radius for length in reach)
+        self.spread = sideways(grid.sun_cosines, wide, leak)
         self.degree = min(expansion.degree, _DEGREE)
         self.order = min(expansion.degree, _ORDER)
         self.radii = rays.mu.shape[0]
@@ -202,24 +204,27 @@ class Wandering:
         )  # fmt: skip
 
 
-def sideways(sun_cosines: FloatArray, reach: float) -> Float32Array:
+def sideways(sun_cosines: FloatArray, reach: float, leak: float) -> Float32Array:
     """(1 - Λ²∇²)⁻¹ on the sphere, between sun elevations, shape (s, s). [1]
 
     Light that wanders in a layer also spreads sideways, about as far as the layer is thick. Added
     where it is, in a pattern of sun elevations finer than that, it would be counted several times
-    over, and the iteration would diverge at the terminator of a vast planet.
+    over, and the iteration would diverge at the terminator of a vast planet. Interpolation between
+    sun elevations h apart spreads it too: where a ray of length ℓ should see δ²M (ℓ/h)²/2 it sees
+    δ²M ℓ/(2h), so that Λ² = reach² + leak·h/2 with leak = ℓ over the loss by one scattering.
 
     Parameters
     ----------
     sun_cosines : array, shape (s,)
         Ascending from -1 to 1. [1]
-    reach : float
-        Λ over the planet's radius. [rad]
+    reach, leak : float
+        Over the planet's radius. [rad]
     """
     angle = np.arccos(sun_cosines)
     between = 0.5 * (angle[1:] + angle[:-1])
     edges = np.concatenate([[-1.0], np.cos(between), [1.0]])
-    flux = reach**2 * np.sin(between) / -np.diff(angle)
+    step = -np.diff(angle)
+    flux = (reach**2 + 0.5 * leak * step) * np.sin(between) / step
     matrix = np.diag(np.diff(edges))
     spread = matrix.copy()
     low = np.arange(flux.size)

@@ -23,6 +23,7 @@ from airlight.solvers.moments.air import (
     make_air,
     optical_depths,
     scattering_depth,
+    transport_depth,
 )
 from airlight.solvers.moments.block_rays import rays_in_sight
 from airlight.solvers.moments.coupling import Wandering
@@ -41,15 +42,18 @@ Float32Array = NDArray[np.float32]
 
 #: Mean radiance below this part of its largest value is dark: it neither steers nor stops.
 _DARK: Final = 1e-6
-#: Mean radiance of this part of its largest value is dim in thick air.
-_DIM: Final = 3e-3
-#: In thick air a relative change of dim light counts as this power of its brightness.
-_LENIENT: Final = 0.75
+#: In thick air the tolerance is relative for mean radiances above this part of the largest one,
+#: and absolute below.
+_DIM: Final = 2e-2
+#: Mean radiance below this part of its largest value comes from the side rather than from above
+#: and below: where the transport depth is small, where it is large, and the depth between.
+_SIDELIT: Final = (1e-4, 3e-3)
+_WANDERS: Final = 5.0
 #: Finished light below this part of the swept one is none.
 _LEAST: Final = 0.1
 #: The shrinkage of a sweep is taken to be no better than this.
 _SHRINKAGE: Final = 0.3
-_STALLED: Final = 0.95
+_STALLED: Final = 0.75
 
 #: How many images the acceleration combines.
 _MEMORY: Final = 7
@@ -167,7 +171,8 @@ def solve_moments(
         (settings.column_radii, settings.column_directions),
     )
     ratios = mean_density_ratios(table)
-    reach = optical_depths(medium, degree).reach
+    wide = optical_depths(medium, degree).reach
+    transport = transport_depth(medium)
     count = medium.wavelengths.size
     radii = gathering.radii.size
     field = np.empty((radii, settings.suns, coefficient_count(degree), count), np.float32)
@@ -180,8 +185,13 @@ def solve_moments(
         watch = _Watch(progress, settings.tolerance, block, medium.wavelengths)
         level = _filled(level_light(medium, degree, grid, block))
         thick = _filled(thickness(scattering_depth(medium, degree)[block]))
+        low, high = _SIDELIT
+        wanders = np.maximum(_filled(transport[block]) / _WANDERS, 1.0)
+        sidelit = thick * np.minimum(low * wanders**3, high)
+        # A layer of transport depth τ loses π²/(3τ²) of its light by a scattering: diffusion.
+        reach = (wide, 6.0 / pi**2 * wide * float(transport[block].max()))
         rays, share = rays_in_sight(sweeper.rays, air)
-        sight = replace(sweeper, rays=rays, share=share, level=level, reach=reach, thick=thick)
+        sight = replace(sweeper, rays=rays, share=share, level=level, reach=reach, thick=thick, sidelit=sidelit)
         result = _iterate(sight, air, (ratios, paths.lift), settings, watch)
         field[..., block], sky[..., block], residual[block], sweeps = result
         most = max(most, sweeps)
@@ -203,8 +213,9 @@ class Sweeper:
     cancel: Cancel | None
     share: Float32Array | None = None
     level: Float32Array | None = None
-    reach: float = 0.0
+    reach: tuple[float, float] = (0.0, 0.0)
     thick: FloatArray | None = None
+    sidelit: FloatArray | None = None
 
     def gather(
         self, kernel: Callable[..., None], air: Air, *light: NDArray[Any]
@@ -290,7 +301,7 @@ def _iterate(
         swept_field += first_field
         swept_sky += first_sky
         more_field, more_sky = wandering.finish(swept_field - field, swept_sky - sky)
-        trust = _trust(swept_field[:, :, 0], sweeper.thick)
+        trust = _trust(swept_field[:, :, 0], sweeper.sidelit)
         more_field = swept_field - field + trust[:, :, None] * (more_field - swept_field + field)
         more_sky = swept_sky - sky + trust * (more_sky - swept_sky + sky)
         new_field, new_sky = _or_at_least(
@@ -311,7 +322,7 @@ def _iterate(
     )
 
 
-def _trust(mean: Float32Array, thick: FloatArray) -> Float32Array:
+def _trust(mean: Float32Array, sidelit: FloatArray) -> Float32Array:
     """Where the light along the vertical tells what further sweeps would add, shape (r, s, 8).
 
     In the night of thick air it does not: there light comes from the side.
@@ -319,13 +330,13 @@ def _trust(mean: Float32Array, thick: FloatArray) -> Float32Array:
     most = np.maximum(mean.max(axis=(0, 1)), 1e-30).astype(float)
     here, column = mean / most, mean.max(axis=0) / most
     bright = np.maximum(here * column, 0.0)
-    return np.asarray(bright / (bright + np.square(_DIM * thick) + 1e-30), np.float32)
+    return np.asarray(bright / (bright + np.square(sidelit) + 1e-30), np.float32)
 
 
 def _counts(mean: Float32Array, thick: FloatArray) -> FloatArray:
     """How much a relative change counts, shape (r, s, 8): less in the night of thick air."""
     bright = np.maximum(mean / (_DIM * mean.max(axis=(0, 1))), 1e-30).astype(float)
-    return np.minimum(bright, 1.0) ** (_LENIENT * thick)
+    return np.minimum(bright, 1.0) ** thick
 
 
 def _or_at_least(

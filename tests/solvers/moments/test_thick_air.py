@@ -1,0 +1,121 @@
+"""What makes thick air solvable: its radii, its interpolation, its exact rays, its matrix."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.testing import assert_allclose, assert_array_less
+
+from airlight.kernel.lanes import LANES
+from airlight.planets import Constituent, Ground, Planet, Star
+from airlight.planets.medium import Medium
+from airlight.planets.phases import HenyeyGreenstein
+from airlight.planets.profiles import Exponential
+from airlight.solvers.moments.air import make_air
+from airlight.solvers.moments.block_rays import rays_in_sight
+from airlight.solvers.moments.coupling import sideways
+from airlight.solvers.moments.elimination import factorise, substitute
+from airlight.solvers.moments.grid import make_grid
+from airlight.solvers.moments.levels import Depths, finer, finer_weights, place_levels
+from airlight.solvers.moments.rays import trace_rays
+
+
+def exponential_air(depth: float) -> Depths:
+    altitude = 100e3 * np.linspace(0.0, 1.0, 4097) ** 2
+    return Depths(altitude, depth * -np.expm1(-altitude / 8e3))
+
+
+def test_elimination_solves_each_lane_as_lapack_does() -> None:
+    # Second method: numpy.linalg.solve, lane by lane, in double precision. The matrices are
+    # 1 - K with rows of K that sum to less than 1, of a size that is no multiple of a block.
+    rng = np.random.default_rng(1)
+    size, columns = 37, 5
+    matrix = np.eye(size)[..., None] - rng.random((size, size, LANES)) / (size + 2)
+    right = rng.random((size, columns, LANES))
+    factors, values = matrix.astype(np.float32), right.astype(np.float32)
+    factorise(factors.reshape(-1), size)
+    substitute(factors.reshape(-1), size, values.reshape(-1), columns)
+    for lane in range(LANES):
+        known = np.linalg.solve(matrix[..., lane], right[..., lane])
+        # float32, times a condition number of some tens.
+        assert_allclose(values[..., lane], known, rtol=2e-5)
+
+
+def test_clear_air_keeps_the_radii_it_had() -> None:
+    # What scatters little needs none but those that are even in the distance to the horizon.
+    even = np.linspace(0.0, 1.0, 4097)
+    levels = place_levels(even, exponential_air(0.01), 24)
+    assert levels.parts == 1
+    assert levels.altitudes.size == 24
+    assert_allclose(levels.row, 23.0 * even, atol=2e-3)
+
+
+def test_thick_air_has_radii_close_to_its_ends_and_not_too_far_inside() -> None:
+    # The steps are meant to be 0.15 of a mean free path at the ends and 2 inside.
+    even = np.linspace(0.0, 1.0, 4097)
+    depths = exponential_air(40.0)
+    levels = place_levels(even, depths, 24)
+    gathering = levels.altitudes[:: levels.parts]
+    steps = np.diff(np.interp(gathering, depths.altitude, depths.scattering))
+    assert steps[0] < 0.2
+    assert_array_less(steps, 2.0 + 1e-6)
+    assert gathering.size < 80
+    assert_array_less(0.0, np.diff(levels.row))
+
+
+def test_between_radii_a_cubic_is_kept_and_an_exponential_stays_positive() -> None:
+    # Four points fix a cubic, three a parabola at the two ends; as ratios an exponential is exact
+    # in the middle of an interval.
+    x = np.arange(9.0)
+    fine = np.linspace(0.0, 8.0, 17)
+    one = np.ones((1, 1), np.float32)
+    for power, inside in ((2, slice(None)), (3, slice(2, -2))):
+        values = (100.0 + x**power)[:, None, None, None].astype(np.float32)
+        got = finer(values, values[:, :, 0], one, 2)[:, 0, 0, 0]
+        assert_allclose(got[inside], 100.0 + fine[inside] ** power, rtol=1e-6)
+        assert_allclose(finer_weights(9, 2) @ values[:, 0, 0, 0], got, rtol=1e-6)
+    night = np.exp(-2.0 * x)[:, None, None, None].astype(np.float32)
+    got = finer(night, night[:, :, 0], 0 * one, 2)[:, 0, 0, 0]
+    assert_allclose(got, np.exp(-2.0 * fine), rtol=1e-5)
+
+
+def test_a_source_that_is_the_same_everywhere_is_kept_by_every_ray() -> None:
+    # ∫ exp(-τ) dτ = 1 - exp(-τ of the ray), in thick air in few points as in thin air.
+    planet = Planet(
+        name="haze", bottom_radius=6360e3, top_radius=6420e3, ground=Ground(albedo=0.0),
+        star=Star(irradiance=1.0, angular_radius=0.0),
+        constituents=(
+            Constituent(
+                name="haze", profile=Exponential(scale_height=3e3), scattering=20.0 / 3e3,
+                phase_function=HenyeyGreenstein(asymmetry=0.7),
+            ),
+        ),
+        own_wavelengths=(550.0,),
+    )  # fmt: skip
+    # The radii of a clear shell of 60 km, so that none of them is where the haze wants it.
+    medium = Medium.from_planet(planet, planet.own_wavelengths)
+    altitude = 60e3 * np.linspace(0.0, 1.0, 4097) ** 2
+    grid, _ = make_grid(6360e3, 6420e3, 12, 8, Depths(altitude, np.zeros(4097)))
+    rays = trace_rays(grid, medium.density, medium.extinction.max(axis=1), 6, 14)
+    air = make_air(medium, 8, slice(0, 1))
+    near, share = rays_in_sight(rays, air)
+    assert near.radius.size < rays.radius.size
+    extinction = float(air.extinction[0])
+    for i in (0, 5, 11):
+        for a in range(12):
+            here = slice(near.start[i, a], near.start[i, a + 1])
+            through = np.exp(-extinction * near.column[here, 0])
+            total = (through * near.amount[here, 0]).sum() * extinction
+            whole = -np.expm1(-extinction * rays.total[i, a, 0])
+            assert_allclose(share.reshape(12, 12, LANES)[i, a, 0] * total, whole, rtol=1e-6)
+
+
+def test_spreading_sideways_loses_nothing() -> None:
+    # (1 - Λ²∇²)⁻¹ on the sphere keeps a constant, and the integral of anything.
+    sun_cosines = np.sin(np.radians(np.linspace(-90.0, 90.0, 41)))
+    spread = sideways(sun_cosines, 0.05, 0.1)
+    assert_allclose(spread @ np.ones(41), 1.0, rtol=1e-5)
+    angle = np.arccos(sun_cosines)
+    edges = np.concatenate([[-1.0], np.cos(0.5 * (angle[1:] + angle[:-1])), [1.0]])
+    something = np.random.default_rng(2).random(41)
+    assert_allclose(np.diff(edges) @ spread @ something, np.diff(edges) @ something, rtol=1e-5)
+    assert spread.min() > 0.0
