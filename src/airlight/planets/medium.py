@@ -151,6 +151,7 @@ class Medium:
             constituents=constituents,
         )
         medium._check()
+        _ = medium.bent_shell  # refuses air in which light would follow the ground
         for array in medium._arrays().values():
             array.flags.writeable = False
         return medium

@@ -109,7 +109,7 @@ def with_hint(
     overrides : mapping
         From path to value.
     """
-    if error.field.startswith(FIELD):
+    if error.field.startswith(FIELD) or error.field in overrides:
         return error
     known = _paths(values)
     for path in overrides:

@@ -6,6 +6,7 @@ Here they become one flat table, so that two of them can be laid side by side.
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import re
 import zlib
@@ -14,6 +15,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from airlight.errors import ParameterError
 from airlight.planets.planet import Constituent
 from airlight.planets.spectral import PerWavelength
 
@@ -147,8 +149,9 @@ def _derived(value: Any, label: str, nm: tuple[float, ...]) -> Iterator[Any]:
     """What the object works out by itself, if it is a gas."""
     given = {field.name for field in dataclasses.fields(value)}
     for name, unit in _DERIVED.items():
-        if name not in given and isinstance(number := getattr(value, name, None), float):
-            yield (_joined(label, name), unit, None), number
+        with contextlib.suppress(ParameterError):  # a gas without gravity has no scale height
+            if name not in given and isinstance(number := getattr(value, name, None), float):
+                yield (_joined(label, name), unit, None), number
     for name, (word, unit) in _DERIVED_SPECTRA.items():
         method = getattr(value, name, None)
         given_itself = getattr(value, word, None) is not None

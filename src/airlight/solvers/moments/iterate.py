@@ -191,7 +191,9 @@ def solve_moments(
         # A layer of transport depth τ loses π²/(3τ²) of its light by a scattering: diffusion.
         reach = (wide, 6.0 / pi**2 * wide * float(transport[block].max()))
         rays, share = rays_in_sight(sweeper.rays, air)
-        sight = replace(sweeper, rays=rays, share=share, level=level, reach=reach, thick=thick, sidelit=sidelit)
+        sight = replace(
+            sweeper, rays=rays, share=share, level=level, reach=reach, thick=thick, sidelit=sidelit
+        )
         result = _iterate(sight, air, (ratios, paths.lift), settings, watch)
         field[..., block], sky[..., block], residual[block], sweeps = result
         most = max(most, sweeps)
