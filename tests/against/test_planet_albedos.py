@@ -53,3 +53,21 @@ def test_geometric_albedos_are_those_that_telescopes_see(
     ours = geometric_albedo(solved(load_planet(name), wavelengths, "preview"))
     tell(f"{name}: geometric albedo {ours.round(3)} at {wavelengths} nm, seen {expected}")
     assert_allclose(ours, expected, rtol=within)
+
+
+@pytest.mark.parametrize("name", ["venus", "titan"])
+def test_the_light_on_the_ground_of_venus_and_titan_is_orange(
+    name: str, solved: Callable[..., MomentsSolution], tell: Callable[[str], None]
+) -> None:
+    # Venera 13: Pieters et al. (1986), Science 234, 1379, had to take out "orange-colored incident
+    # radiation"; Huygens: Tomasko et al. (2005), Nature 438, 765. Orange: each colour much weaker
+    # than the last, over the star's own light
+    solution = solved(load_planet(name), (680.0, 550.0, 440.0), "preview")
+    light = solution.irradiance(altitude=0.0, sun_zenith=50.0)
+    share = (light["direct"] + light["diffuse"]).to_numpy().ravel()
+    red, green, blue = share / solution.medium.solar_irradiance
+    tell(f"{name}: of red, green, blue the ground gets {red:.3g}, {green:.3g}, {blue:.3g}")
+    assert 0.0 < blue < 0.5 * green
+    assert green < 0.75 * red
+    # Venera 8 (Avduevsky et al. 1973, J. Atmos. Sci. 30, 1215) and Huygens: some per cent in all
+    assert 0.01 < green < 0.2
