@@ -24,7 +24,7 @@ LARGEST = 0.03
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("planet", ["earth-atmosphere-plus", "mars"])
+@pytest.mark.parametrize("planet", ["earth-atmosphere-plus", "mars-standard"])
 def test_three_solvers_agree_from_ground_to_space(planet: str, tell: Callable[[str], None]) -> None:
     # Three independent methods; two values agree within 1 % or within three standard errors.
     given = answers(planet, SOLVERS)

@@ -38,6 +38,7 @@ def test_all_presets_of_the_plan_are_there():
         "mars",
         "mars-openspace",
         "mars-rayleigh",
+        "mars-standard",
         "titan",
         "venus",
     }

@@ -289,19 +289,26 @@ def test_dusk_falls_smoothly(
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "largest", "bearable"), [("mars-standard", 0.05, 0.05), ("mars", 0.25, 0.05)]
+)
 def test_default_agrees_with_fine_on_dusty_mars(
-    solved: Callable[..., MomentsSolution], tell: Callable[[str], None]
+    name: str,
+    largest: float,
+    bearable: float,
+    solved: Callable[..., MomentsSolution],
+    tell: Callable[[str], None],
 ) -> None:
     # A second solution of half as high a degree again, with finer grids and quadratures (a little
-    # coarser than "fine", to save time); the bar is that of the solvers' text. What dust has
-    # scattered twice forwards is sharper than degree 16: three sights in a thousand, most within
-    # 30° of the star, are off by more than 5 %, none by more than a quarter.
+    # coarser than "fine", to save time); the bar is that of the solvers' text. Of exact Mie dust,
+    # what is scattered twice forwards is sharper than degree 16: three sights in a thousand, most
+    # within 30° of the star, are off by more than 5 %, none by more than a quarter.
     from dataclasses import replace as replace_field
 
     finer = replace_field(
         QUALITIES["fine"], radii=32, suns=80, zenith_angles=16, azimuths=16, tolerance=1e-3
     )
-    mars = load_planet("mars")
+    mars = load_planet(name)
     mars = replace(
         mars,
         star=replace(
@@ -321,8 +328,8 @@ def test_default_agrees_with_fine_on_dusty_mars(
     )
     assert np.median(error) <= 0.003
     assert np.quantile(error, 0.95) <= 0.02
-    assert np.quantile(error, 0.995) <= 0.05
-    assert error.max() <= 0.25
+    assert np.quantile(error, 0.995) <= bearable
+    assert error.max() <= largest
 
 
 @pytest.mark.parametrize("depth", [1.0, 5.0])

@@ -67,7 +67,7 @@ def test_the_grid_covers_ground_to_space_and_noon_to_night():
     assert {0.0, 90.0, 180.0} <= views
 
 
-@pytest.mark.parametrize("planet", ["earth-atmosphere-plus", "mars"])
+@pytest.mark.parametrize("planet", ["earth-atmosphere-plus", "mars-standard"])
 def test_arguments_are_what_a_solution_takes(planet):
     where = geometry(load_planet(planet))
     assert set(where) == {"altitude", "sun_zenith", "view_zenith", "azimuth"}

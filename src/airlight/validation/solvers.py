@@ -23,7 +23,7 @@ from airlight.validation.solvers_pictures import agreement_picture
 from airlight.validation.suite import Bar, Cancel, Mark, Part, Progress, Suite, Table
 
 #: A clear Earth, and a Mars with dust of optical depth 0.5.
-PLANETS: Final = ("earth-atmosphere-plus", "mars")
+PLANETS: Final = ("earth-atmosphere-plus", "mars-standard")
 #: So many lines of sight of each planet at least are judged.
 LEAST_CASES: Final = 40
 
