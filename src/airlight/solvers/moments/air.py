@@ -5,7 +5,8 @@ f = g_{N+1} of each scattering counts as none at all (δ-M: Wiscombe 1977, JAS 3
 first order is computed with the exact phase function in the air so thinned (TMS: Nakajima &
 Tanaka 1988, JQSRT 40, 51). Where the particles are thin the peak's light is scattered once, δ-M
 gains nothing and spoils the narrow bright band along the horizon; f is therefore faded in with the
-particles' vertical optical depth. docs/decisions/0001-moments-in-the-twilight.md has the measurements.
+particles' vertical optical depth. docs/decisions/0001-moments-in-the-twilight.md has the
+measurements.
 """
 
 from __future__ import annotations

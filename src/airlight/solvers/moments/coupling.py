@@ -13,7 +13,7 @@ operator in the place of diffusion.
 from __future__ import annotations
 
 from math import pi
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -140,7 +140,7 @@ class Wandering:
                 i, grid, rays, share, along, air, expansion, self.degree, self.order,
                 weights, bounced,
             )  # fmt: skip
-            seen = weights.reshape(angles, levels, -1)
+            seen: NDArray[Any] = weights.reshape(angles, levels, -1)
             if parts > 1:
                 seen = np.einsum("fr,afk->ark", cubics, seen, optimize=True)
             seen = seen.reshape(angles, self.radii, -1, LANES)
@@ -167,9 +167,7 @@ class Wandering:
 
         run_blocks(invert, self.order + 1, cancel=cancel)
 
-    def finish(
-        self, field: Float32Array, sky: Float32Array
-    ) -> tuple[Float32Array, Float32Array]:
+    def finish(self, field: Float32Array, sky: Float32Array) -> tuple[Float32Array, Float32Array]:
         """Moments and irradiances together with all that further sweeps would make of them.
 
         Parameters
@@ -200,10 +198,14 @@ class Wandering:
                 more_sky[:, here] = np.einsum("rkw,ksw->rsw", self.to_sky, moments)
 
         run_blocks(solve, (self.order + 1) * -(-suns // _SUNS))
-        wide = more_field.reshape(radii, suns, -1)
-        return (
-            field + (self.spread @ wide).reshape(field.shape), sky + self.spread @ more_sky
-        )  # fmt: skip
+        wide = (self.spread @ more_field.reshape(radii, suns, -1)).reshape(field.shape)
+        # Under a star in the zenith or the nadir the light is the same all around.
+        level = _indices(0, self.degree)
+        for pole in (0, suns - 1):
+            kept = wide[:, pole, level]
+            wide[:, pole] = 0.0
+            wide[:, pole, level] = kept
+        return field + wide, sky + self.spread @ more_sky
 
 
 def sideways(sun_cosines: FloatArray, reach: float, leak: float) -> Float32Array:

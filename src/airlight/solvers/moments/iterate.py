@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from math import acos, log, pi
 from typing import Any, Final
 
@@ -28,6 +28,7 @@ from airlight.solvers.moments.coupling import Wandering
 from airlight.solvers.moments.first_order import first_order_radius
 from airlight.solvers.moments.grid import Grid, make_grid
 from airlight.solvers.moments.harmonics import Harmonics, coefficient_count, harmonics
+from airlight.solvers.moments.levels import THICK_NODES, panel_cuts
 from airlight.solvers.moments.packing import level_weights, pack_light, thickness
 from airlight.solvers.moments.rays import Rays, trace_rays
 from airlight.solvers.moments.settings import Settings
@@ -42,7 +43,7 @@ Float32Array = NDArray[np.float32]
 _DARK: Final = 1e-6
 #: In thick air the tolerance is relative for mean radiances above this part of the largest one,
 #: and absolute below.
-_DIM: Final = 2e-2
+_DIM: Final = 5e-2
 #: Mean radiance below this part of its largest value comes from the side rather than from above
 #: and below: where the transport depth is small, where it is large, and the depth between.
 _SIDELIT: Final = (1e-4, 3e-3)
@@ -103,7 +104,7 @@ def level_light(medium: Medium, degree: int, grid: Grid, block: slice) -> Float3
     return level_weights(grid.sun_cosines, dip, scattering_depth(medium, degree)[block])
 
 
-def _filled(values: Float32Array) -> Float32Array:
+def _filled(values: NDArray[Any]) -> NDArray[Any]:
     """Wavelengths (..., w) in whole groups of lanes, the last one repeated."""
     missing = -values.shape[-1] % LANES
     return np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
@@ -148,7 +149,14 @@ def solve_moments(
     sweeper = Sweeper(
         grid=grid,
         parts=parts,
-        rays=trace_rays(gathering, medium.density, strongest, settings.zenith_angles, settings.nodes),
+        rays=trace_rays(
+            gathering,
+            medium.density,
+            strongest,
+            settings.zenith_angles,
+            settings.nodes if parts == 1 else min(settings.nodes, THICK_NODES),
+            cuts=panel_cuts(grid.radii - grid.bottom_radius, parts),
+        ),
         azimuths=even_azimuths(degree, max(settings.azimuths, 3 * degree // 4)),
         expansion=harmonics(degree),
         cancel=cancel,
@@ -180,7 +188,9 @@ def solve_moments(
         # A layer of transport depth τ loses π²/(3τ²) of its light by a scattering: diffusion.
         reach = (wide, 6.0 / pi**2 * wide * float(transport[block].max()))
         rays, share = rays_in_sight(sweeper.rays, air)
-        sight = replace(sweeper, rays=rays, share=share, level=level, reach=reach, thick=thick, sidelit=sidelit)
+        sight = replace(
+            sweeper, rays=rays, share=share, level=level, reach=reach, thick=thick, sidelit=sidelit
+        )
         result = _iterate(sight, air, ratios, settings, watch)
         field[..., block], sky[..., block], residual[block], sweeps = result
         most = max(most, sweeps)
@@ -192,7 +202,12 @@ def solve_moments(
 
 @dataclass(frozen=True, kw_only=True)
 class Sweeper:
-    """All that a sweep needs beside the optics and the light itself."""
+    """All that a sweep needs beside the optics and the light itself.
+
+    ``share`` is that of ``rays_in_sight``, ``level`` of ``level_weights``, ``reach`` of
+    ``Wandering``; ``thick``, from 0 to 1, and ``sidelit`` say per lane where the tolerance becomes
+    absolute and where light comes from the side: all of eight wavelengths.
+    """
 
     grid: Grid
     parts: int
@@ -200,11 +215,11 @@ class Sweeper:
     azimuths: Azimuths
     expansion: Harmonics
     cancel: Cancel | None
-    share: Float32Array | None = None
-    level: Float32Array | None = None
+    share: Float32Array = field(default_factory=lambda: np.empty(0, np.float32))
+    level: Float32Array = field(default_factory=lambda: np.empty(0, np.float32))
     reach: tuple[float, float] = (0.0, 0.0)
-    thick: FloatArray | None = None
-    sidelit: FloatArray | None = None
+    thick: FloatArray = field(default_factory=lambda: np.empty(0, float))
+    sidelit: FloatArray = field(default_factory=lambda: np.empty(0, float))
 
     def gather(
         self, kernel: Callable[..., None], air: Air, *light: NDArray[Any]
@@ -267,8 +282,14 @@ def _iterate(
     if not (first_field[:, :, 0] > 0.0).any():
         return first_field[..., :used], first_sky[..., :used], np.zeros(used), 0
     wandering = Wandering(
-        sweeper.grid, sweeper.rays, sweeper.share, air, sweeper.expansion, sweeper.parts,
-        sweeper.reach, sweeper.cancel,
+        sweeper.grid,
+        sweeper.rays,
+        sweeper.share,
+        air,
+        sweeper.expansion,
+        sweeper.parts,
+        sweeper.reach,
+        sweeper.cancel,
     )
     field, sky = wandering.finish(first_field, first_sky)
     field, sky = _or_at_least(field, sky, first_field, first_sky)
@@ -315,7 +336,7 @@ def _trust(mean: Float32Array, sidelit: FloatArray) -> Float32Array:
 def _counts(mean: Float32Array, thick: FloatArray) -> FloatArray:
     """How much a relative change counts, shape (r, s, 8): less in the night of thick air."""
     bright = np.maximum(mean / (_DIM * mean.max(axis=(0, 1))), 1e-30).astype(float)
-    return np.minimum(bright, 1.0) ** thick
+    return np.asarray(np.minimum(bright, 1.0) ** thick)
 
 
 def _or_at_least(

@@ -23,7 +23,7 @@ from airlight.solvers.moments.grid import Grid, row_of
 from airlight.solvers.moments.harmonics import Harmonics, legendre_functions
 from airlight.solvers.moments.sweep import Air, place_of
 from airlight.tables.column_ratios import columns_to_top
-from airlight.tables.columns import trace_resolved
+from airlight.tables.columns import cut_at_corners, trace_resolved
 
 #: Rays that march side by side: neighbours read the same moments, which then stay in the cache.
 PACKET: Final = 16
@@ -66,6 +66,8 @@ class Light(NamedTuple):
         From ``density_table``.
     strongest, brightest : array, shape (nc,)
         Largest extinction and largest scattering of each constituent at any wavelength. [m⁻¹]
+    cuts : array, shape (n,)
+        Altitudes at which panels end, from ``panel_cuts``. [m]
     """
 
     grid: Grid
@@ -78,6 +80,7 @@ class Light(NamedTuple):
     density: FloatArray
     strongest: FloatArray
     brightest: FloatArray
+    cuts: FloatArray
 
 
 class Workspace(NamedTuple):
@@ -221,6 +224,7 @@ def march(packet, rays, orders, panels, rules, light, work):
         r, mu, mu_s, nu = starts[p], cosines[p], sun_cosines[p], angles[p]
         first_cut, second_cut = shadow_edges(r, mu, mu_s, nu, bottom)
         edge_count = place_edges(r, mu, lengths[p], panels, first_cut, second_cut, edges)
+        edge_count = cut_at_corners(r, mu, bottom, light.cuts, edges, edge_count)
         path = (distance[p], radius[p], weight[p], density[p], column[p], total[p], work.scratch)
         end = min(mu_s, (r * mu_s + lengths[p] * nu) / radius_along(r, mu, lengths[p]))
         slant = lengths[p] / (top - bottom)

@@ -14,7 +14,7 @@ from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import compiled_loop
 from airlight.optics.density_profile import DensitySegments
 from airlight.solvers.moments.grid import Grid
-from airlight.tables.columns import density_table, new_path, trace_resolved
+from airlight.tables.columns import cut_at_corners, density_table, new_path, trace_resolved
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -57,7 +57,7 @@ class Rays(NamedTuple):
 
 
 @compiled_loop
-def _trace_rays(grid, mu, panels, rule, table, strongest, edges, path, rays):
+def _trace_rays(grid, mu, panels, cuts, rule, table, strongest, edges, path, rays):
     count = 0
     for i in range(mu.shape[0]):
         r = grid.radii[i]
@@ -70,6 +70,7 @@ def _trace_rays(grid, mu, panels, rule, table, strongest, edges, path, rays):
                 length = max(-r * mu[i, a], 0.0)
             rays.length[i, a] = length
             edge_count = place_edges(r, mu[i, a], length, panels, 0.0, 0.0, edges)
+            edge_count = cut_at_corners(r, mu[i, a], grid.bottom_radius, cuts, edges, edge_count)
             points = trace_resolved(
                 r,
                 mu[i, a],
@@ -102,6 +103,7 @@ def trace_rays(
     angles: int,
     nodes: int,
     panels: int = 1,
+    cuts: FloatArray | None = None,
 ) -> Rays:
     """Trace all rays of a sweep.
 
@@ -117,7 +119,11 @@ def trace_rays(
         Gauss-Legendre zenith angles on each side of the local horizon.
     nodes, panels : int
         Points a panel, and panels a leg.
+    cuts : array, optional
+        Altitudes, but for the first and the last, at which panels end. [m]
     """
+    if cuts is None:
+        cuts = np.empty(0)
     rule = gauss_legendre(angles)
     horizon = -np.sqrt((grid.radii - grid.bottom_radius) * (grid.radii + grid.bottom_radius))
     horizon = (horizon / grid.radii)[:, None]
@@ -127,7 +133,7 @@ def trace_rays(
     weight = np.concatenate(
         [(horizon + 1.0) * rule.weights, (1.0 - horizon) * rule.weights], axis=1
     )
-    per_ray = nodes * (2 * panels + 6)
+    per_ray = nodes * (2 * panels + 6 + 2 * cuts.size)
     constituents = density.edges.shape[0]
     room = mu.size * per_ray
     rays = Rays(
@@ -146,6 +152,7 @@ def trace_rays(
         grid,
         mu,
         panels,
+        cuts,
         gauss_legendre(nodes).as_tuple(),
         density_table(density, grid.top_radius - grid.bottom_radius),
         strongest,

@@ -18,6 +18,7 @@ from airlight.planets.medium import Medium
 from airlight.solvers.moments.air import make_air
 from airlight.solvers.moments.harmonics import coefficient_count, harmonics
 from airlight.solvers.moments.iterate import Moments, grid_for, level_light, solve_moments
+from airlight.solvers.moments.levels import panel_cuts
 from airlight.solvers.moments.march import (
     Light,
     Workspace,
@@ -94,12 +95,13 @@ class MomentsSolution(Solution):
             density=density_table(medium.density, medium.thickness),
             strongest=medium.extinction.max(axis=1),
             brightest=medium.scattering.max(axis=1),
+            cuts=panel_cuts(moments.grid.radii - medium.bottom_radius, moments.parts),
         )
 
     def workspace(self, nodes: int, panels: int) -> Workspace:
         """Scratch for one thread that marches with so many nodes a panel and panels a leg."""
         return new_workspace(
-            nodes * (2 * panels + 10),
+            nodes * (2 * panels + 10 + 2 * self.light.cuts.size),
             len(self.medium.names),
             coefficient_count(self.moments.degree),
             self.light.air.albedo.size,
