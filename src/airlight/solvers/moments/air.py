@@ -5,7 +5,8 @@ f = g_{N+1} of each scattering counts as none at all (δ-M: Wiscombe 1977, JAS 3
 first order is computed with the exact phase function in the air so thinned (TMS: Nakajima &
 Tanaka 1988, JQSRT 40, 51). Where the particles are thin the peak's light is scattered once, δ-M
 gains nothing and spoils the narrow bright band along the horizon; f is therefore faded in with the
-particles' vertical optical depth. docs/decisions/0001-moments-in-the-twilight.md has the measurements.
+particles' vertical optical depth. docs/decisions/0001-moments-in-the-twilight.md has the
+measurements.
 """
 
 from __future__ import annotations
@@ -15,8 +16,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.optics.layer_edges import layer_edges
 from airlight.planets.medium import Medium
-from airlight.solvers.moments.levels import Depths
+from airlight.solvers.moments.grid import Grid
+from airlight.solvers.moments.levels import Depths, panel_cuts
 from airlight.solvers.moments.packing import pack
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.sweep import Air
@@ -129,3 +132,19 @@ def make_air(medium: Medium, degree: int, block: slice) -> Air:
         albedo=pack(medium.ground_albedo[block]),
         star_radius=float(medium.star_angular_radius),
     )
+
+
+def panel_ends(medium: Medium, grid: Grid, parts: int) -> FloatArray:
+    """Altitudes at which the panels of rays end, ascending, inside the shell. [m]
+
+    Parameters
+    ----------
+    medium : Medium
+    grid : Grid
+        Of the medium.
+    parts : int
+        More than 1 in thick air, whose levels then are the ends; else those of layers aloft.
+    """
+    if parts > 1:
+        return panel_cuts(grid.radii - grid.bottom_radius, parts)
+    return layer_edges(medium.density, medium.scattering.max(axis=1))

@@ -13,7 +13,7 @@ operator in the place of diffusion.
 from __future__ import annotations
 
 from math import pi
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -140,7 +140,7 @@ class Wandering:
                 i, grid, rays, share, along, air, expansion, self.degree, self.order,
                 weights, bounced,
             )  # fmt: skip
-            seen = weights.reshape(angles, levels, -1)
+            seen: NDArray[Any] = weights.reshape(angles, levels, -1)
             if parts > 1:
                 seen = np.einsum("fr,afk->ark", cubics, seen, optimize=True)
             seen = seen.reshape(angles, self.radii, -1, LANES)
@@ -151,7 +151,9 @@ class Wandering:
                 part = seen[:, :, first : first + width].reshape(angles, -1)
                 here = slice(i * width, (i + 1) * width)
                 moments = self.radii * width
-                self.factors[m][here, :moments] = (project @ part).reshape(width, moments, LANES)
+                self.factors[m][here, :moments] = np.einsum("la,an->ln", project, part).reshape(
+                    width, moments, LANES
+                )
                 if m == 0:
                     self.factors[0][here, -1] = project @ bounced.reshape(angles, LANES)
                     self.to_sky[i] = (turn * rays.flux[i] @ part).reshape(-1, LANES)
@@ -198,10 +200,18 @@ class Wandering:
                 more_sky[:, here] = np.einsum("rkw,ksw->rsw", self.to_sky, moments)
 
         run_blocks(solve, (self.order + 1) * -(-suns // _SUNS))
-        wide = more_field.reshape(radii, suns, -1)
-        return (
-            field + (self.spread @ wide).reshape(field.shape), sky + self.spread @ more_sky
-        )  # fmt: skip
+        wide = self._spread(more_field.reshape(radii, suns, -1)).reshape(field.shape)
+        # Under a star in the zenith or the nadir the light is the same all around.
+        level = _indices(0, self.degree)
+        for pole in (0, suns - 1):
+            kept = wide[:, pole, level]
+            wide[:, pole] = 0.0
+            wide[:, pole, level] = kept
+        return field + wide, sky + self._spread(more_sky)
+
+    def _spread(self, values: Float32Array) -> Float32Array:
+        """``sideways`` of values (r, s, n); not by a library whose threads wait for each other."""
+        return np.asarray(np.einsum("ts,rsn->rtn", self.spread, values), np.float32)
 
 
 def sideways(sun_cosines: FloatArray, reach: float, leak: float) -> Float32Array:

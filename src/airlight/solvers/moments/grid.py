@@ -1,9 +1,9 @@
 """Where the moments of the radiance are kept: radii and sun elevations.
 
 Radii are even in the distance to the horizon (Bruneton's mapping), with more of them where the air
-is thick (``levels``). Sun elevations crowd around the terminator: elevation = w·sinh(t) - e with t even, where w and e are
-0.6 and 0.3 of the dip of the horizon seen from the top of the shell (6° and 3° for Earth), so that
-every planet gets a grid of its own.
+is thick (``levels``). Sun elevations crowd around the terminator: elevation = w·sinh(t) - e with t
+even, where w and e are 0.6 and 0.3 of the dip of the horizon seen from the top of the shell (6° and
+3° for Earth), so that every planet gets a grid of its own.
 """
 
 from __future__ import annotations

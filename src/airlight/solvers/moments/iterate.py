@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from math import acos, log, pi
 from typing import Any, Final
 
@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 from airlight.errors import ConvergenceError
 from airlight.kernel.lanes import LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
-from airlight.optics.layer_edges import layer_edges
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.acceleration import mixing_weights
@@ -22,6 +21,7 @@ from airlight.solvers.moments.air import (
     choose_degree,
     make_air,
     optical_depths,
+    panel_ends,
     scattering_depth,
     transport_depth,
 )
@@ -30,6 +30,7 @@ from airlight.solvers.moments.coupling import Wandering
 from airlight.solvers.moments.first_order import first_order_radius
 from airlight.solvers.moments.grid import Grid, make_grid
 from airlight.solvers.moments.harmonics import Harmonics, coefficient_count, harmonics
+from airlight.solvers.moments.levels import FEW_NODES
 from airlight.solvers.moments.packing import level_weights, pack_light, thickness
 from airlight.solvers.moments.rays import Rays, trace_rays
 from airlight.solvers.moments.settings import Settings
@@ -44,7 +45,7 @@ Float32Array = NDArray[np.float32]
 _DARK: Final = 1e-6
 #: In thick air the tolerance is relative for mean radiances above this part of the largest one,
 #: and absolute below.
-_DIM: Final = 2e-2
+_DIM: Final = 5e-2
 #: Mean radiance below this part of its largest value comes from the side rather than from above
 #: and below: where the transport depth is small, where it is large, and the depth between.
 _SIDELIT: Final = (1e-4, 3e-3)
@@ -105,7 +106,7 @@ def level_light(medium: Medium, degree: int, grid: Grid, block: slice) -> Float3
     return level_weights(grid.sun_cosines, dip, scattering_depth(medium, degree)[block])
 
 
-def _filled(values: Float32Array) -> Float32Array:
+def _filled(values: NDArray[Any]) -> NDArray[Any]:
     """Wavelengths (..., w) in whole groups of lanes, the last one repeated."""
     missing = -values.shape[-1] % LANES
     return np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
@@ -148,6 +149,12 @@ def solve_moments(
     grid, parts = grid_for(medium, settings)
     gathering = grid._replace(radii=grid.radii[::parts])
     strongest = medium.extinction.max(axis=1)
+    ends = panel_ends(medium, grid, parts)
+    nodes = settings.nodes
+    if parts > 1:
+        nodes = min(nodes, FEW_NODES)
+    elif ends.size:  # several panels a leg need fewer points each
+        nodes = max(FEW_NODES, 3 * nodes // 5)
     sweeper = Sweeper(
         grid=grid,
         parts=parts,
@@ -156,9 +163,9 @@ def solve_moments(
             medium.density,
             strongest,
             settings.zenith_angles,
-            settings.nodes,
+            nodes,
             bend=paths.bend,
-            layers=layer_edges(medium.density, medium.scattering.max(axis=1)),
+            ends=ends,
         ),
         azimuths=even_azimuths(degree, max(settings.azimuths, 3 * degree // 4)),
         expansion=harmonics(degree),
@@ -205,7 +212,12 @@ def solve_moments(
 
 @dataclass(frozen=True, kw_only=True)
 class Sweeper:
-    """All that a sweep needs beside the optics and the light itself."""
+    """All that a sweep needs beside the optics and the light itself.
+
+    ``share`` is that of ``rays_in_sight``, ``level`` of ``level_weights``, ``reach`` of
+    ``Wandering``; ``thick``, from 0 to 1, and ``sidelit`` say per lane where the tolerance becomes
+    absolute and where light comes from the side: all of eight wavelengths.
+    """
 
     grid: Grid
     parts: int
@@ -213,11 +225,11 @@ class Sweeper:
     azimuths: Azimuths
     expansion: Harmonics
     cancel: Cancel | None
-    share: Float32Array | None = None
-    level: Float32Array | None = None
+    share: Float32Array = field(default_factory=lambda: np.empty(0, np.float32))
+    level: Float32Array = field(default_factory=lambda: np.empty(0, np.float32))
     reach: tuple[float, float] = (0.0, 0.0)
-    thick: FloatArray | None = None
-    sidelit: FloatArray | None = None
+    thick: FloatArray = field(default_factory=lambda: np.empty(0, float))
+    sidelit: FloatArray = field(default_factory=lambda: np.empty(0, float))
 
     def gather(
         self, kernel: Callable[..., None], air: Air, *light: NDArray[Any]
@@ -338,7 +350,7 @@ def _trust(mean: Float32Array, sidelit: FloatArray) -> Float32Array:
 def _counts(mean: Float32Array, thick: FloatArray) -> FloatArray:
     """How much a relative change counts, shape (r, s, 8): less in the night of thick air."""
     bright = np.maximum(mean / (_DIM * mean.max(axis=(0, 1))), 1e-30).astype(float)
-    return np.minimum(bright, 1.0) ** thick
+    return np.asarray(np.minimum(bright, 1.0) ** thick)
 
 
 def _or_at_least(

@@ -8,7 +8,8 @@ inside, where it obeys diffusion and is a linear function of depth.
 Linear interpolation underestimates a light that is curved downwards, each time as if air that
 absorbs nothing did absorb some. In thick air by day the moments are therefore read between radii
 from the cubic through four of them; at the places where it is tabled between two radii, linear
-interpolation serves. At night the light falls e-fold from one radius to the next; there ratios keep it positive.
+interpolation serves. At night the light falls e-fold from one radius to the next; there ratios
+keep it positive.
 """
 
 from __future__ import annotations
@@ -35,6 +36,10 @@ _STEPS: Final = 23
 _SPARED: Final = 0.25
 #: At most so many times the steps of a clear grid.
 _MOST: Final = 4.0
+#: Cuts of a ray through thick air.
+_CUTS: Final = 12
+#: Points of a panel where a ray is cut into many.
+FEW_NODES: Final = 8
 #: Places tabled between two radii of thick air, and the part of thickness from which on they are.
 _PARTS: Final = 3
 _REFINED: Final = 0.5
@@ -109,6 +114,18 @@ def place_levels(even: FloatArray, depths: Depths, count: int) -> Levels:
     return Levels(altitudes, row, parts)
 
 
+def panel_cuts(altitudes: FloatArray, parts: int) -> FloatArray:
+    """Altitudes at which the panels of rays end in thick air, inside the shell. [m]
+
+    A cloud is not a smooth function of altitude as air is: a ray that meets it in one panel has a
+    wrong optical depth, and no weights can make its sum right. Clear air has no cuts.
+    """
+    if parts == 1:
+        return np.empty(0)
+    chosen = np.linspace(0, altitudes.size - 1, _CUTS + 2).round().astype(int)
+    return np.asarray(altitudes[chosen][1:-1])
+
+
 def finer(
     values: Float32Array, scale: Float32Array, level: Float32Array, parts: int
 ) -> Float32Array:
@@ -139,7 +156,7 @@ def finer(
         x = np.float32(part / parts)
         y = 1 - x
         linear = y * values[:-1] + x * values[1:]
-        bend = _bend(values, x)
+        bend = _bend(values, part / parts)
         ratio = (y * scaled[:-1] + x * scaled[1:]) / (y * root[:-1] + x * root[1:])[:, :, None]
         # Where the cubic leaps it means nothing.
         sound = np.abs(bend[:, :, :1]) < _LEAP * linear[:, :, :1]
@@ -178,4 +195,4 @@ def _steps(depth: FloatArray) -> FloatArray:
     growing = np.minimum(near, (_LAST_STEP - _FIRST_STEP) / _GROWTH)
     half = np.log1p(growing * _GROWTH / _FIRST_STEP) / _GROWTH + (near - growing) / _LAST_STEP
     whole = 2.0 * half.max()
-    return np.where(depth < 0.5 * depth[-1], half, whole - half)
+    return np.asarray(np.where(depth < 0.5 * depth[-1], half, whole - half))

@@ -70,8 +70,8 @@ class Light(NamedTuple):
         From ``star_lift``; of no rows where light goes straight. [1]
     bend : float
         Bending over impact parameter and column of the last constituent. [m⁻²]
-    layers : array, shape (n,)
-        From ``layer_edges``: panels end there. [m]
+    ends : array, shape (n,)
+        Altitudes at which panels end, from ``panel_ends``. [m]
     """
 
     grid: Grid
@@ -86,7 +86,7 @@ class Light(NamedTuple):
     brightest: FloatArray
     lift: FloatArray
     bend: float
-    layers: FloatArray
+    ends: FloatArray
 
 
 class Workspace(NamedTuple):
@@ -218,7 +218,7 @@ def march(packet, rays, orders, panels, rules, light, work):
     scattering, field, sun_table = light.scattering, light.field, light.columns
     expansion, table = light.expansion, light.density
     strongest, brightest = light.strongest, light.brightest
-    lift, bend, layers = light.lift, light.bend, light.layers
+    lift, bend, ends = light.lift, light.bend, light.ends
     degree = expansion.degree
     functions, here, there = work.functions, work.here, work.there
     edges, counts = work.edges, work.counts
@@ -234,7 +234,7 @@ def march(packet, rays, orders, panels, rules, light, work):
         r, mu, mu_s, nu = starts[p], cosines[p], sun_cosines[p], angles[p]
         first_cut, second_cut = shadow_edges(r, mu, mu_s, nu, bottom)
         edge_count = place_edges(r, mu, lengths[p], panels, first_cut, second_cut, edges)
-        edge_count = cut_at_corners(r, mu, bottom, layers, edges, edge_count)
+        edge_count = cut_at_corners(r, mu, bottom, ends, edges, edge_count)
         path = (distance[p], radius[p], weight[p], density[p], column[p], total[p], work.scratch)
         end = min(mu_s, (r * mu_s + lengths[p] * nu) / radius_along(r, mu, lengths[p]))
         slant = lengths[p] / (top - bottom)

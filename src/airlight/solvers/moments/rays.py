@@ -20,10 +20,8 @@ from airlight.tables.columns import cut_at_corners, density_table, new_path, tra
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
-#: Of air whose scatterers are all densest at the ground.
-NO_LAYERS: Final[FloatArray] = np.zeros(0)
-#: Points of a panel where layers aloft cut a ray into several.
-_FEWEST: Final = 8
+#: Of clear air whose scatterers are all densest at the ground.
+NO_ENDS: Final[FloatArray] = np.zeros(0)
 
 
 class Rays(NamedTuple):
@@ -80,7 +78,7 @@ def _turn(r, mu, distance, radius, angle, out):
 
 
 @compiled_loop
-def _trace_rays(grid, mu, panels, rule, table, strongest, bend, layers, edges, path, rays):
+def _trace_rays(grid, mu, panels, rule, table, strongest, bend, ends, edges, path, rays):
     count = 0
     here = np.empty(4)
     last = table.shape[1] - 1
@@ -95,7 +93,7 @@ def _trace_rays(grid, mu, panels, rule, table, strongest, bend, layers, edges, p
                 length = max(-r * mu[i, a], 0.0)
             rays.length[i, a] = length
             edge_count = place_edges(r, mu[i, a], length, panels, 0.0, 0.0, edges)
-            edge_count = cut_at_corners(r, mu[i, a], grid.bottom_radius, layers, edges, edge_count)
+            edge_count = cut_at_corners(r, mu[i, a], grid.bottom_radius, ends, edges, edge_count)
             points = trace_resolved(
                 r,
                 mu[i, a],
@@ -136,7 +134,7 @@ def trace_rays(
     panels: int = 1,
     *,
     bend: float = 0.0,
-    layers: FloatArray = NO_LAYERS,
+    ends: FloatArray = NO_ENDS,
 ) -> Rays:
     """Trace all rays of a sweep.
 
@@ -155,8 +153,8 @@ def trace_rays(
     bend : float
         Bending over impact parameter and column of the last constituent; 0 for straight rays.
         [m⁻²]
-    layers : array, shape (n,)
-        From ``layer_edges``: panels end there. [m]
+    ends : array, shape (n,)
+        Altitudes at which panels end, from ``panel_ends``. [m]
     """
     rule = gauss_legendre(angles)
     horizon = -np.sqrt((grid.radii - grid.bottom_radius) * (grid.radii + grid.bottom_radius))
@@ -167,9 +165,7 @@ def trace_rays(
     weight = np.concatenate(
         [(horizon + 1.0) * rule.weights, (1.0 - horizon) * rule.weights], axis=1
     )
-    if layers.size:  # several panels a leg need fewer points each
-        nodes = max(_FEWEST, 3 * nodes // 5)
-    per_ray = nodes * (2 * panels + 6 + 2 * layers.size)
+    per_ray = nodes * (2 * panels + 6 + 2 * ends.size)
     constituents = density.edges.shape[0]
     room = mu.size * per_ray
     rays = Rays(
@@ -194,7 +190,7 @@ def trace_rays(
         density_table(density, grid.top_radius - grid.bottom_radius),
         strongest,
         bend,
-        layers,
+        ends,
         np.empty(MAX_EDGES),
         new_path(per_ray, constituents),
         rays,

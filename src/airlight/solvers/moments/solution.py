@@ -15,10 +15,9 @@ from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel import compiled_loop, disk, source_fingerprint
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
-from airlight.optics.layer_edges import layer_edges
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
-from airlight.solvers.moments.air import make_air
+from airlight.solvers.moments.air import make_air, panel_ends
 from airlight.solvers.moments.harmonics import coefficient_count, harmonics
 from airlight.solvers.moments.iterate import Moments, grid_for, level_light, solve_moments
 from airlight.solvers.moments.march import (
@@ -107,13 +106,13 @@ class MomentsSolution(Solution):
             brightest=medium.scattering.max(axis=1),
             lift=self.paths.lift,
             bend=self.paths.bend,
-            layers=layer_edges(medium.density, medium.scattering.max(axis=1)),
+            ends=panel_ends(medium, moments.grid, moments.parts),
         )
 
     def workspace(self, nodes: int, panels: int) -> Workspace:
         """Scratch for one thread that marches with so many nodes a panel and panels a leg."""
         return new_workspace(
-            nodes * (2 * panels + 10 + 2 * self.light.layers.size),
+            nodes * (2 * panels + 10 + 2 * self.light.ends.size),
             len(self.paths.medium.names),
             coefficient_count(self.moments.degree),
             self.light.air.albedo.size,
