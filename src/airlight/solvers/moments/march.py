@@ -18,7 +18,7 @@ from airlight.geometry.bending import bend_angle, level_light, star_points, turn
 from airlight.geometry.path import MAX_EDGES, place_edges, shadow_edges
 from airlight.geometry.shell import radius_along
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import LANES, exponential, load, splat, store
+from airlight.kernel.lanes import LANES, exponential, load, maximum, splat, store
 from airlight.solvers.moments.grid import Grid, row_of
 from airlight.solvers.moments.harmonics import Harmonics, legendre_functions
 from airlight.solvers.moments.sweep import Air, place_of
@@ -342,7 +342,8 @@ def march(packet, rays, orders, panels, rules, light, work):
                         + w10 * load(field, a10 + at)
                         + w11 * load(field, a10 + block + at)
                     )
-                    source = source + gathered / scale
+                    # A sum of few harmonics may fall below 0 where almost no light goes.
+                    source = source + maximum(gathered / scale, 0.0)
                 tau = splat(0.0)
                 for c in range(constituents):
                     tau = tau + load(extinction, lanes * c + at) * depths[c]
