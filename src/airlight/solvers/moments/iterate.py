@@ -48,7 +48,7 @@ _DARK: Final = 1e-6
 _DIM: Final = 5e-2
 #: Mean radiance below this part of its largest value comes from the side rather than from above
 #: and below: where the transport depth is small, where it is large, and the depth between.
-_SIDELIT: Final = (1e-4, 3e-3)
+_SIDELIT: Final = (1e-4, 2e-2)
 _WANDERS: Final = 5.0
 #: Finished light below this part of the swept one is none.
 _LEAST: Final = 0.1
