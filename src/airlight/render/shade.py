@@ -16,7 +16,8 @@ from airlight.geometry.path import ray_length
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, maximum, minimum, splat, store
-from airlight.solvers.moments.march import ground_light, march
+from airlight.solvers.moments.march import march
+from airlight.solvers.moments.received import ground_light
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]

@@ -16,7 +16,6 @@ from airlight.kernel.lanes import LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
-from airlight.solvers.moments.acceleration import mixing_weights
 from airlight.solvers.moments.air import (
     choose_degree,
     make_air,
@@ -26,6 +25,15 @@ from airlight.solvers.moments.air import (
     transport_depth,
 )
 from airlight.solvers.moments.block_rays import rays_in_sight
+from airlight.solvers.moments.convergence import (
+    Light,
+    counts,
+    mix,
+    or_at_least,
+    relative_change,
+    trust,
+    what_follows,
+)
 from airlight.solvers.moments.coupling import Wandering
 from airlight.solvers.moments.first_order import first_order_radius
 from airlight.solvers.moments.grid import Grid, make_grid
@@ -41,20 +49,10 @@ from airlight.tables.columns import ColumnTable
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Mean radiance below this part of its largest value is dark: it neither steers nor stops.
-_DARK: Final = 1e-6
-#: In thick air the tolerance is relative for mean radiances above this part of the largest one,
-#: and absolute below.
-_DIM: Final = 5e-2
 #: Mean radiance below this part of its largest value comes from the side rather than from above
 #: and below: where the transport depth is small, where it is large, and the depth between.
 _SIDELIT: Final = (1e-4, 2e-2)
 _WANDERS: Final = 5.0
-#: Finished light below this part of the swept one is none.
-_LEAST: Final = 0.1
-#: The shrinkage of a sweep is taken to be no better than this.
-_SHRINKAGE: Final = 0.3
-_STALLED: Final = 0.75
 
 #: How many images the acceleration combines.
 _MEMORY: Final = 7
@@ -100,7 +98,7 @@ def grid_for(medium: Medium, settings: Settings) -> tuple[Grid, int]:
     return make_grid(medium.bottom_radius, medium.top_radius, settings.radii, settings.suns, depths)
 
 
-def level_light(medium: Medium, degree: int, grid: Grid, block: slice) -> Float32Array:
+def weights_of_levels(medium: Medium, degree: int, grid: Grid, block: slice) -> Float32Array:
     """``level_weights`` of some of a medium's wavelengths, shape (s, lanes)."""
     dip = acos(medium.bottom_radius / medium.top_radius)
     return level_weights(grid.sun_cosines, dip, scattering_depth(medium, degree)[block])
@@ -190,7 +188,7 @@ def solve_moments(
         block = slice(first, min(first + LANES, count))
         air = make_air(medium, degree, block)
         watch = _Watch(progress, settings.tolerance, block, medium.wavelengths)
-        level = _filled(level_light(medium, degree, grid, block))
+        level = _filled(weights_of_levels(medium, degree, grid, block))
         thick = _filled(thickness(scattering_depth(medium, degree)[block]))
         low, high = _SIDELIT
         wanders = np.maximum(_filled(transport[block]) / _WANDERS, 1.0)
@@ -306,7 +304,7 @@ def _iterate(
         sweeper.cancel,
     )
     field, sky = wandering.finish(first_field, first_sky)
-    field, sky = _or_at_least(field, sky, first_field, first_sky)
+    field, sky = or_at_least(field, sky, first_field, first_sky)
     images: deque[Light] = deque(maxlen=_MEMORY)
     residuals: deque[FloatArray] = deque(maxlen=_MEMORY)
     for sweep in range(1, settings.max_sweeps + 1):
@@ -315,101 +313,20 @@ def _iterate(
         swept_field += first_field
         swept_sky += first_sky
         more_field, more_sky = wandering.finish(swept_field - field, swept_sky - sky)
-        trust = _trust(swept_field[:, :, 0], sweeper.sidelit)
-        more_field = swept_field - field + trust[:, :, None] * (more_field - swept_field + field)
-        more_sky = swept_sky - sky + trust * (more_sky - swept_sky + sky)
-        new_field, new_sky = _or_at_least(
-            field + more_field, sky + more_sky, swept_field, swept_sky
-        )
-        change = _relative_change(field[:, :, 0], new_field[:, :, 0])
-        change *= _counts(new_field[:, :, 0], sweeper.thick)
+        trusted = trust(swept_field[:, :, 0], sweeper.sidelit)
+        more_field = swept_field - field + trusted[:, :, None] * (more_field - swept_field + field)
+        more_sky = swept_sky - sky + trusted * (more_sky - swept_sky + sky)
+        new_field, new_sky = or_at_least(field + more_field, sky + more_sky, swept_field, swept_sky)
+        change = relative_change(field[:, :, 0], new_field[:, :, 0])
+        change *= counts(new_field[:, :, 0], sweeper.thick)
         images.append((new_field, new_sky))
         residuals.append(change.reshape(-1, LANES))
-        largest = np.abs(change).max(axis=(0, 1))[:used] * _what_follows(residuals)[:used]
+        largest = np.abs(change).max(axis=(0, 1))[:used] * what_follows(residuals)[:used]
         watch.report(float(largest.max()))
-        field, sky = _mix(images, residuals, used, trust)
+        field, sky = mix(images, residuals, used, trusted)
         if largest.max() <= settings.tolerance and sweep > 1:
             return field[..., :used], sky[..., :used], largest, sweep
     raise ConvergenceError(
         f"after {settings.max_sweeps} sweeps the last still changed the light by "
         f"{largest.max():.1e}, more than the tolerance {settings.tolerance:g}"
     )
-
-
-def _trust(mean: Float32Array, sidelit: FloatArray) -> Float32Array:
-    """Where the light along the vertical tells what further sweeps would add, shape (r, s, 8).
-
-    In the night of thick air it does not: there light comes from the side.
-    """
-    most = np.maximum(mean.max(axis=(0, 1)), 1e-30).astype(float)
-    here, column = mean / most, mean.max(axis=0) / most
-    bright = np.maximum(here * column, 0.0)
-    return np.asarray(bright / (bright + np.square(sidelit) + 1e-30), np.float32)
-
-
-def _counts(mean: Float32Array, thick: FloatArray) -> FloatArray:
-    """How much a relative change counts, shape (r, s, 8): less in the night of thick air."""
-    bright = np.maximum(mean / (_DIM * mean.max(axis=(0, 1))), 1e-30).astype(float)
-    return np.asarray(np.minimum(bright, 1.0) ** thick)
-
-
-def _or_at_least(
-    field: Float32Array, sky: Float32Array, swept_field: Float32Array, swept_sky: Float32Array
-) -> Light:
-    """A finished guess, or what was swept where that is far below it: in the dark."""
-    sound = field[:, :, 0] > _LEAST * swept_field[:, :, 0]
-    field = np.where(sound[:, :, None], field, swept_field)
-    return field, np.where(sky > _LEAST * swept_sky, sky, swept_sky)
-
-
-def _relative_change(before: Float32Array, after: Float32Array) -> FloatArray:
-    """Relative change of the mean radiance where it is not dark, else 0; shape (r, s, 8)."""
-    old, new = before.astype(float), after.astype(float)
-    bright = new > _DARK * new.max(axis=(0, 1))
-    return np.asarray(np.where(bright, (new - old) / np.where(bright, new, 1.0), 0.0))
-
-
-Light = tuple[Float32Array, Float32Array]
-
-
-def _what_follows(residuals: deque[FloatArray]) -> FloatArray:
-    """All later changes together over the last one, ρ/(1 - ρ), per lane. [1]
-
-    ρ is by how much the changes shrank with the last two sweeps, each.
-    """
-    sizes = [np.sqrt(np.square(one).sum(axis=0)) for one in residuals]
-    before = sizes[-min(len(sizes), 3)]
-    steps = max(min(len(sizes), 3) - 1, 1)
-    ratio = np.divide(sizes[-1], before, out=np.full(LANES, 0.5), where=before > 0.0)
-    if len(sizes) == 1:
-        ratio[:] = 0.5
-    ratio = np.clip(ratio ** (1.0 / steps), _SHRINKAGE, _STALLED)
-    return np.asarray(ratio / (1.0 - ratio))
-
-
-def _mix(
-    images: deque[Light], residuals: deque[FloatArray], used: int, trust: Float32Array
-) -> Light:
-    """The next guess: for each wavelength its own combination of the last images."""
-    weights = np.zeros((len(images), LANES), np.float32)
-    weights[-1] = 1.0
-    for lane in range(used):
-        weights[:, lane] = mixing_weights(np.stack([one[:, lane] for one in residuals]))
-    last_field, last_sky = images[-1]
-    field = np.zeros_like(last_field)
-    sky = np.zeros_like(last_sky)
-    for (one_field, one_sky), weight in zip(images, weights, strict=True):
-        field += one_field * weight
-        sky += one_sky * weight
-    field = last_field + trust[:, :, None] * (field - last_field)
-    sky = last_sky + trust * (sky - last_sky)
-    # In the dark, and where it leaps, the combination means nothing: keep what was computed.
-    sound = _is_near(field[:, :, 0], last_field[:, :, 0])
-    field = np.where(sound[:, :, None], field, last_field)
-    return field, np.where(_is_near(sky, last_sky), sky, last_sky)
-
-
-def _is_near(mixed: Float32Array, computed: Float32Array) -> NDArray[np.bool_]:
-    """Whether a mixed value is within a factor of two of a computed one that is not dark."""
-    lit = computed > _DARK * computed.max(axis=(0, 1))
-    return np.asarray(lit & (mixed > 0.5 * computed) & (mixed < 2.0 * computed))

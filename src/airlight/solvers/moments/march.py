@@ -14,7 +14,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.geometry.bending import bend_angle, level_light, star_points, turned
+from airlight.geometry.bending import bend_angle, star_points, turned
 from airlight.geometry.path import MAX_EDGES, place_edges, shadow_edges
 from airlight.geometry.shell import radius_along
 from airlight.kernel import compiled_loop, inlined
@@ -360,80 +360,3 @@ def times_cosines(functions, step, degree):
             functions[index] *= multiple
             index += l + 1
         before, multiple = multiple, 2.0 * step * multiple - before
-
-
-@compiled_loop
-def ground_light(mu_s, orders, light, work):
-    """Irradiance of level ground per irradiance of the star, into ``work.received``. [1]
-
-    ``orders`` as in ``march``.
-    """
-    grid, air = light.grid, light.air
-    bottom, lanes = grid.bottom_radius, air.albedo.size
-    top = grid.top_radius
-    from_low, from_high, below, above = level_light(
-        bottom, mu_s, bottom, top, air.star_radius, light.lift
-    )
-    direct = from_low + from_high
-    if direct > 0.0:
-        columns_to_top(bottom, below, bottom, top, light.columns, work.here)
-        columns_to_top(bottom, above, bottom, top, light.columns, work.there)
-    x = place_of(mu_s, grid.place)
-    place = min(int(x), grid.sun_cosines.size - 2)
-    e = np.float32(x - place)
-    g = np.float32(1.0) - e
-    for at in range(0, lanes, LANES):
-        received = splat(0.0)
-        if orders != 0 and direct > 0.0:
-            received = through_columns(work.here, air.extinction, lanes, at) * np.float32(
-                from_low
-            ) + through_columns(work.there, air.extinction, lanes, at) * np.float32(from_high)
-        if orders != 1:
-            low = place * 2 * lanes + at
-            high = low + 2 * lanes
-            received = received + (
-                g * load(light.sky, low + lanes) + e * load(light.sky, high + lanes)
-            ) / (g * load(light.sky, low) + e * load(light.sky, high))
-        store(work.received, at, received)
-
-
-@compiled_loop
-def direct_irradiance(r, mu_s, light, work, out):
-    """Irradiance of a level surface by the star, for arrays of radii and star cosines. [1]"""
-    bottom, top = light.grid.bottom_radius, light.grid.top_radius
-    lanes = light.air.albedo.size
-    for k in range(r.size):
-        from_low, from_high, low, high = level_light(
-            r[k], mu_s[k], bottom, top, light.air.star_radius, light.lift
-        )
-        columns_to_top(r[k], low, bottom, top, light.columns, work.here)
-        columns_to_top(r[k], high, bottom, top, light.columns, work.there)
-        for at in range(0, lanes, LANES):
-            through = through_columns(work.here, light.air.extinction, lanes, at)
-            there = through_columns(work.there, light.air.extinction, lanes, at)
-            store(out[k], at, through * np.float32(from_low) + there * np.float32(from_high))
-
-
-@compiled_loop
-def sky_irradiance(r, mu_s, light, out):
-    """Irradiance of a level surface by the sky, for arrays of radii and star cosines. [1]"""
-    grid = light.grid
-    bottom, top = grid.bottom_radius, grid.top_radius
-    suns, lanes = grid.sun_cosines.size, light.air.albedo.size
-    for k in range(r.size):
-        row = min(int(row_of(r[k], bottom, top, grid.row)), grid.radii.size - 2)
-        # Linear in altitude: aloft the sky's light falls as the air above does, exponentially.
-        f = (r[k] - grid.radii[row]) / (grid.radii[row + 1] - grid.radii[row])
-        x = place_of(mu_s[k], grid.place)
-        place = min(int(x), suns - 2)
-        e = x - place
-        for at in range(0, lanes, LANES):
-            scale = splat(0.0)
-            value = splat(0.0)
-            for corner in range(4):
-                up, right = corner // 2, corner % 2
-                weight = np.float32((f if up else 1.0 - f) * (e if right else 1.0 - e))
-                node = ((row + up) * suns + place + right) * 2 * lanes + at
-                scale = scale + weight * load(light.sky, node)
-                value = value + weight * load(light.sky, node + lanes)
-            store(out[k], at, value / scale)

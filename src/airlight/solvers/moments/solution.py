@@ -19,18 +19,16 @@ from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.air import make_air, panel_ends
 from airlight.solvers.moments.harmonics import coefficient_count, harmonics
-from airlight.solvers.moments.iterate import Moments, grid_for, level_light, solve_moments
+from airlight.solvers.moments.iterate import Moments, grid_for, solve_moments, weights_of_levels
 from airlight.solvers.moments.march import (
     Light,
     Workspace,
-    direct_irradiance,
-    ground_light,
     march,
     new_packet,
     new_workspace,
-    sky_irradiance,
 )
 from airlight.solvers.moments.packing import pack, pack_light
+from airlight.solvers.moments.received import direct_irradiance, ground_light, sky_irradiance
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Report, Solution
@@ -90,7 +88,7 @@ class MomentsSolution(Solution):
             missing = -values.shape[-1] % LANES
             return np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
 
-        level = filled(level_light(medium, moments.degree, moments.grid, slice(None)))
+        level = filled(weights_of_levels(medium, moments.degree, moments.grid, slice(None)))
         field, sky = pack_light(filled(moments.field), filled(moments.sky), level, moments.parts)
         table = ColumnTable(medium.bottom_radius, medium.top_radius, moments.columns)
         return Light(
