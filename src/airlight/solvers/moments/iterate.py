@@ -18,6 +18,7 @@ from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.air import (
     choose_degree,
+    column_rows,
     make_air,
     optical_depths,
     panel_ends,
@@ -173,7 +174,7 @@ def solve_moments(
         medium.bottom_radius,
         medium.top_radius,
         medium.density,
-        (settings.column_radii, settings.column_directions),
+        (column_rows(medium, settings), settings.column_directions),
     )
     ratios = mean_density_ratios(table)
     wide = optical_depths(medium, degree).reach
