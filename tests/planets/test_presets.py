@@ -179,6 +179,18 @@ def test_mars_has_the_dust_of_the_golden_check():
     assert np.all(np.diff(medium.ground_albedo) < 0.0)
 
 
+def test_mars_by_coefficients_has_the_printed_optics_of_dust():
+    # gamma(1.6 µm, 0.3), exact Mie: ⟨Q⟩ 2.440, 2.370, 2.310; albedo .970, .839, .702;
+    # g .718, .774, .834: the file's lists, and half the last printed digit of a ratio
+    medium = medium_of("mars-standard")
+    dust = medium.vertical_optical_depth[1]
+    assert_allclose(dust / dust[1], np.array([2.440, 2.370, 2.310]) / 2.370, rtol=0, atol=2e-4)
+    assert_allclose(medium.single_scattering_albedo[1], [0.970, 0.839, 0.702], rtol=1e-12)
+    assert_allclose(medium.phase_moments(1)[1, :, 1], [0.718, 0.774, 0.834], rtol=0, atol=1e-9)
+    # Rayleigh on Mars: (0.1023, 0.2429, 0.6081)e-6 with δ = 0.09, 2 % less with Alms's King factor
+    assert_allclose(1e6 * medium.scattering[0], [0.1023, 0.2429, 0.6081], rtol=0.025)
+
+
 def test_hazy_earth_has_the_optics_of_opac():
     # Hess et al. 1998, Table 4, continental polluted: 0.175 /km, 0.892, 0.698, Ångström 1.13 and
     # 1.45; OPAC 3.1 prints 0.1746, 0.8925, 0.6977. Half the last printed digit

@@ -187,6 +187,5 @@ def test_a_thick_cloud_lets_through_what_asymptotic_theory_says(
         f"cloud of optical depth {depth:.0f}: transmits {received:.4f}, theory {expected:.4f}; "
         f"{solution.report.sweeps} sweeps, {solution.report.seconds:.1f} s"
     )
-    # 0.5 % of the light that came.
-    assert_allclose(received, expected, rtol=0, atol=5e-3)
+    assert_allclose(received, expected, rtol=0.02)
     assert solution.report.sweeps < 15

@@ -15,6 +15,8 @@ Float32Array = NDArray[np.float32]
 
 #: Optical depth beyond which a point is not seen: 1e-6 of its light comes through. [1]
 _OUT_OF_SIGHT: Final = 14.0
+#: What ``Rays`` holds for each point.
+_ALONG: Final = ("radius", "mu_along", "turn", "amount", "column")
 #: A ray's sum may be off by so much at most; more is a ray without points that count.
 _MOST: Final = 0.5
 
@@ -53,10 +55,6 @@ def rays_in_sight(rays: Rays, air: Air) -> tuple[Rays, Float32Array]:
     kept = np.bincount(owner, minlength=counts.size).reshape(counts.shape)
     starts = np.concatenate([[0], np.cumsum(kept.ravel())])
     begin, end = starts[:-1].reshape(counts.shape), starts[1:].reshape(counts.shape)
-    along = {
-        name: getattr(rays, name)[seen]
-        for name in rays._fields
-        if getattr(rays, name).shape[0] == seen.size
-    }
+    along = {name: getattr(rays, name)[seen] for name in _ALONG}
     start = np.concatenate([begin, end[:, -1:]], axis=1)
     return rays._replace(start=start, **along), share.astype(np.float32).reshape(-1)

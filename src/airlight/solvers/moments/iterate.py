@@ -40,7 +40,7 @@ from airlight.solvers.moments.first_order import first_order_radius
 from airlight.solvers.moments.grid import Grid, make_grid
 from airlight.solvers.moments.harmonics import Harmonics, coefficient_count, harmonics
 from airlight.solvers.moments.levels import FEW_NODES
-from airlight.solvers.moments.packing import level_weights, pack_light, thickness
+from airlight.solvers.moments.packing import filled, level_weights, pack_light, thickness
 from airlight.solvers.moments.rays import Rays, trace_rays
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.sweep import Air, Azimuths, sweep_radius
@@ -99,16 +99,10 @@ def grid_for(medium: Medium, settings: Settings) -> tuple[Grid, int]:
     return make_grid(medium.bottom_radius, medium.top_radius, settings.radii, settings.suns, depths)
 
 
-def weights_of_levels(medium: Medium, degree: int, grid: Grid, block: slice) -> Float32Array:
-    """``level_weights`` of some of a medium's wavelengths, shape (s, lanes)."""
-    dip = acos(medium.bottom_radius / medium.top_radius)
-    return level_weights(grid.sun_cosines, dip, scattering_depth(medium, degree)[block])
-
-
-def _filled(values: NDArray[Any]) -> NDArray[Any]:
-    """Wavelengths (..., w) in whole groups of lanes, the last one repeated."""
-    missing = -values.shape[-1] % LANES
-    return np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
+def weights_of_levels(grid: Grid, depth: FloatArray) -> Float32Array:
+    """``level_weights`` of a grid's suns, for vertical scattering depths (w,), shape (s, w)."""
+    dip = acos(grid.bottom_radius / grid.top_radius)
+    return level_weights(grid.sun_cosines, dip, depth)
 
 
 def even_azimuths(degree: int, count: int) -> Azimuths:
@@ -178,7 +172,7 @@ def solve_moments(
     )
     ratios = mean_density_ratios(table)
     wide = optical_depths(medium, degree).reach
-    transport = transport_depth(medium)
+    depth, transport = scattering_depth(medium, degree), transport_depth(medium)
     count = medium.wavelengths.size
     radii = gathering.radii.size
     field = np.empty((radii, settings.suns, coefficient_count(degree), count), np.float32)
@@ -189,10 +183,10 @@ def solve_moments(
         block = slice(first, min(first + LANES, count))
         air = make_air(medium, degree, block)
         watch = _Watch(progress, settings.tolerance, block, medium.wavelengths)
-        level = _filled(weights_of_levels(medium, degree, grid, block))
-        thick = _filled(thickness(scattering_depth(medium, degree)[block]))
+        level = filled(weights_of_levels(grid, depth[block]))
+        thick = filled(thickness(depth[block]))
         low, high = _SIDELIT
-        wanders = np.maximum(_filled(transport[block]) / _WANDERS, 1.0)
+        wanders = np.maximum(filled(transport[block]) / _WANDERS, 1.0)
         sidelit = thick * np.minimum(low * wanders**3, high)
         # A layer of transport depth τ loses π²/(3τ²) of its light by a scattering: diffusion.
         reach = (wide, 6.0 / pi**2 * wide * float(transport[block].max()))

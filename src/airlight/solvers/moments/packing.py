@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,14 +19,18 @@ _FLOOR: Final = 1e-20
 _DUSK: Final = 0.3
 
 
-def pack(values: FloatArray) -> Float32Array:
-    """Wavelengths on the last axis to flat float32 in whole groups of eight lanes.
+def filled(values: NDArray[Any]) -> NDArray[Any]:
+    """Wavelengths (..., w) in whole groups of eight lanes.
 
     Lanes without a wavelength repeat the last one, so that they compute nothing strange.
     """
     missing = -values.shape[-1] % LANES
-    padded = np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
-    return np.ascontiguousarray(padded, dtype=np.float32).reshape(-1)
+    return np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
+
+
+def pack(values: FloatArray) -> Float32Array:
+    """Wavelengths on the last axis to flat float32 in whole groups of eight lanes."""
+    return np.ascontiguousarray(filled(values), dtype=np.float32).reshape(-1)
 
 
 def as_ratios(values: Float32Array, scale_from: Float32Array) -> Float32Array:

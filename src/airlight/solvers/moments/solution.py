@@ -17,7 +17,7 @@ from airlight.kernel.lanes import INVERSE_PI, LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
-from airlight.solvers.moments.air import make_air, panel_ends
+from airlight.solvers.moments.air import make_air, panel_ends, scattering_depth
 from airlight.solvers.moments.harmonics import coefficient_count, harmonics
 from airlight.solvers.moments.iterate import Moments, grid_for, solve_moments, weights_of_levels
 from airlight.solvers.moments.march import (
@@ -27,7 +27,7 @@ from airlight.solvers.moments.march import (
     new_packet,
     new_workspace,
 )
-from airlight.solvers.moments.packing import pack, pack_light
+from airlight.solvers.moments.packing import filled, pack, pack_light
 from airlight.solvers.moments.received import direct_irradiance, ground_light, sky_irradiance
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.sight import Sight
@@ -84,11 +84,8 @@ class MomentsSolution(Solution):
         """What ``march`` needs, for all wavelengths."""
         moments, medium = self.moments, self.paths.medium
 
-        def filled(values: Float32Array) -> Float32Array:
-            missing = -values.shape[-1] % LANES
-            return np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
-
-        level = filled(weights_of_levels(medium, moments.degree, moments.grid, slice(None)))
+        depth = scattering_depth(medium, moments.degree)
+        level = filled(weights_of_levels(moments.grid, depth))
         field, sky = pack_light(filled(moments.field), filled(moments.sky), level, moments.parts)
         table = ColumnTable(medium.bottom_radius, medium.top_radius, moments.columns)
         return Light(
