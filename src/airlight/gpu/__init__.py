@@ -1,1 +1,1 @@
-"""The same pictures by WebGPU: devices, flat tables and passes. Needs the extra ``view``."""
+"""Pictures and solutions on the GPU, from the same formulas as on the CPU."""
