@@ -118,7 +118,7 @@ class Emitter:
     _names: set[str] = field(default_factory=set)
     _in_progress: set[Any] = field(default_factory=set)
 
-    def add(self, function: Callable[..., Any], *arguments: Value) -> Emitted:
+    def add(self, function: Callable[..., Any], *arguments: Value, name: str = "") -> Emitted:
         """Emit a function for arguments of these types, and all that it calls.
 
         Parameters
@@ -127,6 +127,9 @@ class Emitter:
             Or a plain Python function.
         *arguments : Value
             One for each parameter.
+        name : str
+            In the shader; by default the function's own, numbered where it is emitted for several
+            types.
 
         Raises
         ------
@@ -144,17 +147,20 @@ class Emitter:
         source = inspect.getsource(plain)
         tree = ast.parse(textwrap.dedent(source)).body[0]
         assert isinstance(tree, ast.FunctionDef)
-        names = [one.arg for one in tree.args.args]
-        if len(names) != len(bound):
+        parameters = [one.arg for one in tree.args.args]
+        if len(parameters) != len(bound):
             raise SubsetError(
                 f"{plain.__module__}.{plain.__name__}: {len(bound)} arguments for "
-                f"{len(names)} parameters"
+                f"{len(parameters)} parameters"
             )
-        name, copy = plain.__name__.strip("_"), 2
+        wanted = name or plain.__name__.strip("_")
+        if wanted.startswith(("read_", "size_")):  # so are the functions of tables
+            wanted = f"{wanted}_here"
+        name, copy = wanted, 2
         while name in self._names:
-            name, copy = f"{plain.__name__.strip('_')}_{copy}", copy + 1
+            name, copy = f"{wanted}_{copy}", copy + 1
         self._names.add(name)
-        made = Emitted(name, plain, tuple(zip(names, bound, strict=True)))
+        made = Emitted(name, plain, tuple(zip(parameters, bound, strict=True)))
         _Body(self, made, tree).write()
         self._in_progress.discard(plain)
         self.emitted[key] = made
