@@ -19,8 +19,8 @@ BOTTOM = 6360e3
 def test_a_bent_line_ends_further_round_the_planet(zenith: float, angle: float) -> None:
     # Geometry: in the plane of the line the end turns about the centre by the angle.
     slant = math.radians(180.0 - zenith)
-    end = np.array([BOTTOM * math.sin(0.3), 0.0, BOTTOM * math.cos(0.3)])
-    up, away = end / BOTTOM, np.array([math.cos(0.3), 0.0, -math.sin(0.3)])
+    up, away = np.linalg.qr(np.random.default_rng(6).normal(size=(3, 2)))[0].T
+    end = BOTTOM * up
     line = math.sin(slant) * away - math.cos(slant) * up
     moved = np.array(moved_on(*end, *line, math.cos(slant), angle, BOTTOM))
     wanted = BOTTOM * (math.cos(angle) * up + math.sin(angle) * away)
