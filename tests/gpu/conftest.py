@@ -44,7 +44,7 @@ def device() -> Device:
 
 @pytest.fixture(scope="session")
 def on_gpu(device: Device) -> Callable[..., Any]:
-    """``on_gpu(function, *inputs, tables={}, spectra={})``: what the function's WGSL makes of the inputs.
+    """``on_gpu(function, *inputs, tables={}, spectra={})``: what its WGSL makes of the inputs.
 
     An input is an array or a number, handed over at run time (floats as f32, whole numbers as
     i32, bools), or a ``Value`` of the emitter, such as a ``Constant``. ``tables`` and ``spectra``,
