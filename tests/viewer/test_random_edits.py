@@ -10,6 +10,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+import pytest
 
 from airlight.errors import ParameterError
 from airlight.planets import Planet

@@ -110,6 +110,16 @@ def test_a_drag_is_one_step_however_long_it_takes(session: Session, clock: Clock
     assert snapshot(session) == start
 
 
+def test_a_drag_that_changes_nothing_is_no_step(session: Session) -> None:
+    # Neither is there something to undo, nor is what was undone forgotten.
+    session.set("ground.albedo", 0.5)
+    session.undo()
+    session.begin_drag("ground.albedo")
+    session.end_drag()
+    assert session.can_redo
+    assert not session.can_undo
+
+
 def test_quick_edits_of_one_parameter_are_one_step_and_slow_ones_are_not(
     session: Session, clock: Clock
 ) -> None:
@@ -152,6 +162,21 @@ def test_mole_fractions_make_room_for_each_other_and_come_back_on_a_drag() -> No
     assert_allclose(sum(gases.values()), 0.78084 + 0.209476 + 0.00934 + 0.000314, rtol=1e-8)
     assert_allclose(gases["O2"] / gases["Ar"], 0.209476 / 0.00934, rtol=1e-7)
     assert gases["N2"] == 0.3
+
+
+def test_a_tabulated_phase_function_keeps_its_integral(session: Session, tmp_path: Path) -> None:
+    # The reader refuses one that is off by more than 0.001; a drag ends where it would have
+    # without its way there.
+    session.set("aerosol.phase_function.kind", "tabulated")
+    path = "aerosol.phase_function.values[0]"
+    session.begin_drag(path)
+    for value in (1.0, 30.0, 0.5):
+        session.set(path, value)
+        session.save_planet(tmp_path / "table.toml")
+        load_planet(tmp_path / "table.toml")
+    session.end_drag()
+    ratio = session.value(path) / session.value("aerosol.phase_function.values[1]")
+    assert_allclose(ratio, 0.5 * 4.0 * math.pi, rtol=1e-7)
 
 
 def test_the_air_moves_with_the_ground(session: Session) -> None:

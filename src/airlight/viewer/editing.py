@@ -93,6 +93,7 @@ class Editing:
         self._side = Side(PlanetState.opened(planet), dict(DEFAULTS))
         self._other: Side | None = None
         self._showing = "A"
+        self._dragged = ""
         self._versions = Versions(1, 1, 1)
         self._followers: list[Callable[[Versions], None]] = []
         self.size = DEFAULT_SIZE
@@ -274,7 +275,8 @@ class Editing:
         if joined is not None:
             joined.before, joined.after, joined.time = before, after, now
         else:
-            self._side.history.add(Step(part, path, before, after, now))
+            dragged = path == self._dragged
+            self._side.history.add(Step(part, path, before, after, now, open=dragged))
         self._put(part, after)
 
     def _put(self, part: str, after: Any) -> None:
@@ -291,13 +293,11 @@ class Editing:
     def begin_drag(self, path: str) -> None:
         """All edits of a parameter until ``end_drag`` are one step."""
         self.end_drag()
-        parameter = self.parameter(path)
-        part = "view" if parameter.path in self._side.view else "planet"
-        now = self._part(part)
-        self._side.history.add(Step(part, parameter.path, now, now, self._clock(), open=True))
+        self._dragged = self.parameter(path).path
 
     def end_drag(self) -> None:
         """The next edit is a step of its own."""
+        self._dragged = ""
         self._side.history.close()
 
     def undo(self) -> str | None:
