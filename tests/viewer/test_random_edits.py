@@ -177,3 +177,41 @@ def three(planet: Planet) -> np.ndarray:
     from airlight.color.spectral import default_wavelengths
 
     return default_wavelengths(3, *planet.wavelength_limits)
+
+
+@pytest.mark.slow
+def test_random_edits_of_particles(tell: Callable[[str], None]) -> None:
+    # As above for exact Mie, whose new sizes and indices take seconds: fewer edits, of those keys.
+    chance = random.Random(5)
+    clock = iter(range(10**9))
+    session = Session("mars-openspace", clock=lambda: float(next(clock)))
+    session.resize(6, 4)
+    session.set("light.quality", "preview")
+    refused: list[str] = []
+    pictures = 0
+    with Solving(
+        session, solver=quickly, wavelengths=lambda planet, count: three(planet)
+    ) as solving:
+        for edit in range(40):
+            particles = [one for one in session.parameters if ".particles." in one.path]
+            one = chance.choice(particles)
+            # Mie of the largest particles takes a minute: a slider's middle will do here.
+            value = "mie" if edit == 20 else one.at(chance.random() * 0.7)
+            path = "dust.particles.method" if edit == 20 else one.path
+            if edit != 20 and one.kind != "number":
+                value = drawn(one, chance)
+            session.set(path, value)
+            assert solving.wait(10 * LONG), (path, solving.status)
+            assert solving.status.version == session.versions.planet
+            if solving.status.error:
+                assert not re.match(r"[A-Za-z]+: ", solving.status.error), solving.status.error
+                refused.append(without_places(solving.status.error))
+                session.undo()
+                assert solving.wait(10 * LONG), (path, solving.status)
+                continue
+            assert solving.latest is not None
+            assert solving.latest.version == session.versions.planet
+            assert np.isfinite(render(solving.latest.solution, session.scene).rgb).all()
+            pictures += 1
+    tell(f"random edits of particles: {pictures} pictures of 40, refused: {sorted(set(refused))}")
+    assert pictures > 20
