@@ -54,6 +54,8 @@ MARCHES: Final = {
     "preview": March(easy_nodes=8, nodes=12, grazing_nodes=24, panels=1),
     "default": March(easy_nodes=8, nodes=12, grazing_nodes=24, panels=1),
 }
+#: Orders of scattering that a picture may show, as ``march`` calls them.
+ORDERS: Final = {"all": 2, "single": 1, "multiple": 0}
 _FINE: Final = March(easy_nodes=20, nodes=20, grazing_nodes=24, panels=2)
 
 
@@ -61,6 +63,7 @@ def render(
     solution: MomentsSolution,
     scene: Scene,
     *,
+    orders: str = "all",
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Frame:
@@ -72,6 +75,9 @@ def render(
         Of at least three wavelengths.
     scene : Scene
         Observer, star and camera.
+    orders : str
+        ``"all"``; ``"single"``: what was scattered or reflected exactly once, and the star's disc;
+        ``"multiple"``: the rest.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -83,7 +89,8 @@ def render(
     Raises
     ------
     ParameterError
-        If the solution is of another solver: pictures march the moments.
+        If the solution is of another solver: pictures march the moments; or if there are no
+        such orders.
     Cancelled
         If ``cancel`` said so.
     """
@@ -92,6 +99,8 @@ def render(
             "solution", solution.report.solver, "a solution of the moments solver: a picture "
             "marches its moments",
         )  # fmt: skip
+    if orders not in ORDERS:
+        raise ParameterError("orders", orders, ", ".join(ORDERS))
     camera = scene.camera
     observer = solution.medium.bottom_radius + scene.altitude
     rgb = np.zeros((camera.height, camera.width, 3), np.float32)
@@ -114,12 +123,16 @@ def render(
         directions = camera.directions(chosen)
         work = solution.workspace(march.grazing_nodes, march.panels)
         packet = new_packet(light.scattering.size)
-        _shade_rows(directions, view, paint, light, march.panels, rules, packet, work, rgb[chosen])
+        _shade_rows(
+            directions, view, paint, light, ORDERS[orders], march.panels, rules, packet, work,
+            rgb[chosen],
+        )  # fmt: skip
 
     run_blocks(
         rows, -(-camera.height // step), cancel=cancel, progress=progress, message="rendering"
     )
-    add_sun_disc(rgb, solution, scene, weights)
+    if orders != "multiple":
+        add_sun_disc(rgb, solution, scene, weights)
     wavelengths = ", ".join(f"{nm:g}" for nm in solution.wavelengths)
     return Frame(
         rgb=rgb,
@@ -132,9 +145,9 @@ def render(
 
 
 @compiled_loop
-def _shade_rows(directions, view, paint, light, panels, rules, packet, work, out):
+def _shade_rows(directions, view, paint, light, orders, panels, rules, packet, work, out):
     for row in range(directions.shape[0]):
-        shade(directions[row], view, paint, light, panels, rules, packet, work, out[row])
+        shade(directions[row], view, paint, light, orders, panels, rules, packet, work, out[row])
 
 
 def _march_for(solution: MomentsSolution) -> March:

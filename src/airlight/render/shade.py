@@ -141,7 +141,7 @@ def ground_color(pixel, reach, cosine, angle, directions, view, paint, bottom, c
 
 
 @compiled_loop
-def shade(directions, view, paint, light, panels, rules, packet, work, out):
+def shade(directions, view, paint, light, orders, panels, rules, packet, work, out):
     """The pixels of one row.
 
     Parameters
@@ -150,7 +150,7 @@ def shade(directions, view, paint, light, panels, rules, packet, work, out):
         Unit vectors in the local frame; a zero vector leaves its pixel black.
     view, paint, light : View, Paint, Light
         Who looks, the colours, the solution.
-    panels, rules : int, three tuples of arrays
+    orders, panels, rules : int, int, three tuples of arrays
         As in ``march``.
     packet, work : Packet, Workspace
         Scratch.
@@ -190,9 +190,10 @@ def shade(directions, view, paint, light, panels, rules, packet, work, out):
             pixels[rays], ways[rays] = pixel, way
             rays += 1
         if rays == size or (rays > 0 and pixel == directions.shape[0] - 1):
-            march(packet, rays, 2, panels, rules, light, work)
+            march(packet, rays, orders, panels, rules, light, work)
             for p in range(rays):
-                finish(p, pixels[p], ways[p], directions, view, paint, light, packet, work, out)
+                at, way = pixels[p], ways[p]
+                finish(p, at, way, directions, view, paint, light, orders, packet, work, out)
             rays = 0
 
 
@@ -209,7 +210,7 @@ def read_phase(half_sine, table, nodes, out):
 
 
 @compiled_loop
-def finish(p, pixel, way, directions, view, paint, light, packet, work, out):
+def finish(p, pixel, way, directions, view, paint, light, orders, packet, work, out):
     """Add the ground behind the air of one ray, and turn its light into colour."""
     lanes = light.air.albedo.size
     bottom = light.grid.bottom_radius
@@ -222,7 +223,7 @@ def finish(p, pixel, way, directions, view, paint, light, packet, work, out):
             angle = bend_angle(r, mu, light.bend, work.total[p, work.total.shape[1] - 1])
             mu_ground = (r * mu + length) / bottom
             mu_s_ground, _ = turned(mu_ground, mu_s_ground, packet.nu[p], angle)
-        ground_light(min(max(mu_s_ground, -1.0), 1.0), 2, light, work)
+        ground_light(min(max(mu_s_ground, -1.0), 1.0), orders, light, work)
         color = np.zeros(3)
         if paint.mapped:
             slant = -(r * mu + length) / bottom
