@@ -59,7 +59,7 @@ def parameters_of(tables: Tables) -> tuple[Parameter, ...]:
     Examples
     --------
     >>> from airlight.planets.reader import planet_tables, planet_text
-    >>> mars = planet_tables(*planet_text("mars")[:2])
+    >>> mars = spelled_out(planet_tables(*planet_text("mars")[:2]))
     >>> [(one.path, one.unit) for one in parameters_of(mars) if one.group == "shell"]
     [('shell.bottom_radius', 'km'), ('shell.top_radius', 'km')]
     """

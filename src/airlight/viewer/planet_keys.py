@@ -72,7 +72,7 @@ _ROOT: Final = (
     Key(name="refraction", label="refraction", kind="choice", default="none",
         words=lambda: ("none", "bouguer"),
         help="Whether the gases bend light, so that the star is seen lifted and flattened."),
-    Key(name="shell", label="shell", kind="table", table="shell", help="Ground and top of the air."),
+    Key(name="shell", label="shell", kind="table", table="shell", help="Where the air lies."),
     Key(name="ground", label="ground", kind="table", table="ground", help="What lies below."),
     Key(name="star", label="star", kind="table", table="star", help="What shines."),
     Key(name="constituents", label="constituents", kind="table", table="constituent",
