@@ -22,11 +22,14 @@ class ParameterRows:
         Only parameters with all these words in name, group or help are shown.
     advanced : bool
         Whether those of the composition are shown too.
+    places : dict
+        Where each row's control was drawn last: left, top, right, bottom. [logical pixel]
     """
 
     def __init__(self) -> None:
         self.search = ""
         self.advanced = False
+        self.places: dict[str, tuple[float, float, float, float]] = {}
 
     def draw_search(self, hidden: int) -> None:
         """The line above the rows.
@@ -57,6 +60,7 @@ class ParameterRows:
         values: Callable[[Parameter], Value],
         defaults: Callable[[Parameter], Value],
         change: Callable[[str, Value], None],
+        reset: Callable[[str], None],
         *,
         closed: Iterable[str] = (),
     ) -> None:
@@ -70,6 +74,8 @@ class ParameterRows:
             What a parameter is set to, and what it was.
         change : callable
             ``change(path, value)`` after each movement of a control.
+        reset : callable
+            ``reset(path)`` when a parameter shall be what it was.
         closed : iterable of str
             Groups that are folded at first.
         """
@@ -88,7 +94,7 @@ class ParameterRows:
             title = f"{group}   · {changed} changed" if changed else group
             if imgui.collapsing_header(f"{title}###{group}"):
                 imgui.push_id(group)
-                self._group(rows, values, defaults, change)
+                self._group(rows, values, defaults, change, reset)
                 imgui.pop_id()
                 imgui.dummy(imgui.ImVec2(0.0, 3.0))
 
@@ -98,6 +104,7 @@ class ParameterRows:
         values: Callable[[Parameter], Value],
         defaults: Callable[[Parameter], Value],
         change: Callable[[str, Value], None],
+        reset: Callable[[str], None],
     ) -> None:
         from imgui_bundle import imgui
 
@@ -109,9 +116,12 @@ class ParameterRows:
                 if not imgui.tree_node(f"{name}: {len(items)} values###{part_of}"):
                     continue
             for one in items:
-                new = parameter_row(one, values(one), defaults(one))
-                if new is not None:
-                    change(one.path, new)
+                answer = parameter_row(one, values(one), defaults(one))
+                self.places[one.path] = answer.place
+                if answer.reset:
+                    reset(one.path)
+                elif answer.value is not None:
+                    change(one.path, answer.value)
             if folds:
                 imgui.tree_pop()
 

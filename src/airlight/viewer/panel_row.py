@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 from airlight.viewer import window_style as style
 from airlight.viewer.parameter import Parameter, Value
@@ -13,7 +13,25 @@ _NAME_WIDTH = 138.0
 _RESET_WIDTH = 26.0
 
 
-def parameter_row(parameter: Parameter, value: Value, default: Value) -> Value | None:
+class Answer(NamedTuple):
+    """What the user did to a row.
+
+    Attributes
+    ----------
+    value : float, str, bool or None
+        The new value, or None if it was left alone.
+    reset : bool
+        Whether it shall go back to the default.
+    place : (float, float, float, float)
+        Where the control is: left, top, right, bottom. [logical pixel]
+    """
+
+    value: Value | None
+    reset: bool
+    place: tuple[float, float, float, float]
+
+
+def parameter_row(parameter: Parameter, value: Value, default: Value) -> Answer:
     """Draw a row, and say what the user changed.
 
     Parameters
@@ -27,8 +45,7 @@ def parameter_row(parameter: Parameter, value: Value, default: Value) -> Value |
 
     Returns
     -------
-    float, str, bool or None
-        The new value, or None if the user left it alone.
+    Answer
     """
     from imgui_bundle import imgui
 
@@ -46,15 +63,17 @@ def parameter_row(parameter: Parameter, value: Value, default: Value) -> Value |
     style.hint(_explained(parameter, default))
     if moved:
         changed = new
+    low, high = imgui.get_item_rect_min(), imgui.get_item_rect_max()
+    place, reset = (low.x, low.y, high.x, high.y), False
     if differs:
         imgui.same_line(0.0, 3.0)
         imgui.push_style_color(imgui.Col_.button, imgui.ImVec4(0.0, 0.0, 0.0, 0.0))
         if imgui.button(style.RESET, imgui.ImVec2(_RESET_WIDTH - 3.0, 0.0)):
-            changed = default
+            reset = True
         imgui.pop_style_color()
         style.hint(f"back to {shown(parameter, default)}")
     imgui.pop_id()
-    return changed
+    return Answer(changed, reset, place)
 
 
 def same_value(one: Value, other: Value) -> bool:
