@@ -14,7 +14,6 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight import Camera, Cancelled, Scene
 from airlight.color.spectral import rgb_weights
-from airlight.errors import ParameterError
 from airlight.render import render
 from airlight.solvers.moments.solution import MomentsSolution
 
@@ -153,22 +152,3 @@ def test_a_wide_strip_needs_little_more_than_its_pixels(lit: Lit) -> None:
 def test_render_is_a_function_however_it_was_imported(statement: str) -> None:
     code = f"{statement}; import sys; sys.exit(not callable(render))"
     subprocess.run([sys.executable, "-c", code], check=True)
-
-
-@pytest.mark.parametrize(("altitude", "sun_zenith"), [(2.0, 80.0), (400e3, 60.0)])
-def test_single_and_multiple_orders_add_up(altitude: float, sun_zenith: float, lit: Lit) -> None:
-    # Light is scattered once or more often; nothing else reaches a camera that has no star in it.
-    solution = lit()
-    scene = Scene(
-        camera=Camera(width=48, height=27, look_zenith=100.0, look_azimuth=110.0),
-        altitude=altitude,
-        sun_zenith=sun_zenith,
-    )
-    parts = {name: render(solution, scene, orders=name).rgb for name in ("single", "multiple")}
-    for part in parts.values():
-        assert part.max() > 0.0
-    # float32, and points too faint for the moments are asked for all orders alike
-    whole = render(solution, scene).rgb
-    assert_allclose(parts["single"] + parts["multiple"], whole, rtol=2e-3, atol=1e-6)
-    with pytest.raises(ParameterError, match="orders is 'double'; allowed: all, single, multiple"):
-        render(solution, scene, orders="double")

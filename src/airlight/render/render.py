@@ -54,7 +54,7 @@ MARCHES: Final = {
     "preview": March(easy_nodes=8, nodes=12, grazing_nodes=24, panels=1),
     "default": March(easy_nodes=8, nodes=12, grazing_nodes=24, panels=1),
 }
-#: Orders of scattering that a picture may show, as ``march`` calls them.
+#: Which light is rendered, as ``march`` takes it.
 ORDERS: Final = {"all": 2, "single": 1, "multiple": 0}
 _FINE: Final = March(easy_nodes=20, nodes=20, grazing_nodes=24, panels=2)
 
@@ -76,8 +76,8 @@ def render(
     scene : Scene
         Observer, star and camera.
     orders : str
-        ``"all"``; ``"single"``: what was scattered or reflected exactly once, and the star's disc;
-        ``"multiple"``: the rest.
+        ``"all"`` light; or ``"single"``, that the air or the ground has scattered or reflected
+        once; or ``"multiple"``, more often. The star's own disc is seen in the first alone.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -111,6 +111,7 @@ def render(
         sun_seen=seen_direction(scene.sun_direction, solution, scene.altitude),
         ground_frame=scene.ground_frame,
         pixel_angle=camera.pixel_angle,
+        orders=ORDERS[orders],
     )
     march = _march_for(solution)
     counts = (march.easy_nodes, march.nodes, march.grazing_nodes)
@@ -123,15 +124,12 @@ def render(
         directions = camera.directions(chosen)
         work = solution.workspace(march.grazing_nodes, march.panels)
         packet = new_packet(light.scattering.size)
-        _shade_rows(
-            directions, view, paint, light, ORDERS[orders], march.panels, rules, packet, work,
-            rgb[chosen],
-        )  # fmt: skip
+        _shade_rows(directions, view, paint, light, march.panels, rules, packet, work, rgb[chosen])
 
     run_blocks(
         rows, -(-camera.height // step), cancel=cancel, progress=progress, message="rendering"
     )
-    if orders != "multiple":
+    if orders == "all":
         add_sun_disc(rgb, solution, scene, weights)
     wavelengths = ", ".join(f"{nm:g}" for nm in solution.wavelengths)
     return Frame(
@@ -145,9 +143,9 @@ def render(
 
 
 @compiled_loop
-def _shade_rows(directions, view, paint, light, orders, panels, rules, packet, work, out):
+def _shade_rows(directions, view, paint, light, panels, rules, packet, work, out):
     for row in range(directions.shape[0]):
-        shade(directions[row], view, paint, light, orders, panels, rules, packet, work, out[row])
+        shade(directions[row], view, paint, light, panels, rules, packet, work, out[row])
 
 
 def _march_for(solution: MomentsSolution) -> March:

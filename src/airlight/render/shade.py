@@ -37,6 +37,8 @@ class View(NamedTuple):
         Rotates local to planet-fixed vectors.
     pixel_angle : float
         That a pixel spans. [rad]
+    orders : int
+        1: the star's light scattered or reflected once; 0: all the rest; 2: both together.
     """
 
     r: float
@@ -44,6 +46,7 @@ class View(NamedTuple):
     sun_seen: FloatArray
     ground_frame: FloatArray
     pixel_angle: float
+    orders: int
 
 
 class Paint(NamedTuple):
@@ -144,7 +147,7 @@ def ground_color(pixel, reach, cosine, angle, directions, view, paint, bottom, c
 
 
 @compiled_loop
-def shade(directions, view, paint, light, orders, panels, rules, packet, work, out):
+def shade(directions, view, paint, light, panels, rules, packet, work, out):
     """The pixels of one row.
 
     Parameters
@@ -153,7 +156,7 @@ def shade(directions, view, paint, light, orders, panels, rules, packet, work, o
         Unit vectors in the local frame; a zero vector leaves its pixel black.
     view, paint, light : View, Paint, Light
         Who looks, the colours, the solution.
-    orders, panels, rules : int, int, three tuples of arrays
+    panels, rules : int, three tuples of arrays
         As in ``march``.
     packet, work : Packet, Workspace
         Scratch.
@@ -196,15 +199,14 @@ def shade(directions, view, paint, light, orders, panels, rules, packet, work, o
             pixels[rays], ways[rays] = pixel, way
             rays += 1
         if rays == size or (rays > 0 and pixel == directions.shape[0] - 1):
-            march(packet, rays, orders, panels, rules, light, work)
+            march(packet, rays, view.orders, panels, rules, light, work)
             for p in range(rays):
-                at, way = pixels[p], ways[p]
-                finish(p, at, way, directions, view, paint, light, orders, packet, work, out)
+                finish(p, pixels[p], ways[p], directions, view, paint, light, packet, work, out)
             rays = 0
 
 
 @compiled_loop
-def finish(p, pixel, way, directions, view, paint, light, orders, packet, work, out):
+def finish(p, pixel, way, directions, view, paint, light, packet, work, out):
     """Add the ground behind the air of one ray, and turn its light into colour."""
     lanes = light.air.albedo.size
     bottom = light.grid.bottom_radius
@@ -217,7 +219,7 @@ def finish(p, pixel, way, directions, view, paint, light, orders, packet, work, 
             angle = bend_angle(r, mu, light.bend, work.total[p, work.total.shape[1] - 1])
             mu_ground = (r * mu + length) / bottom
             mu_s_ground, _ = turned(mu_ground, mu_s_ground, packet.nu[p], angle)
-        ground_light(min(max(mu_s_ground, -1.0), 1.0), orders, light, work)
+        ground_light(min(max(mu_s_ground, -1.0), 1.0), view.orders, light, work)
         color = np.zeros(3)
         if paint.mapped:
             slant = -(r * mu + length) / bottom

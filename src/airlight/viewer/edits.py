@@ -78,7 +78,7 @@ def _mixed(tables: Tables, path: str, share: float) -> Tables:
         if one != name:
             shares[one] = old * room / rest if rest > 0.0 else room / (len(shares) - 1)
     shares[name] = share
-    return put(tables, table, {one: float(f"{x:.14g}") for one, x in shares.items()})
+    return put(tables, table, {one: float(f"{x:.9g}") for one, x in shares.items()})
 
 
 def _lifted(tables: Tables, bottom: float) -> Tables:
