@@ -92,3 +92,46 @@ def view(
 
     F1 in the window says what mouse and keys do.
     """
+    from airlight.viewer.start import Start, show
+
+    width, height = options.picture_size(size, "perspective")
+    if not all(_SMALLEST <= side <= _LARGEST for side in (width, height)):
+        allowed = f"sides of {_SMALLEST} to {_LARGEST} pixels"
+        raise ParameterError("--size", size, allowed)
+    if look is not None and look_at is not None:
+        raise ParameterError("--look", look, "one of --look and --look-at")
+    ev = options.exposure(exposure)
+    numbers = {
+        "view.altitude": (altitude, options.length, "--altitude"),
+        "view.roll": (roll, options.angle, "--roll"),
+        "view.sun_zenith": (sun_zenith, options.angle, "--sun-zenith"),
+        "view.field_of_view": (fov, options.angle, "--fov"),
+        "view.latitude": (latitude, options.angle, "--latitude"),
+        "view.longitude": (longitude, options.angle, "--longitude"),
+        "view.sun_azimuth": (sun_azimuth, options.angle, "--sun-azimuth"),
+    }
+    view: dict[str, float | str | bool] = {
+        path: read(text, option)
+        for path, (text, read, option) in numbers.items()
+        if text is not None
+    }
+    if projection is not None:
+        view["view.projection"] = projection
+    if tone_map is not None:
+        view["display.tone_map"] = tone_map
+    view["display.automatic"] = ev == "auto"
+    view["display.exposure"] = 0.0 if ev == "auto" else ev
+    view["light.quality"] = quality
+    show(
+        Start(
+            planet=planet,
+            other=compare,
+            changes=tuple(set_ or ()),
+            view=view,
+            look=None if look is None else options.direction(look, "--look"),
+            look_at=look_at,
+            size=(width, height),
+            device=device,
+            screenshot=screenshot,
+        )
+    )

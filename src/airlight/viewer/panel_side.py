@@ -84,7 +84,9 @@ class SidePanel:
             names.insert(0, source)
         imgui.set_next_item_width(imgui.get_content_region_avail().x - 186.0)
         shown = Path(source).name
-        if imgui.begin_combo("##planet", f"{session.showing}: {shown}", imgui.ComboFlags_.height_large):
+        if imgui.begin_combo(
+            "##planet", f"{session.showing}: {shown}", imgui.ComboFlags_.height_large
+        ):
             for name in names:
                 picked, _ = imgui.selectable(name, name == source)
                 if picked:

@@ -137,6 +137,11 @@ class Session:
         return str(self.planet.tables.get("name", ""))
 
     @property
+    def planet_name_other(self) -> str:
+        """That of the other side's planet; empty without one."""
+        return "" if self._other is None else str(self._other.planet.tables.get("name", ""))
+
+    @property
     def parameters(self) -> tuple[Parameter, ...]:
         """The declared list for the planet that is shown, and for the view."""
         return (*self.planet.parameters, *view_parameters(self.planet.groups))
@@ -198,6 +203,15 @@ class Session:
     def view(self) -> Mapping[str, Value]:
         """Values of camera, sun, display and light by path."""
         return dict(self._side.view)
+
+    @property
+    def view_other(self) -> Mapping[str, Value] | None:
+        """That of the other side, with the camera of this one if they share it."""
+        if self._other is None:
+            return None
+        shared = self._side.view if self.shares_camera else {}
+        camera = {path: value for path, value in shared.items() if path.startswith("view.")}
+        return {**self._other.view, **camera}
 
     @property
     def display(self) -> dict[str, Value]:

@@ -6,12 +6,11 @@ each wakes the window when there is something new. A frame takes what is there a
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from time import perf_counter
 from typing import Any, Final
 
 from airlight.errors import AirlightError
-from airlight.viewer import window_style as style
 from airlight.viewer.flight import Flight
 from airlight.viewer.measures import number_in
 from airlight.viewer.overlay_help import draw_help
@@ -24,7 +23,9 @@ from airlight.viewer.picture_source import Picture, PictureSource, Request
 from airlight.viewer.places import PLACES, view_of
 from airlight.viewer.probing import Probing
 from airlight.viewer.session import Session
+from airlight.viewer.session_side import SessionSide
 from airlight.viewer.solving import Solving
+from airlight.viewer.view_parameters import scene_of
 from airlight.viewer.window_canvas import EVENTS, Place
 from airlight.viewer.window_input import WindowInput
 from airlight.viewer.window_surface import WindowSurface
@@ -105,10 +106,17 @@ class Window:
         """Whether all that is wanted is shown, in full quality."""
         return (
             bool(self._sources)
-            and not any(one.busy for one in self._solvings.values())
+            and all(one.idle for one in self._solvings.values())
             and not any(one.busy for one in self._sources.values())
             and not self._probing.busy
         )
+
+    @property
+    def problem(self) -> str:
+        """Why what is wanted cannot be shown, in one line; empty if it can."""
+        errors = [one.status.error for one in self._solvings.values()]
+        errors += [one.error for one in self._sources.values()]
+        return next((one for one in (self._error, *errors) if one), "")
 
     def picture(self, side: str = "") -> Picture | None:
         """What is shown of a side, ``A`` or ``B``; of the one that is edited if left out."""
@@ -165,23 +173,24 @@ class Window:
         session.resize(round(into.width * ratio), round(into.height * ratio))
         shown = session.showing
         other = "A" if shown == "B" else "B"
-        self._want(shown, session.wanted, session.view, session)
-        if session.wanted_other is not None and self.panel.compares:
-            self._want(other, session.wanted_other, session.view_other, session)
+        self._want(shown, session.view)
+        view = session.view_other
+        if view is not None and self.panel.compares:
+            self._want(other, view)
 
-    def _want(self, side: str, wanted: Any, view: Any, session: Session) -> None:
+    def _want(self, side: str, view: Mapping[str, Any]) -> None:
         if side not in self._solvings:
-            self._solvings[side] = Solving(self._place.wake)
+            self._solvings[side] = Solving(
+                SessionSide(self.session, side), on_change=self._place.wake
+            )
             self._sources[side] = self._make_source(self._place.wake)
-        solving = self._solvings[side]
-        solving.want(wanted)
-        solved = solving.latest
+        solved = self._solvings[side].latest
         if solved is None:
             return
         self._sources[side].want(
             Request(
                 solution=solved.solution,
-                scene=session.scene_of(view),
+                scene=scene_of(view, *self.session.size),
                 exposure=float(view["display.exposure"]),
                 automatic=bool(view["display.automatic"]),
                 tone_map=str(view["display.tone_map"]),
@@ -190,7 +199,6 @@ class Window:
         )
 
     def _gui(self) -> None:
-        into = self._parts["picture"]
         shown = self.picture()
         fitting = self.picture_rectangle()
         both = self.panel.compares and self.session.has_other
@@ -225,10 +233,12 @@ class Window:
             solved = solving.latest
             if solved is not None:
                 solver = f"{solved.quality}: {_seconds(solved.seconds)}"
-            if solving.busy:
-                working = solving.message or "solving"
-                solver = f"{solver}, {working} …" if solver else f"{working} …"
-            error = error or solving.error
+            status = solving.status
+            if status.busy:
+                part = f" {100 * status.done // status.total} %" if status.total else ""
+                working = f"{status.doing}{part} …"
+                solver = f"{solver}, {working}" if solver else working
+            error = error or status.error
         picture = exposure = ""
         if shown is not None and source is not None:
             fine = "" if shown.finished else ", finer follows"
