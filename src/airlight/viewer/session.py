@@ -60,7 +60,7 @@ class Wanted(NamedTuple):
     quality : str
         That follows the preview.
     wavelengths : str
-        ``three`` or ``four``.
+        How many, in a word: one of ``view_parameters.WAVELENGTHS``.
     """
 
     version: int

@@ -23,7 +23,7 @@ QUALITIES: Final = ("preview", "default", "fine")
 #: Which light is shown.
 ORDERS: Final = ("all", "single", "multiple")
 #: How many wavelengths are solved.
-WAVELENGTHS: Final = ("three", "four")
+WAVELENGTHS: Final = ("three", "four", "eight", "sixteen")
 #: Lowest altitude that can be flown at. [m]
 LOWEST_ALTITUDE: Final = 1.0
 
@@ -86,7 +86,7 @@ _LIGHT: Final = (
     _choice("light.quality", "quality", "light", QUALITIES,
             "Of the solution that follows the preview."),
     _choice("light.wavelengths", "wavelengths", "light", WAVELENGTHS,
-            "How many are solved: four give truer colours."),
+            "How many are solved: more give truer colours; a graphics card takes up to four."),
 )  # fmt: skip
 
 #: What a view starts with.
