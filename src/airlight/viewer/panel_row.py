@@ -9,8 +9,8 @@ from airlight.viewer import window_style as style
 from airlight.viewer.parameter import Parameter, Value
 
 #: Width of the names, and of the way back. [logical pixel]
-_NAME_WIDTH = 138.0
-_RESET_WIDTH = 26.0
+NAME_WIDTH = 138.0
+RESET_WIDTH = 26.0
 
 
 class Answer(NamedTuple):
@@ -56,9 +56,9 @@ def parameter_row(parameter: Parameter, value: Value, default: Value) -> Answer:
     differs = not same_value(value, default)
     _name(parameter.label, style.ACCENT if differs else None)
     style.hint(_explained(parameter, default))
-    imgui.same_line(left + _NAME_WIDTH)
+    imgui.same_line(left + NAME_WIDTH)
     right = imgui.get_content_region_avail().x
-    imgui.set_next_item_width(right - _RESET_WIDTH)
+    imgui.set_next_item_width(right - RESET_WIDTH)
     moved, new = _control(parameter, value)
     style.hint(_explained(parameter, default))
     if moved:
@@ -68,7 +68,7 @@ def parameter_row(parameter: Parameter, value: Value, default: Value) -> Answer:
     if differs:
         imgui.same_line(0.0, 3.0)
         imgui.push_style_color(imgui.Col_.button, imgui.ImVec4(0.0, 0.0, 0.0, 0.0))
-        if imgui.button(style.RESET, imgui.ImVec2(_RESET_WIDTH - 3.0, 0.0)):
+        if imgui.button(style.RESET, imgui.ImVec2(RESET_WIDTH - 3.0, 0.0)):
             reset = True
         imgui.pop_style_color()
         style.hint(f"back to {shown(parameter, default)}")
@@ -132,7 +132,7 @@ def _name(label: str, color: tuple[float, float, float, float] | None) -> None:
     from imgui_bundle import imgui
 
     text = label
-    room = _NAME_WIDTH - 8.0
+    room = NAME_WIDTH - 8.0
     while len(text) > 4 and imgui.calc_text_size(text).x > room:
         text = text.removesuffix("…")[:-1].rstrip() + "…"
     if color is None:

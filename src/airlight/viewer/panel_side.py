@@ -7,8 +7,9 @@ from pathlib import Path
 
 from airlight.planets.reader import planet_names
 from airlight.viewer import window_style as style
+from airlight.viewer.flight import Flight
 from airlight.viewer.panel_parameters import ParameterRows
-from airlight.viewer.panel_row import unit_text
+from airlight.viewer.panel_row import NAME_WIDTH, RESET_WIDTH, unit_text
 from airlight.viewer.panel_status import fixed_window_flags
 from airlight.viewer.panel_values import PanelValues
 from airlight.viewer.parameter import Value
@@ -26,6 +27,8 @@ class SidePanel:
     Parameters
     ----------
     session : Session
+    flight : Flight
+        Knows and sets the time of day.
     do : callable
         ``do(deed)``, as the keys do it.
     attempt : callable
@@ -35,10 +38,12 @@ class SidePanel:
     def __init__(
         self,
         session: Session,
+        flight: Flight,
         do: Callable[[str], None],
         attempt: Callable[[Callable[[], object]], None],
     ) -> None:
         self._session = session
+        self._flight = flight
         self._do = do
         self._attempt = attempt
         self._values = PanelValues(session)
@@ -161,6 +166,7 @@ class SidePanel:
         imgui.same_line()
         _, self.probes = imgui.checkbox("probe", self.probes)
         style.hint("point at the picture and read spectrum, luminance and colour (P)")
+        self._time_of_day()
         self.view_rows.draw(
             self._values.of_view,
             self._values.value,
@@ -169,6 +175,32 @@ class SidePanel:
             self._reset,
         )
         imgui.end_child()
+
+    def _time_of_day(self) -> None:
+        """The sun by local solar time and declination."""
+        from imgui_bundle import imgui
+
+        declination, hour = self._flight.time
+        for name, value, high, form, sentence in (
+            ("local solar time", hour, 24.0, "%.2f h", "12 h when the sun is highest"),
+            (
+                "sun's declination", declination, 90.0, "%.1f°",
+                "how far north of the equator the sun stands: its season",
+            ),
+        ):  # fmt: skip
+            left = imgui.get_cursor_pos_x()
+            imgui.align_text_to_frame_padding()
+            imgui.text_unformatted(name)
+            style.hint(sentence)
+            imgui.same_line(left + NAME_WIDTH)
+            imgui.set_next_item_width(imgui.get_content_region_avail().x - RESET_WIDTH)
+            low = 0.0 if name.startswith("local") else -high
+            moved, new = imgui.slider_float(f"##{name}", value, low, high, form)
+            style.hint(sentence)
+            if moved and low == 0.0:
+                self._attempt(lambda new=new: self._flight.set_time(declination, new))  # type: ignore[misc]
+            elif moved:
+                self._attempt(lambda new=new: self._flight.set_time(new, hour))  # type: ignore[misc]
 
     def _compare(self) -> None:
         from imgui_bundle import imgui

@@ -68,11 +68,11 @@ class Window:
         self._make_source = source
         self._sources: dict[str, PictureSource] = {}
         self._solvings: dict[str, Solving] = {}
-        self.panel = SidePanel(session, self.do, self.attempt)
+        self._flight = Flight(session)
+        self.panel = SidePanel(session, self._flight, self.do, self.attempt)
         self._saving = Saving(place.wake)
         self._dialog = SaveDialog()
         self._probing = Probing(place.wake)
-        self._flight = Flight(session)
         self._times = FrameTimes()
         self._parts: dict[str, Rectangle] = {}
         self._shows_panels = True
@@ -82,7 +82,7 @@ class Window:
         self._last_event = perf_counter()
         self._last_frame = perf_counter()
         self.frames = 0
-        self.input = WindowInput(place.canvas, self, lambda: self.surface.typing)
+        self.input = WindowInput(place.canvas, self, self._flight, lambda: self.surface.typing)
         place.canvas.add_event_handler(self._noticed, *EVENTS, order=-999)
 
     def run(self) -> None:
@@ -144,7 +144,7 @@ class Window:
     def _restless(self) -> bool:
         """Whether something moves without any event."""
         return (
-            bool(self.input.held)
+            self._flight.moving
             or self.panel.plays
             or self.surface.pressed
             or perf_counter() - self._last_event < _LINGER
@@ -159,11 +159,13 @@ class Window:
         seconds = min(now - self._last_frame, _LONGEST_STEP)
         self._last_frame = now
         if self.surface.typing:
-            self.input.held.clear()
-        if self.input.held:
-            self.attempt(lambda: self._flight.fly(self.input.held, seconds, fast=self.input.fast))
+            self._flight.release()
+        if self._flight.moving:
+            self.attempt(lambda: self._flight.step(seconds))
         if self.panel.plays:
-            self.attempt(lambda: self._flight.pass_time(seconds * self.panel.speed))
+            declination, hour = self._flight.time
+            hour += seconds * self.panel.speed / 3600.0
+            self.attempt(lambda: self._flight.set_time(declination, hour % 24.0))
 
     def _follow(self) -> None:
         """Say what is wanted to those who solve and render."""
@@ -275,18 +277,6 @@ class Window:
         camera = self.session.scene.camera
         ratio = self.surface.ratio
         return into.centered(camera.width / ratio, camera.height / ratio)
-
-    def turn(self, right: float, down: float) -> None:
-        """See ``Deeds``."""
-        self.attempt(lambda: self._flight.look(right, down))
-
-    def move_sun(self, right: float, down: float) -> None:
-        """See ``Deeds``."""
-        self.attempt(lambda: self._flight.drag_sun(right, down))
-
-    def approach(self, notches: float, *, fast: bool) -> None:
-        """See ``Deeds``."""
-        self.attempt(lambda: self._flight.wheel(notches, fast=fast))
 
     def click(self, x: float, y: float) -> None:
         """See ``Deeds``."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any, Final, Protocol
 
+from airlight.viewer.flight import Flight
 from airlight.viewer.picture_area import PictureArea, Rectangle
 
 #: Buttons of the mouse.
@@ -14,8 +15,8 @@ _NOTCH: Final = 100.0
 #: A press that moves less than this is a click. [logical pixel]
 _CLICK: Final = 3.0
 
-#: Keys that fly as long as they are held.
-FLYING: Final = frozenset("wasdqe")
+#: How many notches one counts for with the shift key.
+_FAST: Final = 4.0
 #: Keys that do something once: with modifiers in front, in alphabetical order.
 SHORTCUTS: Final[Mapping[str, str]] = {
     "Control+z": "undo",
@@ -55,14 +56,8 @@ class Deeds(Protocol):
     def picture_rectangle(self) -> Rectangle:
         """Where the picture lies."""
 
-    def turn(self, right: float, down: float) -> None:
-        """Look so far aside. [logical pixel]"""
-
-    def move_sun(self, right: float, down: float) -> None:
-        """Move the sun so far across the picture. [logical pixel]"""
-
-    def approach(self, notches: float, *, fast: bool) -> None:
-        """Go closer to the ground, or away from it."""
+    def attempt(self, edit: Callable[[], object]) -> None:
+        """Do something; if it cannot be, say so."""
 
     def click(self, x: float, y: float) -> None:
         """A point of the window was clicked. [logical pixel]"""
@@ -79,15 +74,18 @@ class WindowInput:
     canvas : rendercanvas canvas
     deeds : Deeds
         Told what to do.
+    flight : Flight
+        Told how to fly.
     typing : callable
         Whether the user is typing into a field.
     """
 
-    def __init__(self, canvas: Any, deeds: Deeds, typing: Callable[[], bool]) -> None:
+    def __init__(
+        self, canvas: Any, deeds: Deeds, flight: Flight, typing: Callable[[], bool]
+    ) -> None:
         self._deeds = deeds
+        self._flight = flight
         self._typing = typing
-        self.held: set[str] = set()
-        self.fast = False
         self._at = (0.0, 0.0)
         self._pressed_at = (0.0, 0.0)
         self._drag = ""
@@ -97,11 +95,6 @@ class WindowInput:
         canvas.add_event_handler(self._move, "pointer_move", order=-500)
         canvas.add_event_handler(self._wheel, "wheel")
         canvas.add_event_handler(self._key, "key_down")
-
-    @property
-    def dragging(self) -> bool:
-        """Whether the picture is being dragged."""
-        return bool(self._drag)
 
     def _press(self, event: Mapping[str, Any]) -> None:
         x, y = event["x"], event["y"]
@@ -120,18 +113,20 @@ class WindowInput:
         x, y = event["x"], event["y"]
         right, down = x - self._at[0], y - self._at[1]
         self._at = (x, y)
+        if not self._drag:
+            return
+        rectangle = self._deeds.picture_rectangle()
+        parts = right / rectangle.width, down / rectangle.width
         if self._drag == "divider":
-            self._deeds.area.drag(x, self._deeds.picture_rectangle())
+            self._deeds.area.drag(x, rectangle)
         elif self._drag == "look":
-            self._deeds.turn(right, down)
+            self._deeds.attempt(lambda: self._flight.look(*parts))
         elif self._drag == "sun":
-            self._deeds.move_sun(right, down)
+            self._deeds.attempt(lambda: self._flight.drag_sun(*parts))
 
     def _release(self, event: Mapping[str, Any]) -> None:
         if event["event_type"] == "key_up":
-            key = str(event["key"])
-            self.held.discard(key.lower())
-            self.fast = self.fast and key != "Shift"
+            self._flight.release(str(event["key"]))
             return
         drag, self._drag = self._drag, ""
         self._deeds.area.release()
@@ -141,19 +136,18 @@ class WindowInput:
 
     def _wheel(self, event: Mapping[str, Any]) -> None:
         if self._deeds.picture_rectangle().holds(event["x"], event["y"]):
-            fast = "Shift" in event.get("modifiers", ())
-            self._deeds.approach(-event["dy"] / _NOTCH, fast=fast)
+            notches = -event["dy"] / _NOTCH
+            notches *= _FAST if "Shift" in event.get("modifiers", ()) else 1.0
+            self._deeds.attempt(lambda: self._flight.wheel(notches))
 
     def _key(self, event: Mapping[str, Any]) -> None:
         if self._typing():
             return
         key = str(event["key"])
         modifiers = set(event.get("modifiers", ()))
-        self.fast = "Shift" in modifiers or key == "Shift"
         if len(key) == 1:
             key = key.lower()
-        if key in FLYING and "Control" not in modifiers:
-            self.held.add(key)
+        if "Control" not in modifiers and self._flight.press(key):
             return
         words = [one for one in ("Control", "Shift") if one in modifiers and one != key]
         deed = SHORTCUTS.get("+".join([*words, key]))
