@@ -23,7 +23,8 @@ class ParameterRows:
     advanced : bool
         Whether those of the composition are shown too.
     places : dict
-        Where each row's control was drawn last: left, top, right, bottom. [logical pixel]
+        Where each row's control, and the ``search``, was drawn last: left, top, right,
+        bottom. [logical pixel]
     """
 
     def __init__(self) -> None:
@@ -44,6 +45,8 @@ class ParameterRows:
         room = imgui.get_content_region_avail().x
         imgui.set_next_item_width(room - 118.0)
         _, self.search = imgui.input_text_with_hint("##search", "find a parameter", self.search)
+        low, high = imgui.get_item_rect_min(), imgui.get_item_rect_max()
+        self.places["search"] = (low.x, low.y, high.x, high.y)
         imgui.same_line(room - 92.0)
         imgui.begin_disabled(hidden == 0)
         _, self.advanced = imgui.checkbox("advanced", self.advanced)
@@ -81,7 +84,9 @@ class ParameterRows:
         """
         from imgui_bundle import imgui
 
+        parameters = list(parameters)
         shown = [one for one in parameters if self._matches(one)]
+        hidden = [] if self.search else [one for one in parameters if one not in shown]
         if not shown:
             style.colored("nothing of that name", style.QUIET)
         for group, members in groupby(shown, key=lambda one: one.group):
@@ -95,6 +100,7 @@ class ParameterRows:
             if imgui.collapsing_header(f"{title}###{group}"):
                 imgui.push_id(group)
                 self._group(rows, values, defaults, change, reset)
+                self._more(sum(one.group == group for one in hidden))
                 imgui.pop_id()
                 imgui.dummy(imgui.ImVec2(0.0, 3.0))
 
@@ -124,6 +130,17 @@ class ParameterRows:
                     change(one.path, answer.value)
             if folds:
                 imgui.tree_pop()
+
+    def _more(self, count: int) -> None:
+        """A line that says how many parameters of a group are not shown."""
+        from imgui_bundle import imgui
+
+        if count:
+            imgui.push_style_color(imgui.Col_.text, imgui.ImVec4(*style.QUIET))
+            if imgui.small_button(f"{count} more of its composition"):
+                self.advanced = True
+            imgui.pop_style_color()
+            style.hint("show the advanced parameters")
 
     def _matches(self, parameter: Parameter) -> bool:
         if parameter.mode == "advanced" and not (self.advanced or self.search):

@@ -1,46 +1,27 @@
-"""What the probe reads: numbers of one direction, its spectrum, and what it is made of."""
+"""What the probe reads: numbers of one direction, its parts, its spectrum."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import Any, Final
+import math
+from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from airlight.viewer import window_style as style
 from airlight.viewer.panel_status import fixed_window_flags
 from airlight.viewer.picture_area import Rectangle
-
-FloatArray = NDArray[np.float64]
+from airlight.viewer.probe import Probe
+from airlight.viewer.probing import Reading
 
 #: Height of the panel. [logical pixel]
-PROBE_HEIGHT: Final = 226.0
-#: Width of the numbers on its left. [logical pixel]
-_NUMBERS: Final = 330.0
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Reading:
-    """What a probe found, as the panel shows it.
-
-    Parameters
-    ----------
-    numbers : sequence of (str, str)
-        Quantity, and value with its unit.
-    wavelengths : array, shape (nl,)
-        [nm]
-    spectra : mapping of str to array, shape (nl,)
-        By what they are: the whole, then its parts. [W m⁻² sr⁻¹ nm⁻¹]
-    note : str
-        How it was computed.
-    """
-
-    numbers: Sequence[tuple[str, str]]
-    wavelengths: FloatArray
-    spectra: Mapping[str, FloatArray] = field(default_factory=dict)
-    note: str = ""
+PROBE_HEIGHT: Final = 236.0
+#: Widths of the numbers and of the parts. [logical pixel]
+_NUMBERS: Final = 236.0
+_PARTS: Final = 292.0
+#: Narrower, a plot shows nothing. [logical pixel]
+_PLOT: Final = 200.0
+#: The wavelength that single numbers are given for: the nearest there is. [nm]
+_GREEN: Final = 550.0
 
 
 def draw_probe(reading: Reading | None, working: str, into: Rectangle) -> bool:
@@ -66,58 +47,129 @@ def draw_probe(reading: Reading | None, working: str, into: Rectangle) -> bool:
     imgui.begin("probe", None, fixed_window_flags())
     style.colored("Probe", style.ACCENT)
     imgui.same_line()
-    words = working or ("click a point of the picture" if reading is None else reading.note)
+    words = working or ("click a point of the picture" if reading is None else reading.quality)
     imgui.text_colored(imgui.ImVec4(*(style.WARNING if working else style.QUIET)), words)
     imgui.same_line(into.width - 34.0)
     still_open = not imgui.small_button("×")
+    style.hint("close the probe (P)")
     if reading is not None:
         imgui.begin_child("numbers", imgui.ImVec2(_NUMBERS, 0.0))
-        for name, value in reading.numbers:
+        for name, value in numbers_of(reading.probe):
             imgui.text_colored(imgui.ImVec4(*style.QUIET), name)
-            imgui.same_line(124.0)
+            imgui.same_line(96.0)
             imgui.text_unformatted(value)
         imgui.end_child()
         imgui.same_line()
-        if into.width > _NUMBERS + 180.0:
-            _plot(reading)
+        imgui.begin_child("parts", imgui.ImVec2(_PARTS, 0.0))
+        _parts(reading.probe)
+        imgui.end_child()
+        if into.width > _NUMBERS + _PARTS + _PLOT:
+            imgui.same_line()
+            _plot(reading.spectrum)
     imgui.end()
     return still_open
 
 
-def _plot(reading: Reading) -> None:
-    """The spectra over the wavelength."""
+def numbers_of(probe: Probe) -> tuple[tuple[str, str], ...]:
+    """Names and values with their units, for a reader."""
+    green = int(np.argmin(np.abs(np.asarray(probe.wavelengths) - _GREEN)))
+    nm = f"{probe.wavelengths[green]:.0f} nm"
+    depth = sum(row[green] for row in probe.optical_depth)
+    x, y = probe.chromaticity
+    rows = [
+        ("luminance", f"{probe.luminance:.4g} cd m⁻²"),
+        ("colour x, y", f"{x:.4f}, {y:.4f}"),
+        (f"at {nm}", f"{1e3 * probe.radiance[green]:.4g} mW m⁻² sr⁻¹ nm⁻¹"),
+        ("depth τ", f"{depth:.4g} at {nm}"),
+        ("passes", f"{100.0 * probe.transmittance[green]:.3g} % at {nm}"),
+        ("direction", f"{probe.view_zenith:.2f}° zenith, {probe.azimuth % 360.0:.1f}°"),
+    ]
+    if math.isfinite(probe.distance):
+        metres = probe.distance
+        far = f"{metres:.4g} m" if metres < 1e3 else f"{metres / 1e3:.5g} km"
+        rows.append(("ground", f"{far} away"))
+        if probe.latitude is not None and probe.longitude is not None:
+            rows.append(("", f"{probe.latitude:.3f}° N, {probe.longitude:.3f}° E"))
+    return tuple(rows)
+
+
+def _parts(probe: Probe) -> None:
+    """Luminance by part, and optical depth by constituent."""
+    from imgui_bundle import imgui
+
+    green = int(np.argmin(np.abs(np.asarray(probe.wavelengths) - _GREEN)))
+    whole = sum(one.luminance for one in probe.parts)
+    flags = imgui.TableFlags_.row_bg.value | imgui.TableFlags_.sizing_fixed_fit.value
+    if imgui.begin_table("parts", 3, flags):
+        stretch = imgui.TableColumnFlags_.width_stretch.value
+        imgui.table_setup_column("part of the light", stretch)
+        imgui.table_setup_column("cd m⁻²")
+        imgui.table_setup_column("%")
+        imgui.table_headers_row()
+        for part in probe.parts:
+            share = 100.0 * part.luminance / whole if whole > 0.0 else 0.0
+            _row(part.name, f"{part.luminance:.3g}", f"{share:.1f}")
+        imgui.end_table()
+    if imgui.begin_table("depths", 2, flags):
+        stretch = imgui.TableColumnFlags_.width_stretch.value
+        imgui.table_setup_column("optical depth on the way", stretch)
+        imgui.table_setup_column(f"{probe.wavelengths[green]:.0f} nm")
+        imgui.table_headers_row()
+        for name, row in zip(probe.names, probe.optical_depth, strict=True):
+            _row(name, f"{row[green]:.4g}")
+        imgui.end_table()
+
+
+def _row(*texts: str) -> None:
+    from imgui_bundle import imgui
+
+    imgui.table_next_row()
+    for text in texts:
+        imgui.table_next_column()
+        imgui.text_unformatted(text)
+        style.hint(text)
+
+
+def _plot(probe: Probe) -> None:
+    """The spectrum and its parts over the wavelength."""
     from imgui_bundle import imgui, implot
 
-    order = np.argsort(reading.wavelengths)
-    nm = np.ascontiguousarray(reading.wavelengths[order], dtype=np.float64)
-    top = max((float(np.max(one)) for one in reading.spectra.values()), default=0.0)
-    scale, unit = _scaled_unit(top)
+    order = np.argsort(probe.wavelengths)
+    nm = np.ascontiguousarray(np.asarray(probe.wavelengths)[order])
+    lines = {"all": np.asarray(probe.radiance)}
+    lines |= {one.name.replace("scattered ", ""): np.asarray(one.radiance) for one in probe.parts}
+    top = max(float(np.max(one)) for one in lines.values())
+    scale, unit = scaled_unit(top)
     flags = implot.Flags_.no_mouse_text.value | implot.Flags_.no_menus.value
-    if not implot.begin_plot("##spectrum", imgui.ImVec2(-1.0, -1.0), flags):
-        return
-    implot.setup_axes("wavelength [nm]", f"radiance [{unit}]")
-    first, last = float(nm[0]), float(nm[-1])
-    if first == last:
-        first, last = first - 10.0, last + 10.0
-    always = imgui.Cond_.always.value
-    implot.setup_axis_limits(implot.ImAxis_.x1.value, first, last, always)
-    implot.setup_axis_limits(implot.ImAxis_.y1.value, 0.0, max(1.08 * top * scale, 1e-30), always)
-    for name, values in reading.spectra.items():
-        line: Any = np.ascontiguousarray(scale * values[order], dtype=np.float64)
-        implot.plot_line(name, nm, line)
-    implot.end_plot()
+    implot.push_style_var(implot.StyleVar_.plot_padding, imgui.ImVec2(6.0, 6.0))
+    if implot.begin_plot("##spectrum", imgui.ImVec2(-1.0, -1.0), flags):
+        implot.setup_axes("wavelength [nm]", unit)
+        first, last = float(nm[0]), float(nm[-1])
+        always = imgui.Cond_.always.value
+        implot.setup_axis_limits(implot.ImAxis_.x1.value, first, max(last, first + 1.0), always)
+        highest = max(1.1 * top * scale, 1e-30)
+        implot.setup_axis_limits(implot.ImAxis_.y1.value, 0.0, highest, always)
+        implot.setup_legend(implot.Location_.north_east.value)
+        for name, values in lines.items():
+            implot.plot_line(name, nm, np.ascontiguousarray(scale * values[order]))
+        implot.end_plot()
+    implot.pop_style_var()
 
 
-def _scaled_unit(top: float) -> tuple[float, str]:
-    """A factor that makes the largest value 1 to 1000, and the unit it leads to.
+def scaled_unit(top: float) -> tuple[float, str]:
+    """A factor that makes the largest radiance 1 to 1000, and the unit it leads to.
+
+    Parameters
+    ----------
+    top : float
+        [W m⁻² sr⁻¹ nm⁻¹]
 
     Examples
     --------
-    >>> _scaled_unit(0.02)
+    >>> scaled_unit(0.02)
     (1000.0, 'mW m⁻² sr⁻¹ nm⁻¹')
     """
-    steps = ((1.0, ""), (1e3, "m"), (1e6, "µ"), (1e9, "n"), (1e12, "p"))
-    for factor, prefix in steps:
+    for factor, prefix in ((1.0, ""), (1e3, "m"), (1e6, "µ"), (1e9, "n"), (1e12, "p")):
         if top * factor >= 1.0:
             return factor, f"{prefix}W m⁻² sr⁻¹ nm⁻¹"
     return 1.0, "W m⁻² sr⁻¹ nm⁻¹"

@@ -126,6 +126,17 @@ class PictureArea:
             drawing.add_rect_filled(low, high, shade, 4.0)
             drawing.add_text(imgui.ImVec2(start, into.top + 13.0), white, name)
 
+    def draw_mark(self, into: Rectangle, place: tuple[float, float]) -> None:
+        """A small circle at a place, given as shares of width and height."""
+        from imgui_bundle import imgui
+
+        drawing = imgui.get_background_draw_list()
+        x, y = into.left + place[0] * into.width, into.top + place[1] * into.height
+        white = imgui.get_color_u32(imgui.ImVec4(1.0, 1.0, 1.0, 0.9))
+        shade = imgui.get_color_u32(imgui.ImVec4(0.0, 0.0, 0.0, 0.7))
+        drawing.add_circle(imgui.ImVec2(x, y), 6.0, shade, 0, 3.0)
+        drawing.add_circle(imgui.ImVec2(x, y), 6.0, white, 0, 1.2)
+
     def grab(self, x: float, y: float, into: Rectangle) -> bool:
         """Begin to drag the divider if it is at this point."""
         line = into.left + self.divider * into.width

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -76,6 +77,8 @@ def show(start: Start) -> None:
     """
     if start.screenshot is not None and start.screenshot.suffix.lower() != ".png":
         raise FileError(start.screenshot, "the name of a screenshot ends in .png")
+    # Two sides may compile a function at the same time; the second finds it done, and says so.
+    warnings.filterwarnings("ignore", message="Compilation requested for previously compiled")
     session = opened(start)
     place: DesktopPlace | OffscreenPlace
     if start.screenshot is not None:
@@ -145,7 +148,7 @@ def _photograph(window: Window, place: OffscreenPlace, path: Path) -> None:
 
     until = time.monotonic() + _PATIENCE
     place.run(window.draw)
-    while not (window.settled and window.picture() is not None and not place.wanted):
+    while not (window.settled and window.shown() is not None and not place.wanted):
         if window.problem:
             raise WindowError(window.problem)
         if time.monotonic() > until:

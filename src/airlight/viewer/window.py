@@ -67,6 +67,7 @@ class Window:
         self.area = PictureArea(self.surface.backend)
         self._make_source = source
         self._sources: dict[str, PictureSource] = {}
+        self._shown: dict[str, Picture] = {}
         self._solvings: dict[str, Solving] = {}
         self._flight = Flight(session)
         self.panel = SidePanel(session, self._flight, self.do, self.attempt)
@@ -96,8 +97,10 @@ class Window:
         """End all threads."""
         self._saving.close()
         self._probing.close()
-        for one in (*self._solvings.values(), *self._sources.values()):
-            one.close()
+        for solving in self._solvings.values():
+            solving.close()
+        for source in self._sources.values():
+            source.close()
         self._solvings.clear()
         self._sources.clear()
 
@@ -118,10 +121,17 @@ class Window:
         errors += [one.error for one in self._sources.values()]
         return next((one for one in (self._error, *errors) if one), "")
 
-    def picture(self, side: str = "") -> Picture | None:
-        """What is shown of a side, ``A`` or ``B``; of the one that is edited if left out."""
-        source = self._sources.get(side or self.session.showing)
-        return None if source is None else source.picture()
+    def shown(self, side: str = "") -> Picture | None:
+        """What the last frame showed of a side; of the one that is edited if left out."""
+        return self._shown.get(side or self.session.showing)
+
+    def _picture(self, side: str = "") -> Picture | None:
+        side = side or self.session.showing
+        source = self._sources.get(side)
+        found = None if source is None else source.picture()
+        if found is not None:
+            self._shown[side] = found
+        return found
 
     # --- a frame ------------------------------------------------------------------------------
 
@@ -201,20 +211,21 @@ class Window:
         )
 
     def _gui(self) -> None:
-        shown = self.picture()
+        shown = self._picture()
         fitting = self.picture_rectangle()
         both = self.panel.compares and self.session.has_other
         if both:
-            self.area.draw(self.picture("A"), self.picture("B"), fitting)
+            self.area.draw(self._picture("A"), self._picture("B"), fitting)
             self.area.draw_divider(fitting, self._names())
         else:
             self.area.draw(shown, None, fitting)
+        reading = self._probing.reading
+        if self.panel.probes and reading is not None:
+            self.area.draw_mark(fitting, reading.place)
         if self._shows_panels:
             self.panel.draw(self._parts["panel"])
             if self.panel.probes:
-                self.panel.probes = draw_probe(
-                    self._probing.reading, self._probing.working, self._parts["probe"]
-                )
+                self.panel.probes = draw_probe(reading, self._probing.working, self._parts["probe"])
             draw_status(self._status(shown), self._parts["status"])
         width, height = self.surface.size
         if self._shows_help:
@@ -261,7 +272,7 @@ class Window:
             solver=solver,
             working=working,
             message=message or self._saving.message,
-            error=error or self._saving.error,
+            error=error or self._saving.error or self._probing.error,
         )
 
     def _where(self) -> str:
@@ -289,7 +300,7 @@ class Window:
         side = self.session.showing
         if self.panel.compares and self.session.has_other:
             side = "A" if at[0] < self.area.divider else "B"
-        shown = self.picture(side)
+        shown = self.shown(side)
         if shown is not None:
             self._probing.ask(shown.request, at)
 
@@ -372,7 +383,7 @@ class Window:
 
     def _toggle_exposure(self) -> None:
         automatic = bool(self.session.view["display.automatic"])
-        shown = self.picture()
+        shown = self.shown()
         self.session.set("display.automatic", not automatic)
         # The picture stays as bright as it was when the camera stops to adjust.
         exposure = shown.exposure if automatic and shown is not None else 0.0
@@ -383,7 +394,7 @@ class Window:
         self.session.set("display.exposure", exposure + stops)
 
     def _save_picture(self, path: str, size: tuple[int, int] | None) -> None:
-        shown = self.picture()
+        shown = self.shown()
         if shown is None:
             self._error = "there is no picture to save yet"
             return
