@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 DRIVER = Path(__file__).with_name("window_driver.py")
-SIZE = (1280, 720)
+SIZE = (800, 480)
 DEPTH = "constituents[1].particles.optical_depth"
 
 
@@ -103,7 +103,7 @@ def window(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Driven]:
         left, top, right, bottom = driven.ask("place_of", "search")
         driven.mouse("mousemove", int(0.5 * (left + right)), int(0.5 * (top + bottom)))
         driven.mouse("click", 1, "sleep", 0.2, "type", "--delay", 30, "dust optical depth")
-        driven.mouse("mousemove", 900, 300, "sleep", 0.3, "click", 1, "sleep", 0.3)
+        driven.mouse("mousemove", 600, 200, "sleep", 0.3, "click", 1, "sleep", 0.3)
         yield driven
     finally:
         driven.close()
@@ -134,7 +134,7 @@ def test_a_slider_dragged_changes_the_value_and_the_picture(window: Driven) -> N
     assert shown["depth"] > before * after / 0.5 * 0.8
     assert shown["finished"]
     # one drag is one step to undo
-    window.mouse("mousemove", 900, 300, "sleep", 0.1, "key", "ctrl+z")
+    window.mouse("mousemove", 600, 200, "sleep", 0.1, "key", "ctrl+z")
     assert window.ask("settled", 60.0)
     assert window.ask("value", DEPTH) == 0.5
 
@@ -191,7 +191,7 @@ def test_frames_keep_coming_while_the_planet_is_solved(window: Driven) -> None:
 
 
 def test_an_idle_window_costs_no_processor_time(window: Driven) -> None:
-    window.mouse("mousemove", 900, 300)
+    window.mouse("mousemove", 600, 200)
     assert window.ask("settled", 60.0)
     time.sleep(2.0)  # the last hints have faded
     frames = window.ask("frames")
@@ -201,7 +201,7 @@ def test_an_idle_window_costs_no_processor_time(window: Driven) -> None:
 
 
 def test_the_window_ends_with_all_its_threads(window: Driven) -> None:
-    window.mouse("mousemove", 900, 300, "key", "ctrl+q")
+    window.mouse("mousemove", 600, 200, "key", "ctrl+q")
     reply = window.answer()
     assert reply == {"ended": True, "threads": [name for name in reply["threads"] if "_" in name]}
     assert window.process.wait(timeout=20) == 0

@@ -278,7 +278,7 @@ class Flight:
 
     def look(self, right: float, down: float) -> None:
         """The mouse has moved by parts of the picture's width: the picture follows it."""
-        fov = float(self._session.view["view.field_of_view"])  # type: ignore[arg-type]
+        fov = float(self._session.view["view.field_of_view"])
         self._session.move(looked(self._session.view, -right * fov, -down * fov))
 
     def wheel(self, notches: float) -> None:
@@ -287,12 +287,12 @@ class Flight:
 
     def drag_sun(self, right: float, down: float) -> None:
         """The mouse drags the sun by parts of the picture's width."""
-        fov = float(self._session.view["view.field_of_view"])  # type: ignore[arg-type]
+        fov = float(self._session.view["view.field_of_view"])
         self._session.move(sun_dragged(self._session.view, right * fov, down * fov))
 
     def set_time(self, declination: float, hour: float) -> None:
         """The sun by time; see ``sun_at``. [deg], [h]"""
-        latitude = float(self._session.view["view.latitude"])  # type: ignore[arg-type]
+        latitude = float(self._session.view["view.latitude"])
         zenith, azimuth = sun_at(latitude, declination, hour)
         self._session.move({"view.sun_zenith": zenith, "view.sun_azimuth": azimuth})
 
@@ -301,7 +301,6 @@ class Flight:
         """Declination [deg] and local solar time [h] of the sun where the observer is."""
         view = self._session.view
         latitude, zenith, azimuth = (
-            float(view[f"view.{name}"])  # type: ignore[arg-type]
-            for name in ("latitude", "sun_zenith", "sun_azimuth")
+            float(view[f"view.{name}"]) for name in ("latitude", "sun_zenith", "sun_azimuth")
         )
         return time_of(latitude, zenith, azimuth)

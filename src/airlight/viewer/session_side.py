@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from airlight.viewer.session import Session, Versions, Wanted
+from airlight.viewer.editing import Versions, Wanted
+from airlight.viewer.session import Session
 
 
 class SessionSide:

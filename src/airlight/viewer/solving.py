@@ -21,7 +21,7 @@ from airlight.errors import AirlightError, Cancelled
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.planet import Planet
 from airlight.planets.reader import read_planet
-from airlight.viewer.session import Versions, Wanted
+from airlight.viewer.editing import Versions, Wanted
 from airlight.viewer.switches import switched
 
 #: A preview that takes longer than this is given up for a newer edit. Quicker ones are finished, so
