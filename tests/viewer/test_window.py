@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import shutil
@@ -77,7 +78,10 @@ class Driven:
         if self.process.poll() is None:
             self.process.kill()
         self.process.wait()
-        self._errors.close()
+        for stream in (self.process.stdin, self.process.stdout, self._errors):
+            assert stream is not None
+            with contextlib.suppress(BrokenPipeError):
+                stream.close()
 
 
 @pytest.fixture(scope="module")

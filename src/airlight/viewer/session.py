@@ -18,6 +18,7 @@ from airlight.viewer import saved_state
 from airlight.viewer.as_standard import as_standard, is_advanced
 from airlight.viewer.comparing import Difference, differing
 from airlight.viewer.editing import Editing, Side, Versions, Wanted
+from airlight.viewer.parameter import Value
 from airlight.viewer.planet_file import planet_file
 from airlight.viewer.view_parameters import view_parameters
 

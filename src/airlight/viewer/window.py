@@ -6,9 +6,9 @@ each wakes the window when there is something new. A frame takes what is there a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from time import perf_counter
-from typing import Any, Final
+from typing import Any, Final, cast
 
 from airlight.errors import AirlightError
 from airlight.viewer.flight import Flight
@@ -19,12 +19,12 @@ from airlight.viewer.panel_save import SaveDialog, Saving
 from airlight.viewer.panel_side import SidePanel
 from airlight.viewer.panel_status import FrameTimes, Status, draw_status
 from airlight.viewer.picture_area import PictureArea, Rectangle, layout
-from airlight.viewer.picture_source import Picture, PictureSource, Request
+from airlight.viewer.picture_source import Orders, Picture, PictureSource, Request
 from airlight.viewer.places import PLACES, view_of
 from airlight.viewer.probing import Probing
 from airlight.viewer.session import Session
 from airlight.viewer.session_side import SessionSide
-from airlight.viewer.solving import Solving
+from airlight.viewer.solving import Solved, Solving
 from airlight.viewer.view_parameters import scene_of
 from airlight.viewer.window_canvas import EVENTS, Place
 from airlight.viewer.window_input import WindowInput
@@ -109,9 +109,22 @@ class Window:
         """Whether all that is wanted is shown, in full quality."""
         return (
             bool(self._sources)
-            and all(one.idle for one in self._solvings.values())
-            and not any(one.busy for one in self._sources.values())
             and not self._probing.busy
+            and all(self._is_settled(side) for side in self._sources)
+        )
+
+    def _is_settled(self, side: str) -> bool:
+        solving, source, shown = (
+            self._solvings[side], self._sources[side], self._shown.get(side)
+        )  # fmt: skip
+        solved = solving.latest
+        return (
+            solving.idle
+            and not source.busy
+            and shown is not None
+            and shown.finished
+            and solved is not None
+            and shown.request.same(self._request(side, solved))
         )
 
     @property
@@ -185,29 +198,31 @@ class Window:
         session.resize(round(into.width * ratio), round(into.height * ratio))
         shown = session.showing
         other = "A" if shown == "B" else "B"
-        self._want(shown, session.view)
-        view = session.view_other
-        if view is not None and self.panel.compares:
-            self._want(other, view)
+        self._want(shown)
+        if session.has_other and self.panel.compares:
+            self._want(other)
 
-    def _want(self, side: str, view: Mapping[str, Any]) -> None:
+    def _want(self, side: str) -> None:
         if side not in self._solvings:
+            self._sources[side] = self._make_source(self._place.wake)
             self._solvings[side] = Solving(
                 SessionSide(self.session, side), on_change=self._place.wake
             )
-            self._sources[side] = self._make_source(self._place.wake)
         solved = self._solvings[side].latest
-        if solved is None:
-            return
-        self._sources[side].want(
-            Request(
-                solution=solved.solution,
-                scene=scene_of(view, *self.session.size),
-                exposure=float(view["display.exposure"]),
-                automatic=bool(view["display.automatic"]),
-                tone_map=str(view["display.tone_map"]),
-                orders=view["light.orders"],
-            )
+        if solved is not None:
+            self._sources[side].want(self._request(side, solved))
+
+    def _request(self, side: str, solved: Solved) -> Request:
+        """The picture that is wanted of a side."""
+        session = self.session
+        view = session.view if side == session.showing else session.view_other or session.view
+        return Request(
+            solution=solved.solution,
+            scene=scene_of(view, *session.size),
+            exposure=float(view["display.exposure"]),
+            automatic=bool(view["display.automatic"]),
+            tone_map=str(view["display.tone_map"]),
+            orders=cast(Orders, view["light.orders"]),
         )
 
     def _gui(self) -> None:
@@ -281,6 +296,11 @@ class Window:
         return f"{_length(float(view['view.altitude']))} up    sun {zenith:.1f}° from the zenith"
 
     # --- what mouse and keys do ---------------------------------------------------------------
+
+    @property
+    def covered(self) -> bool:
+        """See ``Deeds``."""
+        return self._shows_help or bool(self._dialog.asks) or self.surface.asks
 
     def picture_rectangle(self) -> Rectangle:
         """Where the picture lies: in the middle of its part, in its own shape."""

@@ -53,6 +53,10 @@ class Deeds(Protocol):
 
     area: PictureArea
 
+    @property
+    def covered(self) -> bool:
+        """Whether something lies over the picture that takes the mouse."""
+
     def picture_rectangle(self) -> Rectangle:
         """Where the picture lies."""
 
@@ -91,15 +95,16 @@ class WindowInput:
         self._drag = ""
         # Releases count wherever they happen, before the panels see them.
         canvas.add_event_handler(self._release, "pointer_up", "key_up", order=-500)
-        canvas.add_event_handler(self._press, "pointer_down")
+        # Where the picture is bare is known here at once; ImGui knows it a frame later.
+        canvas.add_event_handler(self._press, "pointer_down", order=-500)
         canvas.add_event_handler(self._move, "pointer_move", order=-500)
-        canvas.add_event_handler(self._wheel, "wheel")
+        canvas.add_event_handler(self._wheel, "wheel", order=-500)
         canvas.add_event_handler(self._key, "key_down")
 
     def _press(self, event: Mapping[str, Any]) -> None:
         x, y = event["x"], event["y"]
         rectangle = self._deeds.picture_rectangle()
-        if not rectangle.holds(x, y):
+        if self._deeds.covered or not rectangle.holds(x, y):
             return
         self._at = self._pressed_at = (x, y)
         if event["button"] == _LEFT:
@@ -135,7 +140,8 @@ class WindowInput:
             self._deeds.click(event["x"], event["y"])
 
     def _wheel(self, event: Mapping[str, Any]) -> None:
-        if self._deeds.picture_rectangle().holds(event["x"], event["y"]):
+        bare = not self._deeds.covered
+        if bare and self._deeds.picture_rectangle().holds(event["x"], event["y"]):
             notches = -event["dy"] / _NOTCH
             notches *= _FAST if "Shift" in event.get("modifiers", ()) else 1.0
             self._deeds.attempt(lambda: self._flight.wheel(notches))

@@ -67,6 +67,12 @@ class WindowSurface:
         """Whether a panel's control is held."""
         return bool(self._imgui.is_any_item_active())
 
+    @property
+    def asks(self) -> bool:
+        """Whether a list or a menu is open over the rest."""
+        any_of = self._imgui.PopupFlags_.any_popup.value
+        return bool(self._imgui.is_popup_open("", any_of))
+
     def draw(self, gui: Callable[[], None]) -> None:
         """Clear the surface and draw what ``gui`` says."""
         encoder = self._device.create_command_encoder()
