@@ -43,12 +43,12 @@ def missing() -> str:
 class Driven:
     """A window in a process of its own, and a mouse and keys on its display."""
 
-    def __init__(self, display: str, folder: Path) -> None:
+    def __init__(self, display: str, folder: Path, by: str) -> None:
         self.environment = {**os.environ, "DISPLAY": display}
         self.log = folder / "stderr"
         self._errors = self.log.open("w")
         self.process = subprocess.Popen(
-            [sys.executable, str(DRIVER), "mars", *map(str, SIZE)],
+            [sys.executable, str(DRIVER), "mars", *map(str, SIZE), by],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=self._errors,
@@ -101,7 +101,7 @@ def window(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Driven]:
     os.close(writes)
     with os.fdopen(reads) as pipe:
         display = f":{pipe.readline().strip()}"
-    driven = Driven(display, tmp_path_factory.mktemp("window"))
+    driven = Driven(display, tmp_path_factory.mktemp("window"), "cpu")
     try:
         assert driven.ask("settled", 240.0), driven.ask("error")
         left, top, right, bottom = driven.ask("place_of", "search")

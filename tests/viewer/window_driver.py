@@ -90,11 +90,11 @@ class Answers:
 
 
 def main() -> None:
-    planet, width, height = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
+    planet, width, height, by = sys.argv[1], int(sys.argv[2]), int(sys.argv[3]), sys.argv[4]
     session = opened(Start(planet=planet, view={"light.quality": "preview"}))
     place = DesktopPlace((width, height), "airlight test")
     device = open_device()
-    window = Window(session, place, device.device, pictures_by("auto", device))
+    window = Window(session, place, device.device, pictures_by(by, device))
     answers = Answers(window, place)
 
     def listen() -> None:

@@ -61,6 +61,7 @@ class PictureArea:
         self._known: dict[int, tuple[Any, Any]] = {}
         self.divider = 0.5
         self._dragging = False
+        self._split = False
 
     def draw(self, left: Picture | None, right: Picture | None, into: Rectangle) -> None:
         """Draw a picture, or the left part of one and the right part of another.
@@ -77,6 +78,7 @@ class PictureArea:
         for old in set(self._known) - views:
             _, reference = self._known.pop(old)
             self._backend.unregister_texture(reference)
+        self._split = right is not None
         if right is None:
             self._part(left, into, 0.0, 1.0)
             return
@@ -140,7 +142,7 @@ class PictureArea:
     def grab(self, x: float, y: float, into: Rectangle) -> bool:
         """Begin to drag the divider if it is at this point."""
         line = into.left + self.divider * into.width
-        self._dragging = into.holds(x, y) and abs(x - line) <= _GRAB
+        self._dragging = self._split and into.holds(x, y) and abs(x - line) <= _GRAB
         return self._dragging
 
     def drag(self, x: float, into: Rectangle) -> bool:

@@ -85,6 +85,11 @@ class CpuPictures:
             return self._working
 
     @property
+    def needs_frames(self) -> bool:
+        """See ``PictureSource``: the thread wakes the window."""
+        return False
+
+    @property
     def error(self) -> str:
         """See ``PictureSource``."""
         return self._error

@@ -92,8 +92,9 @@ class Picture:
 class PictureSource(Protocol):
     """Makes the pictures of one side of the window; all calls come from the drawing thread."""
 
-    #: Who computes, in a few words.
-    name: str
+    @property
+    def name(self) -> str:
+        """Who computes, in a few words."""
 
     def want(self, request: Request) -> None:
         """Say what is to be shown from now on; returns at once."""
@@ -104,6 +105,10 @@ class PictureSource(Protocol):
     @property
     def busy(self) -> bool:
         """Whether a newer or finer picture will follow."""
+
+    @property
+    def needs_frames(self) -> bool:
+        """Whether that happens only if the window goes on drawing."""
 
     @property
     def error(self) -> str:

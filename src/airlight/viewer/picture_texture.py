@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,9 @@ class PictureTexture:
     ----------
     device : wgpu.GPUDevice
     """
+
+    #: Encoded sRGB: what is written is what is shown.
+    form: Final = "rgba8unorm"
 
     def __init__(self, device: Any) -> None:
         self._device = device
@@ -31,7 +34,7 @@ class PictureTexture:
             self._texture = self._device.create_texture(
                 label="picture",
                 size=(width, height, 1),
-                format="rgba8unorm",
+                format=self.form,
                 usage=usage.COPY_DST
                 | usage.COPY_SRC
                 | usage.TEXTURE_BINDING

@@ -137,7 +137,11 @@ def pictures_by(
     """What makes picture sources: by the graphics device, or by the processor."""
 
     def make(wake: Callable[[], None]) -> PictureSource:
-        return CpuPictures(device.device, wake)
+        if choice == "cpu":
+            return CpuPictures(device.device, wake)
+        from airlight.viewer.picture_gpu import GpuPictures
+
+        return GpuPictures(device, wake)
 
     return make
 

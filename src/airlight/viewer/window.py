@@ -67,6 +67,7 @@ class Window:
         self.area = PictureArea(self.surface.backend)
         self._make_source = source
         self._sources: dict[str, PictureSource] = {}
+        self._sides: tuple[str, ...] = ()
         self._shown: dict[str, Picture] = {}
         self._solvings: dict[str, Solving] = {}
         self._flight = Flight(session)
@@ -108,9 +109,9 @@ class Window:
     def settled(self) -> bool:
         """Whether all that is wanted is shown, in full quality."""
         return (
-            bool(self._sources)
+            bool(self._sides)
             and not self._probing.busy
-            and all(self._is_settled(side) for side in self._sources)
+            and all(self._is_settled(side) for side in self._sides)
         )
 
     def _is_settled(self, side: str) -> bool:
@@ -130,8 +131,8 @@ class Window:
     @property
     def problem(self) -> str:
         """Why what is wanted cannot be shown, in one line; empty if it can."""
-        errors = [one.status.error for one in self._solvings.values()]
-        errors += [one.error for one in self._sources.values()]
+        errors = [self._solvings[side].status.error for side in self._sides]
+        errors += [self._sources[side].error for side in self._sides]
         return next((one for one in (self._error, *errors) if one), "")
 
     def shown(self, side: str = "") -> Picture | None:
@@ -170,6 +171,7 @@ class Window:
             self._flight.moving
             or self.panel.plays
             or self.surface.pressed
+            or any(self._sources[side].needs_frames for side in self._sides)
             or perf_counter() - self._last_event < _LINGER
         )
 
@@ -198,9 +200,9 @@ class Window:
         session.resize(round(into.width * ratio), round(into.height * ratio))
         shown = session.showing
         other = "A" if shown == "B" else "B"
-        self._want(shown)
-        if session.has_other and self.panel.compares:
-            self._want(other)
+        self._sides = (shown, other) if session.has_other and self.panel.compares else (shown,)
+        for side in self._sides:
+            self._want(side)
 
     def _want(self, side: str) -> None:
         if side not in self._solvings:
