@@ -16,6 +16,11 @@ _SHORT_LIST = 4
 class ParameterRows:
     """Rows of parameters, with a search and a switch for the advanced ones.
 
+    Parameters
+    ----------
+    marks : bool
+        Whether changed parameters stand out.
+
     Attributes
     ----------
     search : str
@@ -27,7 +32,8 @@ class ParameterRows:
         bottom. [logical pixel]
     """
 
-    def __init__(self) -> None:
+    def __init__(self, *, marks: bool = True) -> None:
+        self.marks = marks
         self.search = ""
         self.advanced = False
         self.places: dict[str, tuple[float, float, float, float]] = {}
@@ -96,7 +102,7 @@ class ParameterRows:
             else:
                 imgui.set_next_item_open(group not in set(closed), imgui.Cond_.once.value)
             changed = sum(not same_value(values(one), defaults(one)) for one in rows)
-            title = f"{group}   · {changed} changed" if changed else group
+            title = f"{group}   · {changed} changed" if changed and self.marks else group
             if imgui.collapsing_header(f"{title}###{group}"):
                 imgui.push_id(group)
                 self._group(rows, values, defaults, change, reset)
@@ -122,7 +128,7 @@ class ParameterRows:
                 if not imgui.tree_node(f"{name}: {len(items)} values###{part_of}"):
                     continue
             for one in items:
-                answer = parameter_row(one, values(one), defaults(one))
+                answer = parameter_row(one, values(one), defaults(one), marks=self.marks)
                 self.places[one.path] = answer.place
                 if answer.reset:
                     reset(one.path)

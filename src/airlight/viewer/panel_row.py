@@ -31,7 +31,9 @@ class Answer(NamedTuple):
     place: tuple[float, float, float, float]
 
 
-def parameter_row(parameter: Parameter, value: Value, default: Value) -> Answer:
+def parameter_row(
+    parameter: Parameter, value: Value, default: Value, *, marks: bool = True
+) -> Answer:
     """Draw a row, and say what the user changed.
 
     Parameters
@@ -42,6 +44,8 @@ def parameter_row(parameter: Parameter, value: Value, default: Value) -> Answer:
         What it is set to.
     default : float, str or bool
         What the way back leads to.
+    marks : bool
+        Whether the name of a changed parameter has another colour.
 
     Returns
     -------
@@ -54,7 +58,7 @@ def parameter_row(parameter: Parameter, value: Value, default: Value) -> Answer:
     imgui.align_text_to_frame_padding()
     left = imgui.get_cursor_pos_x()
     differs = not same_value(value, default)
-    _name(parameter.label, style.ACCENT if differs else None)
+    _name(parameter.label, style.ACCENT if differs and marks else None)
     style.hint(_explained(parameter, default))
     imgui.same_line(left + NAME_WIDTH)
     right = imgui.get_content_region_avail().x
@@ -101,31 +105,43 @@ def shown(parameter: Parameter, value: Value) -> str:
         return "on" if value else "off"
     if isinstance(value, str):
         return value or "nothing"
-    return f"{value:.6g} {unit_text(parameter.unit)}".rstrip()
+    return with_unit(f"{value:.6g}", parameter.unit)
 
 
 def unit_text(unit: str) -> str:
-    """A unit as it is written on a panel: exponents raised, none for pure numbers.
+    """A unit as it is written on a panel: powers raised, none for pure numbers.
 
     Examples
     --------
     >>> unit_text("W/m^2/nm"), unit_text("/m"), unit_text("deg"), unit_text("1")
-    ('W m⁻² nm⁻¹', 'm⁻¹', '°', '')
+    ('W/(m² nm)', '1/m', '°', '')
     """
     if unit in ("1", ""):
         return ""
     if unit in ("deg", "degree"):
         return "°"
-    raised = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
     above, *below = unit.replace("**", "^").split("/")
-    words = []
-    for sign, part in [("", above), *(("-", one) for one in below)]:
-        name, _, power = part.partition("^")
-        if name in ("1", ""):
-            continue
-        power = sign + power if power else ("-1" if sign else "")
-        words.append(name + power.translate(raised))
-    return " ".join(words)
+    words = [_raised(one) for one in below if one]
+    under = words[0] if len(words) == 1 else f"({' '.join(words)})"
+    over = _raised(above) or "1"
+    return f"{over}/{under}" if words else over
+
+
+def with_unit(number: str, unit: str) -> str:
+    """A number and its unit, with a space between them where there is one.
+
+    Examples
+    --------
+    >>> with_unit("8.5", "km"), with_unit("60", "deg"), with_unit("0.3", "1")
+    ('8.5 km', '60°', '0.3')
+    """
+    text = unit_text(unit)
+    return number + text if text == "°" else f"{number} {text}".rstrip()
+
+
+def _raised(unit: str) -> str:
+    name, _, power = unit.partition("^")
+    return name + power.translate(str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹"))
 
 
 def _name(label: str, color: tuple[float, float, float, float] | None) -> None:
@@ -146,11 +162,12 @@ def _explained(parameter: Parameter, default: Value) -> str:
     lines = [parameter.label, parameter.help]
     if parameter.kind == "number":
         low, high = (max(parameter.least, -1e300), min(parameter.most, 1e300))
-        unit = unit_text(parameter.unit)
+        unit = parameter.unit
         if abs(low) < 1e300 and high < 1e300:
-            lines.append(f"{low:.6g} to {high:.6g} {unit}".rstrip())
+            lines.append(f"{low:.6g} to {with_unit(f'{high:.6g}', unit)}")
         else:
-            lines.append(f"slider: {parameter.low:.6g} to {parameter.high:.6g} {unit}".rstrip())
+            high = parameter.high
+            lines.append(f"slider: {parameter.low:.6g} to {with_unit(f'{high:.6g}', unit)}")
     lines.append(f"as it was: {shown(parameter, default)}")
     if parameter.kind == "number":
         lines.append("Ctrl+click to type a number")
@@ -171,7 +188,8 @@ def _control(parameter: Parameter, value: Any) -> tuple[bool, Any]:
     if parameter.scale == "log":
         flags |= imgui.SliderFlags_.logarithmic.value
     unit = unit_text(parameter.unit).replace("%", "%%")
-    form = f"%.5g {unit}".rstrip() if unit != "°" else "%.5g°"
+    digits = "%.7g" if unit == "m" else "%.5g"
+    form = f"{digits}{'' if unit == '°' else ' '}{unit}".rstrip()
     number = float(value)
     moved, new = imgui.slider_float(
         "##value", number, float(parameter.low), float(parameter.high), form, flags

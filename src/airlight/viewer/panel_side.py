@@ -9,7 +9,7 @@ from airlight.planets.reader import planet_names
 from airlight.viewer import window_style as style
 from airlight.viewer.flight import Flight
 from airlight.viewer.panel_parameters import ParameterRows
-from airlight.viewer.panel_row import NAME_WIDTH, RESET_WIDTH, unit_text
+from airlight.viewer.panel_row import NAME_WIDTH, RESET_WIDTH, with_unit
 from airlight.viewer.panel_status import fixed_window_flags
 from airlight.viewer.panel_values import PanelValues
 from airlight.viewer.parameter import Value
@@ -33,6 +33,15 @@ class SidePanel:
         ``do(deed)``, as the keys do it.
     attempt : callable
         Runs an edit and shows its error in the window.
+
+    Attributes
+    ----------
+    plays, speed : bool, float
+        Whether time passes, and how many times as fast as a clock.
+    compares, probes : bool
+        Whether two pictures are shown side by side, and whether a click reads a point.
+    opens : str
+        The name of a tab that the next frame brings to the front.
     """
 
     def __init__(
@@ -48,11 +57,12 @@ class SidePanel:
         self._attempt = attempt
         self._values = PanelValues(session)
         self.planet_rows = ParameterRows()
-        self.view_rows = ParameterRows()
+        self.view_rows = ParameterRows(marks=False)
         self.plays = False
         self.speed = SPEEDS[2]
         self.compares = False
         self.probes = False
+        self.opens = ""
         self._dragged = ""
 
     def draw(self, into: Rectangle) -> None:
@@ -70,9 +80,11 @@ class SidePanel:
                 ("View", self._view),
                 ("Compare", self._compare),
             ):
-                if imgui.begin_tab_item_simple(name):
+                chosen = imgui.TabItemFlags_.set_selected.value if name == self.opens else 0
+                if imgui.begin_tab_item_simple(name, chosen):
                     draw()
                     imgui.end_tab_item()
+            self.opens = ""
             imgui.end_tab_bar()
         imgui.end()
         if self._dragged and not imgui.is_any_item_active():
@@ -87,7 +99,7 @@ class SidePanel:
         names = list(planet_names())
         if source not in names:
             names.insert(0, source)
-        imgui.set_next_item_width(imgui.get_content_region_avail().x - 186.0)
+        imgui.set_next_item_width(imgui.get_content_region_avail().x - 204.0)
         shown = Path(source).name
         if imgui.begin_combo(
             "##planet", f"{session.showing}: {shown}", imgui.ComboFlags_.height_large
@@ -108,8 +120,8 @@ class SidePanel:
         )
         imgui.same_line()
         style.button(
-            style.RESET,
             "reset",
+            "all",
             "back to what the planet came with: planet and view",
             lambda: self._do("reset"),
         )
@@ -301,4 +313,4 @@ def _text(value: Value | None, unit: str) -> str:
         return "–"
     if isinstance(value, bool):
         return "on" if value else "off"
-    return value if isinstance(value, str) else f"{value:.5g} {unit_text(unit)}".rstrip()
+    return value if isinstance(value, str) else with_unit(f"{value:.5g}", unit)

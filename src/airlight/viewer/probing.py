@@ -13,7 +13,7 @@ from airlight.solvers import solve
 from airlight.viewer.picture_source import Request
 from airlight.viewer.probe import Probe, probe_pixel
 
-#: Wavelengths of the finer spectrum, which is solved in preview quality.
+#: Wavelengths of the finer spectrum, which is solved as finely as what is shown.
 FINER: Final = 16
 
 
@@ -122,14 +122,14 @@ class Probing:
         known = self._finer[1] if self._finer[0] is shown else None
         if known is None and count < FINER:
             self.reading = Reading(probe=found, spectrum=found, quality=words, place=place)
-            self.working = f"spectrum at {FINER} wavelengths …"
+            self.working = f"{count} wavelengths as shown; {FINER} follow …"
             self._wake()
             known = self._solved(request)
             self._finer = (shown, known)
         if known is not None:
             finer = probe_pixel(known, request.scene, x, y)
             if finer is not None:
-                words = f"spectrum at {FINER} wavelengths, preview"
+                words = f"{FINER} wavelengths"
                 self.reading = Reading(probe=found, spectrum=finer, quality=words, place=place)
                 return
         self.reading = Reading(probe=found, spectrum=found, quality=words, place=place)
@@ -147,4 +147,4 @@ class Probing:
             )
 
         nm = default_wavelengths(FINER, *planet.wavelength_limits)
-        return solve(planet, nm, "preview", cache=False, cancel=newer)
+        return solve(planet, nm, request.solution.settings, cache=False, cancel=newer)

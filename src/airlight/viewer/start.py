@@ -14,16 +14,20 @@ import numpy as np
 from airlight.errors import FileError
 from airlight.gpu.device import Device, NoDevice, open_device
 from airlight.scene import look_at
-from airlight.viewer.measures import number_in
 from airlight.viewer.parameter import Value
 from airlight.viewer.picture_cpu import CpuPictures
 from airlight.viewer.picture_source import PictureSource
+from airlight.viewer.places import PLACES, view_of
 from airlight.viewer.session import Session
 from airlight.viewer.window import Window
 from airlight.viewer.window_canvas import DesktopPlace, OffscreenPlace, WindowError
 
 #: Where the camera looks from a given altitude if nobody says: across the sunlight. [deg]
 _ACROSS: Final = -75.0
+#: Whoever gives one of these has a view of his own.
+_PLACED: Final = frozenset(
+    {"view.altitude", "view.sun_zenith", "view.field_of_view", "view.projection"}
+)
 #: The longest wait for a picture of the window. [s]
 _PATIENCE: Final = 300.0
 
@@ -112,23 +116,31 @@ def opened(start: Start) -> Session:
         session.replace_tables("--set", changed)
     for path, value in start.view.items():
         session.set(path, value)
+    if start.look is None and start.look_at is None and not set(start.view) & _PLACED:
+        session.move(_first_view(session))
     view = session.view
     target, word, aside = start.look, start.look_at, 0.0
     if target is None and word is None and "view.altitude" in start.view:
         word, aside = "horizon", _ACROSS
     if word is not None:
-        bottom = session.planet.tables["shell"]["bottom_radius"]
         target = look_at(
             word,
             altitude=float(view["view.altitude"]),
             sun_zenith=float(view["view.sun_zenith"]),
-            bottom_radius=number_in(bottom, "m", "m", "shell.bottom_radius"),
+            bottom_radius=1e3 * float(session.value("shell.bottom_radius")),
         )
     if target is not None:
         bearing = float(view["view.sun_azimuth"])
         heading = (bearing + target[1] + aside) % 360.0
         session.move({"view.look_zenith": target[0], "view.heading": heading})
     return session
+
+
+def _first_view(session: Session) -> Mapping[str, float]:
+    """The sky from the ground, a little aside from the sun."""
+    bottom, top = (1e3 * float(session.value(f"shell.{end}_radius")) for end in ("bottom", "top"))
+    bearing = float(session.view["view.sun_azimuth"])
+    return view_of(PLACES[0], bottom_radius=bottom, top_radius=top, bearing=bearing)
 
 
 def pictures_by(

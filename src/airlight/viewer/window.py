@@ -12,7 +12,6 @@ from typing import Any, Final, cast
 
 from airlight.errors import AirlightError
 from airlight.viewer.flight import Flight
-from airlight.viewer.measures import number_in
 from airlight.viewer.overlay_help import draw_help
 from airlight.viewer.panel_probe import PROBE_HEIGHT, draw_probe
 from airlight.viewer.panel_save import SaveDialog, Saving
@@ -367,16 +366,14 @@ class Window:
         self._said = (text, perf_counter() + _MESSAGE)
 
     def _go(self, index: int) -> None:
-        planet, view = self.session.planet, self.session.view
-        shell = planet.tables["shell"]
+        session = self.session
         bottom, top = (
-            number_in(shell[key], "m", "m", f"shell.{key}")
-            for key in ("bottom_radius", "top_radius")
+            1e3 * float(session.value(f"shell.{end}_radius")) for end in ("bottom", "top")
         )
         place = PLACES[index]
-        bearing = float(view["view.sun_azimuth"])
+        bearing = float(session.view["view.sun_azimuth"])
         moved = view_of(place, bottom_radius=bottom, top_radius=top, bearing=bearing)
-        self.attempt(lambda: self.session.move(moved))
+        self.attempt(lambda: session.move(moved))
 
     def _toggle_help(self) -> None:
         self._shows_help = not self._shows_help

@@ -73,6 +73,8 @@ def apply_style() -> None:
         color.tab_selected_overline: ACCENT,
         color.text: (0.92, 0.93, 0.94, 1.0),
         color.text_disabled: QUIET,
+        color.table_header_bg: (0.15, 0.165, 0.19, 1.0),
+        color.table_row_bg_alt: (1.0, 1.0, 1.0, 0.03),
         color.separator: (0.24, 0.25, 0.28, 1.0),
     }.items():
         style.set_color_(which, imgui.ImVec4(*value))
