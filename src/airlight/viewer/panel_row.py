@@ -114,7 +114,7 @@ def unit_text(unit: str) -> str:
     Examples
     --------
     >>> unit_text("W/m^2/nm"), unit_text("/m"), unit_text("deg"), unit_text("1")
-    ('W/(m² nm)', '1/m', '°', '')
+    ('W/(m² nm)', '/m', '°', '')
     """
     if unit in ("1", ""):
         return ""
@@ -123,7 +123,7 @@ def unit_text(unit: str) -> str:
     above, *below = unit.replace("**", "^").split("/")
     words = [_raised(one) for one in below if one]
     under = words[0] if len(words) == 1 else f"({' '.join(words)})"
-    over = _raised(above) or "1"
+    over = "" if above == "1" else _raised(above)
     return f"{over}/{under}" if words else over
 
 
