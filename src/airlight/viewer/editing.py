@@ -5,7 +5,8 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any, Final, NamedTuple
+from types import MappingProxyType
+from typing import Any, Final
 
 from airlight.errors import ParameterError
 from airlight.planets.toml_section import suggestion
@@ -16,54 +17,10 @@ from airlight.viewer.parameter import Parameter, Value
 from airlight.viewer.parameter_list import value_at
 from airlight.viewer.planet_state import PlanetState
 from airlight.viewer.view_parameters import DEFAULTS, scene_of, view_parameters
+from airlight.viewer.wanted import SOLVED, Versions, Wanted, version_of
 
 #: Size of the picture until a host says otherwise. [pixel]
 DEFAULT_SIZE: Final = (960, 540)
-#: Parameters of the view that need a new solution, beside the constituents' switches.
-SOLVED: Final = ("light.quality", "light.wavelengths")
-
-
-class Versions(NamedTuple):
-    """Counters that grow with every change of their part.
-
-    Attributes
-    ----------
-    planet : int
-        What is solved: planet, switches, wavelengths, quality.
-    view : int
-        What is rendered: camera, sun, orders, size.
-    display : int
-        What is shown of it: exposure, tone map.
-    """
-
-    planet: int = 0
-    view: int = 0
-    display: int = 0
-
-
-class Wanted(NamedTuple):
-    """What has to be solved; see ``solving``.
-
-    Attributes
-    ----------
-    version : int
-        Of the planet.
-    state : PlanetState
-    quality : str
-        That follows the preview.
-    wavelengths : str
-        How many, in a word: one of ``view_parameters.WAVELENGTHS``.
-    """
-
-    version: int
-    state: PlanetState
-    quality: str
-    wavelengths: str
-
-    @property
-    def key(self) -> tuple[str, str]:
-        """Equal where the same has to be solved, the quality apart."""
-        return self.state.key, self.wavelengths
 
 
 class Side:
@@ -93,7 +50,10 @@ class Editing:
         self._side = Side(PlanetState.opened(planet), dict(DEFAULTS))
         self._other: Side | None = None
         self._showing = "A"
+        self._dragged = ""
         self._versions = Versions(1, 1, 1)
+        self._listed: tuple[Any, tuple[str, ...], Any, dict[str, Parameter]] | None = None
+        self._valued: tuple[Versions, Mapping[str, Value]] | None = None
         self._followers: list[Callable[[Versions], None]] = []
         self.size = DEFAULT_SIZE
         self.shares_camera = True
@@ -113,12 +73,19 @@ class Editing:
     @property
     def parameters(self) -> tuple[Parameter, ...]:
         """The declared list for the planet that is shown, and for the view."""
-        return (*self.planet.parameters, *view_parameters(self.planet.groups))
+        planet, groups = self.planet.parameters, self.planet.groups
+        if self._listed is None or self._listed[0] is not planet or self._listed[1] != groups:
+            whole = (*planet, *view_parameters(groups))
+            self._listed = (planet, groups, whole, {one.path: one for one in whole})
+        return self._listed[2]
 
     @property
-    def values(self) -> dict[str, Value]:
+    def values(self) -> Mapping[str, Value]:
         """Every parameter's value by its path: numbers in the parameter's unit."""
-        return {one.path: self._value(one) for one in self.parameters}
+        if self._valued is None or self._valued[0] != self._versions:
+            values = {one.path: self._value(one) for one in self.parameters}
+            self._valued = (self._versions, MappingProxyType(values))
+        return self._valued[1]
 
     def parameter(self, path: str) -> Parameter:
         """A parameter by its path; constituents by place or by name.
@@ -129,10 +96,11 @@ class Editing:
             If there is none: the nearest is suggested.
         """
         full = self._full(path)
-        for one in self.parameters:
-            if one.path == full:
-                return one
-        known = tuple(one.path for one in self.parameters)
+        whole = self.parameters
+        assert self._listed is not None
+        if full in self._listed[3]:
+            return self._listed[3][full]
+        known = tuple(one.path for one in whole)
         near = suggestion(full, known)
         hint = near[near.index(" (did") :] if " (did" in near else ""
         raise ParameterError("path", path, f"a parameter of the list{hint}")
@@ -274,7 +242,8 @@ class Editing:
         if joined is not None:
             joined.before, joined.after, joined.time = before, after, now
         else:
-            self._side.history.add(Step(part, path, before, after, now))
+            dragged = path == self._dragged
+            self._side.history.add(Step(part, path, before, after, now, open=dragged))
         self._put(part, after)
 
     def _put(self, part: str, after: Any) -> None:
@@ -284,20 +253,18 @@ class Editing:
             return
         changed = {path for path, value in after.items() if value != self._side.view[path]}
         self._side.view = dict(after)
-        parts = {_version_of(path) for path in changed}
+        parts = {version_of(path) for path in changed}
         if parts:
             self._grown(*parts)
 
     def begin_drag(self, path: str) -> None:
         """All edits of a parameter until ``end_drag`` are one step."""
         self.end_drag()
-        parameter = self.parameter(path)
-        part = "view" if parameter.path in self._side.view else "planet"
-        now = self._part(part)
-        self._side.history.add(Step(part, parameter.path, now, now, self._clock(), open=True))
+        self._dragged = self.parameter(path).path
 
     def end_drag(self) -> None:
         """The next edit is a step of its own."""
+        self._dragged = ""
         self._side.history.close()
 
     def undo(self) -> str | None:
@@ -422,9 +389,3 @@ class Editing:
         if (width, height) != self.size:
             self.size = (max(1, int(width)), max(1, int(height)))
             self._grown("view")
-
-
-def _version_of(path: str) -> str:
-    if path in SOLVED:
-        return "planet"
-    return "display" if path.startswith("display.") else "view"

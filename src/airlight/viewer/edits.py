@@ -5,6 +5,9 @@ from __future__ import annotations
 import math
 from typing import Any, Final
 
+import numpy as np
+
+from airlight.optics.phase_table import moments
 from airlight.planets.constituent_reader import OZONE_TABLE
 from airlight.viewer.measures import number_in, text_of
 from airlight.viewer.parameter import Parameter, Value
@@ -25,7 +28,8 @@ def edited(tables: Tables, parameter: Parameter, value: Value) -> Tables:
     """The tables with a parameter's new value.
 
     A word that chooses another form (of a profile, of a phase function, of sizes) puts that form's
-    keys into the table; mole fractions make room for each other; the air moves with the ground.
+    keys into the table; mole fractions make room for each other; the air moves with the ground;
+    a tabulated phase function keeps its integral.
 
     Parameters
     ----------
@@ -61,7 +65,29 @@ def edited(tables: Tables, parameter: Parameter, value: Value) -> Tables:
         return _mixed(tables, path, value)
     if path == "shell.bottom_radius":
         tables = _lifted(tables, value)
-    return put(tables, path, text_of(value, key.unit))
+    tables = put(tables, path, text_of(value, key.unit))
+    table, _, last = path.partition(".phase_function.")
+    if last.startswith(("values[", "angles[")):
+        return _normalised(tables, f"{table}.phase_function")
+    return tables
+
+
+def _normalised(tables: Tables, path: str) -> Tables:
+    """A tabulated phase function divided by its integral over the sphere, row by row.
+
+    One that has none, since its angles do not grow, is left for the reader to refuse.
+    """
+    table = get(tables, path)
+    angles = np.array([number_in(one, "deg", "deg", path) for one in table["angles"]])
+    values = table["values"]
+    rows = values if isinstance(values[0], list) else [values]
+    numbers = np.array([[number_in(one, "/sr", "1/sr", path) for one in row] for row in rows])
+    grows = angles.size >= 2 and bool((np.diff(angles) > 0.0).all())
+    if not grows or numbers.shape[1] != angles.size or not numbers.any(axis=1).all():
+        return tables
+    integrals = moments(angles, numbers, 0)
+    unit = [[float(f"{x:.9g}") for x in row] for row in (numbers / integrals).tolist()]
+    return put(tables, f"{path}.values", unit if rows is values else unit[0])
 
 
 def _mixed(tables: Tables, path: str, share: float) -> Tables:

@@ -177,6 +177,8 @@ def _table(table: Tables, place: _Place) -> Iterator[Parameter]:
 
 
 def _value(key: Key, value: Any, path: str, place: _Place) -> Iterator[Parameter]:
+    if key.kind == "table" and not _holds_tables(value):
+        raise ParameterError(path, value, "a table" if key.name != "constituents" else "tables")
     if isinstance(value, dict):
         yield from _table(value, _within(key, path, place, value))
     elif isinstance(value, list) and not _flat(value):
@@ -191,13 +193,20 @@ def _value(key: Key, value: Any, path: str, place: _Place) -> Iterator[Parameter
     elif isinstance(value, list):
         yield from _items(key, value, path, place)
     elif key.kind == "text" or (isinstance(value, str) and value.endswith(".csv")):
-        yield _parameter(key, path, place, kind="text")
+        yield _parameter(key, path, place, kind="text", least=key.least, most=key.most)
     elif key.kind == "choice" or (isinstance(value, str) and value[:1].isalpha()):
         words = key.words()
         options = words if value in words else (*words, str(value))
         yield _parameter(key, path, place, kind="choice", options=options)
     else:
         yield _number(key, value, path, place)
+
+
+def _holds_tables(value: Any) -> bool:
+    """Whether it is a table or a list of tables."""
+    if isinstance(value, list):
+        return bool(value) and all(isinstance(one, dict) for one in value)
+    return isinstance(value, dict)
 
 
 def _within(key: Key, path: str, place: _Place, table: Tables) -> _Place:

@@ -17,10 +17,11 @@ from airlight.planets.reader import read_planet
 from airlight.viewer import saved_state
 from airlight.viewer.as_standard import as_standard, is_advanced
 from airlight.viewer.comparing import Difference, differing
-from airlight.viewer.editing import Editing, Side, Versions, Wanted
+from airlight.viewer.editing import Editing, Side
 from airlight.viewer.parameter import Value
 from airlight.viewer.planet_file import planet_file
 from airlight.viewer.view_parameters import view_parameters
+from airlight.viewer.wanted import Versions, Wanted
 
 __all__ = ["Session", "Versions", "Wanted"]
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from airlight.viewer.editing import Versions, Wanted
 from airlight.viewer.session import Session
+from airlight.viewer.wanted import Versions, Wanted
 
 
 class SessionSide:

@@ -21,8 +21,8 @@ from airlight.errors import AirlightError, Cancelled
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.planet import Planet
 from airlight.planets.reader import read_planet
-from airlight.viewer.editing import Versions, Wanted
 from airlight.viewer.switches import switched
+from airlight.viewer.wanted import Versions, Wanted
 
 #: A preview that takes longer than this is given up for a newer edit. Quicker ones are finished, so
 #: that the picture follows a drag whose edits come faster than previews do. [s]
