@@ -11,7 +11,7 @@ from typing import Annotated, Any
 
 import typer
 
-from airlight.cli import bake, errata, planets, plot, radiance, render, show, validate
+from airlight.cli import bake, errata, planets, plot, radiance, render, show, validate, view
 from airlight.cli.examples import examples
 from airlight.errors import AirlightError, Cancelled
 
@@ -29,7 +29,7 @@ app = typer.Typer(
         "airlight radiance earth --altitude 0m --sun-zenith 60 --view-zenith 30 --azimuth 90",
     ),
 )
-for command in (planets, show, render, radiance, plot, bake, validate, errata):
+for command in (planets, show, render, view, radiance, plot, bake, validate, errata):
     app.command(epilog=command.EPILOG)(getattr(command, command.__name__.rpartition(".")[2]))
 
 
