@@ -60,6 +60,7 @@ def test_pass_reads_flat_tables_and_draws_two_float_targets(
                 "vertex": "corners",
                 "entry": "fragment",
                 "uniforms": "0/0",
+                "reads": ["0/1", "0/2", "1/0"],
             },
             "uniforms": [count, width, 0, 0, *colors.ravel().tolist()],
             "scalars": scalars.tolist(),

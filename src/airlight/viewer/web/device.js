@@ -5,8 +5,10 @@
  *
  * - `flatTexture(format, data)` — a table for `textureLoad`, see textures.js;
  * - `target(format, width, height)` — a texture that a pass draws into and later ones read;
- * - `pipeline(shader, formats)` — a promise of a compiled pass; `formats` are those of its
- *   targets, `"screen"` alone for the canvas;
+ * - `pipeline(shader, formats)` — a promise of a compiled pass; the shader has `wgsl`, `glsl` with
+ *   `vertex` and `fragment`, the names `vertex` and `entry` of its functions, the slot `uniforms`
+ *   ("group/binding") and the slots `reads`; `formats` are those of its targets, `"screen"` alone
+ *   for the canvas;
  * - `run(pipeline, uniforms, reads, targets)` — one pass; `reads` maps "group/binding" to textures,
  *   `targets` are textures, or none for the canvas;
  * - `read(texture)` — a promise of its numbers, row 0 first;

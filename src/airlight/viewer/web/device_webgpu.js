@@ -63,12 +63,29 @@ export class WebGpuDevice {
     const targets = formats.map((format) => ({
       format: format === "screen" ? this.format : format,
     }));
+    const layout = this.layout(shader);
     const pipeline = await this.device.createRenderPipelineAsync({
-      layout: "auto",
+      layout: this.device.createPipelineLayout({ bindGroupLayouts: layout }),
       vertex: { module, entryPoint: shader.vertex },
       fragment: { module, entryPoint: shader.entry, targets },
     });
-    return { pipeline, uniforms: shader.uniforms, buffer: null, groups: null, bound: null };
+    const { uniforms } = shader;
+    return { pipeline, layout, uniforms, buffer: null, groups: null, bound: null };
+  }
+
+  /** Layouts of bind groups, spelled out: an automatic one lacks what an entry does not use. */
+  layout(shader) {
+    const groups = [];
+    const visibility = GPUShaderStage.VERTEX | GPUShaderStage.FRAGMENT;
+    const add = (slot, kind) => {
+      const [group, binding] = slot.split("/").map(Number);
+      (groups[group] ??= []).push({ binding, visibility, ...kind });
+    };
+    if (shader.uniforms) add(shader.uniforms, { buffer: { type: "uniform" } });
+    for (const slot of shader.reads) add(slot, { texture: { sampleType: "unfilterable-float" } });
+    return Array.from(groups, (entries) =>
+      this.device.createBindGroupLayout({ entries: entries ?? [] }),
+    );
   }
 
   run(compiled, uniforms, reads, targets) {
@@ -107,7 +124,7 @@ export class WebGpuDevice {
     for (const [slot, texture] of Object.entries(reads)) add(slot, texture.view);
     compiled.groups = Array.from(groups, (entries, index) =>
       this.device.createBindGroup({
-        layout: compiled.pipeline.getBindGroupLayout(index),
+        layout: compiled.layout[index],
         entries: entries ?? [],
       }),
     );

@@ -30,8 +30,11 @@ export function checked(parameter, value) {
   const number = typeof value === "number" ? value : NaN;
   if (!Number.isFinite(number)) refuse(`${least} to ${most}${unit}`);
   if (parameter.wraps) return wrapped(number, least, most);
-  const slack = Number.isFinite(most) ? 1e-12 * Math.max(Math.abs(least), Math.abs(most)) : 0;
-  if (number < least - slack || number > most + slack) refuse(`${least} to ${most}${unit}`);
+  // A slider's end may miss the limit by rounding.
+  const slack = (limit) => (Number.isFinite(limit) ? 1e-12 * Math.abs(limit) : 0);
+  if (number < least - slack(least) || number > most + slack(most)) {
+    refuse(`${least} to ${most}${unit}`);
+  }
   return Math.min(Math.max(number, least), most);
 }
 

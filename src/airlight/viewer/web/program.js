@@ -34,6 +34,7 @@ export class Program {
         vertex: pass.vertex,
         entry: pass.entry,
         uniforms: pass.uniforms,
+        reads: Object.keys(pass.reads),
       };
       this.compiled.set(pass.name, await device.pipeline(text, formats));
     });

@@ -23,8 +23,8 @@ export function cameraAxes(zenith, azimuth, roll) {
   const level = direction(90, azimuth + 90);
   const upright = cross(level, forward);
   const [cos, sin] = [Math.cos(roll * RADIAN), Math.sin(roll * RADIAN)];
-  const right = level.map((x, i) => cos * x + sin * upright[i]);
-  const up = upright.map((x, i) => cos * x - sin * level[i]);
+  const right = level.map((x, i) => cos * x - sin * upright[i]);
+  const up = upright.map((x, i) => cos * x + sin * level[i]);
   return [right, up, forward];
 }
 
