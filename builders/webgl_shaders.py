@@ -14,7 +14,7 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from airlight.gpu.translated import file_name, with_head
+from airlight.gpu.translated import entry_points, file_name, with_head
 
 #: Later versions may write other text, and need a newer Node.
 TRANSLATOR = "naga-wasm@30.1.0"
@@ -23,16 +23,9 @@ ROOT = Path(__file__).parents[1]
 
 def sources() -> list[tuple[Path, str, str, list[tuple[str, str]]]]:
     """Folder of the result, name of the module, its WGSL, its entry points with their stages."""
-    passes = ROOT / "tests" / "web" / "shaders"
-    return [
-        (
-            passes,
-            file.stem,
-            file.read_text(encoding="utf-8"),
-            [("vertex", "corners"), ("fragment", "fragment")],
-        )
-        for file in sorted(passes.glob("*.wgsl"))
-    ]
+    folder = ROOT / "tests" / "web" / "shaders"
+    texts = {file.stem: file.read_text(encoding="utf-8") for file in sorted(folder.glob("*.wgsl"))}
+    return [(folder, name, wgsl, entry_points(wgsl)) for name, wgsl in texts.items()]
 
 
 def translate(jobs: list[dict[str, Any]], node_modules: Path | None) -> list[dict[str, str]]:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.gpu.translated import translated
+from airlight.gpu.translated import entry_points, translated
 
 SHADERS = Path(__file__).parent / "shaders"
 BACK_ENDS = ("webgpu", "webgl2")
@@ -90,5 +90,5 @@ def test_glsl_belongs_to_its_wgsl() -> None:
     # the head of a translated file names the text that it was made of
     for file in SHADERS.glob("*.wgsl"):
         wgsl = file.read_text(encoding="utf-8")
-        for entry in ("corners", "fragment"):
+        for _, entry in entry_points(wgsl):
             assert translated(file.stem, entry, wgsl, SHADERS).startswith("#version 300 es")

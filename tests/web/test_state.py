@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from typing import Any
+from urllib.parse import unquote
 
 import pytest
 from numpy.testing import assert_allclose
@@ -96,17 +98,36 @@ def test_values_that_cannot_be_change_nothing(page: Any) -> None:
 def test_link_carries_what_differs_and_nothing_else(page: Any) -> None:
     got = page.evaluate(
         """() => {
+          state.planet = "mars";
           state.set({ "view.altitude": 1e-7, "view.heading": -90, "display.automatic": false });
           const text = state.asFragment();
           const other = new State([...state.parameters.values()], state.initial);
-          const faults = other.takeFragment(`#${text}&display.tone_map=none&unknown=1`);
+          other.planet = "mars";
+          const faults = other.takeFragment(`#${text}`);
           return [text, other.values, state.values, faults];
         }"""
     )
     text, taken, sent, faults = got
-    assert text == "view.altitude=1e-7&view.heading=270&display.automatic=false"
+    assert json.loads(unquote(text)) == {
+        "planet": "mars",
+        "view": {"view.altitude": 1e-7, "view.heading": 270, "display.automatic": False},
+    }
     assert taken == sent
-    assert faults == ["display.tone_map is none; allowed: hable, reinhard"]
+    assert faults == []
+
+
+def test_link_that_cannot_be_read_is_said_and_the_rest_is_taken(page: Any) -> None:
+    got = page.evaluate(
+        """() => ['{"planet":"","view":{"display.tone_map":"none","view.heading":5,"x":1}}', "{",
+          '{"planet":"venus"}'].map((text) => [state.takeFragment(`#${text}`), state.values])"""
+    )
+    assert got[0][0] == [
+        "display.tone_map is none; allowed: hable, reinhard",
+        "there is no parameter x",
+    ]
+    assert got[0][1] == {**VALUES, "view.heading": 5}
+    assert len(got[1][0]) == 1
+    assert got[2] == [["it shows venus, this is "], VALUES]
 
 
 def test_comparison_swaps_two_states(page: Any) -> None:

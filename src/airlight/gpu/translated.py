@@ -17,6 +17,7 @@ from airlight.errors import FileError
 
 #: The line that names the source, the second of a file: the first must be the version.
 _HEAD: Final = "// of {module}.wgsl {stamp}, by {translator}"
+_ENTRY: Final = re.compile(r"^@(vertex|fragment)\s+fn\s+(\w+)", re.MULTILINE)
 _STAMP: Final = re.compile(
     r"^// of (?P<module>\S+)\.wgsl (?P<stamp>[0-9a-f]{16}), by ", re.MULTILINE
 )
@@ -31,6 +32,17 @@ def stamp(wgsl: str) -> str:
     'e3b0c44298fc1c14'
     """
     return hashlib.sha256(wgsl.encode()).hexdigest()[:16]
+
+
+def entry_points(wgsl: str) -> list[tuple[str, str]]:
+    r"""Stage and name of each entry point of a module, in the order of the text.
+
+    Examples
+    --------
+    >>> entry_points("@vertex\nfn corners() {}\n@fragment fn sky() {}")
+    [('vertex', 'corners'), ('fragment', 'sky')]
+    """
+    return _ENTRY.findall(wgsl)
 
 
 def file_name(module: str, entry: str) -> str:

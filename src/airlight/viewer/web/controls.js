@@ -14,7 +14,7 @@ export function element(tag, properties = {}, ...children) {
 export class Controls {
   /**
    * @param {HTMLElement} place Filled with the controls.
-   * @param {import("./state.js").State} state
+   * @param {State} state
    * @param {(text: string) => void} explain Called with the help of the control in use.
    */
   constructor(place, state, explain) {

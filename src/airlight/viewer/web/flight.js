@@ -35,7 +35,7 @@ const KEYS = {
 export class Flight {
   /**
    * @param {HTMLCanvasElement} canvas
-   * @param {import("./state.js").State} state
+   * @param {State} state
    * @param {() => void} request Called when a key is down, so that frames come.
    * @param {() => number} radius Of the planet. [m]
    */

@@ -5,6 +5,9 @@ import { checked } from "./parameters.js";
 
 /** Most steps that can be undone. */
 const MOST_STEPS = 500;
+/** Paths of the view's own parameters, and of the constituents' switches. */
+const VIEW = /^(view|display|light)\./;
+const SWITCH = /^light\.constituents\[(\d+)\]$/;
 
 export class State {
   /**
@@ -13,6 +16,7 @@ export class State {
    */
   constructor(parameters, values) {
     this.parameters = new Map(parameters.map((one) => [one.path, one]));
+    this.planet = "";
     this.initial = { ...values };
     this.values = { ...values };
     this.past = [];
@@ -31,6 +35,24 @@ export class State {
 
   get(path) {
     return this.values[path];
+  }
+
+  get canUndo() {
+    return this.past.length > 0;
+  }
+
+  get canRedo() {
+    return this.future.length > 0;
+  }
+
+  get hasOther() {
+    return this.other !== null;
+  }
+
+  /** Another declared list, as after a change of what a planet consists of. */
+  declare(parameters, values) {
+    this.parameters = new Map(parameters.map((one) => [one.path, one]));
+    this.show({ ...values });
   }
 
   /**
@@ -121,40 +143,68 @@ export class State {
   /** The values that are not as in the beginning. */
   changes() {
     const differs = ([path, value]) => value !== this.initial[path];
-    return Object.fromEntries(Object.entries(this.values).filter(differs));
+    return Object.entries(this.values).filter(differs);
   }
 
-  /** What differs from the beginning, as the part of an address behind `#`. */
+  /**
+   * What differs from the beginning, as the part of an address behind `#`.
+   *
+   * It is the JSON of viewer/saved_state.py: `planet`, and by path `view` and `set`, `off` by place.
+   */
   asFragment() {
-    const words = Object.entries(this.changes()).map(([path, value]) => [path, String(value)]);
-    return new URLSearchParams(words).toString();
+    const changes = this.changes();
+    if (changes.length === 0) return "";
+    const found = { planet: this.planet };
+    for (const [path, value] of changes) {
+      const place = SWITCH.exec(path);
+      if (place) (found.off ??= []).push(Number(place[1]));
+      else if (VIEW.test(path)) (found.view ??= {})[path] = value;
+      else (found.set ??= {})[path] = this.inFile(path, value);
+    }
+    return encodeURI(JSON.stringify(found)).replaceAll("#", "%23");
+  }
+
+  /** A value as a planet file has it: with its unit. */
+  inFile(path, value) {
+    const { kind, unit } = this.parameters.get(path);
+    return kind === "number" && unit !== "1" ? `${value} ${unit}` : value;
   }
 
   /**
    * Take what a fragment says.
    *
    * @param {string} fragment With or without the `#`.
-   * @returns {string[]} One line for each value that cannot be taken.
+   * @returns {string[]} One line for each thing that cannot be taken.
    */
   takeFragment(fragment) {
     const faults = [];
     const values = { ...this.initial };
-    for (const [path, text] of new URLSearchParams(fragment.replace(/^#/, ""))) {
+    const take = (path, value) => {
       const parameter = this.parameters.get(path);
-      if (!parameter) continue;
       try {
-        values[path] = checked(parameter, fromText(parameter, text));
+        if (!parameter) throw new RangeError(`there is no parameter ${path}`);
+        values[path] = checked(parameter, value);
       } catch (error) {
         faults.push(error.message);
       }
+    };
+    try {
+      const found = JSON.parse(decodeURIComponent(fragment.replace(/^#/, "")));
+      const { planet, view = {}, set = {}, off = [] } = found;
+      if (planet !== this.planet) throw new RangeError(`it shows ${planet}, this is ${this.planet}`);
+      for (const [path, value] of Object.entries(view)) take(path, value);
+      for (const [path, value] of Object.entries(set)) take(path, this.fromFile(path, value));
+      for (const place of off) take(`light.constituents[${place}]`, false);
+    } catch (error) {
+      faults.push(error.message);
     }
     this.take(values);
     return faults;
   }
-}
 
-function fromText(parameter, text) {
-  if (parameter.kind === "switch") return { true: true, false: false }[text];
-  if (parameter.kind === "number") return text.trim() === "" ? NaN : Number(text);
-  return text;
+  fromFile(path, value) {
+    const { kind, unit } = this.parameters.get(path) ?? {};
+    if (kind !== "number" || typeof value !== "string") return value;
+    return value.endsWith(` ${unit}`) ? Number(value.slice(0, -unit.length)) : NaN;
+  }
 }

@@ -4,8 +4,10 @@
  * A *source* tells it what to show:
  *
  * - `title`;
- * - `parameters` and `values`, as declared and as they begin;
+ * - `parameters` and `values`, as declared and as they begin, or a `state` that has them;
  * - `picture(device)` — a promise of what draws them: see picture.js;
+ * - `radius()` — of the planet; [m]
+ * - `status()` — a few words about the solution, or none;
  * - `note` — a line about what cannot be edited here, or none;
  * - `device` — auto, webgpu or webgl2.
  */
@@ -34,7 +36,7 @@ export class Viewer {
    */
   constructor(place, source) {
     this.source = source;
-    this.state = new State(source.parameters, source.values);
+    this.state = source.state ?? new State(source.parameters, source.values);
     this.build(place);
     this.controls = new Controls(this.parts.controls, this.state, (text) => this.explain(text));
     this.loop = new FrameLoop((now) => this.draw(now));
@@ -87,13 +89,13 @@ export class Viewer {
         text: "undo",
         help: "Take back the last change (Ctrl+Z).",
         act: () => state.undo(),
-        state: () => ({ disabled: state.past.length === 0 }),
+        state: () => ({ disabled: !state.canUndo }),
       },
       redo: {
         text: "redo",
         help: "Bring back what was taken back (Ctrl+Y).",
         act: () => state.redo(),
-        state: () => ({ disabled: state.future.length === 0 }),
+        state: () => ({ disabled: !state.canRedo }),
       },
       reset: { text: "reset", help: "Everything as it began.", act: () => state.reset() },
       keep: {
@@ -105,7 +107,7 @@ export class Viewer {
         text: "A/B",
         help: "Show the other of the two (Tab on the picture).",
         act: () => state.swap(),
-        state: () => ({ disabled: state.other === null, pressed: state.showing === "B" }),
+        state: () => ({ disabled: !state.hasOther, pressed: state.showing === "B" }),
       },
       advanced: {
         text: "advanced",
@@ -133,11 +135,30 @@ export class Viewer {
         if (!this.closed) this.say(`the graphics device went away (${reason}): reload`);
       });
       this.picture = await this.source.picture(this.device);
-      this.probe = new Probe(this.parts.canvas, this.parts.probe, this);
+      if (this.picture.probe) this.probe = new Probe(this.parts.canvas, this.parts.probe, this);
       this.request();
     } catch (error) {
       this.say(error.message);
     }
+  }
+
+  /** Other parameters, as after a change of what a planet consists of. */
+  declare(parameters, values) {
+    this.state.declare(parameters, values);
+    this.controls.build();
+  }
+
+  /** Other tables, as after an edit of the planet. */
+  async take(update) {
+    await this.ready;
+    if (!this.picture || this.closed) return;
+    await this.picture.take(update);
+    this.request();
+  }
+
+  retitle(title) {
+    this.source.title = title;
+    this.parts.title.textContent = title;
   }
 
   /** Something has to be drawn again. */
@@ -241,6 +262,7 @@ export class Viewer {
   }
 
   showStatus() {
+    if (!this.drawn) return;
     const [width, height] = this.drawn;
     const frame = `${width}×${height}, ${this.milliseconds.toFixed(0)} ms`;
     const more = this.source.status?.() ?? "";
