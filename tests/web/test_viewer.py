@@ -10,12 +10,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import painted
 import pytest
 from numpy.testing import assert_allclose
 from PIL import Image
-
-import painted
 from waiting import until
+
 from airlight.scene.directions import camera_axes
 from airlight.viewer.page_text import page_text
 
@@ -151,7 +151,7 @@ def test_drag_keys_and_wheel_move_the_camera(file: Path, opened: Callable[..., A
     page.mouse.down()
     page.mouse.move(x + 60, y + 30, steps=4)
     page.mouse.up()
-    # the sky follows the mouse: dragged to the right the camera turns left, dragged down it looks up
+    # the sky follows the mouse: dragged right the camera turns left, dragged down it looks up
     after = now()
     assert after["view.heading"] < VIEW["view.heading"]
     assert after["view.look_zenith"] < VIEW["view.look_zenith"]
