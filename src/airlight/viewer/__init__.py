@@ -1,1 +1,1 @@
-"""The viewer: one declared list of parameters, shown in a window, a notebook and a page."""
+"""Live views of a planet: one declared list of parameters drives window, notebook and page."""
