@@ -9,13 +9,17 @@ from __future__ import annotations
 
 import argparse
 import json
+import re
 import subprocess
 import tempfile
 from pathlib import Path
 from typing import Any
 
 from airlight.gpu.translated import entry_points, file_name, with_head
+from private_rooms import with_private_rooms
 
+#: Variables of the module: naga sets them to zero first, at which compilers work longest.
+_ZEROED = re.compile(r"^((?:float|vec4) \w+\[\d+\]) = \w+\[\d+\]\(.*\);$", re.MULTILINE)
 #: Later versions may write other text, and need a newer Node.
 TRANSLATOR = "naga-wasm@30.1.0"
 ROOT = Path(__file__).parents[1]
@@ -55,12 +59,15 @@ def main() -> None:
     parser.add_argument("--node-modules", type=Path, default=None)
     chosen = parser.parse_args()
     shaders = sources()
-    jobs = [{"module": m, "wgsl": wgsl, "entries": entries} for _, m, wgsl, entries in shaders]
+    jobs = [
+        {"module": name, "wgsl": with_private_rooms(wgsl), "entries": entries}
+        for _, name, wgsl, entries in shaders
+    ]
     texts = {module: (folder, wgsl) for folder, module, wgsl, _ in shaders}
     kept = set()
     for one in translate(jobs, chosen.node_modules):
         folder, wgsl = texts[one["module"]]
-        text = with_head(one["module"], wgsl, one["glsl"], TRANSLATOR)
+        text = with_head(one["module"], wgsl, _ZEROED.sub(r"\1;", one["glsl"]), TRANSLATOR)
         file = folder / file_name(one["module"], one["entry"])
         file.write_text(text, encoding="utf-8")
         kept.add(file)

@@ -236,13 +236,19 @@ def march_line(r, mu, mu_s, nu, length, orders, gathers, peaks, phase, light, to
                     )  # fmt: skip
                     if peaks:
                         if light.first_peak >= 0:
-                            first = first + star * load(
-                                light.scattering, LANES * light.first_peak
-                            ) * rho[light.first_peak]
+                            first = (
+                                first
+                                + star
+                                * load(light.scattering, LANES * light.first_peak)
+                                * rho[light.first_peak]
+                            )
                         if light.second_peak >= 0:
-                            second = second + star * load(
-                                light.scattering, LANES * light.second_peak
-                            ) * rho[light.second_peak]
+                            second = (
+                                second
+                                + star
+                                * load(light.scattering, LANES * light.second_peak)
+                                * rho[light.second_peak]
+                            )
                     else:
                         air = air + star * scattered_star(
                             rho, light.scattering, phase, light.constituents, LANES, 0
@@ -272,9 +278,7 @@ def march_line(r, mu, mu_s, nu, length, orders, gathers, peaks, phase, light, to
     for c in range(light.constituents):
         totals[c] = before[c]
     store(result, 0, air)
-    store(
-        result, LANES, through_columns(before, light.extinction, light.constituents, LANES, 0)
-    )
+    store(result, LANES, through_columns(before, light.extinction, light.constituents, LANES, 0))
     store(result, 2 * LANES, first)
     store(result, 3 * LANES, second)
 
@@ -307,4 +311,3 @@ def ground_received(mu_s, orders, light, room):
         place = min(int(x), light.suns - 2)
         received = received + level_sky(light.sky, place, x - place, LANES, 0)
     store(room, 0, received)
-

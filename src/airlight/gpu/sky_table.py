@@ -104,9 +104,7 @@ def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phas
         r = light.top
         across, up = first_meeting(min(impact, light.top), sine, light.top)
         start_mu = -sqrt(max((light.top - impact) * (light.top + impact), 0.0)) / light.top
-        start_mu_s = star_from(
-            across, up, light.top, cos_azimuth, observer.sun_x, observer.sun_z
-        )
+        start_mu_s = star_from(across, up, light.top, cos_azimuth, observer.sun_x, observer.sun_z)
     length = distance_to_top(r, start_mu, light.top)
     if to_ground:
         length = distance_to_bottom(r, start_mu, light.bottom)

@@ -25,7 +25,9 @@ uniform highp sampler2D _group_0_binding_2_fs;
 
 uniform highp sampler2D _group_1_binding_0_fs;
 
-vec4 kept[8] = vec4[8](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+vec4 kept[8];
+
+float fragment_room[16];
 
 layout(location = 0) out vec4 _fs2p_location0;
 layout(location = 1) out vec4 _fs2p_location1;
@@ -39,7 +41,7 @@ Pair doubled(float x) {
     return Pair(x, (2.0 * x));
 }
 
-void fill(inout float room_1[16], int count) {
+void fill_1_(int count) {
     int i = 0;
     bool loop_init = true;
     while(true) {
@@ -48,8 +50,8 @@ void fill(inout float room_1[16], int count) {
             i = (_e17 + 1);
         }
         loop_init = false;
-        int _e4 = i;
-        if ((_e4 < count)) {
+        int _e3 = i;
+        if ((_e3 < count)) {
         } else {
             break;
         }
@@ -57,49 +59,48 @@ void fill(inout float room_1[16], int count) {
             int _e6 = i;
             int _e9 = i;
             int _e13 = i;
-            room_1[_e6] = (STEPS[(_e9 & 3)] * float(_e13));
+            fragment_room[_e6] = (STEPS[(_e9 & 3)] * float(_e13));
         }
     }
     return;
 }
 
-void fill_through(inout float room_2[16], int count_1) {
-    fill(room_2, count_1);
+void fill_through_1_(int count_1) {
+    fill_1_(count_1);
     if ((count_1 > 3)) {
-        room_2[0] = 0.5;
+        fragment_room[0] = 0.5;
         return;
     }
-    room_2[1] = 0.25;
+    fragment_room[1] = 0.25;
     return;
 }
 
 void main() {
     vec4 at = gl_FragCoord;
-    float room[16] = float[16](0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     float sum = 0.0;
     int k_1 = 0;
     float _e4 = _group_0_binding_0_fs.counts.x;
     int count_2 = int(_e4);
     float _e11 = _group_0_binding_0_fs.counts.y;
     int index_1 = ((int(at.y) * int(_e11)) + int(at.x));
-    fill_through(room, count_2);
+    fill_through_1_(count_2);
     while(true) {
-        int _e22 = k_1;
-        if ((_e22 < count_2)) {
+        int _e21 = k_1;
+        if ((_e21 < count_2)) {
         } else {
             break;
         }
         {
-            int _e24 = k_1;
-            k_1 = (_e24 + 1);
-            int _e27 = k_1;
-            if ((_e27 == 3)) {
+            int _e23 = k_1;
+            k_1 = (_e23 + 1);
+            int _e26 = k_1;
+            if ((_e26 == 3)) {
                 continue;
             }
-            float _e30 = sum;
+            float _e29 = sum;
             int _e31 = k_1;
-            float _e35 = room[(_e31 - 1)];
-            sum = (_e30 + _e35);
+            float _e35 = fragment_room[(_e31 - 1)];
+            sum = (_e29 + _e35);
         }
     }
     int _e38 = k_1;
