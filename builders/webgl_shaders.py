@@ -15,7 +15,10 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
+from airlight.gpu.uniforms import struct_text
+
 from airlight.gpu.translated import entry_points, file_name, with_head
+from airlight.viewer.web_shaders import web_texts
 from private_rooms import with_private_rooms
 
 #: Variables of the module: naga sets them to zero first, at which compilers work longest.
@@ -27,9 +30,13 @@ ROOT = Path(__file__).parents[1]
 
 def sources() -> list[tuple[Path, str, str, list[tuple[str, str]]]]:
     """Folder of the result, name of the module, its WGSL, its entry points with their stages."""
-    folder = ROOT / "tests" / "web" / "shaders"
+    folder, package = ROOT / "tests" / "web" / "shaders", ROOT / "src" / "airlight" / "gpu" / "glsl"
     texts = {file.stem: file.read_text(encoding="utf-8") for file in sorted(folder.glob("*.wgsl"))}
-    return [(folder, name, wgsl, entry_points(wgsl)) for name, wgsl in texts.items()]
+    tests = {name: text.replace("//UNIFORMS\n", struct_text()) for name, text in texts.items()}
+    return [
+        *((folder, name, text, entry_points(text)) for name, text in tests.items()),
+        *((package, name, text, entry_points(text)) for name, text in web_texts().items()),
+    ]
 
 
 def translate(jobs: list[dict[str, Any]], node_modules: Path | None) -> list[dict[str, str]]:

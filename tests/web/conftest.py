@@ -89,3 +89,14 @@ def modules(opened: Callable[..., Any], tmp_path: Path) -> Callable[..., Any]:
         return opened(file)
 
     return open_modules
+
+
+@pytest.fixture(scope="session")
+def gpu() -> Any:
+    """A device without a browser, in software too."""
+    from airlight.gpu.device import NoDevice, open_device
+
+    try:
+        return open_device()
+    except NoDevice as reason:
+        missing(str(reason))

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from airlight.gpu.uniforms import layout, struct_text
 from numpy.typing import NDArray
 
 from airlight.gpu.translated import entry_points, translated
@@ -16,39 +17,77 @@ SHADERS = Path(__file__).parent / "shaders"
 COLUMNS = 16
 COLORS = np.linspace(0.05, 1.0, 4 * COLUMNS, dtype=np.float32).reshape(COLUMNS, 4)
 PAINT = (0.25, 0.5, 0.75, 1.0)
+#: Where the first line of a shader asks for the struct of uniforms.
+UNIFORMS = "//UNIFORMS\n"
+
+
+def text(name: str) -> str:
+    """The WGSL of a shader of the tests."""
+    found = (SHADERS / f"{name}.wgsl").read_text(encoding="utf-8")
+    return found.replace(UNIFORMS, struct_text())
 
 
 def shader(name: str) -> dict[str, Any]:
     """A shader of the tests in both languages."""
-    wgsl = (SHADERS / f"{name}.wgsl").read_text(encoding="utf-8")
+    wgsl = text(name)
     glsl = {entry: translated(name, entry, wgsl, SHADERS) for _, entry in entry_points(wgsl)}
     return {"wgsl": wgsl, "glsl": glsl}
 
 
-def description() -> dict[str, Any]:
-    """As ``web/picture.js`` takes it."""
-    target = {"name": "sky", "format": "rgba32float", "width": COLUMNS, "height": 1}
-    common = {"shader": "painted", "vertex": "corners", "uniforms": "0/0"}
-    fields = ("camera_right", "camera_up", "camera_forward", "frame", "display", "paint")
+def program() -> dict[str, Any]:
+    """What ``viewer.package.program`` gives for a planet."""
+    where = layout()
+    places = {name: [start, 1] for name, start in where["numbers"].items()}
+    places |= {f"table_{name}": [start, 4] for name, start in where["tables"].items()}
+
+    def one(name: str, entry: str, reads: dict[str, str], *targets: tuple[str, int, int]) -> Any:
+        made = [
+            {"name": n, "format": "rgba32float", "width": width, "height": height}
+            for n, width, height in targets
+        ]
+        return {"name": name, "shader": "painted", "entry": entry, "vertex": "corners",
+                "uniforms": "0/0", "reads": reads, "targets": made}  # fmt: skip
+
+    sky = [(name, 2048, 1) for name in ("air", "behind")]
     return {
         "plan": {
-            "layout": {name: [4 * index, 4] for index, name in enumerate(fields)},
-            "size": 4 * len(fields),
+            "layout": places,
+            "size": where["floats"],
             "passes": [
-                {**common, "name": "sky", "entry": "fill", "reads": {"0/1": "colors"},
-                 "targets": [target]},
-                {**common, "name": "picture", "entry": "picture", "reads": {"0/2": "sky"},
-                 "targets": []},
+                one("sky_air", "sky_air", {"0/1": "fields"}, *sky),
+                one(
+                    "sky_peaks",
+                    "sky_air",
+                    {"0/1": "fields"},
+                    ("first", 2048, 1),
+                    ("second", 2048, 1),
+                ),
+                one("glance", "linear_picture", {"0/2": "air"}, ("glance", 64, 64)),
+                one("picture", "shown_picture", {"0/2": "air"}),
             ],
         },
         "shaders": {"painted": shader("painted")},
-        "tables": {"colors": {"format": "rgba32float", "data": as_text(COLORS)}},
-        "uniforms": {"paint": list(PAINT)},
-        "fields_of_view": {"perspective": [1e-3, 170.0]},
-        "grey": {"hable": 0.18},
+        "sky": {"full": [64, 64], "quick": [64, 32]},
+        "glance": 64,
+        "projections": {"perspective": [1e-3, 170.0]},
+        "tone_maps": {"hable": 0.18},
+        "encodings": ["srgb"],
+        "orders": {"all": 2, "single": 1, "multiple": 0},
         "luminance": [0.2, 0.7, 0.1],
+    }
+
+
+def solution(paint: tuple[float, ...] = PAINT) -> dict[str, Any]:
+    """What ``viewer.package.planet_tables`` gives for a planet, as text."""
+    return {
+        "uniforms": {"first_peak": -1.0, **{f"red_{i}": x for i, x in enumerate(paint)}},
+        "tables": {"fields": {"format": "rgba32float", "data": as_text(COLORS)}},
+        "ground": None,
         "radius": 6360e3,
-    }  # fmt: skip
+        "thickness": 60e3,
+        "star": 0.0,
+        "paths": None,
+    }
 
 
 def picture(

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import painted
 import pytest
 from numpy.testing import assert_allclose
 
@@ -89,6 +90,6 @@ def test_pass_reads_flat_tables_and_draws_two_float_targets(
 def test_glsl_belongs_to_its_wgsl() -> None:
     # the head of a translated file names the text that it was made of
     for file in SHADERS.glob("*.wgsl"):
-        wgsl = file.read_text(encoding="utf-8")
+        wgsl = painted.text(file.stem)
         for _, entry in entry_points(wgsl):
             assert translated(file.stem, entry, wgsl, SHADERS).startswith("#version 300 es")

@@ -34,6 +34,7 @@ VIEW = {
     "display.automatic": False,
     "display.exposure": 0.5,
     "display.tone_map": "hable",
+    "light.orders": "all",
 }
 _RANGES = {
     "view.altitude": (0.0, 1e12, "log"),
@@ -70,7 +71,7 @@ def file(tmp_path: Path) -> Path:
     """A page of its own."""
     data = {
         "title": "painted", "planet": "painted", "parameters": parameters(), "values": VIEW,
-        "note": "nothing to edit", "picture": painted.description(),
+        "note": "nothing to edit", "picture": {**painted.program(), **painted.solution()},
     }  # fmt: skip
     place = tmp_path / "page.html"
     place.write_text(page_text("painted <sky>", data), encoding="utf-8")

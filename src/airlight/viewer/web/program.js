@@ -53,6 +53,19 @@ export class Program {
     else this.uniforms.set(value, place[0]);
   }
 
+  /** Set several fields. */
+  setAll(values) {
+    for (const [field, value] of Object.entries(values)) this.set(field, value);
+  }
+
+  /** Give a target another size; what it held is gone. */
+  resize(name, width, height) {
+    const before = this.textures.get(name);
+    if (before.width === width && before.height === height) return;
+    this.textures.set(name, this.device.target(before.format, width, height));
+    this.device.release(before);
+  }
+
   /** Set the table that passes read by this name. */
   setTable(name, format, numbers) {
     const before = this.textures.get(name);

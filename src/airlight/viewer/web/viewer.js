@@ -179,7 +179,8 @@ export class Viewer {
     const [width, height] = this.size(share);
     this.device.resize(width, height);
     const began = performance.now();
-    const again = await this.picture.draw(this.state.values, width, height);
+    const rest = resting && !moving;
+    const again = await this.picture.draw(this.state.values, width, height, rest);
     await this.device.finished();
     this.milliseconds = performance.now() - began;
     this.drawn = [width, height];
