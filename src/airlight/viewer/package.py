@@ -111,7 +111,8 @@ def planet_tables(
     -------
     numbers : dict
         As JSON takes them: ``uniforms`` by name, ``radius`` of the ground and ``thickness`` of the
-        shell [m], ``star`` (angular radius [rad]), ``paths`` of light where it is bent, ``ground``, a map.
+        shell [m], ``star`` (angular radius [rad]), ``paths`` of light where it is bent, and
+        ``ground``, its map.
     tables : dict
         Format and numbers of each texture.
     """
