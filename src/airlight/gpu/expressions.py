@@ -36,8 +36,9 @@ if TYPE_CHECKING:
 #: Python's mathematics in WGSL; those that the prelude brings are good to float32.
 _MATH: Final[dict[Any, str]] = {
     math.sqrt: "sqrt", math.exp: "exp", math.log: "log", math.log2: "log2",
-    math.sin: "sine", math.cos: "cosine", math.tan: "tan", math.acos: "acos", math.asin: "asin",
-    math.atan: "atan", math.atan2: "atan2",
+    math.sin: "sine", math.cos: "cosine", math.tan: "tan",
+    math.acos: "arc_cosine", math.asin: "arc_sine", math.atan: "arc_tangent",
+    math.atan2: "angle_of",
 }  # fmt: skip
 #: What ``airlight.kernel.lanes`` offers to a shader.
 _LANE_CALLS: Final = (
@@ -62,12 +63,13 @@ _TAKEN: Final = frozenset(
     re.findall(
         r"\w+",
         """
-    abs acos all any array asin atan atan2 bool break case ceil clamp const continue cos cosine
+    abs acos all angle_of any arc_cosine arc_sine arc_tangent array asin atan atan2 bool break
+    case ceil clamp const continue cos cosine
     cross cubed default degrees discard distance do dot else enum exp exp2 f16 f32 false field
     floor fn for fract i32 if in inout input int float inverse inverseSqrt layout length let log
     log2 loop main max min mix mod normalize out output override pow precision radians reflect
     refract return round sample sampler select shared sign sin sine smooth sqrt squared step
-    struct switch tan texture trunc true u32 uniform var vec4f while active centroid common
+    struct switch tan texture trunc true u32 uniform var vec4f whole_quotient whole_rest while active centroid common
     filter half fixed image interface packed partition public static superp target template this
     union unsigned using volatile highp lowp mediump flat buffer texel
     """,
@@ -300,7 +302,8 @@ class Expressions:
         if isinstance(node.op, (ast.FloorDiv, ast.Mod)):
             if (first, second) != (I32, I32):
                 raise self.refuse(node, "is for whole numbers only")
-            return f"({left} {'/' if isinstance(node.op, ast.FloorDiv) else '%'} {right})", I32
+            name = "whole_quotient" if isinstance(node.op, ast.FloorDiv) else "whole_rest"
+            return f"{name}({left}, {right})", I32
         sign = _OPERATORS.get(type(node.op))
         if sign is None:
             raise self.refuse(node, "has no WGSL")
@@ -424,7 +427,7 @@ class Expressions:
         for name in _LANE_CALLS:
             if called is getattr(lane_module, name):
                 return self.lane_call(node, name)
-        if callable(called):
+        if inspect.isfunction(getattr(called, "py_func", called)):
             return self.kernel_call(node, called)
         raise self.refuse(node, "is not known here")
 

@@ -58,20 +58,18 @@ def panel_columns(rule, light, amounts, before, columns):
     ``amounts`` holds density times weight of each point, constituent by constituent.
     """
     n = int(light.rules[rule])
+    for k in range(n):
+        for c in range(light.constituents):
+            columns[c * MOST_POINTS + k] = 0.0
+        for j in range(n):
+            share = light.rules[rule + 1 + 2 * n + k * n + j]
+            for c in range(light.constituents):
+                columns[c * MOST_POINTS + k] += share * amounts[c * MOST_POINTS + j]
+        for c in range(light.constituents):
+            columns[c * MOST_POINTS + k] = before[c] + max(columns[c * MOST_POINTS + k], 0.0)
     for c in range(light.constituents):
-        whole = 0.0
         for k in range(n):
-            whole += amounts[c * MOST_POINTS + k]
-            running = 0.0
-            for j in range(n):
-                # What a point stands for, over its share of the rule: the integrand on [0, 1].
-                running += (
-                    light.rules[rule + 1 + 2 * n + k * n + j]
-                    * amounts[c * MOST_POINTS + j]
-                    / light.rules[rule + 1 + n + j]
-                )
-            columns[c * MOST_POINTS + k] = before[c] + max(running, 0.0)
-        before[c] += whole
+            before[c] += amounts[c * MOST_POINTS + k]
 
 
 @inlined
@@ -102,7 +100,7 @@ def columns_along(r, mu, edges, count, rule, light, totals, cuts):
         The largest optical depth of any wavelength. [1]
     """
     distance, radius, weight = np.empty(MOST_POINTS), np.empty(MOST_POINTS), np.empty(MOST_POINTS)
-    density, columns = np.empty(_ROOM), np.empty(_ROOM)
+    density = np.empty(_ROOM)
     n = int(light.rules[rule])
     for c in range(light.constituents):
         totals[c] = 0.0
@@ -115,14 +113,12 @@ def columns_along(r, mu, edges, count, rule, light, totals, cuts):
             r, mu, edges[panel], edges[panel + 1], edges[count - 1], rule, light, distance, radius,
             weight, density,
         )  # fmt: skip
-        for c in range(light.constituents):
-            for k in range(n):
-                density[c * MOST_POINTS + k] *= weight[k]
-        panel_columns(rule, light, density, totals, columns)
         for k in range(n):
-            depth = 0.0
+            depth = reached
             for c in range(light.constituents):
-                depth += light.strongest[c] * columns[c * MOST_POINTS + k]
+                amount = density[c * MOST_POINTS + k] * weight[k]
+                totals[c] += amount
+                depth += light.strongest[c] * amount
             if depth > reached:
                 for which in range(3):
                     wanted = 0.5 if which == 0 else (3.0 if which == 1 else 12.0)
@@ -131,10 +127,7 @@ def columns_along(r, mu, edges, count, rule, light, totals, cuts):
                             depth - reached
                         )
             reached, at = depth, distance[k]
-    whole = 0.0
-    for c in range(light.constituents):
-        whole += light.strongest[c] * totals[c]
-    return whole
+    return reached
 
 
 @inlined

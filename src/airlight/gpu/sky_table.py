@@ -93,6 +93,11 @@ def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phas
     result : array, shape (4·w,)
         Receives the air's radiance, that of an albedo of 1 behind it [sr⁻¹], and what the two
         peaked constituents scatter [1].
+
+    Returns
+    -------
+    float
+        Angle by which a line that ends on the ground has been bent. [rad]
     """
     totals = np.empty(MOST_CONSTITUENTS)
     received = room_of_lanes(1)
@@ -113,6 +118,7 @@ def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phas
         along,
     )  # fmt: skip
     ground = splat(0.0)
+    angle = 0.0
     if gathers:
         if to_ground:
             across, up = first_meeting(min(impact, light.bottom), sine, light.bottom)
@@ -128,6 +134,7 @@ def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phas
     store(result, LANES, ground)
     store(result, 2 * LANES, load(along, 2 * LANES))
     store(result, 3 * LANES, load(along, 3 * LANES))
+    return angle
 
 
 @inlined
