@@ -49,6 +49,7 @@ def program() -> dict[str, Any]:
                 "uniforms": "0/0", "reads": reads, "targets": made}  # fmt: skip
 
     sky = [(name, 2048, 1) for name in ("air", "behind")]
+    peaks = [(name, 2048, 1) for name in ("first", "second")]
     return {
         "plan": {
             "layout": places,

@@ -146,9 +146,8 @@ def export_page(
     data = page_data(solution, str(planet), title, session.values, wavelengths)
     content = page_text(title, data).encode()
     if len(content) > LARGEST:
-        reason = (
-            f"the page would have {len(content) / 1e6:.1f} MB; at most 3 MB, so lower --quality"
-        )
+        size = f"{len(content) / 1e6:.1f} MB"
+        reason = f"the page would have {size}, more than 3 MB: lower the quality"
         raise FileError(output, reason)
     with whole_file(output) as place:
         place.write_bytes(content)
