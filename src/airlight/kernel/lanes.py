@@ -14,7 +14,7 @@ from typing import Any, ClassVar, Final
 
 import numpy as np
 from llvmlite import ir
-from numba import types
+from numba import njit, types
 from numba.core import cgutils
 from numba.core.typing import signature
 from numba.core.typing.templates import ConcreteTemplate, infer_global
@@ -193,3 +193,9 @@ def exponential(typing_context: Any, value: Any) -> Any:
         return builder.select(tiny, constant(0.0), builder.fmul(result, scale))
 
     return _LANES(value), build
+
+
+@njit(nogil=True)
+def room_of_lanes(count: int) -> Any:
+    """Room for so many values of eight lanes, flat; for ``load`` and ``store``."""
+    return np.empty(count * LANES, np.float32)
