@@ -1,0 +1,195 @@
+"""The device on which the GPU draws: found once, opened with the limits of a browser."""
+
+from __future__ import annotations
+
+import os
+import threading
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, Final
+
+from airlight.errors import AirlightError
+
+#: Names the adapter: ``off``, or a part of its name. Not set: the fastest one.
+CHOICE: Final = "AIRLIGHT_GPU"
+
+#: What every browser grants without being asked (W3C WebGPU, 3.6.2 "Limits", column of defaults).
+BROWSER_LIMITS: Final = {
+    "max-texture-dimension-1d": 8192,
+    "max-texture-dimension-2d": 8192,
+    "max-texture-dimension-3d": 2048,
+    "max-texture-array-layers": 256,
+    "max-bind-groups": 4,
+    "max-bind-groups-plus-vertex-buffers": 24,
+    "max-bindings-per-bind-group": 1000,
+    "max-dynamic-uniform-buffers-per-pipeline-layout": 8,
+    "max-dynamic-storage-buffers-per-pipeline-layout": 4,
+    "max-sampled-textures-per-shader-stage": 16,
+    "max-samplers-per-shader-stage": 16,
+    "max-storage-buffers-per-shader-stage": 8,
+    "max-storage-textures-per-shader-stage": 4,
+    "max-uniform-buffers-per-shader-stage": 12,
+    "max-uniform-buffer-binding-size": 65536,
+    "max-storage-buffer-binding-size": 134217728,
+    "min-uniform-buffer-offset-alignment": 256,
+    "min-storage-buffer-offset-alignment": 256,
+    "max-vertex-buffers": 8,
+    "max-buffer-size": 268435456,
+    "max-vertex-attributes": 16,
+    "max-vertex-buffer-array-stride": 2048,
+    "max-inter-stage-shader-variables": 16,
+    "max-color-attachments": 8,
+    "max-color-attachment-bytes-per-sample": 32,
+    "max-compute-workgroup-storage-size": 16384,
+    "max-compute-invocations-per-workgroup": 256,
+    "max-compute-workgroup-size-x": 256,
+    "max-compute-workgroup-size-y": 256,
+    "max-compute-workgroup-size-z": 64,
+    "max-compute-workgroups-per-dimension": 65535,
+}
+#: Asked for where there: it measures passes and changes no picture.
+_WELCOME: Final = frozenset({"timestamp-query"})
+
+_lock = threading.Lock()
+
+
+class NoDevice(AirlightError):
+    """There is nothing to draw on: one line says why and what would help."""
+
+    def __init__(self, reason: str) -> None:
+        self.reason = " ".join(reason.split())
+        super().__init__(self.reason)
+
+    def __str__(self) -> str:
+        return f"no GPU: {self.reason}"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Device:
+    """An open device.
+
+    Attributes
+    ----------
+    device : wgpu.GPUDevice
+        Opened with ``BROWSER_LIMITS``, so that what runs here runs in a browser.
+    adapter : wgpu.GPUAdapter
+        What it was opened on.
+    name : str
+        The adapter's name and the interface that leads to it.
+    software : bool
+        Whether a processor does the work of a GPU.
+    """
+
+    device: Any
+    adapter: Any
+    name: str
+    software: bool
+
+    @property
+    def measures_time(self) -> bool:
+        """Whether passes can be timed on the device itself."""
+        return "timestamp-query" in self.device.features
+
+    def __str__(self) -> str:
+        return self.name
+
+
+def open_device(choice: str | None = None) -> Device:
+    """The device that this process draws on; opened by the first call, the same ever after.
+
+    Parameters
+    ----------
+    choice : str, optional
+        ``off``, or a part of an adapter's name, case ignored; by default what the environment
+        variable AIRLIGHT_GPU says, and without it the fastest adapter: a GPU before software.
+
+    Returns
+    -------
+    Device
+
+    Raises
+    ------
+    NoDevice
+        If wgpu is not installed, nothing answers (Vulkan, Metal and Direct3D 12 are asked), no
+        name fits, or the choice is ``off``.
+    """
+    named = os.environ.get(CHOICE, "") if choice is None else choice
+    with _lock:
+        return _opened(named.strip().lower())
+
+
+@cache
+def _opened(choice: str) -> Device:
+    if choice == "off":
+        raise NoDevice(f"it is switched off ({CHOICE}=off)")
+    adapter = _adapter(_wgpu(), choice)
+    try:
+        device = adapter.request_device_sync(
+            label="airlight",
+            required_features=sorted(_WELCOME & set(adapter.features)),
+            required_limits=_limits(adapter.limits),
+        )
+    except RuntimeError as error:
+        raise NoDevice(f"{adapter.summary} cannot be opened: {_last_line(error)}") from error
+    return Device(
+        device=device,
+        adapter=adapter,
+        name=adapter.summary,
+        software=adapter.info["adapter_type"] == "CPU",
+    )
+
+
+def _wgpu() -> Any:
+    try:
+        import wgpu
+    except ImportError as error:
+        raise NoDevice("wgpu is not installed: pip install 'airlight[view]'") from error
+    except Exception as error:  # its library does not load here: it says so in several ways
+        raise NoDevice(f"wgpu cannot be loaded: {_last_line(error)}") from error
+    _leave_out_opengl()
+    return wgpu
+
+
+def _leave_out_opengl() -> None:
+    """Asks only the three modern interfaces: OpenGL's search takes longer and talks to stderr."""
+    try:
+        from wgpu.backends.wgpu_native.extras import set_instance_extras
+
+        set_instance_extras(backends=("Primary",))
+    except (ImportError, RuntimeError):  # someone in this process asked before: theirs stands
+        return
+
+
+def _adapter(wgpu: Any, choice: str) -> Any:
+    if choice:
+        found = wgpu.gpu.enumerate_adapters_sync()
+        fitting = [one for one in found if choice in one.summary.lower()]
+        if fitting:
+            return fitting[0]
+        there = "; there are: " + ", ".join(one.summary for one in found) if found else ""
+        raise NoDevice(f"no adapter's name has {choice!r} in it ({CHOICE}){there}")
+    try:
+        adapter = wgpu.gpu.request_adapter_sync(power_preference="high-performance")
+    except RuntimeError:
+        adapter = None
+    if adapter is None:
+        raise NoDevice(
+            "no adapter answers (on Debian, for one in software: "
+            "apt-get install libvulkan1 mesa-vulkan-drivers)"
+        )
+    return adapter
+
+
+def _limits(offered: dict[str, int]) -> dict[str, int]:
+    """The browser's limits, where the adapter itself offers less: the adapter's."""
+    limits = {}
+    for name, browser in BROWSER_LIMITS.items():
+        if name in offered:
+            weaker = max if name.startswith("min-") else min
+            limits[name] = weaker(browser, offered[name])
+    return limits
+
+
+def _last_line(error: BaseException) -> str:
+    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
+    return lines[-1] if lines else type(error).__name__

@@ -1,0 +1,81 @@
+"""The device: opened once, with a browser's limits, or refused in one line."""
+
+from __future__ import annotations
+
+import builtins
+import subprocess
+import sys
+
+import pytest
+
+from airlight.errors import AirlightError
+from airlight.gpu.device import BROWSER_LIMITS, NoDevice, open_device
+
+
+def test_the_device_is_opened_once(device):
+    # open_device promises the same object to everyone in the process.
+    assert open_device() is device
+    assert device.name
+
+
+def test_the_device_grants_no_more_than_a_browser(device):
+    # W3C WebGPU, table of limits: what is asked for is what is granted, so overruns are seen.
+    for name, browser in BROWSER_LIMITS.items():
+        granted = device.device.limits[name]
+        assert granted >= browser if name.startswith("min-") else granted <= browser, name
+
+
+def test_more_bind_groups_than_a_browser_has_are_refused(device):
+    # Four are the browser's; lavapipe and every GPU of today have eight or more.
+    import wgpu
+
+    layout = device.device.create_bind_group_layout(entries=[])
+    device.device.create_pipeline_layout(bind_group_layouts=[layout] * 4)
+    with pytest.raises(wgpu.GPUError):
+        device.device.create_pipeline_layout(bind_group_layouts=[layout] * 5)
+
+
+def test_the_choice_names_an_adapter(device):
+    # A part of its own name finds the adapter again, whatever the case of the letters.
+    chosen = open_device(device.adapter.info["device"].upper())
+    assert chosen.adapter.info["device"] == device.adapter.info["device"]
+
+
+def test_a_name_that_no_adapter_has_is_refused_with_the_names_there_are(device):
+    # The line must let its reader choose.
+    with pytest.raises(NoDevice, match=r"no adapter's name has 'no such gpu' in it") as refused:
+        open_device("no such gpu")
+    assert device.adapter.summary in str(refused.value)
+    assert "\n" not in str(refused.value)
+
+
+def test_off_is_off(monkeypatch):
+    # The variable is the documented switch.
+    monkeypatch.setenv("AIRLIGHT_GPU", "Off")
+    with pytest.raises(AirlightError, match=r"^no GPU: it is switched off \(AIRLIGHT_GPU=off\)$"):
+        open_device()
+
+
+def test_without_wgpu_one_line_names_the_extra(monkeypatch):
+    # What a user reads who installed airlight alone.
+    imported = builtins.__import__
+
+    def without_wgpu(name, *arguments, **named):
+        if name.split(".")[0] == "wgpu":
+            raise ImportError(name)
+        return imported(name, *arguments, **named)
+
+    monkeypatch.setattr(builtins, "__import__", without_wgpu)
+    line = r"^no GPU: wgpu is not installed: pip install 'airlight\[view\]'$"
+    with pytest.raises(NoDevice, match=line):
+        open_device("an adapter that nobody asked for before")
+
+
+def test_importing_airlight_and_its_gpu_modules_imports_no_wgpu():
+    # A fresh interpreter knows; the modules say so themselves.
+    program = (
+        "import sys, airlight, airlight.cli, airlight.gpu.device, airlight.gpu.flat, "
+        "airlight.gpu.fragment_pass; "
+        "sys.exit(any(name.split('.')[0] in ('wgpu', 'rendercanvas') for name in sys.modules))"
+    )
+    subprocess.run([sys.executable, "-c", program], check=True)
