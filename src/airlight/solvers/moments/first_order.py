@@ -100,7 +100,7 @@ def fill_phases(moments, nu, degree, constituents, phases):
 
 @inlined
 def scattered_once(
-    turn, radii, first, points, local, strengths, phases, constituents, depths, directions,
+    turn, radii, first, points, strong, strengths, phases, constituents, deep, depths, directions,
     mu_s, nu, bottom, top, star_radius, lift,
 ):  # fmt: skip
     """Radiance that the points of a ray send along it, of the star's own light. [sr⁻¹]
@@ -111,7 +111,7 @@ def scattered_once(
         Of ``Rays``: ``turn`` and ``radius``.
     first, points : int
         The ray's points.
-    local : int
+    strong, deep : int
         Where ``strengths`` and ``depths`` have the first of them.
     strengths : array, shape (points·nc·8,)
         Amount of each constituent at a point times the transmittance on the way from it. [m]
@@ -134,15 +134,15 @@ def scattered_once(
         if seen <= 0.0:
             continue
         x = direction_coordinate(q, low, bottom, top) * (directions - 1)
-        light = through_row(depths, local + k, x, directions)
+        light = through_row(depths, deep + k, x, directions)
         if high > low:
             x = direction_coordinate(q, high, bottom, top) * (directions - 1)
-            light = light + through_row(depths, local + k, x, directions)
+            light = light + through_row(depths, deep + k, x, directions)
             light = light * np.float32(0.5)
         source = splat(0.0)
         for c in range(constituents):
             source = source + load(phases, LANES * c) * load(
-                strengths, LANES * ((local + k) * constituents + c)
+                strengths, LANES * ((strong + k) * constituents + c)
             )
         radiance = radiance + np.float32(seen) * light * source
     return radiance
@@ -237,7 +237,7 @@ def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, 
                 fill_phases(moments, nu, degree, constituents, phase)
                 radiance = exact * scattered_once(
                     turns_along, ray_radii, first, points, 0, strength, phase, constituents,
-                    sun_depths, directions, mu_s, nu, bottom, top, star_radius, lift,
+                    0, sun_depths, directions, mu_s, nu, bottom, top, star_radius, lift,
                 )  # fmt: skip
                 if below:
                     mu_sg = star_at_end(ends, i, a, mu_s, nu)

@@ -1,0 +1,486 @@
+"""What each texel of the solver's passes holds, in restricted Python: for the GPU and for Numba.
+
+A pass fills a flat texture; the functions here find out from a texel's number which radius, ray,
+star or moment it belongs to, and leave the rest to the functions of ``solvers.moments`` that the
+CPU's loops call too. Lengths count in texels or in numbers; ``LANES`` is 1 on the GPU.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+
+from airlight.kernel import inlined
+from airlight.kernel.lanes import LANES, exponential, load, maximum, room_of_lanes, splat
+from airlight.solvers.moments.convergence import is_near
+from airlight.solvers.moments.first_order import (
+    depth_in_row,
+    direct_light,
+    fill_phases,
+    scattered_once,
+)
+from airlight.solvers.moments.grid import row_of
+from airlight.solvers.moments.harmonics import degree_of, legendre_function
+from airlight.solvers.moments.packing import DARKEST, ratio_scale
+from airlight.solvers.moments.sweep import (
+    contracted,
+    gathered,
+    optical_depth,
+    reflected_share,
+    sky_at,
+    star_at_end,
+    star_from_ray,
+    strength_of,
+)
+
+#: Constituents that the passes have room for.
+MOST_CONSTITUENTS: Final = 12
+#: Images that are combined into the next guess.
+IMAGES: Final = 5
+
+
+class Sizes(NamedTuple):
+    """How long the axes are.
+
+    Attributes
+    ----------
+    radii, angles, suns, turns : int
+        Nodes in radius; directions in zenith angle; nodes in sun elevation; azimuths.
+    degree, terms, constituents, directions : int
+        Of the harmonics; how many of them; of the air; of the table of columns.
+    bottom, top, star_radius : float
+        Radii of the ground and the top [m]; angular radius of the star [rad].
+    """
+
+    radii: Any
+    angles: Any
+    suns: Any
+    turns: Any
+    degree: Any
+    terms: Any
+    constituents: Any
+    directions: Any
+    bottom: Any
+    top: Any
+    star_radius: Any
+
+
+class Tables(NamedTuple):
+    """What the host gives to the passes; shapes and units as in ``Grid``, ``Rays``, ``Air`` ….
+
+    Attributes
+    ----------
+    mu, weight, flux, start, total, end, radius, mu_along, turn, amount, column :
+        Of ``Rays``; total and column flat.
+    sun_cosines, row, place :
+        Of ``Grid``.
+    cosines, multiples :
+        Of ``Azimuths``.
+    harmonic, ahead, back :
+        Of ``Harmonics``.
+    ratios :
+        From ``mean_density_ratios``.
+    lift :
+        From ``star_lift``.
+    level : array, shape (s·4,)
+        From ``level_weights``, of four wavelengths.
+    extinction, moments, albedo :
+        Of ``Air``; four wavelengths a texel.
+    share :
+        From ``rays_in_sight``; alike.
+    """
+
+    mu: Any
+    weight: Any
+    flux: Any
+    start: Any
+    total: Any
+    end: Any
+    radius: Any
+    mu_along: Any
+    turn: Any
+    amount: Any
+    column: Any
+    sun_cosines: Any
+    row: Any
+    place: Any
+    cosines: Any
+    multiples: Any
+    harmonic: Any
+    ahead: Any
+    back: Any
+    ratios: Any
+    lift: Any
+    level: Any
+    extinction: Any
+    moments: Any
+    albedo: Any
+    share: Any
+
+
+@inlined
+def strength(index, sizes, tables):
+    """Amount of a constituent at a point of a ray times the transmittance from there. [m]
+
+    Texels (point, constituent).
+    """
+    point, c = index // sizes.constituents, index % sizes.constituents
+    depth = optical_depth(
+        tables.column, point * sizes.constituents, tables.extinction, sizes.constituents
+    )
+    return exponential(0.0 - depth) * np.float32(tables.amount[point, c])
+
+
+@inlined
+def factor(index, sizes, tables):
+    """What a point sends along its ray of one moment. [1]
+
+    Texels (point, moment).
+    """
+    point, term = index // sizes.terms, index % sizes.terms
+    l = degree_of(term)
+    m = term - l * (l + 1) // 2
+    depth = optical_depth(
+        tables.column, point * sizes.constituents, tables.extinction, sizes.constituents
+    )
+    scattered = strength_of(
+        tables.moments, tables.amount, point, l, sizes.degree, sizes.constituents
+    )
+    function = legendre_function(
+        tables.mu_along[point], l, m, tables.harmonic, tables.ahead, tables.back
+    )
+    return exponential(0.0 - depth) * scattered * np.float32(function)
+
+
+@inlined
+def reflection(index, sizes, tables):
+    """Radiance at the start of a ray per irradiance of the ground at its end. [sr⁻¹]
+
+    Texels (radius, direction); nothing for rays that miss the ground.
+    """
+    if index % sizes.angles >= sizes.angles // 2:
+        return splat(0.0)
+    return reflected_share(
+        tables.albedo,
+        tables.extinction,
+        tables.total,
+        index * sizes.constituents,
+        sizes.constituents,
+    )
+
+
+@inlined
+def projection(index, sizes, tables):
+    """Weight of a direction in one moment. [1]
+
+    Texels (radius, direction, moment), and after them (radius, direction): weight in the
+    irradiance from above.
+    """
+    rays = sizes.radii * sizes.angles
+    if index >= rays * sizes.terms:
+        ray = index - rays * sizes.terms
+        return tables.flux[ray // sizes.angles, ray % sizes.angles]
+    ray, term = index // sizes.terms, index % sizes.terms
+    i, a = ray // sizes.angles, ray % sizes.angles
+    l = degree_of(term)
+    m = term - l * (l + 1) // 2
+    function = legendre_function(
+        tables.mu[i, a], l, m, tables.harmonic, tables.ahead, tables.back
+    )
+    return tables.weight[i, a] * function
+
+
+@inlined
+def depth(index, sizes, tables, first_point):
+    """Optical depth from a point of a ray to the top of the shell. [1]
+
+    Texels (point, direction); the points of one span of radii, the ground before them.
+    """
+    local, place = index // sizes.directions, index % sizes.directions
+    q = sizes.bottom
+    if local > 0:
+        q = tables.radius[first_point + local - 1]
+    return depth_in_row(
+        tables.ratios,
+        q,
+        place,
+        sizes.bottom,
+        sizes.top,
+        tables.extinction,
+        sizes.constituents,
+    )
+
+
+@inlined
+def radiance_once(index, sizes, tables, first_point, strengths, reflections, depths):
+    """Radiance of a ray by light that is scattered or reflected once. [sr⁻¹]
+
+    Texels (radius, direction, sun, azimuth).
+    """
+    b = index % sizes.turns
+    j = index // sizes.turns % sizes.suns
+    ray = index // (sizes.turns * sizes.suns)
+    i, a = ray // sizes.angles, ray % sizes.angles
+    mu_s = tables.sun_cosines[j]
+    nu = star_from_ray(tables.mu[i, a], mu_s, tables.cosines[b])
+    first = int(tables.start[i, a])
+    points = int(tables.start[i, a + 1]) - first
+    phases = room_of_lanes(MOST_CONSTITUENTS)
+    fill_phases(tables.moments, nu, sizes.degree, sizes.constituents, phases)
+    radiance = load(tables.share, LANES * ray) * scattered_once(
+        tables.turn,
+        tables.radius,
+        first,
+        points,
+        first,
+        strengths,
+        phases,
+        sizes.constituents,
+        1 + first - first_point,
+        depths,
+        sizes.directions,
+        mu_s,
+        nu,
+        sizes.bottom,
+        sizes.top,
+        sizes.star_radius,
+        tables.lift,
+    )
+    if a < sizes.angles // 2:
+        at_ground = star_at_end(tables.end, i, a, mu_s, nu)
+        radiance = radiance + load(reflections, LANES * ray) * direct_light(
+            at_ground,
+            sizes.bottom,
+            sizes.top,
+            sizes.star_radius,
+            depths,
+            0,
+            sizes.directions,
+            tables.lift,
+        )
+    return radiance
+
+
+@inlined
+def row(index, sizes, tables, first_point, factors, packed):
+    """Moments at a point of a ray, contracted with what it sends along the ray. [1]
+
+    Texels (point, sun, 2 + N): s, then A_0 s … A_N s; the points of one span of radii.
+    """
+    block = sizes.degree + 2
+    part = index % block
+    j = index // block % sizes.suns
+    point = first_point + index // (block * sizes.suns)
+    x = row_of(tables.radius[point], sizes.bottom, sizes.top, tables.row)
+    level = min(int(x), sizes.radii - 2)
+    f = np.float32(x - level)
+    low = (level * sizes.suns + j) * (1 + sizes.terms) * LANES
+    high = low + sizes.suns * (1 + sizes.terms) * LANES
+    if part == 0:
+        return (np.float32(1.0) - f) * load(packed, low) + f * load(packed, high)
+    return contracted(
+        factors, LANES * point * sizes.terms, packed, low, high, f, part - 1, sizes.degree
+    )
+
+
+@inlined
+def radiance_again(index, sizes, tables, first_point, rows, reflections, ground):
+    """Radiance of a ray by light that was scattered or reflected before. [sr⁻¹]
+
+    Texels (radius, direction, sun, azimuth).
+    """
+    b = index % sizes.turns
+    j = index // sizes.turns % sizes.suns
+    ray = index // (sizes.turns * sizes.suns)
+    i, a = ray // sizes.angles, ray % sizes.angles
+    mu_s = tables.sun_cosines[j]
+    nu = star_from_ray(tables.mu[i, a], mu_s, tables.cosines[b])
+    first = int(tables.start[i, a])
+    points = int(tables.start[i, a + 1]) - first
+    radiance = load(tables.share, LANES * ray) * gathered(
+        tables.turn,
+        tables.mu_along,
+        first,
+        points,
+        first - first_point,
+        rows,
+        mu_s,
+        nu,
+        tables.place,
+        sizes.suns,
+        sizes.degree,
+    )
+    if a < sizes.angles // 2:
+        at_ground = star_at_end(tables.end, i, a, mu_s, nu)
+        radiance = radiance + load(reflections, LANES * ray) * sky_at(
+            ground, at_ground, tables.place, sizes.suns
+        )
+    return radiance
+
+
+@inlined
+def azimuthal(index, sizes, tables, radiances):
+    """∫ L cos mφ dφ. [sr⁻¹]
+
+    Texels (radius, direction, sun, m).
+    """
+    m = index % (sizes.degree + 1)
+    start = index // (sizes.degree + 1) * sizes.turns
+    total = splat(0.0)
+    for b in range(sizes.turns):
+        total = total + np.float32(tables.multiples[m, b]) * load(radiances, LANES * (start + b))
+    return total
+
+
+@inlined
+def gathered_moment(index, sizes, projections, azimuthals):
+    """A moment of the light that arrives, or the irradiance of a level surface from above. [1]
+
+    Texels (radius, sun, moment), and after them (radius, sun).
+    """
+    nodes = sizes.radii * sizes.suns
+    width = sizes.degree + 1
+    total = splat(0.0)
+    if index >= nodes * sizes.terms:
+        node = index - nodes * sizes.terms
+        i, j = node // sizes.suns, node % sizes.suns
+        weights = sizes.radii * sizes.angles * sizes.terms + i * sizes.angles
+        for a in range(sizes.angles):
+            at = ((i * sizes.angles + a) * sizes.suns + j) * width
+            total = total + np.float32(projections[weights + a]) * load(azimuthals, LANES * at)
+        return total
+    node, term = index // sizes.terms, index % sizes.terms
+    i, j = node // sizes.suns, node % sizes.suns
+    l = degree_of(term)
+    m = term - l * (l + 1) // 2
+    for a in range(sizes.angles):
+        ray = i * sizes.angles + a
+        at = (ray * sizes.suns + j) * width + m
+        total = total + np.float32(projections[ray * sizes.terms + term]) * load(
+            azimuthals, LANES * at
+        )
+    return total
+
+
+@inlined
+def gathered_onto(index, sizes, projections, azimuthals, first):
+    """``gathered_moment``, the first order added."""
+    return load(first, LANES * index) + gathered_moment(index, sizes, projections, azimuthals)
+
+
+@inlined
+def node_scale(index, sizes, tables, means):
+    """The s of a node, for one wavelength. [1]
+
+    Texels (radius, sun, lane), and after them the same for the irradiance.
+
+    ``means`` is a field's texture, number by number.
+    """
+    lanes = 4
+    numbers = sizes.radii * sizes.suns * lanes
+    lane = index % lanes
+    if index >= numbers:
+        node = (index - numbers) // lanes
+        at = lanes * (sizes.radii * sizes.suns * sizes.terms + node)
+        received = max(means[at + lane], DARKEST)
+        return ratio_scale(received, received, 0.0)
+    node = index // lanes
+    j = node % sizes.suns
+    step = lanes * sizes.terms
+    highest = DARKEST
+    for i in range(sizes.radii):
+        highest = max(highest, means[(i * sizes.suns + j) * step + lane])
+    mean = max(means[node * step + lane], DARKEST)
+    return ratio_scale(mean, highest, tables.level[lanes * j + lane])
+
+
+@inlined
+def packed(index, sizes, field, scales):
+    """Moments and irradiances as ratios: what a march and the next sweep read.
+
+    Texels (radius, sun, 1 + moments): s, then the moments times s; after them (radius, sun, 2):
+    s, then the irradiance times s.
+    """
+    nodes = sizes.radii * sizes.suns
+    moments = nodes * (1 + sizes.terms)
+    if index >= moments:
+        node = (index - moments) // 2
+        scale = load(scales, LANES * (nodes + node))
+        if (index - moments) % 2 == 0:
+            return scale
+        received = maximum(load(field, LANES * (nodes * sizes.terms + node)), DARKEST)
+        return received * scale
+    node, part = index // (1 + sizes.terms), index % (1 + sizes.terms)
+    scale = load(scales, LANES * node)
+    if part == 0:
+        return scale
+    value = load(field, LANES * (node * sizes.terms + part - 1))
+    if part == 1:
+        value = maximum(value, DARKEST)
+    return value * scale
+
+
+@inlined
+def mean(index, sizes, field, guess):
+    """Mean radiances of a field and of the guess that it was swept from, for the host. [1]
+
+    Texels (field or guess, radius, sun).
+    """
+    nodes = sizes.radii * sizes.suns
+    if index < nodes:
+        return load(field, LANES * index * sizes.terms)
+    return load(guess, LANES * (index - nodes) * sizes.terms)
+
+
+@inlined
+def mixed(index, weights, images):
+    """One number of the combination of images.
+
+    ``weights`` and each of ``images`` are read number by number.
+    """
+    lane = index % 4
+    return (
+        weights[lane] * images.image_0[index]
+        + weights[4 + lane] * images.image_1[index]
+        + weights[8 + lane] * images.image_2[index]
+        + weights[12 + lane] * images.image_3[index]
+        + weights[16 + lane] * images.image_4[index]
+    )
+
+
+@inlined
+def sound(index, sizes, weights, images):
+    """1 where the combination of images can be trusted, for one wavelength; else 0.
+
+    Texels (radius, sun, lane), and after them the same for the irradiance. ``image_0`` is the last.
+    """
+    lanes = 4
+    numbers = sizes.radii * sizes.suns * lanes
+    lane = index % lanes
+    brightest = weights[lanes * IMAGES + lane]
+    at = index // lanes * sizes.terms * lanes + lane
+    if index >= numbers:
+        brightest = weights[lanes * (IMAGES + 1) + lane]
+        at = numbers * sizes.terms + index - numbers
+    near = is_near(mixed(at, weights, images), images.image_0[at], brightest)
+    return 1.0 if near else 0.0
+
+
+@inlined
+def next_guess(index, sizes, weights, images, sounds):
+    """The combination of images where it can be trusted, elsewhere the last image.
+
+    Texels as in ``gathered_moment``.
+    """
+    nodes = sizes.radii * sizes.suns
+    node = index // sizes.terms
+    if index >= nodes * sizes.terms:
+        node = nodes + index - nodes * sizes.terms
+    total = load(weights, 0) * load(images.image_0, LANES * index)
+    total = total + load(weights, LANES) * load(images.image_1, LANES * index)
+    total = total + load(weights, 2 * LANES) * load(images.image_2, LANES * index)
+    total = total + load(weights, 3 * LANES) * load(images.image_3, LANES * index)
+    total = total + load(weights, 4 * LANES) * load(images.image_4, LANES * index)
+    last = load(images.image_0, LANES * index)
+    return last + load(sounds, LANES * node) * (total - last)
