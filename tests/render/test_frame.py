@@ -146,7 +146,7 @@ def test_a_wide_strip_needs_little_more_than_its_pixels(lit: Lit) -> None:
     [
         "from airlight import Frame, render",
         "import airlight.render; render = airlight.render",
-        "import airlight; import airlight.render.frame; render = airlight.render",
+        "import airlight; import airlight.scene.frame; render = airlight.render",
     ],
 )
 def test_render_is_a_function_however_it_was_imported(statement: str) -> None:

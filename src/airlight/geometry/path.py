@@ -159,6 +159,70 @@ def place_edges(r, mu, length, panels, first_cut, second_cut, edges):
     return insert_edge(edges, count, second_cut)
 
 
+@kernel
+def panel_leg(r, mu, start, end, length):
+    """The leg of a ray that a panel lies on, and where on it.
+
+    Parameters
+    ----------
+    r, mu, length : float
+        Of the ray: start [m], cosine there [1] and length [m].
+    start, end : float
+        Of the panel, along the ray. [m]
+
+    Returns
+    -------
+    descending : bool
+        Whether the leg leads down.
+    low, beside : float
+        Radius from which y is counted, and its distance from the line's nearest point. [m]
+    first, last : float
+        y where the panel starts and ends. [m^½]
+    """
+    nearest = -r * mu
+    tangent = r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
+    descending = end <= nearest
+    # The leg's lowest point: where it ends (descending) or starts (ascending).
+    low = radius_along(r, mu, min(nearest, length) if descending else max(nearest, 0.0))
+    high = r if descending else radius_along(r, mu, length)
+    beside = chord(r, mu, low)
+    if low - tangent <= _BESIDE * (high - tangent):
+        low = min(tangent, low)
+        beside = 0.0
+    first = sqrt(max(radius_along(r, mu, start) - low, 0.0))
+    last = sqrt(max(radius_along(r, mu, end) - low, 0.0))
+    return descending, low, beside, first, last
+
+
+@kernel
+def panel_point(nearest, descending, low, beside, first, last, node):
+    """A point of a panel.
+
+    Parameters
+    ----------
+    nearest : float
+        Distance along the ray to its line's nearest point. [m]
+    descending, low, beside, first, last :
+        From ``panel_leg``.
+    node : float
+        Where on the panel, 0 to 1. [1]
+
+    Returns
+    -------
+    distance, radius : float
+        Along the ray and from the centre. [m]
+    slope : float
+        Distance per step of ``node``, at least 0. [m]
+    """
+    y = first + (last - first) * node
+    away = sqrt(beside * beside + y * y * (2.0 * low + y * y))
+    radius = low + y * y
+    distance = nearest - away if descending else nearest + away
+    # du/dy = 2 y r / u
+    slope = abs(last - first) * (2.0 * y * radius / away) if away > 0.0 else 0.0
+    return distance, radius, slope
+
+
 @compiled_loop
 def place_nodes(r, mu, edges, edge_count, nodes, weights, distance, radius, weight):
     """Gauss-Legendre points on every panel of a ray.
@@ -179,35 +243,16 @@ def place_nodes(r, mu, edges, edge_count, nodes, weights, distance, radius, weig
     int
         How many points were written: (edge_count - 1)·n.
     """
-    nearest = -r * mu
-    tangent = r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
     length = edges[edge_count - 1]
-    n = nodes.size
     count = 0
     for panel in range(edge_count - 1):
-        start, end = edges[panel], edges[panel + 1]
-        descending = end <= nearest
-        # The leg's lowest point: where it ends (descending) or starts (ascending).
-        if descending:
-            low = radius_along(r, mu, min(nearest, length))
-            high = r
-        else:
-            low = radius_along(r, mu, max(nearest, 0.0))
-            high = radius_along(r, mu, length)
-        low_beside = chord(r, mu, low)
-        if low - tangent <= _BESIDE * (high - tangent):
-            low = min(tangent, low)
-            low_beside = 0.0
-        from_low = sqrt(max(radius_along(r, mu, start) - low, 0.0))
-        to_low = sqrt(max(radius_along(r, mu, end) - low, 0.0))
-        for k in range(n):
-            y = from_low + (to_low - from_low) * nodes[k]
-            beside = sqrt(low_beside * low_beside + y * y * (2.0 * low + y * y))
-            at = low + y * y
-            radius[count] = at
-            distance[count] = nearest - beside if descending else nearest + beside
-            # du/dy = 2 y r / u
-            slope = 2.0 * y * at / beside if beside > 0.0 else 0.0
-            weight[count] = abs(to_low - from_low) * weights[k] * slope
+        descending, low, beside, first, last = panel_leg(
+            r, mu, edges[panel], edges[panel + 1], length
+        )
+        for k in range(nodes.size):
+            distance[count], radius[count], slope = panel_point(
+                -r * mu, descending, low, beside, first, last, nodes[k]
+            )
+            weight[count] = weights[k] * slope
             count += 1
     return count

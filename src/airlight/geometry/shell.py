@@ -49,3 +49,30 @@ def meets_ground(r, mu, bottom_radius):
 def radius_along(r, mu, distance):
     """Distance from the centre after some way along a ray. [m]"""
     return sqrt(max(distance * (distance + 2.0 * r * mu) + r * r, 0.0))
+
+
+@kernel
+def way_to_shell(r, mu, sine, top_radius):
+    """How far a line of sight from outside leads to the shell, and how it enters.
+
+    Parameters
+    ----------
+    r, mu : float
+        Distance from the centre, more than ``top_radius`` [m]; cosine of the zenith angle. [1]
+    sine : float
+        Its sine, which gives the line's nearest distance also from far away. [1]
+    top_radius : float
+        [m]
+
+    Returns
+    -------
+    way : float
+        -1 for a line that misses the shell. [m]
+    mu : float
+        Cosine of the zenith angle where it enters. [1]
+    """
+    impact = r * sine
+    if mu >= 0.0 or impact >= top_radius:
+        return -1.0, 0.0
+    half_chord = sqrt((top_radius - impact) * (top_radius + impact))
+    return max(-r * mu - half_chord, 0.0), -half_chord / top_radius

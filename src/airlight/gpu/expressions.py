@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 #: Python's mathematics in WGSL; those that the prelude brings are good to float32.
 _MATH: Final[dict[Any, str]] = {
-    math.sqrt: "sqrt", math.exp: "exp", math.log: "log", math.log2: "log2", math.floor: "floor",
+    math.sqrt: "sqrt", math.exp: "exp", math.log: "log", math.log2: "log2",
     math.sin: "sine", math.cos: "cosine", math.tan: "tan", math.acos: "acos", math.asin: "asin",
     math.atan: "atan", math.atan2: "atan2",
 }  # fmt: skip
@@ -396,6 +396,8 @@ class Expressions:
         if called is abs:
             text, found = self.write(node.args[0])
             return f"abs({text})", self.number(node.args[0], found)
+        if called is math.floor:
+            return f"i32(floor({self.as_scalar(node.args[0], F32)}))", I32
         if called is int:
             return f"i32({self.as_scalar(node.args[0], F32)})", I32
         if called in (float, np.float32, np.float64):

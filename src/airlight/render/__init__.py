@@ -10,8 +10,8 @@ import sys
 from types import ModuleType
 from typing import Any
 
-from airlight.render.frame import Frame
 from airlight.render.render import render
+from airlight.scene.frame import Frame
 
 __all__ = ["Frame", "render"]
 

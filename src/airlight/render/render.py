@@ -15,10 +15,10 @@ from airlight.errors import ParameterError
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel import compiled_loop
 from airlight.kernel.threads import Cancel, Progress, run_blocks
-from airlight.render.frame import Frame
 from airlight.render.shade import Paint, View, shade
 from airlight.render.sun_disc import add_sun_disc, seen_direction
 from airlight.scene import Scene
+from airlight.scene.frame import Frame
 from airlight.scene.surface_map import surface_map
 from airlight.solvers.moments.march import new_packet
 from airlight.solvers.moments.packing import pack

@@ -5,7 +5,7 @@ The radiance is per irradiance of the star until the weights turn it into linear
 
 from __future__ import annotations
 
-from math import asin, atan2, cos, log2, pi, sin, sqrt
+from math import asin, atan2, cos, floor, log2, pi, sin, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -13,11 +13,12 @@ from numpy.typing import NDArray
 
 from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.path import ray_length
-from airlight.geometry.shell import meets_ground
+from airlight.geometry.shell import meets_ground, way_to_shell
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import INVERSE_PI, LANES, load, maximum, minimum, splat, store
+from airlight.kernel.lanes import LANES, load, maximum, minimum, splat, store
 from airlight.solvers.moments.march import march
 from airlight.solvers.moments.received import ground_light
+from airlight.solvers.moments.source import read_phase, reflected
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -90,15 +91,17 @@ def map_color(texels, levels, latitude, longitude, level, out):
         part = (level - first) if step == 1 else 1.0 - (level - first)
         if part <= 0.0:
             continue
-        start, height, width = levels[which, 0], levels[which, 1], levels[which, 2]
+        start = int(levels[which, 0])
+        height = int(levels[which, 1])
+        width = int(levels[which, 2])
         y = min(max((0.5 - latitude / pi) * height - 0.5, 0.0), height - 1.0)
         x = (0.5 + longitude / (2.0 * pi)) * width - 0.5
         top = min(int(y), max(height - 2, 0))
-        west = int(np.floor(x))
+        west = floor(x)
         down, right = y - top, x - west
         bottom = min(top + 1, height - 1)
         east = (west + 1) % width
-        west = west % width
+        west = (west + width) % width
         for c in range(3):
             upper_row = start + 3 * width * top + c
             lower_row = start + 3 * width * bottom + c
@@ -169,14 +172,11 @@ def shade(directions, view, paint, light, panels, rules, packet, work, out):
         r, mu, mu_s, way = view.r, min(max(z, -1.0), 1.0), sun_z, 0.0
         seen = x != 0.0 or y != 0.0 or z != 0.0
         if r > top:
-            # Enter the shell; the sine gives the line's nearest distance also from far away.
-            impact = r * sqrt(x * x + y * y)
-            seen = seen and z < 0.0 and impact < top
+            way, enters = way_to_shell(r, mu, sqrt(x * x + y * y), top)
+            seen = seen and way >= 0.0
             if seen:
-                half_chord = sqrt((top - impact) * (top + impact))
-                way = -r * mu - half_chord
                 mu_s = min(max((r * mu_s + way * nu) / top, -1.0), 1.0)
-                mu = -half_chord / top
+                mu = enters
                 r = top
         if seen:
             packet.r[rays], packet.mu[rays], packet.mu_s[rays] = r, mu, mu_s
@@ -186,7 +186,13 @@ def shade(directions, view, paint, light, panels, rules, packet, work, out):
             half = 0.5 * sqrt(
                 (x - seen_sun[0]) ** 2 + (y - seen_sun[1]) ** 2 + (z - seen_sun[2]) ** 2
             )
-            read_phase(min(half, 1.0), paint.phase, paint.phase_nodes, packet.phase[rays])
+            read_phase(
+                min(half, 1.0),
+                paint.phase,
+                paint.phase_nodes,
+                packet.phase.shape[1],
+                packet.phase[rays],
+            )
             pixels[rays], ways[rays] = pixel, way
             rays += 1
         if rays == size or (rays > 0 and pixel == directions.shape[0] - 1):
@@ -194,18 +200,6 @@ def shade(directions, view, paint, light, panels, rules, packet, work, out):
             for p in range(rays):
                 finish(p, pixels[p], ways[p], directions, view, paint, light, packet, work, out)
             rays = 0
-
-
-@inlined
-def read_phase(half_sine, table, nodes, out):
-    """Phase functions of all constituents and wavelengths between the table's nodes. [sr⁻¹]"""
-    u = half_sine * (nodes - 1)
-    node = min(int(u), nodes - 2)
-    f = np.float32(u - node)
-    for at in range(0, out.size, LANES):
-        low = load(table, node * out.size + at)
-        high = load(table, (node + 1) * out.size + at)
-        store(out, at, low + f * (high - low))
 
 
 @compiled_loop
@@ -236,8 +230,8 @@ def finish(p, pixel, way, directions, view, paint, light, packet, work, out):
                     basis = load(paint.basis, lanes * c + lane)
                     reflectance = reflectance + basis * np.float32(color[c])
                 reflectance = minimum(maximum(reflectance, splat(0.0)), splat(1.0))
-            reflected = load(received, lane) * reflectance * INVERSE_PI
-            store(radiance, lane, load(radiance, lane) + load(through, lane) * reflected)
+            ground = reflected(load(received, lane), reflectance)
+            store(radiance, lane, load(radiance, lane) + load(through, lane) * ground)
     for c in range(3):
         total = np.float32(0.0)
         for lane in range(lanes):

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from airlight.geometry.path import MAX_EDGES, insert_edge, place_edges, place_nodes
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.shell import chord
-from airlight.kernel import compiled_loop
+from airlight.kernel import compiled_loop, kernel
 from airlight.kernel.threads import run_blocks
 from airlight.mappings.transmittance import (
     cosine_from_coordinate,
@@ -58,6 +58,22 @@ def density_table(density: DensitySegments, thickness: float) -> FloatArray:
     return np.ascontiguousarray(density.at(thickness * x * x).T)
 
 
+@kernel
+def density_place(radius, bottom_radius, thickness, nodes):
+    """Where in a table of so many nodes, from ``density_table``, a radius stands.
+
+    Returns
+    -------
+    node : int
+    share : float
+        Of the way to the next one. [1]
+    """
+    altitude = min(max((radius - bottom_radius) / thickness, 0.0), 1.0)
+    x = sqrt(altitude) * (nodes - 1)
+    node = min(int(x), nodes - 2)
+    return node, x - node
+
+
 @compiled_loop
 def accumulate(count, rule, bottom_radius, thickness, table, path):
     """Densities at the points of a ray, and the columns up to each.
@@ -76,10 +92,7 @@ def accumulate(count, rule, bottom_radius, thickness, table, path):
     n = weights.size
     constituents = table.shape[1]
     for k in range(count):
-        altitude = min(max((radius[k] - bottom_radius) / thickness, 0.0), 1.0)
-        x = sqrt(altitude) * (table.shape[0] - 1)
-        node = min(int(x), table.shape[0] - 2)
-        f = x - node
+        node, f = density_place(radius[k], bottom_radius, thickness, table.shape[0])
         for i in range(constituents):
             density[i, k] = table[node, i] + (table[node + 1, i] - table[node, i]) * f
     for i in range(constituents):
@@ -220,8 +233,8 @@ def cut_at_corners(r, mu, bottom_radius, corners, edges, count):
         How many edges there are now.
     """
     tangent = r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
-    for altitude in corners:
-        radius = bottom_radius + altitude
+    for k in range(corners.size):
+        radius = bottom_radius + corners[k]
         if tangent < radius:
             beside = chord(r, mu, radius)
             count = insert_edge(edges, count, -r * mu - beside)

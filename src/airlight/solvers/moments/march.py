@@ -17,10 +17,17 @@ from numpy.typing import NDArray
 from airlight.geometry.bending import bend_angle, star_points, turned
 from airlight.geometry.path import MAX_EDGES, place_edges, shadow_edges
 from airlight.geometry.shell import radius_along
-from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import LANES, exponential, load, maximum, splat, store
+from airlight.kernel import compiled_loop
+from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.solvers.moments.grid import Grid, row_of
 from airlight.solvers.moments.harmonics import Harmonics, legendre_functions
+from airlight.solvers.moments.source import (
+    gathered_light,
+    scattered_star,
+    star_at,
+    through_columns,
+    times_cosines,
+)
 from airlight.solvers.moments.sweep import Air, place_of
 from airlight.tables.column_ratios import columns_to_top
 from airlight.tables.columns import cut_at_corners, trace_resolved
@@ -148,15 +155,6 @@ def new_workspace(points: int, constituents: int, terms: int, lanes: int) -> Wor
     )
 
 
-@inlined
-def through_columns(columns, extinction, lanes, at):
-    """Transmittance of eight wavelengths, from lane ``at`` on, through columns (nc,). [1]"""
-    tau = splat(0.0)
-    for c in range(columns.size):
-        tau = tau + load(extinction, lanes * c + at) * np.float32(columns[c])
-    return exponential(0.0 - tau)
-
-
 class Packet(NamedTuple):
     """Up to PACKET stretches of rays inside the shell.
 
@@ -252,7 +250,7 @@ def march(packet, rays, orders, panels, rules, light, work):
         faint[p] = _FAINT * min(depth, 1.0) if day else 0.0
         for at in range(0, lanes, LANES):
             store(radiance[p], at, splat(0.0))
-            store(through[p], at, through_columns(total[p], extinction, lanes, at))
+            store(through[p], at, through_columns(total[p], extinction, constituents, lanes, at))
     for k in range(most):
         for p in range(rays):
             if k >= counts[p]:
@@ -305,58 +303,13 @@ def march(packet, rays, orders, panels, rules, light, work):
             for at in range(0, lanes, LANES):
                 source = splat(0.0)
                 if seen > 0.0:
-                    for c in range(constituents):
-                        source = (
-                            source
-                            + (load(scattering, lanes * c + at) * load(phase, lanes * c + at))
-                            * rho[c]
-                        )
-                    light_here = through_columns(here, extinction, lanes, at)
-                    if high > low:
-                        light_here = light_here + through_columns(there, extinction, lanes, at)
-                        light_here = light_here * np.float32(0.5)
-                    source = source * np.float32(seen) * light_here
+                    source = scattered_star(
+                        rho, scattering, phase, constituents, lanes, at
+                    ) * star_at(seen, here, there, high > low, extinction, constituents, lanes, at)
                 if gathers:
-                    gathered = splat(0.0)
-                    for l in range(degree + 1):
-                        strength = splat(0.0)
-                        for c in range(constituents):
-                            strength = (
-                                strength
-                                + load(moments, lanes * (c * (degree + 1) + l) + at) * rho[c]
-                            )
-                        part = splat(0.0)
-                        for index in range(l * (l + 1) // 2, (l + 1) * (l + 2) // 2):
-                            near = a00 + lanes * (1 + index) + at
-                            far = near + (a10 - a00)
-                            part = part + functions[index] * (
-                                w00 * load(field, near)
-                                + w01 * load(field, near + block)
-                                + w10 * load(field, far)
-                                + w11 * load(field, far + block)
-                            )
-                        gathered = gathered + strength * part
-                    scale = (
-                        w00 * load(field, a00 + at)
-                        + w01 * load(field, a00 + block + at)
-                        + w10 * load(field, a10 + at)
-                        + w11 * load(field, a10 + block + at)
-                    )
-                    # A sum of few harmonics may fall below 0 where almost no light goes.
-                    source = source + maximum(gathered / scale, 0.0)
-                tau = splat(0.0)
-                for c in range(constituents):
-                    tau = tau + load(extinction, lanes * c + at) * depths[c]
-                store(bright, at, load(bright, at) + exponential(0.0 - tau) * source * w)
-
-
-@inlined
-def times_cosines(functions, step, degree):
-    """Multiply each Legendre function by cos mφ, from cos φ. [1]"""
-    before, multiple = 1.0, step
-    for m in range(1, degree + 1):
-        index = m * (m + 1) // 2 + m
-        for l in range(m, degree + 1):
-            functions[index] *= multiple
-            index += l + 1
-        before, multiple = multiple, 2.0 * step * multiple - before
+                    source = source + gathered_light(
+                        rho, moments, field, functions, a00, a10, block, w00, w01, w10, w11,
+                        degree, constituents, lanes, at,
+                    )  # fmt: skip
+                through_air = through_columns(depths, extinction, constituents, lanes, at)
+                store(bright, at, load(bright, at) + through_air * source * w)

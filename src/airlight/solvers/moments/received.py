@@ -8,7 +8,7 @@ from airlight.geometry.bending import level_light
 from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.solvers.moments.grid import row_of
-from airlight.solvers.moments.march import through_columns
+from airlight.solvers.moments.source import level_sky, level_star
 from airlight.solvers.moments.sweep import place_of
 from airlight.tables.column_ratios import columns_to_top
 
@@ -31,20 +31,15 @@ def ground_light(mu_s, orders, light, work):
         columns_to_top(bottom, above, bottom, top, light.columns, work.there)
     x = place_of(mu_s, grid.place)
     place = min(int(x), grid.sun_cosines.size - 2)
-    e = np.float32(x - place)
-    g = np.float32(1.0) - e
+    constituents = light.columns.shape[2]
     for at in range(0, lanes, LANES):
         received = splat(0.0)
         if orders != 0 and direct > 0.0:
-            received = through_columns(work.here, air.extinction, lanes, at) * np.float32(
-                from_low
-            ) + through_columns(work.there, air.extinction, lanes, at) * np.float32(from_high)
+            received = level_star(
+                work.here, work.there, from_low, from_high, air.extinction, constituents, lanes, at
+            )
         if orders != 1:
-            low = place * 2 * lanes + at
-            high = low + 2 * lanes
-            received = received + (
-                g * load(light.sky, low + lanes) + e * load(light.sky, high + lanes)
-            ) / (g * load(light.sky, low) + e * load(light.sky, high))
+            received = received + level_sky(light.sky, place, x - place, lanes, at)
         store(work.received, at, received)
 
 
@@ -60,9 +55,11 @@ def direct_irradiance(r, mu_s, light, work, out):
         columns_to_top(r[k], low, bottom, top, light.columns, work.here)
         columns_to_top(r[k], high, bottom, top, light.columns, work.there)
         for at in range(0, lanes, LANES):
-            through = through_columns(work.here, light.air.extinction, lanes, at)
-            there = through_columns(work.there, light.air.extinction, lanes, at)
-            store(out[k], at, through * np.float32(from_low) + there * np.float32(from_high))
+            star = level_star(
+                work.here, work.there, from_low, from_high, light.air.extinction,
+                light.columns.shape[2], lanes, at,
+            )  # fmt: skip
+            store(out[k], at, star)
 
 
 @compiled_loop

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel import compiled_loop, disk, source_fingerprint
-from airlight.kernel.lanes import INVERSE_PI, LANES, load, store
+from airlight.kernel.lanes import LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
@@ -30,6 +30,7 @@ from airlight.solvers.moments.march import (
 from airlight.solvers.moments.packing import filled, pack, pack_light
 from airlight.solvers.moments.received import direct_irradiance, ground_light, sky_irradiance
 from airlight.solvers.moments.settings import Settings
+from airlight.solvers.moments.source import reflected
 from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Report, Solution
 from airlight.tables.column_ratios import mean_density_ratios
@@ -194,8 +195,8 @@ def _march_all(
                 mu_s_ground = min(max(mu_s_ground, -1.0), 1.0)
                 ground_light(mu_s_ground, orders, light, work)
                 for at in range(0, bright.size, LANES):
-                    reflected = load(work.received, at) * load(light.air.albedo, at) * INVERSE_PI
-                    store(bright, at, load(bright, at) + load(work.through[p], at) * reflected)
+                    ground = reflected(load(work.received, at), load(light.air.albedo, at))
+                    store(bright, at, load(bright, at) + load(work.through[p], at) * ground)
             out[k] = bright
 
 

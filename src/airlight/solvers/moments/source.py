@@ -1,0 +1,199 @@
+"""The light that a point of the air sends along a line of sight: once scattered, and the rest.
+
+Written for both processors: the march of the CPU runs these for packets of rays and eight
+wavelengths at a time, the shader of the GPU for a ray and four wavelengths.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from airlight.kernel import inlined
+from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, maximum, splat, store
+
+
+@inlined
+def through_columns(columns, extinction, constituents, lanes, at):
+    """Transmittance of the wavelengths from lane ``at`` on through columns (nc,). [1]"""
+    tau = splat(0.0)
+    for c in range(constituents):
+        tau = tau + load(extinction, lanes * c + at) * np.float32(columns[c])
+    return exponential(0.0 - tau)
+
+
+@inlined
+def star_at(seen, low_columns, high_columns, spread, extinction, constituents, lanes, at):
+    """Irradiance by the star at a point, of a surface that faces it, per that outside the air. [1]
+
+    Parameters
+    ----------
+    seen : float
+        Of ``star_points``. [1]
+    low_columns, high_columns : array, shape (nc,)
+        From the point to space, towards the two places that stand for the star. [m]
+    spread : bool
+        Whether these differ.
+    extinction, constituents, lanes, at :
+        As in ``through_columns``.
+    """
+    light = through_columns(low_columns, extinction, constituents, lanes, at)
+    if spread:
+        light = light + through_columns(high_columns, extinction, constituents, lanes, at)
+        light = light * np.float32(0.5)
+    return light * np.float32(seen)
+
+
+@inlined
+def scattered_star(density, scattering, phase, constituents, lanes, at):
+    """Scattering coefficient times phase function of all constituents. [m⁻¹ sr⁻¹]
+
+    Parameters
+    ----------
+    density : array, shape (nc,)
+        Relative densities. [1]
+    scattering : array, shape (nc·w,)
+        [m⁻¹]
+    phase : array, shape (nc·w,)
+        Phase functions at the angle to the star. [sr⁻¹]
+    constituents, lanes, at :
+        As in ``through_columns``.
+    """
+    source = splat(0.0)
+    for c in range(constituents):
+        source = (
+            source + (load(scattering, lanes * c + at) * load(phase, lanes * c + at)) * density[c]
+        )
+    return source
+
+
+@inlined
+def between(field, near, far, block, w00, w01, w10, w11):
+    """A value of four nodes of the field, weighted."""
+    return (
+        w00 * load(field, near)
+        + w01 * load(field, near + block)
+        + w10 * load(field, far)
+        + w11 * load(field, far + block)
+    )
+
+
+@inlined
+def gathered_light(
+    density, moments, field, functions, near, far, block, w00, w01, w10, w11, degree,
+    constituents, lanes, at,
+):  # fmt: skip
+    """Light that was scattered before, scattered once more into the line of sight. [m⁻¹ sr⁻¹]
+
+    Parameters
+    ----------
+    density : array, shape (nc,)
+        Relative densities. [1]
+    moments : array, shape (nc·(N + 1)·w,)
+        Of ``Air``. [m⁻¹]
+    field : array
+        Of ``Light``.
+    functions : array, shape (k,)
+        Harmonics of the line of sight: K_lm P_lm cos mφ. [1]
+    near, far, block : int
+        First value of the lower row's and of the upper row's node, and how many values a node has.
+    w00, w01, w10, w11 : float
+        Weights of the four nodes. [1]
+    degree, constituents, lanes, at :
+        As in ``through_columns``.
+    """
+    gathered = splat(0.0)
+    for l in range(degree + 1):
+        strength = splat(0.0)
+        for c in range(constituents):
+            strength = strength + load(moments, lanes * (c * (degree + 1) + l) + at) * density[c]
+        part = splat(0.0)
+        for index in range(l * (l + 1) // 2, (l + 1) * (l + 2) // 2):
+            here = lanes * (1 + index) + at
+            part = part + functions[index] * between(
+                field, near + here, far + here, block, w00, w01, w10, w11
+            )
+        gathered = gathered + strength * part
+    scale = between(field, near + at, far + at, block, w00, w01, w10, w11)
+    # A sum of few harmonics may fall below 0 where almost no light goes.
+    return maximum(gathered / scale, 0.0)
+
+
+@inlined
+def times_cosines(functions, step, degree):
+    """Multiply each Legendre function by cos mφ, from cos φ. [1]"""
+    before, multiple = 1.0, step
+    for m in range(1, degree + 1):
+        index = m * (m + 1) // 2 + m
+        for l in range(m, degree + 1):
+            functions[index] *= multiple
+            index += l + 1
+        before, multiple = multiple, 2.0 * step * multiple - before
+
+
+@inlined
+def read_phase(half_sine, table, nodes, width, out):
+    """Phase functions of all constituents and wavelengths between the table's nodes. [sr⁻¹]
+
+    Parameters
+    ----------
+    half_sine : float
+        sin(θ/2) of the scattering angle. [1]
+    table : array, shape (nodes·width,)
+        On the uniform grid of sin(θ/2).
+    nodes, width : int
+    out : array, shape (width,)
+        Receives the values.
+    """
+    u = half_sine * (nodes - 1)
+    node = min(int(u), nodes - 2)
+    f = np.float32(u - node)
+    for at in range(0, width, LANES):
+        low = load(table, node * width + at)
+        high = load(table, (node + 1) * width + at)
+        store(out, at, low + f * (high - low))
+
+
+@inlined
+def level_star(below, above, from_low, from_high, extinction, constituents, lanes, at):
+    """Irradiance of a level surface by the star, per that outside the air. [1]
+
+    Parameters
+    ----------
+    below, above : array, shape (nc,)
+        Columns towards the star's two places. [m]
+    from_low, from_high : float
+        Of ``level_light``. [1]
+    extinction, constituents, lanes, at :
+        As in ``through_columns``.
+    """
+    low = through_columns(below, extinction, constituents, lanes, at)
+    high = through_columns(above, extinction, constituents, lanes, at)
+    return low * np.float32(from_low) + high * np.float32(from_high)
+
+
+@inlined
+def level_sky(sky, place, share, lanes, at):
+    """Irradiance of the ground by the sky, between two suns of the field. [1]
+
+    Parameters
+    ----------
+    sky : array
+        Of ``Light``.
+    place, share : int, float
+        The sun before, and the share of the way to the next.
+    lanes, at :
+        As in ``through_columns``.
+    """
+    e = np.float32(share)
+    g = np.float32(1.0) - e
+    low = place * 2 * lanes + at
+    high = low + 2 * lanes
+    return (g * load(sky, low + lanes) + e * load(sky, high + lanes)) / (
+        g * load(sky, low) + e * load(sky, high)
+    )
+
+
+@inlined
+def reflected(received, albedo):
+    """Radiance of a ground that scatters evenly, from its irradiance. [sr⁻¹]"""
+    return received * albedo * INVERSE_PI
