@@ -76,3 +76,33 @@ def way_to_shell(r, mu, sine, top_radius):
         return -1.0, 0.0
     half_chord = sqrt((top_radius - impact) * (top_radius + impact))
     return max(-r * mu - half_chord, 0.0), -half_chord / top_radius
+
+
+@kernel
+def first_meeting(impact, sine, radius):
+    """Where a line of sight that looks down first meets a sphere, seen from the centre. [m]
+
+    Nothing cancels, however far away the observer is.
+
+    Parameters
+    ----------
+    impact : float
+        The line's nearest distance to the centre, less than ``radius``. [m]
+    sine : float
+        Of the line's zenith angle at the observer, whose cosine is negative. [1]
+    radius : float
+        [m]
+
+    Returns
+    -------
+    across, up : float
+        Away from the observer's vertical on the side to which he looks, and along it. [m]
+
+    Examples
+    --------
+    >>> first_meeting(0.0, 0.0, 6360e3)  # straight down
+    (0.0, 6360000.0)
+    """
+    depth = sqrt(max((radius - impact) * (radius + impact), 0.0))
+    down = sqrt(max((1.0 - sine) * (1.0 + sine), 0.0))
+    return impact * down - depth * sine, impact * sine + depth * down

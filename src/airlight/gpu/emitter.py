@@ -18,7 +18,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Final
 
-from airlight.gpu.expressions import Expressions, ShaderError
+from airlight.gpu.expressions import Expressions, SubsetError
 from airlight.gpu.shader_types import (
     BOOL,
     I32,
@@ -35,7 +35,7 @@ from airlight.gpu.shader_types import (
     run_time,
 )
 
-__all__ = ["Emitter", "ShaderError"]
+__all__ = ["Emitter", "SubsetError"]
 
 #: Sine and cosine that are good to 1e-7: WGSL's own may err by 5e-4.
 PRELUDE: Final = """\
@@ -130,7 +130,7 @@ class Emitter:
 
         Raises
         ------
-        ShaderError
+        SubsetError
             With file and line, if the function leaves the subset.
         """
         plain = getattr(function, "py_func", function)
@@ -139,14 +139,14 @@ class Emitter:
         if key in self.emitted:
             return self.emitted[key]
         if plain in self._in_progress:
-            raise ShaderError(f"{plain.__module__}.{plain.__name__}: calls itself")
+            raise SubsetError(f"{plain.__module__}.{plain.__name__}: calls itself")
         self._in_progress.add(plain)
         source = inspect.getsource(plain)
         tree = ast.parse(textwrap.dedent(source)).body[0]
         assert isinstance(tree, ast.FunctionDef)
         names = [one.arg for one in tree.args.args]
         if len(names) != len(bound):
-            raise ShaderError(
+            raise SubsetError(
                 f"{plain.__module__}.{plain.__name__}: {len(bound)} arguments for "
                 f"{len(names)} parameters"
             )
@@ -232,7 +232,7 @@ class _Body:
             [f"fn {self.made.name}({', '.join(heads)}){result} {{", *copies, *self.lines, "}\n"]
         )
 
-    def refuse(self, node: ast.AST, why: str) -> ShaderError:
+    def refuse(self, node: ast.AST, why: str) -> SubsetError:
         return self.expressions.refuse(node, why)
 
     def block(self, body: Sequence[ast.stmt], depth: int) -> None:

@@ -39,6 +39,10 @@ _MATH: Final[dict[Any, str]] = {
     math.sin: "sine", math.cos: "cosine", math.tan: "tan", math.acos: "acos", math.asin: "asin",
     math.atan: "atan", math.atan2: "atan2",
 }  # fmt: skip
+#: What ``airlight.kernel.lanes`` offers to a shader.
+_LANE_CALLS: Final = (
+    "load", "store", "splat", "exponential", "maximum", "minimum", "fourth_root",
+)  # fmt: skip
 _OPERATORS: Final[dict[type[ast.operator], str]] = {
     ast.Add: "+",
     ast.Sub: "-",
@@ -71,7 +75,7 @@ _TAKEN: Final = frozenset(
 )
 
 
-class ShaderError(AirlightError):
+class SubsetError(AirlightError):
     """A function that has no WGSL: names file, line and reason."""
 
 
@@ -96,11 +100,11 @@ class Expressions:
         self.globals = {**function.__globals__, **closure.nonlocals}
         self.first_line = function.__code__.co_firstlineno
 
-    def refuse(self, node: ast.AST, why: str) -> ShaderError:
+    def refuse(self, node: ast.AST, why: str) -> SubsetError:
         """The error for a node: file, line, what stands there, and why it cannot be."""
         line = self.first_line + getattr(node, "lineno", 1) - 1
         text = " ".join(ast.unparse(node).split())[:80]
-        return ShaderError(f"{self.function.__code__.co_filename}:{line}: {text!r}: {why}")
+        return SubsetError(f"{self.function.__code__.co_filename}:{line}: {text!r}: {why}")
 
     def spelled(self, name: str) -> str:
         """A Python name as it may stand in WGSL."""
@@ -144,7 +148,7 @@ class Expressions:
     def cast(self, text: str, found: Value | None, wanted: Scalar) -> str:
         """Text of a type as another one, where Python would do so by itself."""
         if found is None or isinstance(found, (Table, Bundle, Room, Several)):
-            raise ShaderError(f"{self.function.__qualname__}: {text} is no number")
+            raise SubsetError(f"{self.function.__qualname__}: {text} is no number")
         kind = run_time(found)
         if kind == wanted:
             return text
@@ -154,14 +158,14 @@ class Expressions:
             return f"f32({text})"
         if wanted == VEC4 and kind in (F32, I32):
             return f"vec4f({self.cast(text, found, F32)})"
-        raise ShaderError(f"{self.function.__qualname__}: {text} is {kind}, not {wanted}")
+        raise SubsetError(f"{self.function.__qualname__}: {text} is {kind}, not {wanted}")
 
     def as_scalar(self, node: ast.expr, wanted: Scalar) -> str:
         """An expression as a number of a type."""
         text, found = self.write(node)
         try:
             return self.cast(text, found, wanted)
-        except ShaderError:
+        except SubsetError:
             raise self.refuse(node, f"is no {wanted.name}") from None
 
     def known(self, node: ast.expr) -> bool | None:
@@ -215,6 +219,8 @@ class Expressions:
         if isinstance(node, ast.Name):
             if node.id in self.names:
                 return self.names[node.id]
+            if node.id == "LANES" and self.globals.get("LANES") == lane_module.LANES:
+                return Constant(1)
             found = self.globals.get(node.id, _builtin(node.id))
             if isinstance(found, (bool, int, float, np.floating, np.integer)):
                 return Constant(found.item() if isinstance(found, np.generic) else found)
@@ -415,8 +421,9 @@ class Expressions:
         if _is(called, _MATH):
             arguments = ", ".join(self.as_scalar(one, F32) for one in node.args)
             return f"{_MATH[called]}({arguments})", F32
-        if getattr(lane_module, getattr(called, "__name__", ""), None) is called:
-            return self.lane_call(node, called)
+        for name in _LANE_CALLS:
+            if called is getattr(lane_module, name):
+                return self.lane_call(node, name)
         if callable(called):
             return self.kernel_call(node, called)
         raise self.refuse(node, "is not known here")
@@ -434,13 +441,14 @@ class Expressions:
             total = f"{name}({total}, {text})"
         return total, wanted
 
-    def lane_call(self, node: ast.Call, called: Any) -> tuple[str, Value | None]:
+    def lane_call(self, node: ast.Call, name: str) -> tuple[str, Value | None]:
         """A call of ``airlight.kernel.lanes``."""
-        name = called.__name__
         if name == "splat":
             return self.as_scalar(node.args[0], VEC4), VEC4
         if name == "exponential":
             return f"exp({self.as_scalar(node.args[0], VEC4)})", VEC4
+        if name == "fourth_root":
+            return f"sqrt(sqrt(max({self.as_scalar(node.args[0], VEC4)}, vec4f(0.0))))", VEC4
         if name in ("maximum", "minimum"):
             texts = [self.as_scalar(one, VEC4) for one in node.args]
             return f"{name[:3]}({', '.join(texts)})", VEC4
@@ -462,6 +470,13 @@ class Expressions:
         texts: list[str] = []
         values: list[Value] = []
         for one in node.args:
+            if isinstance(one, ast.Tuple):
+                members = [self.bound(item) for item in one.elts]
+                if not all(isinstance(item, (Table, Uniform, Constant)) for item in members):
+                    raise self.refuse(one, "a tuple handed over holds tables and uniforms")
+                values.append(Bundle({str(i): item for i, item in enumerate(members)}))
+                texts.append("")
+                continue
             folded = self.fold(one)
             if folded is not None:
                 # Whole numbers and switches are bound, which unrolls what depends on them.

@@ -158,6 +158,18 @@ maximum = _pair("maxnum", "The larger of two values, lane by lane; the number wh
 minimum = _pair("minnum", "The smaller of two values, lane by lane; the number where one is NaN.")
 
 
+@intrinsic
+def fourth_root(typing_context: Any, value: Any) -> Any:
+    """The fourth root of each lane; 0 below 0."""
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        zero = ir.Constant(_VECTOR, [0.0] * LANES)
+        positive = _call(builder, "maxnum", arguments[0], zero)
+        return _call(builder, "sqrt", _call(builder, "sqrt", positive))
+
+    return _LANES(value), build
+
+
 #: Taylor coefficients of 2^x about 0, for |x| <= 1/2: the next term is below 2e-7.
 _EXP2 = tuple(log(2.0) ** k / factorial(k) for k in range(7))
 

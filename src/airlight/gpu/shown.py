@@ -1,0 +1,207 @@
+"""What the shaders are shown of a solution: its tables, under the names that the march uses."""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import ParameterError
+from airlight.geometry.quadrature import gauss_legendre
+from airlight.kernel.lanes import LANES
+from airlight.solvers.moments.packing import pack
+from airlight.solvers.moments.solution import MomentsSolution
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+#: Wavelengths that one texel holds.
+WAVELENGTHS: Final = 4
+#: Constituents that a shader has room for, "bending" among them.
+MOST_CONSTITUENTS: Final = 8
+#: Points of a panel: for steep stretches by day, for most, for those that graze the ground.
+POINTS: Final = (8, 12, 24)
+#: A constituent of which more of a scattering goes within 10° of straight on is peaked.
+_PEAKED: Final = 0.08
+#: Constituents whose peaks can be kept out of the table of the sky.
+MOST_PEAKS: Final = 2
+
+
+class Shown(NamedTuple):
+    """A solution as the march of the shaders reads it; names as in ``moments.march.Light``.
+
+    On the CPU the arrays are flat and the spectral ones have eight lanes; on the GPU each is a
+    part of a texture, and a spectral element is a texel of four wavelengths.
+
+    Attributes
+    ----------
+    bottom, top : float
+        Radii of the ground and of the shell's top, optical where light is bent. [m]
+    star_radius, bend : float
+        [rad], [m⁻²]
+    constituents, degree, radii, suns, phase_nodes : int
+        Sizes.
+    first_peak, second_peak : int
+        Constituents whose first scattering is kept without its phase function; -1 for none.
+    columns, density, strongest, brightest, lift, ends : array
+        As in ``Light``.
+    row, place : array
+        Of ``Grid``.
+    start, ahead, back : array
+        Of ``Harmonics``.
+    rules : array, flat
+        Where each of three quadratures begins; then for each: n, nodes, weights, running.
+    extinction, scattering, moments, albedo, phase, basis, field, sky : array
+        Spectral; the last two as in ``Light``, ``phase`` and ``basis`` as in ``render.Paint``.
+    """
+
+    bottom: float
+    top: float
+    star_radius: float
+    bend: float
+    constituents: int
+    degree: int
+    radii: int
+    suns: int
+    phase_nodes: int
+    first_peak: int
+    second_peak: int
+    columns: FloatArray
+    density: FloatArray
+    strongest: FloatArray
+    brightest: FloatArray
+    lift: FloatArray
+    ends: FloatArray
+    row: FloatArray
+    place: FloatArray
+    start: FloatArray
+    ahead: FloatArray
+    back: FloatArray
+    rules: FloatArray
+    extinction: Float32Array
+    scattering: Float32Array
+    moments: Float32Array
+    albedo: Float32Array
+    phase: Float32Array
+    basis: Float32Array
+    field: Float32Array
+    sky: Float32Array
+
+
+#: Tables of plain numbers, with their ranks, and spectral ones; two of these change with each
+#: solution alone and have a texture of their own.
+SCALAR_TABLES: Final = {
+    "columns": 4, "density": 2, "strongest": 1, "brightest": 1, "lift": 3, "ends": 1, "row": 1,
+    "place": 1, "start": 1, "ahead": 1, "back": 1, "rules": 1,
+}  # fmt: skip
+SPECTRAL_TABLES: Final = ("extinction", "scattering", "moments", "albedo", "phase", "basis")
+FIELD_TABLES: Final = ("field", "sky")
+
+
+def quadratures(counts: tuple[int, ...] = POINTS) -> FloatArray:
+    """The rules of the march one after another, see ``Shown.rules``."""
+    parts = []
+    starts = []
+    at = len(counts)
+    for count in counts:
+        nodes, weights, running = gauss_legendre(count).as_tuple()
+        part = np.concatenate([[count], nodes, weights, running.ravel()])
+        parts.append(part)
+        starts.append(float(at))
+        at += part.size
+    return np.concatenate([starts, *parts])
+
+
+def peaked_constituents(solution: MomentsSolution) -> tuple[int, ...]:
+    """Constituents whose phase functions are too sharp for a table of the sky, at most two.
+
+    Those that scatter most of all with a peak: within 10° of straight on an even phase function
+    has 0.8 % of its light, a Rayleigh one 1.1 %.
+    """
+    medium = solution.paths.medium
+    u = np.linspace(0.0, np.sin(np.radians(5.0)), 201)
+    at = np.linspace(0.0, 1.0, medium.phase_table.shape[2])
+    depth = medium.scattering.max(axis=1) * medium.columns
+    strength = np.zeros(len(medium.names))
+    for c in range(strength.size):
+        values = np.interp(u, at, medium.phase_table[c].max(axis=0))
+        # dΩ = 8π u du for u = sin(θ/2)
+        share = float(np.trapezoid(8.0 * np.pi * u * values, u))
+        if share > _PEAKED:
+            strength[c] = depth[c] * share
+    order = [int(c) for c in np.argsort(-strength) if strength[c] > 0.0]
+    return tuple(order[:MOST_PEAKS])
+
+
+def shown_solution(
+    solution: MomentsSolution, basis: FloatArray, *, peaks: bool = True
+) -> Shown:
+    """The tables of a solution.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Of any number of wavelengths on the CPU; at most ``WAVELENGTHS`` fit a texel.
+    basis : array, shape (nl, 3)
+        Reflectance of a red, a green and a blue ground. [1]
+    peaks : bool
+        Whether peaked constituents are kept apart.
+
+    Raises
+    ------
+    ParameterError
+        If there are more constituents than a shader has room for.
+    """
+    light, medium = solution.light, solution.paths.medium
+    count = len(medium.names)
+    if count > MOST_CONSTITUENTS:
+        raise ParameterError("constituents", count, f"at most {MOST_CONSTITUENTS} on the GPU")
+    kept = (*(peaked_constituents(solution) if peaks else ()), -1, -1)
+    expansion = light.expansion
+    return Shown(
+        bottom=light.grid.bottom_radius,
+        top=light.grid.top_radius,
+        star_radius=light.air.star_radius,
+        bend=light.bend,
+        constituents=count,
+        degree=expansion.degree,
+        radii=light.grid.radii.size,
+        suns=light.grid.sun_cosines.size,
+        phase_nodes=medium.phase_table.shape[2],
+        first_peak=kept[0],
+        second_peak=kept[1],
+        columns=light.columns,
+        density=light.density,
+        strongest=light.strongest,
+        brightest=light.brightest,
+        lift=light.lift,
+        ends=light.ends,
+        row=light.grid.row,
+        place=light.grid.place,
+        start=expansion.start,
+        ahead=expansion.ahead,
+        back=expansion.back,
+        rules=quadratures(),
+        extinction=light.air.extinction,
+        scattering=light.scattering,
+        moments=light.air.moments,
+        albedo=light.air.albedo,
+        phase=pack(np.moveaxis(medium.phase_table, 2, 0)),
+        basis=pack(basis.T),
+        field=light.field,
+        sky=light.sky,
+    )
+
+
+def as_texels(values: Float32Array, wavelengths: int) -> Float32Array:
+    """A spectral table of eight lanes as texels of four wavelengths, shape (n, 4).
+
+    Raises
+    ------
+    ParameterError
+        If there are more wavelengths than a texel holds.
+    """
+    if wavelengths > WAVELENGTHS:
+        raise ParameterError("wavelengths", wavelengths, f"at most {WAVELENGTHS} on the GPU")
+    return np.ascontiguousarray(values.reshape(-1, LANES)[:, :WAVELENGTHS])
