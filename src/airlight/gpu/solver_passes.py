@@ -29,7 +29,16 @@ SCALARS: Final = {
 }  # fmt: skip
 SPECTRA: Final = ("extinction", "moments", "albedo", "share")
 #: ``Sizes`` in the uniform, four to a vector.
-COUNTS: Final = ("radii", "angles", "suns", "turns", "degree", "terms", "constituents", "directions")
+COUNTS: Final = (
+    "radii",
+    "angles",
+    "suns",
+    "turns",
+    "degree",
+    "terms",
+    "constituents",
+    "directions",
+)
 MEASURES: Final = ("bottom", "top", "star_radius")
 #: Images of the light, the last first.
 IMAGES: Final = tuple(f"image_{i}" for i in range(texels.IMAGES))
@@ -255,5 +264,8 @@ def shader(name: str) -> str:
         "fn texel_place(index: i32) -> vec2i { return vec2i(index & 2047, index >> 11u); }"
     )
     lines += [_table_reader(table) for table in used] + readers
-    lines += [body, f"fn texel(index: i32) -> {result} {{ return {made.name}({', '.join(handed)}); }}"]
+    lines += [
+        body,
+        f"fn texel(index: i32) -> {result} {{ return {made.name}({', '.join(handed)}); }}",
+    ]
     return "\n".join(lines) + "\n" + wgsl("flat_texel")

@@ -11,6 +11,7 @@ from typing import Any, Final, NamedTuple
 
 import numpy as np
 
+from airlight.gpu.shown import MOST_CONSTITUENTS
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, exponential, load, maximum, room_of_lanes, splat
 from airlight.solvers.moments.convergence import is_near
@@ -34,8 +35,6 @@ from airlight.solvers.moments.sweep import (
     strength_of,
 )
 
-#: Constituents that the passes have room for.
-MOST_CONSTITUENTS: Final = 12
 #: Images that are combined into the next guess.
 IMAGES: Final = 5
 
@@ -185,9 +184,7 @@ def projection(index, sizes, tables):
     i, a = ray // sizes.angles, ray % sizes.angles
     l = degree_of(term)
     m = term - l * (l + 1) // 2
-    function = legendre_function(
-        tables.mu[i, a], l, m, tables.harmonic, tables.ahead, tables.back
-    )
+    function = legendre_function(tables.mu[i, a], l, m, tables.harmonic, tables.ahead, tables.back)
     return tables.weight[i, a] * function
 
 
@@ -422,15 +419,19 @@ def packed(index, sizes, field, scales):
 
 
 @inlined
-def mean(index, sizes, field, guess):
-    """Mean radiances of a field and of the guess that it was swept from, for the host. [1]
+def mean(index, sizes, image, guess):
+    """What the host watches: mean radiances and irradiances of an image, and of its guess. [1]
 
-    Texels (field or guess, radius, sun).
+    Texels (image or guess, mean radiance or irradiance, radius, sun).
     """
     nodes = sizes.radii * sizes.suns
-    if index < nodes:
-        return load(field, LANES * index * sizes.terms)
-    return load(guess, LANES * (index - nodes) * sizes.terms)
+    node = index % nodes
+    at = node * sizes.terms
+    if index // nodes % 2 == 1:
+        at = nodes * sizes.terms + node
+    if index < 2 * nodes:
+        return load(image, LANES * at)
+    return load(guess, LANES * at)
 
 
 @inlined

@@ -125,8 +125,10 @@ def legendre_function(mu, l, m, start, ahead, back):
     """K_lm P_l^m(mu) of one l and m; the arrays are those of ``Harmonics``. [1]"""
     sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
     value = start[m]
-    for _ in range(m):
+    order = 0
+    while order < m:
         value = value * sine
+        order += 1
     before = 0.0
     index = m * (m + 1) // 2 + m
     for step in range(m + 1, l + 1):
