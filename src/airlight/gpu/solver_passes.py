@@ -7,7 +7,6 @@ numbers of ``solver_plan``, and no physics.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from typing import Any, Final, Literal
@@ -84,7 +83,7 @@ class SolverPass:
     """
 
     name: str
-    function: Callable[..., Any]
+    function: Any
     target: str
     givens: tuple[str, ...] = ("sizes", "tables")
     readings: tuple[Reading, ...] = ()

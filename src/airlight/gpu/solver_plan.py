@@ -262,7 +262,7 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
     )
     depth = scattering_depth(medium, degree)
     level = _four(weights_of_levels(grid, depth))
-    arrays = {
+    arrays: dict[str, NDArray[Any]] = {
         "mu": rays.mu, "weight": rays.weight, "flux": rays.flux, "start": rays.start,
         "total": rays.total.reshape(-1), "end": rays.end, "radius": rays.radius,
         "mu_along": rays.mu_along, "turn": rays.turn,
@@ -275,7 +275,7 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
         "extinction": _lanes(air.extinction), "moments": _lanes(air.moments),
         "albedo": _lanes(air.albedo), "share": _lanes(share),
     }  # fmt: skip
-    sizes = {
+    sizes: dict[str, Any] = {
         "radii": grid.radii.size,
         "angles": rays.mu.shape[1],
         "suns": grid.sun_cosines.size,

@@ -46,7 +46,7 @@ def as_ratios(values: Float32Array, scale_from: Float32Array) -> Float32Array:
     return _with_scale(values, scale)
 
 
-def _with_scale(values: Float32Array, scale: Float32Array) -> Float32Array:
+def _with_scale(values: Float32Array, scale: NDArray[Any]) -> Float32Array:
     packed = np.concatenate([scale, values * scale], axis=-2)
     return np.asarray(packed, np.float32).reshape(-1)
 
