@@ -111,7 +111,11 @@ ONCE: Final = (
 )  # fmt: skip
 #: A light as the next sweep and a march read it.
 PACK: Final = (
-    SolverPass("node_scale", texels.node_scale, "scales", readings=(Reading("light", "numbers"),)),
+    SolverPass("highest", texels.highest, "heights", ("sizes",), (Reading("light", "numbers"),)),
+    SolverPass(
+        "node_scale", texels.node_scale, "scales",
+        readings=(Reading("light", "numbers"), Reading("heights", "firsts")),
+    ),
     SolverPass(
         "packed", texels.packed, "packed", ("sizes",),
         (Reading("light"), Reading("scales", "fours")),

@@ -11,9 +11,9 @@ from typing import Any, Final, NamedTuple
 
 import numpy as np
 
-from airlight.gpu.shown import MOST_CONSTITUENTS
+from airlight.gpu.shown import MOST_CONSTITUENTS, WAVELENGTHS
 from airlight.kernel import inlined
-from airlight.kernel.lanes import LANES, exponential, load, maximum, room_of_lanes, splat
+from airlight.kernel.lanes import LANES, exponential, load, room_of_lanes, splat
 from airlight.solvers.moments.convergence import is_near
 from airlight.solvers.moments.first_order import (
     depth_in_row,
@@ -23,7 +23,7 @@ from airlight.solvers.moments.first_order import (
 )
 from airlight.solvers.moments.grid import row_of
 from airlight.solvers.moments.harmonics import degree_of, legendre_function
-from airlight.solvers.moments.packing import DARKEST, ratio_scale
+from airlight.solvers.moments.packing import floor_below, ratio_scale
 from airlight.solvers.moments.sweep import (
     contracted,
     gathered,
@@ -367,29 +367,50 @@ def gathered_onto(index, sizes, projections, azimuthals, first):
 
 
 @inlined
-def node_scale(index, sizes, tables, means):
-    """The s of a node, for one wavelength. [1]
+def highest(index, sizes, values):
+    """Largest mean radiance, or irradiance, of all radii under one star, for one wavelength. [1]
 
-    Texels (radius, sun, lane), and after them the same for the irradiance.
-
-    ``means`` is a field's texture, number by number.
+    Texels (mean radiance or irradiance, sun, lane). ``values`` is a light, number by number.
     """
-    lanes = 4
-    numbers = sizes.radii * sizes.suns * lanes
-    lane = index % lanes
-    if index >= numbers:
-        node = (index - numbers) // lanes
-        at = lanes * (sizes.radii * sizes.suns * sizes.terms + node)
-        received = max(means[at + lane], DARKEST)
-        return ratio_scale(received, received, 0.0)
-    node = index // lanes
-    j = node % sizes.suns
-    step = lanes * sizes.terms
-    highest = DARKEST
+    lane = index % WAVELENGTHS
+    j = index // WAVELENGTHS % sizes.suns
+    step = sizes.terms * WAVELENGTHS
+    start = 0
+    if index >= sizes.suns * WAVELENGTHS:
+        start = sizes.radii * sizes.suns * step
+        step = WAVELENGTHS
+    largest = 0.0
     for i in range(sizes.radii):
-        highest = max(highest, means[(i * sizes.suns + j) * step + lane])
-    mean = max(means[node * step + lane], DARKEST)
-    return ratio_scale(mean, highest, tables.level[lanes * j + lane])
+        largest = max(largest, values[start + (i * sizes.suns + j) * step + lane])
+    return largest
+
+
+@inlined
+def node_scale(index, sizes, tables, values, heights):
+    """The s of a node, and the positive value that it comes from, for one wavelength. [1]
+
+    Texels (s or value, mean radiance or irradiance, radius, sun, lane). ``values`` is a light,
+    number by number; ``heights`` comes from ``highest``.
+    """
+    lane = index % WAVELENGTHS
+    nodes = sizes.radii * sizes.suns
+    node = index // WAVELENGTHS % nodes
+    kind = index // (WAVELENGTHS * nodes)
+    j = node % sizes.suns
+    first, at = 0, node * sizes.terms
+    if kind % 2 == 1:
+        first, at = sizes.suns, nodes * sizes.terms + node
+    brightest = 0.0
+    for k in range(sizes.suns):
+        brightest = max(brightest, heights[(first + k) * WAVELENGTHS + lane])
+    floor = floor_below(brightest)
+    value = max(values[at * WAVELENGTHS + lane], floor)
+    if kind >= 2:
+        return value
+    if kind == 1:
+        return ratio_scale(value, value, 0.0)
+    above = max(heights[j * WAVELENGTHS + lane], floor)
+    return ratio_scale(value, above, tables.level[j * WAVELENGTHS + lane])
 
 
 @inlined
@@ -402,20 +423,18 @@ def packed(index, sizes, field, scales):
     nodes = sizes.radii * sizes.suns
     moments = nodes * (1 + sizes.terms)
     if index >= moments:
-        node = (index - moments) // 2
-        scale = load(scales, LANES * (nodes + node))
+        node = nodes + (index - moments) // 2
+        scale = load(scales, LANES * node)
         if (index - moments) % 2 == 0:
             return scale
-        received = maximum(load(field, LANES * (nodes * sizes.terms + node)), DARKEST)
-        return received * scale
+        return load(scales, LANES * (2 * nodes + node)) * scale
     node, part = index // (1 + sizes.terms), index % (1 + sizes.terms)
     scale = load(scales, LANES * node)
     if part == 0:
         return scale
-    value = load(field, LANES * (node * sizes.terms + part - 1))
     if part == 1:
-        value = maximum(value, DARKEST)
-    return value * scale
+        return load(scales, LANES * (2 * nodes + node)) * scale
+    return load(field, LANES * (node * sizes.terms + part - 1)) * scale
 
 
 @inlined
@@ -440,13 +459,13 @@ def mixed(index, weights, images):
 
     ``weights`` and each of ``images`` are read number by number.
     """
-    lane = index % 4
+    lane = index % WAVELENGTHS
     return (
         weights[lane] * images.image_0[index]
-        + weights[4 + lane] * images.image_1[index]
-        + weights[8 + lane] * images.image_2[index]
-        + weights[12 + lane] * images.image_3[index]
-        + weights[16 + lane] * images.image_4[index]
+        + weights[WAVELENGTHS + lane] * images.image_1[index]
+        + weights[2 * WAVELENGTHS + lane] * images.image_2[index]
+        + weights[3 * WAVELENGTHS + lane] * images.image_3[index]
+        + weights[4 * WAVELENGTHS + lane] * images.image_4[index]
     )
 
 
@@ -456,13 +475,12 @@ def sound(index, sizes, weights, images):
 
     Texels (radius, sun, lane), and after them the same for the irradiance. ``image_0`` is the last.
     """
-    lanes = 4
-    numbers = sizes.radii * sizes.suns * lanes
-    lane = index % lanes
-    brightest = weights[lanes * IMAGES + lane]
-    at = index // lanes * sizes.terms * lanes + lane
+    numbers = sizes.radii * sizes.suns * WAVELENGTHS
+    lane = index % WAVELENGTHS
+    brightest = weights[WAVELENGTHS * IMAGES + lane]
+    at = index // WAVELENGTHS * sizes.terms * WAVELENGTHS + lane
     if index >= numbers:
-        brightest = weights[lanes * (IMAGES + 1) + lane]
+        brightest = weights[WAVELENGTHS * (IMAGES + 1) + lane]
         at = numbers * sizes.terms + index - numbers
     near = is_near(mixed(at, weights, images), images.image_0[at], brightest)
     return 1.0 if near else 0.0

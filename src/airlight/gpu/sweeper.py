@@ -202,6 +202,10 @@ class GpuSweeper:
         self.device.device.queue.write_buffer(self._mix, 0, np.ascontiguousarray(weights))
         self.run(MIX)
 
+    def texture(self, name: str) -> Any:
+        """A texture by its name in the plan; ``image`` is the one of the last sweep."""
+        return self._textures[self._images[0] if name == "image" else name]
+
     def light(self) -> tuple[Float32Array, Float32Array]:
         """Moments (r, s, k, 4) and irradiances (r, s, 4) of the guess; packed on the device too."""
         self.run(PACK)

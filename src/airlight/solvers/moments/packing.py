@@ -18,7 +18,7 @@ Float32Array = NDArray[np.float32]
 #: Mean radiance never falls below this part of its largest value, so that its root exists.
 _FLOOR: Final = 1e-20
 #: Nor below this. [1]
-DARKEST: Final = 1e-30
+_DARKEST: Final = 1e-30
 #: Dusk is so wide in sun elevation, of the horizon's dip.
 _DUSK: Final = 0.3
 
@@ -67,9 +67,14 @@ def ratio_scale(mean, highest, level):
 
 def positive(values: Float32Array) -> Float32Array:
     """Values (..., 8) with a floor far below anything that can be seen."""
-    axes = tuple(range(values.ndim - 1))
-    floor = np.maximum(values.max(axis=axes) * np.float32(_FLOOR), np.float32(DARKEST))
+    floor = vectorized(floor_below)(values.max(axis=tuple(range(values.ndim - 1))))
     return np.asarray(np.maximum(values, floor), np.float32)
+
+
+@kernel
+def floor_below(brightest):
+    """What counts as dark where the brightest is so bright: positive. [1]"""
+    return max(_FLOOR * brightest, _DARKEST)
 
 
 def pack_light(
