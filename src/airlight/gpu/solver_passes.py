@@ -26,7 +26,7 @@ SCALARS: Final = {
     "turn": 2, "amount": 2, "column": 1, "sun_cosines": 1, "row": 1, "place": 1, "cosines": 1,
     "multiples": 2, "harmonic": 1, "ahead": 1, "back": 1, "ratios": 4, "lift": 3, "level": 1,
 }  # fmt: skip
-SPECTRA: Final = ("extinction", "moments", "albedo", "share")
+SPECTRA: Final = ("extinction", "moments", "albedo")
 #: ``Sizes`` in the uniform, four to a vector.
 COUNTS: Final = (
     "radii",
@@ -96,12 +96,14 @@ _ALONG: Final = ("sizes", "tables", "first_point")
 ONCE: Final = (
     SolverPass("strength", texels.strength, "strengths"),
     SolverPass("factor", texels.factor, "factors"),
+    SolverPass("share", texels.share, "shares"),
     SolverPass("reflection", texels.reflection, "reflections"),
     SolverPass("projection", texels.projection, "projections"),
     SolverPass("depth", texels.depth, "depths", _ALONG, spanned=True),
     SolverPass(
         "radiance_once", texels.radiance_once, "radiances", _ALONG,
-        (Reading("strengths"), Reading("reflections"), Reading("depths")), spanned=True,
+        (Reading("shares"), Reading("strengths"), Reading("reflections"), Reading("depths")),
+        spanned=True,
     ),
     SolverPass("azimuthal", texels.azimuthal, "azimuthals", readings=(Reading("radiances"),)),
     SolverPass(
@@ -128,7 +130,11 @@ SWEEP: Final = (
     ),
     SolverPass(
         "radiance_again", texels.radiance_again, "radiances", _ALONG,
-        (Reading("rows"), Reading("reflections"), Reading("packed", from_sky=True)), spanned=True,
+        (
+            Reading("shares"), Reading("rows"), Reading("reflections"),
+            Reading("packed", from_sky=True),
+        ),
+        spanned=True,
     ),
     SolverPass("azimuthal", texels.azimuthal, "azimuthals", readings=(Reading("radiances"),)),
     SolverPass(

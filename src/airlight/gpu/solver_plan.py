@@ -138,6 +138,7 @@ class SolverPlan:
         return {
             "strengths": points * n["constituents"],
             "factors": points * n["terms"],
+            "shares": rays,
             "reflections": rays,
             "projections": rays * (n["terms"] + 1),
             "depths": (1 + most) * n["directions"],
@@ -252,7 +253,7 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
         ends=ends,
     )
     air = make_air(medium, degree, slice(None))
-    rays, share = rays_in_sight(whole, air)
+    rays, _ = rays_in_sight(whole, air)
     azimuths = even_azimuths(degree, max(settings.azimuths, 3 * degree // 4))
     expansion = harmonics(degree)
     table, ratios = _columns(
@@ -274,7 +275,7 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
         "harmonic": expansion.start, "ahead": expansion.ahead, "back": expansion.back,
         "ratios": ratios, "lift": paths.lift, "level": level.reshape(-1),
         "extinction": _lanes(air.extinction), "moments": _lanes(air.moments),
-        "albedo": _lanes(air.albedo), "share": _lanes(share),
+        "albedo": _lanes(air.albedo),
     }  # fmt: skip
     sizes: dict[str, Any] = {
         "radii": grid.radii.size,

@@ -14,6 +14,7 @@ import numpy as np
 from airlight.gpu.shown import MOST_CONSTITUENTS, WAVELENGTHS
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, exponential, load, room_of_lanes, splat
+from airlight.solvers.moments.block_rays import ray_share
 from airlight.solvers.moments.convergence import is_near
 from airlight.solvers.moments.first_order import (
     depth_in_row,
@@ -86,8 +87,6 @@ class Tables(NamedTuple):
         From ``level_weights``, of four wavelengths.
     extinction, moments, albedo :
         Of ``Air``; four wavelengths a texel.
-    share :
-        From ``rays_in_sight``; alike.
     """
 
     mu: Any
@@ -115,7 +114,6 @@ class Tables(NamedTuple):
     extinction: Any
     moments: Any
     albedo: Any
-    share: Any
 
 
 @inlined
@@ -150,6 +148,28 @@ def factor(index, sizes, tables):
         tables.mu_along[point], l, m, tables.harmonic, tables.ahead, tables.back
     )
     return exponential(0.0 - depth) * scattered * np.float32(function)
+
+
+@inlined
+def share(index, sizes, tables):
+    """What makes the sum over the points of a ray exact. [1]
+
+    Texels (radius, direction).
+    """
+    i, a = index // sizes.angles, index % sizes.angles
+    first = int(tables.start[i, a])
+    total = optical_depth(
+        tables.total, index * sizes.constituents, tables.extinction, sizes.constituents
+    )
+    return ray_share(
+        first,
+        int(tables.start[i, a + 1]) - first,
+        tables.column,
+        tables.amount,
+        total,
+        tables.extinction,
+        sizes.constituents,
+    )
 
 
 @inlined
@@ -210,7 +230,7 @@ def depth(index, sizes, tables, first_point):
 
 
 @inlined
-def radiance_once(index, sizes, tables, first_point, strengths, reflections, depths):
+def radiance_once(index, sizes, tables, first_point, shares, strengths, reflections, depths):
     """Radiance of a ray by light that is scattered or reflected once. [sr⁻¹]
 
     Texels (radius, direction, sun, azimuth).
@@ -225,7 +245,7 @@ def radiance_once(index, sizes, tables, first_point, strengths, reflections, dep
     points = int(tables.start[i, a + 1]) - first
     phases = room_of_lanes(MOST_CONSTITUENTS)
     fill_phases(tables.moments, nu, sizes.degree, sizes.constituents, phases)
-    radiance = load(tables.share, LANES * ray) * scattered_once(
+    radiance = load(shares, LANES * ray) * scattered_once(
         tables.turn,
         tables.radius,
         first,
@@ -282,7 +302,7 @@ def row(index, sizes, tables, first_point, factors, packed):
 
 
 @inlined
-def radiance_again(index, sizes, tables, first_point, rows, reflections, ground):
+def radiance_again(index, sizes, tables, first_point, shares, rows, reflections, ground):
     """Radiance of a ray by light that was scattered or reflected before. [sr⁻¹]
 
     Texels (radius, direction, sun, azimuth).
@@ -295,7 +315,7 @@ def radiance_again(index, sizes, tables, first_point, rows, reflections, ground)
     nu = star_from_ray(tables.mu[i, a], mu_s, tables.cosines[b])
     first = int(tables.start[i, a])
     points = int(tables.start[i, a + 1]) - first
-    radiance = load(tables.share, LANES * ray) * gathered(
+    radiance = load(shares, LANES * ray) * gathered(
         tables.turn,
         tables.mu_along,
         first,
