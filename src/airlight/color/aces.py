@@ -8,8 +8,8 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from airlight.color.floating import each, physical
-from airlight.kernel import kernel
+from airlight.color.floating import each, each_pixel, physical, physical_light
+from airlight.kernel import compiled_loop, kernel
 
 #: Linear sRGB to the fit's input space (D65 to D60, AP1, desaturation of the RRT).
 _INPUT: Final = np.array(
@@ -18,6 +18,11 @@ _INPUT: Final = np.array(
 #: The fit's output space to linear sRGB.
 _OUTPUT: Final = np.array(
     [[1.60475, -0.53108, -0.07367], [-0.10208, 1.10813, -0.00605], [-0.00327, -0.07276, 1.07602]]
+)
+# The same numbers as a kernel takes them: from the second letter to the first.
+(_RR, _RG, _RB), (_GR, _GG, _GB), (_BR, _BG, _BB) = _INPUT.tolist()
+(_OUT_RR, _OUT_RG, _OUT_RB), (_OUT_GR, _OUT_GG, _OUT_GB), (_OUT_BR, _OUT_BG, _OUT_BB) = (
+    _OUTPUT.tolist()
 )
 
 
@@ -35,6 +40,29 @@ def aces_curve_inverse(y):
     c = -(0.000090537 + 0.238081 * y)
     root = b * b - 4.0 * a * c
     return (math.sqrt(root if root > 0.0 else 0.0) - b) / (2.0 * a)
+
+
+@kernel
+def aces_color(red, green, blue):
+    """Scalar form of ``aces``."""
+    r, g, b = physical_light(red), physical_light(green), physical_light(blue)
+    x = aces_curve(_RR * r + _RG * g + _RB * b)
+    y = aces_curve(_GR * r + _GG * g + _GB * b)
+    z = aces_curve(_BR * r + _BG * g + _BB * b)
+    return (
+        min(max(_OUT_RR * x + _OUT_RG * y + _OUT_RB * z, 0.0), 1.0),
+        min(max(_OUT_GR * x + _OUT_GG * y + _OUT_GB * z, 0.0), 1.0),
+        min(max(_OUT_BR * x + _OUT_BG * y + _OUT_BB * z, 0.0), 1.0),
+    )
+
+
+@compiled_loop
+def aces_pixels(colors, out):
+    """``aces_color`` of every colour."""
+    for i in range(colors.shape[0]):
+        out[i, 0], out[i, 1], out[i, 2] = aces_color(
+            np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2])
+        )
 
 
 def aces(rgb: ArrayLike) -> NDArray[Any]:
@@ -61,9 +89,7 @@ def aces(rgb: ArrayLike) -> NDArray[Any]:
     >>> aces([0.18, 0.18, 0.18]).round(3)
     array([0.106, 0.106, 0.106])
     """
-    light = physical(rgb)
-    shaped = each(aces_curve, light @ _INPUT.T.astype(light.dtype))
-    return np.asarray(np.clip(shaped @ _OUTPUT.T.astype(light.dtype), 0.0, 1.0))
+    return each_pixel(aces_pixels, rgb)
 
 
 def aces_inverse(rgb: ArrayLike) -> NDArray[Any]:

@@ -8,8 +8,8 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from airlight.color.floating import each, physical
-from airlight.kernel import kernel
+from airlight.color.floating import each, each_pixel, physical, physical_light
+from airlight.kernel import compiled_loop, kernel
 
 #: Linear sRGB into the insetted space in which the curve works; rows sum to 1 within 1.4e-4.
 _INSET: Final = np.array(
@@ -18,6 +18,13 @@ _INSET: Final = np.array(
         [0.0423282422610123, 0.878468636469772, 0.0791661274605434],
         [0.0423756549057051, 0.0784336, 0.879142973793104],
     ]
+)
+#: Back from there.
+_OUTSET: Final = np.linalg.inv(_INSET)
+# The same numbers as a kernel takes them: from the second letter to the first.
+(_RR, _RG, _RB), (_GR, _GG, _GB), (_BR, _BG, _BB) = _INSET.tolist()
+(_OUT_RR, _OUT_RG, _OUT_RB), (_OUT_GR, _OUT_GG, _OUT_GB), (_OUT_BR, _OUT_BG, _OUT_BB) = (
+    _OUTSET.tolist()
 )
 #: Stops below and above middle grey, 0.18, that the curve holds: 10 and 6.5.
 _DARKEST: Final = -10.0
@@ -68,6 +75,29 @@ def agx_curve_inverse(value):
     return _GREY * 2.0 ** ((x + _PIVOT) * _STOPS + _DARKEST)
 
 
+@kernel
+def agx_color(red, green, blue):
+    """Scalar form of ``agx``."""
+    r, g, b = physical_light(red), physical_light(green), physical_light(blue)
+    x = agx_curve(_RR * r + _RG * g + _RB * b)
+    y = agx_curve(_GR * r + _GG * g + _GB * b)
+    z = agx_curve(_BR * r + _BG * g + _BB * b)
+    return (
+        min(max(_OUT_RR * x + _OUT_RG * y + _OUT_RB * z, 0.0), 1.0) ** 2.2,
+        min(max(_OUT_GR * x + _OUT_GG * y + _OUT_GB * z, 0.0), 1.0) ** 2.2,
+        min(max(_OUT_BR * x + _OUT_BG * y + _OUT_BB * z, 0.0), 1.0) ** 2.2,
+    )
+
+
+@compiled_loop
+def agx_pixels(colors, out):
+    """``agx_color`` of every colour."""
+    for i in range(colors.shape[0]):
+        out[i, 0], out[i, 1], out[i, 2] = agx_color(
+            np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2])
+        )
+
+
 def agx(rgb: ArrayLike) -> NDArray[Any]:
     """The AgX look of exposed light.
 
@@ -95,10 +125,7 @@ def agx(rgb: ArrayLike) -> NDArray[Any]:
     >>> (agx([0.18, 0.18, 0.18]) ** (1 / 2.2)).round(3)  # middle grey goes to the middle
     array([0.5, 0.5, 0.5])
     """
-    light = physical(rgb)
-    shaped = each(agx_curve, light @ _INSET.T.astype(light.dtype))
-    shown = shaped @ np.linalg.inv(_INSET).T.astype(light.dtype)
-    return np.asarray(np.clip(shown, 0.0, 1.0) ** light.dtype.type(2.2))
+    return each_pixel(agx_pixels, rgb)
 
 
 def agx_inverse(rgb: ArrayLike) -> NDArray[Any]:
@@ -117,4 +144,4 @@ def agx_inverse(rgb: ArrayLike) -> NDArray[Any]:
     shown = np.clip(physical(rgb), 0.0, 1.0)
     values = shown ** shown.dtype.type(1.0 / 2.2)
     light = each(agx_curve_inverse, values @ _INSET.T.astype(shown.dtype))
-    return np.asarray(light @ np.linalg.inv(_INSET).T.astype(shown.dtype))
+    return np.asarray(light @ _OUTSET.T.astype(shown.dtype))

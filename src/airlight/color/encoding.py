@@ -44,6 +44,14 @@ def gamma_curve_inverse(encoded):
     return positive**2.2
 
 
+@kernel
+def encoded(which, linear):
+    """One value in the encoding of that place in ``ENCODINGS``, counted from 0. [1]"""
+    if which == 0:
+        return srgb_curve(linear)
+    return gamma_curve(linear)
+
+
 def srgb_encode(linear: ArrayLike) -> NDArray[Any]:
     r"""The sRGB curve.
 

@@ -7,8 +7,19 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-#: Brighter light counts as this bright: no square or product of it overflows to a NaN.
-BRIGHTEST: Final = 1e30
+from airlight.errors import ParameterError
+from airlight.kernel import kernel, vectorized
+
+#: Brighter light counts as this bright: its square is a number of single precision still, so that
+#: no curve divides infinity by infinity.
+BRIGHTEST: Final = 1e18
+
+
+@kernel
+def physical_light(light):
+    """Light between 0 and ``BRIGHTEST``; what is negative or no number is black."""
+    # Compared, not max(): a NaN is greater than nothing.
+    return min(light if light > 0.0 else 0.0, BRIGHTEST)
 
 
 def floating(values: ArrayLike) -> NDArray[Any]:
@@ -29,7 +40,7 @@ def physical(values: ArrayLike) -> NDArray[Any]:
     Examples
     --------
     >>> physical([-1.0, np.nan, 0.5, np.inf])
-    array([0.e+00, 0.e+00, 5.e-01, 1.e+30])
+    array([0.e+00, 0.e+00, 5.e-01, 1.e+18])
     """
     array = floating(values)
     return np.asarray(np.where(array > 0.0, np.minimum(array, BRIGHTEST), array.dtype.type(0.0)))
@@ -47,8 +58,35 @@ def each(scalar: Any, values: ArrayLike) -> NDArray[Any]:
     -------
     array, shape (...)
     """
-    from airlight.kernel import vectorized
-
     array = floating(values)
     with np.errstate(all="ignore"):  # the kernels say what they make of infinity and NaN
         return np.asarray(vectorized(scalar)(array)).astype(array.dtype, copy=False)
+
+
+def each_pixel(loop: Any, rgb: ArrayLike, *parameters: float) -> NDArray[Any]:
+    """A compiled loop over colours; computed in float64, returned in their type.
+
+    Parameters
+    ----------
+    loop : compiled loop
+        ``loop(colors, out, *parameters)`` with colours of shape (n, 3).
+    rgb : array, shape (..., 3)
+    *parameters : float
+        Handed on.
+
+    Returns
+    -------
+    array, shape (..., 3)
+
+    Raises
+    ------
+    ParameterError
+        If the last axis has another length.
+    """
+    array = floating(rgb)
+    if array.ndim == 0 or array.shape[-1] != 3:
+        raise ParameterError("rgb", array.shape, "an array of shape (..., 3)")
+    colors = np.ascontiguousarray(array).reshape(-1, 3)
+    out = np.empty_like(colors)
+    loop(colors, out, *parameters)
+    return out.reshape(array.shape)

@@ -13,12 +13,12 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from airlight.color.aces import aces, aces_inverse
-from airlight.color.agx import agx, agx_inverse
-from airlight.color.floating import each, physical
-from airlight.color.xyz import luminance
+from airlight.color.aces import aces, aces_color, aces_inverse
+from airlight.color.agx import agx, agx_color, agx_inverse
+from airlight.color.floating import each, each_pixel, physical, physical_light
+from airlight.color.xyz import luminance, luminance_of
 from airlight.errors import ParameterError
-from airlight.kernel import kernel
+from airlight.kernel import compiled_loop, kernel
 
 # Hable's shoulder strength, linear strength, linear angle, toe strength, numerator, denominator.
 _A: Final = 0.15
@@ -69,6 +69,86 @@ def hable_curve_inverse(y):
     return (math.sqrt(b * b - 4.0 * a * c) - b) / (2.0 * a) / _BIAS
 
 
+@kernel
+def exponential_shown(light):
+    """Scalar form of ``exponential``, for one channel. [1]"""
+    return exponential_curve(physical_light(light))
+
+
+@kernel
+def hable_shown(light):
+    """Scalar form of ``hable``, for one channel. [1]"""
+    return max(hable_curve(physical_light(light)), 0.0)
+
+
+@kernel
+def reinhard_color(red, green, blue):
+    """Scalar form of ``reinhard``."""
+    r, g, b = physical_light(red), physical_light(green), physical_light(blue)
+    darkening = 1.0 / (1.0 + luminance_of(r, g, b))
+    return r * darkening, g * darkening, b * darkening
+
+
+@kernel
+def reinhard_extended_color(red, green, blue, white):
+    """Scalar form of ``reinhard_extended``."""
+    r, g, b = physical_light(red), physical_light(green), physical_light(blue)
+    bright = luminance_of(r, g, b)
+    darkening = (1.0 + bright / (white * white)) / (1.0 + bright)
+    return r * darkening, g * darkening, b * darkening
+
+
+@kernel
+def tone_mapped(which, red, green, blue):
+    """One colour by the tone map of that place in ``TONE_MAPS``, counted from 0.
+
+    Parameters
+    ----------
+    which : int
+    red, green, blue : float
+        Linear sRGB after exposure. [1]
+
+    Returns
+    -------
+    red, green, blue : float
+        As the tone map's function gives them. [1]
+
+    Examples
+    --------
+    >>> tone_mapped(2, 1.0, 0.0, 0.0)[0] == float(reinhard([1.0, 0.0, 0.0])[0])
+    True
+    """
+    if which == 0:
+        return exponential_shown(red), exponential_shown(green), exponential_shown(blue)
+    if which == 1:
+        return hable_shown(red), hable_shown(green), hable_shown(blue)
+    if which == 2:
+        return reinhard_color(red, green, blue)
+    if which == 3:
+        return reinhard_extended_color(red, green, blue, REINHARD_WHITE)
+    if which == 4:
+        return aces_color(red, green, blue)
+    return agx_color(red, green, blue)
+
+
+@compiled_loop
+def reinhard_pixels(colors, out):
+    """``reinhard_color`` of every colour."""
+    for i in range(colors.shape[0]):
+        out[i, 0], out[i, 1], out[i, 2] = reinhard_color(
+            np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2])
+        )
+
+
+@compiled_loop
+def reinhard_extended_pixels(colors, out, white):
+    """``reinhard_extended_color`` of every colour."""
+    for i in range(colors.shape[0]):
+        out[i, 0], out[i, 1], out[i, 2] = reinhard_extended_color(
+            np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2]), white
+        )
+
+
 def exponential(rgb: ArrayLike) -> NDArray[Any]:
     """1 - e^{-x} on each channel.
 
@@ -91,7 +171,7 @@ def exponential(rgb: ArrayLike) -> NDArray[Any]:
     >>> exponential([0.0, 1.0, np.inf]).round(4)
     array([0.    , 0.6321, 1.    ])
     """
-    return each(exponential_curve, physical(rgb))
+    return each(exponential_shown, rgb)
 
 
 def exponential_inverse(rgb: ArrayLike) -> NDArray[Any]:
@@ -121,7 +201,7 @@ def hable(rgb: ArrayLike) -> NDArray[Any]:
     >>> hable([0.0, 1.0, 5.6]).round(4) + 0.0
     array([0.    , 0.4929, 1.    ])
     """
-    return np.asarray(np.maximum(each(hable_curve, physical(rgb)), 0.0))
+    return each(hable_shown, rgb)
 
 
 def hable_inverse(rgb: ArrayLike) -> NDArray[Any]:
@@ -151,8 +231,7 @@ def reinhard(rgb: ArrayLike) -> NDArray[Any]:
     >>> reinhard([1.0, 1.0, 1.0]).round(4)
     array([0.5, 0.5, 0.5])
     """
-    light = physical(rgb)
-    return np.asarray(light / (1.0 + luminance(light)[..., None]))
+    return each_pixel(reinhard_pixels, rgb)
 
 
 def reinhard_inverse(rgb: ArrayLike) -> NDArray[Any]:
@@ -194,9 +273,7 @@ def reinhard_extended(rgb: ArrayLike, white: float = REINHARD_WHITE) -> NDArray[
     array([1., 1., 1.])
     """
     _check_white(white)
-    light = physical(rgb)
-    bright = luminance(light)[..., None]
-    return np.asarray(light * ((1.0 + bright / white**2) / (1.0 + bright)))
+    return each_pixel(reinhard_extended_pixels, rgb, white)
 
 
 def reinhard_extended_inverse(rgb: ArrayLike, white: float = REINHARD_WHITE) -> NDArray[Any]:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from airlight.color.floating import floating
+from airlight.kernel import kernel
 
 #: XYZ to linear sRGB, white D65; the seven decimals of Lindbloom, "RGB/XYZ Matrices".
 XYZ_TO_RGB: Final[NDArray[np.float64]] = np.array(
@@ -26,6 +27,14 @@ XYZ_TO_RGB.flags.writeable = False
 #: Linear sRGB to XYZ: the exact inverse, so that the two undo each other to rounding.
 RGB_TO_XYZ: Final[NDArray[np.float64]] = np.asarray(np.linalg.inv(XYZ_TO_RGB), np.float64)
 RGB_TO_XYZ.flags.writeable = False
+
+_RED, _GREEN, _BLUE = (float(part) for part in RGB_TO_XYZ[1])
+
+
+@kernel
+def luminance_of(red, green, blue):
+    """Y of one colour in linear sRGB: scalar form of ``luminance``."""
+    return _RED * red + _GREEN * green + _BLUE * blue
 
 
 def xyz_to_rgb(xyz: ArrayLike) -> NDArray[Any]:

@@ -5,7 +5,7 @@ The radiance is per irradiance of the star until the weights turn it into linear
 
 from __future__ import annotations
 
-from math import asin, atan2, cos, floor, log2, pi, sin, sqrt
+from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -16,6 +16,7 @@ from airlight.geometry.path import ray_length
 from airlight.geometry.shell import meets_ground, way_to_shell
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, load, maximum, minimum, splat, store
+from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
 from airlight.solvers.moments.march import march
 from airlight.solvers.moments.received import ground_light
 from airlight.solvers.moments.source import read_phase, reflected
@@ -77,44 +78,6 @@ class Paint(NamedTuple):
 
 
 @inlined
-def map_color(texels, levels, latitude, longitude, level, out):
-    """Linear sRGB reflectance of the map between its pixels and its levels.
-
-    ``latitude`` and ``longitude`` in [rad]; ``level`` 0 is the full map, 1 its half, ….
-    """
-    level = min(max(level, 0.0), levels.shape[0] - 1.0)
-    first = min(int(level), max(levels.shape[0] - 2, 0))
-    for c in range(3):
-        out[c] = 0.0
-    for step in range(2):
-        which = min(first + step, levels.shape[0] - 1)
-        part = (level - first) if step == 1 else 1.0 - (level - first)
-        if part <= 0.0:
-            continue
-        start = int(levels[which, 0])
-        height = int(levels[which, 1])
-        width = int(levels[which, 2])
-        y = min(max((0.5 - latitude / pi) * height - 0.5, 0.0), height - 1.0)
-        x = (0.5 + longitude / (2.0 * pi)) * width - 0.5
-        top = min(int(y), max(height - 2, 0))
-        west = floor(x)
-        down, right = y - top, x - west
-        bottom = min(top + 1, height - 1)
-        east = (west + 1) % width
-        west = (west + width) % width
-        for c in range(3):
-            upper_row = start + 3 * width * top + c
-            lower_row = start + 3 * width * bottom + c
-            upper = (
-                texels[upper_row + 3 * west] * (1.0 - right) + texels[upper_row + 3 * east] * right
-            )
-            lower = (
-                texels[lower_row + 3 * west] * (1.0 - right) + texels[lower_row + 3 * east] * right
-            )
-            out[c] += part * (upper * (1.0 - down) + lower * down)
-
-
-@inlined
 def ground_color(pixel, reach, cosine, angle, directions, view, paint, bottom, color):
     """Linear sRGB reflectance of the ground where a pixel's line of sight ends. [1]
 
@@ -125,22 +88,16 @@ def ground_color(pixel, reach, cosine, angle, directions, view, paint, bottom, c
     x = reach * directions[pixel, 0]
     y = reach * directions[pixel, 1]
     z = view.r + reach * directions[pixel, 2]
-    if angle != 0.0:
-        # On along the ground: the line comes down at the slant, whose level part leads away.
-        sine = sqrt(max((1.0 - cosine) * (1.0 + cosine), 1e-18))
-        keep = cos(angle) + sin(angle) * cosine / sine
-        away = sin(angle) * bottom / sine
-        x = keep * x + away * directions[pixel, 0]
-        y = keep * y + away * directions[pixel, 1]
-        z = keep * z + away * directions[pixel, 2]
+    x, y, z = moved_on(
+        x, y, z, directions[pixel, 0], directions[pixel, 1], directions[pixel, 2],
+        cosine, angle, bottom,
+    )  # fmt: skip
     gx = m[0, 0] * x + m[0, 1] * y + m[0, 2] * z
     gy = m[1, 0] * x + m[1, 1] * y + m[1, 2] * z
     gz = m[2, 0] * x + m[2, 1] * y + m[2, 2] * z
-    # The pixel's footprint is an ellipse; the geometric mean of its axes picks the level.
-    footprint = view.pixel_angle * reach / (bottom * sqrt(max(cosine, 0.05)))
-    level = log2(max(footprint * levels[0, 1] / pi, 1e-6))
-    latitude = asin(min(max(gz / bottom, -1.0), 1.0))
-    map_color(texels, levels, latitude, atan2(gy, gx), level, color)
+    latitude, longitude = latitude_longitude(gx, gy, gz)
+    level = map_level(view.pixel_angle, reach, cosine, bottom, levels[0, 1])
+    map_color(texels, levels, latitude, longitude, level, color)
 
 
 @compiled_loop

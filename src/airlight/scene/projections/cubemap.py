@@ -2,24 +2,50 @@
 
 from __future__ import annotations
 
+from math import floor, sqrt
+
 import numpy as np
 
+from airlight.kernel import compiled_loop, kernel
 from airlight.scene.projections.projection import FloatArray, Projection
 
-#: For each face the camera-frame vectors (right, up, forward) of: the face's middle, the step
-#: towards its right edge, the step towards its bottom edge. Order +x, -x, +y, -y, +z, -z with
-#: x right, y up and z forward. [OpenGL 4.6 Core Profile specification, section 8.13]
-_FACES = np.array(
-    [
-        [[1, 0, 0], [0, 0, -1], [0, -1, 0]],
-        [[-1, 0, 0], [0, 0, 1], [0, -1, 0]],
-        [[0, 1, 0], [1, 0, 0], [0, 0, 1]],
-        [[0, -1, 0], [1, 0, 0], [0, 0, -1]],
-        [[0, 0, 1], [1, 0, 0], [0, -1, 0]],
-        [[0, 0, -1], [-1, 0, 0], [0, -1, 0]],
-    ],
-    dtype=np.float64,
-)
+
+@kernel
+def cube_ray(x, y, width, height, field_of_view):
+    """View vector (right, up, forward) of a point of the strip; as ``rays``. [1]
+
+    ``across`` and ``above`` run from -1 to 1 over a face, towards its right and its top edge.
+    Order +x, -x, +y, -y, +z, -z with x right, y up and z forward, oriented as in the OpenGL 4.6
+    Core Profile specification, section 8.13.
+    """
+    face = min(max(floor(x / height), 0), 5)
+    across = 2.0 * (x / height - face) - 1.0
+    above = 1.0 - 2.0 * y / height
+    if face == 0:
+        right, up, forward = 1.0, above, -across
+    elif face == 1:
+        right, up, forward = -1.0, above, across
+    elif face == 2:
+        right, up, forward = across, 1.0, -above
+    elif face == 3:
+        right, up, forward = across, -1.0, above
+    elif face == 4:
+        right, up, forward = across, above, 1.0
+    else:
+        right, up, forward = -across, above, -1.0
+    length = sqrt(1.0 + across * across + above * above)
+    return right / length, up / length, forward / length
+
+
+@compiled_loop
+def fill(x, y, width, height, field_of_view, out):
+    """The rays of a grid of pixels, into ``out``, shape (len(y), len(x), 3)."""
+    for row in range(y.size):
+        for column in range(x.size):
+            right, up, forward = cube_ray(x[column], y[row], width, height, field_of_view)
+            out[row, column, 0] = right
+            out[row, column, 1] = up
+            out[row, column, 2] = forward
 
 
 def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: float) -> FloatArray:
@@ -45,14 +71,8 @@ def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: f
     >>> [float(v) for v in ahead[0, 0]]
     [0.0, 0.0, 1.0]
     """
-    face = np.clip(np.floor(x / height).astype(np.intp), 0, 5)
-    across = 2.0 * (x / height - face) - 1.0
-    down = 2.0 * y / height - 1.0
-    middle, to_right, to_bottom = (_FACES[face, part] for part in range(3))
-    out: FloatArray = (middle + across[:, np.newaxis] * to_right)[np.newaxis, :, :] + (
-        down[:, np.newaxis, np.newaxis] * to_bottom[np.newaxis, :, :]
-    )
-    out /= np.sqrt(1.0 + across[np.newaxis, :] ** 2 + down[:, np.newaxis] ** 2)[..., np.newaxis]
+    out = np.empty((len(y), len(x), 3))
+    fill(x, y, width, height, field_of_view, out)
     return out
 
 

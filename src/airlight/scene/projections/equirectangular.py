@@ -3,10 +3,32 @@
 from __future__ import annotations
 
 import math
+from math import cos, pi, sin
 
 import numpy as np
 
+from airlight.kernel import compiled_loop, kernel
 from airlight.scene.projections.projection import FloatArray, Projection
+
+
+@kernel
+def panorama_ray(x, y, width, height, field_of_view):
+    """View vector (right, up, forward) of a point of the picture; as ``rays``. [1]"""
+    azimuth = 2.0 * pi * (x / width - 0.5)
+    elevation = pi * (0.5 - y / height)
+    level = cos(elevation)
+    return level * sin(azimuth), sin(elevation), level * cos(azimuth)
+
+
+@compiled_loop
+def fill(x, y, width, height, field_of_view, out):
+    """The rays of a grid of pixels, into ``out``, shape (len(y), len(x), 3)."""
+    for row in range(y.size):
+        for column in range(x.size):
+            right, up, forward = panorama_ray(x[column], y[row], width, height, field_of_view)
+            out[row, column, 0] = right
+            out[row, column, 1] = up
+            out[row, column, 2] = forward
 
 
 def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: float) -> FloatArray:
@@ -34,13 +56,8 @@ def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: f
     >>> [round(float(v), 12) + 0.0 for v in top[0, 0]]
     [0.0, 1.0, 0.0]
     """
-    azimuth = 2.0 * math.pi * (x / width - 0.5)
-    elevation = math.pi * (0.5 - y / height)
-    flat = np.cos(elevation)[:, np.newaxis]
     out = np.empty((len(y), len(x), 3))
-    out[..., 0] = flat * np.sin(azimuth)
-    out[..., 1] = np.sin(elevation)[:, np.newaxis]
-    out[..., 2] = flat * np.cos(azimuth)
+    fill(x, y, width, height, field_of_view, out)
     return out
 
 

@@ -2,9 +2,39 @@
 
 from __future__ import annotations
 
+from math import cos, sin, sqrt
+
 import numpy as np
 
+from airlight.kernel import compiled_loop, kernel
 from airlight.scene.projections.projection import FloatArray, Projection
+
+
+@kernel
+def fisheye_ray(x, y, width, height, field_of_view):
+    """View vector (right, up, forward) of a point of the picture; as ``rays``. [1]"""
+    diameter = min(width, height)
+    across = 2.0 * x - width
+    up = height - 2.0 * y
+    square = across * across + up * up
+    # Both sides are whole numbers for the pixels' centres: no rounding decides on the rim.
+    if square > diameter * diameter:
+        return 0.0, 0.0, 0.0
+    distance = sqrt(square)
+    theta = 0.5 * field_of_view * distance / diameter
+    scale = sin(theta) / max(distance, 1e-12)  # at the centre both components are 0
+    return scale * across, scale * up, cos(theta)
+
+
+@compiled_loop
+def fill(x, y, width, height, field_of_view, out):
+    """The rays of a grid of pixels, into ``out``, shape (len(y), len(x), 3)."""
+    for row in range(y.size):
+        for column in range(x.size):
+            right, up, forward = fisheye_ray(x[column], y[row], width, height, field_of_view)
+            out[row, column, 0] = right
+            out[row, column, 1] = up
+            out[row, column, 2] = forward
 
 
 def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: float) -> FloatArray:
@@ -34,18 +64,8 @@ def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: f
     >>> [float(v) for v in centre[0, 0]]
     [0.0, 0.0, 1.0]
     """
-    diameter = min(width, height)
-    right = (2.0 * x - width)[np.newaxis, :] / diameter
-    up = (height - 2.0 * y)[:, np.newaxis] / diameter
-    distance = np.hypot(right, up)
-    theta = 0.5 * field_of_view * distance
-    # np.sinc(t/pi) = sin(t)/t, which is 1 at the centre
-    scale = 0.5 * field_of_view * np.sinc(theta / np.pi)
     out = np.empty((len(y), len(x), 3))
-    out[..., 0] = scale * right
-    out[..., 1] = scale * up
-    out[..., 2] = np.cos(theta)
-    out[distance > 1.0] = 0.0
+    fill(x, y, width, height, field_of_view, out)
     return out
 
 

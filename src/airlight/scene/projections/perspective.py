@@ -3,10 +3,33 @@
 from __future__ import annotations
 
 import math
+from math import cos, sin, sqrt
 
 import numpy as np
 
+from airlight.kernel import compiled_loop, kernel
 from airlight.scene.projections.projection import FloatArray, Projection
+
+
+@kernel
+def perspective_ray(x, y, width, height, field_of_view):
+    """View vector (right, up, forward) of a point of the picture; as ``rays``. [1]"""
+    slope = sin(0.5 * field_of_view) / cos(0.5 * field_of_view)
+    right = (2.0 * x - width) / width * slope
+    up = (height - 2.0 * y) / width * slope
+    length = sqrt(1.0 + right * right + up * up)
+    return right / length, up / length, 1.0 / length
+
+
+@compiled_loop
+def fill(x, y, width, height, field_of_view, out):
+    """The rays of a grid of pixels, into ``out``, shape (len(y), len(x), 3)."""
+    for row in range(y.size):
+        for column in range(x.size):
+            right, up, forward = perspective_ray(x[column], y[row], width, height, field_of_view)
+            out[row, column, 0] = right
+            out[row, column, 1] = up
+            out[row, column, 2] = forward
 
 
 def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: float) -> FloatArray:
@@ -33,14 +56,8 @@ def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: f
     >>> [round(float(v), 6) for v in left_edge[0, 0]]
     [-0.707107, 0.0, 0.707107]
     """
-    slope = math.tan(0.5 * field_of_view)
-    right = (2.0 * x / width - 1.0) * slope
-    up = (height - 2.0 * y) / width * slope
-    length = np.sqrt(1.0 + right[np.newaxis, :] ** 2 + up[:, np.newaxis] ** 2)
     out = np.empty((len(y), len(x), 3))
-    out[..., 0] = right[np.newaxis, :] / length
-    out[..., 1] = up[:, np.newaxis] / length
-    out[..., 2] = 1.0 / length
+    fill(x, y, width, height, field_of_view, out)
     return out
 
 

@@ -1,0 +1,148 @@
+"""Where a line of sight meets the ground, and the colour of the map there.
+
+In numbers and flat arrays, for the renderer and for the shader.
+"""
+
+from __future__ import annotations
+
+from math import atan2, cos, floor, log2, pi, sin, sqrt
+
+from airlight.kernel import inlined, kernel
+
+
+@kernel
+def moved_on(x, y, z, dx, dy, dz, cosine, angle, bottom):
+    """The end of a line of sight as it is, from the end as drawn straight.
+
+    On along the ground: the line comes down at a slant, whose level part leads away.
+
+    Parameters
+    ----------
+    x, y, z : float
+        The end as drawn, on the ground. [m]
+    dx, dy, dz : float
+        Unit vector along the line, away from the observer. [1]
+    cosine : float
+        Of the angle between the line and the vertical at its end, 0 to 1. [1]
+    angle : float
+        By which the line has been bent. [rad]
+    bottom : float
+        Radius of the ground. [m]
+
+    Returns
+    -------
+    x, y, z : float
+        At the same distance from the centre. [m]
+
+    Examples
+    --------
+    >>> moved_on(0.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.0, 0.5 * pi, 2.0)[0]  # a quarter of a turn
+    2.0
+    """
+    if angle == 0.0:
+        return x, y, z
+    sine = sqrt(max((1.0 - cosine) * (1.0 + cosine), 1e-18))
+    keep = cos(angle) + sin(angle) * cosine / sine
+    away = sin(angle) * bottom / sine
+    return keep * x + away * dx, keep * y + away * dy, keep * z + away * dz
+
+
+@kernel
+def latitude_longitude(x, y, z):
+    """Geocentric latitude and longitude of a point in the planet's frame. [rad]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Towards latitude 0 and longitude 0, latitude 0 and 90° east, and the north pole; any
+        unit. [m]
+
+    Examples
+    --------
+    >>> latitude_longitude(0.0, -1.0, 0.0)  # 90° west
+    (0.0, -1.5707963267948966)
+    """
+    return atan2(z, sqrt(x * x + y * y)), atan2(y, x)
+
+
+@kernel
+def map_level(pixel_angle, reach, cosine, bottom, rows):
+    """The level of the map whose pixels are as large as a picture's pixel on the ground.
+
+    The footprint is an ellipse; the geometric mean of its axes is taken.
+
+    Parameters
+    ----------
+    pixel_angle : float
+        That a pixel of the picture spans. [rad]
+    reach : float
+        From the observer to the ground. [m]
+    cosine : float
+        Of the angle between line of sight and vertical there. [1]
+    bottom : float
+        Radius of the ground. [m]
+    rows : float
+        Of the full map.
+
+    Returns
+    -------
+    float
+        0 where they are as large, one more for each halving; negative where the map is too
+        coarse. [1]
+
+    Examples
+    --------
+    >>> map_level(1e-3, 2000.0 * pi, 1.0, 1000.0, 1000.0)  # twice as large as the map's pixels
+    1.0
+    """
+    footprint = pixel_angle * reach / (bottom * sqrt(max(cosine, 0.05)))
+    return log2(max(footprint * rows / pi, 1e-6))
+
+
+@inlined
+def map_color(texels, levels, latitude, longitude, level, out):
+    """Colour of the map between its pixels and its levels.
+
+    Parameters
+    ----------
+    texels : array, flat
+        The map and its halvings one after another, linear sRGB reflectance. [1]
+    levels : array, shape (n, 3)
+        Start in ``texels``, height and width of each.
+    latitude, longitude : float
+        [rad]
+    level : float
+        0 is the full map, 1 its half; held within what there is. [1]
+    out : array, shape (3,)
+        Receives linear sRGB reflectance. [1]
+    """
+    level = min(max(level, 0.0), levels.shape[0] - 1.0)
+    first = min(int(level), max(levels.shape[0] - 2, 0))
+    for c in range(3):
+        out[c] = 0.0
+    for step in range(2):
+        which = min(first + step, levels.shape[0] - 1)
+        part = (level - first) if step == 1 else 1.0 - (level - first)
+        if part <= 0.0:
+            continue
+        start = int(levels[which, 0])
+        height = int(levels[which, 1])
+        width = int(levels[which, 2])
+        y = min(max((0.5 - latitude / pi) * height - 0.5, 0.0), height - 1.0)
+        x = (0.5 + longitude / (2.0 * pi)) * width - 0.5
+        top = min(int(y), max(height - 2, 0))
+        west = floor(x)
+        down, right = y - top, x - west
+        bottom = min(top + 1, height - 1)
+        east = (west + 1) % width
+        west = (west + width) % width
+        for c in range(3):
+            upper_row = start + 3 * width * top + c
+            lower_row = start + 3 * width * bottom + c
+            upper = (
+                texels[upper_row + 3 * west] * (1.0 - right) + texels[upper_row + 3 * east] * right
+            )
+            lower = (
+                texels[lower_row + 3 * west] * (1.0 - right) + texels[lower_row + 3 * east] * right
+            )
+            out[c] += part * (upper * (1.0 - down) + lower * down)

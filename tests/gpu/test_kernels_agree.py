@@ -1,0 +1,312 @@
+"""The scalar formulas on the GPU against the same functions compiled for the processor.
+
+Reference: Numba in double precision, of the inputs as single precision holds them, so that only
+the shader's own rounding differs. EPS is the unit of that rounding. What a tolerance allows beyond
+a few EPS is said where it is given: by how much the formula multiplies the rounding of its steps.
+"""
+
+from __future__ import annotations
+
+import inspect
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+from airlight.color import aces, agx, encoding, tone_maps, xyz
+from airlight.color.encoding import ENCODINGS
+from airlight.color.floating import physical_light
+from airlight.color.tone_maps import TONE_MAPS
+from airlight.geometry import bending, path, shell, sun_disc
+from airlight.gpu.shader_types import Constant, Table
+from airlight.mappings import sky_view, transmittance
+from airlight.optics import phase_functions
+from airlight.scene import ground_place
+from airlight.scene.projections import PROJECTIONS
+from airlight.scene.projections.cubemap import cube_ray
+from airlight.scene.projections.equirectangular import panorama_ray
+from airlight.scene.projections.fisheye import fisheye_ray
+from airlight.scene.projections.perspective import perspective_ray
+from airlight.scene.projections.projected import projected_ray
+
+EPS = 2.0**-23
+COUNT = 3000
+
+BOTTOM, TOP = 6360e3, 6460e3
+
+
+def uniform(low: float, high: float, seed: int) -> np.ndarray:
+    return np.random.default_rng(seed).uniform(low, high, COUNT)
+
+
+R = uniform(BOTTOM, TOP, 1)
+MU = uniform(-1.0, 1.0, 2)
+MU_S = uniform(-1.0, 1.0, 3)
+UNIT = uniform(0.0, 1.0, 4)
+LENGTH = uniform(1e3, 1e6, 5)
+FAR = np.geomspace(1.01 * TOP, 1e9, COUNT)
+SINE = np.sqrt(1.0 - MU**2)
+
+
+def agree(
+    on_gpu: Callable[..., Any], function: Any, inputs: tuple[Any, ...], rtol: float, atol: Any
+) -> None:
+    """Every result within the tolerance; ``atol`` one for all or one for each."""
+    seen = on_gpu(function, *inputs)
+    single = [np.asarray(one, np.float32) for one in inputs]
+    exact = [
+        wide.astype(np.float64) if np.asarray(one).dtype.kind == "f" else np.asarray(one)
+        for wide, one in zip(single, inputs, strict=True)
+    ]
+    rows = np.broadcast_arrays(*exact)
+    expected = [function(*row) for row in zip(*(one.tolist() for one in rows), strict=True)]
+    if not isinstance(seen, tuple):
+        seen, expected = (seen,), [(one,) for one in expected]
+    for i, one in enumerate(seen):
+        wanted = np.array([row[i] for row in expected])
+        if one.dtype == np.bool_:
+            assert_array_equal(one, wanted)
+            continue
+        limit = atol[i] if isinstance(atol, tuple) else atol
+        assert_allclose(one, wanted, rtol=rtol, atol=limit, err_msg=f"result {i}")
+
+
+class Case(NamedTuple):
+    """A kernel, its inputs, and how far single precision may take it."""
+
+    function: Any
+    inputs: tuple[Any, ...]
+    rtol: float = 16.0 * EPS
+    atol: Any = 0.0
+
+
+#: The square of a chord is a difference of squares of 4e13 m²: its rounding of 4 EPS R² is, near
+#: 0, an error of sqrt(4 EPS) R = 4.4 km, and of 1 km already where the chord is 20 km long.
+NEAR_TANGENT = 2.0 * math.sqrt(EPS) * TOP
+#: Sums and differences of lengths of the planet's size. [m]
+METRES = 8.0 * EPS * TOP
+
+GEOMETRY = [
+    Case(shell.chord, (R, MU, TOP), atol=METRES),
+    Case(shell.chord, (R, MU, BOTTOM), atol=NEAR_TANGENT),
+    Case(shell.distance_to_top, (R, MU, TOP), atol=NEAR_TANGENT),
+    Case(shell.distance_to_bottom, (R, uniform(-1.0, -0.3, 6), BOTTOM), atol=METRES),
+    # r - R is exact: only products are rounded.
+    Case(shell.horizon_cosine, (R, BOTTOM)),
+    Case(shell.radius_along, (R, MU, LENGTH)),
+    Case(shell.way_to_shell, (FAR, -np.sqrt(1 - (0.9 * TOP * UNIT / FAR) ** 2),
+         0.9 * TOP * UNIT / FAR, TOP), atol=(METRES, 16 * EPS)),
+    Case(shell.first_meeting, (0.99 * BOTTOM * UNIT, uniform(0.0, 0.9, 7), BOTTOM), atol=METRES),
+    Case(path.ray_length, (R, uniform(-1.0, -0.3, 6), BOTTOM, TOP), atol=METRES),
+    Case(path.ray_length, (R, uniform(0.05, 1.0, 8), BOTTOM, TOP), atol=METRES),
+    # The quotient by 1 - ν², at least 0.19 here, of lengths of the planet's size.
+    Case(path.shadow_edges, (R, uniform(-0.3, 0.3, 9), uniform(-0.9, -0.3, 10),
+         uniform(-0.9, 0.9, 11), BOTTOM), atol=100.0 * METRES),
+    Case(path.panel_point, (LENGTH, UNIT < 0.5, R, LENGTH, 100.0 * UNIT, 300.0 * UNIT,
+         uniform(0.0, 1.0, 12)), atol=METRES),
+    # Over the sine, at least 0.14 here.
+    Case(bending.turned, (uniform(-0.99, 0.99, 13), MU_S, MU, uniform(0.0, 0.02, 14)),
+         atol=64 * EPS),
+    # 1 ± μ are exact to EPS: relative.
+    Case(bending.bend_angle, (R, MU, 1e-11, uniform(0.0, 1e6, 15))),
+    # μ_s minus the horizon's cosine: EPS of numbers of order 1.
+    Case(sun_disc.sun_elevation, (R, uniform(-0.1, 0.1, 16), BOTTOM), atol=4 * EPS),
+    Case(sun_disc.star_elevation, (R, MU_S, BOTTOM), atol=8 * EPS),
+    # acos and asin next to ±1 turn a rounding of EPS into sqrt(2 EPS); there is little area.
+    Case(sun_disc.visible_fraction, (uniform(-0.006, 0.006, 17), 0.00465), atol=1e-4),
+    Case(sun_disc.mean_cosine, (uniform(-0.006, 0.006, 17), uniform(-0.006, 0.006, 17), 0.00465),
+         atol=0.006 * 1e-4),
+    # The variance is a difference of squares, of relative rounding 64 EPS; a root of what is left.
+    Case(sun_disc.visible_spread, (uniform(-0.0040, 0.006, 17), 0.00465), rtol=1e-3,
+         atol=0.00465 * 1e-3),
+]  # fmt: skip
+
+HORIZON = -0.17  # as from 95 km above the Earth
+HORIZON_SINE = math.sqrt(1.0 - HORIZON**2)
+MAPPINGS = [
+    # A root of a number with the relative rounding of r - R, which is exact.
+    Case(transmittance.altitude_coordinate, (R, BOTTOM, TOP), atol=2 * EPS),
+    Case(transmittance.radius_from_coordinate, (UNIT, BOTTOM, TOP)),
+    # Lengths good to METRES over the span between shortest and longest, above 1000 km.
+    Case(transmittance.direction_coordinate, (R, uniform(0.05, 1.0, 8), BOTTOM, TOP),
+         atol=METRES / 1000e3),
+    # A difference of squares over 2 r d; from d = 10 km up METRES over d.
+    Case(transmittance.cosine_from_coordinate, (uniform(0.02, 1.0, 18), R, BOTTOM, TOP),
+         atol=METRES / 10e3),
+    # atan2 of any quadrant: WGSL grants 4096 units of the last place, drivers give a few.
+    Case(sky_view.angle_above_horizon, (MU, SINE, HORIZON, HORIZON_SINE), atol=16 * EPS),
+    Case(sky_view.row_from_angle, (uniform(-1.3, 1.7, 19), HORIZON), rtol=64 * EPS),
+    Case(sky_view.direction_from_row, (UNIT, UNIT < 0.3, HORIZON, HORIZON_SINE), atol=16 * EPS),
+    Case(sky_view.row_from_impact, (uniform(0.0, BOTTOM - 1e3, 20), BOTTOM, TOP)),
+    Case(sky_view.row_from_impact, (uniform(BOTTOM + 1e3, TOP, 21), BOTTOM, TOP)),
+    Case(sky_view.impact_from_row, (UNIT, UNIT < 0.4, BOTTOM, TOP), atol=METRES),
+]  # fmt: skip
+
+#: 1 - ν is exact; the base is a sum of positive terms for g > 0, a difference for g < 0.
+PHASES = [
+    Case(phase_functions.rayleigh, (MU, 0.035)),
+    Case(phase_functions.rayleigh_modified, (MU,)),
+    Case(phase_functions.cornette_shanks, (MU, uniform(-0.8, 0.95, 22)), rtol=64 * EPS),
+    Case(phase_functions.henyey_greenstein, (MU, uniform(-0.8, 0.95, 22)), rtol=64 * EPS),
+    Case(phase_functions.double_henyey_greenstein, (MU, 0.8, -0.3, UNIT), rtol=64 * EPS),
+]
+
+LIGHTS = tuple(np.geomspace(1e-4, 1e3, COUNT)[np.random.default_rng(23 + c).permutation(COUNT)]
+               for c in range(3))  # fmt: skip
+#: log₂ and pow: 2⁻²¹ of exponents up to 16, by WGSL's table of accuracy.
+POWER = 64 * EPS
+COLORS = [
+    Case(xyz.luminance_of, LIGHTS),
+    Case(tone_maps.exponential_shown, LIGHTS[:1], atol=2 * EPS),  # 1 - e^-x
+    Case(tone_maps.hable_shown, LIGHTS[:1], atol=4 * EPS),  # a quotient less E/F
+    Case(tone_maps.reinhard_color, LIGHTS),
+    Case(tone_maps.reinhard_extended_color, (*LIGHTS, 4.0)),
+    # The output matrix takes up to 0.6 of one channel from 1.6 of another.
+    Case(aces.aces_color, LIGHTS, atol=8 * EPS),
+    # Position in stops, then powers; the outset has entries up to 1.2 and -0.15.
+    Case(agx.agx_color, LIGHTS, rtol=4 * POWER, atol=POWER),
+    Case(encoding.srgb_curve, (uniform(0.0, 1.0, 24),), rtol=POWER, atol=EPS),
+    Case(encoding.gamma_curve, (uniform(0.0, 1.0, 24),), rtol=POWER),
+]
+
+X, Y = uniform(0.0, 1280.0, 25), uniform(0.0, 640.0, 26)
+#: Coordinates of pixels are good to EPS of the picture; so are the unit vectors' components.
+DIRECTION = 8 * EPS
+SPHERE = 2.0 * math.pi
+RAYS = [
+    Case(perspective_ray, (X, Y, 1280.0, 640.0, 1.0), atol=DIRECTION),
+    Case(perspective_ray, (X, Y, 1280, 640, math.radians(170.0)), atol=DIRECTION),
+    Case(fisheye_ray, (X, Y, 1280.0, 640.0, math.pi), atol=DIRECTION),
+    Case(panorama_ray, (X, Y, 1280.0, 640.0, SPHERE), atol=DIRECTION),
+    Case(cube_ray, (X, Y / 3.0, 1280.0, 1280.0 / 6.0, SPHERE), atol=DIRECTION),
+]
+
+GROUND = [
+    Case(ground_place.moved_on, (R * MU, R * SINE, 1e5 * UNIT, SINE, -MU, 0.0 * MU,
+         uniform(0.02, 0.9, 27), uniform(0.0, 0.02, 28), BOTTOM), atol=4.0 * METRES),
+    Case(ground_place.latitude_longitude, (R * MU * SINE, R * SINE * SINE, R * MU), atol=16 * EPS),
+    # log₂ of numbers from 1e-3 to 1e3.
+    Case(ground_place.map_level, (1e-3, np.geomspace(10.0, 1e7, COUNT), UNIT, BOTTOM, 2048.0),
+         atol=16 * EPS),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "case",
+    [*GEOMETRY, *MAPPINGS, *PHASES, *COLORS, *RAYS, *GROUND],
+    ids=lambda case: case.function.__name__,
+)
+def test_a_formula_on_the_gpu_is_the_processor_s(on_gpu: Callable[..., Any], case: Case) -> None:
+    # A second compiler for the same source.
+    agree(on_gpu, case.function, case.inputs, case.rtol, case.atol)
+
+
+def test_every_scalar_formula_of_these_files_is_compared() -> None:
+    # Those with arrays are no scalar formulas; inverses are not wanted on a GPU.
+    named = {case.function.py_func for case in
+             [*GEOMETRY, *MAPPINGS, *PHASES, *COLORS, *RAYS, *GROUND]}  # fmt: skip
+    others = {"meets_ground", "panel_leg", "seen_star", "star_points", "level_light", "tone_mapped",
+              "insert_edge", "place_edges", "place_nodes", "map_color", "encoded"}  # fmt: skip
+    rooms = [shell, path, bending, sun_disc, transmittance, sky_view, phase_functions, ground_place]
+    for room in rooms:
+        for name, one in vars(room).items():
+            plain = getattr(one, "py_func", None)
+            if plain is not None and plain.__module__ == room.__name__ and name not in others:
+                assert plain in named, f"{room.__name__}.{name}"
+
+
+def test_a_ray_meets_the_ground_or_not_as_on_the_processor(on_gpu: Callable[..., Any]) -> None:
+    # Within EPS of the horizon either answer is right: those rays are left out.
+    horizon = -np.sqrt(1.0 - (BOTTOM / R) ** 2)
+    mu = MU[np.abs(MU - horizon) > 16 * EPS]
+    agree(on_gpu, shell.meets_ground, (R[np.abs(MU - horizon) > 16 * EPS], mu, BOTTOM), 0.0, 0.0)
+
+
+def test_the_leg_of_a_panel_is_the_processor_s(on_gpu: Callable[..., Any]) -> None:
+    # A root of a difference of radii, each good to EPS of it: METRES under the root near 0.
+    mu = uniform(0.05, 0.9, 30)
+    agree(on_gpu, path.panel_leg, (R, mu, 0.2 * LENGTH, 0.7 * LENGTH, LENGTH), 16 * EPS,
+          (0.0, METRES, 20.0 * METRES, math.sqrt(METRES), math.sqrt(METRES)))  # fmt: skip
+
+
+@pytest.mark.parametrize("which", range(len(PROJECTIONS)), ids=list(PROJECTIONS))
+def test_a_projection_s_number_is_its_place(on_gpu: Callable[..., Any], which: int) -> None:
+    # The array functions by name, in double precision.
+    name, form = list(PROJECTIONS.items())[which]
+    width, height = {"equirectangular": (64, 32), "cubemap": (96, 16)}.get(name, (60, 40))
+    fov = math.radians(form.field_of_view)
+    x, y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
+    wanted = form.rays(x[0], y[:, 0], width, height, fov)
+    for number in (which, Constant(which)):  # at run time, and when the shader is written
+        seen = np.stack(on_gpu(projected_ray, number, x, y, float(width), float(height), fov), -1)
+        assert_allclose(seen, wanted, rtol=0.0, atol=DIRECTION)
+        assert_array_equal(np.any(seen != 0.0, axis=-1), np.any(wanted != 0.0, axis=-1))
+
+
+@pytest.mark.parametrize("which", range(len(TONE_MAPS)), ids=list(TONE_MAPS))
+def test_a_tone_map_s_number_is_its_place(on_gpu: Callable[..., Any], which: int) -> None:
+    # The array functions by name, in double precision; black light and light beyond all bounds too.
+    extreme = np.array([-1.0, 0.0, 1e-30, 1.0, 1e19, 3e38])
+    light = np.concatenate(
+        [np.stack(LIGHTS, -1), np.stack(np.meshgrid(*[extreme] * 3), -1).reshape(-1, 3)]
+    )
+    wanted = list(TONE_MAPS.values())[which].forward(light.astype(np.float32).astype(np.float64))
+    for number in (which, Constant(which)):
+        seen = np.stack(on_gpu(tone_maps.tone_mapped, number, *light.T), -1)
+        assert_allclose(seen, wanted, rtol=4 * POWER, atol=POWER)
+        assert np.all(seen >= 0.0)
+
+
+@pytest.mark.parametrize("which", range(len(ENCODINGS)), ids=list(ENCODINGS))
+def test_an_encoding_s_number_is_its_place(on_gpu: Callable[..., Any], which: int) -> None:
+    # The array functions by name, in double precision.
+    linear = np.concatenate([[-1.0, 0.0, 1.0], np.geomspace(1e-6, 1.0, 500)])
+    wanted = list(ENCODINGS.values())[which].encode(linear)
+    for number in (which, Constant(which)):
+        seen = on_gpu(encoding.encoded, number, linear)
+        assert_allclose(seen, wanted, rtol=POWER, atol=EPS)
+
+
+def test_light_that_is_no_number_is_black_on_the_gpu(on_gpu: Callable[..., Any]) -> None:
+    # As on the processor; a shader may make NaN of its own inputs.
+    light = np.array([np.nan, -1.0, -np.inf, 2.0, np.inf])
+    assert_array_equal(on_gpu(physical_light, light), np.float32([0.0, 0.0, 0.0, 2.0, 1e18]))
+
+
+def read_map(latitude, longitude, level, texels, levels):
+    """The three channels of ``map_color``."""
+    color = np.empty(_CHANNELS)
+    ground_place.map_color(texels, levels, latitude, longitude, level, color)
+    return color[0], color[1], color[2]
+
+
+_CHANNELS = 3
+
+
+def test_the_map_of_the_ground_is_read_as_on_the_processor(on_gpu: Callable[..., Any]) -> None:
+    # Bilinear in values of 0 to 1; a place in the map is good to EPS of its width of 64 pixels.
+    sizes = [(32, 64), (16, 32), (8, 16)]
+    texels = np.random.default_rng(31).uniform(size=sum(3 * h * w for h, w in sizes))
+    starts = np.cumsum([0, *(3 * h * w for h, w in sizes)])[:3]
+    levels = np.array([(start, h, w) for start, (h, w) in zip(starts, sizes, strict=True)])
+    latitude = uniform(-0.5 * math.pi, 0.5 * math.pi, 32)
+    longitude = uniform(-math.pi, math.pi, 33)
+    level = uniform(-1.0, 3.0, 34)
+    seen = on_gpu(
+        read_map, latitude, longitude, level, Table("texels"), Table("levels", 2),
+        tables={"texels": texels, "levels": levels},
+    )  # fmt: skip
+    wanted = np.empty((COUNT, 3))
+    for i in range(COUNT):
+        place = [float(np.float32(one[i])) for one in (latitude, longitude, level)]
+        ground_place.map_color(texels, levels, *place, wanted[i])
+    assert_allclose(np.stack(seen, -1), wanted, rtol=0.0, atol=64 * 4 * EPS)
+
+
+def test_formulas_are_read_from_source() -> None:
+    # The emitter reads what the compiler compiled: none of them is a copy.
+    for case in [*COLORS, *RAYS, *GROUND]:
+        assert inspect.getsourcefile(case.function.py_func).endswith(".py")
