@@ -15,7 +15,7 @@ from airlight.gpu.device import BROWSER_LIMITS
 from airlight.gpu.flat import FLAT_WIDTH, read_flat
 from airlight.gpu.fragment_pass import declared_bindings
 from airlight.gpu.solver import fields_on, solve_on
-from airlight.gpu.solver_passes import PASSES, SWEEP, shader
+from airlight.gpu.solver_passes import PASSES, shader
 from airlight.gpu.solver_plan import ThickAir, plan_for
 from airlight.gpu.sweeper import borrowed_sweeper
 from airlight.planets import replace
@@ -273,9 +273,10 @@ def test_the_plan_can_be_run_by_another_host(name):
     for texels in (plan.scalars.shape[0], plan.spectra.shape[0], *written["textures"].values()):
         assert texels <= FLAT_WIDTH * BROWSER_LIMITS["max-texture-dimension-2d"]
     # Spans fill each texel of a ray's radiance once.
-    filled_texels = [
-        one["texels"] for one in written["passes"]["sweep"] if one["target"] == "radiances"
-    ]
-    assert [one[0] for one in filled_texels[1:]] == [one[1] for one in filled_texels[:-1]]
-    assert filled_texels[-1][1] == written["textures"]["radiances"]
-    assert any(one.spanned for one in SWEEP)
+    spans = [one["span"] for one in written["passes"]["sweep"] if one["target"] == "radiances"]
+    assert [one[0] for one in spans[1:]] == [one[1] for one in spans[:-1]]
+    assert spans[-1][1] == written["textures"]["radiances"]
+    # Tables are where they are said to be.
+    places = written["tables"]["extinction"]
+    rows = plan.spectra[places["start"] : places["start"] + places["shape"][0]]
+    assert_allclose(rows[: len(plan.paths.medium.names)].max(), plan.paths.medium.extinction.max())

@@ -92,7 +92,7 @@ def solve_on(
     moments = Moments(
         degree=plan.degree,
         grid=plan.grid,
-        parts=1,
+        parts=plan.sizes["parts"],
         field=np.ascontiguousarray(field[..., :count]),
         sky=np.ascontiguousarray(sky[..., :count]),
         columns=plan.table.values,

@@ -14,11 +14,10 @@ from typing import Any, Final, Literal
 from airlight.gpu import solver_texels as texels
 from airlight.gpu.emitter import Emitter
 from airlight.gpu.fragment_pass import wgsl
-from airlight.gpu.shader_types import F32, I32, Bundle, Table, Uniform, Value
+from airlight.gpu.shader_types import F32, I32, VEC4, Bundle, Table, Uniform, Value
 
-#: How a texture is read: four wavelengths a texel; number by number; the first number of each
-#: texel; or four texels' first numbers as four wavelengths.
-View = Literal["lanes", "numbers", "firsts", "fours"]
+#: How a texture is read: four wavelengths a texel, or number by number.
+View = Literal["lanes", "numbers"]
 
 #: Tables of numbers and of four wavelengths that the host uploads, with their ranks.
 SCALARS: Final = {
@@ -29,15 +28,9 @@ SCALARS: Final = {
 SPECTRA: Final = ("extinction", "moments", "albedo")
 #: ``Sizes`` in the uniform, four to a vector.
 COUNTS: Final = (
-    "radii",
-    "angles",
-    "suns",
-    "turns",
-    "degree",
-    "terms",
-    "constituents",
-    "directions",
-)
+    "radii", "angles", "suns", "turns", "degree", "terms", "constituents", "directions", "levels",
+    "parts",
+)  # fmt: skip
 MEASURES: Final = ("bottom", "top", "star_radius")
 #: Images of the light, the last first.
 IMAGES: Final = tuple(f"image_{i}" for i in range(texels.IMAGES))
@@ -108,20 +101,26 @@ ONCE: Final = (
     SolverPass("azimuthal", texels.azimuthal, "azimuthals", readings=(Reading("radiances"),)),
     SolverPass(
         "gathered_moment", texels.gathered_moment, "first", ("sizes",),
-        (Reading("projections", "firsts"), Reading("azimuthals")),
+        (Reading("projections", "numbers"), Reading("azimuthals")),
     ),
 )  # fmt: skip
 #: A light as the next sweep and a march read it.
 PACK: Final = (
     SolverPass("highest", texels.highest, "heights", ("sizes",), (Reading("light", "numbers"),)),
+    SolverPass("floor", texels.floor, "floors", ("sizes",), (Reading("heights", "numbers"),)),
+    SolverPass(
+        "refined", texels.refined, "fine",
+        readings=(Reading("light", "numbers"), Reading("floors", "numbers")),
+    ),
+    SolverPass(
+        "highest_level", texels.highest_level, "level_heights", ("sizes",),
+        (Reading("fine", "numbers"),),
+    ),
     SolverPass(
         "node_scale", texels.node_scale, "scales",
-        readings=(Reading("light", "numbers"), Reading("heights", "firsts")),
+        readings=(Reading("fine", "numbers"), Reading("level_heights", "numbers")),
     ),
-    SolverPass(
-        "packed", texels.packed, "packed", ("sizes",),
-        (Reading("light"), Reading("scales", "fours")),
-    ),
+    SolverPass("packed", texels.packed, "packed", ("sizes",), (Reading("fine"), Reading("scales"))),
 )  # fmt: skip
 #: One more order: from the packed light to its image.
 SWEEP: Final = (
@@ -139,7 +138,7 @@ SWEEP: Final = (
     SolverPass("azimuthal", texels.azimuthal, "azimuthals", readings=(Reading("radiances"),)),
     SolverPass(
         "gathered_onto", texels.gathered_onto, "image", ("sizes",),
-        (Reading("projections", "firsts"), Reading("azimuthals"), Reading("first")),
+        (Reading("projections", "numbers"), Reading("azimuthals"), Reading("first")),
     ),
     SolverPass("mean", texels.mean, "means", ("sizes",), (Reading("image"), Reading("light"))),
 )  # fmt: skip
@@ -148,7 +147,7 @@ MIX: Final = (
     SolverPass("sound", texels.sound, "sounds", ("sizes", "weights", "images:numbers")),
     SolverPass(
         "next_guess", texels.next_guess, "light", ("sizes", "weights", "images:lanes"),
-        (Reading("sounds", "fours"),),
+        (Reading("sounds"),),
     ),
 )  # fmt: skip
 PASSES: Final = {one.name: one for one in (*ONCE, *PACK, *SWEEP, *MIX)}
@@ -158,7 +157,7 @@ def uniform_fields() -> tuple[str, ...]:
     """Names of the vectors of the uniform ``solve``, in their order."""
     tables = [*SCALARS, *SPECTRA]
     return (
-        "counts", "more_counts", "measures",
+        "counts", "more_counts", "most_counts", "measures",
         *(f"{name}_{part}" for name in tables for part in ("shape", "start")),
     )  # fmt: skip
 
@@ -166,7 +165,7 @@ def uniform_fields() -> tuple[str, ...]:
 def _sizes() -> Bundle:
     fields: dict[str, Value] = {}
     for at, name in enumerate(COUNTS):
-        vector = "counts" if at < 4 else "more_counts"
+        vector = ("counts", "more_counts", "most_counts")[at // 4]
         fields[name] = Uniform(f"i32(solve.{vector}[{at % 4}])", I32)
     for at, name in enumerate(MEASURES):
         fields[name] = Uniform(f"solve.measures[{at}]", F32)
@@ -190,18 +189,12 @@ def _table_reader(name: str) -> str:
 
 
 def _reader(name: str, texture: str, view: View, from_sky: bool = False) -> str:
-    load = f"textureLoad({texture}, texel_place"
-    four = ", ".join(f"{load}(4 * index + {lane}), 0).x" for lane in range(4))
-    bodies = {
-        "lanes": ("vec4f", f"{load}(index), 0)"),
-        "firsts": ("f32", f"{load}(index), 0).x"),
-        "numbers": ("f32", f"{load}(index >> 2u), 0)[index & 3]"),
-        "fours": ("vec4f", f"vec4f({four})"),
-    }
-    kind, body = bodies[view]
-    if from_sky:
-        body = f"{load}(index + i32(solve.measures[3])), 0)"
-    return f"fn read_{name}(index: i32) -> {kind} {{ return {body}; }}\n"
+    start = " + i32(solve.measures[3])" if from_sky else ""
+    if view == "lanes":
+        body = f"textureLoad({texture}, texel_place(index{start}), 0)"
+        return f"fn read_{name}(index: i32) -> vec4f {{ return {body}; }}\n"
+    body = f"textureLoad({texture}, texel_place(index >> 2u), 0)[index & 3]"
+    return f"fn read_{name}(index: i32) -> f32 {{ return {body}; }}\n"
 
 
 def _weights_reader(spectral: bool) -> str:
@@ -217,7 +210,7 @@ def shader(name: str) -> str:
     readers: list[str] = []
     textures: list[str] = []
     arguments: list[Value] = [I32]
-    handed = ["index"]
+    handed: list[str] = []
     uses_mix = False
     for given in one.givens:
         kind, _, view = given.partition(":")
@@ -242,7 +235,7 @@ def shader(name: str) -> str:
     parameters = one.function.py_func.__code__.co_varnames[len(arguments) :]
     for parameter, reading in zip(parameters, one.readings, strict=False):
         label = f"{parameter}_table"
-        arguments.append(Table(label, 1, reading.view in ("lanes", "fours")))
+        arguments.append(Table(label, 1, reading.view == "lanes"))
         readers.append(_reader(label, reading.texture, reading.view, reading.from_sky))
         if reading.texture not in textures:
             textures.append(reading.texture)
@@ -255,7 +248,6 @@ def shader(name: str) -> str:
     if any(table in SPECTRA for table in used):
         textures.append("spectra")
     fields = "\n".join(f"  {field}: vec4f," for field in uniform_fields())
-    result = made.result.name if made.result is not None else "f32"
     lines = [
         f"struct Solve {{\n{fields}\n}}",
         "struct Span { texels: vec4f }",
@@ -273,8 +265,10 @@ def shader(name: str) -> str:
         "fn texel_place(index: i32) -> vec2i { return vec2i(index & 2047, index >> 11u); }"
     )
     lines += [_table_reader(table) for table in used] + readers
-    lines += [
-        body,
-        f"fn texel(index: i32) -> {result} {{ return {made.name}({', '.join(handed)}); }}",
-    ]
+    rest = "".join(f", {one}" for one in handed)
+    if made.result == VEC4:
+        filled = f"{made.name}(index{rest})"
+    else:  # four numbers a texel
+        filled = f"vec4f({', '.join(f'{made.name}(4 * index + {k}{rest})' for k in range(4))})"
+    lines += [body, f"fn texel(index: i32) -> vec4f {{ return {filled}; }}"]
     return "\n".join(lines) + "\n" + wgsl("flat_texel")

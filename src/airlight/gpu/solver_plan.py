@@ -19,6 +19,7 @@ from airlight.gpu.solver_passes import (
     MIX,
     ONCE,
     PACK,
+    PASSES,
     SCALARS,
     SPECTRA,
     SWEEP,
@@ -135,23 +136,27 @@ class SolverPlan:
         points = self.spans[-1].first_point + self.spans[-1].points
         most = max(span.points for span in self.spans)
         field = self.nodes * (n["terms"] + 1)
+        levels = n["levels"] * n["suns"]
         return {
             "strengths": points * n["constituents"],
             "factors": points * n["terms"],
             "shares": rays,
             "reflections": rays,
-            "projections": rays * (n["terms"] + 1),
+            "projections": -(-rays * (n["terms"] + 1) // WAVELENGTHS),
             "depths": (1 + most) * n["directions"],
             "rows": most * n["suns"] * (n["degree"] + 2),
             "radiances": rays * n["suns"] * n["turns"],
             "azimuthals": rays * n["suns"] * (n["degree"] + 1),
             "first": field,
             "light": field,
-            "heights": 2 * WAVELENGTHS * n["suns"],
-            "scales": 4 * WAVELENGTHS * self.nodes,
-            "packed": self.nodes * (n["terms"] + 3),
+            "heights": 2 * n["suns"],
+            "floors": 2,
+            "fine": levels * (n["terms"] + 1),
+            "level_heights": 2 * n["suns"],
+            "scales": 2 * levels,
+            "packed": levels * (n["terms"] + 3),
             "means": 4 * self.nodes,
-            "sounds": 2 * WAVELENGTHS * self.nodes,
+            "sounds": 2 * self.nodes,
             **dict.fromkeys(IMAGES, field),
         }
 
@@ -188,18 +193,44 @@ class SolverPlan:
         return listed
 
     def as_dict(self) -> dict[str, Any]:
-        """The plan for a host in another language, but for the arrays: JSON can hold it."""
+        """The plan for a host in another language, but for three arrays: JSON can hold it.
+
+        The arrays are the uniform ``solve``, and ``scalars`` and ``spectra``, which fill flat
+        textures of these names, ``r32float`` and ``rgba32float``. Every other texture is a flat
+        ``rgba32float`` with the texels that ``textures`` says, and every shader has the entry
+        ``fill``, which leaves out texels beyond its span. A host
+
+        1. runs ``once`` and copies ``first`` to ``light``;
+        2. for each order: turns the ring of ``images`` by one, so that the oldest is ``image_0``
+           and ``image``; runs ``pack`` and ``sweep``; reads ``means`` (mean radiance and
+           irradiance of the image, then of the light before); writes the uniform ``mix``, a
+           vec4f for the weight of each image, the last first, one for the largest mean radiance
+           and one for the largest irradiance; and runs ``mix``, which makes the next ``light``;
+        3. runs ``pack`` at the end: ``packed`` is what a march reads.
+
+        A change of coefficients alone is a change of ``extinction``, ``moments``, ``albedo`` and
+        ``level`` in their textures, at the places in ``tables``.
+        """
 
         def written(passes: tuple[SolverPass, ...]) -> list[dict[str, Any]]:
             return [
-                {"shader": one.name, "target": one.target, "texels": list(texels)}
+                {"shader": one.name, "target": one.target, "span": [*texels, 0]}
                 for one, texels in self.runs(passes)
             ]
 
-        used = {one.name for one in (*ONCE, *PACK, *SWEEP, *MIX)}
+        fields = uniform_fields()
+        tables = {
+            name: {
+                "texture": "scalars" if name in SCALARS else "spectra",
+                "start": int(self.solve[fields.index(f"{name}_start")][0]),
+                "shape": [int(n) for n in self.solve[fields.index(f"{name}_shape")] if n > 0],
+            }
+            for name in (*SCALARS, *SPECTRA)
+        }
         return {
             "sizes": {name: float(value) for name, value in self.sizes.items()},
-            "uniform": list(uniform_fields()),
+            "uniform": list(fields),
+            "tables": tables,
             "textures": self.textures,
             "images": list(IMAGES),
             "passes": {
@@ -208,7 +239,7 @@ class SolverPlan:
                 "sweep": written(SWEEP),
                 "mix": written(MIX),
             },
-            "shaders": {name: shader(name) for name in sorted(used)},
+            "shaders": {name: shader(name) for name in sorted(PASSES)},
         }
 
 
@@ -240,11 +271,10 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
         )
     degree = choose_degree(medium, settings)
     grid, parts = grid_for(medium, settings)
-    if parts > 1:
-        raise ThickAir
+    gathering = grid._replace(radii=grid.radii[::parts])
     ends = panel_ends(medium, grid, parts)
     whole = trace_rays(
-        grid,
+        gathering,
         medium.density,
         medium.extinction.max(axis=1),
         settings.zenith_angles,
@@ -278,7 +308,7 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
         "albedo": _lanes(air.albedo),
     }  # fmt: skip
     sizes: dict[str, Any] = {
-        "radii": grid.radii.size,
+        "radii": gathering.radii.size,
         "angles": rays.mu.shape[1],
         "suns": grid.sun_cosines.size,
         "turns": azimuths.cosines.size,
@@ -286,6 +316,8 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
         "terms": coefficient_count(degree),
         "constituents": constituents,
         "directions": table.values.shape[1],
+        "levels": grid.radii.size,
+        "parts": parts,
         "bottom": grid.bottom_radius,
         "top": grid.top_radius,
         "star_radius": air.star_radius,
@@ -335,9 +367,9 @@ def _laid_out(
     """The uniform and the two textures of tables."""
     uniform = dict.fromkeys(uniform_fields(), (0.0, 0.0, 0.0, 0.0))
     uniform["counts"] = tuple(sizes[name] for name in COUNTS[:4])
-    uniform["more_counts"] = tuple(sizes[name] for name in COUNTS[4:])
-    nodes = sizes["radii"] * sizes["suns"]
-    ground = nodes * (1 + sizes["terms"])
+    uniform["more_counts"] = tuple(sizes[name] for name in COUNTS[4:8])
+    uniform["most_counts"] = (*(sizes[name] for name in COUNTS[8:]), 0.0, 0.0)
+    ground = sizes["levels"] * sizes["suns"] * (1 + sizes["terms"])
     uniform["measures"] = (*(sizes[name] for name in MEASURES), ground)
     textures: list[Float32Array] = []
     for names, channels in ((SCALARS, 1), (SPECTRA, 4)):

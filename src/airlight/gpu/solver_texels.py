@@ -1,12 +1,14 @@
 """What each texel of the solver's passes holds, in restricted Python: for the GPU and for Numba.
 
-A pass fills a flat texture; the functions here find out from a texel's number which radius, ray,
-star or moment it belongs to, and leave the rest to the functions of ``solvers.moments`` that the
-CPU's loops call too. Lengths count in texels or in numbers; ``LANES`` is 1 on the GPU.
+A pass fills a flat texture; the functions here find out from an index which radius, ray, star or
+moment it belongs to, and leave the rest to the functions of ``solvers.moments`` that the CPU's
+loops call too. A function that gives four wavelengths fills a texel, its index counts texels; one
+that gives a number fills a quarter of one, its index counts numbers. ``LANES`` is 1 on the GPU.
 """
 
 from __future__ import annotations
 
+from math import sqrt
 from typing import Any, Final, NamedTuple
 
 import numpy as np
@@ -24,6 +26,7 @@ from airlight.solvers.moments.first_order import (
 )
 from airlight.solvers.moments.grid import row_of
 from airlight.solvers.moments.harmonics import degree_of, legendre_function
+from airlight.solvers.moments.levels import between_levels, cubic_bend, is_smooth
 from airlight.solvers.moments.packing import floor_below, ratio_scale
 from airlight.solvers.moments.sweep import (
     contracted,
@@ -46,9 +49,11 @@ class Sizes(NamedTuple):
     Attributes
     ----------
     radii, angles, suns, turns : int
-        Nodes in radius; directions in zenith angle; nodes in sun elevation; azimuths.
+        Radii that gather light; directions in zenith angle; nodes in sun elevation; azimuths.
     degree, terms, constituents, directions : int
         Of the harmonics; how many of them; of the air; of the table of columns.
+    levels, parts : int
+        Radii of the grid; light is gathered at one of so many of them.
     bottom, top, star_radius : float
         Radii of the ground and the top [m]; angular radius of the star [rad].
     """
@@ -61,6 +66,8 @@ class Sizes(NamedTuple):
     terms: Any
     constituents: Any
     directions: Any
+    levels: Any
+    parts: Any
     bottom: Any
     top: Any
     star_radius: Any
@@ -193,7 +200,7 @@ def reflection(index, sizes, tables):
 def projection(index, sizes, tables):
     """Weight of a direction in one moment. [1]
 
-    Texels (radius, direction, moment), and after them (radius, direction): weight in the
+    Numbers (radius, direction, moment), and after them (radius, direction): weight in the
     irradiance from above.
     """
     rays = sizes.radii * sizes.angles
@@ -290,7 +297,7 @@ def row(index, sizes, tables, first_point, factors, packed):
     j = index // block % sizes.suns
     point = first_point + index // (block * sizes.suns)
     x = row_of(tables.radius[point], sizes.bottom, sizes.top, tables.row)
-    level = min(int(x), sizes.radii - 2)
+    level = min(int(x), sizes.levels - 2)
     f = np.float32(x - level)
     low = (level * sizes.suns + j) * (1 + sizes.terms) * LANES
     high = low + sizes.suns * (1 + sizes.terms) * LANES
@@ -387,74 +394,149 @@ def gathered_onto(index, sizes, projections, azimuthals, first):
 
 
 @inlined
-def highest(index, sizes, values):
-    """Largest mean radiance, or irradiance, of all radii under one star, for one wavelength. [1]
-
-    Texels (mean radiance or irradiance, sun, lane). ``values`` is a light, number by number.
-    """
+def largest_of(index, sizes, count, values):
+    """Largest mean radiance, or irradiance, of so many radii under one star. [1]"""
     lane = index % WAVELENGTHS
     j = index // WAVELENGTHS % sizes.suns
     step = sizes.terms * WAVELENGTHS
     start = 0
     if index >= sizes.suns * WAVELENGTHS:
-        start = sizes.radii * sizes.suns * step
+        start = count * sizes.suns * step
         step = WAVELENGTHS
     largest = 0.0
-    for i in range(sizes.radii):
+    for i in range(count):
         largest = max(largest, values[start + (i * sizes.suns + j) * step + lane])
     return largest
 
 
 @inlined
-def node_scale(index, sizes, tables, values, heights):
-    """The s of a node, and the positive value that it comes from, for one wavelength. [1]
+def highest(index, sizes, light):
+    """Largest mean radiance, or irradiance, of all radii under one star. [1]
 
-    Texels (s or value, mean radiance or irradiance, radius, sun, lane). ``values`` is a light,
-    number by number; ``heights`` comes from ``highest``.
+    Numbers (mean radiance or irradiance, sun, lane).
+    """
+    return largest_of(index, sizes, sizes.radii, light)
+
+
+@inlined
+def highest_level(index, sizes, fine):
+    """The same of all levels, from ``refined``. [1]"""
+    return largest_of(index, sizes, sizes.levels, fine)
+
+
+@inlined
+def floor(index, sizes, heights):
+    """What counts as dark, from ``highest``. [1]
+
+    Numbers (mean radiance or irradiance, lane).
     """
     lane = index % WAVELENGTHS
-    nodes = sizes.radii * sizes.suns
-    node = index // WAVELENGTHS % nodes
-    kind = index // (WAVELENGTHS * nodes)
-    j = node % sizes.suns
-    first, at = 0, node * sizes.terms
-    if kind % 2 == 1:
-        first, at = sizes.suns, nodes * sizes.terms + node
+    first = index // WAVELENGTHS * sizes.suns
     brightest = 0.0
-    for k in range(sizes.suns):
-        brightest = max(brightest, heights[(first + k) * WAVELENGTHS + lane])
-    floor = floor_below(brightest)
-    value = max(values[at * WAVELENGTHS + lane], floor)
-    if kind >= 2:
-        return value
-    if kind == 1:
-        return ratio_scale(value, value, 0.0)
-    above = max(heights[j * WAVELENGTHS + lane], floor)
+    for j in range(sizes.suns):
+        brightest = max(brightest, heights[(first + j) * WAVELENGTHS + lane])
+    return floor_below(brightest)
+
+
+@inlined
+def light_number(values, start, step, i, part, dark):
+    """A number of a light at a radius; the first of them, a mean radiance, is positive. [1]"""
+    value = values[start + i * step]
+    if part == 0:
+        return max(value, dark)
+    return value
+
+
+@inlined
+def four_levels(values, start, step, i, part, dark, radii):
+    """A number of a light at two radii, the one below and the one above them. [1]
+
+    The level beyond each end continues the parabola through the last three.
+    """
+    near = light_number(values, start, step, i, part, dark)
+    far = light_number(values, start, step, i + 1, part, dark)
+    below = light_number(values, start, step, max(i - 1, 0), part, dark)
+    above = light_number(values, start, step, min(i + 2, radii - 1), part, dark)
+    if i == 0:
+        below = 3.0 * (near - far) + above
+    if i == radii - 2:
+        above = 3.0 * (far - near) + below
+    return below, near, far, above
+
+
+@inlined
+def refined(index, sizes, tables, light, floors):
+    """A light at all levels from the radii that gather it; see ``levels.finer``. [1]
+
+    Numbers (level, sun, moment, lane), and after them irradiances (level, sun, lane).
+    """
+    lane = index % WAVELENGTHS
+    number = index // WAVELENGTHS
+    width, start, dark = sizes.terms, 0, floors[lane]
+    if number >= sizes.levels * sizes.suns * sizes.terms:
+        number = number - sizes.levels * sizes.suns * sizes.terms
+        width = 1
+        start = sizes.radii * sizes.suns * sizes.terms * WAVELENGTHS
+        dark = floors[WAVELENGTHS + lane]
+    part = number % width
+    j = number // width % sizes.suns
+    level = number // (width * sizes.suns)
+    i = level // sizes.parts
+    step = sizes.suns * width * WAVELENGTHS
+    mean_at = start + j * width * WAVELENGTHS + lane
+    here = mean_at + part * WAVELENGTHS
+    if level % sizes.parts == 0:
+        return light_number(light, here, step, i, part, dark)
+    x = float(level % sizes.parts) / float(sizes.parts)
+    below, near, far, above = four_levels(light, mean_at, step, i, 0, dark, sizes.radii)
+    near_scale, far_scale = 1.0 / sqrt(near), 1.0 / sqrt(far)
+    smooth = is_smooth(x, near, far, cubic_bend(x, below, near, far, above))
+    below, near, far, above = four_levels(light, here, step, i, part, dark, sizes.radii)
+    bend = cubic_bend(x, below, near, far, above)
+    if not smooth:
+        bend = 0.0
+    weight = tables.level[j * WAVELENGTHS + lane]
+    return between_levels(x, near, far, bend, near_scale, far_scale, weight)
+
+
+@inlined
+def node_scale(index, sizes, tables, fine, heights):
+    """The s of a node. [1]
+
+    Numbers (mean radiance or irradiance, level, sun, lane); ``heights`` from ``highest_level``.
+    """
+    lane = index % WAVELENGTHS
+    node = index // WAVELENGTHS
+    nodes = sizes.levels * sizes.suns
+    if node >= nodes:
+        received = fine[(nodes * sizes.terms + node - nodes) * WAVELENGTHS + lane]
+        return ratio_scale(received, received, 0.0)
+    j = node % sizes.suns
+    value = fine[node * sizes.terms * WAVELENGTHS + lane]
+    above = max(heights[j * WAVELENGTHS + lane], value)
     return ratio_scale(value, above, tables.level[j * WAVELENGTHS + lane])
 
 
 @inlined
-def packed(index, sizes, field, scales):
+def packed(index, sizes, fine, scales):
     """Moments and irradiances as ratios: what a march and the next sweep read.
 
-    Texels (radius, sun, 1 + moments): s, then the moments times s; after them (radius, sun, 2):
+    Texels (level, sun, 1 + moments): s, then the moments times s; after them (level, sun, 2):
     s, then the irradiance times s.
     """
-    nodes = sizes.radii * sizes.suns
+    nodes = sizes.levels * sizes.suns
     moments = nodes * (1 + sizes.terms)
     if index >= moments:
-        node = nodes + (index - moments) // 2
-        scale = load(scales, LANES * node)
+        node = (index - moments) // 2
+        scale = load(scales, LANES * (nodes + node))
         if (index - moments) % 2 == 0:
             return scale
-        return load(scales, LANES * (2 * nodes + node)) * scale
+        return load(fine, LANES * (nodes * sizes.terms + node)) * scale
     node, part = index // (1 + sizes.terms), index % (1 + sizes.terms)
     scale = load(scales, LANES * node)
     if part == 0:
         return scale
-    if part == 1:
-        return load(scales, LANES * (2 * nodes + node)) * scale
-    return load(field, LANES * (node * sizes.terms + part - 1)) * scale
+    return load(fine, LANES * (node * sizes.terms + part - 1)) * scale
 
 
 @inlined
@@ -493,7 +575,7 @@ def mixed(index, weights, images):
 def sound(index, sizes, weights, images):
     """1 where the combination of images can be trusted, for one wavelength; else 0.
 
-    Texels (radius, sun, lane), and after them the same for the irradiance. ``image_0`` is the last.
+    Numbers (mean radiance or irradiance, radius, sun, lane); ``image_0`` is the last.
     """
     numbers = sizes.radii * sizes.suns * WAVELENGTHS
     lane = index % WAVELENGTHS

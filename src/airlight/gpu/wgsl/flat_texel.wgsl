@@ -5,5 +5,5 @@ fn fill(@builtin(position) position: vec4f) -> @location(0) vec4f {
   if (index < i32(span.texels.x) || index >= i32(span.texels.y)) {
     discard;
   }
-  return vec4f(texel(index));
+  return texel(index);
 }
