@@ -20,12 +20,12 @@ from airlight.geometry.bending import seen_star
 from airlight.gpu.device import Device
 from airlight.gpu.flat import FLAT_WIDTH, empty_flat_texture, read_texture, update_flat
 from airlight.gpu.fragment_pass import FragmentPass
-from airlight.gpu.shaders import Shader, picture_shader, sky_air_shader, sky_peaks_shader
+from airlight.gpu.shaders import Fixed, Shader, picture_shader, sky_air_shader, sky_peaks_shader
 from airlight.gpu.shown import WAVELENGTHS, Shown, shown_solution
 from airlight.gpu.sky_by_processor import filled_sky
 from airlight.gpu.sky_table import Observer
 from airlight.gpu.solution_textures import SolutionTextures
-from airlight.gpu.uniforms import packed
+from airlight.gpu.uniforms import SWITCHES, packed
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.scene.projections import PROJECTIONS
@@ -74,7 +74,7 @@ class Pictures:
     ) -> None:
         self.device = device
         self._by_processor = device.software if sky_by_processor is None else sky_by_processor
-        self._passes: dict[tuple[str, str, str], FragmentPass] = {}
+        self._passes: dict[tuple[Shader, str, tuple[str, ...]], FragmentPass] = {}
         self._solution: MomentsSolution | None = None
         self._textures: SolutionTextures | None = None
         self._shown_tables: Shown | None = None
@@ -144,10 +144,17 @@ class Pictures:
         return self.device.device.create_buffer(size=packed({}, {}).nbytes, usage=use)
 
     def _pass(self, shader: Shader, entry: str, targets: tuple[str, ...]) -> FragmentPass:
-        key = (shader.name + shader.textures[-1], entry, " ".join(targets))
+        key = (shader, entry, targets)
         if key not in self._passes:
             self._passes[key] = FragmentPass(self.device, shader.text, entry, targets, entry)
         return self._passes[key]
+
+    def _fixed(self, numbers: Mapping[str, float]) -> Fixed:
+        """What a software device should not have to choose for every pixel anew."""
+        return tuple(
+            (name, bool(numbers[name]) if name in SWITCHES else int(numbers.get(name, 0)))
+            for name in _CHOICES
+        )
 
     def _bound(self, one: FragmentPass) -> list[Any]:
         if one not in self._groups:
@@ -269,7 +276,8 @@ class Pictures:
         entry = "linear_picture" if exposure is None else "shown_picture"
         if not exact:
             self._draw_sky(numbers)
-        one = self._pass(picture_shader(exact), entry, (target_format,))
+        fixed = self._fixed(numbers) if self.device.software else ()
+        one = self._pass(picture_shader(exact, fixed), entry, (target_format,))
         step = _ROWS_AT_ONCE if exact and self.device.software else height
         for first in range(0, height, step):
             self._write(numbers)
@@ -324,6 +332,11 @@ class Pictures:
         return self._solution
 
 
+#: Choices that are made for a whole picture.
+_CHOICES: Final = (
+    "projection", "tone_map", "encoding", "outside", "mapped", "draws_disc", "first_peak",
+    "second_peak",
+)  # fmt: skip
 #: What may change without a new table of the sky.
 _NOT_THE_SKYS: Final = (
     "width", "height", "field_of_view", "projection", "pixel_angle", "disc", "exact", "mapped",
