@@ -1,15 +1,16 @@
-"""What all tests share: reference data, a room of their own for solutions, and error tables."""
+"""What all tests share: reference data, a GPU, a room of their own for solutions, error tables."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import pytest
 
 if TYPE_CHECKING:
+    from airlight.gpu.device import Device
     from airlight.planets import Planet
     from airlight.solvers.moments.solution import MomentsSolution
 
@@ -43,6 +44,32 @@ def reference_data() -> Path:
     if not folder.is_dir():
         pytest.skip("no reference data: AIRLIGHT_DATA names no folder, and ../shared/data is none")
     return folder
+
+
+@pytest.fixture(scope="session")
+def lacking() -> Callable[[str], NoReturn]:
+    """What a test calls that cannot run here: it skips with the reason, in CI it fails.
+
+    For programs and devices that ``scripts/test`` installs where it may.
+    """
+
+    def stop(reason: str) -> NoReturn:
+        if os.environ.get("CI") or os.environ.get("AIRLIGHT_REQUIRE_GPU"):
+            pytest.fail(f"{reason} (CI or AIRLIGHT_REQUIRE_GPU is set: a skip is a failure)")
+        pytest.skip(reason)
+
+    return stop
+
+
+@pytest.fixture(scope="session")
+def device(lacking: Callable[[str], NoReturn]) -> Device:
+    """A GPU, or one in software."""
+    from airlight.gpu.device import NoDevice, open_device
+
+    try:
+        return open_device()
+    except NoDevice as reason:
+        lacking(str(reason))
 
 
 @pytest.fixture(scope="session", autouse=True)

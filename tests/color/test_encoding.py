@@ -8,6 +8,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.color.encoding import (
     ENCODINGS,
+    encoded,
     encoding_named,
     gamma_encode,
     srgb_decode,
@@ -62,3 +63,10 @@ def test_every_input_gives_a_number_of_its_own_type(name, dtype):
 def test_an_unknown_encoding_is_refused():
     with pytest.raises(ParameterError, match="allowed: srgb, gamma"):
         encoding_named("rec2020")
+
+
+@pytest.mark.parametrize("which", range(len(ENCODINGS)), ids=list(ENCODINGS))
+def test_an_encoding_s_number_is_its_place(which):
+    # The same formula by another way: to rounding.
+    encode = list(ENCODINGS.values())[which].encode
+    assert_allclose([encoded(which, x) for x in RAMP.tolist()], encode(RAMP), rtol=1e-14)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from airlight.color.agx import agx, agx_curve
+from airlight.color.agx import _INSET, _OUTSET, agx, agx_curve
 from airlight.color.floating import each
 from airlight.color.tone_maps import (
     TONE_MAPS,
@@ -16,6 +16,7 @@ from airlight.color.tone_maps import (
     reinhard_extended,
     reinhard_extended_inverse,
     tone_map_named,
+    tone_mapped,
 )
 from airlight.color.xyz import luminance
 from airlight.errors import ParameterError
@@ -152,3 +153,26 @@ def test_an_unknown_tone_map_is_refused():
 
 def test_integers_are_taken_as_numbers():
     assert_array_equal(hable([1, 1, 1]), hable([1.0, 1.0, 1.0]))
+
+
+def test_agx_is_its_curve_between_inset_and_outset():
+    # The steps one by one, by NumPy's matrices.
+    inset = np.array(_INSET)
+    shaped = each(agx_curve, LIGHT @ inset.T)
+    shown = np.clip(shaped @ np.linalg.inv(inset).T, 0.0, 1.0) ** 2.2
+    assert_allclose(agx(LIGHT), shown, rtol=1e-12)
+    assert_allclose(_OUTSET @ inset, np.eye(3), rtol=0.0, atol=1e-15)
+
+
+@pytest.mark.parametrize("which", range(len(TONE_MAPS)), ids=list(TONE_MAPS))
+def test_a_tone_map_s_number_is_its_place(which):
+    # The same formula by another way: to rounding.
+    forward = list(TONE_MAPS.values())[which].forward
+    for color in LIGHT[:20]:
+        assert_allclose(tone_mapped(which, *color), forward(color), rtol=1e-13)
+
+
+def test_arrays_that_are_no_colours_are_refused():
+    for name in ("reinhard", "aces", "agx"):
+        with pytest.raises(ParameterError, match=r"^rgb is \(4, 2\)"):
+            tone_map_named(name).forward(np.ones((4, 2)))

@@ -1,8 +1,7 @@
-"""A device for the tests, any adapter, one in software too; and a way to run a kernel on it."""
+"""A way to run a kernel on the device."""
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -10,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike, NDArray
 
-from airlight.gpu.device import Device, NoDevice, open_device
+from airlight.gpu.device import Device
 from airlight.gpu.emitter import Emitter
 from airlight.gpu.flat import FLAT_WIDTH, empty_flat_texture, flat_texture, read_flat
 from airlight.gpu.fragment_pass import FragmentPass
@@ -32,19 +31,8 @@ _KINDS = {"f": (F32, "{}"), "i": (I32, "i32({})"), "b": (BOOL, "({} != 0.0)")}
 
 
 @pytest.fixture(scope="session")
-def device() -> Device:
-    """The device; without one the tests skip with the reason, in CI they fail."""
-    try:
-        return open_device()
-    except NoDevice as reason:
-        if os.environ.get("CI") or os.environ.get("AIRLIGHT_REQUIRE_GPU"):
-            pytest.fail(str(reason))
-        pytest.skip(str(reason))
-
-
-@pytest.fixture(scope="session")
 def on_gpu(device: Device) -> Callable[..., Any]:
-    """``on_gpu(function, *inputs, tables={}, spectra={})``: what the function's WGSL makes of the inputs.
+    """``on_gpu(function, *inputs, tables={}, spectra={})``: what its WGSL makes of the inputs.
 
     An input is an array or a number, handed over at run time (floats as f32, whole numbers as
     i32, bools), or a ``Value`` of the emitter, such as a ``Constant``. ``tables`` and ``spectra``,

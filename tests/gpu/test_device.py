@@ -5,11 +5,22 @@ from __future__ import annotations
 import builtins
 import subprocess
 import sys
+from time import perf_counter
 
 import pytest
 
 from airlight.errors import AirlightError
 from airlight.gpu.device import BROWSER_LIMITS, NoDevice, open_device
+from airlight.gpu.flat import empty_flat_texture
+from airlight.gpu.fragment_pass import FragmentPass
+from airlight.gpu.pass_times import PassTimes
+
+LONG = """
+@fragment fn long(@builtin(position) at: vec4f) -> @location(0) vec4f {
+  var x = at.x;
+  for (var i = 0; i < 2000; i++) { x = fract(x * 1.618 + 0.1); }
+  return vec4f(x);
+}"""
 
 
 def test_the_device_is_opened_once(device):
@@ -79,3 +90,21 @@ def test_importing_airlight_and_its_gpu_modules_imports_no_wgpu():
         "sys.exit(any(name.split('.')[0] in ('wgpu', 'rendercanvas') for name in sys.modules))"
     )
     subprocess.run([sys.executable, "-c", program], check=True)
+
+
+def test_waiting_ends_when_the_work_is_done(device):
+    # The device's own clock: what was submitted takes so long, so waiting takes no less.
+    if not device.measures_time:
+        pytest.skip(f"{device.name} has no clocks for passes")
+    times = PassTimes(device)
+    long = FragmentPass(device, LONG, "long", ["r32float"])
+    target = empty_flat_texture(device, 2048 * 64, 1)
+    for _ in range(2):  # the first compiles
+        encoder = device.device.create_command_encoder()
+        long.run(encoder, [], [target], timestamps=times("long"))
+        times.resolve(encoder)
+        started = perf_counter()
+        device.device.queue.submit([encoder.finish()])
+        device.wait()
+        passed = perf_counter() - started
+        assert passed >= times.read()["long"] > 0.0

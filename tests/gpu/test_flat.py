@@ -37,7 +37,7 @@ def test_a_flat_texture_gives_back_what_was_put_in(device, count, channels):
 
 @pytest.mark.parametrize("channels", [1, 4])
 @pytest.mark.parametrize(
-    ("start", "count"), [(0, 1), (5, 2043), (5, 2044), (2000, 4200), (2048, 2048), (9000, 1000)]
+    ("start", "count"), [(0, 1), (5, 2043), (5, 4200), (2000, 4200), (2048, 2048), (9000, 1000)]
 )
 def test_an_update_changes_its_texels_and_no_other(device, start, count, channels):
     # The same assignment to a NumPy array.

@@ -21,13 +21,13 @@ Irradiance = Callable[[NDArray[np.float64]], ArrayLike] | ArrayLike
 LEGACY_SUN_COLOR: Final = (20.344770, 16.907042, 23.453083)
 
 #: The eye's wavelengths, 360 to 830 at 1. [nm]
-_EYE: Final[NDArray[np.float64]] = np.arange(360.0, 831.0)
+EYE: Final[NDArray[np.float64]] = np.arange(360.0, 831.0)
 #: What the radiance of the sky over the sun's irradiance is taken to follow at three wavelengths.
 _SKY_POWER: Final = -3.0
 
 
 @cache
-def _eye_rgb() -> NDArray[np.float64]:
+def eye_rgb() -> NDArray[np.float64]:
     """Matching functions in linear sRGB times the trapezoid's weights, shape (471, 3). [nm]"""
     rgb = cie_1931().values @ XYZ_TO_RGB.T
     rgb[[0, -1]] *= 0.5
@@ -35,15 +35,31 @@ def _eye_rgb() -> NDArray[np.float64]:
     return rgb
 
 
-def _on_eye_grid(irradiance: Irradiance | None) -> NDArray[np.float64]:
+def on_eye_grid(irradiance: Irradiance | None) -> NDArray[np.float64]:
     """The irradiance at 360 to 830 nm, shape (471,). [W m⁻² nm⁻¹]"""
     if irradiance is None:
-        return solar_irradiance(_EYE)
-    given = irradiance(_EYE) if callable(irradiance) else irradiance
-    values = np.broadcast_to(np.asarray(given, dtype=np.float64), _EYE.shape)
+        return solar_irradiance(EYE)
+    given = irradiance(EYE) if callable(irradiance) else irradiance
+    values = np.broadcast_to(np.asarray(given, dtype=np.float64), EYE.shape)
     if not (np.isfinite(values).all() and (values >= 0.0).all()):
         raise ParameterError("irradiance", values.min(), "finite numbers, not below 0")
     return values
+
+
+def irradiance_at(
+    wavelengths: NDArray[np.float64], irradiance: Irradiance | None
+) -> NDArray[np.float64]:
+    """The irradiance at wavelengths, all above 0, shape (n,). [W m⁻² nm⁻¹]"""
+    if irradiance is None:
+        local = solar_irradiance(wavelengths)
+    elif callable(irradiance):
+        given = np.asarray(irradiance(wavelengths), dtype=np.float64)
+        local = np.broadcast_to(given, wavelengths.shape)
+    else:
+        local = np.interp(wavelengths, EYE, on_eye_grid(irradiance))
+    if not (local > 0.0).all():
+        raise ParameterError("irradiance", float(local.min()), "above 0 at every wavelength")
+    return local
 
 
 def sun_color(irradiance: Irradiance | None = None) -> NDArray[np.float64]:
@@ -71,7 +87,7 @@ def sun_color(irradiance: Irradiance | None = None) -> NDArray[np.float64]:
     >>> sun_color().round(5)
     array([213.86595, 190.34611, 183.80648])
     """
-    return _on_eye_grid(irradiance) @ _eye_rgb()
+    return on_eye_grid(irradiance) @ eye_rgb()
 
 
 def sky_factors(
@@ -109,11 +125,11 @@ def sky_factors(
     >>> sky_factors([680.0, 550.0, 440.0]).round(1)
     array([249.4, 194.4, 180.4])
     """
-    longest_first = np.sort(_checked(wavelengths))[::-1]
+    longest_first = np.sort(checked_wavelengths(wavelengths))[::-1]
     if longest_first.shape != (3,):
         raise ParameterError("wavelengths", longest_first.tolist(), "three wavelengths")
-    slope = (_EYE[:, None] / longest_first) ** _SKY_POWER
-    return np.asarray(_on_eye_grid(irradiance) @ (_eye_rgb() * slope))
+    slope = (EYE[:, None] / longest_first) ** _SKY_POWER
+    return np.asarray(on_eye_grid(irradiance) @ (eye_rgb() * slope))
 
 
 def rgb_weights(
@@ -151,21 +167,14 @@ def rgb_weights(
     >>> (solar_irradiance(at) @ rgb_weights(at) / sun_color()).round(12)  # the sun has its colour
     array([1., 1., 1.])
     """
-    at = _checked(wavelengths)
-    spectrum = _on_eye_grid(irradiance)
-    if irradiance is None:
-        local = solar_irradiance(at)
-    elif callable(irradiance):
-        local = np.broadcast_to(np.asarray(irradiance(at), dtype=np.float64), at.shape)
-    else:
-        local = np.interp(at, _EYE, spectrum)
-    if not (local > 0.0).all():
-        raise ParameterError("irradiance", float(local.min()), "above 0 at every wavelength")
+    at = checked_wavelengths(wavelengths)
+    local = irradiance_at(at, irradiance)
     if at.size == 3:
         weights = np.zeros((3, 3))
         weights[np.argsort(-at), [0, 1, 2]] = sky_factors(at, irradiance)
     else:
-        weights = _interpolation(tuple(at.tolist())).T @ (spectrum[:, None] * _eye_rgb())
+        spectrum = on_eye_grid(irradiance)
+        weights = _interpolation(tuple(at.tolist())).T @ (spectrum[:, None] * eye_rgb())
     return weights / local[:, None]
 
 
@@ -178,11 +187,12 @@ def _interpolation(wavelengths: tuple[float, ...]) -> NDArray[np.float64]:
     nodes = np.asarray(wavelengths)[order]
     unit = np.eye(nodes.size)[order]
     if nodes.size == 1:
-        return np.ones((_EYE.size, 1))
-    return np.asarray(CubicSpline(nodes, unit)(np.clip(_EYE, nodes[0], nodes[-1])))
+        return np.ones((EYE.size, 1))
+    return np.asarray(CubicSpline(nodes, unit)(np.clip(EYE, nodes[0], nodes[-1])))
 
 
-def _checked(wavelengths: ArrayLike) -> NDArray[np.float64]:
+def checked_wavelengths(wavelengths: ArrayLike) -> NDArray[np.float64]:
+    """Wavelengths as an array; at least one, distinct, 300 to 900, or ``ParameterError``. [nm]"""
     at = np.asarray(wavelengths, dtype=np.float64)
     if at.ndim != 1 or at.size == 0:
         raise ParameterError("wavelengths", wavelengths, "a list of at least one wavelength")

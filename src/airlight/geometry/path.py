@@ -183,14 +183,18 @@ def panel_leg(r, mu, start, end, length):
     tangent = r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
     descending = end <= nearest
     # The leg's lowest point: where it ends (descending) or starts (ascending).
-    low = radius_along(r, mu, min(nearest, length) if descending else max(nearest, 0.0))
+    lowest = min(nearest, length) if descending else max(nearest, 0.0)
+    low = radius_along(r, mu, lowest)
     high = r if descending else radius_along(r, mu, length)
-    beside = chord(r, mu, low)
+    beside = abs(lowest - nearest)
     if low - tangent <= _BESIDE * (high - tangent):
         low = min(tangent, low)
         beside = 0.0
-    first = sqrt(max(radius_along(r, mu, start) - low, 0.0))
-    last = sqrt(max(radius_along(r, mu, end) - low, 0.0))
+    # y² = r - low = (u² - beside²)/(r + low), u the distance from the nearest point.
+    u = abs(start - nearest)
+    first = sqrt(max((u - beside) * (u + beside), 0.0) / (radius_along(r, mu, start) + low))
+    u = abs(end - nearest)
+    last = sqrt(max((u - beside) * (u + beside), 0.0) / (radius_along(r, mu, end) + low))
     return descending, low, beside, first, last
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import acos, asin, atan2, pi, sqrt
 
+from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import kernel
 
 
@@ -15,8 +16,7 @@ def sun_elevation(r, mu_s, bottom_radius):
     a star of 0.5° its error is below 3e-5 rad.
     """
     sine = bottom_radius / r
-    horizon = -sqrt(max((1.0 - sine) * (1.0 + sine), 0.0))
-    return (mu_s - horizon) / sine
+    return (mu_s - horizon_cosine(r, bottom_radius)) / sine
 
 
 @kernel

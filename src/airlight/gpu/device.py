@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import threading
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from typing import Any, Final
 
 from airlight.errors import AirlightError
@@ -89,6 +89,17 @@ class Device:
     def measures_time(self) -> bool:
         """Whether passes can be timed on the device itself."""
         return "timestamp-query" in self.device.features
+
+    def wait(self) -> None:
+        """Return when everything that was submitted is done."""
+        # By reading: the queue's own call for this cannot be used in wgpu 0.32.
+        self.device.queue.read_buffer(self._last)
+
+    @cached_property
+    def _last(self) -> Any:
+        import wgpu
+
+        return self.device.create_buffer(size=4, usage=wgpu.BufferUsage.COPY_SRC)
 
     def __str__(self) -> str:
         return self.name

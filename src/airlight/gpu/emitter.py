@@ -37,10 +37,18 @@ from airlight.gpu.shader_types import (
 
 __all__ = ["Emitter", "SubsetError"]
 
-#: Sine and cosine that are good to 1e-7: WGSL's own may err by 5e-4.
+#: Quotients of whole numbers that are rounded down, as Python's are; WGSL's go towards 0.
+#: Angles and their functions, good to 1e-7 and 3e-7: WGSL's own sine may err by 5e-4, its arc
+#: tangent by 4096 units of the last place; a driver in use errs by 4e-4 in asin. The polynomials
+#: of sine, cosine and arc tangent are those of Moshier's Cephes library in single precision.
 PRELUDE: Final = """\
 fn squared(x: f32) -> f32 { return x * x; }
 fn cubed(x: f32) -> f32 { return x * x * x; }
+fn whole_quotient(a: i32, b: i32) -> i32 {
+  let towards_zero = a / b;
+  return select(towards_zero, towards_zero - 1, towards_zero * b != a && (a < 0) != (b < 0));
+}
+fn whole_rest(a: i32, b: i32) -> i32 { return a - b * whole_quotient(a, b); }
 fn sine_of_quarter(x: f32) -> f32 {
   let y = x * x;
   return x + x * y * (-1.6666654611e-1 + y * (8.3321608736e-3 - 1.9515295891e-4 * y));
@@ -68,7 +76,30 @@ fn cosine(x: f32) -> f32 {
   let value = select(cosine_of_quarter(rest), sine_of_quarter(rest), (quarter & 1) == 1);
   return select(value, -value, quarter == 1 || quarter == 2);
 }
+fn angle_of(y: f32, x: f32) -> f32 {
+  let a = abs(x);
+  let b = abs(y);
+  let slope = min(a, b) / max(max(a, b), 1e-37);
+  let steep = slope > 0.41421356;
+  let t = select(slope, (slope - 1.0) / (slope + 1.0), steep);
+  let z = t * t;
+  let tail = -3.33329491539e-1 + z * (1.99777106478e-1 + z * (-1.38776856032e-1
+    + z * 8.05374449538e-2));
+  let part = select(0.0, 0.785398163397448, steep) + (t + t * z * tail);
+  let quarter = select(part, 1.570796326794897 - part, b > a);
+  let half = select(quarter, 3.141592653589793 - quarter, x < 0.0);
+  return select(half, -half, y < 0.0);
+}
+fn arc_tangent(x: f32) -> f32 { return angle_of(x, 1.0); }
+fn arc_cosine(x: f32) -> f32 { return angle_of(sqrt(max((1.0 - x) * (1.0 + x), 0.0)), x); }
+fn arc_sine(x: f32) -> f32 { return angle_of(x, sqrt(max((1.0 - x) * (1.0 + x), 0.0))); }
 """
+
+
+#: Calls that a loop may have inside and still be written out.
+_SHORT: Final = frozenset(
+    {"load", "store", "splat", "float32", "between", "min", "max", "abs", "int"}
+)
 
 
 @dataclass
@@ -115,10 +146,10 @@ class Emitter:
 
     emitted: dict[tuple[Any, ...], Emitted] = field(default_factory=dict)
     tuples: dict[str, Several] = field(default_factory=dict)
-    _names: set[str] = field(default_factory=set)
+    taken: set[str] = field(default_factory=set)
     _in_progress: set[Any] = field(default_factory=set)
 
-    def add(self, function: Callable[..., Any], *arguments: Value) -> Emitted:
+    def add(self, function: Callable[..., Any], *arguments: Value, name: str = "") -> Emitted:
         """Emit a function for arguments of these types, and all that it calls.
 
         Parameters
@@ -127,6 +158,9 @@ class Emitter:
             Or a plain Python function.
         *arguments : Value
             One for each parameter.
+        name : str
+            In the shader; by default the function's own, numbered where it is emitted for several
+            types.
 
         Raises
         ------
@@ -144,17 +178,20 @@ class Emitter:
         source = inspect.getsource(plain)
         tree = ast.parse(textwrap.dedent(source)).body[0]
         assert isinstance(tree, ast.FunctionDef)
-        names = [one.arg for one in tree.args.args]
-        if len(names) != len(bound):
+        parameters = [one.arg for one in tree.args.args]
+        if len(parameters) != len(bound):
             raise SubsetError(
                 f"{plain.__module__}.{plain.__name__}: {len(bound)} arguments for "
-                f"{len(names)} parameters"
+                f"{len(parameters)} parameters"
             )
-        name, copy = plain.__name__.strip("_"), 2
-        while name in self._names:
-            name, copy = f"{plain.__name__.strip('_')}_{copy}", copy + 1
-        self._names.add(name)
-        made = Emitted(name, plain, tuple(zip(names, bound, strict=True)))
+        wanted = name or plain.__name__.strip("_")
+        if wanted.startswith(("read_", "size_")):  # so are the functions of tables
+            wanted = f"{wanted}_here"
+        name, copy = wanted, 2
+        while name in self.taken:
+            name, copy = f"{wanted}_{copy}", copy + 1
+        self.taken.add(name)
+        made = Emitted(name, plain, tuple(zip(parameters, bound, strict=True)))
         _Body(self, made, tree).write()
         self._in_progress.discard(plain)
         self.emitted[key] = made
@@ -314,9 +351,30 @@ class _Body:
             sign = ">"
         self.expressions.learn(node, target.id, I32)
         name = self.expressions.spelled(target.id)
+        if len(ends) < 3 and not _turns_inside(node):
+            self.unrolled(node, name, first, last, depth)
+            return
         self.put(
             depth, f"for ({name} = {first}; {name} {sign} {last}; {name} = {name} + {step}) {{"
         )
+        self.block(node.body, depth + 1)
+        self.put(depth, "}")
+
+    def unrolled(self, node: ast.For, name: str, first: str, last: str, depth: int) -> None:
+        """An innermost loop, four turns at a time and then one by one.
+
+        Mesa's software renderer ends all loops of a shader after 65 535 turns, counted together.
+        """
+        self.temporaries += 1
+        end = f"end_{self.temporaries}"
+        self.put(depth, f"let {end} = {last};")
+        self.put(depth, f"for ({name} = {first}; {name} + 3 < {end}; {name} = {name} + 1) {{")
+        for turn in range(4):
+            if turn:
+                self.put(depth + 1, f"{name} = {name} + 1;")
+            self.block(node.body, depth + 1)
+        self.put(depth, "}")
+        self.put(depth, f"for (; {name} < {end}; {name} = {name} + 1) {{")
         self.block(node.body, depth + 1)
         self.put(depth, "}")
 
@@ -430,6 +488,22 @@ class _Body:
             self.put(depth, f"{place} = {self.expressions.cast(text, found, kind)};")
             return
         raise self.refuse(target, "cannot be assigned to")
+
+
+def _turns_inside(node: ast.For) -> bool:
+    """Whether a loop has loops or long calls inside, or ways out of it."""
+    parts = [inside for statement in node.body for inside in ast.walk(statement)]
+    ways_out = (ast.For, ast.While, ast.Break, ast.Continue, ast.Return)
+    return any(isinstance(one, ways_out) or _is_long_call(one) for one in parts)
+
+
+def _is_long_call(node: ast.AST) -> bool:
+    """Whether it calls another function than one of numbers, lanes or four nodes of a field."""
+    if not isinstance(node, ast.Call):
+        return False
+    called = node.func
+    name = called.attr if isinstance(called, ast.Attribute) else getattr(called, "id", "")
+    return name not in _SHORT
 
 
 def _assigned(tree: ast.FunctionDef) -> set[str]:

@@ -6,8 +6,8 @@ import ast
 import inspect
 import math
 import re
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Final
+from collections.abc import Callable, Sequence
+from typing import Any, Final, Protocol
 
 import numpy as np
 
@@ -30,14 +30,12 @@ from airlight.gpu.shader_types import (
 )
 from airlight.kernel import lanes as lane_module
 
-if TYPE_CHECKING:
-    from airlight.gpu.emitter import Emitter
-
 #: Python's mathematics in WGSL; those that the prelude brings are good to float32.
 _MATH: Final[dict[Any, str]] = {
     math.sqrt: "sqrt", math.exp: "exp", math.log: "log", math.log2: "log2",
-    math.sin: "sine", math.cos: "cosine", math.tan: "tan", math.acos: "acos", math.asin: "asin",
-    math.atan: "atan", math.atan2: "atan2",
+    math.sin: "sine", math.cos: "cosine", math.tan: "tan",
+    math.acos: "arc_cosine", math.asin: "arc_sine", math.atan: "arc_tangent",
+    math.atan2: "angle_of",
 }  # fmt: skip
 #: What ``airlight.kernel.lanes`` offers to a shader.
 _LANE_CALLS: Final = (
@@ -62,12 +60,14 @@ _TAKEN: Final = frozenset(
     re.findall(
         r"\w+",
         """
-    abs acos all any array asin atan atan2 bool break case ceil clamp const continue cos cosine
+    abs acos all angle_of any arc_cosine arc_sine arc_tangent array asin atan atan2 bool break
+    case ceil clamp const continue cos cosine
     cross cubed default degrees discard distance do dot else enum exp exp2 f16 f32 false field
     floor fn for fract i32 if in inout input int float inverse inverseSqrt layout length let log
     log2 loop main max min mix mod normalize out output override pow precision radians reflect
     refract return round sample sampler select shared sign sin sine smooth sqrt squared step
     struct switch tan texture trunc true u32 uniform var vec4f while active centroid common
+    whole_quotient whole_rest
     filter half fixed image interface packed partition public static superp target template this
     union unsigned using volatile highp lowp mediump flat buffer texel
     """,
@@ -79,12 +79,34 @@ class SubsetError(AirlightError):
     """A function that has no WGSL: names file, line and reason."""
 
 
+class Callee(Protocol):
+    """A function as it stands in the shader; see ``emitter.Emitted``."""
+
+    name: str
+    parameters: tuple[tuple[str, Value], ...]
+    result: Scalar | Several | None
+
+
+class Functions(Protocol):
+    """Emits what is called; see ``emitter.Emitter``."""
+
+    @property
+    def taken(self) -> set[str]:
+        """Names of functions."""
+
+    def add(self, function: Callable[..., Any], *arguments: Value) -> Callee:
+        """Emit a function."""
+
+    def tuple_type(self, items: Sequence[Scalar]) -> Several:
+        """The struct that stands for a tuple."""
+
+
 class Expressions:
     """Writes the expressions of one function.
 
     Parameters
     ----------
-    emitter : Emitter
+    emitter : Functions
         Emits what is called.
     function : callable
         Plain Python: its module gives the constants.
@@ -93,7 +115,7 @@ class Expressions:
     """
 
     def __init__(
-        self, emitter: Emitter, function: Callable[..., Any], names: dict[str, Value]
+        self, emitter: Functions, function: Callable[..., Any], names: dict[str, Value]
     ) -> None:
         self.emitter, self.function, self.names = emitter, function, names
         closure = inspect.getclosurevars(function)
@@ -108,7 +130,7 @@ class Expressions:
 
     def spelled(self, name: str) -> str:
         """A Python name as it may stand in WGSL."""
-        return f"{name}_1" if name in _TAKEN or name in self.emitter._names else name.lstrip("_")
+        return f"{name}_1" if name in _TAKEN or name in self.emitter.taken else name.lstrip("_")
 
     def learn(self, node: ast.AST, name: str, found: Value) -> None:
         """A name was assigned to: remember its type, the wider one of two."""
@@ -300,7 +322,8 @@ class Expressions:
         if isinstance(node.op, (ast.FloorDiv, ast.Mod)):
             if (first, second) != (I32, I32):
                 raise self.refuse(node, "is for whole numbers only")
-            return f"({left} {'/' if isinstance(node.op, ast.FloorDiv) else '%'} {right})", I32
+            name = "whole_quotient" if isinstance(node.op, ast.FloorDiv) else "whole_rest"
+            return f"{name}({left}, {right})", I32
         sign = _OPERATORS.get(type(node.op))
         if sign is None:
             raise self.refuse(node, "has no WGSL")
@@ -424,7 +447,7 @@ class Expressions:
         for name in _LANE_CALLS:
             if called is getattr(lane_module, name):
                 return self.lane_call(node, name)
-        if callable(called):
+        if inspect.isfunction(getattr(called, "py_func", called)):
             return self.kernel_call(node, called)
         raise self.refuse(node, "is not known here")
 

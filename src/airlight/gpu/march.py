@@ -49,6 +49,8 @@ GRAZING = 9.0
 FAINT = 5e-4
 FULL_DAY = 0.1
 THICK = 15.0
+#: A line that is cut so often needs few points a panel.
+MANY_EDGES = 12
 
 
 @inlined
@@ -59,19 +61,14 @@ def panel_columns(rule, light, amounts, before, columns):
     """
     n = int(light.rules[rule])
     for c in range(light.constituents):
-        whole = 0.0
         for k in range(n):
-            whole += amounts[c * MOST_POINTS + k]
             running = 0.0
             for j in range(n):
-                # What a point stands for, over its share of the rule: the integrand on [0, 1].
-                running += (
-                    light.rules[rule + 1 + 2 * n + k * n + j]
-                    * amounts[c * MOST_POINTS + j]
-                    / light.rules[rule + 1 + n + j]
-                )
+                share = light.rules[rule + 1 + 2 * n + k * n + j]
+                running += share * amounts[c * MOST_POINTS + j]
             columns[c * MOST_POINTS + k] = before[c] + max(running, 0.0)
-        before[c] += whole
+        for k in range(n):
+            before[c] += amounts[c * MOST_POINTS + k]
 
 
 @inlined
@@ -102,7 +99,7 @@ def columns_along(r, mu, edges, count, rule, light, totals, cuts):
         The largest optical depth of any wavelength. [1]
     """
     distance, radius, weight = np.empty(MOST_POINTS), np.empty(MOST_POINTS), np.empty(MOST_POINTS)
-    density, columns = np.empty(_ROOM), np.empty(_ROOM)
+    density = np.empty(_ROOM)
     n = int(light.rules[rule])
     for c in range(light.constituents):
         totals[c] = 0.0
@@ -115,14 +112,12 @@ def columns_along(r, mu, edges, count, rule, light, totals, cuts):
             r, mu, edges[panel], edges[panel + 1], edges[count - 1], rule, light, distance, radius,
             weight, density,
         )  # fmt: skip
-        for c in range(light.constituents):
-            for k in range(n):
-                density[c * MOST_POINTS + k] *= weight[k]
-        panel_columns(rule, light, density, totals, columns)
         for k in range(n):
-            depth = 0.0
+            depth = reached
             for c in range(light.constituents):
-                depth += light.strongest[c] * columns[c * MOST_POINTS + k]
+                amount = density[c * MOST_POINTS + k] * weight[k]
+                totals[c] += amount
+                depth += light.strongest[c] * amount
             if depth > reached:
                 for which in range(3):
                     wanted = 0.5 if which == 0 else (3.0 if which == 1 else 12.0)
@@ -131,10 +126,7 @@ def columns_along(r, mu, edges, count, rule, light, totals, cuts):
                             depth - reached
                         )
             reached, at = depth, distance[k]
-    whole = 0.0
-    for c in range(light.constituents):
-        whole += light.strongest[c] * totals[c]
-    return whole
+    return reached
 
 
 @inlined
@@ -181,7 +173,7 @@ def march_line(r, mu, mu_s, nu, length, orders, gathers, peaks, phase, light, to
     slant = length / (top - bottom)
     day = end > FULL_DAY
     kind = 1 if slant < GRAZING else 2
-    if day and slant < STEEP:
+    if (day and slant < STEEP) or count > MANY_EDGES:
         kind = 0
     rule = int(light.rules[kind])
     n = int(light.rules[rule])
@@ -236,45 +228,48 @@ def march_line(r, mu, mu_s, nu, length, orders, gathers, peaks, phase, light, to
                     )  # fmt: skip
                     if peaks:
                         if light.first_peak >= 0:
-                            first = first + star * load(
-                                light.scattering, LANES * light.first_peak
-                            ) * rho[light.first_peak]
+                            first = (
+                                first
+                                + star
+                                * load(light.scattering, LANES * light.first_peak)
+                                * rho[light.first_peak]
+                            )
                         if light.second_peak >= 0:
-                            second = second + star * load(
-                                light.scattering, LANES * light.second_peak
-                            ) * rho[light.second_peak]
+                            second = (
+                                second
+                                + star
+                                * load(light.scattering, LANES * light.second_peak)
+                                * rho[light.second_peak]
+                            )
                     else:
                         air = air + star * scattered_star(
                             rho, light.scattering, phase, light.constituents, LANES, 0
                         )
-            if gathers:
-                if orders != 1 and depth * weight[k] >= faint:
-                    legendre_functions(
-                        mu_q, (light.degree, light.start, light.ahead, light.back), functions
-                    )
-                    spread = (1.0 - mu_q) * (1.0 + mu_q) * (1.0 - mu_sq) * (1.0 + mu_sq)
-                    step = (nu_q - mu_q * mu_sq) / sqrt(max(spread, 1e-24))
-                    times_cosines(functions, min(max(step, -1.0), 1.0), light.degree)
-                    x = row_of(q, bottom, top, light.row)
-                    row = min(int(x), light.radii - 2)
-                    f = np.float32(x - row)
-                    x = place_of(mu_sq, light.place)
-                    place = min(int(x), light.suns - 2)
-                    e = np.float32(x - place)
-                    g = np.float32(1.0) - f
-                    h = np.float32(1.0) - e
-                    near = (row * light.suns + place) * block
-                    air = air + through * gathered_light(
-                        rho, light.moments, light.field, functions, near,
-                        near + light.suns * block, block, g * h, g * e, f * h, f * e,
-                        light.degree, light.constituents, LANES, 0,
-                    )  # fmt: skip
+            if gathers and orders != 1 and depth * weight[k] >= faint:
+                legendre_functions(
+                    mu_q, (light.degree, light.start, light.ahead, light.back), functions
+                )
+                spread = (1.0 - mu_q) * (1.0 + mu_q) * (1.0 - mu_sq) * (1.0 + mu_sq)
+                step = (nu_q - mu_q * mu_sq) / sqrt(max(spread, 1e-24))
+                times_cosines(functions, min(max(step, -1.0), 1.0), light.degree)
+                x = row_of(q, bottom, top, light.row)
+                row = min(int(x), light.radii - 2)
+                f = np.float32(x - row)
+                x = place_of(mu_sq, light.place)
+                place = min(int(x), light.suns - 2)
+                e = np.float32(x - place)
+                g = np.float32(1.0) - f
+                h = np.float32(1.0) - e
+                near = (row * light.suns + place) * block
+                air = air + through * gathered_light(
+                    rho, light.moments, light.field, functions, near,
+                    near + light.suns * block, block, g * h, g * e, f * h, f * e,
+                    light.degree, light.constituents, LANES, 0,
+                )  # fmt: skip
     for c in range(light.constituents):
         totals[c] = before[c]
     store(result, 0, air)
-    store(
-        result, LANES, through_columns(before, light.extinction, light.constituents, LANES, 0)
-    )
+    store(result, LANES, through_columns(before, light.extinction, light.constituents, LANES, 0))
     store(result, 2 * LANES, first)
     store(result, 3 * LANES, second)
 
@@ -307,4 +302,3 @@ def ground_received(mu_s, orders, light, room):
         place = min(int(x), light.suns - 2)
         received = received + level_sky(light.sky, place, x - place, LANES, 0)
     store(room, 0, received)
-

@@ -51,7 +51,8 @@ class Shown(NamedTuple):
     start, ahead, back : array
         Of ``Harmonics``.
     rules : array, flat
-        Where each of three quadratures begins; then for each: n, nodes, weights, running.
+        Where each of three quadratures begins; then for each: n, nodes, weights, and running
+        integrals over the weights, (n, n).
     extinction, scattering, moments, albedo, phase, basis, field, sky : array
         Spectral; the last two as in ``Light``, ``phase`` and ``basis`` as in ``render.Paint``.
     """
@@ -106,7 +107,8 @@ def quadratures(counts: tuple[int, ...] = POINTS) -> FloatArray:
     at = len(counts)
     for count in counts:
         nodes, weights, running = gauss_legendre(count).as_tuple()
-        part = np.concatenate([[count], nodes, weights, running.ravel()])
+        # What a point stands for, over its share of the rule, is the integrand on [0, 1].
+        part = np.concatenate([[count], nodes, weights, (running / weights).ravel()])
         parts.append(part)
         starts.append(float(at))
         at += part.size
@@ -134,9 +136,7 @@ def peaked_constituents(solution: MomentsSolution) -> tuple[int, ...]:
     return tuple(order[:MOST_PEAKS])
 
 
-def shown_solution(
-    solution: MomentsSolution, basis: FloatArray, *, peaks: bool = True
-) -> Shown:
+def shown_solution(solution: MomentsSolution, basis: FloatArray, *, peaks: bool = True) -> Shown:
     """The tables of a solution.
 
     Parameters

@@ -75,15 +75,42 @@ def load_planet(
     >>> load_planet("earth", {"ground.albedo": 0.3, "shell.top_radius": "6500 km"}).ground.albedo
     0.3
     """
+    text, file, folder = planet_text(name_or_path)
+    return read_planet(text, file, folder, overrides, progress=progress, cancel=cancel)
+
+
+def planet_text(name_or_path: str | Path) -> tuple[str, str, Path | None]:
+    """The text of a planet file, by the name of a preset or its path.
+
+    Parameters
+    ----------
+    name_or_path : str or Path
+        As for ``load_planet``.
+
+    Returns
+    -------
+    text : str
+        TOML, not read yet.
+    file : str
+        The name that errors show.
+    folder : Path or None
+        Where files that the text names are looked for; None for a preset.
+
+    Raises
+    ------
+    FileError
+        If there is no such file, or it cannot be read.
+    ParameterError
+        If the name is unknown.
+
+    Examples
+    --------
+    >>> planet_text("mars")[1]
+    'mars.toml'
+    """
     if isinstance(name_or_path, str) and name_or_path in planet_names():
         file = resources.files("airlight.planets") / "presets" / f"{name_or_path}.toml"
-        return read_planet(
-            file.read_text(encoding="utf-8"),
-            f"{name_or_path}.toml",
-            overrides=overrides,
-            progress=progress,
-            cancel=cancel,
-        )
+        return file.read_text(encoding="utf-8"), f"{name_or_path}.toml", None
     if not isinstance(name_or_path, (str, Path)) or not str(name_or_path):
         raise ParameterError("planet", name_or_path, "a name, or the path to a TOML file")
     path = Path(name_or_path)
@@ -94,9 +121,7 @@ def load_planet(
     if isinstance(name_or_path, str) and not there and path.suffix != ".toml":
         names = suggestion(name_or_path, planet_names())
         raise ParameterError("planet", name_or_path, f"{names}; or the path to a TOML file")
-    return read_planet(
-        _text(path), str(path), path.parent, overrides, progress=progress, cancel=cancel
-    )
+    return _text(path), str(path), path.parent
 
 
 def _text(path: Path) -> str:
@@ -154,12 +179,7 @@ def read_planet(
     ParameterError
         If something in it cannot be.
     """
-    try:
-        values = tomllib.loads(text.replace("\r\n", "\n"))
-    except RecursionError:
-        raise FileError(file, "is not TOML: nested too deeply") from None
-    except ValueError as error:  # TOMLDecodeError, and integers of thousands of digits
-        raise FileError(file, f"is not TOML: {error}") from None
+    values = planet_tables(text, file)
     try:
         changed = overridden(values, overrides) if overrides is not None else values
         planet = _planet(Section(changed, folder=folder))
@@ -170,6 +190,29 @@ def read_planet(
         if overrides:
             error = with_hint(error, values, overrides)
         raise error.in_file(file) from None
+
+
+def planet_tables(text: str, file: str) -> dict[str, Any]:
+    """The nested tables of a planet file, before anything in them is checked.
+
+    Parameters
+    ----------
+    text : str
+        TOML.
+    file : str
+        The name that errors show.
+
+    Raises
+    ------
+    FileError
+        If the text is not TOML.
+    """
+    try:
+        return tomllib.loads(text.replace("\r\n", "\n"))
+    except RecursionError:
+        raise FileError(file, "is not TOML: nested too deeply") from None
+    except ValueError as error:  # TOMLDecodeError, and integers of thousands of digits
+        raise FileError(file, f"is not TOML: {error}") from None
 
 
 def _planet(root: Section) -> Planet:

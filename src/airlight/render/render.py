@@ -54,6 +54,8 @@ MARCHES: Final = {
     "preview": March(easy_nodes=8, nodes=12, grazing_nodes=24, panels=1),
     "default": March(easy_nodes=8, nodes=12, grazing_nodes=24, panels=1),
 }
+#: Which light is rendered, as ``march`` takes it.
+ORDERS: Final = {"all": 2, "single": 1, "multiple": 0}
 _FINE: Final = March(easy_nodes=20, nodes=20, grazing_nodes=24, panels=2)
 
 
@@ -61,6 +63,7 @@ def render(
     solution: MomentsSolution,
     scene: Scene,
     *,
+    orders: str = "all",
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Frame:
@@ -72,6 +75,9 @@ def render(
         Of at least three wavelengths.
     scene : Scene
         Observer, star and camera.
+    orders : str
+        ``"all"`` light; or ``"single"``, that the air or the ground has scattered or reflected
+        once; or ``"multiple"``, more often. The star's own disc is seen in the first alone.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -83,7 +89,8 @@ def render(
     Raises
     ------
     ParameterError
-        If the solution is of another solver: pictures march the moments.
+        If the solution is of another solver: pictures march the moments; or if there are no
+        such orders.
     Cancelled
         If ``cancel`` said so.
     """
@@ -92,6 +99,8 @@ def render(
             "solution", solution.report.solver, "a solution of the moments solver: a picture "
             "marches its moments",
         )  # fmt: skip
+    if orders not in ORDERS:
+        raise ParameterError("orders", orders, ", ".join(ORDERS))
     camera = scene.camera
     observer = solution.medium.bottom_radius + scene.altitude
     rgb = np.zeros((camera.height, camera.width, 3), np.float32)
@@ -102,6 +111,7 @@ def render(
         sun_seen=seen_direction(scene.sun_direction, solution, scene.altitude),
         ground_frame=scene.ground_frame,
         pixel_angle=camera.pixel_angle,
+        orders=ORDERS[orders],
     )
     march = _march_for(solution)
     counts = (march.easy_nodes, march.nodes, march.grazing_nodes)
@@ -119,7 +129,8 @@ def render(
     run_blocks(
         rows, -(-camera.height // step), cancel=cancel, progress=progress, message="rendering"
     )
-    add_sun_disc(rgb, solution, scene, weights)
+    if orders == "all":
+        add_sun_disc(rgb, solution, scene, weights)
     wavelengths = ", ".join(f"{nm:g}" for nm in solution.wavelengths)
     return Frame(
         rgb=rgb,

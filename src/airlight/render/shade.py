@@ -38,6 +38,8 @@ class View(NamedTuple):
         Rotates local to planet-fixed vectors.
     pixel_angle : float
         That a pixel spans. [rad]
+    orders : int
+        1: the star's light scattered or reflected once; 0: all the rest; 2: both together.
     """
 
     r: float
@@ -45,6 +47,7 @@ class View(NamedTuple):
     sun_seen: FloatArray
     ground_frame: FloatArray
     pixel_angle: float
+    orders: int
 
 
 class Paint(NamedTuple):
@@ -153,7 +156,7 @@ def shade(directions, view, paint, light, panels, rules, packet, work, out):
             pixels[rays], ways[rays] = pixel, way
             rays += 1
         if rays == size or (rays > 0 and pixel == directions.shape[0] - 1):
-            march(packet, rays, 2, panels, rules, light, work)
+            march(packet, rays, view.orders, panels, rules, light, work)
             for p in range(rays):
                 finish(p, pixels[p], ways[p], directions, view, paint, light, packet, work, out)
             rays = 0
@@ -173,7 +176,7 @@ def finish(p, pixel, way, directions, view, paint, light, packet, work, out):
             angle = bend_angle(r, mu, light.bend, work.total[p, work.total.shape[1] - 1])
             mu_ground = (r * mu + length) / bottom
             mu_s_ground, _ = turned(mu_ground, mu_s_ground, packet.nu[p], angle)
-        ground_light(min(max(mu_s_ground, -1.0), 1.0), 2, light, work)
+        ground_light(min(max(mu_s_ground, -1.0), 1.0), view.orders, light, work)
         color = np.zeros(3)
         if paint.mapped:
             slant = -(r * mu + length) / bottom

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from time import perf_counter
 from typing import Any
@@ -116,32 +116,67 @@ class MomentsSolution(Solution):
 
     def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
         """See ``Solution``; all orders, or the first alone."""
+        return self.marched(sight, 2 if order is None else 1)
+
+    def marched(
+        self,
+        sight: Sight,
+        orders: int,
+        *,
+        light: Light | None = None,
+        scatterers: Sequence[int] | None = None,
+        ground: bool = True,
+    ) -> FloatArray:
+        """Radiance per irradiance of the star along lines of sight, or parts of it.
+
+        Parameters
+        ----------
+        sight : Sight
+            n lines of sight.
+        orders : int
+            1: the star's light scattered or reflected once; 0: all the rest; 2: both together.
+        light : Light, optional
+            In place of ``self.light``, with some of it left out.
+        scatterers : sequence of int, optional
+            The constituents that scatter the star's light; all without it.
+        ground : bool
+            Whether the ground is seen behind the air.
+
+        Returns
+        -------
+        array, shape (n, nl)
+            [sr⁻¹]
+        """
         sight = self.paths.sight(sight)
         seen = self.paths.seen_nu(sight)
         n = sight.r.size
         out = np.empty((n, self.wavelengths.size))
         nodes, panels = self.settings.march_nodes, self.settings.march_panels
         rule = gauss_legendre(nodes).as_tuple()
-        light = self.light
+        chosen = self.light if light is None else light
         count = self.wavelengths.size
+        ends = sight.to_ground if ground else np.zeros_like(sight.to_ground)
 
         def run(index: int) -> None:
             rows = slice(index * _BLOCK, min((index + 1) * _BLOCK, n))
             phases = self.paths.medium.phase_function(seen[rows])
+            if scatterers is not None:
+                silent = [c for c in range(phases.shape[1]) if c not in scatterers]
+                phases[:, silent] = 0.0
             phase = pack(phases).reshape(phases.shape[0], -1)
-            result = np.empty((phase.shape[0], light.air.albedo.size), np.float32)
+            result = np.empty((phase.shape[0], chosen.air.albedo.size), np.float32)
             _march_all(
                 sight.r[rows],
                 sight.mu[rows],
                 sight.mu_s[rows],
                 sight.nu[rows],
                 sight.length[rows],
-                sight.to_ground[rows],
-                2 if order is None else 1,
+                ends[rows],
+                orders,
                 phase,
                 panels,
                 (rule, rule, rule),
-                light,
+                chosen,
                 new_packet(phase.shape[1]),
                 self.workspace(nodes, panels),
                 result,

@@ -1,0 +1,353 @@
+"""``Pictures``: what a camera sees of a solution, drawn by the GPU."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+from math import sqrt
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.color.encoding import ENCODINGS
+from airlight.color.exposure import exposure_factor
+from airlight.color.spectral import rgb_weights
+from airlight.color.tone_maps import TONE_MAPS
+from airlight.errors import ParameterError
+from airlight.geometry.bending import seen_star
+from airlight.gpu.device import Device
+from airlight.gpu.flat import FLAT_WIDTH, empty_flat_texture, read_texture
+from airlight.gpu.fragment_pass import FragmentPass
+from airlight.gpu.shaders import Shader, picture_shader, sky_air_shader, sky_peaks_shader
+from airlight.gpu.shown import WAVELENGTHS
+from airlight.gpu.solution_textures import SolutionTextures
+from airlight.gpu.uniforms import packed
+from airlight.scene import Scene
+from airlight.scene.frame import Frame
+from airlight.scene.projections import PROJECTIONS
+from airlight.solvers.moments.solution import MomentsSolution
+
+FloatArray = NDArray[np.float64]
+
+#: Azimuths over half a turn, and rows of each half, of the table of the sky.
+SKY_SHAPE: Final = (256, 128)
+#: The same where a processor does the work of a GPU, while something moves.
+QUICK_SKY_SHAPE: Final = (64, 64)
+#: Rows of an exact picture drawn at once: no driver then thinks that the device hangs.
+_ROWS_AT_ONCE: Final = 64
+#: Of a picture that is read back.
+_LINEAR: Final = "rgba32float"
+#: What ``orders`` may be, as the shaders count them.
+ORDERS: Final = {"all": 2, "single": 1, "multiple": 0}
+
+
+class Pictures:
+    """Draws one solution at a time, for any scene.
+
+    Parameters
+    ----------
+    device : Device
+        From ``open_device``.
+    sky_shape : (int, int)
+        Azimuths and rows of the table of the sky; together a multiple of 2048.
+
+    Examples
+    --------
+    >>> from airlight.gpu.device import open_device  # doctest: +SKIP
+    >>> pictures = Pictures(open_device())  # doctest: +SKIP
+    >>> pictures.show(solution)  # doctest: +SKIP
+    >>> frame = pictures.frame(Scene())  # doctest: +SKIP
+    """
+
+    def __init__(self, device: Device, sky_shape: tuple[int, int] = SKY_SHAPE) -> None:
+        self.device = device
+        self._passes: dict[tuple[str, str, str], FragmentPass] = {}
+        self._solution: MomentsSolution | None = None
+        self._textures: SolutionTextures | None = None
+        self._weights: FloatArray = np.zeros((0, 3))
+        self._groups: dict[Any, list[Any]] = {}
+        self._seen: bytes = b""
+        self.sky_shape = sky_shape
+
+    @property
+    def sky_shape(self) -> tuple[int, int]:
+        """Azimuths and rows of each half of the table of the sky."""
+        return self._sky_shape
+
+    @sky_shape.setter
+    def sky_shape(self, shape: tuple[int, int]) -> None:
+        columns, rows = shape
+        whole = columns >= 2 and rows >= 2 and 2 * columns * rows % FLAT_WIDTH == 0
+        if not whole or 2 * columns * rows > FLAT_WIDTH * 4096:
+            raise ParameterError("sky_shape", shape, "columns and rows whose product fills rows")
+        self._sky_shape = (columns, rows)
+        count = 2 * columns * rows
+        self._layers = {
+            name: empty_flat_texture(self.device, count, 4, name)
+            for name in ("air", "behind", "first", "second")
+        }
+        self._groups.clear()
+        self._seen = b""
+
+    def show(self, solution: MomentsSolution, weights: FloatArray | None = None) -> None:
+        """Take up a solution; pictures are of it from now on.
+
+        Parameters
+        ----------
+        solution : MomentsSolution
+            Of three or four wavelengths.
+        weights : array, shape (nl, 3), optional
+            Linear sRGB per radiance; by default those of ``color.spectral.rgb_weights``.
+
+        Raises
+        ------
+        ParameterError
+            If there are more wavelengths or constituents than the shaders have room for.
+        """
+        nm = solution.wavelengths
+        if not isinstance(solution, MomentsSolution):
+            raise ParameterError("solution", solution, "a solution of the moments solver")
+        if weights is None:
+            spectrum = solution.planet.star.irradiances if solution.planet is not None else None
+            weights = rgb_weights(nm, spectrum)
+        if np.shape(weights) != (nm.size, 3):
+            raise ParameterError("weights", np.shape(weights), f"an array of shape ({nm.size}, 3)")
+        self._textures = SolutionTextures.of(self.device, solution, self._textures)
+        self._solution = solution
+        self._weights = np.zeros((WAVELENGTHS, 3))
+        self._weights[: nm.size] = np.asarray(weights) * solution.medium.solar_irradiance[:, None]
+        self._groups.clear()
+        self._seen = b""
+
+    @cached_property
+    def _uniforms(self) -> Any:
+        import wgpu
+
+        use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
+        return self.device.device.create_buffer(size=packed({}, {}).nbytes, usage=use)
+
+    def _pass(self, shader: Shader, entry: str, targets: tuple[str, ...]) -> FragmentPass:
+        key = (shader.name + shader.textures[-1], entry, " ".join(targets))
+        if key not in self._passes:
+            self._passes[key] = FragmentPass(self.device, shader.text, entry, targets, entry)
+        return self._passes[key]
+
+    def _bound(self, one: FragmentPass) -> list[Any]:
+        if one not in self._groups:
+            assert self._textures is not None
+            resources = {"frame": self._uniforms, **self._textures.textures, **self._layers}
+            self._groups[one] = one.bind(resources)
+        return self._groups[one]
+
+    def frame(
+        self, scene: Scene, *, exact: bool = False, orders: str = "all", disc: bool = True
+    ) -> Frame:
+        """A picture as linear light.
+
+        Parameters
+        ----------
+        scene : Scene
+            Observer, star and camera.
+        exact : bool
+            Whether each pixel has a march of its own; else it reads the table of the sky.
+        orders : str
+            ``all``, ``single`` or ``multiple``.
+        disc : bool
+            Whether the star's disc is drawn.
+
+        Returns
+        -------
+        Frame
+            Linear sRGB radiance. [W m⁻² sr⁻¹]
+
+        Raises
+        ------
+        ParameterError
+            If nothing has been shown yet, or the picture is larger than a texture may be.
+        """
+        import wgpu
+
+        camera = scene.camera
+        limit = self.device.device.limits["max-texture-dimension-2d"]
+        if max(camera.width, camera.height) > limit:
+            size = f"{camera.width}x{camera.height}"
+            raise ParameterError("camera.size", size, f"at most {limit} pixels on the GPU")
+        use = wgpu.TextureUsage
+        target = self.device.device.create_texture(
+            size=(camera.width, camera.height, 1),
+            format=_LINEAR,
+            usage=use.RENDER_ATTACHMENT | use.COPY_SRC,
+        )
+        self.draw(scene, target.create_view(), _LINEAR, exact=exact, orders=orders, disc=disc)
+        rgb = np.ascontiguousarray(read_texture(self.device, target)[..., :3])
+        target.destroy()
+        solution = self._shown()
+        return Frame(
+            rgb=rgb,
+            metadata={
+                "solver": str(solution.report),
+                "wavelengths": ", ".join(f"{nm:g}" for nm in solution.wavelengths) + " nm",
+                "unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931",
+                "device": self.device.name,
+            },
+        )
+
+    def draw(
+        self,
+        scene: Scene,
+        view: Any,
+        target_format: str,
+        *,
+        exact: bool = False,
+        orders: str = "all",
+        disc: bool = True,
+        exposure: float | None = None,
+        tone_map: str = "hable",
+        encoding: str | None = "srgb",
+        size: tuple[int, int] | None = None,
+    ) -> None:
+        """Draw into a texture.
+
+        Parameters
+        ----------
+        scene, exact, orders, disc :
+            As for ``frame``.
+        view : wgpu.GPUTextureView
+            What is drawn to.
+        target_format : str
+            Its format.
+        exposure : float, optional
+            Without it linear light is written. [EV]
+        tone_map : str
+            One of ``TONE_MAPS``.
+        encoding : str or None
+            One of ``ENCODINGS``; None for a target that encodes by itself.
+        size : (int, int), optional
+            Of the target, where it is not the camera's. [pixel]
+        """
+        solution = self._shown()
+        camera = scene.camera
+        width, height = size or (camera.width, camera.height)
+        numbers = _scene_numbers(scene, solution)
+        numbers |= self._textures.numbers if self._textures is not None else {}
+        peaks = 0.0 if exact else float(numbers["first_peak"] >= 0)
+        numbers |= {
+            "width": width,
+            "height": height,
+            "orders": _order_number(orders),
+            "exact": float(exact),
+            "draws_disc": float(disc and solution.medium.star_angular_radius > 0.0),
+            "sky_columns": self._sky_shape[0],
+            "sky_rows": self._sky_shape[1],
+            "keeps_peaks": peaks,
+        }
+        if exact:
+            numbers |= {"first_peak": -1.0, "second_peak": -1.0}
+        for channel, column in zip(("red", "green", "blue"), self._weights.T, strict=True):
+            numbers |= {f"{channel}_{i}": float(value) for i, value in enumerate(column)}
+        if exposure is not None:
+            numbers |= _display_numbers(exposure, tone_map, encoding)
+        entry = "linear_picture" if exposure is None else "shown_picture"
+        if not exact:
+            self._draw_sky(numbers)
+        one = self._pass(picture_shader(exact), entry, (target_format,))
+        step = _ROWS_AT_ONCE if exact and self.device.software else height
+        for first in range(0, height, step):
+            self._write(numbers)
+            encoder = self.device.device.create_command_encoder()
+            area = (0, first, width, min(step, height - first))
+            one.run(encoder, self._bound(one), [view], area, first > 0)
+            self.device.device.queue.submit([encoder.finish()])
+
+    def _draw_sky(self, numbers: Mapping[str, float]) -> None:
+        """Draw the table of the sky, unless it is there for this observer and star."""
+        seen = packed({**numbers, **dict.fromkeys(_NOT_THE_SKYS, 0.0)}, self._places()).tobytes()
+        if seen == self._seen:
+            return
+        self._write(numbers)
+        encoder = self.device.device.create_command_encoder()
+        passes = [(sky_air_shader(), ("air", "behind"))]
+        if numbers["keeps_peaks"]:
+            passes.append((sky_peaks_shader(), ("first", "second")))
+        for shader, layers in passes:
+            one = self._pass(shader, shader.entries[0], (_LINEAR, _LINEAR))
+            one.run(encoder, self._bound(one), [self._layers[name] for name in layers])
+        self.device.device.queue.submit([encoder.finish()])
+        self._seen = seen
+
+    def _places(self) -> dict[str, tuple[int, ...]]:
+        assert self._textures is not None
+        return self._textures.places
+
+    def _write(self, numbers: Mapping[str, float]) -> None:
+        values = packed(numbers, self._places())
+        self.device.device.queue.write_buffer(self._uniforms, 0, values)
+
+    def _shown(self) -> MomentsSolution:
+        if self._solution is None:
+            raise ParameterError("solution", None, "one, taken up by show()")
+        return self._solution
+
+
+#: What may change without a new table of the sky.
+_NOT_THE_SKYS: Final = (
+    "width", "height", "field_of_view", "projection", "pixel_angle", "disc", "exact", "mapped",
+    "map_levels", "draws_disc", "exposure", "tone_map", "encoding", "first_row", "divider",
+    *(f"{axis}_{c}" for axis in ("right", "up", "forward") for c in "xyz"),
+    *(f"{a}{b}" for a in "xyz" for b in "xyz"),
+    *(f"{channel}_{i}" for channel in ("red", "green", "blue") for i in range(4)),
+)  # fmt: skip
+
+
+def _scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
+    """The uniforms of observer, star and camera."""
+    camera, medium = scene.camera, solution.paths.medium
+    true_r = solution.medium.bottom_radius + scene.altitude
+    r = float(solution.paths.optical_radius(np.array(true_r)))
+    outside = scene.altitude > solution.medium.thickness
+    bottom = medium.bottom_radius
+    sun = scene.sun_direction
+    seen, lift = sun[2], solution.paths
+    if lift.shell is not None and not outside:
+        seen = float(seen_star(r, sun[2], lift.shell.bottom, lift.shell.top, lift.lift)[0])
+    axes = camera.axes
+    assert camera.field_of_view is not None
+    alpha = solution.medium.star_angular_radius
+    numbers = {
+        "r": r,
+        "outside": float(outside),
+        "horizon_mu": -sqrt(max((r - bottom) * (r + bottom), 0.0)) / r,
+        "horizon_sine": bottom / r,
+        "sun_x": float(np.hypot(sun[0], sun[1])),
+        "sun_z": float(sun[2]),
+        "seen_x": sqrt(max((1.0 - seen) * (1.0 + seen), 0.0)),
+        "seen_z": seen,
+        "field_of_view": np.radians(camera.field_of_view),
+        "projection": list(PROJECTIONS).index(camera.projection),
+        "pixel_angle": camera.pixel_angle,
+        "disc": 1.0 / (4.0 * np.pi * np.sin(0.5 * alpha) ** 2) if alpha > 0.0 else 0.0,
+    }
+    for name, axis in zip(("right", "up", "forward"), axes, strict=True):
+        numbers |= {f"{name}_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
+    for name, row in zip("xyz", scene.ground_frame, strict=True):
+        numbers |= {f"{name}{c}": float(value) for c, value in zip("xyz", row, strict=True)}
+    return numbers
+
+
+def _display_numbers(exposure: float, tone_map: str, encoding: str | None) -> dict[str, float]:
+    if tone_map not in TONE_MAPS:
+        raise ParameterError("tone_map", tone_map, ", ".join(TONE_MAPS))
+    if encoding is not None and encoding not in ENCODINGS:
+        raise ParameterError("encoding", encoding, ", ".join(ENCODINGS))
+    return {
+        "exposure": exposure_factor(exposure),
+        "tone_map": list(TONE_MAPS).index(tone_map),
+        "encoding": -1.0 if encoding is None else list(ENCODINGS).index(encoding),
+    }
+
+
+def _order_number(orders: str) -> float:
+    if orders not in ORDERS:
+        raise ParameterError("orders", orders, ", ".join(ORDERS))
+    return float(ORDERS[orders])

@@ -1,0 +1,156 @@
+"""A solution's tables in textures, and where each stands."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.color.upsampling import reflectance_basis
+from airlight.gpu.device import Device
+from airlight.gpu.flat import flat_texture
+from airlight.gpu.shown import (
+    FIELD_TABLES,
+    SCALAR_TABLES,
+    SPECTRAL_TABLES,
+    Shown,
+    as_texels,
+    shown_solution,
+)
+from airlight.scene.surface_map import surface_map
+from airlight.solvers.moments.solution import MomentsSolution
+
+Shape = tuple[int, ...]
+
+
+def laid_out(
+    arrays: dict[str, NDArray[Any]], width: int
+) -> tuple[NDArray[np.float32], dict[str, Shape]]:
+    """Arrays one after another, texels of so many numbers; with start and axes of each.
+
+    Parameters
+    ----------
+    arrays : dict
+        Of numbers, any shape, or of texels, shape (n, 4).
+    width : int
+        1 or 4 numbers a texel.
+
+    Returns
+    -------
+    texels : array, shape (n, width)
+    places : dict
+        (start, lengths of the axes …) by name.
+    """
+    parts, places, at = [], {}, 0
+    for name, array in arrays.items():
+        places[name] = (at, *(array.shape if width == 1 else array.shape[:1]))
+        part = np.ascontiguousarray(array, np.float32).reshape(-1, width)
+        parts.append(part)
+        at += part.shape[0]
+    return np.concatenate(parts), places
+
+
+@dataclass(frozen=True)
+class SolutionTables:
+    """A solution as the shaders read it, still in memory.
+
+    Attributes
+    ----------
+    numbers : dict
+        What stands in the uniforms.
+    scalars, spectra, fields : array, shapes (n, 1), (n, 4), (n, 4)
+        One after another.
+    places : dict
+        Start and axes of each table.
+    """
+
+    numbers: dict[str, float]
+    scalars: NDArray[np.float32]
+    spectra: NDArray[np.float32]
+    fields: NDArray[np.float32]
+    places: dict[str, Shape]
+
+    @classmethod
+    def of(cls, solution: MomentsSolution) -> SolutionTables:
+        """The tables of a solution of at most four wavelengths.
+
+        Raises
+        ------
+        ParameterError
+            If there are more wavelengths or constituents than the shaders have room for.
+        """
+        medium = solution.medium
+        shown = shown_solution(solution, reflectance_basis(medium.wavelengths))
+        count = medium.wavelengths.size
+        scalars, places = laid_out(
+            {name: np.asarray(getattr(shown, name), float) for name in SCALAR_TABLES}, 1
+        )
+        spectra, more = laid_out(
+            {name: as_texels(getattr(shown, name), count) for name in SPECTRAL_TABLES}, 4
+        )
+        fields, most = laid_out(
+            {name: as_texels(getattr(shown, name), count) for name in FIELD_TABLES}, 4
+        )
+        numbers = {
+            name: float(getattr(shown, name))
+            for name in Shown._fields
+            if name not in (*SCALAR_TABLES, *SPECTRAL_TABLES, *FIELD_TABLES)
+        }
+        return cls(numbers, scalars, spectra, fields, places | more | most)
+
+
+@dataclass(frozen=True)
+class SolutionTextures:
+    """The same on a device, with the ground's map.
+
+    Attributes
+    ----------
+    numbers, places : dict
+        As in ``SolutionTables``, those of the map too.
+    textures : dict
+        By the names of ``gpu.shaders.TEXTURES``.
+    """
+
+    numbers: dict[str, float]
+    places: dict[str, Shape]
+    textures: dict[str, Any]
+
+    @classmethod
+    def of(
+        cls, device: Device, solution: MomentsSolution, before: SolutionTextures | None = None
+    ) -> SolutionTextures:
+        """Upload a solution; the map of the ground stays where it is if it is the same."""
+        made = SolutionTables.of(solution)
+        textures = {
+            "scalars": flat_texture(device, made.scalars, "scalars"),
+            "spectra": flat_texture(device, made.spectra, "spectra"),
+            "fields": flat_texture(device, made.fields, "fields"),
+        }
+        name = solution.medium.ground_map
+        key = {"map": name}
+        if before is not None and before.textures.get("map of") == name:
+            textures["ground"] = before.textures["ground"]
+            places = {one: before.places[one] for one in ("levels", "texels")}
+        else:
+            texels, places = _map_texels(name)
+            textures["ground"] = flat_texture(device, texels, "ground")
+        textures["map of"] = key["map"]
+        numbers = made.numbers | {
+            "mapped": float(name is not None),
+            "map_levels": float(places["levels"][1]),
+        }
+        return cls(numbers, made.places | places, textures)
+
+
+def _map_texels(name: str | None) -> tuple[NDArray[np.float32], dict[str, Shape]]:
+    """A map of the ground and its halvings; without one a single black pixel."""
+    levels = (np.zeros((1, 1, 3), np.float32),) if name is None else surface_map(name).levels
+    starts = np.cumsum([0, *(one.size for one in levels[:-1])])
+    shapes = np.array(
+        [(start, *one.shape[:2]) for start, one in zip(starts, levels, strict=True)], np.float32
+    )
+    return laid_out(
+        {"levels": shapes, "texels": np.concatenate([one.reshape(-1) for one in levels])}, 1
+    )

@@ -1,0 +1,82 @@
+"""Radiance taken apart: by how often light was scattered, by what scattered it, by the ground.
+
+Each part is marched for itself; none is the difference of others.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solvers.sight import Sight
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Parts:
+    """Parts of the radiance along n lines of sight, per irradiance of the star.
+
+    Attributes
+    ----------
+    scattered_once : array, shape (n, nc, nl)
+        Light of the star scattered once, by each constituent. [sr⁻¹]
+    scattered_more : array, shape (n, nl)
+        Light scattered by the air that had been scattered or reflected before. [sr⁻¹]
+    ground_star, ground_sky : array, shape (n, nl)
+        Light that the ground reflects, seen through the air: of the star, and of the sky. [sr⁻¹]
+    """
+
+    scattered_once: FloatArray
+    scattered_more: FloatArray
+    ground_star: FloatArray
+    ground_sky: FloatArray
+
+    @property
+    def total(self) -> FloatArray:
+        """The sum of all parts, shape (n, nl). [sr⁻¹]"""
+        air = self.scattered_once.sum(axis=1) + self.scattered_more
+        return np.asarray(air + self.ground_star + self.ground_sky)
+
+
+def radiance_parts(solution: MomentsSolution, sight: Sight) -> Parts:
+    """The parts of the radiance along lines of sight.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+    sight : Sight
+        n lines of sight.
+
+    Returns
+    -------
+    Parts
+    """
+    light = solution.light
+    dark_air = light._replace(field=_without_source(light.field, solution))
+    single = [
+        solution.marched(sight, 1, scatterers=[c], ground=False)
+        for c in range(len(solution.medium.names))
+    ]
+    return Parts(
+        scattered_once=np.stack(single, axis=1),
+        scattered_more=solution.marched(sight, 0, ground=False),
+        ground_star=solution.marched(sight, 1, scatterers=()),
+        ground_sky=solution.marched(sight, 0, light=dark_air),
+    )
+
+
+def _without_source(field: NDArray[np.float32], solution: MomentsSolution) -> NDArray[np.float32]:
+    """The moments of a field in which no light goes: each node keeps its scale, (s, 0)."""
+    lanes = solution.light.air.albedo.size
+    nodes = field.reshape(-1, 1 + _terms(solution), lanes).copy()
+    nodes[:, 1:] = 0.0
+    return nodes.reshape(field.shape)
+
+
+def _terms(solution: MomentsSolution) -> int:
+    degree = solution.moments.degree
+    return (degree + 1) * (degree + 2) // 2

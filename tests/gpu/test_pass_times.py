@@ -1,0 +1,63 @@
+"""Times of passes by the device's clock."""
+
+from __future__ import annotations
+
+from time import perf_counter
+
+import pytest
+
+from airlight.errors import ParameterError
+from airlight.gpu.flat import empty_flat_texture
+from airlight.gpu.fragment_pass import FragmentPass
+from airlight.gpu.pass_times import PassTimes
+
+LONG = """
+@fragment fn long(@builtin(position) at: vec4f) -> @location(0) vec4f {
+  var x = at.x;
+  for (var i = 0; i < 2000; i++) { x = fract(x * 1.618 + 0.1); }
+  return vec4f(x);
+}"""
+
+
+@pytest.fixture
+def times(device):
+    if not device.measures_time:
+        pytest.skip(f"{device.name} has no clocks for passes")
+    return PassTimes(device, most=3)
+
+
+def submit(device, times, long):
+    """A long pass over all of a target, a short one over one row, the long one again."""
+    target = empty_flat_texture(device, 2048 * 64, 1)
+    encoder = device.device.create_command_encoder()
+    groups = long.bind({})
+    long.run(encoder, groups, [target], timestamps=times("long"))
+    long.run(encoder, groups, [target], area=(0, 0, 16, 1), timestamps=times("short"))
+    long.run(encoder, groups, [target], timestamps=times("long"))
+    times.resolve(encoder)
+    device.device.queue.submit([encoder.finish()])
+    return times.read()
+
+
+def test_the_passes_of_a_submission_take_most_of_its_time_and_no_more(device, times):
+    # A second clock, the processor's, around the same work; 8192 times the texels take longer.
+    long = FragmentPass(device, LONG, "long", ["r32float"])
+    submit(device, times, long)  # compiles
+    started = perf_counter()
+    seconds = submit(device, times, long)
+    passed = perf_counter() - started
+    assert list(seconds) == ["long", "short"]
+    assert 0.0 <= seconds["short"] < 0.1 * seconds["long"]
+    assert seconds["long"] + seconds["short"] <= passed
+    assert seconds["long"] > 0.02 * passed  # ticks of a microsecond would fall below
+
+
+def test_more_passes_than_promised_are_refused(device, times):
+    for name in "abc":
+        times(name)
+    with pytest.raises(ParameterError, match="at most 3 passes"):
+        times("d")
+
+
+def test_nothing_timed_is_nothing_read(times):
+    assert times.read() == {}
