@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from airlight.gpu.device import open_device
-from airlight.viewer.start import Start, opened, pictures_by
+from airlight.viewer.start import Start, opened, painter_by
 from airlight.viewer.window import Window
 from airlight.viewer.window_canvas import DesktopPlace
 
@@ -94,7 +94,7 @@ def main() -> None:
     session = opened(Start(planet=planet, view={"light.quality": "preview"}))
     place = DesktopPlace((width, height), "airlight test")
     device = open_device()
-    window = Window(session, place, device.device, pictures_by(by, device))
+    window = Window(session, place, device.device, painter_by(by, device))
     answers = Answers(window, place)
 
     def listen() -> None:
