@@ -18,6 +18,7 @@ from airlight.render import render
 from airlight.scene import Camera, Scene
 from airlight.scene.directions import direction
 from airlight.solvers import solve
+from airlight.solvers.moments.parts import radiance_parts
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.viewer.probe import GROUND_SKY, GROUND_STAR, MORE, STAR, probe, probe_pixel
 
@@ -74,6 +75,20 @@ def test_the_map_of_the_ground_is_read_where_the_picture_reads_it(
         assert seen is not None
         assert seen.latitude is not None
         assert_allclose(seen.rgb, rgb[y, x], rtol=0.1)
+
+
+def test_the_map_colours_all_light_of_the_ground(mapped: MomentsSolution) -> None:
+    # The map's reflectance takes the place of the albedo in what the star and the sky light alike.
+    scene = Scene(altitude=3e6, sun_zenith=30.0, latitude=20.0, longitude=10.0)
+    seen = probe(mapped, scene, direction(170.0, 0.0))
+    sight, _ = mapped.lines_of_sight(altitude=3e6, sun_zenith=30.0, view_zenith=170.0)
+    plain = radiance_parts(mapped, sight)
+    sun = mapped.medium.solar_irradiance
+    painted = {part.name: part.radiance for part in seen.parts}
+    star = painted[GROUND_STAR] / (plain.ground_star[0] * sun)
+    sky = painted[GROUND_SKY] / (plain.ground_sky[0] * sun)
+    assert_allclose(star, sky, rtol=1e-12)
+    assert (np.abs(star - 1.0) > 0.1).any()  # the Sahara is not of the mean albedo
 
 
 def test_the_ground_below_is_the_place_below(earth: MomentsSolution) -> None:

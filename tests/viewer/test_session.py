@@ -7,6 +7,7 @@ import math
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
@@ -214,6 +215,22 @@ def test_every_form_that_can_be_chosen_makes_a_planet(
             "cornette-shanks",
         )
         assert session.value(path) == kind
+
+
+def test_a_star_becomes_a_black_body_and_the_sun_again(session: Session, tmp_path: Path) -> None:
+    # The nominal sun as a black body gives the solar constant within 1 %: 1361 W/m2.
+    start = session.planet.tables["star"]
+    session.set("star.spectrum", "black body")
+    session.save_planet(tmp_path / "star.toml")
+    nm = np.arange(200.0, 20000.0, 10.0)
+    total = 10.0 * load_planet(tmp_path / "star.toml").star.irradiances(nm).sum()
+    assert_allclose(total, 1361.0, rtol=0.01)
+    session.set("star.temperature", 3000.0)
+    assert session.value("star.spectrum") == "black body"
+    session.set("star.spectrum", "astm-g173")
+    assert "star.temperature" not in session.values
+    session.reset("star.spectrum")
+    assert session.planet.tables["star"] == start
 
 
 def test_versions_tell_what_to_redo(session: Session) -> None:

@@ -7,17 +7,21 @@ from typing import Any, Final
 
 import numpy as np
 
+from airlight.constants import SOLAR_RADIUS
 from airlight.optics.phase_table import moments
 from airlight.planets.constituent_reader import OZONE_TABLE
 from airlight.viewer.measures import number_in, text_of
 from airlight.viewer.parameter import Parameter, Value
 from airlight.viewer.parameter_list import key_at
+from airlight.viewer.planet_keys import BLACK_BODY
 from airlight.viewer.planet_tables import Tables, get, put
 
 #: Parts of the shell's thickness that a fresh profile gets.
 _FRESH_HEIGHT: Final = 0.08
 _FRESH_CENTER: Final = 0.25
 _FRESH_WIDTH: Final = 0.15
+#: IAU 2015 Resolution B3: nominal effective temperature of the sun.
+_SUN_TEMPERATURE: Final = "5772 K"
 #: Asymmetry of a fresh phase function of particles.
 _FRESH_ASYMMETRY: Final = 0.7
 #: Radius of fresh particles.
@@ -57,6 +61,8 @@ def edited(tables: Tables, parameter: Parameter, value: Value) -> Tables:
         table, _, last = path.rpartition(".")
         if last == "kind":
             return put(tables, table, _fresh(tables, table, str(value)))
+        if path == "star.spectrum":
+            return put(tables, "star", _star(tables["star"], str(value)))
         if last == "method" and value != "mie":
             tables = _with_phase(tables, table.rpartition(".")[0])
         return put(tables, path, value)
@@ -133,6 +139,15 @@ def _with_phase(tables: Tables, constituent: str) -> Tables:
     return put(tables, f"{constituent}.phase_function", fresh)
 
 
+def _star(old: Tables, spectrum: str) -> Tables:
+    """The sun, or a black body of its size and temperature, as far away as the star was."""
+    if spectrum != BLACK_BODY:
+        kept: Tables = {key: old[key] for key in ("distance", "angular_radius") if key in old}
+        return {"spectrum": spectrum, **kept}
+    sun: Tables = {"temperature": _SUN_TEMPERATURE, "radius": text_of(1e-3 * SOLAR_RADIUS, "km")}
+    return {**sun, "distance": old.get("distance", "1 au")}
+
+
 def _fresh(tables: Tables, path: str, kind: str) -> Tables:
     """A table of another kind, filled with what is usual."""
     old: Tables = get(tables, path)
@@ -201,6 +216,8 @@ def restored(tables: Tables, base: Tables, path: str) -> Tables:
     dict
     """
     table, _, last = path.rpartition(".")
+    if path == "star.spectrum":
+        return put(tables, "star", get(base, "star"))
     if table.endswith(".composition") or table == "shell" or last == "kind":
         path, table = table, table.rpartition(".")[0]
     old = get(base, path)

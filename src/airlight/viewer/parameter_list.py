@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from airlight.errors import ParameterError
+from airlight.planets.toml_section import suggestion
 from airlight.viewer.key import Key
 from airlight.viewer.measures import listed, number_in
 from airlight.viewer.parameter import Parameter
@@ -120,19 +121,19 @@ def spelled_out(tables: Tables, folder: Path | None = None) -> Tables:
     >>> spelled_out({"wavelengths": "680, 550, 440 nm"})["wavelengths"]
     ['680 nm', '550 nm', '440 nm']
     """
-    return _spelled(tables, "planet", folder)  # type: ignore[no-any-return]
+    return _spelled(tables, "planet", "", folder)  # type: ignore[no-any-return]
 
 
-def _spelled(value: Any, kind: str, folder: Path | None) -> Any:
+def _spelled(value: Any, kind: str, path: str, folder: Path | None) -> Any:
     if isinstance(value, list):
-        return [_spelled(one, kind, folder) for one in value]
+        return [_spelled(one, kind, joined(path, i), folder) for i, one in enumerate(value)]
     if not isinstance(value, dict):
         return value
     result = {}
     for name, one in value.items():
-        key = _declared(kind, name, name)
+        key = _declared(kind, name, joined(path, name))
         if isinstance(one, (dict, list)) and key.table and not _flat(one):
-            one = _spelled(one, key.table, folder)
+            one = _spelled(one, key.table, joined(path, name), folder)
         elif isinstance(one, str) and key.kind == "number" and "," in one:
             one = listed(one, key.bare)
         elif isinstance(one, str) and one.endswith(".csv") and folder is not None:
@@ -150,7 +151,9 @@ def _declared(kind: str, name: str, path: str) -> Key:
     for key in TABLES.get(kind, ()):
         if key.name in (name, "*"):
             return key
-    raise ParameterError("path", path, f"a key of {kind or 'a table'} that the list declares")
+    names = tuple(key.name for key in TABLES.get(kind, ()))
+    where = path.rpartition(".")[0] or "the file"
+    raise ParameterError(f"a key of {where}", name, suggestion(name, names) or "none")
 
 
 # --- the walk ---------------------------------------------------------------------------------

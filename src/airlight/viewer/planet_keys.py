@@ -97,9 +97,13 @@ _GROUND: Final = (
         help="Name of the picture of the ground."),
 )  # fmt: skip
 
+#: Stands for a star that is given by its temperature.
+BLACK_BODY: Final = "black body"
+
 _STAR: Final = (
-    Key(name="spectrum", label="spectrum", kind="choice", words=lambda: (SUN,),
-        help="The sun as measured outside the air, at 1 au."),
+    Key(name="spectrum", label="spectrum", kind="choice", words=lambda: (SUN, BLACK_BODY),
+        default=BLACK_BODY, when=lambda star: "temperature" in star,
+        help="The sun as measured outside the air, at 1 au; or a star of a temperature."),
     Key(name="irradiance", label="irradiance", unit="W/m^2/nm", bare="W/m^2/nm", low=1e-3,
         high=1e2, most=1e9, scale="log", per=_NM,
         help="The star's light at the planet, on a plane that faces it."),
