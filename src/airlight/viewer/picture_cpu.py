@@ -38,20 +38,20 @@ class CpuPainter:
         Shows them.
     """
 
-    name = "processor"
-
     def __init__(self, device: Any) -> None:
         self._canvases = Canvases(device)
         self._rate = _FIRST_GUESS
         self._last: tuple[Request, NDArray[np.float32]] | None = None  # finished, with its light
 
-    def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
-        """See ``Painter``."""
+    def paint(
+        self, request: Request, stale: Callable[[], bool], *, coarse: bool = True
+    ) -> Iterator[Picture]:
+        """See ``Painter``; without ``coarse`` only the last picture is made."""
         if self._last is not None and request.same_light(self._last[0]):
             yield self._shown(request, self._last[1], perf_counter(), finished=True)
             self._last = (request, self._last[1])
             return
-        for step, part in enumerate(self._parts(request)):
+        for step, part in enumerate(self._parts(request) if coarse else [1.0]):
             started = perf_counter()
             scene = scaled(request.scene, part)
             # The first, coarse picture is never interrupted: in flight every one is soon stale.
@@ -89,6 +89,7 @@ class CpuPainter:
             exposure=exposure,
             finished=finished,
             seconds=perf_counter() - started,
+            by="processor",
         )
 
     def close(self) -> None:

@@ -1,8 +1,9 @@
 """Pictures by the graphics device.
 
-A device in software paints with a coarse table of the sky while something moves, and with the fine
-one when all has been still for a moment. Until its shaders are compiled, and for what they have no
-room for, the processor paints.
+A device in software paints with a coarse table of the sky while something moves; when all has been
+still for a moment the processor paints the exact picture, which, unlike a long pass, leaves the
+device free for the window. The processor also paints until the shaders are compiled, and what they
+have no room for.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from airlight.viewer.picture_cpu import CpuPainter
 from airlight.viewer.picture_source import Picture, Request, scaled
 from airlight.viewer.picture_texture import Canvases
 
-#: After so long without a change the fine table is drawn. [s]
+#: After so long without a change the exact picture is painted. [s]
 _STILL: Final = 0.2
 #: Automatic exposure is measured on a picture so wide. [pixel]
 _MEASURED: Final = 96.0
@@ -42,38 +43,31 @@ class GpuPainter:
         self._processor = CpuPainter(device.device)
         self._compiling: threading.Thread | None = None
         self._compiled = False
-        self._refusal = ""
         self._loaded: object = None
         self._last: Picture | None = None
-        self._by_processor = True
-
-    @property
-    def name(self) -> str:
-        """See ``Painter``."""
-        if self._by_processor:
-            return self._processor.name
-        return "GPU in software" if self._device.software else "GPU"
+        self._exact: Request | None = None  # painted last by the processor
 
     def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
         """See ``Painter``."""
         if not self._compiled:
             yield from self._while_compiling(request, stale)
-            if stale() or not self._compiled:
+            if stale() or request is self._exact:
                 return
         if not self._load(request):
-            self._by_processor = True
             yield from self._processor.paint(request, stale)
             return
-        self._by_processor = False
-        coarse = self._device.software and not self._only_display(request)
-        yield self._painted(request, fine=not coarse)
-        if coarse:
+        if not self._device.software:
+            yield self._painted(request, finished=True)
+            return
+        if self._exact is None or not request.same_light(self._exact):
+            yield self._painted(request, finished=False)
             until = perf_counter() + _STILL
             while perf_counter() < until:
                 if stale():
                     return
                 time.sleep(0.02)
-            yield self._painted(request, fine=True)
+        yield from self._processor.paint(request, stale, coarse=False)
+        self._exact = request
 
     def _while_compiling(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
         if self._compiling is None:
@@ -81,12 +75,16 @@ class GpuPainter:
                 target=self._compile, args=(request,), name="airlight-compiling", daemon=True
             )
             self._compiling.start()
+        over = (lambda: False) if self._device.software else (lambda: self._compiled)
         try:
-            yield from self._processor.paint(request, lambda: stale() or self._compiled)
+            yield from self._processor.paint(request, lambda: stale() or over())
+            if self._device.software:
+                self._exact = request
+                return
         except Cancelled:
             if stale():
                 raise
-        while self._compiling.is_alive() and not stale():
+        while not self._compiled and not stale():
             time.sleep(0.02)
 
     def _compile(self, request: Request) -> None:
@@ -107,24 +105,15 @@ class GpuPainter:
             return True
         try:
             self._pictures.show(request.solution)
-        except ParameterError as error:  # too many wavelengths or constituents
-            self._refusal = str(error)
+        except ParameterError:  # too many wavelengths or constituents
             self._loaded = None
             return False
         self._loaded = request.solution
         return True
 
-    def _only_display(self, request: Request) -> bool:
-        """Whether the fine table of the last picture serves this one."""
-        last = self._last
-        return last is not None and last.finished and request.same_light(last.request)
-
-    def _painted(self, request: Request, *, fine: bool) -> Picture:
+    def _painted(self, request: Request, *, finished: bool) -> Picture:
         started = perf_counter()
         pictures, camera = self._pictures, request.scene.camera
-        shape = SKY_SHAPE if fine else QUICK_SKY_SHAPE
-        if pictures.sky_shape != shape:
-            pictures.sky_shape = shape
         exposure = self._exposure(request)
         texture = self._canvases.next()
         texture.resize(camera.width, camera.height)
@@ -143,8 +132,9 @@ class GpuPainter:
             height=camera.height,
             request=request,
             exposure=exposure,
-            finished=fine,
+            finished=finished,
             seconds=perf_counter() - started,
+            by="GPU in software" if self._device.software else "GPU",
         )
         return self._last
 

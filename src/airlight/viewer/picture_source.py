@@ -79,6 +79,8 @@ class Picture:
         False for a coarse picture that a finer one will follow.
     seconds : float
         What it took. [s]
+    by : str
+        Who computed it, in a few words.
     """
 
     view: Any
@@ -88,14 +90,11 @@ class Picture:
     exposure: float
     finished: bool
     seconds: float
+    by: str
 
 
 class Painter(Protocol):
     """Makes pictures; everything is called on one thread, which is not the window's."""
-
-    @property
-    def name(self) -> str:
-        """Who computes, in a few words."""
 
     def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
         """Pictures of what is wanted, each finer than the one before.

@@ -31,11 +31,6 @@ class PictureThread:
         self._thread = threading.Thread(target=self._work, name="airlight-pictures", daemon=True)
         self._thread.start()
 
-    @property
-    def name(self) -> str:
-        """Who computes, in a few words."""
-        return self._painter.name
-
     def want(self, request: Request) -> None:
         """Say what is to be shown from now on; returns at once."""
         with self._news:

@@ -272,7 +272,7 @@ class Window:
         if shown is not None and source is not None:
             fine = "" if shown.finished else ", finer follows"
             seconds = _seconds(shown.seconds)
-            picture = f"{source.name}: {shown.width}×{shown.height} in {seconds}{fine}"
+            picture = f"{shown.by}: {shown.width}×{shown.height} in {seconds}{fine}"
             exposure = f"{shown.exposure:+.1f} EV"
         if source is not None:
             error = error or source.error
