@@ -42,6 +42,12 @@ class Answers:
     def place_of(self, path: str) -> list[float]:
         return list(self.window.panel.planet_rows.places[path])
 
+    def knows(self, path: str) -> bool:
+        return path in self.window.panel.planet_rows.places
+
+    def typing(self) -> bool:
+        return self.window.surface.typing
+
     def picture_place(self) -> list[float]:
         one = self.window.picture_rectangle()
         return [one.left, one.top, one.width, one.height]

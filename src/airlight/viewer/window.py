@@ -199,9 +199,10 @@ class Window:
         session.resize(round(into.width * ratio), round(into.height * ratio))
         shown = session.showing
         other = "A" if shown == "B" else "B"
-        self._sides = (shown, other) if session.has_other and self.panel.compares else (shown,)
-        for side in self._sides:
+        sides = (shown, other) if session.has_other and self.panel.compares else (shown,)
+        for side in sides:
             self._want(side)
+        self._sides = sides
 
     def _want(self, side: str) -> None:
         if side not in self._solvings:
