@@ -204,27 +204,34 @@ def test_keys_change_what_is_shown(window: Driven) -> None:
     assert window.ask("settled", 60.0)
 
 
-def test_frames_keep_coming_while_the_planet_is_solved(window: Driven) -> None:
+def test_frames_keep_coming_while_the_planet_is_solved(
+    window: Driven, tell: Callable[[str], None]
+) -> None:
     # A frame waits for nothing: neither for a solution, which takes seconds, nor for a picture.
     left, top, right, bottom = window.ask("place_of", DEPTH)
     window.press(left + 0.9 * (right - left), 0.5 * (top + bottom))
     window.until(lambda: window.ask("value", DEPTH) != 0.5)
     window.mouse("mouseup", 1)
     assert window.ask("busy")
-    # a software device and a solver share the processor; a person notices from about 0.3 s on
-    gap = window.ask("longest_gap", 2.0)
-    assert gap < 0.3, gap
+    gap, slowness = window.ask("longest_gap", 2.0), window.ask("slowness")
+    # 0.3 s, from which on a person notices, where the processor is free; solver, software device
+    # and whatever else runs here share it
+    tell(f"window: longest time between frames while solving {gap:.2f} s, slowed {slowness:.1f}×")
+    assert gap < 0.3 * min(slowness, 5.0)
     assert window.ask("settled", 60.0)
 
 
-def test_an_idle_window_costs_no_processor_time(window: Driven) -> None:
+def test_an_idle_window_costs_no_processor_time(
+    window: Driven, tell: Callable[[str], None]
+) -> None:
     window.mouse("mousemove", 600, 200)
     assert window.ask("settled", 60.0)
     time.sleep(2.0)  # the last hints have faded
     frames = window.ask("frames")
     share = window.ask("cpu", 3.0)
     assert window.ask("frames") == frames
-    assert share < 0.03, share
+    tell(f"window: at rest {100.0 * share:.2f} % of one processor")
+    assert share < 0.03
 
 
 def test_the_window_ends_with_all_its_threads(window: Driven) -> None:

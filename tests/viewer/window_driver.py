@@ -88,6 +88,13 @@ class Answers:
                 frames, last = self.window.frames, time.monotonic()
         return max(longest, time.monotonic() - last)
 
+    def slowness(self) -> float:
+        """How many times longer work takes here than the processor itself needs for it."""
+        started, before = time.perf_counter(), time.thread_time()
+        while time.thread_time() - before < 0.1:
+            pass
+        return (time.perf_counter() - started) / (time.thread_time() - before)
+
     def threads(self) -> list[str]:
         return sorted(one.name for one in threading.enumerate() if "airlight" in one.name)
 
