@@ -102,6 +102,22 @@ def test_edits_faster_than_previews_do_not_starve_the_picture(fake: Fake) -> Non
     assert [albedo for albedo, _ in fake.asked] == [0.1, 0.4, 0.4]
 
 
+def test_a_preview_that_takes_too_long_is_given_up_for_a_newer_edit(
+    fake: Fake, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # The gate stays shut: only patience ends the preview of the first planet.
+    monkeypatch.setattr("airlight.viewer.solving.PATIENCE", 0.05)
+    fake.held = ("preview",)
+    session = Session(PLANET)
+    with Solving(session, solver=fake) as solving:
+        assert fake.running.wait(LONG)
+        session.set("ground.albedo", 0.5)
+        fake.held = ()
+        assert solving.wait(LONG)
+        assert solving.latest is not None
+        assert solving.latest.solution == (0.5, "default")
+
+
 def test_view_and_display_need_no_solution(fake: Fake) -> None:
     # Only the planet, its switches, wavelengths and quality are solved.
     session = Session(PLANET)

@@ -21,6 +21,7 @@ from airlight.cli import (
     render,
     show,
     validate,
+    view,
 )
 from airlight.cli.examples import examples
 from airlight.errors import AirlightError, Cancelled
@@ -39,7 +40,10 @@ app = typer.Typer(
         "airlight radiance earth --altitude 0m --sun-zenith 60 --view-zenith 30 --azimuth 90",
     ),
 )
-for command in (planets, show, render, radiance, plot, bake, export_page, validate, errata):
+_COMMANDS = (
+    planets, show, render, view, radiance, plot, bake, export_page, validate, errata,
+)  # fmt: skip
+for command in _COMMANDS:
     function = command.__name__.rpartition(".")[2]
     app.command(function.replace("_", "-"), epilog=command.EPILOG)(getattr(command, function))
 

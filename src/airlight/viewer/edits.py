@@ -5,16 +5,23 @@ from __future__ import annotations
 import math
 from typing import Any, Final
 
+import numpy as np
+
+from airlight.constants import SOLAR_RADIUS
+from airlight.optics.phase_table import moments
 from airlight.planets.constituent_reader import OZONE_TABLE
 from airlight.viewer.measures import number_in, text_of
 from airlight.viewer.parameter import Parameter, Value
 from airlight.viewer.parameter_list import key_at
+from airlight.viewer.planet_keys import BLACK_BODY
 from airlight.viewer.planet_tables import Tables, get, put
 
 #: Parts of the shell's thickness that a fresh profile gets.
 _FRESH_HEIGHT: Final = 0.08
 _FRESH_CENTER: Final = 0.25
 _FRESH_WIDTH: Final = 0.15
+#: IAU 2015 Resolution B3: nominal effective temperature of the sun.
+_SUN_TEMPERATURE: Final = "5772 K"
 #: Asymmetry of a fresh phase function of particles.
 _FRESH_ASYMMETRY: Final = 0.7
 #: Radius of fresh particles.
@@ -25,7 +32,8 @@ def edited(tables: Tables, parameter: Parameter, value: Value) -> Tables:
     """The tables with a parameter's new value.
 
     A word that chooses another form (of a profile, of a phase function, of sizes) puts that form's
-    keys into the table; mole fractions make room for each other; the air moves with the ground.
+    keys into the table; mole fractions make room for each other; the air moves with the ground;
+    a tabulated phase function keeps its integral.
 
     Parameters
     ----------
@@ -53,6 +61,8 @@ def edited(tables: Tables, parameter: Parameter, value: Value) -> Tables:
         table, _, last = path.rpartition(".")
         if last == "kind":
             return put(tables, table, _fresh(tables, table, str(value)))
+        if path == "star.spectrum":
+            return put(tables, "star", _star(tables["star"], str(value)))
         if last == "method" and value != "mie":
             tables = _with_phase(tables, table.rpartition(".")[0])
         return put(tables, path, value)
@@ -61,7 +71,29 @@ def edited(tables: Tables, parameter: Parameter, value: Value) -> Tables:
         return _mixed(tables, path, value)
     if path == "shell.bottom_radius":
         tables = _lifted(tables, value)
-    return put(tables, path, text_of(value, key.unit))
+    tables = put(tables, path, text_of(value, key.unit))
+    table, _, last = path.partition(".phase_function.")
+    if last.startswith(("values[", "angles[")):
+        return _normalised(tables, f"{table}.phase_function")
+    return tables
+
+
+def _normalised(tables: Tables, path: str) -> Tables:
+    """A tabulated phase function divided by its integral over the sphere, row by row.
+
+    One that has none, since its angles do not grow, is left for the reader to refuse.
+    """
+    table = get(tables, path)
+    angles = np.array([number_in(one, "deg", "deg", path) for one in table["angles"]])
+    values = table["values"]
+    rows = values if isinstance(values[0], list) else [values]
+    numbers = np.array([[number_in(one, "/sr", "1/sr", path) for one in row] for row in rows])
+    grows = angles.size >= 2 and bool((np.diff(angles) > 0.0).all())
+    if not grows or numbers.shape[1] != angles.size or not numbers.any(axis=1).all():
+        return tables
+    integrals = moments(angles, numbers, 0)
+    unit = [[float(f"{x:.9g}") for x in row] for row in (numbers / integrals).tolist()]
+    return put(tables, f"{path}.values", unit if rows is values else unit[0])
 
 
 def _mixed(tables: Tables, path: str, share: float) -> Tables:
@@ -105,6 +137,15 @@ def _with_phase(tables: Tables, constituent: str) -> Tables:
         return tables
     fresh = {"kind": "henyey-greenstein", "asymmetry": _FRESH_ASYMMETRY}
     return put(tables, f"{constituent}.phase_function", fresh)
+
+
+def _star(old: Tables, spectrum: str) -> Tables:
+    """The sun, or a black body of its size and temperature, as far away as the star was."""
+    if spectrum != BLACK_BODY:
+        kept: Tables = {key: old[key] for key in ("distance", "angular_radius") if key in old}
+        return {"spectrum": spectrum, **kept}
+    sun: Tables = {"temperature": _SUN_TEMPERATURE, "radius": text_of(1e-3 * SOLAR_RADIUS, "km")}
+    return {**sun, "distance": old.get("distance", "1 au")}
 
 
 def _fresh(tables: Tables, path: str, kind: str) -> Tables:
@@ -175,6 +216,8 @@ def restored(tables: Tables, base: Tables, path: str) -> Tables:
     dict
     """
     table, _, last = path.rpartition(".")
+    if path == "star.spectrum":
+        return put(tables, "star", get(base, "star"))
     if table.endswith(".composition") or table == "shell" or last == "kind":
         path, table = table, table.rpartition(".")[0]
     old = get(base, path)

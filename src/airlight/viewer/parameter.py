@@ -39,7 +39,8 @@ class Parameter:
     low, high : float
         The ends of a slider. [unit]
     least, most : float
-        What may be typed; beyond the slider's ends or equal to them. [unit]
+        What may be typed; beyond the slider's ends or equal to them. [unit] Of a text: how many
+        letters it has.
     scale : str
         ``linear`` or ``log``, of the slider; a value of 0 lies at the low end of ``log``.
     step : float
@@ -95,8 +96,9 @@ class Parameter:
                 raise ParameterError(self.path, value, ", ".join(self.options))
             return value
         if self.kind == "text":
-            if not isinstance(value, str) or len(value) > LONGEST_TEXT:
-                raise ParameterError(self.path, value, f"a text of at most {LONGEST_TEXT} letters")
+            least, most = max(self.least, 0.0), min(self.most, LONGEST_TEXT)
+            if not isinstance(value, str) or not least <= len(value) <= most:
+                raise ParameterError(self.path, value, f"{least:g} to {most:g} letters")
             return value
         return self._number(value)
 
@@ -113,8 +115,8 @@ class Parameter:
             span = self.most - self.least
             return self.least + math.fmod(math.fmod(number - self.least, span) + span, span)
         # A slider's end may miss the limit by rounding.
-        slack = 1e-12 * max(abs(self.least), abs(self.most)) if math.isfinite(self.most) else 0.0
-        if not self.least - slack <= number <= self.most + slack:
+        least, most = self.least - _slack(self.least), self.most + _slack(self.most)
+        if not least <= number <= most:
             raise ParameterError(self.path, value, allowed)
         return min(max(number, self.least), self.most)
 
@@ -133,3 +135,8 @@ class Parameter:
         if self.scale == "log":
             return float(self.low * (self.high / self.low) ** share)
         return self.low + (self.high - self.low) * share
+
+
+def _slack(limit: float) -> float:
+    """What a number may miss a limit by."""
+    return 1e-12 * abs(limit) if math.isfinite(limit) else 0.0

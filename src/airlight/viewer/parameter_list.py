@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from airlight.errors import ParameterError
+from airlight.planets.toml_section import suggestion
 from airlight.viewer.key import Key
 from airlight.viewer.measures import listed, number_in
 from airlight.viewer.parameter import Parameter
@@ -120,19 +121,19 @@ def spelled_out(tables: Tables, folder: Path | None = None) -> Tables:
     >>> spelled_out({"wavelengths": "680, 550, 440 nm"})["wavelengths"]
     ['680 nm', '550 nm', '440 nm']
     """
-    return _spelled(tables, "planet", folder)  # type: ignore[no-any-return]
+    return _spelled(tables, "planet", "", folder)  # type: ignore[no-any-return]
 
 
-def _spelled(value: Any, kind: str, folder: Path | None) -> Any:
+def _spelled(value: Any, kind: str, path: str, folder: Path | None) -> Any:
     if isinstance(value, list):
-        return [_spelled(one, kind, folder) for one in value]
+        return [_spelled(one, kind, joined(path, i), folder) for i, one in enumerate(value)]
     if not isinstance(value, dict):
         return value
     result = {}
     for name, one in value.items():
-        key = _declared(kind, name, name)
+        key = _declared(kind, name, joined(path, name))
         if isinstance(one, (dict, list)) and key.table and not _flat(one):
-            one = _spelled(one, key.table, folder)
+            one = _spelled(one, key.table, joined(path, name), folder)
         elif isinstance(one, str) and key.kind == "number" and "," in one:
             one = listed(one, key.bare)
         elif isinstance(one, str) and one.endswith(".csv") and folder is not None:
@@ -150,7 +151,9 @@ def _declared(kind: str, name: str, path: str) -> Key:
     for key in TABLES.get(kind, ()):
         if key.name in (name, "*"):
             return key
-    raise ParameterError("path", path, f"a key of {kind or 'a table'} that the list declares")
+    names = tuple(key.name for key in TABLES.get(kind, ()))
+    where = path.rpartition(".")[0] or "the file"
+    raise ParameterError(f"a key of {where}", name, suggestion(name, names) or "none")
 
 
 # --- the walk ---------------------------------------------------------------------------------
@@ -177,6 +180,8 @@ def _table(table: Tables, place: _Place) -> Iterator[Parameter]:
 
 
 def _value(key: Key, value: Any, path: str, place: _Place) -> Iterator[Parameter]:
+    if key.kind == "table" and not _holds_tables(value):
+        raise ParameterError(path, value, "a table" if key.name != "constituents" else "tables")
     if isinstance(value, dict):
         yield from _table(value, _within(key, path, place, value))
     elif isinstance(value, list) and not _flat(value):
@@ -191,13 +196,20 @@ def _value(key: Key, value: Any, path: str, place: _Place) -> Iterator[Parameter
     elif isinstance(value, list):
         yield from _items(key, value, path, place)
     elif key.kind == "text" or (isinstance(value, str) and value.endswith(".csv")):
-        yield _parameter(key, path, place, kind="text")
+        yield _parameter(key, path, place, kind="text", least=key.least, most=key.most)
     elif key.kind == "choice" or (isinstance(value, str) and value[:1].isalpha()):
         words = key.words()
         options = words if value in words else (*words, str(value))
         yield _parameter(key, path, place, kind="choice", options=options)
     else:
         yield _number(key, value, path, place)
+
+
+def _holds_tables(value: Any) -> bool:
+    """Whether it is a table or a list of tables."""
+    if isinstance(value, list):
+        return bool(value) and all(isinstance(one, dict) for one in value)
+    return isinstance(value, dict)
 
 
 def _within(key: Key, path: str, place: _Place, table: Tables) -> _Place:

@@ -65,7 +65,8 @@ def _term(name: str, label: str, text: str, unit: str, bare: str, most: float) -
 
 
 _ROOT: Final = (
-    Key(name="name", label="name", kind="text", help="What the planet is called."),
+    Key(name="name", label="name", kind="text", least=1.0, most=60.0,
+        help="What the planet is called."),
     Key(name="description", label="description", kind="text", default="",
         help="What the numbers are and where they come from."),
     _WAVELENGTHS,
@@ -92,12 +93,17 @@ _GROUND: Final = (
     Key(name="albedo", label="albedo", most=1.0, words=reflectances, per=_NM,
         help="Share of the light that the ground reflects, alike into all directions."),
     _WAVELENGTHS,
-    Key(name="map", label="map", kind="text", help="Name of the picture of the ground."),
+    Key(name="map", label="map", kind="text", least=1.0, most=100.0,
+        help="Name of the picture of the ground."),
 )  # fmt: skip
 
+#: Stands for a star that is given by its temperature.
+BLACK_BODY: Final = "black body"
+
 _STAR: Final = (
-    Key(name="spectrum", label="spectrum", kind="choice", words=lambda: (SUN,),
-        help="The sun as measured outside the air, at 1 au."),
+    Key(name="spectrum", label="spectrum", kind="choice", words=lambda: (SUN, BLACK_BODY),
+        default=BLACK_BODY, when=lambda star: "temperature" in star,
+        help="The sun as measured outside the air, at 1 au; or a star of a temperature."),
     Key(name="irradiance", label="irradiance", unit="W/m^2/nm", bare="W/m^2/nm", low=1e-3,
         high=1e2, most=1e9, scale="log", per=_NM,
         help="The star's light at the planet, on a plane that faces it."),
@@ -124,7 +130,8 @@ def _coefficients_alone(constituent: object) -> bool:
 
 
 _CONSTITUENT: Final = (
-    Key(name="name", label="name", kind="text", help="What the constituent is called."),
+    Key(name="name", label="name", kind="text", least=1.0, most=60.0,
+        help="What the constituent is called."),
     Key(name="profile", label="profile", kind="table", table="profile",
         help="How its density changes with altitude."),
     _WAVELENGTHS,
