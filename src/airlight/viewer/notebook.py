@@ -128,7 +128,7 @@ class Viewer(anywidget.AnyWidget):
         return {
             "title": session.planet_name,
             "parameters": [one.as_json() for one in session.parameters],
-            "values": session.values,
+            "values": dict(session.values),
             "can": {
                 "undo": session.can_undo,
                 "redo": session.can_redo,
