@@ -33,7 +33,8 @@ def test_single_and_multiple_light_make_all_light(earth: MomentsSolution, altitu
     # Light that was scattered once, and light scattered more often, is all the light there is;
     # a point star has no disc. Float32: 5e-6 of the brightest.
     one, more, whole = (
-        render(earth, scene(altitude), orders=orders).rgb for orders in ("single", "multiple", "all")
+        render(earth, scene(altitude), orders=orders).rgb
+        for orders in ("single", "multiple", "all")
     )
     assert one.max() > 0.0
     assert more.max() > 0.0

@@ -11,7 +11,18 @@ from typing import Annotated, Any
 
 import typer
 
-from airlight.cli import bake, errata, planets, plot, radiance, render, show, validate
+from airlight.cli import (
+    bake,
+    errata,
+    export_page,
+    planets,
+    plot,
+    radiance,
+    render,
+    show,
+    validate,
+    view,
+)
 from airlight.cli.examples import examples
 from airlight.errors import AirlightError, Cancelled
 
@@ -29,8 +40,12 @@ app = typer.Typer(
         "airlight radiance earth --altitude 0m --sun-zenith 60 --view-zenith 30 --azimuth 90",
     ),
 )
-for command in (planets, show, render, radiance, plot, bake, validate, errata):
-    app.command(epilog=command.EPILOG)(getattr(command, command.__name__.rpartition(".")[2]))
+_COMMANDS = (
+    planets, show, render, view, radiance, plot, bake, export_page, validate, errata,
+)  # fmt: skip
+for command in _COMMANDS:
+    function = command.__name__.rpartition(".")[2]
+    app.command(function.replace("_", "-"), epilog=command.EPILOG)(getattr(command, function))
 
 
 def _print_version(asked: bool) -> None:

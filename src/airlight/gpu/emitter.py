@@ -96,6 +96,12 @@ fn arc_sine(x: f32) -> f32 { return angle_of(x, sqrt(max((1.0 - x) * (1.0 + x), 
 """
 
 
+#: Calls that a loop may have inside and still be written out.
+_SHORT: Final = frozenset(
+    {"load", "store", "splat", "float32", "between", "min", "max", "abs", "int"}
+)
+
+
 @dataclass
 class Emitted:
     """A function as it stands in the shader.
@@ -140,7 +146,7 @@ class Emitter:
 
     emitted: dict[tuple[Any, ...], Emitted] = field(default_factory=dict)
     tuples: dict[str, Several] = field(default_factory=dict)
-    _names: set[str] = field(default_factory=set)
+    taken: set[str] = field(default_factory=set)
     _in_progress: set[Any] = field(default_factory=set)
 
     def add(self, function: Callable[..., Any], *arguments: Value, name: str = "") -> Emitted:
@@ -182,9 +188,9 @@ class Emitter:
         if wanted.startswith(("read_", "size_")):  # so are the functions of tables
             wanted = f"{wanted}_here"
         name, copy = wanted, 2
-        while name in self._names:
+        while name in self.taken:
             name, copy = f"{wanted}_{copy}", copy + 1
-        self._names.add(name)
+        self.taken.add(name)
         made = Emitted(name, plain, tuple(zip(parameters, bound, strict=True)))
         _Body(self, made, tree).write()
         self._in_progress.discard(plain)
@@ -345,9 +351,30 @@ class _Body:
             sign = ">"
         self.expressions.learn(node, target.id, I32)
         name = self.expressions.spelled(target.id)
+        if len(ends) < 3 and not _turns_inside(node):
+            self.unrolled(node, name, first, last, depth)
+            return
         self.put(
             depth, f"for ({name} = {first}; {name} {sign} {last}; {name} = {name} + {step}) {{"
         )
+        self.block(node.body, depth + 1)
+        self.put(depth, "}")
+
+    def unrolled(self, node: ast.For, name: str, first: str, last: str, depth: int) -> None:
+        """An innermost loop, four turns at a time and then one by one.
+
+        Mesa's software renderer ends all loops of a shader after 65 535 turns, counted together.
+        """
+        self.temporaries += 1
+        end = f"end_{self.temporaries}"
+        self.put(depth, f"let {end} = {last};")
+        self.put(depth, f"for ({name} = {first}; {name} + 3 < {end}; {name} = {name} + 1) {{")
+        for turn in range(4):
+            if turn:
+                self.put(depth + 1, f"{name} = {name} + 1;")
+            self.block(node.body, depth + 1)
+        self.put(depth, "}")
+        self.put(depth, f"for (; {name} < {end}; {name} = {name} + 1) {{")
         self.block(node.body, depth + 1)
         self.put(depth, "}")
 
@@ -461,6 +488,22 @@ class _Body:
             self.put(depth, f"{place} = {self.expressions.cast(text, found, kind)};")
             return
         raise self.refuse(target, "cannot be assigned to")
+
+
+def _turns_inside(node: ast.For) -> bool:
+    """Whether a loop has loops or long calls inside, or ways out of it."""
+    parts = [inside for statement in node.body for inside in ast.walk(statement)]
+    ways_out = (ast.For, ast.While, ast.Break, ast.Continue, ast.Return)
+    return any(isinstance(one, ways_out) or _is_long_call(one) for one in parts)
+
+
+def _is_long_call(node: ast.AST) -> bool:
+    """Whether it calls another function than one of numbers, lanes or four nodes of a field."""
+    if not isinstance(node, ast.Call):
+        return False
+    called = node.func
+    name = called.attr if isinstance(called, ast.Attribute) else getattr(called, "id", "")
+    return name not in _SHORT
 
 
 def _assigned(tree: ast.FunctionDef) -> set[str]:

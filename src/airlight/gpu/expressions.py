@@ -6,8 +6,8 @@ import ast
 import inspect
 import math
 import re
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Final
+from collections.abc import Callable, Sequence
+from typing import Any, Final, Protocol
 
 import numpy as np
 
@@ -29,9 +29,6 @@ from airlight.gpu.shader_types import (
     run_time,
 )
 from airlight.kernel import lanes as lane_module
-
-if TYPE_CHECKING:
-    from airlight.gpu.emitter import Emitter
 
 #: Python's mathematics in WGSL; those that the prelude brings are good to float32.
 _MATH: Final[dict[Any, str]] = {
@@ -69,7 +66,8 @@ _TAKEN: Final = frozenset(
     floor fn for fract i32 if in inout input int float inverse inverseSqrt layout length let log
     log2 loop main max min mix mod normalize out output override pow precision radians reflect
     refract return round sample sampler select shared sign sin sine smooth sqrt squared step
-    struct switch tan texture trunc true u32 uniform var vec4f whole_quotient whole_rest while active centroid common
+    struct switch tan texture trunc true u32 uniform var vec4f while active centroid common
+    whole_quotient whole_rest
     filter half fixed image interface packed partition public static superp target template this
     union unsigned using volatile highp lowp mediump flat buffer texel
     """,
@@ -81,12 +79,34 @@ class SubsetError(AirlightError):
     """A function that has no WGSL: names file, line and reason."""
 
 
+class Callee(Protocol):
+    """A function as it stands in the shader; see ``emitter.Emitted``."""
+
+    name: str
+    parameters: tuple[tuple[str, Value], ...]
+    result: Scalar | Several | None
+
+
+class Functions(Protocol):
+    """Emits what is called; see ``emitter.Emitter``."""
+
+    @property
+    def taken(self) -> set[str]:
+        """Names of functions."""
+
+    def add(self, function: Callable[..., Any], *arguments: Value) -> Callee:
+        """Emit a function."""
+
+    def tuple_type(self, items: Sequence[Scalar]) -> Several:
+        """The struct that stands for a tuple."""
+
+
 class Expressions:
     """Writes the expressions of one function.
 
     Parameters
     ----------
-    emitter : Emitter
+    emitter : Functions
         Emits what is called.
     function : callable
         Plain Python: its module gives the constants.
@@ -95,7 +115,7 @@ class Expressions:
     """
 
     def __init__(
-        self, emitter: Emitter, function: Callable[..., Any], names: dict[str, Value]
+        self, emitter: Functions, function: Callable[..., Any], names: dict[str, Value]
     ) -> None:
         self.emitter, self.function, self.names = emitter, function, names
         closure = inspect.getclosurevars(function)
@@ -110,7 +130,7 @@ class Expressions:
 
     def spelled(self, name: str) -> str:
         """A Python name as it may stand in WGSL."""
-        return f"{name}_1" if name in _TAKEN or name in self.emitter._names else name.lstrip("_")
+        return f"{name}_1" if name in _TAKEN or name in self.emitter.taken else name.lstrip("_")
 
     def learn(self, node: ast.AST, name: str, found: Value) -> None:
         """A name was assigned to: remember its type, the wider one of two."""

@@ -49,6 +49,8 @@ GRAZING = 9.0
 FAINT = 5e-4
 FULL_DAY = 0.1
 THICK = 15.0
+#: A line that is cut so often needs few points a panel.
+MANY_EDGES = 12
 
 
 @inlined
@@ -58,16 +60,13 @@ def panel_columns(rule, light, amounts, before, columns):
     ``amounts`` holds density times weight of each point, constituent by constituent.
     """
     n = int(light.rules[rule])
-    for k in range(n):
-        for c in range(light.constituents):
-            columns[c * MOST_POINTS + k] = 0.0
-        for j in range(n):
-            share = light.rules[rule + 1 + 2 * n + k * n + j]
-            for c in range(light.constituents):
-                columns[c * MOST_POINTS + k] += share * amounts[c * MOST_POINTS + j]
-        for c in range(light.constituents):
-            columns[c * MOST_POINTS + k] = before[c] + max(columns[c * MOST_POINTS + k], 0.0)
     for c in range(light.constituents):
+        for k in range(n):
+            running = 0.0
+            for j in range(n):
+                share = light.rules[rule + 1 + 2 * n + k * n + j]
+                running += share * amounts[c * MOST_POINTS + j]
+            columns[c * MOST_POINTS + k] = before[c] + max(running, 0.0)
         for k in range(n):
             before[c] += amounts[c * MOST_POINTS + k]
 
@@ -174,7 +173,7 @@ def march_line(r, mu, mu_s, nu, length, orders, gathers, peaks, phase, light, to
     slant = length / (top - bottom)
     day = end > FULL_DAY
     kind = 1 if slant < GRAZING else 2
-    if day and slant < STEEP:
+    if (day and slant < STEEP) or count > MANY_EDGES:
         kind = 0
     rule = int(light.rules[kind])
     n = int(light.rules[rule])
@@ -229,45 +228,48 @@ def march_line(r, mu, mu_s, nu, length, orders, gathers, peaks, phase, light, to
                     )  # fmt: skip
                     if peaks:
                         if light.first_peak >= 0:
-                            first = first + star * load(
-                                light.scattering, LANES * light.first_peak
-                            ) * rho[light.first_peak]
+                            first = (
+                                first
+                                + star
+                                * load(light.scattering, LANES * light.first_peak)
+                                * rho[light.first_peak]
+                            )
                         if light.second_peak >= 0:
-                            second = second + star * load(
-                                light.scattering, LANES * light.second_peak
-                            ) * rho[light.second_peak]
+                            second = (
+                                second
+                                + star
+                                * load(light.scattering, LANES * light.second_peak)
+                                * rho[light.second_peak]
+                            )
                     else:
                         air = air + star * scattered_star(
                             rho, light.scattering, phase, light.constituents, LANES, 0
                         )
-            if gathers:
-                if orders != 1 and depth * weight[k] >= faint:
-                    legendre_functions(
-                        mu_q, (light.degree, light.start, light.ahead, light.back), functions
-                    )
-                    spread = (1.0 - mu_q) * (1.0 + mu_q) * (1.0 - mu_sq) * (1.0 + mu_sq)
-                    step = (nu_q - mu_q * mu_sq) / sqrt(max(spread, 1e-24))
-                    times_cosines(functions, min(max(step, -1.0), 1.0), light.degree)
-                    x = row_of(q, bottom, top, light.row)
-                    row = min(int(x), light.radii - 2)
-                    f = np.float32(x - row)
-                    x = place_of(mu_sq, light.place)
-                    place = min(int(x), light.suns - 2)
-                    e = np.float32(x - place)
-                    g = np.float32(1.0) - f
-                    h = np.float32(1.0) - e
-                    near = (row * light.suns + place) * block
-                    air = air + through * gathered_light(
-                        rho, light.moments, light.field, functions, near,
-                        near + light.suns * block, block, g * h, g * e, f * h, f * e,
-                        light.degree, light.constituents, LANES, 0,
-                    )  # fmt: skip
+            if gathers and orders != 1 and depth * weight[k] >= faint:
+                legendre_functions(
+                    mu_q, (light.degree, light.start, light.ahead, light.back), functions
+                )
+                spread = (1.0 - mu_q) * (1.0 + mu_q) * (1.0 - mu_sq) * (1.0 + mu_sq)
+                step = (nu_q - mu_q * mu_sq) / sqrt(max(spread, 1e-24))
+                times_cosines(functions, min(max(step, -1.0), 1.0), light.degree)
+                x = row_of(q, bottom, top, light.row)
+                row = min(int(x), light.radii - 2)
+                f = np.float32(x - row)
+                x = place_of(mu_sq, light.place)
+                place = min(int(x), light.suns - 2)
+                e = np.float32(x - place)
+                g = np.float32(1.0) - f
+                h = np.float32(1.0) - e
+                near = (row * light.suns + place) * block
+                air = air + through * gathered_light(
+                    rho, light.moments, light.field, functions, near,
+                    near + light.suns * block, block, g * h, g * e, f * h, f * e,
+                    light.degree, light.constituents, LANES, 0,
+                )  # fmt: skip
     for c in range(light.constituents):
         totals[c] = before[c]
     store(result, 0, air)
-    store(
-        result, LANES, through_columns(before, light.extinction, light.constituents, LANES, 0)
-    )
+    store(result, LANES, through_columns(before, light.extinction, light.constituents, LANES, 0))
     store(result, 2 * LANES, first)
     store(result, 3 * LANES, second)
 
@@ -300,4 +302,3 @@ def ground_received(mu_s, orders, light, room):
         place = min(int(x), light.suns - 2)
         received = received + level_sky(light.sky, place, x - place, LANES, 0)
     store(room, 0, received)
-

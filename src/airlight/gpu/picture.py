@@ -14,7 +14,7 @@ from airlight.gpu.sky_table import half_sine_between, look, phases_towards
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load, maximum, minimum, room_of_lanes, splat, store
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle, row_from_impact
-from airlight.scene.ground_place import footprint_level, map_color, moved_on, planet_angles
+from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
 from airlight.scene.projections.projected import projected_ray
 from airlight.solvers.moments.source import through_columns
 from airlight.tables.column_ratios import columns_to_top
@@ -126,16 +126,14 @@ def reflectance(x, y, z, sine, impact, cosine, angle, observer, screen, light):
     across, up = first_meeting(min(impact, light.bottom), sine, light.bottom)
     scale = across / max(sine, 1e-30)
     px, py, pz = scale * x, scale * y, up
-    if angle != 0.0:
-        px, py, pz = moved_on(px, py, pz, x, y, z, cosine, angle, light.bottom)
-    latitude, longitude = planet_angles(
+    px, py, pz = moved_on(px, py, pz, x, y, z, cosine, angle, light.bottom)
+    latitude, longitude = latitude_longitude(
         screen.xx * px + screen.xy * py + screen.xz * pz,
         screen.yx * px + screen.yy * py + screen.yz * pz,
         screen.zx * px + screen.zy * py + screen.zz * pz,
-        light.bottom,
     )
     reach = sqrt(px * px + py * py + (pz - observer.r) * (pz - observer.r))
-    level = footprint_level(screen.pixel_angle, reach, cosine, light.bottom, screen.levels[0, 1])
+    level = map_level(screen.pixel_angle, reach, cosine, light.bottom, screen.levels[0, 1])
     map_color(screen.texels, screen.levels, latitude, longitude, level, color)
     total = splat(0.0)
     for c in range(3):
@@ -223,9 +221,7 @@ def pixel_light(px, py, exact, observer, screen, light, result):
             phase = room_of_lanes(MOST_CONSTITUENTS)
             found = room_of_lanes(4)
             phases_towards(half_sine, True, light, phase)
-            bent = look(
-                z, sine, cos_azimuth, to_ground, True, False, observer, light, phase, found
-            )
+            bent = look(z, sine, cos_azimuth, to_ground, True, False, observer, light, phase, found)
             total = load(found, 0)
             ground = load(found, LANES)
         else:
@@ -247,11 +243,8 @@ def pixel_light(px, py, exact, observer, screen, light, result):
             if screen.mapped:
                 cosine = sqrt(max((light.bottom - impact) * (light.bottom + impact), 0.0))
                 cosine = cosine / light.bottom
-                albedo = reflectance(
-                    x, y, z, sine, impact, cosine, bent, observer, screen, light
-                )
+                albedo = reflectance(x, y, z, sine, impact, cosine, bent, observer, screen, light)
             total = total + ground * albedo
-    if shown and screen.draws_disc:
-        if not to_ground:
-            total = total + star_disc(x, y, z, start_r, start_mu, inside, observer, screen, light)
+    if shown and screen.draws_disc and not to_ground:
+        total = total + star_disc(x, y, z, start_r, start_mu, inside, observer, screen, light)
     store(result, 0, total)

@@ -229,7 +229,7 @@ class Pictures:
         solution = self._shown()
         camera = scene.camera
         width, height = size or (camera.width, camera.height)
-        numbers, outside = _scene_numbers(scene, solution)
+        numbers = _scene_numbers(scene, solution)
         numbers |= self._textures.numbers if self._textures is not None else {}
         peaks = 0.0 if exact else float(numbers["first_peak"] >= 0)
         numbers |= {
@@ -300,8 +300,8 @@ _NOT_THE_SKYS: Final = (
 )  # fmt: skip
 
 
-def _scene_numbers(scene: Scene, solution: MomentsSolution) -> tuple[dict[str, float], bool]:
-    """The uniforms of observer, star and camera, and whether he is above the air."""
+def _scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
+    """The uniforms of observer, star and camera."""
     camera, medium = scene.camera, solution.paths.medium
     true_r = solution.medium.bottom_radius + scene.altitude
     r = float(solution.paths.optical_radius(np.array(true_r)))
@@ -332,7 +332,7 @@ def _scene_numbers(scene: Scene, solution: MomentsSolution) -> tuple[dict[str, f
         numbers |= {f"{name}_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
     for name, row in zip("xyz", scene.ground_frame, strict=True):
         numbers |= {f"{name}{c}": float(value) for c, value in zip("xyz", row, strict=True)}
-    return numbers, outside
+    return numbers
 
 
 def _display_numbers(exposure: float, tone_map: str, encoding: str | None) -> dict[str, float]:

@@ -136,9 +136,7 @@ def peaked_constituents(solution: MomentsSolution) -> tuple[int, ...]:
     return tuple(order[:MOST_PEAKS])
 
 
-def shown_solution(
-    solution: MomentsSolution, basis: FloatArray, *, peaks: bool = True
-) -> Shown:
+def shown_solution(solution: MomentsSolution, basis: FloatArray, *, peaks: bool = True) -> Shown:
     """The tables of a solution.
 
     Parameters

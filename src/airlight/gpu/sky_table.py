@@ -109,9 +109,7 @@ def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phas
         r = light.top
         across, up = first_meeting(min(impact, light.top), sine, light.top)
         start_mu = -sqrt(max((light.top - impact) * (light.top + impact), 0.0)) / light.top
-        start_mu_s = star_from(
-            across, up, light.top, cos_azimuth, observer.sun_x, observer.sun_z
-        )
+        start_mu_s = star_from(across, up, light.top, cos_azimuth, observer.sun_x, observer.sun_z)
     length = distance_to_top(r, start_mu, light.top)
     if to_ground:
         length = distance_to_bottom(r, start_mu, light.bottom)
@@ -121,17 +119,16 @@ def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phas
     )  # fmt: skip
     ground = splat(0.0)
     angle = 0.0
-    if gathers:
-        if to_ground:
-            across, up = first_meeting(min(impact, light.bottom), sine, light.bottom)
-            mu_s = star_from(across, up, light.bottom, cos_azimuth, observer.sun_x, observer.sun_z)
-            if light.bend > 0.0:
-                angle = bend_angle(r, start_mu, light.bend, totals[light.constituents - 1])
-                slant = (r * start_mu + length) / light.bottom
-                mu_s, _ = turned(slant, mu_s, nu, angle)
-                mu_s = min(max(mu_s, -1.0), 1.0)
-            ground_received(mu_s, observer.orders, light, received)
-            ground = reflected(load(received, 0), splat(1.0)) * load(along, LANES)
+    if gathers and to_ground:
+        across, up = first_meeting(min(impact, light.bottom), sine, light.bottom)
+        mu_s = star_from(across, up, light.bottom, cos_azimuth, observer.sun_x, observer.sun_z)
+        if light.bend > 0.0:
+            angle = bend_angle(r, start_mu, light.bend, totals[light.constituents - 1])
+            slant = (r * start_mu + length) / light.bottom
+            mu_s, _ = turned(slant, mu_s, nu, angle)
+            mu_s = min(max(mu_s, -1.0), 1.0)
+        ground_received(mu_s, observer.orders, light, received)
+        ground = reflected(load(received, 0), splat(1.0)) * load(along, LANES)
     store(result, 0, load(along, 0))
     store(result, LANES, ground)
     store(result, 2 * LANES, load(along, 2 * LANES))

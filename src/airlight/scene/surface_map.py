@@ -133,6 +133,18 @@ def from_pixels(name: str, pixels: NDArray[np.uint8]) -> SurfaceMap:
     return SurfaceMap(name=name, levels=tuple(levels))
 
 
+def map_file(name: str) -> Path:
+    """The file of a map, which may be missing: a packaged one's, or that of the name itself.
+
+    Examples
+    --------
+    >>> map_file("earth").name
+    'earth-albedo.jpg'
+    """
+    packaged = _DATA / f"{name}{_SUFFIX}"
+    return packaged if "/" not in name and packaged.is_file() else Path(name)
+
+
 @cache
 def surface_map(name: str) -> SurfaceMap:
     """A map by name or by file, read once.
@@ -155,8 +167,7 @@ def surface_map(name: str) -> SurfaceMap:
     """
     from PIL import Image, UnidentifiedImageError
 
-    packaged = _DATA / f"{name}{_SUFFIX}"
-    file = packaged if "/" not in name and packaged.is_file() else Path(name)
+    file = map_file(name)
     try:
         with Image.open(file) as picture:
             pixels = np.asarray(picture.convert("RGB"))

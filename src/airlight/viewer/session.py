@@ -18,6 +18,7 @@ from airlight.viewer import saved_state
 from airlight.viewer.as_standard import as_standard, is_advanced
 from airlight.viewer.comparing import Difference, differing
 from airlight.viewer.editing import Editing, Side
+from airlight.viewer.parameter import Value
 from airlight.viewer.planet_file import planet_file
 from airlight.viewer.view_parameters import view_parameters
 from airlight.viewer.wanted import Versions, Wanted
@@ -103,6 +104,20 @@ class Session(Editing):
     def has_other(self) -> bool:
         """Whether there are two sides."""
         return self._other is not None
+
+    @property
+    def view_other(self) -> Mapping[str, Value] | None:
+        """The other side's view, with the camera and the sun of this one if they share them."""
+        if self._other is None:
+            return None
+        shared = self._side.view if self.shares_camera else {}
+        camera = {path: value for path, value in shared.items() if path.startswith("view.")}
+        return {**self._other.view, **camera}
+
+    @property
+    def planet_name_other(self) -> str:
+        """The name of the other side's planet; empty without one."""
+        return "" if self._other is None else str(self._other.planet.tables.get("name", ""))
 
     def store_b(self) -> None:
         """Keep what is shown as the other side; edits from now on are of this one alone."""

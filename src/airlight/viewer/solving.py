@@ -21,8 +21,8 @@ from airlight.errors import AirlightError, Cancelled
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.planet import Planet
 from airlight.planets.reader import read_planet
-from airlight.viewer.session import Session, Versions, Wanted
 from airlight.viewer.switches import switched
+from airlight.viewer.wanted import Versions, Wanted
 
 #: A preview that takes longer than this is given up for a newer edit. Quicker ones are finished, so
 #: that the picture follows a drag whose edits come faster than previews do. [s]
@@ -35,6 +35,17 @@ _REPORT_EVERY: Final = 0.1
 COUNTS: Final = {"three": 3, "four": 4, "eight": 8, "sixteen": 16}
 
 FloatArray = NDArray[np.float64]
+
+
+class Followed(Protocol):
+    """A session, or one side of it."""
+
+    @property
+    def wanted(self) -> Wanted:
+        """What has to be solved."""
+
+    def follow(self, follower: Callable[[Versions], None]) -> Callable[[], None]:
+        """Call something after every change, on the host's thread; returns how to stop."""
 
 
 class Solver(Protocol):
@@ -126,7 +137,7 @@ class Solving:
 
     Parameters
     ----------
-    session : Session
+    session : Session or SessionSide
         Followed from now on.
     solver : Solver
         See there; called on the thread.
@@ -143,7 +154,7 @@ class Solving:
 
     def __init__(
         self,
-        session: Session,
+        session: Followed,
         *,
         solver: Solver = solve_on_cpu,
         wavelengths: Callable[[Planet, str], FloatArray] = evenly_spaced,

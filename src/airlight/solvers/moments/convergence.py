@@ -11,6 +11,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.kernel import kernel, vectorized
 from airlight.kernel.lanes import LANES
 from airlight.solvers.moments.acceleration import mixing_weights
 
@@ -72,7 +73,7 @@ def what_follows(residuals: deque[FloatArray]) -> FloatArray:
     sizes = [np.sqrt(np.square(one).sum(axis=0)) for one in residuals]
     before = sizes[-min(len(sizes), 3)]
     steps = max(min(len(sizes), 3) - 1, 1)
-    ratio = np.divide(sizes[-1], before, out=np.full(LANES, 0.5), where=before > 0.0)
+    ratio = np.divide(sizes[-1], before, out=np.full_like(sizes[-1], 0.5), where=before > 0.0)
     if len(sizes) == 1:
         ratio[:] = 0.5
     ratio = np.clip(ratio ** (1.0 / steps), _SHRINKAGE, _STALLED)
@@ -101,7 +102,21 @@ def mix(
     return field, np.where(_is_near(sky, last_sky), sky, last_sky)
 
 
+@kernel
+def is_near(mixed, computed, brightest):
+    """Whether a mixed mean radiance is within a factor of two of a computed one that is not dark.
+
+    Parameters
+    ----------
+    mixed, computed : float
+        At one node.
+    brightest : float
+        The largest computed one at any node.
+    """
+    lit = computed > _DARK * brightest
+    return lit and mixed > 0.5 * computed and mixed < 2.0 * computed
+
+
 def _is_near(mixed: Float32Array, computed: Float32Array) -> NDArray[np.bool_]:
-    """Whether a mixed value is within a factor of two of a computed one that is not dark."""
-    lit = computed > _DARK * computed.max(axis=(0, 1))
-    return np.asarray(lit & (mixed > 0.5 * computed) & (mixed < 2.0 * computed))
+    brightest = computed.max(axis=(0, 1))
+    return np.asarray(vectorized(is_near)(mixed, computed, brightest), bool)

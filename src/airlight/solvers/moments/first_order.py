@@ -8,23 +8,144 @@ import numpy as np
 
 from airlight.geometry.bending import level_light, star_points
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
+from airlight.kernel.lanes import LANES, exponential, load, splat, store
 from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate
 from airlight.solvers.moments.harmonics import legendre_functions
-from airlight.solvers.moments.sweep import optical_depth, project
+from airlight.solvers.moments.sweep import (
+    optical_depth,
+    project,
+    reflected_share,
+    star_at_end,
+    star_from_point,
+    star_from_ray,
+)
 
 
-@compiled_loop
-def interpolate_row(ratios, x, shortest, longest, out):
-    """Columns from one radius in all directions of a table, whose distances lie evenly. [m]"""
-    row = min(int(x), ratios.shape[0] - 2)
-    f = x - row
-    step = (longest - shortest) / (ratios.shape[1] - 1)
-    for j in range(ratios.shape[1]):
-        for c in range(ratios.shape[2]):
-            scale = ratios[row, j, c, 0] * (1.0 - f) + ratios[row + 1, j, c, 0] * f
-            scaled = ratios[row, j, c, 1] * (1.0 - f) + ratios[row + 1, j, c, 1] * f
-            out[j, c] = (shortest + j * step) * scaled / scale
+@inlined
+def depth_towards(ratios, row, f, place, distance, extinction, constituents):
+    """Optical depth from a point to the top of the shell, in a direction of the table's. [1]
+
+    Parameters
+    ----------
+    ratios : array, shape (radii, directions, nc, 2)
+        Of a ``ColumnTable``, from ``mean_density_ratios``.
+    row, f : int, float
+        The point's place between two of its radii.
+    place : int
+        Which direction.
+    distance : float
+        To the top. [m]
+    extinction : array, shape (nc·8,)
+        [m⁻¹]
+    constituents : int
+    """
+    tau = splat(0.0)
+    for c in range(constituents):
+        scale = ratios[row, place, c, 0] * (1.0 - f) + ratios[row + 1, place, c, 0] * f
+        scaled = ratios[row, place, c, 1] * (1.0 - f) + ratios[row + 1, place, c, 1] * f
+        tau = tau + load(extinction, LANES * c) * np.float32(distance * scaled / scale)
+    return tau
+
+
+@inlined
+def depth_in_row(ratios, q, place, bottom, top, extinction, constituents):
+    """``depth_towards`` from a radius q; the directions are even in the distance to the top. [1]"""
+    x = altitude_coordinate(q, bottom, top)
+    row = min(int(x * (ratios.shape[0] - 1)), ratios.shape[0] - 2)
+    f = x * (ratios.shape[0] - 1) - row
+    shortest = top - q
+    longest = (1.0 + x) * sqrt((top - bottom) * (top + bottom))
+    distance = shortest + place * ((longest - shortest) / (ratios.shape[1] - 1))
+    return depth_towards(ratios, row, f, place, distance, extinction, constituents)
+
+
+@inlined
+def through_row(depths, local, x, directions):
+    """Transmittance of eight wavelengths at a place between the directions of one row. [1]"""
+    place = min(int(x), directions - 2)
+    f = np.float32(x - place)
+    at = LANES * (local * directions + place)
+    return exponential(
+        0.0 - ((np.float32(1.0) - f) * load(depths, at) + f * load(depths, at + LANES))
+    )
+
+
+@inlined
+def direct_light(mu_s, bottom, top, star_radius, depths, local, directions, lift):
+    """Irradiance of level ground by the star itself, per irradiance at the top. [1]
+
+    ``depths`` has the ground's row at ``local``.
+    """
+    from_low, from_high, low, high = level_light(bottom, mu_s, bottom, top, star_radius, lift)
+    x = direction_coordinate(bottom, low, bottom, top) * (directions - 1)
+    light = through_row(depths, local, x, directions) * np.float32(from_low)
+    x = direction_coordinate(bottom, high, bottom, top) * (directions - 1)
+    return light + through_row(depths, local, x, directions) * np.float32(from_high)
+
+
+@inlined
+def fill_phases(moments, nu, degree, constituents, phases):
+    """Phase function times scattering coefficient of each constituent. [m⁻¹ sr⁻¹]"""
+    for c in range(constituents):
+        total = splat(0.0)
+        before, value = 0.0, 1.0
+        for l in range(degree + 1):
+            total = total + load(moments, LANES * (c * (degree + 1) + l)) * np.float32(
+                (2 * l + 1) * 0.07957747154594767 * value
+            )
+            following = ((2 * l + 1) * nu * value - l * before) / (l + 1)
+            before, value = value, following
+        store(phases, LANES * c, total)
+
+
+@inlined
+def scattered_once(
+    turn, radii, first, points, strong, strengths, phases, constituents, deep, depths, directions,
+    mu_s, nu, bottom, top, star_radius, lift,
+):  # fmt: skip
+    """Radiance that the points of a ray send along it, of the star's own light. [sr⁻¹]
+
+    Parameters
+    ----------
+    turn, radii : array
+        Of ``Rays``: ``turn`` and ``radius``.
+    first, points : int
+        The ray's points.
+    strong, deep : int
+        Where ``strengths`` and ``depths`` have the first of them.
+    strengths : array, shape (points·nc·8,)
+        Amount of each constituent at a point times the transmittance on the way from it. [m]
+    phases : array, shape (nc·8,)
+        From ``fill_phases``.
+    constituents : int
+    depths : array, shape (points·directions·8,)
+        From ``depth_in_row``. [1]
+    directions : int
+    mu_s, nu : float
+        Of the star at the start of the ray. [1]
+    bottom, top, star_radius, lift :
+        As in ``star_points``.
+    """
+    radiance = splat(0.0)
+    for k in range(points):
+        q = radii[first + k]
+        mu_sk, _ = star_from_point(turn, first + k, mu_s, nu)
+        seen, low, high = star_points(q, mu_sk, bottom, top, star_radius, lift)
+        if seen <= 0.0:
+            continue
+        x = direction_coordinate(q, low, bottom, top) * (directions - 1)
+        light = through_row(depths, deep + k, x, directions)
+        if high > low:
+            x = direction_coordinate(q, high, bottom, top) * (directions - 1)
+            light = light + through_row(depths, deep + k, x, directions)
+            light = light * np.float32(0.5)
+        source = splat(0.0)
+        for c in range(constituents):
+            source = source + load(phases, LANES * c) * load(
+                strengths, LANES * ((strong + k) * constituents + c)
+            )
+        radiance = radiance + np.float32(seen) * light * source
+    return radiance
 
 
 @compiled_loop
@@ -63,19 +184,22 @@ def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, 
     terms = (degree + 1) * (degree + 2) // 2
     constituents = totals.shape[2]
     angles = all_mu.shape[1]
-    tangent = sqrt((top - bottom) * (top + bottom))
     most = 0
     for a in range(angles):
         most = max(most, starts[i, a + 1] - starts[i, a])
     directions = columns.shape[1]
-    sun_columns = np.empty((max(most, 1), directions, constituents))
-    ground_columns = np.empty((directions, constituents))
-    interpolate_row(columns, 0.0, top - bottom, tangent, ground_columns)
+    sun_depths = np.empty(max(most, 1) * directions * LANES, np.float32)
+    ground_depths = np.empty(directions * LANES, np.float32)
+    for d in range(directions):
+        store(
+            ground_depths,
+            LANES * d,
+            depth_in_row(columns, bottom, d, bottom, top, extinction, constituents),
+        )
     strength = np.empty(max(most, 1) * constituents * LANES, np.float32)
     phase = np.empty(constituents * LANES, np.float32)
     functions = np.empty(terms)
     azimuthal = np.empty((degree + 1) * LANES, np.float32)
-    here = np.empty(constituents)
     out[:] = 0.0
     sky_out[:] = 0.0
     for a in range(angles):
@@ -83,17 +207,14 @@ def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, 
         below = a < angles // 2
         first = starts[i, a]
         points = starts[i, a + 1] - first
-        turn = turns_along[first : first + points]
         for k in range(points):
             q = ray_radii[first + k]
-            x = altitude_coordinate(q, bottom, top)
-            interpolate_row(
-                columns,
-                x * (columns.shape[0] - 1),
-                top - q,
-                (1.0 + x) * tangent,
-                sun_columns[k],
-            )
+            for d in range(directions):
+                store(
+                    sun_depths,
+                    LANES * (k * directions + d),
+                    depth_in_row(columns, q, d, bottom, top, extinction, constituents),
+                )
             through = exponential(
                 0.0 - optical_depth(depths[first + k], 0, extinction, constituents)
             )
@@ -103,57 +224,25 @@ def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, 
                     LANES * (k * constituents + c),
                     through * np.float32(amounts[first + k, c]),
                 )
+        reflected = splat(0.0)
         if below:
-            reflected = (
-                load(albedo, 0)
-                * INVERSE_PI
-                * exponential(0.0 - optical_depth(totals[i, a], 0, extinction, constituents))
-            )
-        else:
-            reflected = splat(0.0)
+            reflected = reflected_share(albedo, extinction, totals[i, a], 0, constituents)
         legendre_functions(mu, expansion, functions)
-        sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
         exact = load(share, LANES * (i * angles + a))
         for j in range(suns):
             mu_s = sun_cosines[j]
-            sun_sine = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
             azimuthal[:] = 0.0
             for b in range(cosines.size):
-                nu = min(max(mu * mu_s + sine * sun_sine * cosines[b], -1.0), 1.0)
-                for c in range(constituents):
-                    total = splat(0.0)
-                    before, value = 0.0, 1.0
-                    for l in range(degree + 1):
-                        total = total + load(moments, LANES * (c * (degree + 1) + l)) * np.float32(
-                            (2 * l + 1) * 0.07957747154594767 * value
-                        )
-                        following = ((2 * l + 1) * nu * value - l * before) / (l + 1)
-                        before, value = value, following
-                    store(phase, LANES * c, total)
-                radiance = splat(0.0)
-                for k in range(points):
-                    q = ray_radii[first + k]
-                    mu_sk = min(max(turn[k, 0] * mu_s + turn[k, 1] * nu, -1.0), 1.0)
-                    seen, low, high = star_points(q, mu_sk, bottom, top, star_radius, lift)
-                    if seen <= 0.0:
-                        continue
-                    x = direction_coordinate(q, low, bottom, top) * (directions - 1)
-                    light = through_row(sun_columns[k], x, extinction, here)
-                    if high > low:
-                        x = direction_coordinate(q, high, bottom, top) * (directions - 1)
-                        light = light + through_row(sun_columns[k], x, extinction, here)
-                        light = light * np.float32(0.5)
-                    source = splat(0.0)
-                    for c in range(constituents):
-                        source = source + load(phase, LANES * c) * load(
-                            strength, LANES * (k * constituents + c)
-                        )
-                    radiance = radiance + np.float32(seen) * light * source
-                radiance = radiance * exact
+                nu = star_from_ray(mu, mu_s, cosines[b])
+                fill_phases(moments, nu, degree, constituents, phase)
+                radiance = exact * scattered_once(
+                    turns_along, ray_radii, first, points, 0, strength, phase, constituents,
+                    0, sun_depths, directions, mu_s, nu, bottom, top, star_radius, lift,
+                )  # fmt: skip
                 if below:
-                    mu_sg = min(max(ends[i, a, 0] * mu_s + ends[i, a, 1] * nu, -1.0), 1.0)
+                    mu_sg = star_at_end(ends, i, a, mu_s, nu)
                     radiance = radiance + reflected * direct_light(
-                        mu_sg, bottom, top, star_radius, extinction, ground_columns, lift, here
+                        mu_sg, bottom, top, star_radius, ground_depths, 0, directions, lift
                     )
                 for m in range(degree + 1):
                     at = LANES * m
@@ -163,24 +252,3 @@ def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, 
                 at = LANES * j
                 flux = np.float32(all_flux[i, a])
                 store(sky_out, at, load(sky_out, at) + flux * load(azimuthal, 0))
-
-
-@inlined
-def through_row(columns, x, extinction, here):
-    """Transmittance of eight wavelengths at a place between the columns of one row. [1]"""
-    place = min(int(x), columns.shape[0] - 2)
-    f = x - place
-    for c in range(columns.shape[1]):
-        here[c] = columns[place, c] * (1.0 - f) + columns[place + 1, c] * f
-    return exponential(0.0 - optical_depth(here, 0, extinction, columns.shape[1]))
-
-
-@inlined
-def direct_light(mu_s, bottom, top, star_radius, extinction, ground_columns, lift, here):
-    """Irradiance of level ground by the star itself, per irradiance at the top. [1]"""
-    from_low, from_high, low, high = level_light(bottom, mu_s, bottom, top, star_radius, lift)
-    directions = ground_columns.shape[0] - 1
-    x = direction_coordinate(bottom, low, bottom, top) * directions
-    light = through_row(ground_columns, x, extinction, here) * np.float32(from_low)
-    x = direction_coordinate(bottom, high, bottom, top) * directions
-    return light + through_row(ground_columns, x, extinction, here) * np.float32(from_high)

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import inlined
+from airlight.kernel import inlined, kernel
 
 FloatArray = NDArray[np.float64]
 
@@ -84,6 +84,12 @@ def harmonics(degree: int) -> Harmonics:
     return Harmonics(degree, start, ahead, back)
 
 
+@kernel
+def climbed(ahead, back, mu, value, before):
+    """K_lm P_l^m(mu) from those of degrees l - 1 and l - 2. [1]"""
+    return ahead * mu * value - back * before
+
+
 @inlined
 def legendre_functions(mu, terms, out):
     """K_lm P_l^m(mu) for all l, m.
@@ -107,8 +113,40 @@ def legendre_functions(mu, terms, out):
         out[index] = value
         for l in range(m + 1, degree + 1):
             index += l
-            following = ahead[index] * mu * value - back[index] * before
+            following = climbed(ahead[index], back[index], mu, value, before)
             before = value
             value = following
             out[index] = value
         power *= sine
+
+
+@inlined
+def legendre_function(mu, l, m, start, ahead, back):
+    """K_lm P_l^m(mu) of one l and m; the arrays are those of ``Harmonics``. [1]"""
+    sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
+    value = start[m]
+    order = 0
+    while order < m:
+        value = value * sine
+        order += 1
+    before = 0.0
+    index = m * (m + 1) // 2 + m
+    for step in range(m + 1, l + 1):
+        index = index + step
+        following = climbed(ahead[index], back[index], mu, value, before)
+        before = value
+        value = following
+    return value
+
+
+@kernel
+def degree_of(index):
+    """The l of the coefficient that stands at l(l + 1)/2 + m.
+
+    Examples
+    --------
+    >>> [degree_of(index) for index in range(7)]
+    [0, 1, 1, 2, 2, 2, 3]
+    """
+    # The nearest root below a whole number is 1/(l + 1) away from it.
+    return int(0.5 * (sqrt(8.0 * index + 1.0) - 1.0) + 1e-3)

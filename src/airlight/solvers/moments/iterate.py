@@ -112,6 +112,15 @@ def even_azimuths(degree: int, count: int) -> Azimuths:
     return Azimuths(np.cos(phi), multiples.astype(np.float32))
 
 
+def nodes_of_rays(settings: Settings, parts: int, ends: FloatArray) -> int:
+    """Points a panel of the sweeps' rays, whose panels end at ``ends``."""
+    if parts > 1:
+        return min(settings.nodes, FEW_NODES)
+    if ends.size:  # several panels a leg need fewer points each
+        return max(FEW_NODES, 3 * settings.nodes // 5)
+    return settings.nodes
+
+
 def solve_moments(
     paths: LightPaths,
     settings: Settings,
@@ -143,11 +152,6 @@ def solve_moments(
     gathering = grid._replace(radii=grid.radii[::parts])
     strongest = medium.extinction.max(axis=1)
     ends = panel_ends(medium, grid, parts)
-    nodes = settings.nodes
-    if parts > 1:
-        nodes = min(nodes, FEW_NODES)
-    elif ends.size:  # several panels a leg need fewer points each
-        nodes = max(FEW_NODES, 3 * nodes // 5)
     sweeper = Sweeper(
         grid=grid,
         parts=parts,
@@ -156,7 +160,7 @@ def solve_moments(
             medium.density,
             strongest,
             settings.zenith_angles,
-            nodes,
+            nodes_of_rays(settings, parts, ends),
             bend=paths.bend,
             ends=ends,
         ),

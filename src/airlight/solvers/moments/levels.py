@@ -20,6 +20,8 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.kernel import kernel, vectorized
+
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
@@ -150,19 +152,55 @@ def finer(
         return values
     out = np.empty(((values.shape[0] - 1) * parts + 1, *values.shape[1:]), np.float32)
     out[::parts] = values
-    root = 1.0 / np.sqrt(scale)
-    scaled = values * root[:, :, None]
+    root = (1.0 / np.sqrt(scale))[:, :, None]
+    near, far = values[:-1], values[1:]
     for part in range(1, parts):
         x = np.float32(part / parts)
-        y = 1 - x
-        linear = y * values[:-1] + x * values[1:]
         bend = _bend(values, part / parts)
-        ratio = (y * scaled[:-1] + x * scaled[1:]) / (y * root[:-1] + x * root[1:])[:, :, None]
-        # Where the cubic leaps it means nothing.
-        sound = np.abs(bend[:, :, :1]) < _LEAP * linear[:, :, :1]
-        cubic = linear + np.where(sound, bend, 0)
-        out[part::parts] = ratio + level[:, None] * (cubic - ratio)
+        smooth = vectorized(is_smooth)(
+            x, near[:, :, :1], far[:, :, :1], bend[:, :, :1].astype(np.float32)
+        )
+        out[part::parts] = vectorized(between_levels)(
+            x, near, far, np.where(smooth, bend, np.float32(0)), root[:-1], root[1:], level[:, None]
+        )
     return out
+
+
+@kernel
+def cubic_bend(x, below, near, far, above):
+    """The cubic through four levels less the straight line, at x between the middle two."""
+    y = 1.0 - x
+    return (x * y / 6.0) * (
+        (1.0 + y) * (2.0 * near - below - far) + (1.0 + x) * (2.0 * far - above - near)
+    )
+
+
+@kernel
+def is_smooth(x, near, far, bend):
+    """Whether the cubic of the mean radiance means anything: where it leaps it does not."""
+    return abs(bend) < _LEAP * ((1.0 - x) * near + x * far)
+
+
+@kernel
+def between_levels(x, near, far, bend, near_scale, far_scale, level):
+    """A moment at x between two levels.
+
+    Parameters
+    ----------
+    x : float
+        0 to 1. [1]
+    near, far : float
+        The moment at the levels.
+    bend : float
+        From ``cubic_bend``, or 0.
+    near_scale, far_scale : float
+        1/sqrt of the mean radiance there.
+    level : float
+        1 for the cubic, 0 for ratios. [1]
+    """
+    y = 1.0 - x
+    ratio = (y * near * near_scale + x * far * far_scale) / (y * near_scale + x * far_scale)
+    return ratio + level * (y * near + x * far + bend - ratio)
 
 
 def finer_weights(count: int, parts: int) -> FloatArray:
@@ -182,10 +220,8 @@ def _bend(values: NDArray[Any], x: float) -> NDArray[Any]:
     first = 3 * (values[:1] - values[1:2]) + values[2:3]
     last = 3 * (values[-1:] - values[-2:-1]) + values[-3:-2]
     below, above = np.concatenate([first, values[:-2]]), np.concatenate([values[2:], last])
-    near, far = values[:-1], values[1:]
-    y = 1 - x
     return np.asarray(
-        (x * y / 6) * ((1 + y) * (2 * near - below - far) + (1 + x) * (2 * far - above - near))
+        vectorized(cubic_bend)(values.dtype.type(x), below, values[:-1], values[1:], above)
     )
 
 

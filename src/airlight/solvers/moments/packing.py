@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from math import sqrt
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.kernel import kernel, vectorized
 from airlight.kernel.lanes import LANES
 from airlight.solvers.moments.levels import THICK, finer
 
@@ -15,6 +17,8 @@ Float32Array = NDArray[np.float32]
 
 #: Mean radiance never falls below this part of its largest value, so that its root exists.
 _FLOOR: Final = 1e-20
+#: Nor below this. [1]
+_DARKEST: Final = 1e-30
 #: Dusk is so wide in sun elevation, of the horizon's dip.
 _DUSK: Final = 0.3
 
@@ -39,15 +43,38 @@ def as_ratios(values: Float32Array, scale_from: Float32Array) -> Float32Array:
     See the head of ``sweep``; ``scale_from`` has shape (..., 8) and is positive.
     """
     scale = 1.0 / np.sqrt(scale_from)[..., None, :]
+    return _with_scale(values, scale)
+
+
+def _with_scale(values: Float32Array, scale: NDArray[Any]) -> Float32Array:
     packed = np.concatenate([scale, values * scale], axis=-2)
     return np.asarray(packed, np.float32).reshape(-1)
 
 
+@kernel
+def ratio_scale(mean, highest, level):
+    """The s of a node, by which its moments are multiplied for interpolation.
+
+    Parameters
+    ----------
+    mean, highest : float
+        Mean radiance at the node, positive, and the largest at any radius under the same sun.
+    level : float
+        From ``level_weights``: 0 for 1/sqrt(mean), 1 for the same at all radii. [1]
+    """
+    return 1.0 / sqrt(mean * (highest / mean) ** level)
+
+
 def positive(values: Float32Array) -> Float32Array:
     """Values (..., 8) with a floor far below anything that can be seen."""
-    axes = tuple(range(values.ndim - 1))
-    floor = np.maximum(values.max(axis=axes) * np.float32(_FLOOR), np.float32(1e-30))
+    floor = vectorized(floor_below)(values.max(axis=tuple(range(values.ndim - 1))))
     return np.asarray(np.maximum(values, floor), np.float32)
+
+
+@kernel
+def floor_below(brightest):
+    """What counts as dark where the brightest is so bright: positive. [1]"""
+    return max(_FLOOR * brightest, _DARKEST)
 
 
 def pack_light(
@@ -73,8 +100,8 @@ def pack_light(
     received = positive(sky)
     if received.shape[0] > 1:
         received = finer(received[:, :, None], received, level, parts)[:, :, 0]
-    scale = mean * (mean.max(axis=0) / mean) ** level
-    return as_ratios(whole, scale), as_ratios(received[..., None, :], received)
+    scale = vectorized(ratio_scale)(mean, mean.max(axis=0), level)
+    return _with_scale(whole, scale[..., None, :]), as_ratios(received[..., None, :], received)
 
 
 def level_weights(sun_cosines: FloatArray, dip: float, depth: FloatArray) -> Float32Array:

@@ -81,6 +81,144 @@ def optical_depth(columns, first, extinction, constituents):
 
 
 @inlined
+def strength_of(moments, amounts, point, l, degree, constituents):
+    """What a point scatters in one degree: Σ moments·amount of eight wavelengths. [1]"""
+    strength = splat(0.0)
+    for c in range(constituents):
+        strength = strength + load(moments, LANES * (c * (degree + 1) + l)) * np.float32(
+            amounts[point, c]
+        )
+    return strength
+
+
+@inlined
+def contracted(factors, first, field, low, high, f, m, degree):
+    """Moments of one m, times what a point scatters of each, between two radii.
+
+    Parameters
+    ----------
+    factors : array
+        Strength of each degree times Legendre function, (l, m) at l(l + 1)/2 + m from ``first`` on.
+    first : int
+        In lanes.
+    field : array
+        As in ``sweep_radius``.
+    low, high : int
+        Where the nodes of the lower and the upper radius begin. In lanes.
+    f : float32
+        Weight of the upper one. [1]
+    m, degree : int
+    """
+    g = np.float32(1.0) - f
+    total = splat(0.0)
+    for l in range(m, degree + 1):
+        index = l * (l + 1) // 2 + m
+        at = LANES * (1 + index)
+        total = total + load(factors, first + LANES * index) * (
+            g * load(field, low + at) + f * load(field, high + at)
+        )
+    return total
+
+
+@inlined
+def star_from_point(turn, point, mu_s, nu):
+    """Cosines of the star's zenith angle, and between star and ray, at a point of a ray. [1]
+
+    ``turn`` is that of ``Rays``; ``mu_s`` and ``nu`` belong to the start of the ray.
+    """
+    here = min(max(turn[point, 0] * mu_s + turn[point, 1] * nu, -1.0), 1.0)
+    return here, turn[point, 2] * mu_s + turn[point, 3] * nu
+
+
+@inlined
+def azimuth_cosine(mu, mu_s, nu):
+    """Cosine of the azimuth between a ray and the star, seen from a point of the ray. [1]"""
+    spread = (1.0 - mu) * (1.0 + mu) * (1.0 - mu_s) * (1.0 + mu_s)
+    return min(max((nu - mu * mu_s) / sqrt(max(spread, 1e-24)), -1.0), 1.0)
+
+
+@inlined
+def gathered(turn, mu_along, first, points, local, rows, mu_s, nu, places, suns, degree):
+    """Radiance that the points of a ray send along it, of the light scattered before. [1]
+
+    Parameters
+    ----------
+    turn, mu_along : array
+        Of ``Rays``.
+    first, points : int
+        The ray's points.
+    local : int
+        Where ``rows`` has the first of them.
+    rows : array, shape (points·s·(2 + N)·8,)
+        For each point and sun (s, A_0 s, … A_N s), A_m from ``contracted``.
+    mu_s, nu : float
+        Of the star at the start of the ray. [1]
+    places : array
+        Of ``Grid.place``.
+    suns, degree : int
+    """
+    block = (degree + 2) * LANES
+    radiance = splat(0.0)
+    for k in range(points):
+        mu_sk, nu_k = star_from_point(turn, first + k, mu_s, nu)
+        x = place_of(mu_sk, places)
+        column = min(int(x), suns - 2)
+        f = np.float32(x - column)
+        g = np.float32(1.0) - f
+        step = np.float32(azimuth_cosine(mu_along[first + k], mu_sk, nu_k))
+        low = ((local + k) * suns + column) * block
+        high = low + block
+        scale = g * load(rows, low) + f * load(rows, high)
+        total = g * load(rows, low + LANES) + f * load(rows, high + LANES)
+        before = np.float32(1.0)
+        multiple = step
+        for m in range(1, degree + 1):
+            at = LANES * (1 + m)
+            total = total + multiple * (g * load(rows, low + at) + f * load(rows, high + at))
+            following = np.float32(2.0) * step * multiple - before
+            before = multiple
+            multiple = following
+        radiance = radiance + total / scale
+    return radiance
+
+
+@inlined
+def reflected_share(albedo, extinction, totals, first, constituents):
+    """Radiance at the start of a ray per irradiance of the ground at its end. [sr⁻¹]
+
+    ``totals[first:]`` holds the columns over the whole ray.
+    """
+    through = exponential(0.0 - optical_depth(totals, first, extinction, constituents))
+    return load(albedo, 0) * INVERSE_PI * through
+
+
+@inlined
+def star_at_end(ends, i, a, mu_s, nu):
+    """Cosine of the star's zenith angle where a ray meets the ground; ``ends`` of ``Rays``. [1]"""
+    return min(max(ends[i, a, 0] * mu_s + ends[i, a, 1] * nu, -1.0), 1.0)
+
+
+@inlined
+def sky_at(ground, mu_s, places, suns):
+    """Irradiance of the ground by the light so far, from (s, E·s) per node. [1]"""
+    x = place_of(mu_s, places)
+    column = min(int(x), suns - 2)
+    f = np.float32(x - column)
+    g = np.float32(1.0) - f
+    low = column * 2 * LANES
+    return (g * load(ground, low + LANES) + f * load(ground, low + 3 * LANES)) / (
+        g * load(ground, low) + f * load(ground, low + 2 * LANES)
+    )
+
+
+@inlined
+def star_from_ray(mu, mu_s, cosine):
+    """Cosine between a ray and the star, from that of the azimuth between them. [1]"""
+    sines = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0)) * sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
+    return min(max(mu * mu_s + sines * cosine, -1.0), 1.0)
+
+
+@inlined
 def project(moments_m, functions, weight, degree, base, out):
     """Add a ray's azimuth moments, times its Legendre functions, to the moments of a point."""
     for l in range(degree + 1):
@@ -146,7 +284,6 @@ def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, 
     functions = np.empty(terms)
     factors = np.empty(terms * LANES, np.float32)
     azimuthal = np.empty((degree + 1) * LANES, np.float32)
-    across = np.empty(max(most, 1))
     out[:] = 0.0
     sky_out[:] = 0.0
     for a in range(angles):
@@ -154,26 +291,18 @@ def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, 
         below = a < angles // 2
         first = starts[i, a]
         points = starts[i, a + 1] - first
-        turn = turns_along[first : first + points]
         for k in range(points):
-            q = ray_radii[first + k]
-            mu_q = mu_along[first + k]
-            across[k] = (1.0 - mu_q) * (1.0 + mu_q)
-            legendre_functions(mu_q, expansion, functions)
+            legendre_functions(mu_along[first + k], expansion, functions)
             through = exponential(
                 0.0 - optical_depth(depths[first + k], 0, extinction, constituents)
             )
             for l in range(degree + 1):
-                strength = splat(0.0)
-                for c in range(constituents):
-                    strength = strength + load(
-                        moments, LANES * (c * (degree + 1) + l)
-                    ) * np.float32(amounts[first + k, c])
+                strength = strength_of(moments, amounts, first + k, l, degree, constituents)
                 strength = strength * through
                 for m in range(l + 1):
                     index = l * (l + 1) // 2 + m
                     store(factors, LANES * index, strength * np.float32(functions[index]))
-            x = row_of(q, bottom, top, rows_at)
+            x = row_of(ray_radii[first + k], bottom, top, rows_at)
             row = min(int(x), radii.size - 2)
             f = np.float32(x - row)
             g = np.float32(1.0) - f
@@ -183,69 +312,24 @@ def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, 
                 target = (k * suns + j) * block
                 store(rows, target, g * load(field, low) + f * load(field, high))
                 for m in range(degree + 1):
-                    total = splat(0.0)
-                    for l in range(m, degree + 1):
-                        index = l * (l + 1) // 2 + m
-                        at = LANES * (1 + index)
-                        total = total + load(factors, LANES * index) * (
-                            g * load(field, low + at) + f * load(field, high + at)
-                        )
+                    total = contracted(factors, 0, field, low, high, f, m, degree)
                     store(rows, target + LANES * (1 + m), total)
+        reflected = splat(0.0)
         if below:
-            reflected = (
-                load(albedo, 0)
-                * INVERSE_PI
-                * exponential(0.0 - optical_depth(totals[i, a], 0, extinction, constituents))
-            )
-        else:
-            reflected = splat(0.0)
+            reflected = reflected_share(albedo, extinction, totals[i, a], 0, constituents)
         legendre_functions(mu, expansion, functions)
-        sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
         exact = load(share, LANES * (i * angles + a))
         for j in range(suns):
             mu_s = sun_cosines[j]
-            sun_sine = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
             azimuthal[:] = 0.0
             for b in range(turns):
-                nu = min(max(mu * mu_s + sine * sun_sine * cosines[b], -1.0), 1.0)
-                radiance = splat(0.0)
-                for k in range(points):
-                    mu_sk = min(max(turn[k, 0] * mu_s + turn[k, 1] * nu, -1.0), 1.0)
-                    nu_k = turn[k, 2] * mu_s + turn[k, 3] * nu
-                    x = place_of(mu_sk, places)
-                    column = min(int(x), suns - 2)
-                    f = np.float32(x - column)
-                    g = np.float32(1.0) - f
-                    spread = across[k] * (1.0 - mu_sk) * (1.0 + mu_sk)
-                    cosine = (nu_k - mu_along[first + k] * mu_sk) / sqrt(max(spread, 1e-24))
-                    step = np.float32(min(max(cosine, -1.0), 1.0))
-                    low = (k * suns + column) * block
-                    high = low + block
-                    scale = g * load(rows, low) + f * load(rows, high)
-                    total = g * load(rows, low + LANES) + f * load(rows, high + LANES)
-                    before = np.float32(1.0)
-                    multiple = step
-                    for m in range(1, degree + 1):
-                        at = LANES * (1 + m)
-                        total = total + multiple * (
-                            g * load(rows, low + at) + f * load(rows, high + at)
-                        )
-                        following = np.float32(2.0) * step * multiple - before
-                        before = multiple
-                        multiple = following
-                    radiance = radiance + total / scale
-                radiance = radiance * exact
+                nu = star_from_ray(mu, mu_s, cosines[b])
+                radiance = exact * gathered(
+                    turns_along, mu_along, first, points, 0, rows, mu_s, nu, places, suns, degree
+                )
                 if below:
-                    mu_sg = min(max(ends[i, a, 0] * mu_s + ends[i, a, 1] * nu, -1.0), 1.0)
-                    x = place_of(mu_sg, places)
-                    column = min(int(x), suns - 2)
-                    f = np.float32(x - column)
-                    g = np.float32(1.0) - f
-                    low = column * 2 * LANES
-                    light = (g * load(ground, low + LANES) + f * load(ground, low + 3 * LANES)) / (
-                        g * load(ground, low) + f * load(ground, low + 2 * LANES)
-                    )
-                    radiance = radiance + reflected * light
+                    mu_sg = star_at_end(ends, i, a, mu_s, nu)
+                    radiance = radiance + reflected * sky_at(ground, mu_sg, places, suns)
                 for m in range(degree + 1):
                     at = LANES * m
                     store(azimuthal, at, load(azimuthal, at) + multiples[m, b] * radiance)

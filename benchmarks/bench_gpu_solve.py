@@ -1,0 +1,80 @@
+"""The moments solver on the GPU: whole edits, the host's part, and each pass.
+
+An edit is a new coefficient: the medium is there, its light is wanted. What the host does of it
+(grid, rays, tables) and what the device does (the passes) are told apart in the section
+"measured"; each pass is timed by waiting for it, once for all it does in one sweep.
+
+Run with ``pytest benchmarks/bench_gpu_solve.py``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from time import perf_counter
+from typing import Any
+
+import pytest
+
+from airlight import load_planet
+from airlight.gpu.device import NoDevice, open_device
+from airlight.gpu.solver import solve_on
+from airlight.gpu.solver_passes import MIX, ONCE, PACK, SWEEP
+from airlight.gpu.solver_plan import plan_for
+from airlight.gpu.sweeper import borrowed_sweeper
+from airlight.planets.medium import Medium
+from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.moments.settings import settings_for
+
+NM = (450.0, 530.0, 600.0, 680.0)
+CASES = [("earth", "preview"), ("earth", "default"), ("mars-standard", "default")]
+
+
+@pytest.fixture(scope="module")
+def device() -> Any:
+    try:
+        return open_device()
+    except NoDevice as reason:
+        pytest.skip(str(reason))
+
+
+@pytest.mark.parametrize(("planet", "quality"), CASES)
+@pytest.mark.benchmark(group="solve on the GPU")
+def test_edit(benchmark: Any, device: Any, planet: str, quality: str) -> None:
+    medium = Medium.from_planet(load_planet(planet), NM)
+    settings = settings_for(quality)
+    solve_on(device, medium, settings)  # compiles
+    benchmark.pedantic(solve_on, (device, medium, settings), rounds=3)
+
+
+@pytest.mark.parametrize(("planet", "quality"), CASES)
+@pytest.mark.benchmark(group="the host's part of a solve on the GPU")
+def test_host(benchmark: Any, planet: str, quality: str) -> None:
+    paths = LightPaths.of(Medium.from_planet(load_planet(planet), NM))
+    settings = settings_for(quality)
+    plan_for(paths, settings)  # compiles, and keeps the columns of these profiles
+    benchmark.pedantic(plan_for, (paths, settings), rounds=5)
+
+
+@pytest.mark.parametrize(("planet", "quality"), CASES)
+@pytest.mark.benchmark(group="one order on the GPU")
+def test_passes(
+    benchmark: Any, device: Any, tell: Callable[[str], None], planet: str, quality: str
+) -> None:
+    paths = LightPaths.of(Medium.from_planet(load_planet(planet), NM))
+    seconds: dict[str, float] = {}
+    with borrowed_sweeper(device) as sweeper:
+        sweeper.load(plan_for(paths, settings_for(quality)))
+        sweeper.begin()
+        benchmark.pedantic(sweeper.sweep, rounds=3, warmup_rounds=1)
+        for passes in (ONCE, PACK, SWEEP, MIX):
+            last = perf_counter()
+
+            def after(name: str) -> None:
+                nonlocal last
+                now = perf_counter()
+                seconds[name] = seconds.get(name, 0.0) + now - last
+                last = now
+
+            sweeper.run(passes, after=after)
+    parts = ", ".join(f"{name} {1e3 * one:.1f}" for name, one in seconds.items())
+    tell(f"{planet}, {quality}, on {device}: ms by pass: {parts}")

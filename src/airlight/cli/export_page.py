@@ -1,0 +1,92 @@
+"""``airlight export-page``: a planet becomes one HTML file."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+
+from airlight.cli import options
+from airlight.cli.examples import examples
+from airlight.cli.progress import shown_progress
+from airlight.errors import ParameterError
+
+EPILOG = examples(
+    "airlight export-page earth -o earth.html",
+    "airlight export-page mars --view altitude=2 --view sun_zenith=88 -o mars.html",
+    "airlight export-page my-planet.toml --set ground.albedo=0.5 -o page.html",
+)
+
+
+def export_page(
+    planet: options.Planet_,
+    output: Annotated[
+        Path, typer.Option("--output", "-o", metavar="FILE", help="The page, a .html.")
+    ],
+    view: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--view",
+            metavar="NAME=VALUE",
+            help="Where the page begins: altitude=400e3 (m), sun_zenith=85 (deg), heading, "
+            "look_zenith, field_of_view, projection … May be given several times.",
+        ),
+    ] = None,
+    wavelengths: Annotated[
+        Literal["three", "four"], typer.Option(help="How many are solved; four are truer.")
+    ] = "four",
+    quality: options.Quality = "default",
+    set_: options.Set = None,
+    no_cache: options.NoCache = False,
+) -> None:
+    """Write a page to fly round a planet: one file that opens from disk, below 3 MB.
+
+    It draws with WebGPU, or WebGL2 where there is none, and asks for nothing from a network.
+    """
+    started = time.perf_counter()
+    from airlight.planets.overrides import parsed
+    from airlight.viewer.page import export_page as export
+
+    if output.suffix.lower() not in (".html", ".htm"):
+        raise ParameterError("--output", str(output), "a name that ends with .html")
+    values = dict(_view_value(text) for text in view or [])
+    changes = dict(parsed(text) for text in set_ or [])
+    with shown_progress() as report:
+        page = export(
+            planet,
+            output,
+            changes=changes,
+            view=values,
+            quality=quality,
+            wavelengths=wavelengths,
+            cache=not no_cache,
+            progress=report,
+        )
+    seconds = time.perf_counter() - started
+    print(f"{page.path}  {page.size / 1e6:.2f} MB  {seconds:.1f} s")
+
+
+def _view_value(text: str) -> tuple[str, float | str | bool]:
+    """The path and the value of one ``--view``."""
+    from airlight.viewer.page import page_parameters
+
+    name, equals, word = text.partition("=")
+    found = {one.path: one for one in page_parameters()}
+    short = {path.split(".", 1)[1]: path for path in found}
+    path = short.get(name.strip(), name.strip())
+    if not equals or path not in found:
+        raise ParameterError("--view", text, f"NAME=VALUE, with a name of {', '.join(short)}")
+    word = word.strip()
+    if found[path].kind == "switch":
+        if word not in ("on", "off"):
+            raise ParameterError("--view", text, "on or off")
+        return path, word == "on"
+    if found[path].kind == "number":
+        try:
+            return path, float(word)
+        except ValueError:
+            unit = found[path].unit
+            raise ParameterError("--view", text, f"a number, in {unit}") from None
+    return path, word

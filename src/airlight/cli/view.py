@@ -1,0 +1,137 @@
+"""``airlight view``: a planet in a window, every parameter live."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+
+from airlight.cli import options
+from airlight.cli.examples import examples
+from airlight.errors import ParameterError
+
+EPILOG = examples(
+    "airlight view earth",
+    "airlight view mars --altitude 2m --sun-zenith 88 --look 85,0",
+    "airlight view my-planet.toml --compare earth",
+    "airlight view earth --altitude 400km --size 1920x1080 --screenshot window.png",
+)
+
+#: Sides of a window. [logical pixel]
+_SMALLEST, _LARGEST = 320, 8192
+
+
+def view(
+    planet: options.Planet_,
+    compare: Annotated[
+        str | None,
+        typer.Option(metavar="OTHER", help="Show this planet beside it, behind a line to drag."),
+    ] = None,
+    altitude: Annotated[
+        str | None,
+        typer.Option(metavar="LENGTH", help="Of the observer above the ground: 400km, 10m."),
+    ] = None,
+    look: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ZENITH,AZIMUTH",
+            help="Where to look; azimuth 0 is the sun's side, 90 to its right.",
+        ),
+    ] = None,
+    look_at: Annotated[
+        Literal["horizon", "nadir", "zenith", "sun"] | None,
+        typer.Option(metavar="WORD", help="Instead: horizon, nadir, zenith or sun."),
+    ] = None,
+    roll: Annotated[
+        str | None,
+        typer.Option(metavar="ANGLE", help="Turns the camera clockwise about its line."),
+    ] = None,
+    sun_zenith: Annotated[
+        str | None, typer.Option(metavar="ANGLE", help="Zenith angle of the sun at the observer.")
+    ] = None,
+    fov: Annotated[
+        str | None, typer.Option(metavar="ANGLE", help="Between the picture's sides.")
+    ] = None,
+    projection: Annotated[
+        Literal["perspective", "fisheye", "equirectangular", "cubemap"] | None,
+        typer.Option(metavar="NAME", help="perspective, fisheye, equirectangular or cubemap."),
+    ] = None,
+    size: Annotated[
+        str, typer.Option(metavar="WxH", help="Of the window, panels included.")
+    ] = "1280x720",
+    exposure: Annotated[
+        str, typer.Option(metavar="EV|auto", help="Brightens by 2 to this power.")
+    ] = "auto",
+    tone_map: Annotated[
+        str | None,
+        typer.Option(metavar="NAME", help="How bright light is held in: hable, reinhard, aces …"),
+    ] = None,
+    quality: options.Quality = "default",
+    latitude: Annotated[
+        str | None, typer.Option(metavar="ANGLE", help="Of the ground below, for its map.")
+    ] = None,
+    longitude: Annotated[
+        str | None,
+        typer.Option(metavar="ANGLE", help="Of the ground below, for its map; east is +."),
+    ] = None,
+    sun_azimuth: Annotated[
+        str | None, typer.Option(metavar="ANGLE", help="Compass bearing of the sun, for the map.")
+    ] = None,
+    device: Annotated[
+        Literal["auto", "gpu", "cpu"],
+        typer.Option(metavar="NAME", help="Who makes the pictures: gpu, cpu, or auto."),
+    ] = "auto",
+    screenshot: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Open no window: write what it would show to a .png."),
+    ] = None,
+    set_: options.Set = None,
+) -> None:
+    """Open a window on a planet: fly, turn the sun, edit every parameter and read the light.
+
+    F1 in the window says what mouse and keys do.
+    """
+    from airlight.viewer.start import Start, show
+
+    width, height = options.picture_size(size, "perspective")
+    if not all(_SMALLEST <= side <= _LARGEST for side in (width, height)):
+        allowed = f"sides of {_SMALLEST} to {_LARGEST} pixels"
+        raise ParameterError("--size", size, allowed)
+    if look is not None and look_at is not None:
+        raise ParameterError("--look", look, "one of --look and --look-at")
+    ev = options.exposure(exposure)
+    numbers = {
+        "view.altitude": (altitude, options.length, "--altitude"),
+        "view.roll": (roll, options.angle, "--roll"),
+        "view.sun_zenith": (sun_zenith, options.angle, "--sun-zenith"),
+        "view.field_of_view": (fov, options.angle, "--fov"),
+        "view.latitude": (latitude, options.angle, "--latitude"),
+        "view.longitude": (longitude, options.angle, "--longitude"),
+        "view.sun_azimuth": (sun_azimuth, options.angle, "--sun-azimuth"),
+    }
+    view: dict[str, float | str | bool] = {
+        path: read(text, option)
+        for path, (text, read, option) in numbers.items()
+        if text is not None
+    }
+    if projection is not None:
+        view["view.projection"] = projection
+    if tone_map is not None:
+        view["display.tone_map"] = tone_map
+    view["display.automatic"] = ev == "auto"
+    view["display.exposure"] = 0.0 if ev == "auto" else ev
+    view["light.quality"] = quality
+    show(
+        Start(
+            planet=planet,
+            other=compare,
+            changes=tuple(set_ or ()),
+            view=view,
+            look=None if look is None else options.direction(look, "--look"),
+            look_at=look_at,
+            size=(width, height),
+            device=device,
+            screenshot=screenshot,
+        )
+    )

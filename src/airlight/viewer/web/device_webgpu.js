@@ -1,0 +1,183 @@
+/** Full-screen fragment passes on WebGPU; the interface is described in device.js. */
+import { CHANNELS, ROW, flatSize, wholeRows } from "./textures.js";
+
+/** Bytes to which rows are aligned when a texture is copied into a buffer. */
+const ROW_ALIGNMENT = 256;
+
+export class WebGpuDevice {
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @returns {Promise<WebGpuDevice>}
+   * @throws {Error} If there is no adapter, or it refuses.
+   */
+  static async open(canvas) {
+    if (!navigator.gpu) throw new Error("not offered");
+    const adapter = await navigator.gpu.requestAdapter();
+    if (!adapter) throw new Error("no adapter");
+    const device = await adapter.requestDevice();
+    const context = canvas.getContext("webgpu");
+    if (!context) throw new Error("no context on this canvas");
+    return new WebGpuDevice(canvas, context, adapter, device);
+  }
+
+  constructor(canvas, context, adapter, device) {
+    const info = adapter.info ?? {};
+    this.kind = "webgpu";
+    this.name = info.description || [info.vendor, info.architecture].filter(Boolean).join(" ");
+    this.canvas = canvas;
+    this.context = context;
+    this.device = device;
+    this.format = navigator.gpu.getPreferredCanvasFormat();
+    context.configure({ device, format: this.format, alphaMode: "opaque" });
+    this.lost = device.lost.then((info) => info.message || info.reason);
+    this.closed = false;
+  }
+
+  flatTexture(format, data) {
+    const { width, height } = flatSize(data.length, format);
+    const texture = this.device.createTexture({
+      size: [width, height],
+      format,
+      usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST,
+    });
+    const bytesPerRow = ROW * CHANNELS[format] * 4;
+    const rows = wholeRows(data, format);
+    this.device.queue.writeTexture({ texture }, rows, { bytesPerRow }, [width, height]);
+    return wrapped(texture, format, width, height);
+  }
+
+  target(format, width, height) {
+    const texture = this.device.createTexture({
+      size: [width, height],
+      format,
+      usage:
+        GPUTextureUsage.RENDER_ATTACHMENT |
+        GPUTextureUsage.TEXTURE_BINDING |
+        GPUTextureUsage.COPY_SRC,
+    });
+    return wrapped(texture, format, width, height);
+  }
+
+  async pipeline(shader, formats) {
+    const module = this.device.createShaderModule({ code: shader.wgsl });
+    const targets = formats.map((format) => ({
+      format: format === "screen" ? this.format : format,
+    }));
+    const layout = this.layout(shader);
+    const pipeline = await this.device.createRenderPipelineAsync({
+      layout: this.device.createPipelineLayout({ bindGroupLayouts: layout }),
+      vertex: { module, entryPoint: shader.vertex },
+      fragment: { module, entryPoint: shader.entry, targets },
+    });
+    const { uniforms } = shader;
+    return { pipeline, layout, uniforms, buffer: null, groups: null, bound: null };
+  }
+
+  /** Layouts of bind groups, spelled out: an automatic one lacks what an entry does not use. */
+  layout(shader) {
+    const groups = [];
+    const visibility = GPUShaderStage.VERTEX | GPUShaderStage.FRAGMENT;
+    const add = (slot, kind) => {
+      const [group, binding] = slot.split("/").map(Number);
+      (groups[group] ??= []).push({ binding, visibility, ...kind });
+    };
+    if (shader.uniforms) add(shader.uniforms, { buffer: { type: "uniform" } });
+    for (const slot of shader.reads) add(slot, { texture: { sampleType: "unfilterable-float" } });
+    return Array.from(groups, (entries) =>
+      this.device.createBindGroupLayout({ entries: entries ?? [] }),
+    );
+  }
+
+  run(compiled, uniforms, reads, targets) {
+    const { device } = this;
+    if (!compiled.buffer) {
+      const usage = GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST;
+      compiled.buffer = device.createBuffer({ size: uniforms.byteLength, usage });
+    }
+    device.queue.writeBuffer(compiled.buffer, 0, uniforms);
+    this.bind(compiled, reads);
+    const views = targets
+      ? targets.map((target) => target.view)
+      : [this.context.getCurrentTexture().createView()];
+    const encoder = device.createCommandEncoder();
+    const pass = encoder.beginRenderPass({
+      colorAttachments: views.map((view) => ({ view, loadOp: "clear", storeOp: "store" })),
+    });
+    pass.setPipeline(compiled.pipeline);
+    compiled.groups.forEach((group, index) => pass.setBindGroup(index, group));
+    pass.draw(3);
+    pass.end();
+    device.queue.submit([encoder.finish()]);
+  }
+
+  /** Bind groups are kept as long as a pass reads the same textures. */
+  bind(compiled, reads) {
+    const same =
+      compiled.bound && Object.entries(reads).every(([slot, t]) => compiled.bound[slot] === t);
+    if (same) return;
+    const groups = [];
+    const add = (slot, resource) => {
+      const [group, binding] = slot.split("/").map(Number);
+      (groups[group] ??= []).push({ binding, resource });
+    };
+    if (compiled.uniforms) add(compiled.uniforms, { buffer: compiled.buffer });
+    for (const [slot, texture] of Object.entries(reads)) add(slot, texture.view);
+    compiled.groups = Array.from(groups, (entries, index) =>
+      this.device.createBindGroup({
+        layout: compiled.layout[index],
+        entries: entries ?? [],
+      }),
+    );
+    compiled.bound = { ...reads };
+  }
+
+  async read(texture) {
+    const { device } = this;
+    const channels = CHANNELS[texture.format];
+    const bytes = texture.width * channels * 4;
+    const bytesPerRow = Math.ceil(bytes / ROW_ALIGNMENT) * ROW_ALIGNMENT;
+    const buffer = device.createBuffer({
+      size: bytesPerRow * texture.height,
+      usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ,
+    });
+    const encoder = device.createCommandEncoder();
+    encoder.copyTextureToBuffer({ texture: texture.texture }, { buffer, bytesPerRow }, [
+      texture.width,
+      texture.height,
+    ]);
+    device.queue.submit([encoder.finish()]);
+    await buffer.mapAsync(GPUMapMode.READ);
+    const mapped = buffer.getMappedRange();
+    const numbers = new Float32Array(texture.width * texture.height * channels);
+    for (let row = 0; row < texture.height; row++) {
+      const line = new Float32Array(mapped, row * bytesPerRow, texture.width * channels);
+      numbers.set(line, row * texture.width * channels);
+    }
+    buffer.destroy();
+    return numbers;
+  }
+
+  resize(width, height) {
+    if (this.canvas.width === width && this.canvas.height === height) return;
+    this.canvas.width = width;
+    this.canvas.height = height;
+  }
+
+  async finished() {
+    await this.device.queue.onSubmittedWorkDone();
+  }
+
+  release(texture) {
+    texture.texture.destroy();
+  }
+
+  close() {
+    this.closed = true;
+    this.context.unconfigure();
+    this.device.destroy();
+  }
+}
+
+function wrapped(texture, format, width, height) {
+  return { texture, view: texture.createView(), format, width, height };
+}

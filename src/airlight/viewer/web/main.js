@@ -1,0 +1,40 @@
+/** The page in one file: reads what is in it, and keeps the address in step with the state. */
+import { Picture } from "./picture.js";
+import { Viewer } from "./viewer.js";
+
+/** So long after the last change the address follows. [ms] */
+const CALM = 300;
+
+const data = JSON.parse(document.getElementById("airlight-data").textContent);
+const place = document.getElementById("airlight-place");
+const wanted = new URLSearchParams(location.search).get("device") ?? "auto";
+
+const viewer = new Viewer(place, {
+  title: data.title,
+  parameters: data.parameters,
+  values: data.values,
+  note: data.note,
+  device: wanted,
+  radius: () => data.picture.radius,
+  picture: (device) => Picture.make(device, data.picture),
+});
+viewer.state.planet = data.planet;
+
+function takeAddress() {
+  if (location.hash.length < 2) return;
+  const faults = viewer.state.takeFragment(location.hash);
+  viewer.say(faults.length ? `the address: ${faults.join("; ")}` : "");
+}
+
+let timer = null;
+viewer.state.follow(() => {
+  clearTimeout(timer);
+  timer = setTimeout(() => {
+    const fragment = viewer.state.asFragment();
+    const address = location.href.replace(/#.*/, "") + (fragment ? `#${fragment}` : "");
+    if (address !== location.href) history.replaceState(null, "", address);
+  }, CALM);
+});
+addEventListener("hashchange", takeAddress);
+takeAddress();
+window.airlight = viewer;

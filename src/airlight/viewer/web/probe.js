@@ -1,0 +1,56 @@
+/** The read-out of the pixel that is pointed at. */
+
+/** At most so often. [ms] */
+const PAUSE = 100;
+
+export class Probe {
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {HTMLElement} place Shows the text.
+   * @param {object} viewer Has `state`, `picture` with `probe`, `source` with `probe` perhaps.
+   */
+  constructor(canvas, place, viewer) {
+    this.place = place;
+    this.viewer = viewer;
+    this.pointed = null;
+    this.busy = false;
+    this.ending = new AbortController();
+    const { signal } = this.ending;
+    canvas.addEventListener("pointermove", (event) => this.point(event), { signal });
+    canvas.addEventListener("pointerleave", () => this.leave(), { signal });
+    this.stop = viewer.state.follow(() => this.ask());
+  }
+
+  point(event) {
+    const box = event.currentTarget.getBoundingClientRect();
+    this.pointed = [
+      (event.clientX - box.left) / box.width,
+      (event.clientY - box.top) / box.height,
+    ];
+    this.ask();
+  }
+
+  leave() {
+    this.pointed = null;
+    this.place.textContent = "";
+  }
+
+  async ask() {
+    if (this.busy || !this.pointed) return;
+    this.busy = true;
+    const asked = this.pointed;
+    try {
+      const text = await this.viewer.picture.probe(this.viewer.state.values, ...asked);
+      if (this.pointed) this.place.textContent = text;
+      await new Promise((resolve) => setTimeout(resolve, PAUSE));
+    } finally {
+      this.busy = false;
+    }
+    if (this.pointed && this.pointed !== asked) this.ask();
+  }
+
+  close() {
+    this.ending.abort();
+    this.stop();
+  }
+}

@@ -1,0 +1,54 @@
+/** The viewer in a notebook: the front end of `airlight.viewer.notebook.Viewer`. */
+import { Picture } from "./picture.js";
+import { RemoteState } from "./remote_state.js";
+import { Viewer } from "./viewer.js";
+
+function render({ model, el }) {
+  const ending = [];
+  const on = (name, act) => {
+    model.on(`change:${name}`, act);
+    ending.push(() => model.off(`change:${name}`, act));
+  };
+  const state = new RemoteState(model);
+  const place = document.createElement("div");
+  place.style.height = `${model.get("height")}px`;
+  el.replaceChildren(place);
+
+  const viewer = new Viewer(place, {
+    title: model.get("title"),
+    state,
+    radius: () => model.get("picture").radius ?? 1,
+    status: () => model.get("status"),
+    device: model.get("device"),
+    picture: async (device) => {
+      await first(model, on);
+      return Picture.make(device, { ...model.get("program"), ...model.get("picture") });
+    },
+  });
+  on("values", () => state.take(model.get("values")));
+  on("parameters", () => viewer.declare(model.get("parameters"), model.get("values")));
+  on("picture", () => viewer.take(model.get("picture")));
+  on("title", () => viewer.retitle(model.get("title")));
+  on("status", () => viewer.showStatus());
+  on("can", () => viewer.updateTools());
+  on("message", () => viewer.say(model.get("message")));
+  on("height", () => {
+    place.style.height = `${model.get("height")}px`;
+  });
+  viewer.say(model.get("message"));
+  place.viewer = viewer;
+  return () => {
+    for (const end of ending) end();
+    viewer.close();
+  };
+}
+
+/** A promise that there is a picture: the first solution takes a moment. */
+function first(model, on) {
+  if (model.get("picture").tables) return Promise.resolve();
+  return new Promise((resolve) => {
+    on("picture", () => model.get("picture").tables && resolve());
+  });
+}
+
+export default { render };

@@ -1,0 +1,44 @@
+"""The shaders that a browser needs, in both languages."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any, Final
+
+from airlight.gpu.fragment_pass import wgsl
+from airlight.gpu.shaders import Shader, picture_shader, sky_air_shader, sky_peaks_shader
+from airlight.gpu.translated import entry_points, translated
+
+#: The vertex function of all passes, and its file.
+CORNERS: Final = "full_screen_triangle"
+
+
+def shaders() -> tuple[Shader, ...]:
+    """The shaders of a picture by the table of the sky."""
+    return (sky_air_shader(), sky_peaks_shader(), picture_shader(False))
+
+
+@cache
+def web_texts() -> dict[str, str]:
+    """The WGSL of every module by its name: what the GLSL is made of."""
+    return {CORNERS: wgsl(CORNERS), **{shader.name: shader.text for shader in shaders()}}
+
+
+@cache
+def web_shaders() -> dict[str, dict[str, Any]]:
+    """Every shader as ``web/program.js`` takes it: WGSL, and GLSL by entry point.
+
+    Raises
+    ------
+    FileError
+        If the GLSL is not of this WGSL.
+    """
+    texts = web_texts()
+    corners = translated(CORNERS, CORNERS, texts[CORNERS])
+    found = {}
+    for name, text in texts.items():
+        if name == CORNERS:
+            continue
+        entries = {entry: translated(name, entry, text) for _, entry in entry_points(text)}
+        found[name] = {"wgsl": f"{texts[CORNERS]}\n{text}", "glsl": {CORNERS: corners, **entries}}
+    return found

@@ -1,0 +1,449 @@
+"""The window: a planet, its light and all its parameters, in one loop that never waits.
+
+Everything slow is done elsewhere: ``solving`` solves, a picture source renders, ``Saving`` writes;
+each wakes the window when there is something new. A frame takes what is there and draws it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from time import perf_counter
+from typing import Any, Final, cast
+
+from airlight.errors import AirlightError
+from airlight.viewer.flight import Flight
+from airlight.viewer.overlay_help import draw_help
+from airlight.viewer.panel_probe import PROBE_HEIGHT, draw_probe
+from airlight.viewer.panel_save import SaveDialog, Saving
+from airlight.viewer.panel_side import SidePanel
+from airlight.viewer.panel_status import FrameTimes, Status, draw_status
+from airlight.viewer.picture_area import PictureArea, Rectangle, layout
+from airlight.viewer.picture_source import Orders, Picture, PictureSource, Request
+from airlight.viewer.places import PLACES, view_of
+from airlight.viewer.probing import Probing
+from airlight.viewer.session import Session
+from airlight.viewer.session_side import SessionSide
+from airlight.viewer.solving import Solved, Solving
+from airlight.viewer.view_parameters import scene_of
+from airlight.viewer.window_canvas import EVENTS, Place
+from airlight.viewer.window_input import WindowInput
+from airlight.viewer.window_surface import WindowSurface
+
+#: After an event the window goes on drawing for so long: hints appear, buttons fade. [s]
+_LINGER: Final = 1.0
+#: The longest step of a flight: a frame that took longer does not jump. [s]
+_LONGEST_STEP: Final = 0.1
+#: A message is shown for so long. [s]
+_MESSAGE: Final = 5.0
+#: By how much a key changes the exposure. [EV]
+_STOP: Final = 1.0 / 3.0
+
+
+class Window:
+    """A window on a session.
+
+    Parameters
+    ----------
+    session : Session
+        What is shown and edited.
+    place : Place
+        A window of the desktop, or memory.
+    device : wgpu.GPUDevice
+    source : callable
+        ``source(wake)`` makes a picture source; called once for each side.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        place: Place,
+        device: Any,
+        source: Callable[[Callable[[], None]], PictureSource],
+    ) -> None:
+        self.session = session
+        self._place = place
+        self.surface = WindowSurface(device, place.canvas)
+        self.area = PictureArea(self.surface.backend)
+        self._make_source = source
+        self._sources: dict[str, PictureSource] = {}
+        self._sides: tuple[str, ...] = ()
+        self._shown: dict[str, Picture] = {}
+        self._solvings: dict[str, Solving] = {}
+        self._flight = Flight(session)
+        self.panel = SidePanel(session, self._flight, self.do, self.attempt)
+        self._saving = Saving(place.wake)
+        self._dialog = SaveDialog()
+        self._probing = Probing(place.wake)
+        self._times = FrameTimes()
+        self._parts: dict[str, Rectangle] = {}
+        self._shows_panels = True
+        self._shows_help = False
+        self._said = ("", 0.0)
+        self._error = ""
+        self._last_event = perf_counter()
+        self._last_frame = perf_counter()
+        self.frames = 0
+        self.input = WindowInput(place.canvas, self, self._flight, lambda: self.surface.typing)
+        place.canvas.add_event_handler(self._noticed, *EVENTS, order=-999)
+
+    def run(self) -> None:
+        """Show the window until it is closed; then end all threads."""
+        try:
+            self._place.run(self.draw)
+        finally:
+            self.close()
+
+    def close(self) -> None:
+        """End all threads."""
+        self._saving.close()
+        self._probing.close()
+        for solving in self._solvings.values():
+            solving.close()
+        for source in self._sources.values():
+            source.close()
+        self._solvings.clear()
+        self._sources.clear()
+
+    @property
+    def settled(self) -> bool:
+        """Whether all that is wanted is shown, in full quality."""
+        return (
+            bool(self._sides)
+            and not self._probing.busy
+            and all(self._is_settled(side) for side in self._sides)
+        )
+
+    def _is_settled(self, side: str) -> bool:
+        solving, source, shown = (
+            self._solvings[side], self._sources[side], self._shown.get(side)
+        )  # fmt: skip
+        solved = solving.latest
+        return (
+            solving.idle
+            and not source.busy
+            and shown is not None
+            and shown.finished
+            and solved is not None
+            and shown.request.same(self._request(side, solved))
+        )
+
+    @property
+    def problem(self) -> str:
+        """Why what is wanted cannot be shown, in one line; empty if it can."""
+        errors = [self._solvings[side].status.error for side in self._sides]
+        errors += [self._sources[side].error for side in self._sides]
+        return next((one for one in (self._error, *errors) if one), "")
+
+    def shown(self, side: str = "") -> Picture | None:
+        """What the last frame showed of a side; of the one that is edited if left out."""
+        return self._shown.get(side or self.session.showing)
+
+    def _picture(self, side: str = "") -> Picture | None:
+        side = side or self.session.showing
+        source = self._sources.get(side)
+        found = None if source is None else source.picture()
+        if found is not None:
+            self._shown[side] = found
+        return found
+
+    # --- a frame ------------------------------------------------------------------------------
+
+    def draw(self) -> None:
+        """Draw one frame."""
+        self._times.begin()
+        self._step()
+        size = self.surface.size
+        self._parts = layout(
+            size, panels=self._shows_panels, probe=PROBE_HEIGHT if self.panel.probes else 0.0
+        )
+        self._follow()
+        self.surface.draw(self._gui)
+        self._times.end()
+        self.frames += 1
+        if self._restless:
+            self._place.canvas.request_draw()
+
+    @property
+    def _restless(self) -> bool:
+        """Whether something moves without any event."""
+        return (
+            self._flight.moving
+            or self.panel.plays
+            or self.surface.pressed
+            or any(self._sources[side].needs_frames for side in self._sides)
+            or perf_counter() - self._last_event < _LINGER
+        )
+
+    def _noticed(self, _event: Any) -> None:
+        self._last_event = perf_counter()
+
+    def _step(self) -> None:
+        """Fly, and let time pass, since the last frame."""
+        now = perf_counter()
+        seconds = min(now - self._last_frame, _LONGEST_STEP)
+        self._last_frame = now
+        if self.surface.typing:
+            self._flight.release()
+        if self._flight.moving:
+            self.attempt(lambda: self._flight.step(seconds))
+        if self.panel.plays:
+            declination, hour = self._flight.time
+            hour += seconds * self.panel.speed / 3600.0
+            self.attempt(lambda: self._flight.set_time(declination, hour % 24.0))
+
+    def _follow(self) -> None:
+        """Say what is wanted to those who solve and render."""
+        session = self.session
+        into = self._parts["picture"]
+        ratio = self.surface.ratio
+        session.resize(round(into.width * ratio), round(into.height * ratio))
+        shown = session.showing
+        other = "A" if shown == "B" else "B"
+        self._sides = (shown, other) if session.has_other and self.panel.compares else (shown,)
+        for side in self._sides:
+            self._want(side)
+
+    def _want(self, side: str) -> None:
+        if side not in self._solvings:
+            self._sources[side] = self._make_source(self._place.wake)
+            self._solvings[side] = Solving(
+                SessionSide(self.session, side), on_change=self._place.wake
+            )
+        solved = self._solvings[side].latest
+        if solved is not None:
+            self._sources[side].want(self._request(side, solved))
+
+    def _request(self, side: str, solved: Solved) -> Request:
+        """The picture that is wanted of a side."""
+        session = self.session
+        view = session.view if side == session.showing else session.view_other or session.view
+        return Request(
+            solution=solved.solution,
+            scene=scene_of(view, *session.size),
+            exposure=float(view["display.exposure"]),
+            automatic=bool(view["display.automatic"]),
+            tone_map=str(view["display.tone_map"]),
+            orders=cast(Orders, view["light.orders"]),
+        )
+
+    def _gui(self) -> None:
+        shown = self._picture()
+        fitting = self.picture_rectangle()
+        both = self.panel.compares and self.session.has_other
+        if both:
+            self.area.draw(self._picture("A"), self._picture("B"), fitting)
+            self.area.draw_divider(fitting, self._names())
+        else:
+            self.area.draw(shown, None, fitting)
+        reading = self._probing.reading
+        if self.panel.probes and reading is not None:
+            self.area.draw_mark(fitting, reading.place)
+        if self._shows_panels:
+            self.panel.draw(self._parts["panel"])
+            if self.panel.probes:
+                self.panel.probes = draw_probe(reading, self._probing.working, self._parts["probe"])
+            draw_status(self._status(shown), self._parts["status"])
+        width, height = self.surface.size
+        if self._shows_help:
+            self._shows_help = draw_help(width, height)
+        self._dialog.draw(width, height, self._save_picture, self._save_planet)
+
+    def _names(self) -> tuple[str, str]:
+        names = [self.session.planet_name, self.session.planet_name_other]
+        if self.session.showing == "B":
+            names.reverse()
+        return f"A  {names[0]}", f"B  {names[1]}"
+
+    def _status(self, shown: Picture | None) -> Status:
+        solving = self._solvings.get(self.session.showing)
+        source = self._sources.get(self.session.showing)
+        solver, working, error = "", "", self._error
+        if solving is not None:
+            solved = solving.latest
+            if solved is not None:
+                solver = f"{solved.quality}: {_seconds(solved.seconds)}"
+            status = solving.status
+            if status.busy:
+                part = f" {100 * status.done // status.total} %" if status.total else ""
+                working = f"{status.doing}{part} …"
+                solver = f"{solver}, {working}" if solver else working
+            error = error or status.error
+        picture = exposure = ""
+        if shown is not None and source is not None:
+            fine = "" if shown.finished else ", finer follows"
+            seconds = _seconds(shown.seconds)
+            picture = f"{source.name}: {shown.width}×{shown.height} in {seconds}{fine}"
+            exposure = f"{shown.exposure:+.1f} EV"
+        if source is not None:
+            error = error or source.error
+        text, until = self._said
+        message = self._saving.message if self._saving.busy else ""
+        if not message and perf_counter() < until:
+            message = text
+        return Status(
+            place=self._where(),
+            exposure=exposure,
+            frame=f"window: {self._times.milliseconds:.0f} ms",
+            picture=picture,
+            solver=solver,
+            working=working,
+            message=message or self._saving.message,
+            error=error or self._saving.error or self._probing.error,
+        )
+
+    def _where(self) -> str:
+        view = self.session.view
+        zenith = float(view["view.sun_zenith"])
+        return f"{_length(float(view['view.altitude']))} up    sun {zenith:.1f}° from the zenith"
+
+    # --- what mouse and keys do ---------------------------------------------------------------
+
+    @property
+    def covered(self) -> bool:
+        """See ``Deeds``."""
+        return self._shows_help or bool(self._dialog.asks) or self.surface.asks
+
+    def picture_rectangle(self) -> Rectangle:
+        """Where the picture lies: in the middle of its part, in its own shape."""
+        into = self._parts["picture"]
+        camera = self.session.scene.camera
+        ratio = self.surface.ratio
+        return into.centered(camera.width / ratio, camera.height / ratio)
+
+    def click(self, x: float, y: float) -> None:
+        """See ``Deeds``."""
+        if not self.panel.probes:
+            return
+        rectangle = self.picture_rectangle()
+        at = rectangle.place_of(x, y)
+        if at is None:
+            return
+        side = self.session.showing
+        if self.panel.compares and self.session.has_other:
+            side = "A" if at[0] < self.area.divider else "B"
+        shown = self.shown(side)
+        if shown is not None:
+            self._probing.ask(shown.request, at)
+
+    def do(self, deed: str) -> None:
+        """See ``Deeds``."""
+        word, _, number = deed.partition(" ")
+        if word == "place" and number.isdigit():
+            self._go(int(number) - 1)
+            return
+        deeds: dict[str, Callable[[], object]] = {
+            "undo": self.session.undo,
+            "redo": self.session.redo,
+            "reset": self.session.reset,
+            "save picture": lambda: self._dialog.ask("picture"),
+            "save planet": lambda: self._dialog.ask("planet"),
+            "close": self._place.close,
+            "help": self._toggle_help,
+            "leave": self._leave,
+            "panels": self._toggle_panels,
+            "probe": self._toggle_probe,
+            "keep as b": self._keep_as_b,
+            "compare": self._toggle_comparison,
+            "swap": self.session.swap,
+            "time": self._toggle_time,
+            "automatic exposure": self._toggle_exposure,
+            "brighter": lambda: self._expose(_STOP),
+            "darker": lambda: self._expose(-_STOP),
+        }
+        self.attempt(deeds[deed])
+
+    def attempt(self, edit: Callable[[], object]) -> None:
+        """Do something; if it cannot be, say so in one line."""
+        try:
+            edit()
+            self._error = ""
+        except AirlightError as error:
+            self._error = str(error)
+        self._place.canvas.request_draw()
+
+    def say(self, text: str) -> None:
+        """Show a line for a while."""
+        self._said = (text, perf_counter() + _MESSAGE)
+
+    def _go(self, index: int) -> None:
+        session = self.session
+        bottom, top = (
+            1e3 * float(session.value(f"shell.{end}_radius")) for end in ("bottom", "top")
+        )
+        place = PLACES[index]
+        bearing = float(session.view["view.sun_azimuth"])
+        moved = view_of(place, bottom_radius=bottom, top_radius=top, bearing=bearing)
+        self.attempt(lambda: session.move(moved))
+
+    def _toggle_help(self) -> None:
+        self._shows_help = not self._shows_help
+
+    def _toggle_panels(self) -> None:
+        self._shows_panels = not self._shows_panels
+
+    def _toggle_probe(self) -> None:
+        self.panel.probes = not self.panel.probes
+
+    def _toggle_time(self) -> None:
+        self.panel.plays = not self.panel.plays
+
+    def _leave(self) -> None:
+        self._shows_help, self._dialog.asks = False, ""
+        self._shows_panels = True
+
+    def _keep_as_b(self) -> None:
+        self.session.store_b()
+        self.say("kept as B: C shows both side by side, V changes them over")
+
+    def _toggle_comparison(self) -> None:
+        if not self.panel.compares and not self.session.has_other:
+            self.session.store_b()
+        self.panel.compares = not self.panel.compares
+
+    def _toggle_exposure(self) -> None:
+        automatic = bool(self.session.view["display.automatic"])
+        shown = self.shown()
+        self.session.set("display.automatic", not automatic)
+        # The picture stays as bright as it was when the camera stops to adjust.
+        exposure = shown.exposure if automatic and shown is not None else 0.0
+        self.session.set("display.exposure", exposure)
+
+    def _expose(self, stops: float) -> None:
+        exposure = float(self.session.view["display.exposure"])
+        self.session.set("display.exposure", exposure + stops)
+
+    def _save_picture(self, path: str, size: tuple[int, int] | None) -> None:
+        shown = self.shown()
+        if shown is None:
+            self._error = "there is no picture to save yet"
+            return
+        self._saving.save(path, shown, size)
+
+    def _save_planet(self, path: str) -> None:
+        self.attempt(lambda: self.session.save_planet(path))
+        if not self._error:
+            self.say(f"saved {path}")
+
+
+def _length(metres: float) -> str:
+    """A length in m or km, or in 10³ km far away.
+
+    Examples
+    --------
+    >>> _length(2.0), _length(35e3), _length(4.2e8)
+    ('2 m', '35 km', '4.2e+05 km')
+    """
+    return f"{metres:.4g} m" if metres < 1e3 else f"{metres / 1e3:.4g} km"
+
+
+def _seconds(seconds: float) -> str:
+    """A time in ms or s.
+
+    Examples
+    --------
+    >>> _seconds(0.0421), _seconds(3.14159), _seconds(0.0)
+    ('42 ms', '3.1 s', 'at once')
+    """
+    if seconds <= 0.0:
+        return "at once"
+    return f"{1e3 * seconds:.0f} ms" if seconds < 1.0 else f"{seconds:.1f} s"

@@ -1,0 +1,194 @@
+"""Where the window draws: a window on the desktop that rests while nothing happens, or no window.
+
+A canvas that is drawn on demand still looks for events many times a second. Here the loop sleeps
+inside the window system instead, until an event comes or ``wake`` is called, so that an idle
+window costs no processor time.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+import warnings
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any, Final, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import AirlightError
+
+#: What a user without the extra reads.
+MISSING_EXTRA: Final = "the window needs more packages: pip install 'airlight[view]'"
+#: Frames a second at most, and how often events are looked for while something moves. [s⁻¹]
+_FRAME_RATE: Final = 60.0
+#: The loop goes to sleep after so long without an event or a drawing. [s]
+_AWAKE: Final = 0.5
+#: And looks up so often in its sleep, for signals such as Ctrl+C. [s]
+_NAP: Final = 0.5
+
+#: Events that change what is seen.
+EVENTS: Final = (
+    "resize",
+    "pointer_move",
+    "pointer_down",
+    "pointer_up",
+    "pointer_enter",
+    "pointer_leave",
+    "double_click",
+    "wheel",
+    "key_down",
+    "key_up",
+    "char",
+)
+
+
+class WindowError(AirlightError):
+    """There can be no window here; says why in one line."""
+
+
+class Place(Protocol):
+    """A canvas, and how it runs."""
+
+    canvas: Any
+
+    def run(self, draw: Callable[[], None]) -> None:
+        """Draw whenever asked to, until the canvas is closed."""
+
+    def wake(self) -> None:
+        """Draw once more; may be called from any thread."""
+
+    def close(self) -> None:
+        """End ``run``."""
+
+
+class DesktopPlace:
+    """A window of the desktop.
+
+    Parameters
+    ----------
+    size : (int, int)
+        Width and height. [logical pixel]
+    title : str
+
+    Raises
+    ------
+    WindowError
+        If the packages are missing, or there is no display.
+    """
+
+    def __init__(self, size: tuple[int, int], title: str) -> None:
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                import glfw
+                from rendercanvas.glfw import RenderCanvas, loop
+        except ImportError as error:
+            raise WindowError(MISSING_EXTRA) from error
+        self._glfw, self._loop = glfw, loop
+        _check_display(glfw)
+        self.canvas: Any = RenderCanvas(
+            size=size,
+            title=title,
+            update_mode="ondemand",
+            max_fps=_FRAME_RATE,
+            vsync=False,
+        )
+        self._wanted = True  # a draw was asked for by another thread
+        self._busy_until = 0.0
+        self._closed = False
+        # The order puts this before the panels' handler, which keeps events to itself.
+        self.canvas.add_event_handler(self._stir, *EVENTS, order=-1000)
+
+    def _stir(self, _event: Any = None) -> None:
+        self._busy_until = time.perf_counter() + _AWAKE
+        self.canvas.request_draw()
+
+    def run(self, draw: Callable[[], None]) -> None:
+        """Draw whenever asked to, until the window is closed."""
+        self.canvas.request_draw(draw)
+        self._loop.add_task(self._rest)
+        self._loop.run()
+        self._closed = True
+
+    async def _rest(self) -> None:
+        from rendercanvas.utils.asyncs import sleep
+
+        self._stir()
+        while not self.canvas.get_closed():
+            if self._wanted:
+                self._wanted = False
+                self._stir()
+            await sleep(0.5 / _FRAME_RATE)
+            if self._wanted or time.perf_counter() < self._busy_until:
+                continue
+            started = time.perf_counter()
+            self._glfw.wait_events_timeout(_NAP)
+            if time.perf_counter() - started < 0.9 * _NAP:  # something woke us: let it be handled
+                self._busy_until = time.perf_counter() + _AWAKE
+
+    def wake(self) -> None:
+        """Draw once more; may be called from any thread."""
+        self._wanted = True
+        if not self._closed:
+            with suppress(Exception):  # the window system may have ended in this moment
+                self._glfw.post_empty_event()
+
+    def close(self) -> None:
+        """Close the window, which ends ``run``."""
+        self.canvas.close()
+
+
+class OffscreenPlace:
+    """A canvas in memory, for pictures of the window itself.
+
+    Parameters
+    ----------
+    size : (int, int)
+        Width and height. [logical pixel]
+    ratio : float
+        Pixels per logical pixel: 2 on a fine display. [1]
+
+    Raises
+    ------
+    WindowError
+        If the packages are missing.
+    """
+
+    def __init__(self, size: tuple[int, int], ratio: float = 1.0) -> None:
+        try:
+            from rendercanvas.offscreen import RenderCanvas
+        except ImportError as error:
+            raise WindowError(MISSING_EXTRA) from error
+        self.canvas: Any = RenderCanvas(size=size, pixel_ratio=ratio)
+        self._frames = 1
+        self.wanted = True
+        self.picture: NDArray[np.uint8] | None = None
+
+    def run(self, draw: Callable[[], None]) -> None:
+        """Draw once."""
+        self.canvas.request_draw(draw)
+        self.wanted = False
+        self.picture = np.array(self.canvas.draw(), dtype=np.uint8)[..., :3]
+
+    def wake(self) -> None:
+        """Remember that there is something new to draw."""
+        self.wanted = True
+
+    def close(self) -> None:
+        """Let go of the canvas."""
+        self.canvas.close()
+
+
+def _check_display(glfw: Any) -> None:
+    """Raise a ``WindowError`` if no window can be opened."""
+    reason = ""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        alive = bool(glfw.init())
+        if not alive:
+            reason = "; ".join(str(one.message).splitlines()[0] for one in caught)
+    if not alive:
+        hint = "is DISPLAY set?" if sys.platform.startswith("linux") else "is anybody logged in?"
+        raise WindowError(f"there is no display to open a window on ({reason or hint})")

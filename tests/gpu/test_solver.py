@@ -1,0 +1,282 @@
+"""The moments solver on the GPU against the CPU's: the same functions, another host."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+from airlight import load_planet
+from airlight.errors import Cancelled, ParameterError
+from airlight.gpu import solver_plan
+from airlight.gpu.device import BROWSER_LIMITS
+from airlight.gpu.flat import FLAT_WIDTH, read_flat
+from airlight.gpu.fragment_pass import declared_bindings
+from airlight.gpu.solver import fields_on, solve_on
+from airlight.gpu.solver_passes import PASSES, shader
+from airlight.gpu.solver_plan import ThickAir, plan_for
+from airlight.gpu.sweeper import borrowed_sweeper
+from airlight.planets import replace
+from airlight.planets.medium import Medium
+from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.moments.air import make_air, panel_ends
+from airlight.solvers.moments.block_rays import rays_in_sight
+from airlight.solvers.moments.first_order import first_order_radius
+from airlight.solvers.moments.harmonics import harmonics
+from airlight.solvers.moments.iterate import (
+    Sweeper,
+    even_azimuths,
+    grid_for,
+    nodes_of_rays,
+    weights_of_levels,
+)
+from airlight.solvers.moments.packing import filled, pack_light
+from airlight.solvers.moments.rays import trace_rays
+from airlight.solvers.moments.settings import settings_for
+from airlight.solvers.moments.solution import MomentsSolution, solve
+from airlight.solvers.moments.sweep import sweep_radius
+from airlight.tables.column_ratios import mean_density_ratios
+
+WAVELENGTHS = [450.0, 530.0, 600.0, 680.0]
+PREVIEW = settings_for("preview")
+#: Sun elevations, from the zenith to deep dusk. [°]
+ELEVATIONS = (90.0, 45.0, 20.0, 5.0, 1.0, 0.0, -1.0, -3.0, -6.0)
+#: From the ground to space, in thicknesses of the shell.
+ALTITUDES = (0.0, 0.02, 0.1, 0.3, 0.7, 1.5, 10.0)
+
+
+def medium_of(name: str, wavelengths=WAVELENGTHS, **changes) -> Medium:
+    planet = load_planet(name)
+    return Medium.from_planet(replace(planet, **changes) if changes else planet, wavelengths)
+
+
+def bright(values, least):
+    """Where values (r, s, w) are not dark."""
+    return values > least * values.max(axis=(0, 1))
+
+
+def assert_moments_agree(field, expected, least, rtol):
+    """Moments (r, s, k, w) agree, relative to the mean radiance where that is not dark."""
+    mean = expected[:, :, 0]
+    scale = np.where(bright(mean, least), mean, np.inf)[:, :, None]
+    assert_allclose(field / scale, expected / scale, rtol=0, atol=rtol)
+
+
+def cpu_sweeper(paths: LightPaths, settings):
+    """What ``solve_moments`` sweeps with."""
+    medium = paths.medium
+    plan = plan_for(paths, settings)
+    grid, parts = grid_for(medium, settings)
+    ends = panel_ends(medium, grid, parts)
+    rays = trace_rays(
+        grid,
+        medium.density,
+        medium.extinction.max(axis=1),
+        settings.zenith_angles,
+        nodes_of_rays(settings, parts, ends),
+        bend=paths.bend,
+        ends=ends,
+    )
+    air = make_air(medium, plan.degree, slice(None))
+    rays, share = rays_in_sight(rays, air)
+    sweeper = Sweeper(
+        grid=grid,
+        parts=parts,
+        rays=rays,
+        azimuths=even_azimuths(plan.degree, max(settings.azimuths, 3 * plan.degree // 4)),
+        expansion=harmonics(plan.degree),
+        cancel=None,
+        share=share,
+    )
+    return plan, sweeper, air
+
+
+def light_of(plan, sweeper, texture):
+    """A light's texture as moments and irradiances."""
+    n = plan.sizes
+    moments = plan.nodes * n["terms"]
+    flat = read_flat(sweeper.device, sweeper.texture(texture), moments + plan.nodes)
+    shape = (n["radii"], n["suns"])
+    return flat[:moments].reshape(*shape, n["terms"], 4), flat[moments:].reshape(*shape, 4)
+
+
+@pytest.mark.parametrize(
+    ("name", "changes"),
+    [("earth", {}), ("mars-standard", {}), ("earth", {"refraction": "bouguer"})],
+    ids=["earth", "mars", "bent"],
+)
+def test_each_order_is_that_of_the_cpu(device, name, changes):
+    # The same functions on the same tables: what differs is single precision of radii (0.5 m),
+    # cosines and look-ups; 3e-4 of the mean radiance, where that is above 1e-4 of the largest.
+    paths = LightPaths.of(medium_of(name, **changes))
+    plan, cpu, air = cpu_sweeper(paths, PREVIEW)
+    depth = solver_plan.scattering_depth(paths.medium, plan.degree)
+    first, first_sky = cpu.gather(
+        first_order_radius, air, mean_density_ratios(plan.table), paths.lift
+    )
+    level = filled(weights_of_levels(plan.grid, depth))
+    packed = pack_light(first, first_sky[:1], level, 1)
+    second, second_sky = cpu.gather(sweep_radius, air, *packed)
+    with borrowed_sweeper(device) as gpu:
+        gpu.load(plan)
+        gpu.begin()
+        got, got_sky = light_of(plan, gpu, "first")
+        assert_moments_agree(got, first[..., :4], 1e-4, 3e-4)
+        lit = bright(first_sky[..., :4], 1e-4)
+        assert_allclose(got_sky[lit], first_sky[..., :4][lit], rtol=3e-4)
+        gpu.sweep()
+        got, got_sky = light_of(plan, gpu, "image")
+        assert_moments_agree(got, (first + second)[..., :4], 1e-4, 3e-4)
+        sky = (first_sky + second_sky)[..., :4]
+        lit = bright(sky, 1e-4)
+        assert_allclose(got_sky[lit], sky[lit], rtol=3e-4)
+
+
+def assert_solutions_agree(gpu: MomentsSolution, cpu: MomentsSolution, rtol: float):
+    """Mean radiances, irradiances and radiances from ground to space, sun 90° to -6°."""
+    grid = cpu.moments.grid
+    seen = np.degrees(np.arcsin(grid.sun_cosines)) >= -6.0
+    mean, expected = gpu.moments.field[:, seen, 0], cpu.moments.field[:, seen, 0]
+    lit = bright(expected, 1e-6)
+    assert_allclose(mean[lit], expected[lit], rtol=rtol)
+    lit = bright(cpu.moments.sky[:, seen], 1e-6)
+    assert_allclose(gpu.moments.sky[:, seen][lit], cpu.moments.sky[:, seen][lit], rtol=rtol)
+    thickness = grid.top_radius - grid.bottom_radius
+    zenith = np.array([0.0, 40.0, 70.0, 85.0, 89.0, 90.5, 92.0, 96.0, 100.0, 120.0, 180.0])
+    zenith, azimuth = np.meshgrid(zenith, [0.0, 90.0, 180.0])
+    for altitude in ALTITUDES:
+        for elevation in ELEVATIONS:
+            sight = {
+                "altitude": altitude * thickness,
+                "sun_zenith": 90.0 - elevation,
+                "view_zenith": zenith,
+                "azimuth": azimuth,
+            }
+            expected = np.asarray(cpu.radiance(**sight))
+            got = np.asarray(gpu.radiance(**sight))
+            lit = expected > 1e-6
+            message = f"at {altitude} thicknesses, sun at {elevation}°"
+            assert_allclose(got[lit], expected[lit], rtol=rtol, err_msg=message)
+
+
+@pytest.mark.parametrize("name", ["earth", "earth-atmosphere-plus", "mars-standard"])
+def test_a_preview_agrees_with_the_cpu(device, name):
+    # Both stop where 1 % is still to come at the darkest node, which is 0.1 % where there is
+    # light; the bar for the GPU is 0.5 %.
+    medium = medium_of(name)
+    cpu = solve(medium, PREVIEW, cache=False)
+    gpu = solve_on(device, medium, PREVIEW)
+    assert gpu.moments.sweeps > 1
+    assert gpu.moments.residual.max() <= PREVIEW.tolerance
+    assert_solutions_agree(gpu, cpu, 5e-3)
+
+
+def test_a_default_solution_agrees_with_the_cpu(device):
+    # The bar is 0.5 %; 2e-3 is the tolerance of both.
+    medium = medium_of("earth")
+    settings = settings_for("default")
+    cpu = solve(medium, settings, cache=False)
+    assert_solutions_agree(solve_on(device, medium, settings), cpu, 2e-3)
+
+
+def test_the_field_stays_on_the_device(device):
+    # What a march reads of the solution on the CPU, packed there, is what the texture holds.
+    solution = solve_on(device, medium_of("earth"), PREVIEW)
+    texture = fields_on(device, solution)
+    expected = np.concatenate([solution.light.field, solution.light.sky]).reshape(-1, 8)[:, :4]
+    got = read_flat(device, texture, expected.shape[0])
+    # s and M_00·s everywhere; the other moments beside s, where they may be close to 0.
+    block = 1 + solution.moments.field.shape[2]
+    moments = solution.light.field.size // 8
+    got, sky = got[:moments].reshape(-1, block, 4), got[moments:]
+    expected, expected_sky = expected[:moments].reshape(-1, block, 4), expected[moments:]
+    assert_allclose(got[:, :2], expected[:, :2], rtol=2e-5)
+    assert_allclose(got / got[:, 1:2], expected / expected[:, 1:2], rtol=2e-5, atol=1e-5)
+    assert_allclose(sky, expected_sky, rtol=2e-5)
+
+
+def test_spans_of_radii_do_not_change_the_result(device, monkeypatch):
+    # How the work is cut must not matter: the same texels by the same functions, bit for bit.
+    medium = medium_of("earth")
+    whole = solve_on(device, medium, PREVIEW)
+    monkeypatch.setattr(solver_plan, "_SPAN", 1 << 15)
+    assert len(plan_for(LightPaths.of(medium), PREVIEW).spans) > 3
+    cut = solve_on(device, medium, PREVIEW)
+    assert_array_equal(cut.moments.field, whole.moments.field)
+    assert_array_equal(cut.moments.sky, whole.moments.sky)
+
+
+def test_fewer_wavelengths_are_solved_alike(device):
+    # Wavelengths do not know each other, but for when the iteration ends: its tolerance.
+    four = solve_on(device, medium_of("earth"), PREVIEW)
+    one = solve_on(device, medium_of("earth", [530.0]), PREVIEW)
+    assert one.moments.field.shape == (*four.moments.field.shape[:3], 1)
+    seen = np.degrees(np.arcsin(four.moments.grid.sun_cosines)) >= -6.0
+    # The grid of radii follows the depth of the bluest: compare the ground's sky.
+    assert_allclose(one.moments.sky[0, seen, 0], four.moments.sky[0, seen, 1], rtol=1e-2)
+
+
+def test_thick_air_is_left_to_the_cpu(device):
+    # Light wanders in it for hundreds of orders: refused before anything is computed, in one line.
+    with pytest.raises(ThickAir) as refused:
+        solve_on(device, medium_of("titan"), PREVIEW)
+    assert "CPU" in str(refused.value)
+    assert "\n" not in str(refused.value)
+
+
+def test_more_wavelengths_than_a_texel_holds_are_refused(device):
+    # A texel has four numbers.
+    with pytest.raises(ParameterError, match="wavelengths"):
+        solve_on(device, medium_of("earth", np.linspace(400.0, 700.0, 5)), PREVIEW)
+
+
+def test_a_cancelled_solve_leaves_the_next_one_whole(device):
+    # The same medium gives the same numbers, whatever was left in the textures before.
+    medium = medium_of("mars-standard")
+    before = solve_on(device, medium, PREVIEW)
+    asked = []
+
+    def cancel():
+        asked.append(1)
+        return len(asked) == 3
+
+    with pytest.raises(Cancelled):
+        solve_on(device, medium_of("earth"), PREVIEW, cancel=cancel)
+    done = []
+    after = solve_on(device, medium, PREVIEW, progress=lambda *what: done.append(what[0]))
+    assert_array_equal(after.moments.field, before.moments.field)
+    assert done[-1] == 100
+
+
+@pytest.mark.parametrize("name", sorted(PASSES))
+def test_a_pass_keeps_a_browsers_limits(name):
+    # WebGPU's defaults and WebGL2: 16 textures to read, one target of 16 bytes.
+    textures = [one for one in declared_bindings(shader(name)) if "texture" in one.layout]
+    assert len(textures) <= BROWSER_LIMITS["max-sampled-textures-per-shader-stage"]
+
+
+@pytest.mark.parametrize("name", ["earth", "mars-standard"])
+def test_the_plan_can_be_run_by_another_host(name):
+    # JSON gives it back, every texture is named in it, and none is higher than browsers allow.
+    plan = plan_for(LightPaths.of(medium_of(name)), settings_for("default"))
+    written = json.loads(json.dumps(plan.as_dict()))
+    assert written["sizes"]["degree"] == plan.degree
+    assert len(written["uniform"]) == plan.solve.shape[0]
+    known = {*written["textures"], "scalars", "spectra", "image"}
+    for part in written["passes"].values():
+        for one in part:
+            assert one["target"] in known
+            reads = declared_bindings(written["shaders"][one["shader"]])
+            assert {two.name for two in reads if "texture" in two.layout} <= known
+    for texels in (plan.scalars.shape[0], plan.spectra.shape[0], *written["textures"].values()):
+        assert texels <= FLAT_WIDTH * BROWSER_LIMITS["max-texture-dimension-2d"]
+    # Spans fill each texel of a ray's radiance once.
+    spans = [one["span"] for one in written["passes"]["sweep"] if one["target"] == "radiances"]
+    assert [one[0] for one in spans[1:]] == [one[1] for one in spans[:-1]]
+    assert spans[-1][1] == written["textures"]["radiances"]
+    # Tables are where they are said to be.
+    places = written["tables"]["extinction"]
+    rows = plan.spectra[places["start"] : places["start"] + places["shape"][0]]
+    assert_allclose(rows[: len(plan.paths.medium.names)].max(), plan.paths.medium.extinction.max())

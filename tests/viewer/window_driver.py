@@ -1,0 +1,117 @@
+"""A real window for the tests: opens on the display, answers questions about itself by lines.
+
+Started as a process of its own by ``test_window.py``. Each line read is a JSON list, a word and its
+arguments; each line written is the JSON answer.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import threading
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from airlight.gpu.device import open_device
+from airlight.viewer.start import Start, opened, pictures_by
+from airlight.viewer.window import Window
+from airlight.viewer.window_canvas import DesktopPlace
+
+
+class Answers:
+    """What can be asked."""
+
+    def __init__(self, window: Window, place: DesktopPlace) -> None:
+        self.window, self.place = window, place
+
+    def settled(self, seconds: float) -> bool:
+        """Whether all is shown in full quality within a time, and the window rests after it."""
+        until = time.monotonic() + seconds
+        while time.monotonic() < until:
+            if self.window.settled and self.window.shown("A") is not None:
+                return True
+            time.sleep(0.02)
+        return False
+
+    def value(self, path: str) -> Any:
+        return self.window.session.value(path)
+
+    def place_of(self, path: str) -> list[float]:
+        return list(self.window.panel.planet_rows.places[path])
+
+    def picture_place(self) -> list[float]:
+        one = self.window.picture_rectangle()
+        return [one.left, one.top, one.width, one.height]
+
+    def picture(self) -> dict[str, Any]:
+        shown = self.window.shown("A")
+        assert shown is not None
+        solution = shown.request.solution
+        return {
+            "width": shown.width,
+            "height": shown.height,
+            "finished": shown.finished,
+            "depth": float(np.sum(solution.medium.vertical_optical_depth)),
+            "altitude": shown.request.scene.altitude,
+        }
+
+    def frames(self) -> int:
+        return self.window.frames
+
+    def busy(self) -> bool:
+        return not self.window.settled
+
+    def cpu(self, seconds: float) -> float:
+        """Share of one processor that the process takes while it is left alone."""
+        started, before = time.perf_counter(), time.process_time()
+        time.sleep(seconds)
+        return (time.process_time() - before) / (time.perf_counter() - started)
+
+    def longest_gap(self, seconds: float) -> float:
+        """The longest time between frames of a window that is asked to draw all the time. [s]"""
+        until, last = time.monotonic() + seconds, time.monotonic()
+        frames, longest = self.window.frames, 0.0
+        while time.monotonic() < until:
+            self.place.wake()
+            time.sleep(0.004)
+            if self.window.frames != frames:
+                longest = max(longest, time.monotonic() - last)
+                frames, last = self.window.frames, time.monotonic()
+        return max(longest, time.monotonic() - last)
+
+    def threads(self) -> list[str]:
+        return sorted(one.name for one in threading.enumerate() if "airlight" in one.name)
+
+    def error(self) -> str:
+        return self.window.problem
+
+
+def main() -> None:
+    planet, width, height, by = sys.argv[1], int(sys.argv[2]), int(sys.argv[3]), sys.argv[4]
+    session = opened(Start(planet=planet, view={"light.quality": "preview"}))
+    place = DesktopPlace((width, height), "airlight test")
+    device = open_device()
+    window = Window(session, place, device.device, pictures_by(by, device))
+    answers = Answers(window, place)
+
+    def listen() -> None:
+        for line in sys.stdin:
+            word, *arguments = json.loads(line)
+            try:
+                reply = {"answer": getattr(answers, word)(*arguments)}
+            except Exception as error:
+                reply = {"error": f"{type(error).__name__}: {error}"}
+            print(json.dumps(reply), flush=True)
+
+    threading.Thread(target=listen, daemon=True).start()
+    window.run()
+    left = answers.threads()
+    print(json.dumps({"answer": {"ended": True, "threads": left}}), flush=True)
+
+
+if __name__ == "__main__":
+    assert Path(__file__).is_file()
+    main()

@@ -1,0 +1,102 @@
+"""A headless Chromium with WebGPU and WebGL2 in software; skipped where there is none."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+#: WebGPU runs on SwiftShader and WebGL2 on Mesa's llvmpipe; nothing is fetched in the background.
+FLAGS = (
+    "--no-sandbox",
+    "--enable-unsafe-webgpu",
+    "--use-angle=gl-egl",
+    "--ignore-gpu-blocklist",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+)
+#: How long a page may take on two busy cores. [ms]
+PATIENCE = 120_000
+
+
+def missing(reason: str) -> None:
+    """Skip, or fail where a skip would hide a fault."""
+    if os.environ.get("AIRLIGHT_REQUIRE_GPU") or os.environ.get("CI"):
+        pytest.fail(reason)
+    pytest.skip(reason)
+
+
+@pytest.fixture(scope="session")
+def chromium() -> Iterator[Any]:
+    """A running browser."""
+    program = os.environ.get("AIRLIGHT_CHROMIUM") or shutil.which("chromium")
+    if program is None:
+        missing("no chromium (on Debian: apt-get install chromium libegl1 libgl1-mesa-dri)")
+    try:
+        from playwright.sync_api import sync_playwright
+    except ImportError:
+        missing("no playwright (pip install playwright)")
+    with sync_playwright() as play:
+        browser = play.chromium.launch(executable_path=program, headless=True, args=list(FLAGS))
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def opened(chromium: Any, tmp_path: Path) -> Iterator[Callable[..., Any]]:
+    """Opens a file of the disk in a page without a network; fails at the end on any error in it."""
+    context = chromium.new_context(viewport={"width": 960, "height": 540})
+    context.set_offline(True)
+    faults: list[str] = []
+
+    def open_file(file: Path, fragment: str = "") -> Any:
+        page = context.new_page()
+        page.set_default_timeout(PATIENCE)
+        page.on("pageerror", lambda error: faults.append(str(error)))
+        page.on("console", lambda m: faults.append(m.text) if m.type == "error" else None)
+        page.on("requestfailed", lambda request: faults.append(f"asked for {request.url[:80]}"))
+        page.goto(file.as_uri() + fragment)
+        return page
+
+    yield open_file
+    context.close()
+    assert faults == []
+
+
+@pytest.fixture
+def modules(opened: Callable[..., Any], tmp_path: Path) -> Callable[..., Any]:
+    """Opens an empty page in which files of the viewer's web folder are at hand as objects."""
+    from airlight.viewer.modules import join_modules, web_file
+
+    def open_modules(**names: tuple[str, ...]) -> Any:
+        lines = [f'import {{ {", ".join(n)} }} from "./{f}.js";' for f, n in names.items()]
+        lines.append(f"Object.assign(window, {{ {', '.join(sum(names.values(), ()))} }});")
+        text = "\n".join(lines)
+        joined = join_modules("test.js", lambda f: text if f == "test.js" else web_file(f))
+        file = tmp_path / "modules.html"
+        file.write_text(
+            '<!doctype html><meta charset="utf-8"><body><script type="module">\n'
+            f"{joined}\n</script>",
+            encoding="utf-8",
+        )
+        return opened(file)
+
+    return open_modules
+
+
+@pytest.fixture(scope="session")
+def gpu() -> Any:
+    """A device without a browser, in software too."""
+    from airlight.gpu.device import NoDevice, open_device
+
+    try:
+        return open_device()
+    except NoDevice as reason:
+        missing(str(reason))

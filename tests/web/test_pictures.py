@@ -1,0 +1,132 @@
+"""Pictures of planets in a page opened from disk, against those drawn natively."""
+
+from __future__ import annotations
+
+import base64
+import io
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from airlight.gpu.pictures import Pictures
+from numpy.testing import assert_allclose
+from PIL import Image
+
+from airlight import solve
+from airlight.gpu.flat import read_texture
+from airlight.planets import load_planet
+from airlight.viewer.page import page_data
+from airlight.viewer.page_text import page_text
+from airlight.viewer.view_parameters import DEFAULTS, scene_of
+
+WIDTH, HEIGHT = 240, 135
+#: Coarser than usual, on both sides: software draws it in a second.
+SKY = (128, 64)
+WAVELENGTHS = (680.0, 550.0, 440.0)
+FIXED = {"display.automatic": False}
+VIEWS = {
+    "earth, the ground": ("earth", {"view.altitude": 2.0, "display.exposure": -2.5}),
+    "earth, 35 km": (
+        "earth",
+        {"view.altitude": 35e3, "view.look_zenith": 95.0, "view.heading": 120.0,
+         "view.sun_zenith": 80.0, "display.exposure": -1.0, "display.tone_map": "aces"},
+    ),
+    "earth, 400 km": (
+        "earth",
+        {"view.altitude": 400e3, "view.look_zenith": 112.0, "view.latitude": 32.0,
+         "view.longitude": 12.0, "view.roll": 20.0, "display.exposure": -2.5},
+    ),
+    "earth, whole": (
+        "earth",
+        {"view.altitude": 2e7, "view.look_zenith": 180.0, "view.field_of_view": 40.0,
+         "display.exposure": -2.0, "display.tone_map": "agx"},
+    ),
+    "mars, sunset": (
+        "mars",
+        {"view.sun_zenith": 89.0, "view.look_zenith": 85.0, "view.projection": "fisheye",
+         "view.field_of_view": 120.0, "display.exposure": 0.0},
+    ),
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def solutions() -> Callable[[str], Any]:
+    """Solutions by the name of a planet."""
+    kept: dict[str, Any] = {}
+
+    def of(name: str) -> Any:
+        if name not in kept:
+            kept[name] = solve(load_planet(name), WAVELENGTHS, "preview", cache=False)
+        return kept[name]
+
+    return of
+
+
+@pytest.fixture(scope="module")
+def native(gpu: Any) -> Pictures:
+    """Pictures drawn without a browser."""
+    return Pictures(gpu, SKY)
+
+
+def drawn(native: Pictures, values: dict[str, Any]) -> np.ndarray:
+    """A picture of what ``native`` shows. [0 to 255]"""
+    import wgpu
+
+    scene = scene_of(values, WIDTH, HEIGHT)
+    size = (scene.camera.width, scene.camera.height, 1)
+    use = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.COPY_SRC
+    target = native.device.device.create_texture(size=size, format="rgba32float", usage=use)
+    native.draw(
+        scene, target.create_view(), "rgba32float", exposure=values["display.exposure"],
+        tone_map=values["display.tone_map"], encoding="srgb",
+    )  # fmt: skip
+    return 255.0 * np.clip(read_texture(native.device, target)[..., :3], 0.0, 1.0)
+
+
+def page_of(solution: Any, name: str, values: dict[str, Any], place: Path) -> Path:
+    """A page in a file."""
+    data = page_data(solution, name, name, values, "three")
+    data["picture"]["sky"]["full"] = list(SKY)
+    place.write_text(page_text(name, json.loads(json.dumps(data))), encoding="utf-8")
+    return place
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("device", ["webgpu", "webgl2"])
+@pytest.mark.parametrize("view", VIEWS)
+def test_page_draws_what_the_native_device_draws(
+    view: str,
+    device: str,
+    solutions: Callable[[str], Any],
+    native: Pictures,
+    opened: Callable[..., Any],
+    tmp_path: Path,
+    tell: Callable[[str], None],
+) -> None:
+    # the same shaders on another driver: what differs is rounding, and how each rounds to 8 bits
+    name, changes = VIEWS[view]
+    values = {**DEFAULTS, **FIXED, **changes}
+    native.show(solutions(name))
+    wanted = drawn(native, values)
+    page = opened(
+        page_of(solutions(name), name, values, tmp_path / "page.html"), f"?device={device}"
+    )
+    url = page.evaluate(
+        """async ([width, height]) => {
+          const blob = await airlight.png(width, height);
+          const reader = new FileReader();
+          await new Promise((resolve) => { reader.onload = resolve; reader.readAsDataURL(blob); });
+          return reader.result;
+        }""",
+        [WIDTH, HEIGHT],
+    )
+    assert page.evaluate("airlight.device.kind") == device
+    image = Image.open(io.BytesIO(base64.b64decode(url.partition(",")[2])))
+    got = np.asarray(image.convert("RGB"), np.float64)
+    assert wanted.std() > 5.0  # there is something to compare
+    off = np.abs(got - wanted)
+    tell(f"{view}, {device}: at most {off.max():.1f}/255, in the mean {off.mean():.3f}/255")
+    assert_allclose(off, 0.0, atol=2.0)

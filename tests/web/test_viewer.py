@@ -1,0 +1,193 @@
+"""The viewer in a page opened from disk, on both back ends, over a painted sky."""
+
+from __future__ import annotations
+
+import base64
+import io
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import painted
+import pytest
+from numpy.testing import assert_allclose
+from PIL import Image
+from waiting import until
+
+from airlight.scene.directions import camera_axes
+from airlight.viewer.page_text import page_text
+
+WIDTH, HEIGHT = 160, 90
+VIEW = {
+    "view.altitude": 100.0,
+    "view.latitude": 10.0,
+    "view.longitude": 20.0,
+    "view.look_zenith": 80.0,
+    "view.heading": 200.0,
+    "view.roll": 10.0,
+    "view.field_of_view": 70.0,
+    "view.projection": "perspective",
+    "view.sun_zenith": 60.0,
+    "view.sun_azimuth": 180.0,
+    "display.automatic": False,
+    "display.exposure": 0.5,
+    "display.tone_map": "hable",
+    "light.orders": "all",
+}
+_RANGES = {
+    "view.altitude": (0.0, 1e12, "log"),
+    "view.latitude": (-90.0, 90.0, "linear"),
+    "view.longitude": (-180.0, 180.0, "wraps"),
+    "view.look_zenith": (0.0, 180.0, "linear"),
+    "view.heading": (0.0, 360.0, "wraps"),
+    "view.roll": (-180.0, 180.0, "wraps"),
+    "view.field_of_view": (1e-3, 360.0, "linear"),
+    "view.sun_zenith": (0.0, 180.0, "linear"),
+    "view.sun_azimuth": (0.0, 360.0, "wraps"),
+    "display.exposure": (-100.0, 100.0, "linear"),
+}
+
+
+def parameters() -> list[dict[str, Any]]:
+    """Enough of the declared list."""
+    made = []
+    for path, value in VIEW.items():
+        low, high, scale = _RANGES.get(path, (0.0, 1.0, "linear"))
+        kind = {bool: "switch", str: "choice"}.get(type(value), "number")
+        made.append({
+            "path": path, "label": path.split(".")[1], "group": path.split(".")[0], "help": "-",
+            "kind": kind, "unit": "1", "low": max(low, 1.0) if scale == "log" else low,
+            "high": high, "least": low, "most": high, "step": 1.0, "wraps": scale == "wraps",
+            "scale": "log" if scale == "log" else "linear", "mode": "standard", "part_of": "",
+            "options": [value] if kind == "choice" else [],
+        })  # fmt: skip
+    return made
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    """A page of its own."""
+    data = {
+        "title": "painted", "planet": "painted", "parameters": parameters(), "values": VIEW,
+        "note": "nothing to edit", "picture": {**painted.program(), **painted.solution()},
+    }  # fmt: skip
+    place = tmp_path / "page.html"
+    place.write_text(page_text("painted <sky>", data), encoding="utf-8")
+    return place
+
+
+def png(page: Any, width: int = WIDTH, height: int = HEIGHT) -> np.ndarray:
+    """The picture that the page shows, drawn at a size. [0 to 255]"""
+    url = page.evaluate(
+        """async ([width, height]) => {
+          const blob = await airlight.png(width, height);
+          const reader = new FileReader();
+          await new Promise((resolve) => { reader.onload = resolve; reader.readAsDataURL(blob); });
+          return reader.result;
+        }""",
+        [width, height],
+    )
+    image = Image.open(io.BytesIO(base64.b64decode(url.partition(",")[2])))
+    return np.asarray(image.convert("RGB"), np.float64)
+
+
+def expected(view: dict[str, Any]) -> np.ndarray:
+    """The same by NumPy. [0 to 255]"""
+    azimuth = view["view.heading"] - view["view.sun_azimuth"]
+    axes = camera_axes(view["view.look_zenith"], azimuth, view["view.roll"])
+    field, exposure = view["view.field_of_view"], view["display.exposure"]
+    return 255.0 * painted.picture(axes, WIDTH, HEIGHT, field, exposure)
+
+
+def assert_same_picture(got: np.ndarray, wanted: np.ndarray) -> None:
+    """Rounding, except on a few pixels that lie on an edge between two colours."""
+    assert got.shape == wanted.shape
+    off = np.abs(got - wanted).max(axis=2) > 1.0
+    assert off.mean() < 0.01
+    assert_allclose(np.median(np.abs(got - wanted)), 0.0, atol=0.6)
+
+
+@pytest.mark.parametrize("device", ["webgpu", "webgl2"])
+def test_page_from_disk_shows_the_picture(
+    device: str, file: Path, opened: Callable[..., Any]
+) -> None:
+    # a second method: the same picture by NumPy; top and bottom, left and right are told apart
+    page = opened(file, f"?device={device}")
+    assert_same_picture(png(page), expected(VIEW))
+    assert page.title() == "painted <sky>"
+    assert page.evaluate("airlight.device.kind") == device
+
+
+def test_slider_moves_the_picture_and_the_address(file: Path, opened: Callable[..., Any]) -> None:
+    page = opened(file)
+    png(page)
+    slider = page.locator("[data-path='view.look_zenith'] input[type=range]")
+    slider.focus()
+    for _ in range(3):
+        slider.press("ArrowRight")
+    zenith = page.evaluate("airlight.state.get('view.look_zenith')")
+    assert zenith > VIEW["view.look_zenith"]
+    assert_same_picture(png(page), expected({**VIEW, "view.look_zenith": zenith}))
+    until(page, "location.hash.length > 2")
+    again = opened(file, page.evaluate("location.hash"))
+    assert_same_picture(png(again), expected({**VIEW, "view.look_zenith": zenith}))
+    again.get_by_role("button", name="reset", exact=True).click()
+    assert_same_picture(png(again), expected(VIEW))
+    again.get_by_role("button", name="undo", exact=True).click()
+    assert again.evaluate("airlight.state.get('view.look_zenith')") == zenith
+
+
+def test_drag_keys_and_wheel_move_the_camera(file: Path, opened: Callable[..., Any]) -> None:
+    page = opened(file)
+    png(page)
+    box = page.locator("canvas").bounding_box()
+    x, y = box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"]
+
+    def now() -> dict[str, Any]:
+        return page.evaluate("airlight.state.values")
+
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 60, y + 30, steps=4)
+    page.mouse.up()
+    # the sky follows the mouse: dragged right the camera turns left, dragged down it looks up
+    after = now()
+    assert after["view.heading"] < VIEW["view.heading"]
+    assert after["view.look_zenith"] < VIEW["view.look_zenith"]
+    page.mouse.wheel(0, 200)
+    until(page, "airlight.state.get('view.altitude') > 100")
+    page.keyboard.down("w")
+    page.wait_for_timeout(400)
+    page.keyboard.up("w")
+    flown = now()
+    assert flown["view.latitude"] != VIEW["view.latitude"]
+    page.keyboard.press("Control+z")
+    page.keyboard.press("Control+z")
+    page.keyboard.press("Control+z")
+    assert now() == VIEW
+
+
+def test_still_picture_costs_nothing(file: Path, opened: Callable[..., Any]) -> None:
+    page = opened(file)
+    png(page)
+    page.evaluate("airlight.settled()")
+    before = page.evaluate("airlight.loop.frames")
+    page.wait_for_timeout(700)
+    assert page.evaluate("airlight.loop.frames") == before
+
+
+def test_page_without_a_device_says_so(file: Path, opened: Callable[..., Any]) -> None:
+    page = opened(file, "?device=none")
+    until(page, "document.querySelector('.airlight-message').textContent !== ''")
+    assert "neither WebGPU nor WebGL2" in page.locator(".airlight-message").text_content()
+
+
+def test_page_carries_all_that_it_needs(file: Path) -> None:
+    # nothing to load: no address but the namespaces of the data that it carries
+    text = file.read_text(encoding="utf-8")
+    for word in ("http://", "https://", "import(", "fetch(", "XMLHttpRequest"):
+        assert word not in text, word
+    data = text.partition('id="airlight-data">')[2].partition("</script>")[0]
+    assert json.loads(data)["title"] == "painted"
