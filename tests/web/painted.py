@@ -6,10 +6,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from airlight.gpu.uniforms import layout, struct_text
 from numpy.typing import NDArray
 
 from airlight.gpu.translated import entry_points, translated
+from airlight.gpu.uniforms import layout, struct_text
 from airlight.viewer.tables_text import as_text
 
 SHADERS = Path(__file__).parent / "shaders"
