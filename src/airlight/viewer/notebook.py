@@ -110,7 +110,7 @@ class Viewer(anywidget.AnyWidget):
 
     def wait(self, timeout: float | None = None) -> bool:
         """Wait until the planet is solved; False if that took longer. [s]"""
-        done = self._solving.wait(timeout)
+        done = bool(self._solving.wait(timeout))
         self._follow_solution()
         return done
 

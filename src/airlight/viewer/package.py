@@ -15,7 +15,8 @@ from airlight.color.encoding import ENCODINGS
 from airlight.color.exposure import MIDDLE_GREY
 from airlight.color.spectral import rgb_weights
 from airlight.color.tone_maps import TONE_MAPS, tone_map_named
-from airlight.color.xyz import luminance
+from airlight.color.xyz import luminance, rgb_to_xyz
+from airlight.constants import LUMINOUS_EFFICACY
 from airlight.gpu.pictures import ORDERS, QUICK_SKY_SHAPE, SKY_SHAPE
 from airlight.gpu.shaders import Shader, picture_shader, sky_air_shader, sky_peaks_shader
 from airlight.gpu.shown import WAVELENGTHS
@@ -92,6 +93,8 @@ def program() -> dict[str, Any]:
         "encodings": list(ENCODINGS),
         "orders": ORDERS,
         "luminance": [float(x) for x in luminance(np.eye(3))],
+        "xyz": [[float(x) for x in row] for row in rgb_to_xyz(np.eye(3))],
+        "efficacy": LUMINOUS_EFFICACY,
     }
 
 
