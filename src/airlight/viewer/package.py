@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from airlight.color.encoding import ENCODINGS
 from airlight.color.exposure import MIDDLE_GREY
-from airlight.color.spectral import rgb_weights
+from airlight.color.four_wavelengths import few_wavelengths, fitted_weights
 from airlight.color.tone_maps import TONE_MAPS, tone_map_named
 from airlight.color.xyz import luminance, rgb_to_xyz
 from airlight.constants import LUMINOUS_EFFICACY
@@ -22,6 +22,7 @@ from airlight.gpu.shaders import Shader, picture_shader, sky_air_shader, sky_pea
 from airlight.gpu.shown import WAVELENGTHS
 from airlight.gpu.solution_textures import SolutionTables
 from airlight.gpu.uniforms import layout
+from airlight.planets.planet import Planet
 from airlight.scene.projections import PROJECTIONS
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.viewer.ground_map import ground_map
@@ -98,6 +99,18 @@ def program() -> dict[str, Any]:
     }
 
 
+def wavelengths_for(planet: Planet, count: str) -> FloatArray:
+    """Wavelengths that a browser draws with: three or four, the nearest to what is asked. [nm]
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> wavelengths_for(load_planet("mars-rayleigh"), "sixteen").size
+    4
+    """
+    return few_wavelengths(3 if count == "three" else 4, *planet.wavelength_limits)
+
+
 def planet_tables(
     solution: MomentsSolution, weights: FloatArray | None = None
 ) -> tuple[dict[str, Any], dict[str, tuple[str, Float32Array]]]:
@@ -108,7 +121,7 @@ def planet_tables(
     solution : MomentsSolution
         Of three or four wavelengths.
     weights : array, shape (nl, 3), optional
-        Linear sRGB per radiance; by default those of ``color.spectral.rgb_weights``.
+        Linear sRGB per radiance; by default those of ``color.four_wavelengths``.
 
     Returns
     -------
@@ -126,7 +139,7 @@ def planet_tables(
         uniforms[f"table_{name}"] = [*place, 0, 0, 0][:4]
     if weights is None:
         spectrum = None if solution.planet is None else solution.planet.star.irradiances
-        weights = rgb_weights(solution.wavelengths, spectrum)
+        weights = fitted_weights(solution.wavelengths, spectrum)
     shown = np.zeros((WAVELENGTHS, 3))
     shown[: len(weights)] = weights * medium.solar_irradiance[:, None]
     for channel, column in zip(("red", "green", "blue"), shown.T, strict=True):

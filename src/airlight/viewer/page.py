@@ -12,11 +12,10 @@ from airlight.exports.whole_file import check_target, whole_file
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets import load_planet
 from airlight.solvers import solve
-from airlight.viewer.package import planet_tables, program
+from airlight.viewer.package import planet_tables, program, wavelengths_for
 from airlight.viewer.page_text import page_text
 from airlight.viewer.parameter import Parameter, Value
 from airlight.viewer.session import Session
-from airlight.viewer.solving import evenly_spaced
 from airlight.viewer.tables_text import as_text
 from airlight.viewer.view_parameters import view_parameters
 from airlight.viewer.wanted import SOLVED
@@ -137,7 +136,7 @@ def export_page(
     world = load_planet(planet, dict(changes or {}), progress=progress)
     solution = solve(
         world,
-        wavelengths=tuple(evenly_spaced(world, wavelengths)),
+        wavelengths=tuple(wavelengths_for(world, wavelengths)),
         quality=quality,
         cache=cache,
         progress=progress,
