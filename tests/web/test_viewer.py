@@ -72,7 +72,7 @@ def file(tmp_path: Path) -> Path:
     """A page of its own."""
     data = {
         "title": "painted", "planet": "painted", "parameters": parameters(), "values": VIEW,
-        "note": "nothing to edit", "picture": {**painted.program(), **painted.solution()},
+        "note": "nothing to edit", "picture": painted.page(),
     }  # fmt: skip
     place = tmp_path / "page.html"
     place.write_text(page_text("painted <sky>", data), encoding="utf-8")
