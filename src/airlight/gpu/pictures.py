@@ -14,7 +14,7 @@ from airlight.color.encoding import ENCODINGS
 from airlight.color.exposure import exposure_factor
 from airlight.color.spectral import rgb_weights
 from airlight.color.tone_maps import TONE_MAPS
-from airlight.errors import ParameterError
+from airlight.errors import Cancelled, ParameterError
 from airlight.geometry.bending import seen_star
 from airlight.gpu.device import Device
 from airlight.gpu.flat import FLAT_WIDTH, empty_flat_texture, read_texture
@@ -23,6 +23,7 @@ from airlight.gpu.shaders import Shader, picture_shader, sky_air_shader, sky_pea
 from airlight.gpu.shown import WAVELENGTHS
 from airlight.gpu.solution_textures import SolutionTextures
 from airlight.gpu.uniforms import packed
+from airlight.kernel.threads import Cancel, Progress
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.scene.projections import PROJECTIONS
@@ -34,8 +35,9 @@ FloatArray = NDArray[np.float64]
 SKY_SHAPE: Final = (256, 128)
 #: The same where a processor does the work of a GPU, while something moves.
 QUICK_SKY_SHAPE: Final = (64, 64)
-#: Rows of an exact picture drawn at once: no driver then thinks that the device hangs.
-_ROWS_AT_ONCE: Final = 64
+#: Pixels drawn at once, read from a table, marched, and marched in software: no driver then thinks
+#: that the device hangs, and a strip of a picture that is read back takes 64 MiB at most.
+_PIXELS_AT_ONCE: Final = (1 << 22, 1 << 20, 1 << 16)
 #: Of a picture that is read back.
 _LINEAR: Final = "rgba32float"
 #: What ``orders`` may be, as the shaders count them.
@@ -96,7 +98,7 @@ class Pictures:
         Parameters
         ----------
         solution : MomentsSolution
-            Of three or four wavelengths.
+            Of four wavelengths at most; of one or two only with weights.
         weights : array, shape (nl, 3), optional
             Linear sRGB per radiance; by default those of ``color.spectral.rgb_weights``.
 
@@ -105,9 +107,11 @@ class Pictures:
         ParameterError
             If there are more wavelengths or constituents than the shaders have room for.
         """
-        nm = solution.wavelengths
         if not isinstance(solution, MomentsSolution):
-            raise ParameterError("solution", solution, "a solution of the moments solver")
+            raise ParameterError("solution", type(solution), "a solution of the moments solver")
+        nm = solution.wavelengths
+        if nm.size > WAVELENGTHS:
+            raise ParameterError("wavelengths", nm.size, f"at most {WAVELENGTHS} on the GPU")
         if weights is None:
             spectrum = solution.planet.star.irradiances if solution.planet is not None else None
             weights = rgb_weights(nm, spectrum)
@@ -141,9 +145,16 @@ class Pictures:
         return self._groups[one]
 
     def frame(
-        self, scene: Scene, *, exact: bool = False, orders: str = "all", disc: bool = True
+        self,
+        scene: Scene,
+        *,
+        exact: bool = False,
+        orders: str = "all",
+        disc: bool = True,
+        progress: Progress | None = None,
+        cancel: Cancel | None = None,
     ) -> Frame:
-        """A picture as linear light.
+        """A picture as linear light, strip by strip.
 
         Parameters
         ----------
@@ -155,6 +166,8 @@ class Pictures:
             ``all``, ``single`` or ``multiple``.
         disc : bool
             Whether the star's disc is drawn.
+        progress, cancel : callable, optional
+            See ``airlight.kernel.threads``.
 
         Returns
         -------
@@ -164,25 +177,39 @@ class Pictures:
         Raises
         ------
         ParameterError
-            If nothing has been shown yet, or the picture is larger than a texture may be.
+            If nothing has been shown yet, or the picture is wider than a texture may be.
+        Cancelled
+            If ``cancel`` said so.
         """
         import wgpu
 
-        camera = scene.camera
+        solution = self._shown()
+        width, height = scene.camera.width, scene.camera.height
         limit = self.device.device.limits["max-texture-dimension-2d"]
-        if max(camera.width, camera.height) > limit:
-            size = f"{camera.width}x{camera.height}"
-            raise ParameterError("camera.size", size, f"at most {limit} pixels on the GPU")
+        if width > limit:
+            raise ParameterError("camera.width", width, f"at most {limit} pixels on the GPU")
+        numbers = self._numbers(scene, (width, height), exact, orders, disc)
+        one = self._pass(picture_shader(exact), "linear_picture", (_LINEAR,))
+        rows = self._rows_at_once(width, height, exact)
         use = wgpu.TextureUsage
         target = self.device.device.create_texture(
-            size=(camera.width, camera.height, 1),
-            format=_LINEAR,
-            usage=use.RENDER_ATTACHMENT | use.COPY_SRC,
+            size=(width, rows, 1), format=_LINEAR, usage=use.RENDER_ATTACHMENT | use.COPY_SRC
         )
-        self.draw(scene, target.create_view(), _LINEAR, exact=exact, orders=orders, disc=disc)
-        rgb = np.ascontiguousarray(read_texture(self.device, target)[..., :3])
-        target.destroy()
-        solution = self._shown()
+        view = target.create_view()
+        rgb = np.empty((height, width, 3), np.float32)
+        if not exact:
+            self._draw_sky(numbers)
+        try:
+            for first in range(0, height, rows):
+                if cancel is not None and cancel():
+                    raise Cancelled
+                count = min(rows, height - first)
+                self._draw_strip(one, {**numbers, "first_row": first}, view, (0, 0, width, count))
+                rgb[first : first + count] = read_texture(self.device, target)[:count, :, :3]
+                if progress is not None:
+                    progress(first + count, height, "rendering")
+        finally:
+            target.destroy()
         return Frame(
             rgb=rgb,
             metadata={
@@ -226,15 +253,30 @@ class Pictures:
         size : (int, int), optional
             Of the target, where it is not the camera's. [pixel]
         """
+        width, height = size or (scene.camera.width, scene.camera.height)
+        numbers = self._numbers(scene, (width, height), exact, orders, disc)
+        if exposure is not None:
+            numbers |= _display_numbers(exposure, tone_map, encoding)
+        entry = "linear_picture" if exposure is None else "shown_picture"
+        if not exact:
+            self._draw_sky(numbers)
+        one = self._pass(picture_shader(exact), entry, (target_format,))
+        rows = self._rows_at_once(width, height, exact)
+        for first in range(0, height, rows):
+            area = (0, first, width, min(rows, height - first))
+            self._draw_strip(one, numbers, view, area, first > 0)
+
+    def _numbers(
+        self, scene: Scene, size: tuple[int, int], exact: bool, orders: str, disc: bool
+    ) -> dict[str, float]:
+        """The uniforms of a picture, but for its display."""
         solution = self._shown()
-        camera = scene.camera
-        width, height = size or (camera.width, camera.height)
-        numbers = _scene_numbers(scene, solution)
-        numbers |= self._textures.numbers if self._textures is not None else {}
+        assert self._textures is not None
+        numbers = _scene_numbers(scene, solution) | self._textures.numbers
         peaks = 0.0 if exact else float(numbers["first_peak"] >= 0)
         numbers |= {
-            "width": width,
-            "height": height,
+            "width": size[0],
+            "height": size[1],
             "orders": _order_number(orders),
             "exact": float(exact),
             "draws_disc": float(disc and solution.medium.star_angular_radius > 0.0),
@@ -246,19 +288,26 @@ class Pictures:
             numbers |= {"first_peak": -1.0, "second_peak": -1.0}
         for channel, column in zip(("red", "green", "blue"), self._weights.T, strict=True):
             numbers |= {f"{channel}_{i}": float(value) for i, value in enumerate(column)}
-        if exposure is not None:
-            numbers |= _display_numbers(exposure, tone_map, encoding)
-        entry = "linear_picture" if exposure is None else "shown_picture"
-        if not exact:
-            self._draw_sky(numbers)
-        one = self._pass(picture_shader(exact), entry, (target_format,))
-        step = _ROWS_AT_ONCE if exact and self.device.software else height
-        for first in range(0, height, step):
-            self._write(numbers)
-            encoder = self.device.device.create_command_encoder()
-            area = (0, first, width, min(step, height - first))
-            one.run(encoder, self._bound(one), [view], area, first > 0)
-            self.device.device.queue.submit([encoder.finish()])
+        return numbers
+
+    def _rows_at_once(self, width: int, height: int, exact: bool) -> int:
+        """Rows of one strip."""
+        pixels = _PIXELS_AT_ONCE[(2 if self.device.software else 1) if exact else 0]
+        return min(max(1, pixels // width), height)
+
+    def _draw_strip(
+        self,
+        one: FragmentPass,
+        numbers: Mapping[str, float],
+        view: Any,
+        area: tuple[int, int, int, int],
+        keep: bool = False,
+    ) -> None:
+        """Draw into a part of a target; the rest becomes black or is kept."""
+        self._write(numbers)
+        encoder = self.device.device.create_command_encoder()
+        one.run(encoder, self._bound(one), [view], area, keep)
+        self.device.device.queue.submit([encoder.finish()])
 
     def _draw_sky(self, numbers: Mapping[str, float]) -> None:
         """Draw the table of the sky, unless it is there for this observer and star."""
