@@ -48,7 +48,8 @@ GRAZING = 9.0
 FAINT = 5e-4
 FULL_DAY = 0.1
 THICK = 15.0
-#: A line that is cut so often needs few points a panel.
+#: Lines that are cut so often need fewer points a panel.
+SOME_EDGES = 6
 MANY_EDGES = 10
 
 
@@ -171,7 +172,7 @@ def march_line(r, mu, mu_s, nu, length, orders, gathers, peaks, phase, light, to
     end = min(mu_s, (r * mu_s + length * nu) / radius_along(r, mu, length))
     slant = length / (top - bottom)
     day = end > FULL_DAY
-    kind = 1 if slant < GRAZING else 2
+    kind = 1 if slant < GRAZING or count > SOME_EDGES else 2
     if (day and slant < STEEP) or count > MANY_EDGES:
         kind = 0
     rule = int(light.rules[kind])

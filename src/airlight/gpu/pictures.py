@@ -327,7 +327,9 @@ class Pictures:
         pixels = _PIXELS_AT_ONCE[(2 if self.device.software else 1) if exact else 0]
         step = max(1, pixels // width)
         found = [Band(0, height, True, True)]
-        if self.device.software and (width, height) == (scene.camera.width, scene.camera.height):
+        # A shader with a march in it takes a software device long to compile: one for all bands.
+        apart = self.device.software and not exact
+        if apart and (width, height) == (scene.camera.width, scene.camera.height):
             solution = self._shown()
             star = (numbers["seen_x"], 0.0, numbers["seen_z"])
             reach = 2.0 * solution.medium.star_angular_radius + 3.0 * numbers["pixel_angle"]
@@ -340,8 +342,7 @@ class Pictures:
                 "mapped": numbers["mapped"] * band.ground,
                 "draws_disc": numbers["draws_disc"] * band.star,
             }
-            fixed = self._fixed(known) if self.device.software else ()
-            shader = picture_shader(exact, fixed)
+            shader = picture_shader(exact, self._fixed(known) if apart else ())
             last = band.first + band.rows
             parts += [(at, min(step, last - at), shader) for at in range(band.first, last, step)]
         return parts
