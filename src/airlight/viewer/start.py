@@ -19,6 +19,7 @@ from airlight.viewer.picture_cpu import CpuPainter
 from airlight.viewer.picture_source import Painter
 from airlight.viewer.places import PLACES, view_of
 from airlight.viewer.session import Session
+from airlight.viewer.solving_by import solver_by
 from airlight.viewer.window import Window
 from airlight.viewer.window_canvas import DesktopPlace, OffscreenPlace, WindowError
 
@@ -94,7 +95,8 @@ def show(start: Start) -> None:
     except NoDevice as error:
         place.close()
         raise WindowError(f"the window needs a graphics device: {error.reason}") from error
-    window = Window(session, place, device.device, painter_by(start.device, device))
+    painter, solver = painter_by(start.device, device), solver_by(start.device, device)
+    window = Window(session, place, device.device, painter, solver)
     if start.other is not None:
         window.panel.compare_with(start.other)
     if start.screenshot is None or isinstance(place, DesktopPlace):

@@ -24,7 +24,8 @@ from airlight.viewer.places import PLACES, view_of
 from airlight.viewer.probing import Probing
 from airlight.viewer.session import Session
 from airlight.viewer.session_side import SessionSide
-from airlight.viewer.solving import Solved, Solving
+from airlight.viewer.solving import Solved, Solver, Solving, solve_on_cpu
+from airlight.viewer.solving_by import shown_wavelengths
 from airlight.viewer.view_parameters import scene_of
 from airlight.viewer.window_canvas import EVENTS, Place
 from airlight.viewer.window_input import WindowInput
@@ -52,6 +53,8 @@ class Window:
     device : wgpu.GPUDevice
     painter : callable
         Makes a painter; called once for each side.
+    solver : Solver
+        Solves, on threads of ``Solving``.
     """
 
     def __init__(
@@ -60,12 +63,14 @@ class Window:
         place: Place,
         device: Any,
         painter: Callable[[], Painter],
+        solver: Solver = solve_on_cpu,
     ) -> None:
         self.session = session
         self._place = place
         self.surface = WindowSurface(device, place.canvas)
         self.area = PictureArea(self.surface.backend)
         self._make_painter = painter
+        self._solver = solver
         self._sources: dict[str, PictureThread] = {}
         self._sides: tuple[str, ...] = ()
         self._shown: dict[str, Picture] = {}
@@ -208,7 +213,10 @@ class Window:
         if side not in self._solvings:
             self._sources[side] = PictureThread(self._make_painter(), self._place.wake)
             self._solvings[side] = Solving(
-                SessionSide(self.session, side), on_change=self._place.wake
+                SessionSide(self.session, side),
+                solver=self._solver,
+                wavelengths=shown_wavelengths,
+                on_change=self._place.wake,
             )
         solved = self._solvings[side].latest
         if solved is not None:
