@@ -12,6 +12,7 @@ from typing import Final, Literal
 import numpy as np
 
 from airlight.errors import FileError
+from airlight.exports.whole_file import check_target
 from airlight.gpu.device import Device, NoDevice, open_device
 from airlight.scene import look_at
 from airlight.viewer.parameter import Value
@@ -80,8 +81,10 @@ def show(start: Start) -> None:
     ParameterError, FileError
         If the planet or a value is not allowed.
     """
-    if start.screenshot is not None and start.screenshot.suffix.lower() != ".png":
-        raise FileError(start.screenshot, "the name of a screenshot ends in .png")
+    if start.screenshot is not None:
+        if start.screenshot.suffix.lower() != ".png":
+            raise FileError(start.screenshot, "the name of a screenshot ends in .png")
+        check_target(start.screenshot)
     # Two sides may compile a function at the same time; the second finds it done, and says so.
     warnings.filterwarnings("ignore", message="Compilation requested for previously compiled")
     session = opened(start)
