@@ -17,6 +17,7 @@ from airlight.color.tone_maps import TONE_MAPS
 from airlight.color.upsampling import reflectance_basis
 from airlight.errors import ParameterError
 from airlight.geometry.bending import seen_star
+from airlight.gpu.bands import Band, bands
 from airlight.gpu.device import Device
 from airlight.gpu.flat import FLAT_WIDTH, empty_flat_texture, read_texture, update_flat
 from airlight.gpu.fragment_pass import FragmentPass
@@ -276,15 +277,54 @@ class Pictures:
         entry = "linear_picture" if exposure is None else "shown_picture"
         if not exact:
             self._draw_sky(numbers)
-        fixed = self._fixed(numbers) if self.device.software else ()
-        one = self._pass(picture_shader(exact, fixed), entry, (target_format,))
-        step = _ROWS_AT_ONCE if exact and self.device.software else height
-        for first in range(0, height, step):
-            self._write(numbers)
-            encoder = self.device.device.create_command_encoder()
-            area = (0, first, width, min(step, height - first))
-            one.run(encoder, self._bound(one), [view], area, first > 0)
-            self.device.device.queue.submit([encoder.finish()])
+        self._write(numbers)
+        if self.device.software:
+            self._draw_in_parts(scene, numbers, entry, view, target_format, exact)
+            return
+        one = self._pass(picture_shader(exact), entry, (target_format,))
+        encoder = self.device.device.create_command_encoder()
+        one.run(encoder, self._bound(one), [view])
+        self.device.device.queue.submit([encoder.finish()])
+
+    def _draw_in_parts(
+        self,
+        scene: Scene,
+        numbers: dict[str, float],
+        entry: str,
+        view: Any,
+        target_format: str,
+        exact: bool,
+    ) -> None:
+        """Band by band, each with a shader that has no more choices than it needs.
+
+        A software device works out all sides of every choice, and one that is busy for long is
+        taken for dead: an exact picture is drawn a few rows at a time.
+        """
+        width, height = int(numbers["width"]), int(numbers["height"])
+        solution = self._shown()
+        edge = numbers["horizon_mu"]
+        star = (numbers["seen_x"], 0.0, numbers["seen_z"])
+        reach = 2.0 * solution.medium.star_angular_radius + 3.0 * numbers["pixel_angle"]
+        reach += solution.paths.largest_bend
+        parts = [Band(0, height, True, True)]
+        if (width, height) == (scene.camera.width, scene.camera.height):
+            parts = bands(scene, edge, star, reach)
+        step = _ROWS_AT_ONCE if exact else height
+        kept = False
+        for band in parts:
+            known = {
+                **numbers,
+                "mapped": numbers["mapped"] * band.ground,
+                "draws_disc": numbers["draws_disc"] * band.star,
+            }
+            shader = picture_shader(exact, self._fixed(known))
+            one = self._pass(shader, entry, (target_format,))
+            for first in range(band.first, band.first + band.rows, step):
+                encoder = self.device.device.create_command_encoder()
+                area = (0, first, width, min(step, band.first + band.rows - first))
+                one.run(encoder, self._bound(one), [view], area, kept)
+                self.device.device.queue.submit([encoder.finish()])
+                kept = True
 
     def _draw_sky(self, numbers: Mapping[str, float]) -> None:
         """Draw the table of the sky, unless it is there for this observer and star."""

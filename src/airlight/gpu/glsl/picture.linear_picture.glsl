@@ -1,5 +1,5 @@
 #version 300 es
-// of picture.wgsl dd7c9bef7a2f9f31, by naga-wasm@30.1.0
+// of picture.wgsl 12207e40d5a6584c, by naga-wasm@30.1.0
 precision highp float;
 precision highp int;
 
@@ -355,15 +355,32 @@ float cubed(float x_1) {
     return ((x_1 * x_1) * x_1);
 }
 
+int whole_quotient(int a, int b) {
+    bool local = false;
+    int towards_zero = (a / b);
+    if (((towards_zero * b) != a)) {
+        local = ((a < 0) != (b < 0));
+    } else {
+        local = false;
+    }
+    bool _e15 = local;
+    return (_e15 ? (towards_zero - 1) : towards_zero);
+}
+
+int whole_rest(int a_1, int b_1) {
+    int _e2 = whole_quotient(a_1, b_1);
+    return (a_1 - (b_1 * _e2));
+}
+
 float sine_of_quarter(float x_2) {
-    float y_19 = (x_2 * x_2);
-    return (x_2 + ((x_2 * y_19) * (-0.16666655 + (y_19 * (0.008332161 - (0.00019515296 * y_19))))));
+    float y_20 = (x_2 * x_2);
+    return (x_2 + ((x_2 * y_20) * (-0.16666655 + (y_20 * (0.008332161 - (0.00019515296 * y_20))))));
 }
 
 float cosine_of_quarter(float x_3) {
-    float y_20 = (x_3 * x_3);
-    float tail = ((y_20 * y_20) * (0.041666646 + (y_20 * (-0.0013887316 + (2.4433157e-5 * y_20)))));
-    return ((1.0 - (0.5 * y_20)) + tail);
+    float y_21 = (x_3 * x_3);
+    float tail = ((y_21 * y_21) * (0.041666646 + (y_21 * (-0.0013887316 + (2.4433157e-5 * y_21)))));
+    return ((1.0 - (0.5 * y_21)) + tail);
 }
 
 float rest_of_quarter(float x_4, float turns) {
@@ -381,7 +398,7 @@ float sine(float x_5) {
 }
 
 float cosine(float x_6) {
-    bool local = false;
+    bool local_1 = false;
     float turns_2 = roundEven((x_6 * 0.63661975));
     float _e4 = rest_of_quarter(x_6, turns_2);
     int quarter_1 = (int(turns_2) & 3);
@@ -389,15 +406,44 @@ float cosine(float x_6) {
     float _e9 = sine_of_quarter(_e4);
     float value_1 = (((quarter_1 & 1) == 1) ? _e9 : _e8);
     if (!((quarter_1 == 1))) {
-        local = (quarter_1 == 2);
+        local_1 = (quarter_1 == 2);
     } else {
-        local = true;
+        local_1 = true;
     }
-    bool _e24 = local;
+    bool _e24 = local_1;
     return (_e24 ? -(value_1) : value_1);
 }
 
-Several_f32_f32_f32_ perspective_ray(float x_7, float y, float width, float height, float field_of_view) {
+float angle_of(float y, float x_7) {
+    float a_2 = abs(x_7);
+    float b_6 = abs(y);
+    float slope_1 = (min(a_2, b_6) / max(max(a_2, b_6), 1e-37));
+    bool steep = (slope_1 > 0.41421357);
+    float t_1 = (steep ? ((slope_1 - 1.0) / (slope_1 + 1.0)) : slope_1);
+    float z_8 = (t_1 * t_1);
+    float tail_1 = (-0.3333295 + (z_8 * (0.19977711 + (z_8 * (-0.13877685 + (z_8 * 0.080537446))))));
+    float part_3 = ((steep ? 0.7853982 : 0.0) + (t_1 + ((t_1 * z_8) * tail_1)));
+    float quarter_2 = ((b_6 > a_2) ? (1.5707964 - part_3) : part_3);
+    float half_ = ((x_7 < 0.0) ? (3.1415927 - quarter_2) : quarter_2);
+    return ((y < 0.0) ? -(half_) : half_);
+}
+
+float arc_tangent(float x_8) {
+    float _e2 = angle_of(x_8, 1.0);
+    return _e2;
+}
+
+float arc_cosine(float x_9) {
+    float _e9 = angle_of(sqrt(max(((1.0 - x_9) * (1.0 + x_9)), 0.0)), x_9);
+    return _e9;
+}
+
+float arc_sine(float x_10) {
+    float _e9 = angle_of(x_10, sqrt(max(((1.0 - x_10) * (1.0 + x_10)), 0.0)));
+    return _e9;
+}
+
+Several_f32_f32_f32_ perspective_ray(float x_11, float y_1, float width, float height, float field_of_view) {
     float slope = 0.0;
     float right = 0.0;
     float up = 0.0;
@@ -406,9 +452,9 @@ Several_f32_f32_f32_ perspective_ray(float x_7, float y, float width, float heig
     float _e14 = cosine((0.5 * field_of_view));
     slope = (_e11 / _e14);
     float _e20 = slope;
-    right = ((((2.0 * x_7) - width) / width) * _e20);
+    right = ((((2.0 * x_11) - width) / width) * _e20);
     float _e26 = slope;
-    up = (((height - (2.0 * y)) / width) * _e26);
+    up = (((height - (2.0 * y_1)) / width) * _e26);
     float _e28 = right;
     float _e29 = right;
     float _e33 = up;
@@ -422,7 +468,7 @@ Several_f32_f32_f32_ perspective_ray(float x_7, float y, float width, float heig
     return Several_f32_f32_f32_((_e38 / _e39), (_e41 / _e42), (1.0 / _e44));
 }
 
-Several_f32_f32_f32_ fisheye_ray(float x_8, float y_1, float width_1, float height_1, float field_of_view_1) {
+Several_f32_f32_f32_ fisheye_ray(float x_12, float y_2, float width_1, float height_1, float field_of_view_1) {
     float diameter = 0.0;
     float across = 0.0;
     float up_1 = 0.0;
@@ -431,8 +477,8 @@ Several_f32_f32_f32_ fisheye_ray(float x_8, float y_1, float width_1, float heig
     float theta = 0.0;
     float scale = 0.0;
     diameter = min(width_1, height_1);
-    across = ((2.0 * x_8) - width_1);
-    up_1 = (height_1 - (2.0 * y_1));
+    across = ((2.0 * x_12) - width_1);
+    up_1 = (height_1 - (2.0 * y_2));
     float _e19 = across;
     float _e20 = across;
     float _e22 = up_1;
@@ -462,12 +508,12 @@ Several_f32_f32_f32_ fisheye_ray(float x_8, float y_1, float width_1, float heig
     return Several_f32_f32_f32_((_e49 * _e50), (_e52 * _e53), _e56);
 }
 
-Several_f32_f32_f32_ panorama_ray(float x_9, float y_2, float width_2, float height_2, float field_of_view_2) {
+Several_f32_f32_f32_ panorama_ray(float x_13, float y_3, float width_2, float height_2, float field_of_view_2) {
     float azimuth = 0.0;
     float elevation = 0.0;
     float level = 0.0;
-    azimuth = (6.2831855 * ((x_9 / width_2) - 0.5));
-    elevation = (3.1415927 * (0.5 - (y_2 / height_2)));
+    azimuth = (6.2831855 * ((x_13 / width_2) - 0.5));
+    elevation = (3.1415927 * (0.5 - (y_3 / height_2)));
     float _e18 = elevation;
     float _e19 = cosine(_e18);
     level = _e19;
@@ -482,7 +528,7 @@ Several_f32_f32_f32_ panorama_ray(float x_9, float y_2, float width_2, float hei
     return Several_f32_f32_f32_((_e20 * _e22), _e25, (_e26 * _e28));
 }
 
-Several_f32_f32_f32_ cube_ray(float x_10, float y_3, float width_3, float height_3, float field_of_view_3) {
+Several_f32_f32_f32_ cube_ray(float x_14, float y_4, float width_3, float height_3, float field_of_view_3) {
     int face = 0;
     float across_1 = 0.0;
     float above = 0.0;
@@ -490,10 +536,10 @@ Several_f32_f32_f32_ cube_ray(float x_10, float y_3, float width_3, float height
     float up_2 = 0.0;
     float forward = 0.0;
     float length_1_1 = 0.0;
-    face = min(max(int(floor((x_10 / height_3))), 0), 5);
+    face = min(max(int(floor((x_14 / height_3))), 0), 5);
     int _e20 = face;
-    across_1 = ((2.0 * ((x_10 / height_3) - float(_e20))) - 1.0);
-    above = (1.0 - ((2.0 * y_3) / height_3));
+    across_1 = ((2.0 * ((x_14 / height_3) - float(_e20))) - 1.0);
+    above = (1.0 - ((2.0 * y_4) / height_3));
     int _e32 = face;
     if ((_e32 == 0)) {
         float now_2_ = above;
@@ -561,20 +607,20 @@ Several_f32_f32_f32_ cube_ray(float x_10, float y_3, float width_3, float height
     return Several_f32_f32_f32_((_e78 / _e79), (_e81 / _e82), (_e84 / _e85));
 }
 
-Several_f32_f32_f32_ projected_ray(int projection, float x_11, float y_4, float width_4, float height_4, float field_of_view_4) {
+Several_f32_f32_f32_ projected_ray(int projection, float x_15, float y_5, float width_4, float height_4, float field_of_view_4) {
     if ((projection == 0)) {
-        Several_f32_f32_f32_ _e8 = perspective_ray(x_11, y_4, width_4, height_4, field_of_view_4);
+        Several_f32_f32_f32_ _e8 = perspective_ray(x_15, y_5, width_4, height_4, field_of_view_4);
         return _e8;
     }
     if ((projection == 1)) {
-        Several_f32_f32_f32_ _e11 = fisheye_ray(x_11, y_4, width_4, height_4, field_of_view_4);
+        Several_f32_f32_f32_ _e11 = fisheye_ray(x_15, y_5, width_4, height_4, field_of_view_4);
         return _e11;
     }
     if ((projection == 2)) {
-        Several_f32_f32_f32_ _e14 = panorama_ray(x_11, y_4, width_4, height_4, field_of_view_4);
+        Several_f32_f32_f32_ _e14 = panorama_ray(x_15, y_5, width_4, height_4, field_of_view_4);
         return _e14;
     }
-    Several_f32_f32_f32_ _e15 = cube_ray(x_11, y_4, width_4, height_4, field_of_view_4);
+    Several_f32_f32_f32_ _e15 = cube_ray(x_15, y_5, width_4, height_4, field_of_view_4);
     return _e15;
 }
 
@@ -582,13 +628,15 @@ float angle_above_horizon(float mu, float sine_1_, float horizon_mu, float horiz
     float across_2 = 0.0;
     across_2 = ((mu * horizon_sine) - (sine_1_ * horizon_mu));
     float _e8 = across_2;
-    return atan(_e8, ((mu * horizon_mu) + (sine_1_ * horizon_sine)));
+    float _e12 = angle_of(_e8, ((mu * horizon_mu) + (sine_1_ * horizon_sine)));
+    return _e12;
 }
 
 float row_from_angle(float angle, float horizon_mu_1) {
     float highest = 0.0;
     float part = 0.0;
-    highest = acos(horizon_mu_1);
+    float _e4 = arc_cosine(horizon_mu_1);
+    highest = _e4;
     float _e5 = highest;
     float _e9 = highest;
     part = ((angle > 0.0) ? (angle / _e9) : (angle / (_e5 - 3.1415927)));
@@ -607,18 +655,18 @@ float row_from_impact(float impact, float bottom_radius, float top_radius) {
     return sqrt(min(max(_e10, 0.0), 1.0));
 }
 
-float half_sine_between(float x_12, float y_5, float z, float sun_x, float sun_z) {
+float half_sine_between(float x_16, float y_6, float z, float sun_x, float sun_z) {
     float across_3 = 0.0;
-    across_3 = (((x_12 - sun_x) * (x_12 - sun_x)) + (y_5 * y_5));
+    across_3 = (((x_16 - sun_x) * (x_16 - sun_x)) + (y_6 * y_6));
     float _e11 = across_3;
     return min((0.5 * sqrt((_e11 + ((z - sun_z) * (z - sun_z))))), 1.0);
 }
 
 vec4 between_texels(int columns, int rows, float row, bool sky, float azimuth_1) {
-    float x_13 = 0.0;
+    float x_17 = 0.0;
     int column = 0;
     float e = 0.0;
-    float y_6 = 0.0;
+    float y_7 = 0.0;
     int line = 0;
     float f = 0.0;
     float g = 0.0;
@@ -627,16 +675,16 @@ vec4 between_texels(int columns, int rows, float row, bool sky, float azimuth_1)
     int far = 0;
     vec4 root = vec4(0.0);
     vec4 square_1 = vec4(0.0);
-    x_13 = (min(max(azimuth_1, 0.0), 1.0) * float((columns - 1)));
-    float _e25 = x_13;
+    x_17 = (min(max(azimuth_1, 0.0), 1.0) * float((columns - 1)));
+    float _e25 = x_17;
     column = min(int(_e25), (columns - 2));
-    float _e30 = x_13;
+    float _e30 = x_17;
     int _e31 = column;
     e = (_e30 - float(_e31));
-    y_6 = (row * float((rows - 1)));
-    float _e38 = y_6;
+    y_7 = (row * float((rows - 1)));
+    float _e38 = y_7;
     line = min(int(_e38), (rows - 2));
-    float _e43 = y_6;
+    float _e43 = y_7;
     int _e44 = line;
     f = (_e43 - float(_e44));
     float _e47 = f;
@@ -677,10 +725,10 @@ vec4 between_texels(int columns, int rows, float row, bool sky, float azimuth_1)
 }
 
 vec4 between_texels_2_(int columns_1, int rows_1, float row_1, float azimuth_2) {
-    float x_14 = 0.0;
+    float x_18 = 0.0;
     int column_1 = 0;
     float e_1 = 0.0;
-    float y_7 = 0.0;
+    float y_8 = 0.0;
     int line_1 = 0;
     float f_1 = 0.0;
     float g_1 = 0.0;
@@ -689,16 +737,16 @@ vec4 between_texels_2_(int columns_1, int rows_1, float row_1, float azimuth_2) 
     int far_1 = 0;
     vec4 root_1 = vec4(0.0);
     vec4 square_2 = vec4(0.0);
-    x_14 = (min(max(azimuth_2, 0.0), 1.0) * float((columns_1 - 1)));
-    float _e24 = x_14;
+    x_18 = (min(max(azimuth_2, 0.0), 1.0) * float((columns_1 - 1)));
+    float _e24 = x_18;
     column_1 = min(int(_e24), (columns_1 - 2));
-    float _e29 = x_14;
+    float _e29 = x_18;
     int _e30 = column_1;
     e_1 = (_e29 - float(_e30));
-    y_7 = (row_1 * float((rows_1 - 1)));
-    float _e37 = y_7;
+    y_8 = (row_1 * float((rows_1 - 1)));
+    float _e37 = y_8;
     line_1 = min(int(_e37), (rows_1 - 2));
-    float _e42 = y_7;
+    float _e42 = y_8;
     int _e43 = line_1;
     f_1 = (_e42 - float(_e43));
     float _e46 = f_1;
@@ -767,10 +815,10 @@ vec4 phase_of(float half_sine, int constituent) {
 }
 
 vec4 between_texels_3_(int columns_2, int rows_2, float row_2, bool sky_1, float azimuth_3) {
-    float x_15 = 0.0;
+    float x_19 = 0.0;
     int column_2 = 0;
     float e_2 = 0.0;
-    float y_8 = 0.0;
+    float y_9 = 0.0;
     int line_2 = 0;
     float f_3 = 0.0;
     float g_2 = 0.0;
@@ -779,16 +827,16 @@ vec4 between_texels_3_(int columns_2, int rows_2, float row_2, bool sky_1, float
     int far_2 = 0;
     vec4 root_2 = vec4(0.0);
     vec4 square_3 = vec4(0.0);
-    x_15 = (min(max(azimuth_3, 0.0), 1.0) * float((columns_2 - 1)));
-    float _e25 = x_15;
+    x_19 = (min(max(azimuth_3, 0.0), 1.0) * float((columns_2 - 1)));
+    float _e25 = x_19;
     column_2 = min(int(_e25), (columns_2 - 2));
-    float _e30 = x_15;
+    float _e30 = x_19;
     int _e31 = column_2;
     e_2 = (_e30 - float(_e31));
-    y_8 = (row_2 * float((rows_2 - 1)));
-    float _e38 = y_8;
+    y_9 = (row_2 * float((rows_2 - 1)));
+    float _e38 = y_9;
     line_2 = min(int(_e38), (rows_2 - 2));
-    float _e43 = y_8;
+    float _e43 = y_9;
     int _e44 = line_2;
     f_3 = (_e43 - float(_e44));
     float _e47 = f_3;
@@ -829,10 +877,10 @@ vec4 between_texels_3_(int columns_2, int rows_2, float row_2, bool sky_1, float
 }
 
 vec4 between_texels_4_(int columns_3, int rows_3, float row_3, bool sky_2, float azimuth_4) {
-    float x_16 = 0.0;
+    float x_20 = 0.0;
     int column_3 = 0;
     float e_3 = 0.0;
-    float y_9 = 0.0;
+    float y_10 = 0.0;
     int line_3 = 0;
     float f_4 = 0.0;
     float g_3 = 0.0;
@@ -841,16 +889,16 @@ vec4 between_texels_4_(int columns_3, int rows_3, float row_3, bool sky_2, float
     int far_3 = 0;
     vec4 root_3 = vec4(0.0);
     vec4 square_4 = vec4(0.0);
-    x_16 = (min(max(azimuth_4, 0.0), 1.0) * float((columns_3 - 1)));
-    float _e25 = x_16;
+    x_20 = (min(max(azimuth_4, 0.0), 1.0) * float((columns_3 - 1)));
+    float _e25 = x_20;
     column_3 = min(int(_e25), (columns_3 - 2));
-    float _e30 = x_16;
+    float _e30 = x_20;
     int _e31 = column_3;
     e_3 = (_e30 - float(_e31));
-    y_9 = (row_3 * float((rows_3 - 1)));
-    float _e38 = y_9;
+    y_10 = (row_3 * float((rows_3 - 1)));
+    float _e38 = y_10;
     line_3 = min(int(_e38), (rows_3 - 2));
-    float _e43 = y_9;
+    float _e43 = y_10;
     int _e44 = line_3;
     f_4 = (_e43 - float(_e44));
     float _e47 = f_4;
@@ -902,12 +950,12 @@ Several_f32_f32_ first_meeting(float impact_1, float sine_1_1, float radius) {
     return Several_f32_f32_(((impact_1 * _e19) - (_e21 * sine_1_1)), ((impact_1 * sine_1_1) + (_e25 * _e26)));
 }
 
-Several_f32_f32_f32_ moved_on(float x_17, float y_10, float z_1, float dx, float dy, float dz, float cosine_1_, float angle_1, float bottom) {
+Several_f32_f32_f32_ moved_on(float x_21, float y_11, float z_1, float dx, float dy, float dz, float cosine_1_, float angle_1, float bottom) {
     float sine_1_2 = 0.0;
     float keep = 0.0;
     float away = 0.0;
     if ((angle_1 == 0.0)) {
-        return Several_f32_f32_f32_(x_17, y_10, z_1);
+        return Several_f32_f32_f32_(x_21, y_11, z_1);
     }
     sine_1_2 = sqrt(max(((1.0 - cosine_1_) * (1.0 + cosine_1_)), 1e-18));
     float _e23 = cosine(angle_1);
@@ -923,11 +971,13 @@ Several_f32_f32_f32_ moved_on(float x_17, float y_10, float z_1, float dx, float
     float _e40 = away;
     float _e43 = keep;
     float _e45 = away;
-    return Several_f32_f32_f32_(((_e33 * x_17) + (_e35 * dx)), ((_e38 * y_10) + (_e40 * dy)), ((_e43 * z_1) + (_e45 * dz)));
+    return Several_f32_f32_f32_(((_e33 * x_21) + (_e35 * dx)), ((_e38 * y_11) + (_e40 * dy)), ((_e43 * z_1) + (_e45 * dz)));
 }
 
-Several_f32_f32_ latitude_longitude(float x_18, float y_11, float z_2) {
-    return Several_f32_f32_(atan(z_2, sqrt(((x_18 * x_18) + (y_11 * y_11)))), atan(y_11, x_18));
+Several_f32_f32_ latitude_longitude(float x_22, float y_12, float z_2) {
+    float _e7 = angle_of(z_2, sqrt(((x_22 * x_22) + (y_12 * y_12))));
+    float _e8 = angle_of(y_12, x_22);
+    return Several_f32_f32_(_e7, _e8);
 }
 
 float map_level(float pixel_angle, float reach, float cosine_1_1, float bottom_1, float rows_4) {
@@ -947,8 +997,8 @@ void map_color_1_(float latitude, float longitude, float level_given) {
     int start = 0;
     int height_5 = 0;
     int width_5 = 0;
-    float y_12 = 0.0;
-    float x_19 = 0.0;
+    float y_13 = 0.0;
+    float x_23 = 0.0;
     int top = 0;
     int west = 0;
     float down_1 = 0.0;
@@ -970,139 +1020,339 @@ void map_color_1_(float latitude, float longitude, float level_given) {
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            int _e50 = c;
-            c = (_e50 + 1);
+            int _e73 = c;
+            c = (_e73 + 1);
         }
         loop_init = false;
-        int _e43 = c;
-        if ((_e43 < 3)) {
+        int _e44 = c;
+        if (((_e44 + 3) < 3)) {
         } else {
             break;
         }
         {
-            int _e47 = c;
-            reflectance_color[_e47] = 0.0;
+            int _e49 = c;
+            reflectance_color[_e49] = 0.0;
+            int _e52 = c;
+            c = (_e52 + 1);
+            int _e56 = c;
+            reflectance_color[_e56] = 0.0;
+            int _e59 = c;
+            c = (_e59 + 1);
+            int _e63 = c;
+            reflectance_color[_e63] = 0.0;
+            int _e66 = c;
+            c = (_e66 + 1);
+            int _e70 = c;
+            reflectance_color[_e70] = 0.0;
         }
     }
-    step_1_ = 0;
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            int _e249 = step_1_;
-            step_1_ = (_e249 + 1);
+            int _e82 = c;
+            c = (_e82 + 1);
         }
         loop_init_1 = false;
-        int _e54 = step_1_;
-        if ((_e54 < 2)) {
+        int _e76 = c;
+        if ((_e76 < 3)) {
         } else {
             break;
         }
         {
-            int _e57 = first;
-            int _e58 = step_1_;
-            int _e61 = size_levels(0);
-            which = min((_e57 + _e58), (_e61 - 1));
-            float _e65 = level_1;
-            int _e66 = first;
-            float _e71 = level_1;
-            int _e72 = first;
-            int _e75 = step_1_;
-            part_2 = ((_e75 == 1) ? (_e71 - float(_e72)) : (1.0 - (_e65 - float(_e66))));
-            float _e79 = part_2;
-            if ((_e79 <= 0.0)) {
+            int _e79 = c;
+            reflectance_color[_e79] = 0.0;
+        }
+    }
+    step_1_ = 0;
+    bool loop_init_2 = true;
+    while(true) {
+        if (!loop_init_2) {
+            int _e597 = step_1_;
+            step_1_ = (_e597 + 1);
+        }
+        loop_init_2 = false;
+        int _e86 = step_1_;
+        if ((_e86 < 2)) {
+        } else {
+            break;
+        }
+        {
+            int _e89 = first;
+            int _e90 = step_1_;
+            int _e93 = size_levels(0);
+            which = min((_e89 + _e90), (_e93 - 1));
+            float _e97 = level_1;
+            int _e98 = first;
+            float _e103 = level_1;
+            int _e104 = first;
+            int _e107 = step_1_;
+            part_2 = ((_e107 == 1) ? (_e103 - float(_e104)) : (1.0 - (_e97 - float(_e98))));
+            float _e111 = part_2;
+            if ((_e111 <= 0.0)) {
                 continue;
             }
-            int _e82 = which;
-            int _e84 = size_levels(1);
-            float _e88 = read_levels(((_e82 * _e84) + 0));
-            start = int(_e88);
-            int _e90 = which;
-            int _e92 = size_levels(1);
-            float _e96 = read_levels(((_e90 * _e92) + 1));
-            height_5 = int(_e96);
-            int _e98 = which;
-            int _e100 = size_levels(1);
-            float _e104 = read_levels(((_e98 * _e100) + 2));
-            width_5 = int(_e104);
-            int _e110 = height_5;
-            int _e117 = height_5;
-            y_12 = min(max((((0.5 - (latitude / 3.1415927)) * float(_e110)) - 0.5), 0.0), (float(_e117) - 1.0));
-            int _e126 = width_5;
-            x_19 = (((0.5 + (longitude / 6.2831855)) * float(_e126)) - 0.5);
-            float _e131 = y_12;
-            int _e133 = height_5;
-            top = min(int(_e131), max((_e133 - 2), 0));
-            float _e139 = x_19;
-            west = int(floor(_e139));
-            float _e142 = y_12;
-            int _e143 = top;
-            float now_1_4 = (_e142 - float(_e143));
-            float _e146 = x_19;
-            int _e147 = west;
-            float now_2_5 = (_e146 - float(_e147));
-            down_1 = now_1_4;
-            right_2 = now_2_5;
-            int _e150 = top;
-            int _e153 = height_5;
-            bottom_2 = min((_e150 + 1), (_e153 - 1));
-            int _e157 = west;
-            int _e160 = width_5;
-            east = ((_e157 + 1) % _e160);
-            int _e162 = west;
-            int _e163 = width_5;
-            int _e165 = width_5;
-            west = ((_e162 + _e163) % _e165);
+            int _e114 = which;
+            int _e116 = size_levels(1);
+            float _e120 = read_levels(((_e114 * _e116) + 0));
+            start = int(_e120);
+            int _e122 = which;
+            int _e124 = size_levels(1);
+            float _e128 = read_levels(((_e122 * _e124) + 1));
+            height_5 = int(_e128);
+            int _e130 = which;
+            int _e132 = size_levels(1);
+            float _e136 = read_levels(((_e130 * _e132) + 2));
+            width_5 = int(_e136);
+            int _e142 = height_5;
+            int _e149 = height_5;
+            y_13 = min(max((((0.5 - (latitude / 3.1415927)) * float(_e142)) - 0.5), 0.0), (float(_e149) - 1.0));
+            int _e158 = width_5;
+            x_23 = (((0.5 + (longitude / 6.2831855)) * float(_e158)) - 0.5);
+            float _e163 = y_13;
+            int _e165 = height_5;
+            top = min(int(_e163), max((_e165 - 2), 0));
+            float _e171 = x_23;
+            west = int(floor(_e171));
+            float _e174 = y_13;
+            int _e175 = top;
+            float now_2_5 = (_e174 - float(_e175));
+            float _e178 = x_23;
+            int _e179 = west;
+            float now_3_1 = (_e178 - float(_e179));
+            down_1 = now_2_5;
+            right_2 = now_3_1;
+            int _e182 = top;
+            int _e185 = height_5;
+            bottom_2 = min((_e182 + 1), (_e185 - 1));
+            int _e189 = west;
+            int _e192 = width_5;
+            int _e193 = whole_rest((_e189 + 1), _e192);
+            east = _e193;
+            int _e194 = west;
+            int _e195 = width_5;
+            int _e197 = width_5;
+            int _e198 = whole_rest((_e194 + _e195), _e197);
+            west = _e198;
             c = 0;
-            bool loop_init_2 = true;
+            bool loop_init_3 = true;
             while(true) {
-                if (!loop_init_2) {
-                    int _e246 = c;
-                    c = (_e246 + 1);
+                if (!loop_init_3) {
+                    int _e514 = c;
+                    c = (_e514 + 1);
                 }
-                loop_init_2 = false;
-                int _e168 = c;
-                if ((_e168 < 3)) {
+                loop_init_3 = false;
+                int _e201 = c;
+                if (((_e201 + 3) < 3)) {
                 } else {
                     break;
                 }
                 {
-                    int _e171 = start;
-                    int _e172 = width_5;
-                    int _e175 = top;
-                    int _e178 = c;
-                    upper_row = ((_e171 + ((3 * _e172) * _e175)) + _e178);
-                    int _e180 = start;
-                    int _e181 = width_5;
-                    int _e184 = bottom_2;
-                    int _e187 = c;
-                    lower_row = ((_e180 + ((3 * _e181) * _e184)) + _e187);
-                    int _e189 = upper_row;
-                    int _e190 = west;
-                    float _e194 = read_texels((_e189 + (3 * _e190)));
-                    float _e195 = right_2;
-                    int _e199 = upper_row;
-                    int _e200 = east;
-                    float _e204 = read_texels((_e199 + (3 * _e200)));
-                    float _e205 = right_2;
-                    upper = ((_e194 * (1.0 - _e195)) + (_e204 * _e205));
-                    int _e208 = lower_row;
-                    int _e209 = west;
-                    float _e213 = read_texels((_e208 + (3 * _e209)));
-                    float _e214 = right_2;
-                    int _e218 = lower_row;
-                    int _e219 = east;
-                    float _e223 = read_texels((_e218 + (3 * _e219)));
-                    float _e224 = right_2;
-                    lower = ((_e213 * (1.0 - _e214)) + (_e223 * _e224));
-                    int _e228 = c;
-                    int _e231 = c;
-                    float _e233 = reflectance_color[_e231];
-                    float _e234 = part_2;
-                    float _e235 = upper;
-                    float _e236 = down_1;
-                    float _e240 = lower;
-                    float _e241 = down_1;
-                    reflectance_color[_e228] = (_e233 + (_e234 * ((_e235 * (1.0 - _e236)) + (_e240 * _e241))));
+                    int _e205 = start;
+                    int _e206 = width_5;
+                    int _e209 = top;
+                    int _e212 = c;
+                    upper_row = ((_e205 + ((3 * _e206) * _e209)) + _e212);
+                    int _e214 = start;
+                    int _e215 = width_5;
+                    int _e218 = bottom_2;
+                    int _e221 = c;
+                    lower_row = ((_e214 + ((3 * _e215) * _e218)) + _e221);
+                    int _e223 = upper_row;
+                    int _e224 = west;
+                    float _e228 = read_texels((_e223 + (3 * _e224)));
+                    float _e229 = right_2;
+                    int _e233 = upper_row;
+                    int _e234 = east;
+                    float _e238 = read_texels((_e233 + (3 * _e234)));
+                    float _e239 = right_2;
+                    upper = ((_e228 * (1.0 - _e229)) + (_e238 * _e239));
+                    int _e242 = lower_row;
+                    int _e243 = west;
+                    float _e247 = read_texels((_e242 + (3 * _e243)));
+                    float _e248 = right_2;
+                    int _e252 = lower_row;
+                    int _e253 = east;
+                    float _e257 = read_texels((_e252 + (3 * _e253)));
+                    float _e258 = right_2;
+                    lower = ((_e247 * (1.0 - _e248)) + (_e257 * _e258));
+                    int _e262 = c;
+                    int _e265 = c;
+                    float _e267 = reflectance_color[_e265];
+                    float _e268 = part_2;
+                    float _e269 = upper;
+                    float _e270 = down_1;
+                    float _e274 = lower;
+                    float _e275 = down_1;
+                    reflectance_color[_e262] = (_e267 + (_e268 * ((_e269 * (1.0 - _e270)) + (_e274 * _e275))));
+                    int _e280 = c;
+                    c = (_e280 + 1);
+                    int _e283 = start;
+                    int _e284 = width_5;
+                    int _e287 = top;
+                    int _e290 = c;
+                    upper_row = ((_e283 + ((3 * _e284) * _e287)) + _e290);
+                    int _e292 = start;
+                    int _e293 = width_5;
+                    int _e296 = bottom_2;
+                    int _e299 = c;
+                    lower_row = ((_e292 + ((3 * _e293) * _e296)) + _e299);
+                    int _e301 = upper_row;
+                    int _e302 = west;
+                    float _e306 = read_texels((_e301 + (3 * _e302)));
+                    float _e307 = right_2;
+                    int _e311 = upper_row;
+                    int _e312 = east;
+                    float _e316 = read_texels((_e311 + (3 * _e312)));
+                    float _e317 = right_2;
+                    upper = ((_e306 * (1.0 - _e307)) + (_e316 * _e317));
+                    int _e320 = lower_row;
+                    int _e321 = west;
+                    float _e325 = read_texels((_e320 + (3 * _e321)));
+                    float _e326 = right_2;
+                    int _e330 = lower_row;
+                    int _e331 = east;
+                    float _e335 = read_texels((_e330 + (3 * _e331)));
+                    float _e336 = right_2;
+                    lower = ((_e325 * (1.0 - _e326)) + (_e335 * _e336));
+                    int _e340 = c;
+                    int _e343 = c;
+                    float _e345 = reflectance_color[_e343];
+                    float _e346 = part_2;
+                    float _e347 = upper;
+                    float _e348 = down_1;
+                    float _e352 = lower;
+                    float _e353 = down_1;
+                    reflectance_color[_e340] = (_e345 + (_e346 * ((_e347 * (1.0 - _e348)) + (_e352 * _e353))));
+                    int _e358 = c;
+                    c = (_e358 + 1);
+                    int _e361 = start;
+                    int _e362 = width_5;
+                    int _e365 = top;
+                    int _e368 = c;
+                    upper_row = ((_e361 + ((3 * _e362) * _e365)) + _e368);
+                    int _e370 = start;
+                    int _e371 = width_5;
+                    int _e374 = bottom_2;
+                    int _e377 = c;
+                    lower_row = ((_e370 + ((3 * _e371) * _e374)) + _e377);
+                    int _e379 = upper_row;
+                    int _e380 = west;
+                    float _e384 = read_texels((_e379 + (3 * _e380)));
+                    float _e385 = right_2;
+                    int _e389 = upper_row;
+                    int _e390 = east;
+                    float _e394 = read_texels((_e389 + (3 * _e390)));
+                    float _e395 = right_2;
+                    upper = ((_e384 * (1.0 - _e385)) + (_e394 * _e395));
+                    int _e398 = lower_row;
+                    int _e399 = west;
+                    float _e403 = read_texels((_e398 + (3 * _e399)));
+                    float _e404 = right_2;
+                    int _e408 = lower_row;
+                    int _e409 = east;
+                    float _e413 = read_texels((_e408 + (3 * _e409)));
+                    float _e414 = right_2;
+                    lower = ((_e403 * (1.0 - _e404)) + (_e413 * _e414));
+                    int _e418 = c;
+                    int _e421 = c;
+                    float _e423 = reflectance_color[_e421];
+                    float _e424 = part_2;
+                    float _e425 = upper;
+                    float _e426 = down_1;
+                    float _e430 = lower;
+                    float _e431 = down_1;
+                    reflectance_color[_e418] = (_e423 + (_e424 * ((_e425 * (1.0 - _e426)) + (_e430 * _e431))));
+                    int _e436 = c;
+                    c = (_e436 + 1);
+                    int _e439 = start;
+                    int _e440 = width_5;
+                    int _e443 = top;
+                    int _e446 = c;
+                    upper_row = ((_e439 + ((3 * _e440) * _e443)) + _e446);
+                    int _e448 = start;
+                    int _e449 = width_5;
+                    int _e452 = bottom_2;
+                    int _e455 = c;
+                    lower_row = ((_e448 + ((3 * _e449) * _e452)) + _e455);
+                    int _e457 = upper_row;
+                    int _e458 = west;
+                    float _e462 = read_texels((_e457 + (3 * _e458)));
+                    float _e463 = right_2;
+                    int _e467 = upper_row;
+                    int _e468 = east;
+                    float _e472 = read_texels((_e467 + (3 * _e468)));
+                    float _e473 = right_2;
+                    upper = ((_e462 * (1.0 - _e463)) + (_e472 * _e473));
+                    int _e476 = lower_row;
+                    int _e477 = west;
+                    float _e481 = read_texels((_e476 + (3 * _e477)));
+                    float _e482 = right_2;
+                    int _e486 = lower_row;
+                    int _e487 = east;
+                    float _e491 = read_texels((_e486 + (3 * _e487)));
+                    float _e492 = right_2;
+                    lower = ((_e481 * (1.0 - _e482)) + (_e491 * _e492));
+                    int _e496 = c;
+                    int _e499 = c;
+                    float _e501 = reflectance_color[_e499];
+                    float _e502 = part_2;
+                    float _e503 = upper;
+                    float _e504 = down_1;
+                    float _e508 = lower;
+                    float _e509 = down_1;
+                    reflectance_color[_e496] = (_e501 + (_e502 * ((_e503 * (1.0 - _e504)) + (_e508 * _e509))));
+                }
+            }
+            bool loop_init_4 = true;
+            while(true) {
+                if (!loop_init_4) {
+                    int _e594 = c;
+                    c = (_e594 + 1);
+                }
+                loop_init_4 = false;
+                int _e517 = c;
+                if ((_e517 < 3)) {
+                } else {
+                    break;
+                }
+                {
+                    int _e519 = start;
+                    int _e520 = width_5;
+                    int _e523 = top;
+                    int _e526 = c;
+                    upper_row = ((_e519 + ((3 * _e520) * _e523)) + _e526);
+                    int _e528 = start;
+                    int _e529 = width_5;
+                    int _e532 = bottom_2;
+                    int _e535 = c;
+                    lower_row = ((_e528 + ((3 * _e529) * _e532)) + _e535);
+                    int _e537 = upper_row;
+                    int _e538 = west;
+                    float _e542 = read_texels((_e537 + (3 * _e538)));
+                    float _e543 = right_2;
+                    int _e547 = upper_row;
+                    int _e548 = east;
+                    float _e552 = read_texels((_e547 + (3 * _e548)));
+                    float _e553 = right_2;
+                    upper = ((_e542 * (1.0 - _e543)) + (_e552 * _e553));
+                    int _e556 = lower_row;
+                    int _e557 = west;
+                    float _e561 = read_texels((_e556 + (3 * _e557)));
+                    float _e562 = right_2;
+                    int _e566 = lower_row;
+                    int _e567 = east;
+                    float _e571 = read_texels((_e566 + (3 * _e567)));
+                    float _e572 = right_2;
+                    lower = ((_e561 * (1.0 - _e562)) + (_e571 * _e572));
+                    int _e576 = c;
+                    int _e579 = c;
+                    float _e581 = reflectance_color[_e579];
+                    float _e582 = part_2;
+                    float _e583 = upper;
+                    float _e584 = down_1;
+                    float _e588 = lower;
+                    float _e589 = down_1;
+                    reflectance_color[_e576] = (_e581 + (_e582 * ((_e583 * (1.0 - _e584)) + (_e588 * _e589))));
                 }
             }
         }
@@ -1110,7 +1360,7 @@ void map_color_1_(float latitude, float longitude, float level_given) {
     return;
 }
 
-vec4 reflectance(float x_20, float y_13, float z_3, float sine_1_3, float impact_2, float cosine_1_2, float angle_2) {
+vec4 reflectance(float x_24, float y_14, float z_3, float sine_1_3, float impact_2, float cosine_1_2, float angle_2) {
     float across_4 = 0.0;
     float up_3 = 0.0;
     float scale_1 = 0.0;
@@ -1131,75 +1381,73 @@ vec4 reflectance(float x_20, float y_13, float z_3, float sine_1_3, float impact
     float _e31 = across_4;
     scale_1 = (_e31 / max(sine_1_3, 1e-30));
     float _e35 = scale_1;
-    float now_2_6 = (_e35 * x_20);
+    float now_2_6 = (_e35 * x_24);
     float _e37 = scale_1;
-    float now_3_1 = (_e37 * y_13);
+    float now_3_2 = (_e37 * y_14);
     float now_4_ = up_3;
     px = now_2_6;
-    py = now_3_1;
+    py = now_3_2;
     pz = now_4_;
-    if ((angle_2 != 0.0)) {
-        float _e42 = px;
-        float _e43 = py;
-        float _e44 = pz;
-        float _e48 = _group_0_binding_0_fs.shell.x;
-        Several_f32_f32_f32_ _e49 = moved_on(_e42, _e43, _e44, x_20, y_13, z_3, cosine_1_2, angle_2, _e48);
-        px = _e49.v0_;
-        py = _e49.v1_;
-        pz = _e49.v2_;
-    }
-    float _e56 = _group_0_binding_0_fs.planet_x.x;
-    float _e57 = px;
-    float _e62 = _group_0_binding_0_fs.planet_x.y;
-    float _e63 = py;
-    float _e69 = _group_0_binding_0_fs.planet_x.z;
-    float _e70 = pz;
-    float _e76 = _group_0_binding_0_fs.planet_y.x;
-    float _e77 = px;
-    float _e82 = _group_0_binding_0_fs.planet_y.y;
-    float _e83 = py;
-    float _e89 = _group_0_binding_0_fs.planet_y.z;
-    float _e90 = pz;
-    float _e96 = _group_0_binding_0_fs.planet_z.x;
-    float _e97 = px;
-    float _e102 = _group_0_binding_0_fs.planet_z.y;
-    float _e103 = py;
-    float _e109 = _group_0_binding_0_fs.planet_z.z;
-    float _e110 = pz;
-    Several_f32_f32_ _e113 = latitude_longitude((((_e56 * _e57) + (_e62 * _e63)) + (_e69 * _e70)), (((_e76 * _e77) + (_e82 * _e83)) + (_e89 * _e90)), (((_e96 * _e97) + (_e102 * _e103)) + (_e109 * _e110)));
-    latitude_1 = _e113.v0_;
-    longitude_1 = _e113.v1_;
-    float _e116 = px;
-    float _e117 = px;
-    float _e119 = py;
-    float _e120 = py;
-    float _e123 = pz;
-    float _e127 = _group_0_binding_0_fs.observer.x;
-    float _e129 = pz;
-    float _e133 = _group_0_binding_0_fs.observer.x;
-    reach_1 = sqrt((((_e116 * _e117) + (_e119 * _e120)) + ((_e123 - _e127) * (_e129 - _e133))));
-    float _e141 = _group_0_binding_0_fs.camera_right.w;
-    float _e142 = reach_1;
-    float _e146 = _group_0_binding_0_fs.shell.x;
-    int _e148 = size_levels(1);
-    float _e153 = read_levels(((0 * _e148) + 1));
-    float _e154 = map_level(_e141, _e142, cosine_1_2, _e146, _e153);
-    level_2 = _e154;
-    float _e155 = latitude_1;
-    float _e156 = longitude_1;
-    float _e157 = level_2;
-    map_color_1_(_e155, _e156, _e157);
+    float _e40 = px;
+    float _e41 = py;
+    float _e42 = pz;
+    float _e46 = _group_0_binding_0_fs.shell.x;
+    Several_f32_f32_f32_ _e47 = moved_on(_e40, _e41, _e42, x_24, y_14, z_3, cosine_1_2, angle_2, _e46);
+    px = _e47.v0_;
+    py = _e47.v1_;
+    pz = _e47.v2_;
+    float _e54 = _group_0_binding_0_fs.planet_x.x;
+    float _e55 = px;
+    float _e60 = _group_0_binding_0_fs.planet_x.y;
+    float _e61 = py;
+    float _e67 = _group_0_binding_0_fs.planet_x.z;
+    float _e68 = pz;
+    float _e74 = _group_0_binding_0_fs.planet_y.x;
+    float _e75 = px;
+    float _e80 = _group_0_binding_0_fs.planet_y.y;
+    float _e81 = py;
+    float _e87 = _group_0_binding_0_fs.planet_y.z;
+    float _e88 = pz;
+    float _e94 = _group_0_binding_0_fs.planet_z.x;
+    float _e95 = px;
+    float _e100 = _group_0_binding_0_fs.planet_z.y;
+    float _e101 = py;
+    float _e107 = _group_0_binding_0_fs.planet_z.z;
+    float _e108 = pz;
+    Several_f32_f32_ _e111 = latitude_longitude((((_e54 * _e55) + (_e60 * _e61)) + (_e67 * _e68)), (((_e74 * _e75) + (_e80 * _e81)) + (_e87 * _e88)), (((_e94 * _e95) + (_e100 * _e101)) + (_e107 * _e108)));
+    latitude_1 = _e111.v0_;
+    longitude_1 = _e111.v1_;
+    float _e114 = px;
+    float _e115 = px;
+    float _e117 = py;
+    float _e118 = py;
+    float _e121 = pz;
+    float _e125 = _group_0_binding_0_fs.observer.x;
+    float _e127 = pz;
+    float _e131 = _group_0_binding_0_fs.observer.x;
+    reach_1 = sqrt((((_e114 * _e115) + (_e117 * _e118)) + ((_e121 - _e125) * (_e127 - _e131))));
+    float _e139 = _group_0_binding_0_fs.camera_right.w;
+    float _e140 = reach_1;
+    float _e144 = _group_0_binding_0_fs.shell.x;
+    int _e146 = size_levels(1);
+    float _e151 = read_levels(((0 * _e146) + 1));
+    float _e152 = map_level(_e139, _e140, cosine_1_2, _e144, _e151);
+    level_2 = _e152;
+    float _e153 = latitude_1;
+    float _e154 = longitude_1;
+    float _e155 = level_2;
+    map_color_1_(_e153, _e154, _e155);
     total = vec4(0.0);
     c_1 = 0;
-    bool loop_init_3 = true;
+    bool loop_init_5 = true;
     while(true) {
-        if (!loop_init_3) {
-            int _e175 = c_1;
-            c_1 = (_e175 + 1);
+        if (!loop_init_5) {
+            int _e217 = c_1;
+            c_1 = (_e217 + 1);
         }
-        loop_init_3 = false;
-        int _e161 = c_1;
-        if ((_e161 < 3)) {
+        loop_init_5 = false;
+        int _e160 = c_1;
+        if (((_e160 + 3) < 3)) {
         } else {
             break;
         }
@@ -1210,10 +1458,55 @@ vec4 reflectance(float x_20, float y_13, float z_3, float sine_1_3, float impact
             int _e170 = c_1;
             float _e172 = reflectance_color[_e170];
             total = (_e164 + (_e168 * _e172));
+            int _e175 = c_1;
+            c_1 = (_e175 + 1);
+            vec4 _e178 = total;
+            int _e179 = c_1;
+            vec4 _e182 = read_basis((1 * _e179));
+            int _e184 = c_1;
+            float _e186 = reflectance_color[_e184];
+            total = (_e178 + (_e182 * _e186));
+            int _e189 = c_1;
+            c_1 = (_e189 + 1);
+            vec4 _e192 = total;
+            int _e193 = c_1;
+            vec4 _e196 = read_basis((1 * _e193));
+            int _e198 = c_1;
+            float _e200 = reflectance_color[_e198];
+            total = (_e192 + (_e196 * _e200));
+            int _e203 = c_1;
+            c_1 = (_e203 + 1);
+            vec4 _e206 = total;
+            int _e207 = c_1;
+            vec4 _e210 = read_basis((1 * _e207));
+            int _e212 = c_1;
+            float _e214 = reflectance_color[_e212];
+            total = (_e206 + (_e210 * _e214));
         }
     }
-    vec4 _e178 = total;
-    return min(max(_e178, vec4(0.0)), vec4(1.0));
+    bool loop_init_6 = true;
+    while(true) {
+        if (!loop_init_6) {
+            int _e233 = c_1;
+            c_1 = (_e233 + 1);
+        }
+        loop_init_6 = false;
+        int _e220 = c_1;
+        if ((_e220 < 3)) {
+        } else {
+            break;
+        }
+        {
+            vec4 _e222 = total;
+            int _e223 = c_1;
+            vec4 _e226 = read_basis((1 * _e223));
+            int _e228 = c_1;
+            float _e230 = reflectance_color[_e228];
+            total = (_e222 + (_e226 * _e230));
+        }
+    }
+    vec4 _e236 = total;
+    return min(max(_e236, vec4(0.0)), vec4(1.0));
 }
 
 float altitude_coordinate(float r, float bottom_radius_1, float top_radius_1) {
@@ -1247,12 +1540,12 @@ float direction_coordinate(float r_3, float mu_3, float bottom_radius_2, float t
     return min(max(((_e20 - _e21) / (_e23 - _e24)), 0.0), 1.0);
 }
 
-float bend_angle(float x_21, float mu_4, float bend, float column_4) {
-    return (((bend * column_4) * x_21) * sqrt(max(((1.0 - mu_4) * (1.0 + mu_4)), 0.0)));
+float bend_angle(float x_25, float mu_4, float bend, float column_4) {
+    return (((bend * column_4) * x_25) * sqrt(max(((1.0 - mu_4) * (1.0 + mu_4)), 0.0)));
 }
 
 void columns_to_top_1_(float r_4, float mu_5, float bottom_3, float top_1) {
-    float x_22 = 0.0;
+    float x_26 = 0.0;
     int row_4 = 0;
     float f_5 = 0.0;
     int place = 0;
@@ -1267,126 +1560,431 @@ void columns_to_top_1_(float r_4, float mu_5, float bottom_3, float top_1) {
     float scaled = 0.0;
     float _e17 = altitude_coordinate(r_4, bottom_3, top_1);
     int _e19 = size_columns(0);
-    x_22 = (_e17 * float((_e19 - 1)));
-    float _e24 = x_22;
+    x_26 = (_e17 * float((_e19 - 1)));
+    float _e24 = x_26;
     int _e27 = size_columns(0);
     row_4 = min(int(_e24), (_e27 - 2));
-    float _e31 = x_22;
+    float _e31 = x_26;
     int _e32 = row_4;
     f_5 = (_e31 - float(_e32));
     float _e35 = direction_coordinate(r_4, mu_5, bottom_3, top_1);
     int _e37 = size_columns(1);
-    x_22 = (_e35 * float((_e37 - 1)));
-    float _e42 = x_22;
+    x_26 = (_e35 * float((_e37 - 1)));
+    float _e42 = x_26;
     int _e45 = size_columns(1);
     place = min(int(_e42), (_e45 - 2));
-    float _e49 = x_22;
+    float _e49 = x_26;
     int _e50 = place;
     e_4 = (_e49 - float(_e50));
     float _e53 = f_5;
     float _e56 = e_4;
-    float now_1_5 = ((1.0 - _e53) * (1.0 - _e56));
+    float now_1_4 = ((1.0 - _e53) * (1.0 - _e56));
     float _e60 = f_5;
     float _e63 = e_4;
     float now_2_7 = ((1.0 - _e60) * _e63);
-    w00_ = now_1_5;
+    w00_ = now_1_4;
     w01_ = now_2_7;
     float _e65 = f_5;
     float _e66 = e_4;
-    float now_3_2 = (_e65 * (1.0 - _e66));
+    float now_3_3 = (_e65 * (1.0 - _e66));
     float _e70 = f_5;
     float _e71 = e_4;
     float now_4_1 = (_e70 * _e71);
-    w10_ = now_3_2;
+    w10_ = now_3_3;
     w11_ = now_4_1;
     float _e73 = distance_to_top(r_4, mu_5, top_1);
     distance_1_2 = _e73;
+    int _e75 = size_columns(2);
     c_2 = 0;
-    bool loop_init_4 = true;
+    bool loop_init_7 = true;
     while(true) {
-        if (!loop_init_4) {
-            int _e261 = c_2;
-            c_2 = (_e261 + 1);
+        if (!loop_init_7) {
+            int _e818 = c_2;
+            c_2 = (_e818 + 1);
         }
-        loop_init_4 = false;
-        int _e75 = c_2;
-        int _e77 = size_columns(2);
-        if ((_e75 < _e77)) {
+        loop_init_7 = false;
+        int _e77 = c_2;
+        if (((_e77 + 3) < _e75)) {
         } else {
             break;
         }
         {
-            float _e79 = w00_;
-            int _e80 = row_4;
-            int _e82 = size_columns(1);
-            int _e84 = place;
-            int _e87 = size_columns(2);
-            int _e89 = c_2;
-            int _e92 = size_columns(3);
-            float _e96 = read_columns(((((((_e80 * _e82) + _e84) * _e87) + _e89) * _e92) + 0));
-            float _e98 = w01_;
-            int _e99 = row_4;
-            int _e101 = size_columns(1);
-            int _e103 = place;
-            int _e108 = size_columns(2);
-            int _e110 = c_2;
-            int _e113 = size_columns(3);
-            float _e117 = read_columns(((((((_e99 * _e101) + (_e103 + 1)) * _e108) + _e110) * _e113) + 0));
-            float _e120 = w10_;
-            int _e121 = row_4;
-            int _e125 = size_columns(1);
-            int _e127 = place;
-            int _e130 = size_columns(2);
-            int _e132 = c_2;
-            int _e135 = size_columns(3);
-            float _e139 = read_columns((((((((_e121 + 1) * _e125) + _e127) * _e130) + _e132) * _e135) + 0));
-            float _e142 = w11_;
-            int _e143 = row_4;
-            int _e147 = size_columns(1);
-            int _e149 = place;
-            int _e154 = size_columns(2);
-            int _e156 = c_2;
-            int _e159 = size_columns(3);
-            float _e163 = read_columns((((((((_e143 + 1) * _e147) + (_e149 + 1)) * _e154) + _e156) * _e159) + 0));
-            scale_2 = ((((_e79 * _e96) + (_e98 * _e117)) + (_e120 * _e139)) + (_e142 * _e163));
-            float _e166 = w00_;
-            int _e167 = row_4;
-            int _e169 = size_columns(1);
-            int _e171 = place;
-            int _e174 = size_columns(2);
-            int _e176 = c_2;
-            int _e179 = size_columns(3);
-            float _e183 = read_columns(((((((_e167 * _e169) + _e171) * _e174) + _e176) * _e179) + 1));
-            float _e185 = w01_;
-            int _e186 = row_4;
-            int _e188 = size_columns(1);
-            int _e190 = place;
-            int _e195 = size_columns(2);
-            int _e197 = c_2;
-            int _e200 = size_columns(3);
-            float _e204 = read_columns(((((((_e186 * _e188) + (_e190 + 1)) * _e195) + _e197) * _e200) + 1));
-            float _e207 = w10_;
-            int _e208 = row_4;
-            int _e212 = size_columns(1);
-            int _e214 = place;
-            int _e217 = size_columns(2);
-            int _e219 = c_2;
-            int _e222 = size_columns(3);
-            float _e226 = read_columns((((((((_e208 + 1) * _e212) + _e214) * _e217) + _e219) * _e222) + 1));
-            float _e229 = w11_;
-            int _e230 = row_4;
-            int _e234 = size_columns(1);
-            int _e236 = place;
-            int _e241 = size_columns(2);
-            int _e243 = c_2;
-            int _e246 = size_columns(3);
-            float _e250 = read_columns((((((((_e230 + 1) * _e234) + (_e236 + 1)) * _e241) + _e243) * _e246) + 1));
-            scaled = ((((_e166 * _e183) + (_e185 * _e204)) + (_e207 * _e226)) + (_e229 * _e250));
-            int _e254 = c_2;
-            float _e256 = distance_1_2;
-            float _e257 = scaled;
-            float _e259 = scale_2;
-            star_disc_here[_e254] = ((_e256 * _e257) / _e259);
+            float _e81 = w00_;
+            int _e82 = row_4;
+            int _e84 = size_columns(1);
+            int _e86 = place;
+            int _e89 = size_columns(2);
+            int _e91 = c_2;
+            int _e94 = size_columns(3);
+            float _e98 = read_columns(((((((_e82 * _e84) + _e86) * _e89) + _e91) * _e94) + 0));
+            float _e100 = w01_;
+            int _e101 = row_4;
+            int _e103 = size_columns(1);
+            int _e105 = place;
+            int _e110 = size_columns(2);
+            int _e112 = c_2;
+            int _e115 = size_columns(3);
+            float _e119 = read_columns(((((((_e101 * _e103) + (_e105 + 1)) * _e110) + _e112) * _e115) + 0));
+            float _e122 = w10_;
+            int _e123 = row_4;
+            int _e127 = size_columns(1);
+            int _e129 = place;
+            int _e132 = size_columns(2);
+            int _e134 = c_2;
+            int _e137 = size_columns(3);
+            float _e141 = read_columns((((((((_e123 + 1) * _e127) + _e129) * _e132) + _e134) * _e137) + 0));
+            float _e144 = w11_;
+            int _e145 = row_4;
+            int _e149 = size_columns(1);
+            int _e151 = place;
+            int _e156 = size_columns(2);
+            int _e158 = c_2;
+            int _e161 = size_columns(3);
+            float _e165 = read_columns((((((((_e145 + 1) * _e149) + (_e151 + 1)) * _e156) + _e158) * _e161) + 0));
+            scale_2 = ((((_e81 * _e98) + (_e100 * _e119)) + (_e122 * _e141)) + (_e144 * _e165));
+            float _e168 = w00_;
+            int _e169 = row_4;
+            int _e171 = size_columns(1);
+            int _e173 = place;
+            int _e176 = size_columns(2);
+            int _e178 = c_2;
+            int _e181 = size_columns(3);
+            float _e185 = read_columns(((((((_e169 * _e171) + _e173) * _e176) + _e178) * _e181) + 1));
+            float _e187 = w01_;
+            int _e188 = row_4;
+            int _e190 = size_columns(1);
+            int _e192 = place;
+            int _e197 = size_columns(2);
+            int _e199 = c_2;
+            int _e202 = size_columns(3);
+            float _e206 = read_columns(((((((_e188 * _e190) + (_e192 + 1)) * _e197) + _e199) * _e202) + 1));
+            float _e209 = w10_;
+            int _e210 = row_4;
+            int _e214 = size_columns(1);
+            int _e216 = place;
+            int _e219 = size_columns(2);
+            int _e221 = c_2;
+            int _e224 = size_columns(3);
+            float _e228 = read_columns((((((((_e210 + 1) * _e214) + _e216) * _e219) + _e221) * _e224) + 1));
+            float _e231 = w11_;
+            int _e232 = row_4;
+            int _e236 = size_columns(1);
+            int _e238 = place;
+            int _e243 = size_columns(2);
+            int _e245 = c_2;
+            int _e248 = size_columns(3);
+            float _e252 = read_columns((((((((_e232 + 1) * _e236) + (_e238 + 1)) * _e243) + _e245) * _e248) + 1));
+            scaled = ((((_e168 * _e185) + (_e187 * _e206)) + (_e209 * _e228)) + (_e231 * _e252));
+            int _e256 = c_2;
+            float _e258 = distance_1_2;
+            float _e259 = scaled;
+            float _e261 = scale_2;
+            star_disc_here[_e256] = ((_e258 * _e259) / _e261);
+            int _e263 = c_2;
+            c_2 = (_e263 + 1);
+            float _e266 = w00_;
+            int _e267 = row_4;
+            int _e269 = size_columns(1);
+            int _e271 = place;
+            int _e274 = size_columns(2);
+            int _e276 = c_2;
+            int _e279 = size_columns(3);
+            float _e283 = read_columns(((((((_e267 * _e269) + _e271) * _e274) + _e276) * _e279) + 0));
+            float _e285 = w01_;
+            int _e286 = row_4;
+            int _e288 = size_columns(1);
+            int _e290 = place;
+            int _e295 = size_columns(2);
+            int _e297 = c_2;
+            int _e300 = size_columns(3);
+            float _e304 = read_columns(((((((_e286 * _e288) + (_e290 + 1)) * _e295) + _e297) * _e300) + 0));
+            float _e307 = w10_;
+            int _e308 = row_4;
+            int _e312 = size_columns(1);
+            int _e314 = place;
+            int _e317 = size_columns(2);
+            int _e319 = c_2;
+            int _e322 = size_columns(3);
+            float _e326 = read_columns((((((((_e308 + 1) * _e312) + _e314) * _e317) + _e319) * _e322) + 0));
+            float _e329 = w11_;
+            int _e330 = row_4;
+            int _e334 = size_columns(1);
+            int _e336 = place;
+            int _e341 = size_columns(2);
+            int _e343 = c_2;
+            int _e346 = size_columns(3);
+            float _e350 = read_columns((((((((_e330 + 1) * _e334) + (_e336 + 1)) * _e341) + _e343) * _e346) + 0));
+            scale_2 = ((((_e266 * _e283) + (_e285 * _e304)) + (_e307 * _e326)) + (_e329 * _e350));
+            float _e353 = w00_;
+            int _e354 = row_4;
+            int _e356 = size_columns(1);
+            int _e358 = place;
+            int _e361 = size_columns(2);
+            int _e363 = c_2;
+            int _e366 = size_columns(3);
+            float _e370 = read_columns(((((((_e354 * _e356) + _e358) * _e361) + _e363) * _e366) + 1));
+            float _e372 = w01_;
+            int _e373 = row_4;
+            int _e375 = size_columns(1);
+            int _e377 = place;
+            int _e382 = size_columns(2);
+            int _e384 = c_2;
+            int _e387 = size_columns(3);
+            float _e391 = read_columns(((((((_e373 * _e375) + (_e377 + 1)) * _e382) + _e384) * _e387) + 1));
+            float _e394 = w10_;
+            int _e395 = row_4;
+            int _e399 = size_columns(1);
+            int _e401 = place;
+            int _e404 = size_columns(2);
+            int _e406 = c_2;
+            int _e409 = size_columns(3);
+            float _e413 = read_columns((((((((_e395 + 1) * _e399) + _e401) * _e404) + _e406) * _e409) + 1));
+            float _e416 = w11_;
+            int _e417 = row_4;
+            int _e421 = size_columns(1);
+            int _e423 = place;
+            int _e428 = size_columns(2);
+            int _e430 = c_2;
+            int _e433 = size_columns(3);
+            float _e437 = read_columns((((((((_e417 + 1) * _e421) + (_e423 + 1)) * _e428) + _e430) * _e433) + 1));
+            scaled = ((((_e353 * _e370) + (_e372 * _e391)) + (_e394 * _e413)) + (_e416 * _e437));
+            int _e441 = c_2;
+            float _e443 = distance_1_2;
+            float _e444 = scaled;
+            float _e446 = scale_2;
+            star_disc_here[_e441] = ((_e443 * _e444) / _e446);
+            int _e448 = c_2;
+            c_2 = (_e448 + 1);
+            float _e451 = w00_;
+            int _e452 = row_4;
+            int _e454 = size_columns(1);
+            int _e456 = place;
+            int _e459 = size_columns(2);
+            int _e461 = c_2;
+            int _e464 = size_columns(3);
+            float _e468 = read_columns(((((((_e452 * _e454) + _e456) * _e459) + _e461) * _e464) + 0));
+            float _e470 = w01_;
+            int _e471 = row_4;
+            int _e473 = size_columns(1);
+            int _e475 = place;
+            int _e480 = size_columns(2);
+            int _e482 = c_2;
+            int _e485 = size_columns(3);
+            float _e489 = read_columns(((((((_e471 * _e473) + (_e475 + 1)) * _e480) + _e482) * _e485) + 0));
+            float _e492 = w10_;
+            int _e493 = row_4;
+            int _e497 = size_columns(1);
+            int _e499 = place;
+            int _e502 = size_columns(2);
+            int _e504 = c_2;
+            int _e507 = size_columns(3);
+            float _e511 = read_columns((((((((_e493 + 1) * _e497) + _e499) * _e502) + _e504) * _e507) + 0));
+            float _e514 = w11_;
+            int _e515 = row_4;
+            int _e519 = size_columns(1);
+            int _e521 = place;
+            int _e526 = size_columns(2);
+            int _e528 = c_2;
+            int _e531 = size_columns(3);
+            float _e535 = read_columns((((((((_e515 + 1) * _e519) + (_e521 + 1)) * _e526) + _e528) * _e531) + 0));
+            scale_2 = ((((_e451 * _e468) + (_e470 * _e489)) + (_e492 * _e511)) + (_e514 * _e535));
+            float _e538 = w00_;
+            int _e539 = row_4;
+            int _e541 = size_columns(1);
+            int _e543 = place;
+            int _e546 = size_columns(2);
+            int _e548 = c_2;
+            int _e551 = size_columns(3);
+            float _e555 = read_columns(((((((_e539 * _e541) + _e543) * _e546) + _e548) * _e551) + 1));
+            float _e557 = w01_;
+            int _e558 = row_4;
+            int _e560 = size_columns(1);
+            int _e562 = place;
+            int _e567 = size_columns(2);
+            int _e569 = c_2;
+            int _e572 = size_columns(3);
+            float _e576 = read_columns(((((((_e558 * _e560) + (_e562 + 1)) * _e567) + _e569) * _e572) + 1));
+            float _e579 = w10_;
+            int _e580 = row_4;
+            int _e584 = size_columns(1);
+            int _e586 = place;
+            int _e589 = size_columns(2);
+            int _e591 = c_2;
+            int _e594 = size_columns(3);
+            float _e598 = read_columns((((((((_e580 + 1) * _e584) + _e586) * _e589) + _e591) * _e594) + 1));
+            float _e601 = w11_;
+            int _e602 = row_4;
+            int _e606 = size_columns(1);
+            int _e608 = place;
+            int _e613 = size_columns(2);
+            int _e615 = c_2;
+            int _e618 = size_columns(3);
+            float _e622 = read_columns((((((((_e602 + 1) * _e606) + (_e608 + 1)) * _e613) + _e615) * _e618) + 1));
+            scaled = ((((_e538 * _e555) + (_e557 * _e576)) + (_e579 * _e598)) + (_e601 * _e622));
+            int _e626 = c_2;
+            float _e628 = distance_1_2;
+            float _e629 = scaled;
+            float _e631 = scale_2;
+            star_disc_here[_e626] = ((_e628 * _e629) / _e631);
+            int _e633 = c_2;
+            c_2 = (_e633 + 1);
+            float _e636 = w00_;
+            int _e637 = row_4;
+            int _e639 = size_columns(1);
+            int _e641 = place;
+            int _e644 = size_columns(2);
+            int _e646 = c_2;
+            int _e649 = size_columns(3);
+            float _e653 = read_columns(((((((_e637 * _e639) + _e641) * _e644) + _e646) * _e649) + 0));
+            float _e655 = w01_;
+            int _e656 = row_4;
+            int _e658 = size_columns(1);
+            int _e660 = place;
+            int _e665 = size_columns(2);
+            int _e667 = c_2;
+            int _e670 = size_columns(3);
+            float _e674 = read_columns(((((((_e656 * _e658) + (_e660 + 1)) * _e665) + _e667) * _e670) + 0));
+            float _e677 = w10_;
+            int _e678 = row_4;
+            int _e682 = size_columns(1);
+            int _e684 = place;
+            int _e687 = size_columns(2);
+            int _e689 = c_2;
+            int _e692 = size_columns(3);
+            float _e696 = read_columns((((((((_e678 + 1) * _e682) + _e684) * _e687) + _e689) * _e692) + 0));
+            float _e699 = w11_;
+            int _e700 = row_4;
+            int _e704 = size_columns(1);
+            int _e706 = place;
+            int _e711 = size_columns(2);
+            int _e713 = c_2;
+            int _e716 = size_columns(3);
+            float _e720 = read_columns((((((((_e700 + 1) * _e704) + (_e706 + 1)) * _e711) + _e713) * _e716) + 0));
+            scale_2 = ((((_e636 * _e653) + (_e655 * _e674)) + (_e677 * _e696)) + (_e699 * _e720));
+            float _e723 = w00_;
+            int _e724 = row_4;
+            int _e726 = size_columns(1);
+            int _e728 = place;
+            int _e731 = size_columns(2);
+            int _e733 = c_2;
+            int _e736 = size_columns(3);
+            float _e740 = read_columns(((((((_e724 * _e726) + _e728) * _e731) + _e733) * _e736) + 1));
+            float _e742 = w01_;
+            int _e743 = row_4;
+            int _e745 = size_columns(1);
+            int _e747 = place;
+            int _e752 = size_columns(2);
+            int _e754 = c_2;
+            int _e757 = size_columns(3);
+            float _e761 = read_columns(((((((_e743 * _e745) + (_e747 + 1)) * _e752) + _e754) * _e757) + 1));
+            float _e764 = w10_;
+            int _e765 = row_4;
+            int _e769 = size_columns(1);
+            int _e771 = place;
+            int _e774 = size_columns(2);
+            int _e776 = c_2;
+            int _e779 = size_columns(3);
+            float _e783 = read_columns((((((((_e765 + 1) * _e769) + _e771) * _e774) + _e776) * _e779) + 1));
+            float _e786 = w11_;
+            int _e787 = row_4;
+            int _e791 = size_columns(1);
+            int _e793 = place;
+            int _e798 = size_columns(2);
+            int _e800 = c_2;
+            int _e803 = size_columns(3);
+            float _e807 = read_columns((((((((_e787 + 1) * _e791) + (_e793 + 1)) * _e798) + _e800) * _e803) + 1));
+            scaled = ((((_e723 * _e740) + (_e742 * _e761)) + (_e764 * _e783)) + (_e786 * _e807));
+            int _e811 = c_2;
+            float _e813 = distance_1_2;
+            float _e814 = scaled;
+            float _e816 = scale_2;
+            star_disc_here[_e811] = ((_e813 * _e814) / _e816);
+        }
+    }
+    bool loop_init_8 = true;
+    while(true) {
+        if (!loop_init_8) {
+            int _e1005 = c_2;
+            c_2 = (_e1005 + 1);
+        }
+        loop_init_8 = false;
+        int _e821 = c_2;
+        if ((_e821 < _e75)) {
+        } else {
+            break;
+        }
+        {
+            float _e823 = w00_;
+            int _e824 = row_4;
+            int _e826 = size_columns(1);
+            int _e828 = place;
+            int _e831 = size_columns(2);
+            int _e833 = c_2;
+            int _e836 = size_columns(3);
+            float _e840 = read_columns(((((((_e824 * _e826) + _e828) * _e831) + _e833) * _e836) + 0));
+            float _e842 = w01_;
+            int _e843 = row_4;
+            int _e845 = size_columns(1);
+            int _e847 = place;
+            int _e852 = size_columns(2);
+            int _e854 = c_2;
+            int _e857 = size_columns(3);
+            float _e861 = read_columns(((((((_e843 * _e845) + (_e847 + 1)) * _e852) + _e854) * _e857) + 0));
+            float _e864 = w10_;
+            int _e865 = row_4;
+            int _e869 = size_columns(1);
+            int _e871 = place;
+            int _e874 = size_columns(2);
+            int _e876 = c_2;
+            int _e879 = size_columns(3);
+            float _e883 = read_columns((((((((_e865 + 1) * _e869) + _e871) * _e874) + _e876) * _e879) + 0));
+            float _e886 = w11_;
+            int _e887 = row_4;
+            int _e891 = size_columns(1);
+            int _e893 = place;
+            int _e898 = size_columns(2);
+            int _e900 = c_2;
+            int _e903 = size_columns(3);
+            float _e907 = read_columns((((((((_e887 + 1) * _e891) + (_e893 + 1)) * _e898) + _e900) * _e903) + 0));
+            scale_2 = ((((_e823 * _e840) + (_e842 * _e861)) + (_e864 * _e883)) + (_e886 * _e907));
+            float _e910 = w00_;
+            int _e911 = row_4;
+            int _e913 = size_columns(1);
+            int _e915 = place;
+            int _e918 = size_columns(2);
+            int _e920 = c_2;
+            int _e923 = size_columns(3);
+            float _e927 = read_columns(((((((_e911 * _e913) + _e915) * _e918) + _e920) * _e923) + 1));
+            float _e929 = w01_;
+            int _e930 = row_4;
+            int _e932 = size_columns(1);
+            int _e934 = place;
+            int _e939 = size_columns(2);
+            int _e941 = c_2;
+            int _e944 = size_columns(3);
+            float _e948 = read_columns(((((((_e930 * _e932) + (_e934 + 1)) * _e939) + _e941) * _e944) + 1));
+            float _e951 = w10_;
+            int _e952 = row_4;
+            int _e956 = size_columns(1);
+            int _e958 = place;
+            int _e961 = size_columns(2);
+            int _e963 = c_2;
+            int _e966 = size_columns(3);
+            float _e970 = read_columns((((((((_e952 + 1) * _e956) + _e958) * _e961) + _e963) * _e966) + 1));
+            float _e973 = w11_;
+            int _e974 = row_4;
+            int _e978 = size_columns(1);
+            int _e980 = place;
+            int _e985 = size_columns(2);
+            int _e987 = c_2;
+            int _e990 = size_columns(3);
+            float _e994 = read_columns((((((((_e974 + 1) * _e978) + (_e980 + 1)) * _e985) + _e987) * _e990) + 1));
+            scaled = ((((_e910 * _e927) + (_e929 * _e948)) + (_e951 * _e970)) + (_e973 * _e994));
+            int _e998 = c_2;
+            float _e1000 = distance_1_2;
+            float _e1001 = scaled;
+            float _e1003 = scale_2;
+            star_disc_here[_e998] = ((_e1000 * _e1001) / _e1003);
         }
     }
     return;
@@ -1397,32 +1995,77 @@ vec4 through_columns_1_(int constituents) {
     int c_3 = 0;
     tau = vec4(0.0);
     c_3 = 0;
-    bool loop_init_5 = true;
+    bool loop_init_9 = true;
     while(true) {
-        if (!loop_init_5) {
-            int _e21 = c_3;
-            c_3 = (_e21 + 1);
+        if (!loop_init_9) {
+            int _e71 = c_3;
+            c_3 = (_e71 + 1);
         }
-        loop_init_5 = false;
+        loop_init_9 = false;
         int _e6 = c_3;
-        if ((_e6 < constituents)) {
+        if (((_e6 + 3) < constituents)) {
         } else {
             break;
         }
         {
-            vec4 _e8 = tau;
-            int _e9 = c_3;
-            vec4 _e14 = read_extinction(((1 * _e9) + 0));
-            int _e16 = c_3;
-            float _e18 = star_disc_here[_e16];
-            tau = (_e8 + (_e14 * _e18));
+            vec4 _e10 = tau;
+            int _e11 = c_3;
+            vec4 _e16 = read_extinction(((1 * _e11) + 0));
+            int _e18 = c_3;
+            float _e20 = star_disc_here[_e18];
+            tau = (_e10 + (_e16 * _e20));
+            int _e23 = c_3;
+            c_3 = (_e23 + 1);
+            vec4 _e26 = tau;
+            int _e27 = c_3;
+            vec4 _e32 = read_extinction(((1 * _e27) + 0));
+            int _e34 = c_3;
+            float _e36 = star_disc_here[_e34];
+            tau = (_e26 + (_e32 * _e36));
+            int _e39 = c_3;
+            c_3 = (_e39 + 1);
+            vec4 _e42 = tau;
+            int _e43 = c_3;
+            vec4 _e48 = read_extinction(((1 * _e43) + 0));
+            int _e50 = c_3;
+            float _e52 = star_disc_here[_e50];
+            tau = (_e42 + (_e48 * _e52));
+            int _e55 = c_3;
+            c_3 = (_e55 + 1);
+            vec4 _e58 = tau;
+            int _e59 = c_3;
+            vec4 _e64 = read_extinction(((1 * _e59) + 0));
+            int _e66 = c_3;
+            float _e68 = star_disc_here[_e66];
+            tau = (_e58 + (_e64 * _e68));
         }
     }
-    vec4 _e24 = tau;
-    return exp((vec4(0.0) - _e24));
+    bool loop_init_10 = true;
+    while(true) {
+        if (!loop_init_10) {
+            int _e89 = c_3;
+            c_3 = (_e89 + 1);
+        }
+        loop_init_10 = false;
+        int _e74 = c_3;
+        if ((_e74 < constituents)) {
+        } else {
+            break;
+        }
+        {
+            vec4 _e76 = tau;
+            int _e77 = c_3;
+            vec4 _e82 = read_extinction(((1 * _e77) + 0));
+            int _e84 = c_3;
+            float _e86 = star_disc_here[_e84];
+            tau = (_e76 + (_e82 * _e86));
+        }
+    }
+    vec4 _e92 = tau;
+    return exp((vec4(0.0) - _e92));
 }
 
-vec4 star_disc(float x_23, float y_14, float z_4, float start_r, float start_mu, bool inside) {
+vec4 star_disc(float x_27, float y_15, float z_4, float start_r, float start_mu, bool inside) {
     vec4 through = vec4(0.0);
     float lx = 0.0;
     float ly = 0.0;
@@ -1437,8 +2080,8 @@ vec4 star_disc(float x_23, float y_14, float z_4, float start_r, float start_mu,
     float covered = 0.0;
     float share = 0.0;
     through = vec4(1.0);
-    lx = x_23;
-    ly = y_14;
+    lx = x_27;
+    ly = y_15;
     lz = z_4;
     if (inside) {
         float _e24 = _group_0_binding_0_fs.shell.x;
@@ -1454,7 +2097,7 @@ vec4 star_disc(float x_23, float y_14, float z_4, float start_r, float start_mu,
             float _e54 = star_disc_here[(int(_e49) - 1)];
             float _e55 = bend_angle(start_r, start_mu, _e44, _e54);
             angle_3 = _e55;
-            level_3 = sqrt(((x_23 * x_23) + (y_14 * y_14)));
+            level_3 = sqrt(((x_27 * x_27) + (y_15 * y_15)));
             float _e60 = angle_3;
             float _e61 = sine(_e60);
             float _e62 = angle_3;
@@ -1471,9 +2114,9 @@ vec4 star_disc(float x_23, float y_14, float z_4, float start_r, float start_mu,
             float _e76 = level_3;
             scale_3 = (((_e70 * _e71) + (z_4 * _e73)) / max(_e76, 1e-30));
             float _e80 = scale_3;
-            float now_6_1 = (x_23 * _e80);
+            float now_6_1 = (x_27 * _e80);
             float _e82 = scale_3;
-            float now_7_1 = (y_14 * _e82);
+            float now_7_1 = (y_15 * _e82);
             lx = now_6_1;
             ly = now_7_1;
         }
@@ -1507,8 +2150,8 @@ float physical_light(float light) {
     return min(((light > 0.0) ? light : 0.0), 1e18);
 }
 
-float exponential_curve(float x_24) {
-    return (1.0 - exp(-(x_24)));
+float exponential_curve(float x_28) {
+    return (1.0 - exp(-(x_28)));
 }
 
 float exponential_shown(float light_1) {
@@ -1518,16 +2161,16 @@ float exponential_shown(float light_1) {
 }
 
 float hable_curve(float light_2) {
-    float x_25 = 0.0;
+    float x_29 = 0.0;
     float curve = 0.0;
-    x_25 = (2.0 * light_2);
-    float _e5 = x_25;
-    float _e6 = x_25;
-    x_25 = ((_e6 < 11.2) ? _e5 : 11.2);
-    float _e11 = x_25;
-    float _e12 = x_25;
-    float _e20 = x_25;
-    float _e21 = x_25;
+    x_29 = (2.0 * light_2);
+    float _e5 = x_29;
+    float _e6 = x_29;
+    x_29 = ((_e6 < 11.2) ? _e5 : 11.2);
+    float _e11 = x_29;
+    float _e12 = x_29;
+    float _e20 = x_29;
+    float _e21 = x_29;
     curve = ((((_e11 * ((0.15 * _e12) + 0.05)) + 0.004) / ((_e20 * ((0.15 * _e21) + 0.5)) + 0.06)) - 0.06666667);
     float _e32 = curve;
     return (_e32 / 0.72512937);
@@ -1546,24 +2189,24 @@ float luminance_of(float red, float green, float blue) {
 Several_f32_f32_f32_ reinhard_color(float red_1, float green_1, float blue_1) {
     float r_5 = 0.0;
     float g_4 = 0.0;
-    float b = 0.0;
+    float b_2 = 0.0;
     float darkening = 0.0;
     float _e7 = physical_light(red_1);
     float _e8 = physical_light(green_1);
     float _e9 = physical_light(blue_1);
     r_5 = _e7;
     g_4 = _e8;
-    b = _e9;
+    b_2 = _e9;
     float _e10 = r_5;
     float _e11 = g_4;
-    float _e12 = b;
+    float _e12 = b_2;
     float _e13 = luminance_of(_e10, _e11, _e12);
     darkening = (1.0 / (1.0 + _e13));
     float _e18 = r_5;
     float _e19 = darkening;
     float _e21 = g_4;
     float _e22 = darkening;
-    float _e24 = b;
+    float _e24 = b_2;
     float _e25 = darkening;
     return Several_f32_f32_f32_((_e18 * _e19), (_e21 * _e22), (_e24 * _e25));
 }
@@ -1571,7 +2214,7 @@ Several_f32_f32_f32_ reinhard_color(float red_1, float green_1, float blue_1) {
 Several_f32_f32_f32_ reinhard_extended_color(float red_2, float green_2, float blue_2, float white) {
     float r_6 = 0.0;
     float g_5 = 0.0;
-    float b_1 = 0.0;
+    float b_3 = 0.0;
     float bright = 0.0;
     float darkening_1 = 0.0;
     float _e9 = physical_light(red_2);
@@ -1579,10 +2222,10 @@ Several_f32_f32_f32_ reinhard_extended_color(float red_2, float green_2, float b
     float _e11 = physical_light(blue_2);
     r_6 = _e9;
     g_5 = _e10;
-    b_1 = _e11;
+    b_3 = _e11;
     float _e12 = r_6;
     float _e13 = g_5;
-    float _e14 = b_1;
+    float _e14 = b_3;
     float _e15 = luminance_of(_e12, _e13, _e14);
     bright = _e15;
     float _e16 = bright;
@@ -1592,123 +2235,123 @@ Several_f32_f32_f32_ reinhard_extended_color(float red_2, float green_2, float b
     float _e26 = darkening_1;
     float _e28 = g_5;
     float _e29 = darkening_1;
-    float _e31 = b_1;
+    float _e31 = b_3;
     float _e32 = darkening_1;
     return Several_f32_f32_f32_((_e25 * _e26), (_e28 * _e29), (_e31 * _e32));
 }
 
-float aces_curve(float x_26) {
-    return (((x_26 * (x_26 + 0.0245786)) - 9.0537e-5) / ((x_26 * ((0.983729 * x_26) + 0.432951)) + 0.238081));
+float aces_curve(float x_30) {
+    return (((x_30 * (x_30 + 0.0245786)) - 9.0537e-5) / ((x_30 * ((0.983729 * x_30) + 0.432951)) + 0.238081));
 }
 
 Several_f32_f32_f32_ aces_color(float red_3, float green_3, float blue_3) {
     float r_7 = 0.0;
     float g_6 = 0.0;
-    float b_2 = 0.0;
-    float x_27 = 0.0;
-    float y_15 = 0.0;
+    float b_4 = 0.0;
+    float x_31 = 0.0;
+    float y_16 = 0.0;
     float z_5 = 0.0;
     float _e9 = physical_light(red_3);
     float _e10 = physical_light(green_3);
     float _e11 = physical_light(blue_3);
     r_7 = _e9;
     g_6 = _e10;
-    b_2 = _e11;
+    b_4 = _e11;
     float _e12 = r_7;
     float _e15 = g_6;
-    float _e19 = b_2;
+    float _e19 = b_4;
     float _e23 = aces_curve((((0.59719 * _e12) + (0.35458 * _e15)) + (0.04823 * _e19)));
-    x_27 = _e23;
+    x_31 = _e23;
     float _e24 = r_7;
     float _e27 = g_6;
-    float _e31 = b_2;
+    float _e31 = b_4;
     float _e35 = aces_curve((((0.076 * _e24) + (0.90834 * _e27)) + (0.01566 * _e31)));
-    y_15 = _e35;
+    y_16 = _e35;
     float _e36 = r_7;
     float _e39 = g_6;
-    float _e43 = b_2;
+    float _e43 = b_4;
     float _e47 = aces_curve((((0.0284 * _e36) + (0.13383 * _e39)) + (0.83777 * _e43)));
     z_5 = _e47;
-    float _e48 = x_27;
-    float _e51 = y_15;
+    float _e48 = x_31;
+    float _e51 = y_16;
     float _e55 = z_5;
-    float _e63 = x_27;
-    float _e66 = y_15;
+    float _e63 = x_31;
+    float _e66 = y_16;
     float _e70 = z_5;
-    float _e78 = x_27;
-    float _e81 = y_15;
+    float _e78 = x_31;
+    float _e81 = y_16;
     float _e85 = z_5;
     return Several_f32_f32_f32_(min(max((((1.60475 * _e48) + (-0.53108 * _e51)) + (-0.07367 * _e55)), 0.0), 1.0), min(max((((-0.10208 * _e63) + (1.10813 * _e66)) + (-0.00605 * _e70)), 0.0), 1.0), min(max((((-0.00327 * _e78) + (-0.07276 * _e81)) + (1.07602 * _e85)), 0.0), 1.0));
 }
 
 float agx_curve(float light_4) {
     float least = 0.0;
-    float x_28 = 0.0;
+    float x_32 = 0.0;
     float t = 0.0;
-    float y_16 = 0.0;
+    float y_17 = 0.0;
     least = 0.00017578126;
     float _e6 = least;
     float _e7 = least;
-    x_28 = (((log2((((light_4 > _e7) ? light_4 : _e6) / 0.18)) - -10.0) / 16.5) - 0.6060606);
-    float _e19 = x_28;
-    float _e20 = x_28;
-    x_28 = ((_e20 < 0.3939394) ? _e19 : 0.3939394);
-    float _e25 = x_28;
+    x_32 = (((log2((((light_4 > _e7) ? light_4 : _e6) / 0.18)) - -10.0) / 16.5) - 0.6060606);
+    float _e19 = x_32;
+    float _e20 = x_32;
+    x_32 = ((_e20 < 0.3939394) ? _e19 : 0.3939394);
+    float _e25 = x_32;
     if ((_e25 < 0.0)) {
-        float _e28 = x_28;
+        float _e28 = x_32;
         t = ((-2.0 * _e28) / 0.51227736);
         float _e33 = t;
         float _e36 = t;
         float _e37 = cubed(_e36);
-        y_16 = (0.5 - ((0.51227736 * _e33) / pow((1.0 + _e37), 0.33333334)));
+        y_17 = (0.5 - ((0.51227736 * _e33) / pow((1.0 + _e37), 0.33333334)));
     } else {
-        float _e45 = x_28;
+        float _e45 = x_32;
         t = ((2.0 * _e45) / 0.54146415);
         float _e50 = t;
         float _e53 = t;
-        y_16 = (0.5 + ((0.54146415 * _e50) / pow((1.0 + pow(_e53, 3.25)), 0.30769232)));
+        y_17 = (0.5 + ((0.54146415 * _e50) / pow((1.0 + pow(_e53, 3.25)), 0.30769232)));
     }
-    float _e63 = y_16;
-    float _e64 = y_16;
+    float _e63 = y_17;
+    float _e64 = y_17;
     return ((_e64 > 0.0) ? _e63 : 0.0);
 }
 
 Several_f32_f32_f32_ agx_color(float red_4, float green_4, float blue_4) {
     float r_8 = 0.0;
     float g_7 = 0.0;
-    float b_3 = 0.0;
-    float x_29 = 0.0;
-    float y_17 = 0.0;
+    float b_5 = 0.0;
+    float x_33 = 0.0;
+    float y_18 = 0.0;
     float z_6 = 0.0;
     float _e9 = physical_light(red_4);
     float _e10 = physical_light(green_4);
     float _e11 = physical_light(blue_4);
     r_8 = _e9;
     g_7 = _e10;
-    b_3 = _e11;
+    b_5 = _e11;
     float _e12 = r_8;
     float _e15 = g_7;
-    float _e19 = b_3;
+    float _e19 = b_5;
     float _e23 = agx_curve((((0.84247905 * _e12) + (0.0784336 * _e15)) + (0.079223745 * _e19)));
-    x_29 = _e23;
+    x_33 = _e23;
     float _e24 = r_8;
     float _e27 = g_7;
-    float _e31 = b_3;
+    float _e31 = b_5;
     float _e35 = agx_curve((((0.042328242 * _e24) + (0.87846863 * _e27)) + (0.07916613 * _e31)));
-    y_17 = _e35;
+    y_18 = _e35;
     float _e36 = r_8;
     float _e39 = g_7;
-    float _e43 = b_3;
+    float _e43 = b_5;
     float _e47 = agx_curve((((0.042375654 * _e36) + (0.0784336 * _e39)) + (0.879143 * _e43)));
     z_6 = _e47;
-    float _e48 = x_29;
-    float _e51 = y_17;
+    float _e48 = x_33;
+    float _e51 = y_18;
     float _e55 = z_6;
-    float _e65 = x_29;
-    float _e68 = y_17;
+    float _e65 = x_33;
+    float _e68 = y_18;
     float _e72 = z_6;
-    float _e82 = x_29;
-    float _e85 = y_17;
+    float _e82 = x_33;
+    float _e85 = y_18;
     float _e89 = z_6;
     return Several_f32_f32_f32_(pow(min(max((((1.196879 * _e48) + (-0.09802088 * _e51)) + (-0.09902974 * _e55)), 0.0), 1.0), 2.2), pow(min(max((((-0.052896854 * _e65) + (1.1519032 * _e68)) + (-0.098961174 * _e72)), 0.0), 1.0), 2.2), pow(min(max((((-0.052971635 * _e82) + (-0.09804345 * _e85)) + (1.1510737 * _e89)), 0.0), 1.0), 2.2));
 }
@@ -1774,8 +2417,8 @@ void light_of_pixel_1_(float px_1, float py_1) {
     float right_3 = 0.0;
     float above_1 = 0.0;
     float ahead = 0.0;
-    float x_30 = 0.0;
-    float y_18 = 0.0;
+    float x_34 = 0.0;
+    float y_19 = 0.0;
     float z_7 = 0.0;
     vec4 total_1 = vec4(0.0);
     float sine_1_4 = 0.0;
@@ -1796,12 +2439,13 @@ void light_of_pixel_1_(float px_1, float py_1) {
     float azimuth_5 = 0.0;
     vec4 albedo = vec4(0.0);
     float cosine_1_3 = 0.0;
-    bool local_1 = false;
     bool local_2 = false;
     bool local_3 = false;
     bool local_4 = false;
     bool local_5 = false;
     bool local_6 = false;
+    bool local_7 = false;
+    bool local_8 = false;
     float _e30 = _group_0_binding_0_fs.screen.w;
     float _e35 = _group_0_binding_0_fs.screen.x;
     float _e39 = _group_0_binding_0_fs.screen.y;
@@ -1816,14 +2460,14 @@ void light_of_pixel_1_(float px_1, float py_1) {
     float _e58 = _group_0_binding_0_fs.camera_up.x;
     float _e61 = ahead;
     float _e65 = _group_0_binding_0_fs.camera_forward.x;
-    x_30 = (((_e48 * _e52) + (_e54 * _e58)) + (_e61 * _e65));
+    x_34 = (((_e48 * _e52) + (_e54 * _e58)) + (_e61 * _e65));
     float _e68 = right_3;
     float _e72 = _group_0_binding_0_fs.camera_right.y;
     float _e74 = above_1;
     float _e78 = _group_0_binding_0_fs.camera_up.y;
     float _e81 = ahead;
     float _e85 = _group_0_binding_0_fs.camera_forward.y;
-    y_18 = (((_e68 * _e72) + (_e74 * _e78)) + (_e81 * _e85));
+    y_19 = (((_e68 * _e72) + (_e74 * _e78)) + (_e81 * _e85));
     float _e88 = right_3;
     float _e92 = _group_0_binding_0_fs.camera_right.z;
     float _e94 = above_1;
@@ -1832,10 +2476,10 @@ void light_of_pixel_1_(float px_1, float py_1) {
     float _e105 = _group_0_binding_0_fs.camera_forward.z;
     z_7 = (((_e88 * _e92) + (_e94 * _e98)) + (_e101 * _e105));
     total_1 = vec4(0.0);
-    float _e110 = x_30;
-    float _e111 = x_30;
-    float _e113 = y_18;
-    float _e114 = y_18;
+    float _e110 = x_34;
+    float _e111 = x_34;
+    float _e113 = y_19;
+    float _e114 = y_19;
     sine_1_4 = sqrt(((_e110 * _e111) + (_e113 * _e114)));
     float _e121 = _group_0_binding_0_fs.observer.x;
     float _e122 = sine_1_4;
@@ -1859,21 +2503,21 @@ void light_of_pixel_1_(float px_1, float py_1) {
         if ((_e151 < 0.0)) {
             float _e156 = impact_3;
             float _e160 = _group_0_binding_0_fs.shell.y;
-            local_1 = (_e156 < _e160);
+            local_2 = (_e156 < _e160);
         } else {
-            local_1 = false;
+            local_2 = false;
         }
-        bool _e163 = local_1;
+        bool _e163 = local_2;
         inside_1 = _e163;
         bool _e164 = inside_1;
         if (_e164) {
             float _e167 = impact_3;
             float _e171 = _group_0_binding_0_fs.shell.x;
-            local_2 = (_e167 < _e171);
+            local_3 = (_e167 < _e171);
         } else {
-            local_2 = false;
+            local_3 = false;
         }
-        bool _e174 = local_2;
+        bool _e174 = local_3;
         to_ground = _e174;
         float _e175 = impact_3;
         float _e179 = _group_0_binding_0_fs.shell.x;
@@ -1884,23 +2528,23 @@ void light_of_pixel_1_(float px_1, float py_1) {
     float _e185 = right_3;
     if (!((_e185 != 0.0))) {
         float _e191 = above_1;
-        local_3 = (_e191 != 0.0);
-    } else {
-        local_3 = true;
-    }
-    bool _e195 = local_3;
-    if (!(_e195)) {
-        float _e199 = ahead;
-        local_4 = (_e199 != 0.0);
+        local_4 = (_e191 != 0.0);
     } else {
         local_4 = true;
     }
-    bool _e203 = local_4;
+    bool _e195 = local_4;
+    if (!(_e195)) {
+        float _e199 = ahead;
+        local_5 = (_e199 != 0.0);
+    } else {
+        local_5 = true;
+    }
+    bool _e203 = local_5;
     shown = _e203;
     float now_2_8 = _group_0_binding_0_fs.observer.x;
-    float now_3_3 = z_7;
+    float now_3_4 = z_7;
     start_r_1 = now_2_8;
-    start_mu_1 = now_3_3;
+    start_mu_1 = now_3_4;
     float _e212 = _group_0_binding_0_fs.observer.y;
     if ((_e212 > 0.5)) {
         float _e218 = _group_0_binding_0_fs.shell.y;
@@ -1915,18 +2559,18 @@ void light_of_pixel_1_(float px_1, float py_1) {
     bool _e241 = shown;
     if (_e241) {
         bool _e244 = inside_1;
-        local_5 = _e244;
+        local_6 = _e244;
     } else {
-        local_5 = false;
+        local_6 = false;
     }
-    bool _e246 = local_5;
+    bool _e246 = local_6;
     if (_e246) {
-        float _e247 = x_30;
+        float _e247 = x_34;
         float _e248 = sine_1_4;
         float _e250 = sine_1_4;
         cos_azimuth = ((_e250 > 0.0) ? (_e247 / _e248) : 1.0);
-        float _e255 = x_30;
-        float _e256 = y_18;
+        float _e255 = x_34;
+        float _e256 = y_19;
         float _e257 = z_7;
         float _e261 = _group_0_binding_0_fs.star.z;
         float _e265 = _group_0_binding_0_fs.star.w;
@@ -1940,9 +2584,10 @@ void light_of_pixel_1_(float px_1, float py_1) {
         int now_5_1 = int(_e278);
         columns_4 = now_4_2;
         rows_5 = now_5_1;
-        float _e280 = y_18;
-        float _e282 = x_30;
-        azimuth_5 = (atan(abs(_e280), _e282) / 3.1415927);
+        float _e280 = y_19;
+        float _e282 = x_34;
+        float _e283 = angle_of(abs(_e280), _e282);
+        azimuth_5 = (_e283 / 3.1415927);
         int _e286 = columns_4;
         int _e287 = rows_5;
         float _e288 = row_5;
@@ -2001,8 +2646,8 @@ void light_of_pixel_1_(float px_1, float py_1) {
                 float _e372 = cosine_1_3;
                 float _e376 = _group_0_binding_0_fs.shell.x;
                 cosine_1_3 = (_e372 / _e376);
-                float _e378 = x_30;
-                float _e379 = y_18;
+                float _e378 = x_34;
+                float _e379 = y_19;
                 float _e380 = z_7;
                 float _e381 = sine_1_4;
                 float _e382 = impact_3;
@@ -2020,27 +2665,31 @@ void light_of_pixel_1_(float px_1, float py_1) {
     bool _e391 = shown;
     if (_e391) {
         float _e397 = _group_0_binding_0_fs.planet_z.w;
-        local_6 = (_e397 > 0.5);
+        local_7 = (_e397 > 0.5);
     } else {
-        local_6 = false;
+        local_7 = false;
     }
-    bool _e401 = local_6;
+    bool _e401 = local_7;
     if (_e401) {
-        bool _e402 = to_ground;
-        if (!(_e402)) {
-            vec4 _e404 = total_1;
-            float _e405 = x_30;
-            float _e406 = y_18;
-            float _e407 = z_7;
-            float _e408 = start_r_1;
-            float _e409 = start_mu_1;
-            bool _e410 = inside_1;
-            vec4 _e411 = star_disc(_e405, _e406, _e407, _e408, _e409, _e410);
-            total_1 = (_e404 + _e411);
-        }
+        bool _e404 = to_ground;
+        local_8 = !(_e404);
+    } else {
+        local_8 = false;
     }
-    vec4 _e415 = total_1;
-    light_of_found[0] = _e415;
+    bool _e407 = local_8;
+    if (_e407) {
+        vec4 _e408 = total_1;
+        float _e409 = x_34;
+        float _e410 = y_19;
+        float _e411 = z_7;
+        float _e412 = start_r_1;
+        float _e413 = start_mu_1;
+        bool _e414 = inside_1;
+        vec4 _e415 = star_disc(_e409, _e410, _e411, _e412, _e413, _e414);
+        total_1 = (_e408 + _e415);
+    }
+    vec4 _e419 = total_1;
+    light_of_found[0] = _e419;
     return;
 }
 
