@@ -72,6 +72,7 @@ class ParameterRows:
         reset: Callable[[str], None],
         *,
         closed: Iterable[str] = (),
+        under: Callable[[str], None] = lambda group: None,
     ) -> None:
         """Draw the rows of parameters.
 
@@ -87,6 +88,8 @@ class ParameterRows:
             ``reset(path)`` when a parameter shall be what it was.
         closed : iterable of str
             Groups that are folded at first.
+        under : callable
+            ``under(group)`` draws what stands below the rows of a group.
         """
         from imgui_bundle import imgui
 
@@ -107,6 +110,7 @@ class ParameterRows:
                 imgui.push_id(group)
                 self._group(rows, values, defaults, change, reset)
                 self._more(sum(one.group == group for one in hidden))
+                under(group)
                 imgui.pop_id()
                 imgui.dummy(imgui.ImVec2(0.0, 3.0))
 
