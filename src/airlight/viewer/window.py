@@ -362,14 +362,18 @@ class Window:
 
 
 def _length(metres: float) -> str:
-    """A length in m or km, or in 10³ km far away.
+    """A length in m or km.
 
     Examples
     --------
-    >>> _length(2.0), _length(35e3), _length(4.2e8)
-    ('2 m', '35 km', '4.2e+05 km')
+    >>> _length(2.0), _length(35e3), _length(1.529e7), _length(4.2e11)
+    ('2 m', '35 km', '15290 km', '4.2e+08 km')
     """
-    return f"{metres:.4g} m" if metres < 1e3 else f"{metres / 1e3:.4g} km"
+    if metres < 1e3:
+        return f"{metres:.4g} m"
+    kilometres = metres / 1e3
+    digits = ".0f" if 1e4 <= kilometres < 1e7 else ".4g"
+    return f"{kilometres:{digits}} km"
 
 
 def _seconds(seconds: float) -> str:
