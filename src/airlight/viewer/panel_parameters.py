@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
 from itertools import groupby
 
@@ -128,7 +129,7 @@ class ParameterRows:
             items = list(members)
             folds = bool(part_of) and len(items) > _SHORT_LIST and not self.search
             if folds:
-                name = items[0].label.partition(" at ")[0]
+                name = re.sub(r" (at .*|\d+)$", "", items[0].label)
                 if not imgui.tree_node(f"{name}: {len(items)} values###{part_of}"):
                     continue
             for one in items:
