@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from airlight.color.encoding import ENCODINGS
 from airlight.color.exposure import exposure_factor
-from airlight.color.spectral import rgb_weights
+from airlight.color.four_wavelengths import picture_weights
 from airlight.color.tone_maps import TONE_MAPS
 from airlight.color.upsampling import reflectance_basis
 from airlight.errors import Cancelled, ParameterError
@@ -114,7 +114,7 @@ class Pictures:
         solution : MomentsSolution
             Of four wavelengths at most; of one or two only with weights.
         weights : array, shape (nl, 3), optional
-            Linear sRGB per radiance; by default those of ``color.spectral.rgb_weights``.
+            Linear sRGB per radiance; by default ``picture_weights``.
 
         Raises
         ------
@@ -128,7 +128,7 @@ class Pictures:
             raise ParameterError("wavelengths", nm.size, f"at most {WAVELENGTHS} on the GPU")
         if weights is None:
             spectrum = solution.planet.star.irradiances if solution.planet is not None else None
-            weights = rgb_weights(nm, spectrum)
+            weights = picture_weights(nm, spectrum)
         if np.shape(weights) != (nm.size, 3):
             raise ParameterError("weights", np.shape(weights), f"an array of shape ({nm.size}, 3)")
         self._shown_tables = shown_solution(solution, reflectance_basis(nm))

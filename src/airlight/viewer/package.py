@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from airlight.color.encoding import ENCODINGS
 from airlight.color.exposure import MIDDLE_GREY
-from airlight.color.spectral import rgb_weights
+from airlight.color.four_wavelengths import picture_weights
 from airlight.color.tone_maps import TONE_MAPS, tone_map_named
 from airlight.color.xyz import luminance
 from airlight.gpu.pictures import ORDERS, QUICK_SKY_SHAPE, SKY_SHAPE
@@ -105,7 +105,7 @@ def planet_tables(
     solution : MomentsSolution
         Of three or four wavelengths.
     weights : array, shape (nl, 3), optional
-        Linear sRGB per radiance; by default those of ``color.spectral.rgb_weights``.
+        Linear sRGB per radiance; by default ``picture_weights``.
 
     Returns
     -------
@@ -123,7 +123,7 @@ def planet_tables(
         uniforms[f"table_{name}"] = [*place, 0, 0, 0][:4]
     if weights is None:
         spectrum = None if solution.planet is None else solution.planet.star.irradiances
-        weights = rgb_weights(solution.wavelengths, spectrum)
+        weights = picture_weights(solution.wavelengths, spectrum)
     shown = np.zeros((WAVELENGTHS, 3))
     shown[: len(weights)] = weights * medium.solar_irradiance[:, None]
     for channel, column in zip(("red", "green", "blue"), shown.T, strict=True):
