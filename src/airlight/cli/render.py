@@ -11,6 +11,7 @@ import typer
 from airlight.cli import options
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
+from airlight.cli.render_device import PROCESSOR, Choice, device_for
 from airlight.errors import ParameterError
 
 EPILOG = examples(
@@ -19,10 +20,13 @@ EPILOG = examples(
     "airlight render mars --altitude 2m --sun-zenith 80 --look 85,0 --exposure auto -o mars.png",
     "airlight render earth --altitude 0m --projection fisheye --size 2048 -o dome.exr",
     "airlight render my-planet.toml --wavelengths rgb --quality preview -o quick.png",
+    "airlight render titan --device gpu --size 3840x2160 -o titan.png",
 )
 
 #: Where the camera looks if nobody says: across the sunlight, which shows the air best. [deg]
 _ACROSS = -75.0
+#: Wavelengths if nobody says.
+_WAVELENGTHS = "16"
 
 
 def render(
@@ -83,13 +87,23 @@ def render(
         Literal["srgb", "gamma"], typer.Option(help="The picture's transfer curve.")
     ] = "srgb",
     wavelengths: Annotated[
-        str,
+        str | None,
         typer.Option(
             metavar="rgb|N|LIST",
-            help="680, 550, 440 nm; or how many over the visible; or a list in nm.",
+            help="680, 550, 440 nm; or how many over the visible; or a list in nm. If left out: "
+            "16, on a GPU the four that show colours best, with a matrix fitted to the star.",
         ),
-    ] = "16",
+    ] = None,
     quality: options.Quality = "default",
+    device: Annotated[
+        Choice,
+        typer.Option(
+            metavar="NAME",
+            help="Who draws: cpu; gpu, at most four wavelengths, and where it cannot the processor "
+            "with a line that says why; auto, gpu where there is a real one. Each marches through "
+            "the air pixel by pixel.",
+        ),
+    ] = "cpu",
     latitude: Annotated[
         str, typer.Option(metavar="ANGLE", help="Of the ground below, for its map.")
     ] = "32deg",
@@ -148,20 +162,37 @@ def render(
         longitude=options.angle(longitude, "--longitude"),
         sun_azimuth=options.angle(sun_azimuth, "--sun-azimuth"),
     )
-    nm = options.wavelengths(wavelengths, world)
+    nm = options.wavelengths(_WAVELENGTHS if wavelengths is None else wavelengths, world)
     if len(nm) < 3:
         allowed = "rgb, 3 to 99, or three or more wavelengths: a picture has colours"
         raise ParameterError("--wavelengths", wavelengths, allowed)
+    gpu = device_for(device, world, 4 if wavelengths is None else len(nm), columns)
+    weights = None
+    if gpu is not None and wavelengths is None:
+        from airlight.color.four_wavelengths import four_wavelengths
 
-    from airlight.render import render as render_frame
+        chosen, weights = four_wavelengths(world.star.irradiances, world.wavelength_limits)
+        nm = tuple(float(w) for w in chosen)
+
     from airlight.solvers import solve
 
     with shown_progress() as report:
         solution = solve(
             world, wavelengths=nm, quality=quality, cache=not no_cache, progress=report
         )
-        frame = render_frame(solution, scene, progress=report)
-    metadata = {"planet": world.name, **scene.metadata(), **frame.metadata}
+        if gpu is not None:
+            from airlight.gpu.pictures import Pictures
+
+            pictures = Pictures(gpu)
+            pictures.show(solution, weights)
+            frame = pictures.frame(scene, exact=True, progress=report)
+        else:
+            from airlight.render import render as render_frame
+
+            frame = render_frame(solution, scene, progress=report)
+    metadata = {"planet": world.name, "device": PROCESSOR, **scene.metadata(), **frame.metadata}
+    if weights is not None:
+        metadata["colour"] = "from four wavelengths, fitted to the star"
     if set_:
         metadata["changes"] = "; ".join(set_)
     written = write_picture(

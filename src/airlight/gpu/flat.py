@@ -15,7 +15,7 @@ Float32Array = NDArray[np.float32]
 #: Texels in a row: texel i stands at (i & 2047, i >> 11).
 FLAT_WIDTH: Final = 2048
 #: Rows that every browser allows.
-_MOST_ROWS: Final = 8192
+MOST_ROWS: Final = 8192
 #: Format of a flat texture by the channels of a texel.
 _FORMATS: Final = {1: "r32float", 4: "rgba32float"}
 #: Type and number of the channels of the formats that can be read back.
@@ -80,8 +80,8 @@ def empty_flat_texture(device: Device, count: int, channels: int, label: str = "
 
     if channels not in _FORMATS:
         raise ParameterError("channels", channels, "1 or 4")
-    if not 0 <= count <= FLAT_WIDTH * _MOST_ROWS:
-        raise ParameterError("count", count, f"at most {FLAT_WIDTH * _MOST_ROWS} texels")
+    if not 0 <= count <= FLAT_WIDTH * MOST_ROWS:
+        raise ParameterError("count", count, f"at most {FLAT_WIDTH * MOST_ROWS} texels")
     use = wgpu.TextureUsage
     return device.device.create_texture(
         label=label,

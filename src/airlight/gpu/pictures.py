@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from airlight.color.encoding import ENCODINGS
 from airlight.color.exposure import exposure_factor
-from airlight.color.spectral import rgb_weights
+from airlight.color.four_wavelengths import picture_weights
 from airlight.color.tone_maps import TONE_MAPS
 from airlight.color.upsampling import reflectance_basis
-from airlight.errors import ParameterError
+from airlight.errors import Cancelled, ParameterError
 from airlight.geometry.bending import seen_star
 from airlight.gpu.bands import Band, bands
 from airlight.gpu.device import Device
@@ -27,6 +27,7 @@ from airlight.gpu.sky_by_processor import filled_sky
 from airlight.gpu.sky_table import Observer
 from airlight.gpu.solution_textures import SolutionTextures
 from airlight.gpu.uniforms import SWITCHES, packed
+from airlight.kernel.threads import Cancel, Progress
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.scene.projections import PROJECTIONS
@@ -38,8 +39,9 @@ FloatArray = NDArray[np.float64]
 SKY_SHAPE: Final = (256, 128)
 #: The same where a processor does the work of a GPU, while something moves.
 QUICK_SKY_SHAPE: Final = (64, 64)
-#: Rows of an exact picture drawn at once: no driver then thinks that the device hangs.
-_ROWS_AT_ONCE: Final = 64
+#: Pixels drawn at once, read from a table, marched, and marched in software: no driver then thinks
+#: that the device hangs, and a strip of a picture that is read back takes 64 MiB at most.
+_PIXELS_AT_ONCE: Final = (1 << 22, 1 << 20, 1 << 16)
 #: Of a picture that is read back.
 _LINEAR: Final = "rgba32float"
 #: What ``orders`` may be, as the shaders count them.
@@ -110,21 +112,23 @@ class Pictures:
         Parameters
         ----------
         solution : MomentsSolution
-            Of three or four wavelengths.
+            Of four wavelengths at most; of one or two only with weights.
         weights : array, shape (nl, 3), optional
-            Linear sRGB per radiance; by default those of ``color.spectral.rgb_weights``.
+            Linear sRGB per radiance; by default ``picture_weights``.
 
         Raises
         ------
         ParameterError
             If there are more wavelengths or constituents than the shaders have room for.
         """
-        nm = solution.wavelengths
         if not isinstance(solution, MomentsSolution):
-            raise ParameterError("solution", solution, "a solution of the moments solver")
+            raise ParameterError("solution", type(solution), "a solution of the moments solver")
+        nm = solution.wavelengths
+        if nm.size > WAVELENGTHS:
+            raise ParameterError("wavelengths", nm.size, f"at most {WAVELENGTHS} on the GPU")
         if weights is None:
             spectrum = solution.planet.star.irradiances if solution.planet is not None else None
-            weights = rgb_weights(nm, spectrum)
+            weights = picture_weights(nm, spectrum)
         if np.shape(weights) != (nm.size, 3):
             raise ParameterError("weights", np.shape(weights), f"an array of shape ({nm.size}, 3)")
         self._shown_tables = shown_solution(solution, reflectance_basis(nm))
@@ -165,9 +169,16 @@ class Pictures:
         return self._groups[one]
 
     def frame(
-        self, scene: Scene, *, exact: bool = False, orders: str = "all", disc: bool = True
+        self,
+        scene: Scene,
+        *,
+        exact: bool = False,
+        orders: str = "all",
+        disc: bool = True,
+        progress: Progress | None = None,
+        cancel: Cancel | None = None,
     ) -> Frame:
-        """A picture as linear light.
+        """A picture as linear light, strip by strip.
 
         Parameters
         ----------
@@ -179,6 +190,8 @@ class Pictures:
             ``all``, ``single`` or ``multiple``.
         disc : bool
             Whether the star's disc is drawn.
+        progress, cancel : callable, optional
+            See ``airlight.kernel.threads``.
 
         Returns
         -------
@@ -188,25 +201,40 @@ class Pictures:
         Raises
         ------
         ParameterError
-            If nothing has been shown yet, or the picture is larger than a texture may be.
+            If nothing has been shown yet, or the picture is wider than a texture may be.
+        Cancelled
+            If ``cancel`` said so.
         """
         import wgpu
 
-        camera = scene.camera
+        solution = self._shown()
+        width, height = scene.camera.width, scene.camera.height
         limit = self.device.device.limits["max-texture-dimension-2d"]
-        if max(camera.width, camera.height) > limit:
-            size = f"{camera.width}x{camera.height}"
-            raise ParameterError("camera.size", size, f"at most {limit} pixels on the GPU")
+        if width > limit:
+            raise ParameterError("camera.width", width, f"at most {limit} pixels on the GPU")
+        numbers = self._numbers(scene, (width, height), exact, orders, disc)
+        parts = self._parts(scene, numbers, exact)
         use = wgpu.TextureUsage
         target = self.device.device.create_texture(
-            size=(camera.width, camera.height, 1),
+            size=(width, max(rows for _, rows, _ in parts), 1),
             format=_LINEAR,
             usage=use.RENDER_ATTACHMENT | use.COPY_SRC,
         )
-        self.draw(scene, target.create_view(), _LINEAR, exact=exact, orders=orders, disc=disc)
-        rgb = np.ascontiguousarray(read_texture(self.device, target)[..., :3])
-        target.destroy()
-        solution = self._shown()
+        view = target.create_view()
+        rgb = np.empty((height, width, 3), np.float32)
+        if not exact:
+            self._draw_sky(numbers)
+        try:
+            for first, rows, shader in parts:
+                if cancel is not None and cancel():
+                    raise Cancelled
+                self._write({**numbers, "first_row": first})
+                self._run(shader, "linear_picture", _LINEAR, view, (0, 0, width, rows))
+                rgb[first : first + rows] = read_texture(self.device, target)[:rows, :, :3]
+                if progress is not None:
+                    progress(first + rows, height, "rendering")
+        finally:
+            target.destroy()
         return Frame(
             rgb=rgb,
             metadata={
@@ -250,15 +278,28 @@ class Pictures:
         size : (int, int), optional
             Of the target, where it is not the camera's. [pixel]
         """
+        width, height = size or (scene.camera.width, scene.camera.height)
+        numbers = self._numbers(scene, (width, height), exact, orders, disc)
+        if exposure is not None:
+            numbers |= _display_numbers(exposure, tone_map, encoding)
+        entry = "linear_picture" if exposure is None else "shown_picture"
+        if not exact:
+            self._draw_sky(numbers)
+        self._write(numbers)
+        for first, rows, shader in self._parts(scene, numbers, exact):
+            self._run(shader, entry, target_format, view, (0, first, width, rows), first > 0)
+
+    def _numbers(
+        self, scene: Scene, size: tuple[int, int], exact: bool, orders: str, disc: bool
+    ) -> dict[str, float]:
+        """The uniforms of a picture, but for its display."""
         solution = self._shown()
-        camera = scene.camera
-        width, height = size or (camera.width, camera.height)
-        numbers = _scene_numbers(scene, solution)
-        numbers |= self._textures.numbers if self._textures is not None else {}
+        assert self._textures is not None
+        numbers = _scene_numbers(scene, solution) | self._textures.numbers
         peaks = 0.0 if exact else float(numbers["first_peak"] >= 0)
         numbers |= {
-            "width": width,
-            "height": height,
+            "width": size[0],
+            "height": size[1],
             "orders": _order_number(orders),
             "exact": float(exact),
             "draws_disc": float(
@@ -272,59 +313,54 @@ class Pictures:
             numbers |= {"first_peak": -1.0, "second_peak": -1.0}
         for channel, column in zip(("red", "green", "blue"), self._weights.T, strict=True):
             numbers |= {f"{channel}_{i}": float(value) for i, value in enumerate(column)}
-        if exposure is not None:
-            numbers |= _display_numbers(exposure, tone_map, encoding)
-        entry = "linear_picture" if exposure is None else "shown_picture"
-        if not exact:
-            self._draw_sky(numbers)
-        self._write(numbers)
-        if self.device.software:
-            self._draw_in_parts(scene, numbers, entry, view, target_format, exact)
-            return
-        one = self._pass(picture_shader(exact), entry, (target_format,))
-        encoder = self.device.device.create_command_encoder()
-        one.run(encoder, self._bound(one), [view])
-        self.device.device.queue.submit([encoder.finish()])
+        return numbers
 
-    def _draw_in_parts(
-        self,
-        scene: Scene,
-        numbers: dict[str, float],
-        entry: str,
-        view: Any,
-        target_format: str,
-        exact: bool,
-    ) -> None:
-        """Band by band, each with a shader that has no more choices than it needs.
+    def _parts(
+        self, scene: Scene, numbers: Mapping[str, float], exact: bool
+    ) -> list[tuple[int, int, Shader]]:
+        """Strips of a picture: first row, rows, and the shader that draws them.
 
-        A software device works out all sides of every choice, and one that is busy for long is
-        taken for dead: an exact picture is drawn a few rows at a time.
+        A device that is busy for long is taken for dead. One in software works out all sides of
+        every choice: each band gets a shader that has no more of them than it needs.
         """
         width, height = int(numbers["width"]), int(numbers["height"])
-        solution = self._shown()
-        edge = numbers["horizon_mu"]
-        star = (numbers["seen_x"], 0.0, numbers["seen_z"])
-        reach = 2.0 * solution.medium.star_angular_radius + 3.0 * numbers["pixel_angle"]
-        reach += solution.paths.largest_bend
-        parts = [Band(0, height, True, True)]
-        if (width, height) == (scene.camera.width, scene.camera.height):
-            parts = bands(scene, edge, star, reach)
-        step = _ROWS_AT_ONCE if exact else height
-        kept = False
-        for band in parts:
+        pixels = _PIXELS_AT_ONCE[(2 if self.device.software else 1) if exact else 0]
+        step = max(1, pixels // width)
+        found = [Band(0, height, True, True)]
+        # A shader with a march in it takes a software device long to compile: one for all bands.
+        apart = self.device.software and not exact
+        if apart and (width, height) == (scene.camera.width, scene.camera.height):
+            solution = self._shown()
+            star = (numbers["seen_x"], 0.0, numbers["seen_z"])
+            reach = 2.0 * solution.medium.star_angular_radius + 3.0 * numbers["pixel_angle"]
+            reach += solution.paths.largest_bend
+            found = bands(scene, numbers["horizon_mu"], star, reach)
+        parts = []
+        for band in found:
             known = {
                 **numbers,
                 "mapped": numbers["mapped"] * band.ground,
                 "draws_disc": numbers["draws_disc"] * band.star,
             }
-            shader = picture_shader(exact, self._fixed(known))
-            one = self._pass(shader, entry, (target_format,))
-            for first in range(band.first, band.first + band.rows, step):
-                encoder = self.device.device.create_command_encoder()
-                area = (0, first, width, min(step, band.first + band.rows - first))
-                one.run(encoder, self._bound(one), [view], area, kept)
-                self.device.device.queue.submit([encoder.finish()])
-                kept = True
+            shader = picture_shader(exact, self._fixed(known) if apart else ())
+            last = band.first + band.rows
+            parts += [(at, min(step, last - at), shader) for at in range(band.first, last, step)]
+        return parts
+
+    def _run(
+        self,
+        shader: Shader,
+        entry: str,
+        target_format: str,
+        view: Any,
+        area: tuple[int, int, int, int],
+        keep: bool = False,
+    ) -> None:
+        """Draw into a part of a target; the rest becomes black or is kept."""
+        one = self._pass(shader, entry, (target_format,))
+        encoder = self.device.device.create_command_encoder()
+        one.run(encoder, self._bound(one), [view], area, keep)
+        self.device.device.queue.submit([encoder.finish()])
 
     def _draw_sky(self, numbers: Mapping[str, float]) -> None:
         """Draw the table of the sky, unless it is there for this observer and star."""

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from math import sqrt
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.color.upsampling import reflectance_basis
 from airlight.gpu.device import Device
-from airlight.gpu.flat import flat_texture
+from airlight.gpu.flat import FLAT_WIDTH, MOST_ROWS, flat_texture
 from airlight.gpu.shown import (
     FIELD_TABLES,
     SCALAR_TABLES,
@@ -19,10 +21,15 @@ from airlight.gpu.shown import (
     as_texels,
     shown_solution,
 )
+from airlight.gpu.solver import fields_on
 from airlight.scene.surface_map import surface_map
 from airlight.solvers.moments.solution import MomentsSolution
 
 Shape = tuple[int, ...]
+Levels = Sequence[NDArray[np.float32]]
+
+#: Numbers of a map of the ground, its halvings too, that leave room for their sizes.
+_MAP_NUMBERS: Final = FLAT_WIDTH * (MOST_ROWS - 1)
 
 
 def laid_out(
@@ -130,7 +137,7 @@ class SolutionTextures:
         textures = {
             "scalars": flat_texture(device, made.scalars, "scalars"),
             "spectra": flat_texture(device, made.spectra, "spectra"),
-            "fields": flat_texture(device, made.fields, "fields"),
+            "fields": fields_on(device, solution) or flat_texture(device, made.fields, "fields"),
         }
         name = solution.medium.ground_map
         if before is not None and before.textures.get("map of") == name:
@@ -149,7 +156,9 @@ class SolutionTextures:
 
 def _map_texels(name: str | None) -> tuple[NDArray[np.float32], dict[str, Shape]]:
     """A map of the ground and its halvings; without one a single black pixel."""
-    levels = (np.zeros((1, 1, 3), np.float32),) if name is None else surface_map(name).levels
+    levels: Levels = (np.zeros((1, 1, 3), np.float32),)
+    if name is not None:
+        levels = fitting_levels(surface_map(name).levels, _MAP_NUMBERS)
     starts = np.cumsum([0, *(one.size for one in levels[:-1])])
     shapes = np.array(
         [(start, *one.shape[:2]) for start, one in zip(starts, levels, strict=True)], np.float32
@@ -157,3 +166,46 @@ def _map_texels(name: str | None) -> tuple[NDArray[np.float32], dict[str, Shape]
     return laid_out(
         {"levels": shapes, "texels": np.concatenate([one.reshape(-1) for one in levels])}, 1
     )
+
+
+def fitting_levels(levels: Levels, room: int) -> Levels:
+    """The halvings of a map of which all together have no more numbers than there is room for.
+
+    The finest are left out. A map that cannot be halved is taken down to a size that fits: its new
+    pixels are means of the old ones whose middles they cover.
+
+    Parameters
+    ----------
+    levels : tuple of array, each shape (h, w, 3)
+        The full map first.
+    room : int
+        Numbers.
+
+    Examples
+    --------
+    >>> halvings = [np.zeros((h, 2 * h, 3), np.float32) for h in (4, 2, 1)]
+    >>> [one.shape[0] for one in fitting_levels(halvings, 32)]
+    [2, 1]
+    >>> fitting_levels([np.ones((3, 9, 3), np.float32)], 60)[0].shape
+    (2, 7, 3)
+    """
+    kept = list(levels)
+    while len(kept) > 1 and sum(one.size for one in kept) > room:
+        kept.pop(0)
+    if kept[0].size > room:
+        height, width = kept[0].shape[:2]
+        scale = sqrt(room / kept[0].size)
+        kept[0] = _taken_down(kept[0], max(1, int(height * scale)), max(1, int(width * scale)))
+    return tuple(kept)
+
+
+def _taken_down(map_: NDArray[np.float32], height: int, width: int) -> NDArray[np.float32]:
+    """A map with fewer pixels, each the mean of whole old ones."""
+    values = map_.astype(np.float64)
+    for axis, count in enumerate((height, width)):
+        edges = np.rint(np.linspace(0.0, values.shape[axis], count + 1)).astype(np.intp)
+        sums = np.add.reduceat(values, edges[:-1], axis=axis)
+        shape = [1, 1, 1]
+        shape[axis] = count
+        values = sums / np.diff(edges).reshape(shape)
+    return np.ascontiguousarray(values, np.float32)

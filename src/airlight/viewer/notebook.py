@@ -112,7 +112,7 @@ class Viewer(anywidget.AnyWidget):
         """Wait until the planet is solved; False if that took longer. [s]"""
         done = bool(self._solving.wait(timeout))
         self._follow_solution()
-        return done
+        return bool(done)
 
     def close(self) -> None:
         """End the solving, and take the widget away; once is enough."""
