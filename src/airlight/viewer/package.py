@@ -13,11 +13,7 @@ from numpy.typing import NDArray
 
 from airlight.color.encoding import ENCODINGS
 from airlight.color.exposure import MIDDLE_GREY
-<<<<<<< HEAD
-from airlight.color.four_wavelengths import few_wavelengths, fitted_weights
-=======
-from airlight.color.four_wavelengths import picture_weights
->>>>>>> bd2b287bc146cf7e06f93136784b0d952ae72e6a
+from airlight.color.four_wavelengths import few_wavelengths, picture_weights
 from airlight.color.tone_maps import TONE_MAPS, tone_map_named
 from airlight.color.xyz import luminance, rgb_to_xyz
 from airlight.constants import LUMINOUS_EFFICACY
@@ -129,11 +125,7 @@ def planet_tables(
     solution : MomentsSolution
         Of three or four wavelengths.
     weights : array, shape (nl, 3), optional
-<<<<<<< HEAD
-        Linear sRGB per radiance; by default those of ``color.four_wavelengths``.
-=======
         Linear sRGB per radiance; by default ``picture_weights``.
->>>>>>> bd2b287bc146cf7e06f93136784b0d952ae72e6a
 
     Returns
     -------
@@ -151,11 +143,7 @@ def planet_tables(
         uniforms[f"table_{name}"] = [*place, 0, 0, 0][:4]
     if weights is None:
         spectrum = None if solution.planet is None else solution.planet.star.irradiances
-<<<<<<< HEAD
-        weights = fitted_weights(solution.wavelengths, spectrum)
-=======
         weights = picture_weights(solution.wavelengths, spectrum)
->>>>>>> bd2b287bc146cf7e06f93136784b0d952ae72e6a
     shown = np.zeros((WAVELENGTHS, 3))
     shown[: len(weights)] = weights * medium.solar_irradiance[:, None]
     for channel, column in zip(("red", "green", "blue"), shown.T, strict=True):
