@@ -1,7 +1,7 @@
 """The viewer in a notebook: JupyterLab, marimo, and whatever else shows anywidgets.
 
 The picture is drawn in the browser, by the same JavaScript as the page's; the planet is solved
-here. Needs the extra ``airlight[view]``.
+here. Needs the extra ``airlight[notebook]``.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ try:
     import anywidget
     import traitlets
 except ImportError as error:
-    raise ImportError("a viewer in a notebook needs pip install 'airlight[view]'") from error
+    raise ImportError("a viewer in a notebook needs pip install 'airlight[notebook]'") from error
 
 #: What the buttons of the viewer ask for.
 COMMANDS: Final = ("undo", "redo", "reset", "keep", "swap", "rest")
