@@ -13,7 +13,7 @@ from typing import Any, Final
 
 from airlight.errors import AirlightError
 from airlight.viewer.modules import join_modules, web_file
-from airlight.viewer.package import planet_tables, program
+from airlight.viewer.package import planet_tables, program, wavelengths_for
 from airlight.viewer.parameter import Value
 from airlight.viewer.session import Session
 from airlight.viewer.solving import Solving
@@ -98,7 +98,7 @@ class Viewer(anywidget.AnyWidget):
         unfollow = self.session.follow(lambda versions: self._tell())
         self.observe(self._take_values, "values")
         self.observe(self._take_command, "command")
-        self._solving = solving(self.session, on_change=self._wake)
+        self._solving = solving(self.session, wavelengths=wavelengths_for, on_change=self._wake)
         self._ending = (unfollow, self._solving.close)
         self._follow_solution()
 
@@ -110,7 +110,7 @@ class Viewer(anywidget.AnyWidget):
 
     def wait(self, timeout: float | None = None) -> bool:
         """Wait until the planet is solved; False if that took longer. [s]"""
-        done = self._solving.wait(timeout)
+        done = bool(self._solving.wait(timeout))
         self._follow_solution()
         return bool(done)
 

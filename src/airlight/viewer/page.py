@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,17 +13,18 @@ from airlight.exports.whole_file import check_target, whole_file
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets import load_planet
 from airlight.solvers import solve
-from airlight.viewer.package import planet_tables, program
+from airlight.viewer.package import planet_tables, program, wavelengths_for
 from airlight.viewer.page_text import page_text
 from airlight.viewer.parameter import Parameter, Value
 from airlight.viewer.session import Session
-from airlight.viewer.solving import evenly_spaced
-from airlight.viewer.tables_text import as_text
+from airlight.viewer.tables_text import as_text, deflated
 from airlight.viewer.view_parameters import view_parameters
 from airlight.viewer.wanted import SOLVED
 
 #: A page larger than this is refused. [byte]
 LARGEST: Final = 3_000_000
+#: Binary digits of light that are kept: 3e-5 of it, a hundredth of what a display shows.
+_DIGITS: Final = {"fields": 14, "spectra": 16}
 #: What the page says about the planet's own parameters.
 NOTE: Final = "The planet is as it was solved; the desktop viewer edits it: airlight view {name}"
 
@@ -65,6 +67,7 @@ def page_data(
     """
     numbers, tables = planet_tables(solution)
     parameters = page_parameters()
+    fixed = program()
     return {
         "title": title,
         "planet": name,
@@ -73,10 +76,11 @@ def page_data(
         "values": {one.path: values[one.path] for one in parameters},
         "solution": f"{count} wavelengths, solved at the quality {solution.settings.as_text()}",
         "picture": {
-            **program(),
+            **fixed,
+            "shaders": deflated(json.dumps(fixed["shaders"])),
             **numbers,
             "tables": {
-                key: {"format": kind, "data": as_text(table)}
+                key: {"format": kind, "data": as_text(table, _DIGITS.get(key, 23))}
                 for key, (kind, table) in tables.items()
             },
         },
@@ -137,7 +141,7 @@ def export_page(
     world = load_planet(planet, dict(changes or {}), progress=progress)
     solution = solve(
         world,
-        wavelengths=tuple(evenly_spaced(world, wavelengths)),
+        wavelengths=tuple(wavelengths_for(world, wavelengths)),
         quality=quality,
         cache=cache,
         progress=progress,

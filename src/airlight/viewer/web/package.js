@@ -9,9 +9,7 @@
  */
 export async function numbersOf(data) {
   if (typeof data !== "string") return plainNumbers(data);
-  const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
-  const sorted = new Uint8Array(await new Response(stream).arrayBuffer());
+  const sorted = new Uint8Array(await inflated(data).arrayBuffer());
   const count = sorted.length / 4;
   const mixed = new Uint8Array(sorted.length);
   for (let place = 0; place < 4; place++) {
@@ -20,6 +18,16 @@ export async function numbersOf(data) {
     }
   }
   return new Float32Array(mixed.buffer);
+}
+
+/** A promise of the text that was deflated into base64. */
+export function textOf(data) {
+  return inflated(data).text();
+}
+
+function inflated(data) {
+  const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate")));
 }
 
 function plainNumbers(data) {

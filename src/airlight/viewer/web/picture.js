@@ -99,11 +99,8 @@ export class Picture {
   /** The table of what this observer sees around himself, unless it is there. */
   async drawSky(values, camera, rest) {
     const { program, fixed, planet } = this;
-    const numbers = {
-      ...observerNumbers(planet, values["view.altitude"], camera.sun),
-      orders: fixed.orders[values["light.orders"]],
-    };
-    const seen = JSON.stringify([this.solutions, numbers]);
+    const numbers = this.seenBy(values, camera);
+    const seen = this.key(numbers);
     // The very first one is quick too, so that there is something to look at.
     const quick = this.shape === null || !(rest || this.skyTime < SMOOTH);
     const shape = quick ? "quick" : "full";
@@ -122,6 +119,18 @@ export class Picture {
     this.seen = seen;
   }
 
+  /** The numbers that the table of the sky depends on. */
+  seenBy(values, camera) {
+    return {
+      ...observerNumbers(this.planet, values["view.altitude"], camera.sun),
+      orders: this.fixed.orders[values["light.orders"]],
+    };
+  }
+
+  key(numbers) {
+    return JSON.stringify([this.solutions, numbers]);
+  }
+
   reshape(shape) {
     const [columns, rows] = this.fixed.sky[shape];
     for (const name of ["air", "behind", "first", "second"]) {
@@ -130,16 +139,44 @@ export class Picture {
     this.shape = shape;
   }
 
+  /**
+   * What a pixel's light is, in words.
+   *
+   * @param {Object<string, number | string | boolean>} values Of all parameters.
+   * @param {[number, number]} size Of the picture as it is seen. [pixel]
+   * @param {[number, number]} place Of the pixel, from the left and the top. [pixel]
+   * @returns {Promise<string>} Empty if the picture does not show this view yet.
+   */
+  async probe(values, size, place) {
+    const { program, fixed } = this;
+    const camera = cameraOf(values, fixed.projections);
+    if (this.seen !== this.key(this.seenBy(values, camera))) return "";
+    program.resize("glance", ...size);
+    program.setAll(cameraNumbers(camera, ...size, fixed.projections));
+    const area = [...place, 1, 1];
+    program.runIn("glance", area);
+    const rgb = await program.read("glance", area);
+    return described(rgb, fixed);
+  }
+
   /** The exposure that suits what is seen. [EV] */
   async found(camera, width, height, tone) {
     const { program, fixed } = this;
     const share = fixed.glance / Math.max(width, height);
     const [wide, high] = [width, height].map((x) => Math.max(1, Math.round(x * share)));
+    program.resize("glance", wide, high);
     program.setAll(cameraNumbers(camera, wide, high, fixed.projections));
     program.run("glance");
-    const all = await program.read("glance");
-    const rows = Array.from({ length: high }, (_, y) => 4 * y * fixed.glance);
-    const part = rows.flatMap((start) => Array.from(all.subarray(start, start + 4 * wide)));
-    return automaticExposure(part, fixed.tone_maps[tone], fixed.luminance);
+    const rgba = await program.read("glance");
+    return automaticExposure(rgba, fixed.tone_maps[tone], fixed.luminance);
   }
+}
+
+/** Luminance and chromaticity of linear sRGB light. [W m⁻² sr⁻¹] */
+function described(rgb, { xyz, efficacy }) {
+  const [x, y, z] = [0, 1, 2].map((i) => xyz.reduce((sum, row, c) => sum + row[i] * rgb[c], 0));
+  if (!(y > 0)) return "no light";
+  const sum = x + y + z;
+  const bright = `${(efficacy * y).toPrecision(3)} cd/m²`;
+  return `luminance ${bright}\nx ${(x / sum).toFixed(4)}, y ${(y / sum).toFixed(4)}`;
 }
