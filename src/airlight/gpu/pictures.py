@@ -354,7 +354,7 @@ def _scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     camera, medium = scene.camera, solution.paths.medium
     true_r = solution.medium.bottom_radius + scene.altitude
     r = float(solution.paths.optical_radius(np.array(true_r)))
-    outside = scene.altitude > solution.medium.thickness
+    outside = scene.altitude >= solution.medium.thickness
     bottom = medium.bottom_radius
     sun = scene.sun_direction
     seen, lift = sun[2], solution.paths
@@ -364,7 +364,8 @@ def _scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     assert camera.field_of_view is not None
     alpha = solution.medium.star_angular_radius
     numbers = {
-        "r": r,
+        # Above the ground as the shader has it: its radii are good to half a metre.
+        "r": float(np.float32(bottom)) + (r - bottom),
         "outside": float(outside),
         "horizon_mu": -sqrt(max((r - bottom) * (r + bottom), 0.0)) / r,
         "horizon_sine": bottom / r,
