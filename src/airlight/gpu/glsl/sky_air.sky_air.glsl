@@ -1,5 +1,5 @@
 #version 300 es
-// of sky_air.wgsl 90dcba792590a826, by naga-wasm@30.1.0
+// of sky_air.wgsl 6263dffcbe71a9e4, by naga-wasm@30.1.0
 precision highp float;
 precision highp int;
 
@@ -44,6 +44,10 @@ struct Frame {
     vec4 table_levels;
     vec4 table_texels;
 };
+struct Layers {
+    vec4 first;
+    vec4 second;
+};
 struct Several_f32_f32_ {
     float v0_;
     float v1_;
@@ -69,10 +73,6 @@ struct Several_f32_f32_f32_f32_ {
     float v1_;
     float v2_;
     float v3_;
-};
-struct Layers {
-    vec4 first;
-    vec4 second;
 };
 layout(std140) uniform Frame_block_0Fragment { Frame _group_0_binding_0_fs; };
 
@@ -385,15 +385,32 @@ float cubed(float x_1) {
     return ((x_1 * x_1) * x_1);
 }
 
+int whole_quotient(int a, int b) {
+    bool local = false;
+    int towards_zero = (a / b);
+    if (((towards_zero * b) != a)) {
+        local = ((a < 0) != (b < 0));
+    } else {
+        local = false;
+    }
+    bool _e15 = local;
+    return (_e15 ? (towards_zero - 1) : towards_zero);
+}
+
+int whole_rest(int a_1, int b_1) {
+    int _e2 = whole_quotient(a_1, b_1);
+    return (a_1 - (b_1 * _e2));
+}
+
 float sine_of_quarter(float x_2) {
-    float y_2 = (x_2 * x_2);
-    return (x_2 + ((x_2 * y_2) * (-0.16666655 + (y_2 * (0.008332161 - (0.00019515296 * y_2))))));
+    float y_3 = (x_2 * x_2);
+    return (x_2 + ((x_2 * y_3) * (-0.16666655 + (y_3 * (0.008332161 - (0.00019515296 * y_3))))));
 }
 
 float cosine_of_quarter(float x_3) {
-    float y_3 = (x_3 * x_3);
-    float tail = ((y_3 * y_3) * (0.041666646 + (y_3 * (-0.0013887316 + (2.4433157e-5 * y_3)))));
-    return ((1.0 - (0.5 * y_3)) + tail);
+    float y_4 = (x_3 * x_3);
+    float tail = ((y_4 * y_4) * (0.041666646 + (y_4 * (-0.0013887316 + (2.4433157e-5 * y_4)))));
+    return ((1.0 - (0.5 * y_4)) + tail);
 }
 
 float rest_of_quarter(float x_4, float turns) {
@@ -406,25 +423,54 @@ float sine(float x_5) {
     int quarter = (int(turns_1) & 3);
     float _e8 = sine_of_quarter(_e4);
     float _e9 = cosine_of_quarter(_e4);
-    float value_1 = (((quarter & 1) == 1) ? _e9 : _e8);
-    return ((quarter >= 2) ? -(value_1) : value_1);
+    float value_2 = (((quarter & 1) == 1) ? _e9 : _e8);
+    return ((quarter >= 2) ? -(value_2) : value_2);
 }
 
 float cosine(float x_6) {
-    bool local = false;
+    bool local_1 = false;
     float turns_2 = roundEven((x_6 * 0.63661975));
     float _e4 = rest_of_quarter(x_6, turns_2);
     int quarter_1 = (int(turns_2) & 3);
     float _e8 = cosine_of_quarter(_e4);
     float _e9 = sine_of_quarter(_e4);
-    float value_2 = (((quarter_1 & 1) == 1) ? _e9 : _e8);
+    float value_3 = (((quarter_1 & 1) == 1) ? _e9 : _e8);
     if (!((quarter_1 == 1))) {
-        local = (quarter_1 == 2);
+        local_1 = (quarter_1 == 2);
     } else {
-        local = true;
+        local_1 = true;
     }
-    bool _e24 = local;
-    return (_e24 ? -(value_2) : value_2);
+    bool _e24 = local_1;
+    return (_e24 ? -(value_3) : value_3);
+}
+
+float angle_of(float y, float x_7) {
+    float a_3 = abs(x_7);
+    float b_3 = abs(y);
+    float slope_3 = (min(a_3, b_3) / max(max(a_3, b_3), 1e-37));
+    bool steep = (slope_3 > 0.41421357);
+    float t_1 = (steep ? ((slope_3 - 1.0) / (slope_3 + 1.0)) : slope_3);
+    float z_1 = (t_1 * t_1);
+    float tail_1 = (-0.3333295 + (z_1 * (0.19977711 + (z_1 * (-0.13877685 + (z_1 * 0.080537446))))));
+    float part_2 = ((steep ? 0.7853982 : 0.0) + (t_1 + ((t_1 * z_1) * tail_1)));
+    float quarter_2 = ((b_3 > a_3) ? (1.5707964 - part_2) : part_2);
+    float half_ = ((x_7 < 0.0) ? (3.1415927 - quarter_2) : quarter_2);
+    return ((y < 0.0) ? -(half_) : half_);
+}
+
+float arc_tangent(float x_8) {
+    float _e2 = angle_of(x_8, 1.0);
+    return _e2;
+}
+
+float arc_cosine(float x_9) {
+    float _e9 = angle_of(sqrt(max(((1.0 - x_9) * (1.0 + x_9)), 0.0)), x_9);
+    return _e9;
+}
+
+float arc_sine(float x_10) {
+    float _e9 = angle_of(x_10, sqrt(max(((1.0 - x_10) * (1.0 + x_10)), 0.0)));
+    return _e9;
 }
 
 float impact_from_row(float row, bool sky, float bottom_radius, float top_radius) {
@@ -439,7 +485,8 @@ Several_f32_f32_ direction_from_row(float row_1, bool sky_1, float horizon_mu, f
     float angle = 0.0;
     float turn = 0.0;
     float keep = 0.0;
-    highest = acos(horizon_mu);
+    float _e8 = arc_cosine(horizon_mu);
+    highest = _e8;
     float _e10 = highest;
     float _e13 = highest;
     angle = ((row_1 * row_1) * (sky_1 ? _e13 : (_e10 - 3.1415927)));
@@ -456,9 +503,9 @@ Several_f32_f32_ direction_from_row(float row_1, bool sky_1, float horizon_mu, f
     return Several_f32_f32_(((horizon_mu * _e20) + (horizon_sine * _e22)), ((horizon_sine * _e25) - (horizon_mu * _e27)));
 }
 
-float half_sine_between(float x_7, float y, float z, float sun_x, float sun_z) {
+float half_sine_between(float x_11, float y_1, float z, float sun_x, float sun_z) {
     float across = 0.0;
-    across = (((x_7 - sun_x) * (x_7 - sun_x)) + (y * y));
+    across = (((x_11 - sun_x) * (x_11 - sun_x)) + (y_1 * y_1));
     float _e11 = across;
     return min((0.5 * sqrt((_e11 + ((z - sun_z) * (z - sun_z))))), 1.0);
 }
@@ -494,24 +541,24 @@ float distance_to_bottom(float r_2, float mu_2, float bottom_radius_1) {
 }
 
 Several_f32_f32_ shadow_edges(float r_3, float mu_3, float mu_s, float nu, float bottom_radius_2) {
-    float a = 0.0;
-    float b = 0.0;
+    float a_2 = 0.0;
+    float b_2 = 0.0;
     float c = 0.0;
     float discriminant = 0.0;
     float root = 0.0;
     float first = 0.0;
     float second = 0.0;
     float plane = 0.0;
-    a = ((1.0 - nu) * (1.0 + nu));
-    float _e18 = a;
+    a_2 = ((1.0 - nu) * (1.0 + nu));
+    float _e18 = a_2;
     if ((_e18 < 1e-12)) {
         return Several_f32_f32_(0.0, 0.0);
     }
-    b = (r_3 * (mu_3 - (mu_s * nu)));
+    b_2 = (r_3 * (mu_3 - (mu_s * nu)));
     c = ((((r_3 * r_3) * (1.0 - mu_s)) * (1.0 + mu_s)) - (bottom_radius_2 * bottom_radius_2));
-    float _e36 = b;
-    float _e37 = b;
-    float _e39 = a;
+    float _e36 = b_2;
+    float _e37 = b_2;
+    float _e39 = a_2;
     float _e40 = c;
     discriminant = ((_e36 * _e37) - (_e39 * _e40));
     float _e43 = discriminant;
@@ -520,13 +567,13 @@ Several_f32_f32_ shadow_edges(float r_3, float mu_3, float mu_s, float nu, float
     }
     float _e49 = discriminant;
     root = sqrt(_e49);
-    float _e51 = b;
+    float _e51 = b_2;
     float _e53 = root;
-    float _e55 = a;
+    float _e55 = a_2;
     first = ((-(_e51) - _e53) / _e55);
-    float _e57 = b;
+    float _e57 = b_2;
     float _e59 = root;
-    float _e61 = a;
+    float _e61 = a_2;
     second = ((-(_e57) + _e59) / _e61);
     if ((abs(nu) > 1e-12)) {
         plane = ((-(r_3) * mu_s) / nu);
@@ -623,24 +670,24 @@ Several_bool_f32_f32_f32_f32_ panel_leg(float r_5, float mu_5, float start, floa
 }
 
 Several_f32_f32_f32_ panel_point(float nearest_1, bool descending_1, float low_1, float beside_1, float first_2, float last_1, float node) {
-    float y_1 = 0.0;
+    float y_2 = 0.0;
     float away = 0.0;
     float radius_3 = 0.0;
     float distance_1_1 = 0.0;
     float slope = 0.0;
-    y_1 = (first_2 + ((last_1 - first_2) * node));
-    float _e16 = y_1;
-    float _e17 = y_1;
-    float _e21 = y_1;
-    float _e22 = y_1;
+    y_2 = (first_2 + ((last_1 - first_2) * node));
+    float _e16 = y_2;
+    float _e17 = y_2;
+    float _e21 = y_2;
+    float _e22 = y_2;
     away = sqrt(((beside_1 * beside_1) + ((_e16 * _e17) * ((2.0 * low_1) + (_e21 * _e22)))));
-    float _e28 = y_1;
-    float _e29 = y_1;
+    float _e28 = y_2;
+    float _e29 = y_2;
     radius_3 = (low_1 + (_e28 * _e29));
     float _e32 = away;
     float _e34 = away;
     distance_1_1 = (descending_1 ? (nearest_1 - _e34) : (nearest_1 + _e32));
-    float _e39 = y_1;
+    float _e39 = y_2;
     float _e42 = radius_3;
     float _e44 = away;
     float _e47 = away;
@@ -653,21 +700,21 @@ Several_f32_f32_f32_ panel_point(float nearest_1, bool descending_1, float low_1
 
 Several_i32_f32_ density_place(float radius_4, float bottom_radius_3, float thickness, int nodes) {
     float altitude = 0.0;
-    float x_8 = 0.0;
+    float x_12 = 0.0;
     int node_1 = 0;
     altitude = min(max(((radius_4 - bottom_radius_3) / thickness), 0.0), 1.0);
     float _e13 = altitude;
-    x_8 = (sqrt(_e13) * float((nodes - 1)));
-    float _e19 = x_8;
+    x_12 = (sqrt(_e13) * float((nodes - 1)));
+    float _e19 = x_12;
     node_1 = min(int(_e19), (nodes - 2));
     int _e24 = node_1;
-    float _e25 = x_8;
+    float _e25 = x_12;
     int _e26 = node_1;
     return Several_i32_f32_(_e24, (_e25 - float(_e26)));
 }
 
-float bend_angle(float x_9, float mu_6, float bend, float column) {
-    return (((bend * column) * x_9) * sqrt(max(((1.0 - mu_6) * (1.0 + mu_6)), 0.0)));
+float bend_angle(float x_13, float mu_6, float bend, float column) {
+    return (((bend * column) * x_13) * sqrt(max(((1.0 - mu_6) * (1.0 + mu_6)), 0.0)));
 }
 
 Several_f32_f32_ turned(float mu_7, float mu_s_1, float nu_1, float angle_1) {
@@ -696,25 +743,21 @@ Several_f32_f32_ turned(float mu_7, float mu_s_1, float nu_1, float angle_1) {
     return Several_f32_f32_(_e29, ((mu_7 * _e30) + (_e32 * ((_e33 * _e34) - (_e36 * mu_s_1)))));
 }
 
-float sun_elevation(float r_6, float mu_s_2, float bottom_radius_4) {
+float horizon_cosine(float r_6, float bottom_radius_4) {
+    return (-(sqrt(max(((r_6 - bottom_radius_4) * (r_6 + bottom_radius_4)), 0.0))) / r_6);
+}
+
+float sun_elevation(float r_7, float mu_s_2, float bottom_radius_5) {
     float sine_1_2 = 0.0;
-    float horizon = 0.0;
-    sine_1_2 = (bottom_radius_4 / r_6);
-    float _e6 = sine_1_2;
-    float _e9 = sine_1_2;
-    horizon = -(sqrt(max(((1.0 - _e6) * (1.0 + _e9)), 0.0)));
-    float _e17 = horizon;
-    float _e19 = sine_1_2;
-    return ((mu_s_2 - _e17) / _e19);
+    sine_1_2 = (bottom_radius_5 / r_7);
+    float _e5 = horizon_cosine(r_7, bottom_radius_5);
+    float _e7 = sine_1_2;
+    return ((mu_s_2 - _e5) / _e7);
 }
 
-float horizon_cosine(float r_7, float bottom_radius_5) {
-    return (-(sqrt(max(((r_7 - bottom_radius_5) * (r_7 + bottom_radius_5)), 0.0))) / r_7);
-}
-
-Several_f32_f32_f32_ seen_star(float x_10, float mu_s_3, float bottom, float top) {
+Several_f32_f32_f32_ seen_star(float x_14, float mu_s_3, float bottom, float top) {
     float sine_1_3 = 0.0;
-    float horizon_1 = 0.0;
+    float horizon = 0.0;
     float tangent_1 = 0.0;
     float at_1 = 0.0;
     int row_2 = 0;
@@ -732,23 +775,23 @@ Several_f32_f32_f32_ seen_star(float x_10, float mu_s_3, float bottom, float top
     float squeeze = 0.0;
     int _e22 = size_lift(0);
     if ((_e22 == 0)) {
-        float _e25 = sun_elevation(x_10, mu_s_3, bottom);
+        float _e25 = sun_elevation(x_14, mu_s_3, bottom);
         return Several_f32_f32_f32_(mu_s_3, 1.0, _e25);
     }
-    sine_1_3 = (bottom / x_10);
-    float _e29 = horizon_cosine(x_10, bottom);
-    horizon_1 = _e29;
+    sine_1_3 = (bottom / x_14);
+    float _e29 = horizon_cosine(x_14, bottom);
+    horizon = _e29;
     tangent_1 = sqrt(((top - bottom) * (top + bottom)));
     float _e40 = tangent_1;
     int _e43 = size_lift(0);
-    at_1 = ((sqrt(max(((x_10 - bottom) * (x_10 + bottom)), 0.0)) / _e40) * float((_e43 - 1)));
+    at_1 = ((sqrt(max(((x_14 - bottom) * (x_14 + bottom)), 0.0)) / _e40) * float((_e43 - 1)));
     float _e48 = at_1;
     int _e51 = size_lift(0);
     row_2 = min(int(_e48), (_e51 - 2));
     float _e55 = at_1;
     int _e56 = row_2;
     f = (_e55 - float(_e56));
-    float _e59 = horizon_1;
+    float _e59 = horizon;
     int _e60 = row_2;
     int _e62 = size_lift(1);
     int _e67 = size_lift(2);
@@ -846,45 +889,47 @@ Several_f32_f32_f32_ seen_star(float x_10, float mu_s_3, float bottom, float top
 }
 
 float visible_fraction(float elevation, float angular_radius) {
-    float x_11 = 0.0;
+    float x_15 = 0.0;
     if ((angular_radius <= 0.0)) {
         return ((elevation > 0.0) ? 1.0 : 0.0);
     }
-    x_11 = (elevation / angular_radius);
-    float _e11 = x_11;
+    x_15 = (elevation / angular_radius);
+    float _e11 = x_15;
     if ((_e11 >= 1.0)) {
         return 1.0;
     }
-    float _e15 = x_11;
+    float _e15 = x_15;
     if ((_e15 <= -1.0)) {
         return 0.0;
     }
-    float _e19 = x_11;
-    float _e22 = x_11;
-    float _e23 = x_11;
-    float _e24 = x_11;
-    return ((acos(-(_e19)) + (_e22 * sqrt((1.0 - (_e23 * _e24))))) / 3.1415927);
+    float _e19 = x_15;
+    float _e21 = arc_cosine(-(_e19));
+    float _e22 = x_15;
+    float _e23 = x_15;
+    float _e24 = x_15;
+    return ((_e21 + (_e22 * sqrt((1.0 - (_e23 * _e24))))) / 3.1415927);
 }
 
 Several_f32_f32_ visible_spread(float elevation_1, float angular_radius_1) {
-    float x_12 = 0.0;
+    float x_16 = 0.0;
     float rest = 0.0;
     float area = 0.0;
     float mean = 0.0;
     float square = 0.0;
     float deviation = 0.0;
-    x_12 = (elevation_1 / angular_radius_1);
-    float _e9 = x_12;
+    x_16 = (elevation_1 / angular_radius_1);
+    float _e9 = x_16;
     if ((_e9 >= 1.0)) {
         return Several_f32_f32_(elevation_1, (0.5 * angular_radius_1));
     }
-    float _e15 = x_12;
-    float _e18 = x_12;
+    float _e15 = x_16;
+    float _e18 = x_16;
     rest = sqrt(max(((1.0 - _e15) * (1.0 + _e18)), 0.0));
-    float _e25 = x_12;
-    float _e28 = x_12;
+    float _e25 = x_16;
+    float _e27 = arc_cosine(-(_e25));
+    float _e28 = x_16;
     float _e29 = rest;
-    area = (acos(-(_e25)) + (_e28 * _e29));
+    area = (_e27 + (_e28 * _e29));
     float _e32 = area;
     if ((_e32 < 1e-9)) {
         return Several_f32_f32_(0.0, 0.0);
@@ -894,13 +939,14 @@ Several_f32_f32_ visible_spread(float elevation_1, float angular_radius_1) {
     float _e43 = rest;
     float _e45 = area;
     mean = ((((2.0 * _e38) * _e41) * _e43) / (3.0 * _e45));
-    float _e49 = x_12;
-    float _e53 = x_12;
+    float _e49 = x_16;
+    float _e50 = arc_sine(_e49);
+    float _e53 = x_16;
     float _e54 = rest;
-    float _e56 = x_12;
-    float _e59 = x_12;
+    float _e56 = x_16;
+    float _e59 = x_16;
     float _e65 = area;
-    square = (((1.5707964 + asin(_e49)) - ((_e53 * _e54) * (1.0 - ((2.0 * _e56) * _e59)))) / (4.0 * _e65));
+    square = (((1.5707964 + _e50) - ((_e53 * _e54) * (1.0 - ((2.0 * _e56) * _e59)))) / (4.0 * _e65));
     float _e69 = square;
     float _e70 = mean;
     float _e71 = mean;
@@ -910,7 +956,7 @@ Several_f32_f32_ visible_spread(float elevation_1, float angular_radius_1) {
     return Several_f32_f32_((elevation_1 + (angular_radius_1 * _e77)), (angular_radius_1 * _e80));
 }
 
-Several_f32_f32_f32_ star_points(float x_13, float mu_s_4, float bottom_1, float top_1, float star_radius) {
+Several_f32_f32_f32_ star_points(float x_17, float mu_s_4, float bottom_1, float top_1, float star_radius) {
     float seen = 0.0;
     float squeeze_1 = 0.0;
     float elevation_2 = 0.0;
@@ -920,9 +966,9 @@ Several_f32_f32_f32_ star_points(float x_13, float mu_s_4, float bottom_1, float
     float middle = 0.0;
     float apart = 0.0;
     float lowest_1 = 0.0;
-    bool local_1 = false;
     bool local_2 = false;
-    Several_f32_f32_f32_ _e14 = seen_star(x_13, mu_s_4, bottom_1, top_1);
+    bool local_3 = false;
+    Several_f32_f32_f32_ _e14 = seen_star(x_17, mu_s_4, bottom_1, top_1);
     seen = _e14.v0_;
     squeeze_1 = _e14.v1_;
     elevation_2 = _e14.v2_;
@@ -932,18 +978,18 @@ Several_f32_f32_f32_ star_points(float x_13, float mu_s_4, float bottom_1, float
     received = (_e18 * _e20);
     float _e22 = received;
     if (!((_e22 <= 0.0))) {
-        local_1 = (star_radius <= 0.0);
-    } else {
-        local_1 = true;
-    }
-    bool _e31 = local_1;
-    if (!(_e31)) {
-        float _e35 = elevation_2;
-        local_2 = (_e35 > (16.0 * star_radius));
+        local_2 = (star_radius <= 0.0);
     } else {
         local_2 = true;
     }
-    bool _e40 = local_2;
+    bool _e31 = local_2;
+    if (!(_e31)) {
+        float _e35 = elevation_2;
+        local_3 = (_e35 > (16.0 * star_radius));
+    } else {
+        local_3 = true;
+    }
+    bool _e40 = local_3;
     if (_e40) {
         float _e41 = received;
         float _e42 = seen;
@@ -958,11 +1004,11 @@ Several_f32_f32_f32_ star_points(float x_13, float mu_s_4, float bottom_1, float
     float _e50 = squeeze_1;
     float _e53 = mean_1;
     float _e54 = elevation_2;
-    middle = (_e49 + ((_e50 * (bottom_1 / x_13)) * (_e53 - _e54)));
+    middle = (_e49 + ((_e50 * (bottom_1 / x_17)) * (_e53 - _e54)));
     float _e58 = squeeze_1;
     float _e61 = deviation_1;
-    apart = ((_e58 * (bottom_1 / x_13)) * _e61);
-    float _e63 = horizon_cosine(x_13, bottom_1);
+    apart = ((_e58 * (bottom_1 / x_17)) * _e61);
+    float _e63 = horizon_cosine(x_17, bottom_1);
     lowest_1 = _e63;
     float _e64 = received;
     float _e65 = middle;
@@ -995,15 +1041,19 @@ float direction_coordinate(float r_9, float mu_8, float bottom_radius_7, float t
     return min(max(((_e20 - _e21) / (_e23 - _e24)), 0.0), 1.0);
 }
 
+float climbed(float ahead, float back, float mu_9, float value, float before) {
+    return (((ahead * mu_9) * value) - (back * before));
+}
+
 float row_of(float q, float bottom_2, float top_2) {
     float fraction = 0.0;
-    float x_14 = 0.0;
+    float x_18 = 0.0;
     int k = 0;
     fraction = min(max(((q - bottom_2) / (top_2 - bottom_2)), 0.0), 1.0);
     float _e13 = fraction;
     int _e16 = size_row(0);
-    x_14 = (sqrt(_e13) * float((_e16 - 1)));
-    float _e21 = x_14;
+    x_18 = (sqrt(_e13) * float((_e16 - 1)));
+    float _e21 = x_18;
     int _e24 = size_row(0);
     k = min(int(_e21), (_e24 - 2));
     int _e28 = k;
@@ -1012,17 +1062,17 @@ float row_of(float q, float bottom_2, float top_2) {
     float _e33 = read_row((_e30 + 1));
     int _e34 = k;
     float _e35 = read_row(_e34);
-    float _e37 = x_14;
+    float _e37 = x_18;
     int _e38 = k;
     return (_e29 + ((_e33 - _e35) * (_e37 - float(_e38))));
 }
 
 float place_of(float mu_s_5) {
-    float x_15 = 0.0;
+    float x_19 = 0.0;
     int k_1 = 0;
     int _e6 = size_place(0);
-    x_15 = ((mu_s_5 + 1.0) * (0.5 * float((_e6 - 1))));
-    float _e13 = x_15;
+    x_19 = ((mu_s_5 + 1.0) * (0.5 * float((_e6 - 1))));
+    float _e13 = x_19;
     int _e18 = size_place(0);
     k_1 = min(max(int(_e13), 0), (_e18 - 2));
     int _e22 = k_1;
@@ -1031,7 +1081,7 @@ float place_of(float mu_s_5) {
     float _e27 = read_place((_e24 + 1));
     int _e28 = k_1;
     float _e29 = read_place(_e28);
-    float _e31 = x_15;
+    float _e31 = x_19;
     int _e32 = k_1;
     return (_e23 + ((_e27 - _e29) * (_e31 - float(_e32))));
 }
@@ -1044,11 +1094,11 @@ vec4 between(int near, int far, int block, float w00_1, float w01_1, float w10_1
     return ((((w00_1 * _e7) + (w01_1 * _e10)) + (w10_1 * _e13)) + (w11_1 * _e17));
 }
 
-Several_f32_f32_f32_f32_ level_light(float x_16, float mu_s_6, float bottom_3, float top_3, float star_radius_1) {
+Several_f32_f32_f32_f32_ level_light(float x_20, float mu_s_6, float bottom_3, float top_3, float star_radius_1) {
     float received_1 = 0.0;
     float low_2 = 0.0;
     float high_1 = 0.0;
-    Several_f32_f32_f32_ _e8 = star_points(x_16, mu_s_6, bottom_3, top_3, star_radius_1);
+    Several_f32_f32_f32_ _e8 = star_points(x_20, mu_s_6, bottom_3, top_3, star_radius_1);
     received_1 = _e8.v0_;
     low_2 = _e8.v1_;
     high_1 = _e8.v2_;
@@ -1164,21 +1214,21 @@ void phases_towards_1_(float half_sine_1) {
 
 int insert_edge_1_(int count, float cut) {
     int place_1 = 0;
-    bool local_3 = false;
     bool local_4 = false;
+    bool local_5 = false;
     if ((0.0 < cut)) {
         float _e11 = march_line_1_edges[(count - 1)];
-        local_3 = (cut < _e11);
+        local_4 = (cut < _e11);
     } else {
-        local_3 = false;
+        local_4 = false;
     }
-    bool _e14 = local_3;
+    bool _e14 = local_4;
     if (!(!(_e14))) {
-        local_4 = (count >= 64);
+        local_5 = (count >= 64);
     } else {
-        local_4 = true;
+        local_5 = true;
     }
-    bool _e22 = local_4;
+    bool _e22 = local_5;
     if (_e22) {
         return count;
     }
@@ -1204,19 +1254,19 @@ int insert_edge_1_(int count, float cut) {
     return (count + 1);
 }
 
-int place_edges_1_(float r_10, float mu_9, float length_1_1, float first_cut, float second_cut) {
+int place_edges_1_(float r_10, float mu_10, float length_1_1, float first_cut, float second_cut) {
     float nearest_2 = 0.0;
     int count_1 = 0;
     float start_1 = 0.0;
     int leg = 0;
     float end_1 = 0.0;
     int part = 0;
-    float x_17 = 0.0;
+    float x_21 = 0.0;
     float low_5 = 0.0;
     float high_4 = 0.0;
     float radius_5 = 0.0;
     float at_3 = 0.0;
-    nearest_2 = (-(r_10) * mu_9);
+    nearest_2 = (-(r_10) * mu_10);
     march_line_1_edges[0] = 0.0;
     count_1 = 1;
     start_1 = 0.0;
@@ -1257,41 +1307,41 @@ int place_edges_1_(float r_10, float mu_9, float length_1_1, float first_cut, fl
                 }
                 {
                     int _e40 = part;
-                    x_17 = (float(_e40) / 1.0);
+                    x_21 = (float(_e40) / 1.0);
                     int _e44 = leg;
                     if ((_e44 == 0)) {
                         float _e47 = end_1;
-                        float _e48 = radius_along(r_10, mu_9, _e47);
+                        float _e48 = radius_along(r_10, mu_10, _e47);
                         low_5 = _e48;
                         float _e49 = start_1;
-                        float _e50 = radius_along(r_10, mu_9, _e49);
+                        float _e50 = radius_along(r_10, mu_10, _e49);
                         high_4 = _e50;
                         float _e51 = low_5;
                         float _e52 = high_4;
                         float _e53 = low_5;
-                        float _e55 = x_17;
-                        float _e59 = x_17;
+                        float _e55 = x_21;
+                        float _e59 = x_21;
                         radius_5 = (_e51 + (((_e52 - _e53) * (1.0 - _e55)) * (1.0 - _e59)));
                         float _e64 = nearest_2;
                         float _e65 = radius_5;
-                        float _e66 = chord(r_10, mu_9, _e65);
+                        float _e66 = chord(r_10, mu_10, _e65);
                         at_3 = (_e64 - _e66);
                     } else {
                         float _e68 = start_1;
-                        float _e69 = radius_along(r_10, mu_9, _e68);
+                        float _e69 = radius_along(r_10, mu_10, _e68);
                         low_5 = _e69;
                         float _e70 = end_1;
-                        float _e71 = radius_along(r_10, mu_9, _e70);
+                        float _e71 = radius_along(r_10, mu_10, _e70);
                         high_4 = _e71;
                         float _e72 = low_5;
                         float _e73 = high_4;
                         float _e74 = low_5;
-                        float _e76 = x_17;
-                        float _e78 = x_17;
+                        float _e76 = x_21;
+                        float _e78 = x_21;
                         radius_5 = (_e72 + (((_e73 - _e74) * _e76) * _e78));
                         float _e81 = nearest_2;
                         float _e82 = radius_5;
-                        float _e83 = chord(r_10, mu_9, _e82);
+                        float _e83 = chord(r_10, mu_10, _e82);
                         at_3 = (_e81 + _e83);
                     }
                     int _e86 = count_1;
@@ -1319,14 +1369,14 @@ int place_edges_1_(float r_10, float mu_9, float length_1_1, float first_cut, fl
     return _e117;
 }
 
-int cut_at_corners_1_(float r_11, float mu_10, float bottom_radius_8, int count_given) {
+int cut_at_corners_1_(float r_11, float mu_11, float bottom_radius_8, int count_given) {
     int count_2 = 0;
     float tangent_3 = 0.0;
     int k_2 = 0;
     float radius_6 = 0.0;
     float beside_2 = 0.0;
     count_2 = count_given;
-    tangent_3 = (r_11 * sqrt(max(((1.0 - mu_10) * (1.0 + mu_10)), 0.0)));
+    tangent_3 = (r_11 * sqrt(max(((1.0 - mu_11) * (1.0 + mu_11)), 0.0)));
     k_2 = 0;
     bool loop_init_3 = true;
     while(true) {
@@ -1349,15 +1399,15 @@ int cut_at_corners_1_(float r_11, float mu_10, float bottom_radius_8, int count_
             float _e27 = radius_6;
             if ((_e26 < _e27)) {
                 float _e29 = radius_6;
-                float _e30 = chord(r_11, mu_10, _e29);
+                float _e30 = chord(r_11, mu_11, _e29);
                 beside_2 = _e30;
                 int _e31 = count_2;
                 float _e34 = beside_2;
-                int _e36 = insert_edge_1_(_e31, ((-(r_11) * mu_10) - _e34));
+                int _e36 = insert_edge_1_(_e31, ((-(r_11) * mu_11) - _e34));
                 count_2 = _e36;
                 int _e37 = count_2;
                 float _e40 = beside_2;
-                int _e42 = insert_edge_1_(_e37, ((-(r_11) * mu_10) + _e40));
+                int _e42 = insert_edge_1_(_e37, ((-(r_11) * mu_11) + _e40));
                 count_2 = _e42;
             }
         }
@@ -1366,7 +1416,7 @@ int cut_at_corners_1_(float r_11, float mu_10, float bottom_radius_8, int count_
     return _e46;
 }
 
-void place_panel_2_(float r_12, float mu_11, float start_2, float end_2, float length_1_2, int rule) {
+void place_panel_2_(float r_12, float mu_12, float start_2, float end_2, float length_1_2, int rule) {
     int n = 0;
     bool descending_2 = false;
     float low_6 = 0.0;
@@ -1381,7 +1431,7 @@ void place_panel_2_(float r_12, float mu_11, float start_2, float end_2, float l
     float here_1 = 0.0;
     float _e18 = read_rules(rule);
     n = int(_e18);
-    Several_bool_f32_f32_f32_f32_ _e20 = panel_leg(r_12, mu_11, start_2, end_2, length_1_2);
+    Several_bool_f32_f32_f32_f32_ _e20 = panel_leg(r_12, mu_12, start_2, end_2, length_1_2);
     descending_2 = _e20.v0_;
     low_6 = _e20.v1_;
     beside_3 = _e20.v2_;
@@ -1391,8 +1441,8 @@ void place_panel_2_(float r_12, float mu_11, float start_2, float end_2, float l
     bool loop_init_4 = true;
     while(true) {
         if (!loop_init_4) {
-            int _e126 = k_3;
-            k_3 = (_e126 + 1);
+            int _e258 = k_3;
+            k_3 = (_e258 + 1);
         }
         loop_init_4 = false;
         int _e27 = k_3;
@@ -1409,7 +1459,7 @@ void place_panel_2_(float r_12, float mu_11, float start_2, float end_2, float l
             float _e36 = last_2;
             int _e39 = k_3;
             float _e41 = read_rules(((rule + 1) + _e39));
-            Several_f32_f32_f32_ _e42 = panel_point((-(r_12) * mu_11), _e32, _e33, _e34, _e35, _e36, _e41);
+            Several_f32_f32_f32_ _e42 = panel_point((-(r_12) * mu_12), _e32, _e33, _e34, _e35, _e36, _e41);
             int _e44 = k_3;
             columns_along_1_distance_1_[_e44] = _e42.v0_;
             int _e48 = k_3;
@@ -1430,36 +1480,118 @@ void place_panel_2_(float r_12, float mu_11, float start_2, float end_2, float l
             Several_i32_f32_ _e83 = density_place(_e67, _e71, (_e75 - _e79), _e82);
             node_3 = _e83.v0_;
             share_2 = _e83.v1_;
+            float _e89 = _group_0_binding_0_fs.counts.x;
+            int end_4_ = int(_e89);
             c_1 = 0;
             bool loop_init_5 = true;
             while(true) {
                 if (!loop_init_5) {
-                    int _e123 = c_1;
-                    c_1 = (_e123 + 1);
+                    int _e221 = c_1;
+                    c_1 = (_e221 + 1);
                 }
                 loop_init_5 = false;
-                int _e87 = c_1;
-                float _e91 = _group_0_binding_0_fs.counts.x;
-                if ((_e87 < int(_e91))) {
+                int _e92 = c_1;
+                if (((_e92 + 3) < end_4_)) {
                 } else {
                     break;
                 }
                 {
-                    int _e94 = node_3;
-                    int _e96 = size_density(1);
-                    int _e98 = c_1;
-                    float _e100 = read_density(((_e94 * _e96) + _e98));
-                    here_1 = _e100;
-                    int _e102 = c_1;
-                    int _e105 = k_3;
-                    float _e108 = here_1;
-                    int _e109 = node_3;
-                    int _e113 = size_density(1);
-                    int _e115 = c_1;
-                    float _e117 = read_density((((_e109 + 1) * _e113) + _e115));
-                    float _e118 = here_1;
-                    float _e120 = share_2;
-                    columns_along_1_density[((_e102 * 24) + _e105)] = (_e108 + ((_e117 - _e118) * _e120));
+                    int _e96 = node_3;
+                    int _e98 = size_density(1);
+                    int _e100 = c_1;
+                    float _e102 = read_density(((_e96 * _e98) + _e100));
+                    here_1 = _e102;
+                    int _e104 = c_1;
+                    int _e107 = k_3;
+                    float _e110 = here_1;
+                    int _e111 = node_3;
+                    int _e115 = size_density(1);
+                    int _e117 = c_1;
+                    float _e119 = read_density((((_e111 + 1) * _e115) + _e117));
+                    float _e120 = here_1;
+                    float _e122 = share_2;
+                    columns_along_1_density[((_e104 * 24) + _e107)] = (_e110 + ((_e119 - _e120) * _e122));
+                    int _e125 = c_1;
+                    c_1 = (_e125 + 1);
+                    int _e128 = node_3;
+                    int _e130 = size_density(1);
+                    int _e132 = c_1;
+                    float _e134 = read_density(((_e128 * _e130) + _e132));
+                    here_1 = _e134;
+                    int _e136 = c_1;
+                    int _e139 = k_3;
+                    float _e142 = here_1;
+                    int _e143 = node_3;
+                    int _e147 = size_density(1);
+                    int _e149 = c_1;
+                    float _e151 = read_density((((_e143 + 1) * _e147) + _e149));
+                    float _e152 = here_1;
+                    float _e154 = share_2;
+                    columns_along_1_density[((_e136 * 24) + _e139)] = (_e142 + ((_e151 - _e152) * _e154));
+                    int _e157 = c_1;
+                    c_1 = (_e157 + 1);
+                    int _e160 = node_3;
+                    int _e162 = size_density(1);
+                    int _e164 = c_1;
+                    float _e166 = read_density(((_e160 * _e162) + _e164));
+                    here_1 = _e166;
+                    int _e168 = c_1;
+                    int _e171 = k_3;
+                    float _e174 = here_1;
+                    int _e175 = node_3;
+                    int _e179 = size_density(1);
+                    int _e181 = c_1;
+                    float _e183 = read_density((((_e175 + 1) * _e179) + _e181));
+                    float _e184 = here_1;
+                    float _e186 = share_2;
+                    columns_along_1_density[((_e168 * 24) + _e171)] = (_e174 + ((_e183 - _e184) * _e186));
+                    int _e189 = c_1;
+                    c_1 = (_e189 + 1);
+                    int _e192 = node_3;
+                    int _e194 = size_density(1);
+                    int _e196 = c_1;
+                    float _e198 = read_density(((_e192 * _e194) + _e196));
+                    here_1 = _e198;
+                    int _e200 = c_1;
+                    int _e203 = k_3;
+                    float _e206 = here_1;
+                    int _e207 = node_3;
+                    int _e211 = size_density(1);
+                    int _e213 = c_1;
+                    float _e215 = read_density((((_e207 + 1) * _e211) + _e213));
+                    float _e216 = here_1;
+                    float _e218 = share_2;
+                    columns_along_1_density[((_e200 * 24) + _e203)] = (_e206 + ((_e215 - _e216) * _e218));
+                }
+            }
+            bool loop_init_6 = true;
+            while(true) {
+                if (!loop_init_6) {
+                    int _e255 = c_1;
+                    c_1 = (_e255 + 1);
+                }
+                loop_init_6 = false;
+                int _e224 = c_1;
+                if ((_e224 < end_4_)) {
+                } else {
+                    break;
+                }
+                {
+                    int _e226 = node_3;
+                    int _e228 = size_density(1);
+                    int _e230 = c_1;
+                    float _e232 = read_density(((_e226 * _e228) + _e230));
+                    here_1 = _e232;
+                    int _e234 = c_1;
+                    int _e237 = k_3;
+                    float _e240 = here_1;
+                    int _e241 = node_3;
+                    int _e245 = size_density(1);
+                    int _e247 = c_1;
+                    float _e249 = read_density((((_e241 + 1) * _e245) + _e247));
+                    float _e250 = here_1;
+                    float _e252 = share_2;
+                    columns_along_1_density[((_e234 * 24) + _e237)] = (_e240 + ((_e249 - _e250) * _e252));
                 }
             }
         }
@@ -1467,7 +1599,7 @@ void place_panel_2_(float r_12, float mu_11, float start_2, float end_2, float l
     return;
 }
 
-float columns_along_1_(float r_13, float mu_12, int count_3, int rule_1) {
+float columns_along_1_(float r_13, float mu_13, int count_3, int rule_1) {
     int n_1 = 0;
     int c_2 = 0;
     float reached = 0.0;
@@ -1478,26 +1610,60 @@ float columns_along_1_(float r_13, float mu_12, int count_3, int rule_1) {
     float amount = 0.0;
     int which = 0;
     float wanted = 0.0;
-    bool local_5 = false;
+    bool local_6 = false;
+    bool local_7 = false;
+    bool local_8 = false;
+    bool local_9 = false;
+    bool local_10 = false;
     float _e14 = read_rules(rule_1);
     n_1 = int(_e14);
+    float _e19 = _group_0_binding_0_fs.counts.x;
+    int end_1_ = int(_e19);
     c_2 = 0;
-    bool loop_init_6 = true;
+    bool loop_init_7 = true;
     while(true) {
-        if (!loop_init_6) {
-            int _e28 = c_2;
-            c_2 = (_e28 + 1);
+        if (!loop_init_7) {
+            int _e51 = c_2;
+            c_2 = (_e51 + 1);
         }
-        loop_init_6 = false;
-        int _e17 = c_2;
-        float _e21 = _group_0_binding_0_fs.counts.x;
-        if ((_e17 < int(_e21))) {
+        loop_init_7 = false;
+        int _e22 = c_2;
+        if (((_e22 + 3) < end_1_)) {
         } else {
             break;
         }
         {
-            int _e25 = c_2;
-            look_1_totals[_e25] = 0.0;
+            int _e27 = c_2;
+            look_1_totals[_e27] = 0.0;
+            int _e30 = c_2;
+            c_2 = (_e30 + 1);
+            int _e34 = c_2;
+            look_1_totals[_e34] = 0.0;
+            int _e37 = c_2;
+            c_2 = (_e37 + 1);
+            int _e41 = c_2;
+            look_1_totals[_e41] = 0.0;
+            int _e44 = c_2;
+            c_2 = (_e44 + 1);
+            int _e48 = c_2;
+            look_1_totals[_e48] = 0.0;
+        }
+    }
+    bool loop_init_8 = true;
+    while(true) {
+        if (!loop_init_8) {
+            int _e60 = c_2;
+            c_2 = (_e60 + 1);
+        }
+        loop_init_8 = false;
+        int _e54 = c_2;
+        if ((_e54 < end_1_)) {
+        } else {
+            break;
+        }
+        {
+            int _e57 = c_2;
+            look_1_totals[_e57] = 0.0;
         }
     }
     march_line_1_cuts[0] = 0.0;
@@ -1506,134 +1672,341 @@ float columns_along_1_(float r_13, float mu_12, int count_3, int rule_1) {
     reached = 0.0;
     at_4 = 0.0;
     panel = 0;
-    bool loop_init_7 = true;
+    bool loop_init_9 = true;
     while(true) {
-        if (!loop_init_7) {
-            int _e164 = panel;
-            panel = (_e164 + 1);
+        if (!loop_init_9) {
+            int _e500 = panel;
+            panel = (_e500 + 1);
         }
-        loop_init_7 = false;
-        int _e43 = panel;
-        if ((_e43 < (count_3 - 1))) {
+        loop_init_9 = false;
+        int _e75 = panel;
+        if ((_e75 < (count_3 - 1))) {
         } else {
             break;
         }
         {
-            int _e48 = panel;
-            float _e50 = march_line_1_edges[_e48];
-            int _e52 = panel;
-            float _e56 = march_line_1_edges[(_e52 + 1)];
-            float _e61 = march_line_1_edges[(count_3 - 1)];
-            place_panel_2_(r_13, mu_12, _e50, _e56, _e61, rule_1);
+            int _e80 = panel;
+            float _e82 = march_line_1_edges[_e80];
+            int _e84 = panel;
+            float _e88 = march_line_1_edges[(_e84 + 1)];
+            float _e93 = march_line_1_edges[(count_3 - 1)];
+            place_panel_2_(r_13, mu_13, _e82, _e88, _e93, rule_1);
             k_4 = 0;
-            bool loop_init_8 = true;
+            bool loop_init_10 = true;
             while(true) {
-                if (!loop_init_8) {
-                    int _e161 = k_4;
-                    k_4 = (_e161 + 1);
+                if (!loop_init_10) {
+                    int _e497 = k_4;
+                    k_4 = (_e497 + 1);
                 }
-                loop_init_8 = false;
-                int _e63 = k_4;
-                int _e64 = n_1;
-                if ((_e63 < _e64)) {
+                loop_init_10 = false;
+                int _e95 = k_4;
+                int _e96 = n_1;
+                if ((_e95 < _e96)) {
                 } else {
                     break;
                 }
                 {
-                    float _e66 = reached;
-                    depth_1 = _e66;
+                    float _e98 = reached;
+                    depth_1 = _e98;
+                    float _e102 = _group_0_binding_0_fs.counts.x;
+                    int end_4_1 = int(_e102);
                     c_2 = 0;
-                    bool loop_init_9 = true;
+                    bool loop_init_11 = true;
                     while(true) {
-                        if (!loop_init_9) {
-                            int _e103 = c_2;
-                            c_2 = (_e103 + 1);
+                        if (!loop_init_11) {
+                            int _e230 = c_2;
+                            c_2 = (_e230 + 1);
                         }
-                        loop_init_9 = false;
-                        int _e68 = c_2;
-                        float _e72 = _group_0_binding_0_fs.counts.x;
-                        if ((_e68 < int(_e72))) {
+                        loop_init_11 = false;
+                        int _e105 = c_2;
+                        if (((_e105 + 3) < end_4_1)) {
                         } else {
                             break;
                         }
                         {
-                            int _e76 = c_2;
-                            int _e79 = k_4;
-                            float _e82 = columns_along_1_density[((_e76 * 24) + _e79)];
-                            int _e84 = k_4;
-                            float _e86 = columns_along_1_weight[_e84];
-                            amount = (_e82 * _e86);
-                            int _e89 = c_2;
-                            int _e92 = c_2;
-                            float _e94 = look_1_totals[_e92];
-                            float _e95 = amount;
-                            look_1_totals[_e89] = (_e94 + _e95);
-                            float _e97 = depth_1;
-                            int _e98 = c_2;
-                            float _e99 = read_strongest(_e98);
-                            float _e100 = amount;
-                            depth_1 = (_e97 + (_e99 * _e100));
+                            int _e110 = c_2;
+                            int _e113 = k_4;
+                            float _e116 = columns_along_1_density[((_e110 * 24) + _e113)];
+                            int _e118 = k_4;
+                            float _e120 = columns_along_1_weight[_e118];
+                            amount = (_e116 * _e120);
+                            int _e123 = c_2;
+                            int _e126 = c_2;
+                            float _e128 = look_1_totals[_e126];
+                            float _e129 = amount;
+                            look_1_totals[_e123] = (_e128 + _e129);
+                            float _e131 = depth_1;
+                            int _e132 = c_2;
+                            float _e133 = read_strongest(_e132);
+                            float _e134 = amount;
+                            depth_1 = (_e131 + (_e133 * _e134));
+                            int _e137 = c_2;
+                            c_2 = (_e137 + 1);
+                            int _e141 = c_2;
+                            int _e144 = k_4;
+                            float _e147 = columns_along_1_density[((_e141 * 24) + _e144)];
+                            int _e149 = k_4;
+                            float _e151 = columns_along_1_weight[_e149];
+                            amount = (_e147 * _e151);
+                            int _e154 = c_2;
+                            int _e157 = c_2;
+                            float _e159 = look_1_totals[_e157];
+                            float _e160 = amount;
+                            look_1_totals[_e154] = (_e159 + _e160);
+                            float _e162 = depth_1;
+                            int _e163 = c_2;
+                            float _e164 = read_strongest(_e163);
+                            float _e165 = amount;
+                            depth_1 = (_e162 + (_e164 * _e165));
+                            int _e168 = c_2;
+                            c_2 = (_e168 + 1);
+                            int _e172 = c_2;
+                            int _e175 = k_4;
+                            float _e178 = columns_along_1_density[((_e172 * 24) + _e175)];
+                            int _e180 = k_4;
+                            float _e182 = columns_along_1_weight[_e180];
+                            amount = (_e178 * _e182);
+                            int _e185 = c_2;
+                            int _e188 = c_2;
+                            float _e190 = look_1_totals[_e188];
+                            float _e191 = amount;
+                            look_1_totals[_e185] = (_e190 + _e191);
+                            float _e193 = depth_1;
+                            int _e194 = c_2;
+                            float _e195 = read_strongest(_e194);
+                            float _e196 = amount;
+                            depth_1 = (_e193 + (_e195 * _e196));
+                            int _e199 = c_2;
+                            c_2 = (_e199 + 1);
+                            int _e203 = c_2;
+                            int _e206 = k_4;
+                            float _e209 = columns_along_1_density[((_e203 * 24) + _e206)];
+                            int _e211 = k_4;
+                            float _e213 = columns_along_1_weight[_e211];
+                            amount = (_e209 * _e213);
+                            int _e216 = c_2;
+                            int _e219 = c_2;
+                            float _e221 = look_1_totals[_e219];
+                            float _e222 = amount;
+                            look_1_totals[_e216] = (_e221 + _e222);
+                            float _e224 = depth_1;
+                            int _e225 = c_2;
+                            float _e226 = read_strongest(_e225);
+                            float _e227 = amount;
+                            depth_1 = (_e224 + (_e226 * _e227));
                         }
                     }
-                    float _e106 = depth_1;
-                    float _e107 = reached;
-                    if ((_e106 > _e107)) {
+                    bool loop_init_12 = true;
+                    while(true) {
+                        if (!loop_init_12) {
+                            int _e263 = c_2;
+                            c_2 = (_e263 + 1);
+                        }
+                        loop_init_12 = false;
+                        int _e233 = c_2;
+                        if ((_e233 < end_4_1)) {
+                        } else {
+                            break;
+                        }
+                        {
+                            int _e236 = c_2;
+                            int _e239 = k_4;
+                            float _e242 = columns_along_1_density[((_e236 * 24) + _e239)];
+                            int _e244 = k_4;
+                            float _e246 = columns_along_1_weight[_e244];
+                            amount = (_e242 * _e246);
+                            int _e249 = c_2;
+                            int _e252 = c_2;
+                            float _e254 = look_1_totals[_e252];
+                            float _e255 = amount;
+                            look_1_totals[_e249] = (_e254 + _e255);
+                            float _e257 = depth_1;
+                            int _e258 = c_2;
+                            float _e259 = read_strongest(_e258);
+                            float _e260 = amount;
+                            depth_1 = (_e257 + (_e259 * _e260));
+                        }
+                    }
+                    float _e266 = depth_1;
+                    float _e267 = reached;
+                    if ((_e266 > _e267)) {
                         which = 0;
-                        bool loop_init_10 = true;
+                        bool loop_init_13 = true;
                         while(true) {
-                            if (!loop_init_10) {
-                                int _e153 = which;
-                                which = (_e153 + 1);
+                            if (!loop_init_13) {
+                                int _e444 = which;
+                                which = (_e444 + 1);
                             }
-                            loop_init_10 = false;
-                            int _e110 = which;
-                            if ((_e110 < 3)) {
+                            loop_init_13 = false;
+                            int _e271 = which;
+                            if (((_e271 + 3) < 3)) {
                             } else {
                                 break;
                             }
                             {
-                                int _e113 = which;
-                                int _e119 = which;
-                                wanted = ((_e119 == 0) ? 0.5 : ((_e113 == 1) ? 3.0 : 12.0));
-                                float _e124 = reached;
-                                float _e125 = wanted;
-                                if ((_e124 < _e125)) {
-                                    float _e129 = depth_1;
-                                    float _e130 = wanted;
-                                    local_5 = (_e129 >= _e130);
+                                int _e275 = which;
+                                int _e281 = which;
+                                wanted = ((_e281 == 0) ? 0.5 : ((_e275 == 1) ? 3.0 : 12.0));
+                                float _e286 = reached;
+                                float _e287 = wanted;
+                                if ((_e286 < _e287)) {
+                                    float _e291 = depth_1;
+                                    float _e292 = wanted;
+                                    local_6 = (_e291 >= _e292);
                                 } else {
-                                    local_5 = false;
+                                    local_6 = false;
                                 }
-                                bool _e133 = local_5;
-                                if (_e133) {
-                                    int _e135 = which;
-                                    float _e137 = at_4;
-                                    int _e139 = k_4;
-                                    float _e141 = columns_along_1_distance_1_[_e139];
-                                    float _e142 = at_4;
-                                    float _e144 = wanted;
-                                    float _e145 = reached;
-                                    float _e148 = depth_1;
-                                    float _e149 = reached;
-                                    march_line_1_cuts[_e135] = (_e137 + (((_e141 - _e142) * (_e144 - _e145)) / (_e148 - _e149)));
+                                bool _e295 = local_6;
+                                if (_e295) {
+                                    int _e297 = which;
+                                    float _e299 = at_4;
+                                    int _e301 = k_4;
+                                    float _e303 = columns_along_1_distance_1_[_e301];
+                                    float _e304 = at_4;
+                                    float _e306 = wanted;
+                                    float _e307 = reached;
+                                    float _e310 = depth_1;
+                                    float _e311 = reached;
+                                    march_line_1_cuts[_e297] = (_e299 + (((_e303 - _e304) * (_e306 - _e307)) / (_e310 - _e311)));
+                                }
+                                int _e315 = which;
+                                which = (_e315 + 1);
+                                int _e318 = which;
+                                int _e324 = which;
+                                wanted = ((_e324 == 0) ? 0.5 : ((_e318 == 1) ? 3.0 : 12.0));
+                                float _e329 = reached;
+                                float _e330 = wanted;
+                                if ((_e329 < _e330)) {
+                                    float _e334 = depth_1;
+                                    float _e335 = wanted;
+                                    local_7 = (_e334 >= _e335);
+                                } else {
+                                    local_7 = false;
+                                }
+                                bool _e338 = local_7;
+                                if (_e338) {
+                                    int _e340 = which;
+                                    float _e342 = at_4;
+                                    int _e344 = k_4;
+                                    float _e346 = columns_along_1_distance_1_[_e344];
+                                    float _e347 = at_4;
+                                    float _e349 = wanted;
+                                    float _e350 = reached;
+                                    float _e353 = depth_1;
+                                    float _e354 = reached;
+                                    march_line_1_cuts[_e340] = (_e342 + (((_e346 - _e347) * (_e349 - _e350)) / (_e353 - _e354)));
+                                }
+                                int _e358 = which;
+                                which = (_e358 + 1);
+                                int _e361 = which;
+                                int _e367 = which;
+                                wanted = ((_e367 == 0) ? 0.5 : ((_e361 == 1) ? 3.0 : 12.0));
+                                float _e372 = reached;
+                                float _e373 = wanted;
+                                if ((_e372 < _e373)) {
+                                    float _e377 = depth_1;
+                                    float _e378 = wanted;
+                                    local_8 = (_e377 >= _e378);
+                                } else {
+                                    local_8 = false;
+                                }
+                                bool _e381 = local_8;
+                                if (_e381) {
+                                    int _e383 = which;
+                                    float _e385 = at_4;
+                                    int _e387 = k_4;
+                                    float _e389 = columns_along_1_distance_1_[_e387];
+                                    float _e390 = at_4;
+                                    float _e392 = wanted;
+                                    float _e393 = reached;
+                                    float _e396 = depth_1;
+                                    float _e397 = reached;
+                                    march_line_1_cuts[_e383] = (_e385 + (((_e389 - _e390) * (_e392 - _e393)) / (_e396 - _e397)));
+                                }
+                                int _e401 = which;
+                                which = (_e401 + 1);
+                                int _e404 = which;
+                                int _e410 = which;
+                                wanted = ((_e410 == 0) ? 0.5 : ((_e404 == 1) ? 3.0 : 12.0));
+                                float _e415 = reached;
+                                float _e416 = wanted;
+                                if ((_e415 < _e416)) {
+                                    float _e420 = depth_1;
+                                    float _e421 = wanted;
+                                    local_9 = (_e420 >= _e421);
+                                } else {
+                                    local_9 = false;
+                                }
+                                bool _e424 = local_9;
+                                if (_e424) {
+                                    int _e426 = which;
+                                    float _e428 = at_4;
+                                    int _e430 = k_4;
+                                    float _e432 = columns_along_1_distance_1_[_e430];
+                                    float _e433 = at_4;
+                                    float _e435 = wanted;
+                                    float _e436 = reached;
+                                    float _e439 = depth_1;
+                                    float _e440 = reached;
+                                    march_line_1_cuts[_e426] = (_e428 + (((_e432 - _e433) * (_e435 - _e436)) / (_e439 - _e440)));
+                                }
+                            }
+                        }
+                        bool loop_init_14 = true;
+                        while(true) {
+                            if (!loop_init_14) {
+                                int _e489 = which;
+                                which = (_e489 + 1);
+                            }
+                            loop_init_14 = false;
+                            int _e447 = which;
+                            if ((_e447 < 3)) {
+                            } else {
+                                break;
+                            }
+                            {
+                                int _e449 = which;
+                                int _e455 = which;
+                                wanted = ((_e455 == 0) ? 0.5 : ((_e449 == 1) ? 3.0 : 12.0));
+                                float _e460 = reached;
+                                float _e461 = wanted;
+                                if ((_e460 < _e461)) {
+                                    float _e465 = depth_1;
+                                    float _e466 = wanted;
+                                    local_10 = (_e465 >= _e466);
+                                } else {
+                                    local_10 = false;
+                                }
+                                bool _e469 = local_10;
+                                if (_e469) {
+                                    int _e471 = which;
+                                    float _e473 = at_4;
+                                    int _e475 = k_4;
+                                    float _e477 = columns_along_1_distance_1_[_e475];
+                                    float _e478 = at_4;
+                                    float _e480 = wanted;
+                                    float _e481 = reached;
+                                    float _e484 = depth_1;
+                                    float _e485 = reached;
+                                    march_line_1_cuts[_e471] = (_e473 + (((_e477 - _e478) * (_e480 - _e481)) / (_e484 - _e485)));
                                 }
                             }
                         }
                     }
-                    float now_3_2 = depth_1;
-                    int _e158 = k_4;
-                    float now_4_1 = columns_along_1_distance_1_[_e158];
-                    reached = now_3_2;
-                    at_4 = now_4_1;
+                    float now_6_ = depth_1;
+                    int _e494 = k_4;
+                    float now_7_ = columns_along_1_distance_1_[_e494];
+                    reached = now_6_;
+                    at_4 = now_7_;
                 }
             }
         }
     }
-    float _e167 = reached;
-    return _e167;
+    float _e503 = reached;
+    return _e503;
 }
 
-void place_panel_1_(float r_14, float mu_13, float start_3, float end_3, float length_1_3, int rule_2) {
+void place_panel_1_(float r_14, float mu_14, float start_3, float end_3, float length_1_3, int rule_2) {
     int n_2 = 0;
     bool descending_3 = false;
     float low_7 = 0.0;
@@ -1648,20 +2021,20 @@ void place_panel_1_(float r_14, float mu_13, float start_3, float end_3, float l
     float here_2 = 0.0;
     float _e18 = read_rules(rule_2);
     n_2 = int(_e18);
-    Several_bool_f32_f32_f32_f32_ _e20 = panel_leg(r_14, mu_13, start_3, end_3, length_1_3);
+    Several_bool_f32_f32_f32_f32_ _e20 = panel_leg(r_14, mu_14, start_3, end_3, length_1_3);
     descending_3 = _e20.v0_;
     low_7 = _e20.v1_;
     beside_4 = _e20.v2_;
     first_4 = _e20.v3_;
     last_3 = _e20.v4_;
     k_5 = 0;
-    bool loop_init_11 = true;
+    bool loop_init_15 = true;
     while(true) {
-        if (!loop_init_11) {
-            int _e126 = k_5;
-            k_5 = (_e126 + 1);
+        if (!loop_init_15) {
+            int _e258 = k_5;
+            k_5 = (_e258 + 1);
         }
-        loop_init_11 = false;
+        loop_init_15 = false;
         int _e27 = k_5;
         int _e28 = n_2;
         if ((_e27 < _e28)) {
@@ -1676,7 +2049,7 @@ void place_panel_1_(float r_14, float mu_13, float start_3, float end_3, float l
             float _e36 = last_3;
             int _e39 = k_5;
             float _e41 = read_rules(((rule_2 + 1) + _e39));
-            Several_f32_f32_f32_ _e42 = panel_point((-(r_14) * mu_13), _e32, _e33, _e34, _e35, _e36, _e41);
+            Several_f32_f32_f32_ _e42 = panel_point((-(r_14) * mu_14), _e32, _e33, _e34, _e35, _e36, _e41);
             int _e44 = k_5;
             march_line_1_distance_1_[_e44] = _e42.v0_;
             int _e48 = k_5;
@@ -1697,36 +2070,118 @@ void place_panel_1_(float r_14, float mu_13, float start_3, float end_3, float l
             Several_i32_f32_ _e83 = density_place(_e67, _e71, (_e75 - _e79), _e82);
             node_4 = _e83.v0_;
             share_3 = _e83.v1_;
+            float _e89 = _group_0_binding_0_fs.counts.x;
+            int end_4_2 = int(_e89);
             c_3 = 0;
-            bool loop_init_12 = true;
+            bool loop_init_16 = true;
             while(true) {
-                if (!loop_init_12) {
-                    int _e123 = c_3;
-                    c_3 = (_e123 + 1);
+                if (!loop_init_16) {
+                    int _e221 = c_3;
+                    c_3 = (_e221 + 1);
                 }
-                loop_init_12 = false;
-                int _e87 = c_3;
-                float _e91 = _group_0_binding_0_fs.counts.x;
-                if ((_e87 < int(_e91))) {
+                loop_init_16 = false;
+                int _e92 = c_3;
+                if (((_e92 + 3) < end_4_2)) {
                 } else {
                     break;
                 }
                 {
-                    int _e94 = node_4;
-                    int _e96 = size_density(1);
-                    int _e98 = c_3;
-                    float _e100 = read_density(((_e94 * _e96) + _e98));
-                    here_2 = _e100;
-                    int _e102 = c_3;
-                    int _e105 = k_5;
-                    float _e108 = here_2;
-                    int _e109 = node_4;
-                    int _e113 = size_density(1);
-                    int _e115 = c_3;
-                    float _e117 = read_density((((_e109 + 1) * _e113) + _e115));
-                    float _e118 = here_2;
-                    float _e120 = share_3;
-                    march_line_1_density[((_e102 * 24) + _e105)] = (_e108 + ((_e117 - _e118) * _e120));
+                    int _e96 = node_4;
+                    int _e98 = size_density(1);
+                    int _e100 = c_3;
+                    float _e102 = read_density(((_e96 * _e98) + _e100));
+                    here_2 = _e102;
+                    int _e104 = c_3;
+                    int _e107 = k_5;
+                    float _e110 = here_2;
+                    int _e111 = node_4;
+                    int _e115 = size_density(1);
+                    int _e117 = c_3;
+                    float _e119 = read_density((((_e111 + 1) * _e115) + _e117));
+                    float _e120 = here_2;
+                    float _e122 = share_3;
+                    march_line_1_density[((_e104 * 24) + _e107)] = (_e110 + ((_e119 - _e120) * _e122));
+                    int _e125 = c_3;
+                    c_3 = (_e125 + 1);
+                    int _e128 = node_4;
+                    int _e130 = size_density(1);
+                    int _e132 = c_3;
+                    float _e134 = read_density(((_e128 * _e130) + _e132));
+                    here_2 = _e134;
+                    int _e136 = c_3;
+                    int _e139 = k_5;
+                    float _e142 = here_2;
+                    int _e143 = node_4;
+                    int _e147 = size_density(1);
+                    int _e149 = c_3;
+                    float _e151 = read_density((((_e143 + 1) * _e147) + _e149));
+                    float _e152 = here_2;
+                    float _e154 = share_3;
+                    march_line_1_density[((_e136 * 24) + _e139)] = (_e142 + ((_e151 - _e152) * _e154));
+                    int _e157 = c_3;
+                    c_3 = (_e157 + 1);
+                    int _e160 = node_4;
+                    int _e162 = size_density(1);
+                    int _e164 = c_3;
+                    float _e166 = read_density(((_e160 * _e162) + _e164));
+                    here_2 = _e166;
+                    int _e168 = c_3;
+                    int _e171 = k_5;
+                    float _e174 = here_2;
+                    int _e175 = node_4;
+                    int _e179 = size_density(1);
+                    int _e181 = c_3;
+                    float _e183 = read_density((((_e175 + 1) * _e179) + _e181));
+                    float _e184 = here_2;
+                    float _e186 = share_3;
+                    march_line_1_density[((_e168 * 24) + _e171)] = (_e174 + ((_e183 - _e184) * _e186));
+                    int _e189 = c_3;
+                    c_3 = (_e189 + 1);
+                    int _e192 = node_4;
+                    int _e194 = size_density(1);
+                    int _e196 = c_3;
+                    float _e198 = read_density(((_e192 * _e194) + _e196));
+                    here_2 = _e198;
+                    int _e200 = c_3;
+                    int _e203 = k_5;
+                    float _e206 = here_2;
+                    int _e207 = node_4;
+                    int _e211 = size_density(1);
+                    int _e213 = c_3;
+                    float _e215 = read_density((((_e207 + 1) * _e211) + _e213));
+                    float _e216 = here_2;
+                    float _e218 = share_3;
+                    march_line_1_density[((_e200 * 24) + _e203)] = (_e206 + ((_e215 - _e216) * _e218));
+                }
+            }
+            bool loop_init_17 = true;
+            while(true) {
+                if (!loop_init_17) {
+                    int _e255 = c_3;
+                    c_3 = (_e255 + 1);
+                }
+                loop_init_17 = false;
+                int _e224 = c_3;
+                if ((_e224 < end_4_2)) {
+                } else {
+                    break;
+                }
+                {
+                    int _e226 = node_4;
+                    int _e228 = size_density(1);
+                    int _e230 = c_3;
+                    float _e232 = read_density(((_e226 * _e228) + _e230));
+                    here_2 = _e232;
+                    int _e234 = c_3;
+                    int _e237 = k_5;
+                    float _e240 = here_2;
+                    int _e241 = node_4;
+                    int _e245 = size_density(1);
+                    int _e247 = c_3;
+                    float _e249 = read_density((((_e241 + 1) * _e245) + _e247));
+                    float _e250 = here_2;
+                    float _e252 = share_3;
+                    march_line_1_density[((_e234 * 24) + _e237)] = (_e240 + ((_e249 - _e250) * _e252));
                 }
             }
         }
@@ -1736,135 +2191,24 @@ void place_panel_1_(float r_14, float mu_13, float start_3, float end_3, float l
 
 void panel_columns_1_(int rule_3) {
     int n_3 = 0;
-    int k_6 = 0;
     int c_4 = 0;
+    int k_6 = 0;
+    float running = 0.0;
     int j = 0;
     float share_4 = 0.0;
-    float _e6 = read_rules(rule_3);
-    n_3 = int(_e6);
-    k_6 = 0;
-    bool loop_init_13 = true;
-    while(true) {
-        if (!loop_init_13) {
-            int _e121 = k_6;
-            k_6 = (_e121 + 1);
-        }
-        loop_init_13 = false;
-        int _e9 = k_6;
-        int _e10 = n_3;
-        if ((_e9 < _e10)) {
-        } else {
-            break;
-        }
-        {
-            c_4 = 0;
-            bool loop_init_14 = true;
-            while(true) {
-                if (!loop_init_14) {
-                    int _e28 = c_4;
-                    c_4 = (_e28 + 1);
-                }
-                loop_init_14 = false;
-                int _e13 = c_4;
-                float _e17 = _group_0_binding_0_fs.counts.x;
-                if ((_e13 < int(_e17))) {
-                } else {
-                    break;
-                }
-                {
-                    int _e21 = c_4;
-                    int _e24 = k_6;
-                    march_line_1_columns[((_e21 * 24) + _e24)] = 0.0;
-                }
-            }
-            j = 0;
-            bool loop_init_15 = true;
-            while(true) {
-                if (!loop_init_15) {
-                    int _e85 = j;
-                    j = (_e85 + 1);
-                }
-                loop_init_15 = false;
-                int _e32 = j;
-                int _e33 = n_3;
-                if ((_e32 < _e33)) {
-                } else {
-                    break;
-                }
-                {
-                    int _e37 = n_3;
-                    int _e41 = k_6;
-                    int _e42 = n_3;
-                    int _e45 = j;
-                    float _e47 = read_rules(((((rule_3 + 1) + (2 * _e37)) + (_e41 * _e42)) + _e45));
-                    share_4 = _e47;
-                    c_4 = 0;
-                    bool loop_init_16 = true;
-                    while(true) {
-                        if (!loop_init_16) {
-                            int _e82 = c_4;
-                            c_4 = (_e82 + 1);
-                        }
-                        loop_init_16 = false;
-                        int _e49 = c_4;
-                        float _e53 = _group_0_binding_0_fs.counts.x;
-                        if ((_e49 < int(_e53))) {
-                        } else {
-                            break;
-                        }
-                        {
-                            int _e57 = c_4;
-                            int _e60 = k_6;
-                            int _e64 = c_4;
-                            int _e67 = k_6;
-                            float _e70 = march_line_1_columns[((_e64 * 24) + _e67)];
-                            float _e71 = share_4;
-                            int _e73 = c_4;
-                            int _e76 = j;
-                            float _e79 = march_line_1_amounts[((_e73 * 24) + _e76)];
-                            march_line_1_columns[((_e57 * 24) + _e60)] = (_e70 + (_e71 * _e79));
-                        }
-                    }
-                }
-            }
-            c_4 = 0;
-            bool loop_init_17 = true;
-            while(true) {
-                if (!loop_init_17) {
-                    int _e118 = c_4;
-                    c_4 = (_e118 + 1);
-                }
-                loop_init_17 = false;
-                int _e89 = c_4;
-                float _e93 = _group_0_binding_0_fs.counts.x;
-                if ((_e89 < int(_e93))) {
-                } else {
-                    break;
-                }
-                {
-                    int _e97 = c_4;
-                    int _e100 = k_6;
-                    int _e104 = c_4;
-                    float _e106 = march_line_1_before[_e104];
-                    int _e108 = c_4;
-                    int _e111 = k_6;
-                    float _e114 = march_line_1_columns[((_e108 * 24) + _e111)];
-                    march_line_1_columns[((_e97 * 24) + _e100)] = (_e106 + max(_e114, 0.0));
-                }
-            }
-        }
-    }
+    float _e7 = read_rules(rule_3);
+    n_3 = int(_e7);
     c_4 = 0;
     bool loop_init_18 = true;
     while(true) {
         if (!loop_init_18) {
-            int _e155 = c_4;
-            c_4 = (_e155 + 1);
+            int _e291 = c_4;
+            c_4 = (_e291 + 1);
         }
         loop_init_18 = false;
-        int _e125 = c_4;
-        float _e129 = _group_0_binding_0_fs.counts.x;
-        if ((_e125 < int(_e129))) {
+        int _e10 = c_4;
+        float _e14 = _group_0_binding_0_fs.counts.x;
+        if ((_e10 < int(_e14))) {
         } else {
             break;
         }
@@ -1873,24 +2217,195 @@ void panel_columns_1_(int rule_3) {
             bool loop_init_19 = true;
             while(true) {
                 if (!loop_init_19) {
-                    int _e152 = k_6;
-                    k_6 = (_e152 + 1);
+                    int _e185 = k_6;
+                    k_6 = (_e185 + 1);
                 }
                 loop_init_19 = false;
-                int _e133 = k_6;
-                int _e134 = n_3;
-                if ((_e133 < _e134)) {
+                int _e18 = k_6;
+                int _e19 = n_3;
+                if ((_e18 < _e19)) {
                 } else {
                     break;
                 }
                 {
-                    int _e137 = c_4;
-                    int _e140 = c_4;
-                    float _e142 = march_line_1_before[_e140];
-                    int _e144 = c_4;
-                    int _e147 = k_6;
-                    float _e150 = march_line_1_amounts[((_e144 * 24) + _e147)];
-                    march_line_1_before[_e137] = (_e142 + _e150);
+                    running = 0.0;
+                    int end_1_1 = n_3;
+                    j = 0;
+                    bool loop_init_20 = true;
+                    while(true) {
+                        if (!loop_init_20) {
+                            int _e137 = j;
+                            j = (_e137 + 1);
+                        }
+                        loop_init_20 = false;
+                        int _e24 = j;
+                        if (((_e24 + 3) < end_1_1)) {
+                        } else {
+                            break;
+                        }
+                        {
+                            int _e30 = n_3;
+                            int _e34 = k_6;
+                            int _e35 = n_3;
+                            int _e38 = j;
+                            float _e40 = read_rules(((((rule_3 + 1) + (2 * _e30)) + (_e34 * _e35)) + _e38));
+                            share_4 = _e40;
+                            float _e41 = running;
+                            float _e42 = share_4;
+                            int _e44 = c_4;
+                            int _e47 = j;
+                            float _e50 = march_line_1_amounts[((_e44 * 24) + _e47)];
+                            running = (_e41 + (_e42 * _e50));
+                            int _e53 = j;
+                            j = (_e53 + 1);
+                            int _e58 = n_3;
+                            int _e62 = k_6;
+                            int _e63 = n_3;
+                            int _e66 = j;
+                            float _e68 = read_rules(((((rule_3 + 1) + (2 * _e58)) + (_e62 * _e63)) + _e66));
+                            share_4 = _e68;
+                            float _e69 = running;
+                            float _e70 = share_4;
+                            int _e72 = c_4;
+                            int _e75 = j;
+                            float _e78 = march_line_1_amounts[((_e72 * 24) + _e75)];
+                            running = (_e69 + (_e70 * _e78));
+                            int _e81 = j;
+                            j = (_e81 + 1);
+                            int _e86 = n_3;
+                            int _e90 = k_6;
+                            int _e91 = n_3;
+                            int _e94 = j;
+                            float _e96 = read_rules(((((rule_3 + 1) + (2 * _e86)) + (_e90 * _e91)) + _e94));
+                            share_4 = _e96;
+                            float _e97 = running;
+                            float _e98 = share_4;
+                            int _e100 = c_4;
+                            int _e103 = j;
+                            float _e106 = march_line_1_amounts[((_e100 * 24) + _e103)];
+                            running = (_e97 + (_e98 * _e106));
+                            int _e109 = j;
+                            j = (_e109 + 1);
+                            int _e114 = n_3;
+                            int _e118 = k_6;
+                            int _e119 = n_3;
+                            int _e122 = j;
+                            float _e124 = read_rules(((((rule_3 + 1) + (2 * _e114)) + (_e118 * _e119)) + _e122));
+                            share_4 = _e124;
+                            float _e125 = running;
+                            float _e126 = share_4;
+                            int _e128 = c_4;
+                            int _e131 = j;
+                            float _e134 = march_line_1_amounts[((_e128 * 24) + _e131)];
+                            running = (_e125 + (_e126 * _e134));
+                        }
+                    }
+                    bool loop_init_21 = true;
+                    while(true) {
+                        if (!loop_init_21) {
+                            int _e167 = j;
+                            j = (_e167 + 1);
+                        }
+                        loop_init_21 = false;
+                        int _e140 = j;
+                        if ((_e140 < end_1_1)) {
+                        } else {
+                            break;
+                        }
+                        {
+                            int _e144 = n_3;
+                            int _e148 = k_6;
+                            int _e149 = n_3;
+                            int _e152 = j;
+                            float _e154 = read_rules(((((rule_3 + 1) + (2 * _e144)) + (_e148 * _e149)) + _e152));
+                            share_4 = _e154;
+                            float _e155 = running;
+                            float _e156 = share_4;
+                            int _e158 = c_4;
+                            int _e161 = j;
+                            float _e164 = march_line_1_amounts[((_e158 * 24) + _e161)];
+                            running = (_e155 + (_e156 * _e164));
+                        }
+                    }
+                    int _e171 = c_4;
+                    int _e174 = k_6;
+                    int _e178 = c_4;
+                    float _e180 = march_line_1_before[_e178];
+                    float _e181 = running;
+                    march_line_1_columns[((_e171 * 24) + _e174)] = (_e180 + max(_e181, 0.0));
+                }
+            }
+            int end_2_ = n_3;
+            k_6 = 0;
+            bool loop_init_22 = true;
+            while(true) {
+                if (!loop_init_22) {
+                    int _e267 = k_6;
+                    k_6 = (_e267 + 1);
+                }
+                loop_init_22 = false;
+                int _e190 = k_6;
+                if (((_e190 + 3) < end_2_)) {
+                } else {
+                    break;
+                }
+                {
+                    int _e195 = c_4;
+                    int _e198 = c_4;
+                    float _e200 = march_line_1_before[_e198];
+                    int _e202 = c_4;
+                    int _e205 = k_6;
+                    float _e208 = march_line_1_amounts[((_e202 * 24) + _e205)];
+                    march_line_1_before[_e195] = (_e200 + _e208);
+                    int _e210 = k_6;
+                    k_6 = (_e210 + 1);
+                    int _e214 = c_4;
+                    int _e217 = c_4;
+                    float _e219 = march_line_1_before[_e217];
+                    int _e221 = c_4;
+                    int _e224 = k_6;
+                    float _e227 = march_line_1_amounts[((_e221 * 24) + _e224)];
+                    march_line_1_before[_e214] = (_e219 + _e227);
+                    int _e229 = k_6;
+                    k_6 = (_e229 + 1);
+                    int _e233 = c_4;
+                    int _e236 = c_4;
+                    float _e238 = march_line_1_before[_e236];
+                    int _e240 = c_4;
+                    int _e243 = k_6;
+                    float _e246 = march_line_1_amounts[((_e240 * 24) + _e243)];
+                    march_line_1_before[_e233] = (_e238 + _e246);
+                    int _e248 = k_6;
+                    k_6 = (_e248 + 1);
+                    int _e252 = c_4;
+                    int _e255 = c_4;
+                    float _e257 = march_line_1_before[_e255];
+                    int _e259 = c_4;
+                    int _e262 = k_6;
+                    float _e265 = march_line_1_amounts[((_e259 * 24) + _e262)];
+                    march_line_1_before[_e252] = (_e257 + _e265);
+                }
+            }
+            bool loop_init_23 = true;
+            while(true) {
+                if (!loop_init_23) {
+                    int _e288 = k_6;
+                    k_6 = (_e288 + 1);
+                }
+                loop_init_23 = false;
+                int _e270 = k_6;
+                if ((_e270 < end_2_)) {
+                } else {
+                    break;
+                }
+                {
+                    int _e273 = c_4;
+                    int _e276 = c_4;
+                    float _e278 = march_line_1_before[_e276];
+                    int _e280 = c_4;
+                    int _e283 = k_6;
+                    float _e286 = march_line_1_amounts[((_e280 * 24) + _e283)];
+                    march_line_1_before[_e273] = (_e278 + _e286);
                 }
             }
         }
@@ -1903,33 +2418,78 @@ vec4 through_columns_1_(int constituents) {
     int c_5 = 0;
     tau = vec4(0.0);
     c_5 = 0;
-    bool loop_init_20 = true;
+    bool loop_init_24 = true;
     while(true) {
-        if (!loop_init_20) {
-            int _e21 = c_5;
-            c_5 = (_e21 + 1);
+        if (!loop_init_24) {
+            int _e71 = c_5;
+            c_5 = (_e71 + 1);
         }
-        loop_init_20 = false;
+        loop_init_24 = false;
         int _e6 = c_5;
-        if ((_e6 < constituents)) {
+        if (((_e6 + 3) < constituents)) {
         } else {
             break;
         }
         {
-            vec4 _e8 = tau;
-            int _e9 = c_5;
-            vec4 _e14 = read_extinction(((1 * _e9) + 0));
-            int _e16 = c_5;
-            float _e18 = march_line_1_depths[_e16];
-            tau = (_e8 + (_e14 * _e18));
+            vec4 _e10 = tau;
+            int _e11 = c_5;
+            vec4 _e16 = read_extinction(((1 * _e11) + 0));
+            int _e18 = c_5;
+            float _e20 = march_line_1_depths[_e18];
+            tau = (_e10 + (_e16 * _e20));
+            int _e23 = c_5;
+            c_5 = (_e23 + 1);
+            vec4 _e26 = tau;
+            int _e27 = c_5;
+            vec4 _e32 = read_extinction(((1 * _e27) + 0));
+            int _e34 = c_5;
+            float _e36 = march_line_1_depths[_e34];
+            tau = (_e26 + (_e32 * _e36));
+            int _e39 = c_5;
+            c_5 = (_e39 + 1);
+            vec4 _e42 = tau;
+            int _e43 = c_5;
+            vec4 _e48 = read_extinction(((1 * _e43) + 0));
+            int _e50 = c_5;
+            float _e52 = march_line_1_depths[_e50];
+            tau = (_e42 + (_e48 * _e52));
+            int _e55 = c_5;
+            c_5 = (_e55 + 1);
+            vec4 _e58 = tau;
+            int _e59 = c_5;
+            vec4 _e64 = read_extinction(((1 * _e59) + 0));
+            int _e66 = c_5;
+            float _e68 = march_line_1_depths[_e66];
+            tau = (_e58 + (_e64 * _e68));
         }
     }
-    vec4 _e24 = tau;
-    return exp((vec4(0.0) - _e24));
+    bool loop_init_25 = true;
+    while(true) {
+        if (!loop_init_25) {
+            int _e89 = c_5;
+            c_5 = (_e89 + 1);
+        }
+        loop_init_25 = false;
+        int _e74 = c_5;
+        if ((_e74 < constituents)) {
+        } else {
+            break;
+        }
+        {
+            vec4 _e76 = tau;
+            int _e77 = c_5;
+            vec4 _e82 = read_extinction(((1 * _e77) + 0));
+            int _e84 = c_5;
+            float _e86 = march_line_1_depths[_e84];
+            tau = (_e76 + (_e82 * _e86));
+        }
+    }
+    vec4 _e92 = tau;
+    return exp((vec4(0.0) - _e92));
 }
 
-void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
-    float x_18 = 0.0;
+void columns_to_top_1_(float r_15, float mu_15, float bottom_4, float top_4) {
+    float x_22 = 0.0;
     int row_3 = 0;
     float f_2 = 0.0;
     int place_2 = 0;
@@ -1944,20 +2504,20 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
     float scaled = 0.0;
     float _e17 = altitude_coordinate(r_15, bottom_4, top_4);
     int _e19 = size_columns(0);
-    x_18 = (_e17 * float((_e19 - 1)));
-    float _e24 = x_18;
+    x_22 = (_e17 * float((_e19 - 1)));
+    float _e24 = x_22;
     int _e27 = size_columns(0);
     row_3 = min(int(_e24), (_e27 - 2));
-    float _e31 = x_18;
+    float _e31 = x_22;
     int _e32 = row_3;
     f_2 = (_e31 - float(_e32));
-    float _e35 = direction_coordinate(r_15, mu_14, bottom_4, top_4);
+    float _e35 = direction_coordinate(r_15, mu_15, bottom_4, top_4);
     int _e37 = size_columns(1);
-    x_18 = (_e35 * float((_e37 - 1)));
-    float _e42 = x_18;
+    x_22 = (_e35 * float((_e37 - 1)));
+    float _e42 = x_22;
     int _e45 = size_columns(1);
     place_2 = min(int(_e42), (_e45 - 2));
-    float _e49 = x_18;
+    float _e49 = x_22;
     int _e50 = place_2;
     e_2 = (_e49 - float(_e50));
     float _e53 = f_2;
@@ -1970,107 +2530,412 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
     w01_2 = now_2_2;
     float _e65 = f_2;
     float _e66 = e_2;
-    float now_3_3 = (_e65 * (1.0 - _e66));
+    float now_3_2 = (_e65 * (1.0 - _e66));
     float _e70 = f_2;
     float _e71 = e_2;
-    float now_4_2 = (_e70 * _e71);
-    w10_2 = now_3_3;
-    w11_2 = now_4_2;
-    float _e73 = distance_to_top(r_15, mu_14, top_4);
+    float now_4_1 = (_e70 * _e71);
+    w10_2 = now_3_2;
+    w11_2 = now_4_1;
+    float _e73 = distance_to_top(r_15, mu_15, top_4);
     distance_1_3 = _e73;
+    int _e75 = size_columns(2);
     c_6 = 0;
-    bool loop_init_21 = true;
+    bool loop_init_26 = true;
     while(true) {
-        if (!loop_init_21) {
-            int _e261 = c_6;
-            c_6 = (_e261 + 1);
+        if (!loop_init_26) {
+            int _e818 = c_6;
+            c_6 = (_e818 + 1);
         }
-        loop_init_21 = false;
-        int _e75 = c_6;
-        int _e77 = size_columns(2);
-        if ((_e75 < _e77)) {
+        loop_init_26 = false;
+        int _e77 = c_6;
+        if (((_e77 + 3) < _e75)) {
         } else {
             break;
         }
         {
-            float _e79 = w00_2;
-            int _e80 = row_3;
-            int _e82 = size_columns(1);
-            int _e84 = place_2;
-            int _e87 = size_columns(2);
-            int _e89 = c_6;
-            int _e92 = size_columns(3);
-            float _e96 = read_columns(((((((_e80 * _e82) + _e84) * _e87) + _e89) * _e92) + 0));
-            float _e98 = w01_2;
-            int _e99 = row_3;
-            int _e101 = size_columns(1);
-            int _e103 = place_2;
-            int _e108 = size_columns(2);
-            int _e110 = c_6;
-            int _e113 = size_columns(3);
-            float _e117 = read_columns(((((((_e99 * _e101) + (_e103 + 1)) * _e108) + _e110) * _e113) + 0));
-            float _e120 = w10_2;
-            int _e121 = row_3;
-            int _e125 = size_columns(1);
-            int _e127 = place_2;
-            int _e130 = size_columns(2);
-            int _e132 = c_6;
-            int _e135 = size_columns(3);
-            float _e139 = read_columns((((((((_e121 + 1) * _e125) + _e127) * _e130) + _e132) * _e135) + 0));
-            float _e142 = w11_2;
-            int _e143 = row_3;
-            int _e147 = size_columns(1);
-            int _e149 = place_2;
-            int _e154 = size_columns(2);
-            int _e156 = c_6;
-            int _e159 = size_columns(3);
-            float _e163 = read_columns((((((((_e143 + 1) * _e147) + (_e149 + 1)) * _e154) + _e156) * _e159) + 0));
-            scale = ((((_e79 * _e96) + (_e98 * _e117)) + (_e120 * _e139)) + (_e142 * _e163));
-            float _e166 = w00_2;
-            int _e167 = row_3;
-            int _e169 = size_columns(1);
-            int _e171 = place_2;
-            int _e174 = size_columns(2);
-            int _e176 = c_6;
-            int _e179 = size_columns(3);
-            float _e183 = read_columns(((((((_e167 * _e169) + _e171) * _e174) + _e176) * _e179) + 1));
-            float _e185 = w01_2;
-            int _e186 = row_3;
-            int _e188 = size_columns(1);
-            int _e190 = place_2;
-            int _e195 = size_columns(2);
-            int _e197 = c_6;
-            int _e200 = size_columns(3);
-            float _e204 = read_columns(((((((_e186 * _e188) + (_e190 + 1)) * _e195) + _e197) * _e200) + 1));
-            float _e207 = w10_2;
-            int _e208 = row_3;
-            int _e212 = size_columns(1);
-            int _e214 = place_2;
-            int _e217 = size_columns(2);
-            int _e219 = c_6;
-            int _e222 = size_columns(3);
-            float _e226 = read_columns((((((((_e208 + 1) * _e212) + _e214) * _e217) + _e219) * _e222) + 1));
-            float _e229 = w11_2;
-            int _e230 = row_3;
-            int _e234 = size_columns(1);
-            int _e236 = place_2;
-            int _e241 = size_columns(2);
-            int _e243 = c_6;
-            int _e246 = size_columns(3);
-            float _e250 = read_columns((((((((_e230 + 1) * _e234) + (_e236 + 1)) * _e241) + _e243) * _e246) + 1));
-            scaled = ((((_e166 * _e183) + (_e185 * _e204)) + (_e207 * _e226)) + (_e229 * _e250));
-            int _e254 = c_6;
-            float _e256 = distance_1_3;
-            float _e257 = scaled;
-            float _e259 = scale;
-            march_line_1_here[_e254] = ((_e256 * _e257) / _e259);
+            float _e81 = w00_2;
+            int _e82 = row_3;
+            int _e84 = size_columns(1);
+            int _e86 = place_2;
+            int _e89 = size_columns(2);
+            int _e91 = c_6;
+            int _e94 = size_columns(3);
+            float _e98 = read_columns(((((((_e82 * _e84) + _e86) * _e89) + _e91) * _e94) + 0));
+            float _e100 = w01_2;
+            int _e101 = row_3;
+            int _e103 = size_columns(1);
+            int _e105 = place_2;
+            int _e110 = size_columns(2);
+            int _e112 = c_6;
+            int _e115 = size_columns(3);
+            float _e119 = read_columns(((((((_e101 * _e103) + (_e105 + 1)) * _e110) + _e112) * _e115) + 0));
+            float _e122 = w10_2;
+            int _e123 = row_3;
+            int _e127 = size_columns(1);
+            int _e129 = place_2;
+            int _e132 = size_columns(2);
+            int _e134 = c_6;
+            int _e137 = size_columns(3);
+            float _e141 = read_columns((((((((_e123 + 1) * _e127) + _e129) * _e132) + _e134) * _e137) + 0));
+            float _e144 = w11_2;
+            int _e145 = row_3;
+            int _e149 = size_columns(1);
+            int _e151 = place_2;
+            int _e156 = size_columns(2);
+            int _e158 = c_6;
+            int _e161 = size_columns(3);
+            float _e165 = read_columns((((((((_e145 + 1) * _e149) + (_e151 + 1)) * _e156) + _e158) * _e161) + 0));
+            scale = ((((_e81 * _e98) + (_e100 * _e119)) + (_e122 * _e141)) + (_e144 * _e165));
+            float _e168 = w00_2;
+            int _e169 = row_3;
+            int _e171 = size_columns(1);
+            int _e173 = place_2;
+            int _e176 = size_columns(2);
+            int _e178 = c_6;
+            int _e181 = size_columns(3);
+            float _e185 = read_columns(((((((_e169 * _e171) + _e173) * _e176) + _e178) * _e181) + 1));
+            float _e187 = w01_2;
+            int _e188 = row_3;
+            int _e190 = size_columns(1);
+            int _e192 = place_2;
+            int _e197 = size_columns(2);
+            int _e199 = c_6;
+            int _e202 = size_columns(3);
+            float _e206 = read_columns(((((((_e188 * _e190) + (_e192 + 1)) * _e197) + _e199) * _e202) + 1));
+            float _e209 = w10_2;
+            int _e210 = row_3;
+            int _e214 = size_columns(1);
+            int _e216 = place_2;
+            int _e219 = size_columns(2);
+            int _e221 = c_6;
+            int _e224 = size_columns(3);
+            float _e228 = read_columns((((((((_e210 + 1) * _e214) + _e216) * _e219) + _e221) * _e224) + 1));
+            float _e231 = w11_2;
+            int _e232 = row_3;
+            int _e236 = size_columns(1);
+            int _e238 = place_2;
+            int _e243 = size_columns(2);
+            int _e245 = c_6;
+            int _e248 = size_columns(3);
+            float _e252 = read_columns((((((((_e232 + 1) * _e236) + (_e238 + 1)) * _e243) + _e245) * _e248) + 1));
+            scaled = ((((_e168 * _e185) + (_e187 * _e206)) + (_e209 * _e228)) + (_e231 * _e252));
+            int _e256 = c_6;
+            float _e258 = distance_1_3;
+            float _e259 = scaled;
+            float _e261 = scale;
+            march_line_1_here[_e256] = ((_e258 * _e259) / _e261);
+            int _e263 = c_6;
+            c_6 = (_e263 + 1);
+            float _e266 = w00_2;
+            int _e267 = row_3;
+            int _e269 = size_columns(1);
+            int _e271 = place_2;
+            int _e274 = size_columns(2);
+            int _e276 = c_6;
+            int _e279 = size_columns(3);
+            float _e283 = read_columns(((((((_e267 * _e269) + _e271) * _e274) + _e276) * _e279) + 0));
+            float _e285 = w01_2;
+            int _e286 = row_3;
+            int _e288 = size_columns(1);
+            int _e290 = place_2;
+            int _e295 = size_columns(2);
+            int _e297 = c_6;
+            int _e300 = size_columns(3);
+            float _e304 = read_columns(((((((_e286 * _e288) + (_e290 + 1)) * _e295) + _e297) * _e300) + 0));
+            float _e307 = w10_2;
+            int _e308 = row_3;
+            int _e312 = size_columns(1);
+            int _e314 = place_2;
+            int _e317 = size_columns(2);
+            int _e319 = c_6;
+            int _e322 = size_columns(3);
+            float _e326 = read_columns((((((((_e308 + 1) * _e312) + _e314) * _e317) + _e319) * _e322) + 0));
+            float _e329 = w11_2;
+            int _e330 = row_3;
+            int _e334 = size_columns(1);
+            int _e336 = place_2;
+            int _e341 = size_columns(2);
+            int _e343 = c_6;
+            int _e346 = size_columns(3);
+            float _e350 = read_columns((((((((_e330 + 1) * _e334) + (_e336 + 1)) * _e341) + _e343) * _e346) + 0));
+            scale = ((((_e266 * _e283) + (_e285 * _e304)) + (_e307 * _e326)) + (_e329 * _e350));
+            float _e353 = w00_2;
+            int _e354 = row_3;
+            int _e356 = size_columns(1);
+            int _e358 = place_2;
+            int _e361 = size_columns(2);
+            int _e363 = c_6;
+            int _e366 = size_columns(3);
+            float _e370 = read_columns(((((((_e354 * _e356) + _e358) * _e361) + _e363) * _e366) + 1));
+            float _e372 = w01_2;
+            int _e373 = row_3;
+            int _e375 = size_columns(1);
+            int _e377 = place_2;
+            int _e382 = size_columns(2);
+            int _e384 = c_6;
+            int _e387 = size_columns(3);
+            float _e391 = read_columns(((((((_e373 * _e375) + (_e377 + 1)) * _e382) + _e384) * _e387) + 1));
+            float _e394 = w10_2;
+            int _e395 = row_3;
+            int _e399 = size_columns(1);
+            int _e401 = place_2;
+            int _e404 = size_columns(2);
+            int _e406 = c_6;
+            int _e409 = size_columns(3);
+            float _e413 = read_columns((((((((_e395 + 1) * _e399) + _e401) * _e404) + _e406) * _e409) + 1));
+            float _e416 = w11_2;
+            int _e417 = row_3;
+            int _e421 = size_columns(1);
+            int _e423 = place_2;
+            int _e428 = size_columns(2);
+            int _e430 = c_6;
+            int _e433 = size_columns(3);
+            float _e437 = read_columns((((((((_e417 + 1) * _e421) + (_e423 + 1)) * _e428) + _e430) * _e433) + 1));
+            scaled = ((((_e353 * _e370) + (_e372 * _e391)) + (_e394 * _e413)) + (_e416 * _e437));
+            int _e441 = c_6;
+            float _e443 = distance_1_3;
+            float _e444 = scaled;
+            float _e446 = scale;
+            march_line_1_here[_e441] = ((_e443 * _e444) / _e446);
+            int _e448 = c_6;
+            c_6 = (_e448 + 1);
+            float _e451 = w00_2;
+            int _e452 = row_3;
+            int _e454 = size_columns(1);
+            int _e456 = place_2;
+            int _e459 = size_columns(2);
+            int _e461 = c_6;
+            int _e464 = size_columns(3);
+            float _e468 = read_columns(((((((_e452 * _e454) + _e456) * _e459) + _e461) * _e464) + 0));
+            float _e470 = w01_2;
+            int _e471 = row_3;
+            int _e473 = size_columns(1);
+            int _e475 = place_2;
+            int _e480 = size_columns(2);
+            int _e482 = c_6;
+            int _e485 = size_columns(3);
+            float _e489 = read_columns(((((((_e471 * _e473) + (_e475 + 1)) * _e480) + _e482) * _e485) + 0));
+            float _e492 = w10_2;
+            int _e493 = row_3;
+            int _e497 = size_columns(1);
+            int _e499 = place_2;
+            int _e502 = size_columns(2);
+            int _e504 = c_6;
+            int _e507 = size_columns(3);
+            float _e511 = read_columns((((((((_e493 + 1) * _e497) + _e499) * _e502) + _e504) * _e507) + 0));
+            float _e514 = w11_2;
+            int _e515 = row_3;
+            int _e519 = size_columns(1);
+            int _e521 = place_2;
+            int _e526 = size_columns(2);
+            int _e528 = c_6;
+            int _e531 = size_columns(3);
+            float _e535 = read_columns((((((((_e515 + 1) * _e519) + (_e521 + 1)) * _e526) + _e528) * _e531) + 0));
+            scale = ((((_e451 * _e468) + (_e470 * _e489)) + (_e492 * _e511)) + (_e514 * _e535));
+            float _e538 = w00_2;
+            int _e539 = row_3;
+            int _e541 = size_columns(1);
+            int _e543 = place_2;
+            int _e546 = size_columns(2);
+            int _e548 = c_6;
+            int _e551 = size_columns(3);
+            float _e555 = read_columns(((((((_e539 * _e541) + _e543) * _e546) + _e548) * _e551) + 1));
+            float _e557 = w01_2;
+            int _e558 = row_3;
+            int _e560 = size_columns(1);
+            int _e562 = place_2;
+            int _e567 = size_columns(2);
+            int _e569 = c_6;
+            int _e572 = size_columns(3);
+            float _e576 = read_columns(((((((_e558 * _e560) + (_e562 + 1)) * _e567) + _e569) * _e572) + 1));
+            float _e579 = w10_2;
+            int _e580 = row_3;
+            int _e584 = size_columns(1);
+            int _e586 = place_2;
+            int _e589 = size_columns(2);
+            int _e591 = c_6;
+            int _e594 = size_columns(3);
+            float _e598 = read_columns((((((((_e580 + 1) * _e584) + _e586) * _e589) + _e591) * _e594) + 1));
+            float _e601 = w11_2;
+            int _e602 = row_3;
+            int _e606 = size_columns(1);
+            int _e608 = place_2;
+            int _e613 = size_columns(2);
+            int _e615 = c_6;
+            int _e618 = size_columns(3);
+            float _e622 = read_columns((((((((_e602 + 1) * _e606) + (_e608 + 1)) * _e613) + _e615) * _e618) + 1));
+            scaled = ((((_e538 * _e555) + (_e557 * _e576)) + (_e579 * _e598)) + (_e601 * _e622));
+            int _e626 = c_6;
+            float _e628 = distance_1_3;
+            float _e629 = scaled;
+            float _e631 = scale;
+            march_line_1_here[_e626] = ((_e628 * _e629) / _e631);
+            int _e633 = c_6;
+            c_6 = (_e633 + 1);
+            float _e636 = w00_2;
+            int _e637 = row_3;
+            int _e639 = size_columns(1);
+            int _e641 = place_2;
+            int _e644 = size_columns(2);
+            int _e646 = c_6;
+            int _e649 = size_columns(3);
+            float _e653 = read_columns(((((((_e637 * _e639) + _e641) * _e644) + _e646) * _e649) + 0));
+            float _e655 = w01_2;
+            int _e656 = row_3;
+            int _e658 = size_columns(1);
+            int _e660 = place_2;
+            int _e665 = size_columns(2);
+            int _e667 = c_6;
+            int _e670 = size_columns(3);
+            float _e674 = read_columns(((((((_e656 * _e658) + (_e660 + 1)) * _e665) + _e667) * _e670) + 0));
+            float _e677 = w10_2;
+            int _e678 = row_3;
+            int _e682 = size_columns(1);
+            int _e684 = place_2;
+            int _e687 = size_columns(2);
+            int _e689 = c_6;
+            int _e692 = size_columns(3);
+            float _e696 = read_columns((((((((_e678 + 1) * _e682) + _e684) * _e687) + _e689) * _e692) + 0));
+            float _e699 = w11_2;
+            int _e700 = row_3;
+            int _e704 = size_columns(1);
+            int _e706 = place_2;
+            int _e711 = size_columns(2);
+            int _e713 = c_6;
+            int _e716 = size_columns(3);
+            float _e720 = read_columns((((((((_e700 + 1) * _e704) + (_e706 + 1)) * _e711) + _e713) * _e716) + 0));
+            scale = ((((_e636 * _e653) + (_e655 * _e674)) + (_e677 * _e696)) + (_e699 * _e720));
+            float _e723 = w00_2;
+            int _e724 = row_3;
+            int _e726 = size_columns(1);
+            int _e728 = place_2;
+            int _e731 = size_columns(2);
+            int _e733 = c_6;
+            int _e736 = size_columns(3);
+            float _e740 = read_columns(((((((_e724 * _e726) + _e728) * _e731) + _e733) * _e736) + 1));
+            float _e742 = w01_2;
+            int _e743 = row_3;
+            int _e745 = size_columns(1);
+            int _e747 = place_2;
+            int _e752 = size_columns(2);
+            int _e754 = c_6;
+            int _e757 = size_columns(3);
+            float _e761 = read_columns(((((((_e743 * _e745) + (_e747 + 1)) * _e752) + _e754) * _e757) + 1));
+            float _e764 = w10_2;
+            int _e765 = row_3;
+            int _e769 = size_columns(1);
+            int _e771 = place_2;
+            int _e774 = size_columns(2);
+            int _e776 = c_6;
+            int _e779 = size_columns(3);
+            float _e783 = read_columns((((((((_e765 + 1) * _e769) + _e771) * _e774) + _e776) * _e779) + 1));
+            float _e786 = w11_2;
+            int _e787 = row_3;
+            int _e791 = size_columns(1);
+            int _e793 = place_2;
+            int _e798 = size_columns(2);
+            int _e800 = c_6;
+            int _e803 = size_columns(3);
+            float _e807 = read_columns((((((((_e787 + 1) * _e791) + (_e793 + 1)) * _e798) + _e800) * _e803) + 1));
+            scaled = ((((_e723 * _e740) + (_e742 * _e761)) + (_e764 * _e783)) + (_e786 * _e807));
+            int _e811 = c_6;
+            float _e813 = distance_1_3;
+            float _e814 = scaled;
+            float _e816 = scale;
+            march_line_1_here[_e811] = ((_e813 * _e814) / _e816);
+        }
+    }
+    bool loop_init_27 = true;
+    while(true) {
+        if (!loop_init_27) {
+            int _e1005 = c_6;
+            c_6 = (_e1005 + 1);
+        }
+        loop_init_27 = false;
+        int _e821 = c_6;
+        if ((_e821 < _e75)) {
+        } else {
+            break;
+        }
+        {
+            float _e823 = w00_2;
+            int _e824 = row_3;
+            int _e826 = size_columns(1);
+            int _e828 = place_2;
+            int _e831 = size_columns(2);
+            int _e833 = c_6;
+            int _e836 = size_columns(3);
+            float _e840 = read_columns(((((((_e824 * _e826) + _e828) * _e831) + _e833) * _e836) + 0));
+            float _e842 = w01_2;
+            int _e843 = row_3;
+            int _e845 = size_columns(1);
+            int _e847 = place_2;
+            int _e852 = size_columns(2);
+            int _e854 = c_6;
+            int _e857 = size_columns(3);
+            float _e861 = read_columns(((((((_e843 * _e845) + (_e847 + 1)) * _e852) + _e854) * _e857) + 0));
+            float _e864 = w10_2;
+            int _e865 = row_3;
+            int _e869 = size_columns(1);
+            int _e871 = place_2;
+            int _e874 = size_columns(2);
+            int _e876 = c_6;
+            int _e879 = size_columns(3);
+            float _e883 = read_columns((((((((_e865 + 1) * _e869) + _e871) * _e874) + _e876) * _e879) + 0));
+            float _e886 = w11_2;
+            int _e887 = row_3;
+            int _e891 = size_columns(1);
+            int _e893 = place_2;
+            int _e898 = size_columns(2);
+            int _e900 = c_6;
+            int _e903 = size_columns(3);
+            float _e907 = read_columns((((((((_e887 + 1) * _e891) + (_e893 + 1)) * _e898) + _e900) * _e903) + 0));
+            scale = ((((_e823 * _e840) + (_e842 * _e861)) + (_e864 * _e883)) + (_e886 * _e907));
+            float _e910 = w00_2;
+            int _e911 = row_3;
+            int _e913 = size_columns(1);
+            int _e915 = place_2;
+            int _e918 = size_columns(2);
+            int _e920 = c_6;
+            int _e923 = size_columns(3);
+            float _e927 = read_columns(((((((_e911 * _e913) + _e915) * _e918) + _e920) * _e923) + 1));
+            float _e929 = w01_2;
+            int _e930 = row_3;
+            int _e932 = size_columns(1);
+            int _e934 = place_2;
+            int _e939 = size_columns(2);
+            int _e941 = c_6;
+            int _e944 = size_columns(3);
+            float _e948 = read_columns(((((((_e930 * _e932) + (_e934 + 1)) * _e939) + _e941) * _e944) + 1));
+            float _e951 = w10_2;
+            int _e952 = row_3;
+            int _e956 = size_columns(1);
+            int _e958 = place_2;
+            int _e961 = size_columns(2);
+            int _e963 = c_6;
+            int _e966 = size_columns(3);
+            float _e970 = read_columns((((((((_e952 + 1) * _e956) + _e958) * _e961) + _e963) * _e966) + 1));
+            float _e973 = w11_2;
+            int _e974 = row_3;
+            int _e978 = size_columns(1);
+            int _e980 = place_2;
+            int _e985 = size_columns(2);
+            int _e987 = c_6;
+            int _e990 = size_columns(3);
+            float _e994 = read_columns((((((((_e974 + 1) * _e978) + (_e980 + 1)) * _e985) + _e987) * _e990) + 1));
+            scaled = ((((_e910 * _e927) + (_e929 * _e948)) + (_e951 * _e970)) + (_e973 * _e994));
+            int _e998 = c_6;
+            float _e1000 = distance_1_3;
+            float _e1001 = scaled;
+            float _e1003 = scale;
+            march_line_1_here[_e998] = ((_e1000 * _e1001) / _e1003);
         }
     }
     return;
 }
 
-void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
-    float x_19 = 0.0;
+void columns_to_top_2_(float r_16, float mu_16, float bottom_5, float top_5) {
+    float x_23 = 0.0;
     int row_4 = 0;
     float f_3 = 0.0;
     int place_3 = 0;
@@ -2085,20 +2950,20 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
     float scaled_1 = 0.0;
     float _e17 = altitude_coordinate(r_16, bottom_5, top_5);
     int _e19 = size_columns(0);
-    x_19 = (_e17 * float((_e19 - 1)));
-    float _e24 = x_19;
+    x_23 = (_e17 * float((_e19 - 1)));
+    float _e24 = x_23;
     int _e27 = size_columns(0);
     row_4 = min(int(_e24), (_e27 - 2));
-    float _e31 = x_19;
+    float _e31 = x_23;
     int _e32 = row_4;
     f_3 = (_e31 - float(_e32));
-    float _e35 = direction_coordinate(r_16, mu_15, bottom_5, top_5);
+    float _e35 = direction_coordinate(r_16, mu_16, bottom_5, top_5);
     int _e37 = size_columns(1);
-    x_19 = (_e35 * float((_e37 - 1)));
-    float _e42 = x_19;
+    x_23 = (_e35 * float((_e37 - 1)));
+    float _e42 = x_23;
     int _e45 = size_columns(1);
     place_3 = min(int(_e42), (_e45 - 2));
-    float _e49 = x_19;
+    float _e49 = x_23;
     int _e50 = place_3;
     e_3 = (_e49 - float(_e50));
     float _e53 = f_3;
@@ -2111,100 +2976,405 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
     w01_3 = now_2_3;
     float _e65 = f_3;
     float _e66 = e_3;
-    float now_3_4 = (_e65 * (1.0 - _e66));
+    float now_3_3 = (_e65 * (1.0 - _e66));
     float _e70 = f_3;
     float _e71 = e_3;
-    float now_4_3 = (_e70 * _e71);
-    w10_3 = now_3_4;
-    w11_3 = now_4_3;
-    float _e73 = distance_to_top(r_16, mu_15, top_5);
+    float now_4_2 = (_e70 * _e71);
+    w10_3 = now_3_3;
+    w11_3 = now_4_2;
+    float _e73 = distance_to_top(r_16, mu_16, top_5);
     distance_1_4 = _e73;
+    int _e75 = size_columns(2);
     c_7 = 0;
-    bool loop_init_22 = true;
+    bool loop_init_28 = true;
     while(true) {
-        if (!loop_init_22) {
-            int _e261 = c_7;
-            c_7 = (_e261 + 1);
+        if (!loop_init_28) {
+            int _e818 = c_7;
+            c_7 = (_e818 + 1);
         }
-        loop_init_22 = false;
-        int _e75 = c_7;
-        int _e77 = size_columns(2);
-        if ((_e75 < _e77)) {
+        loop_init_28 = false;
+        int _e77 = c_7;
+        if (((_e77 + 3) < _e75)) {
         } else {
             break;
         }
         {
-            float _e79 = w00_3;
-            int _e80 = row_4;
-            int _e82 = size_columns(1);
-            int _e84 = place_3;
-            int _e87 = size_columns(2);
-            int _e89 = c_7;
-            int _e92 = size_columns(3);
-            float _e96 = read_columns(((((((_e80 * _e82) + _e84) * _e87) + _e89) * _e92) + 0));
-            float _e98 = w01_3;
-            int _e99 = row_4;
-            int _e101 = size_columns(1);
-            int _e103 = place_3;
-            int _e108 = size_columns(2);
-            int _e110 = c_7;
-            int _e113 = size_columns(3);
-            float _e117 = read_columns(((((((_e99 * _e101) + (_e103 + 1)) * _e108) + _e110) * _e113) + 0));
-            float _e120 = w10_3;
-            int _e121 = row_4;
-            int _e125 = size_columns(1);
-            int _e127 = place_3;
-            int _e130 = size_columns(2);
-            int _e132 = c_7;
-            int _e135 = size_columns(3);
-            float _e139 = read_columns((((((((_e121 + 1) * _e125) + _e127) * _e130) + _e132) * _e135) + 0));
-            float _e142 = w11_3;
-            int _e143 = row_4;
-            int _e147 = size_columns(1);
-            int _e149 = place_3;
-            int _e154 = size_columns(2);
-            int _e156 = c_7;
-            int _e159 = size_columns(3);
-            float _e163 = read_columns((((((((_e143 + 1) * _e147) + (_e149 + 1)) * _e154) + _e156) * _e159) + 0));
-            scale_1 = ((((_e79 * _e96) + (_e98 * _e117)) + (_e120 * _e139)) + (_e142 * _e163));
-            float _e166 = w00_3;
-            int _e167 = row_4;
-            int _e169 = size_columns(1);
-            int _e171 = place_3;
-            int _e174 = size_columns(2);
-            int _e176 = c_7;
-            int _e179 = size_columns(3);
-            float _e183 = read_columns(((((((_e167 * _e169) + _e171) * _e174) + _e176) * _e179) + 1));
-            float _e185 = w01_3;
-            int _e186 = row_4;
-            int _e188 = size_columns(1);
-            int _e190 = place_3;
-            int _e195 = size_columns(2);
-            int _e197 = c_7;
-            int _e200 = size_columns(3);
-            float _e204 = read_columns(((((((_e186 * _e188) + (_e190 + 1)) * _e195) + _e197) * _e200) + 1));
-            float _e207 = w10_3;
-            int _e208 = row_4;
-            int _e212 = size_columns(1);
-            int _e214 = place_3;
-            int _e217 = size_columns(2);
-            int _e219 = c_7;
-            int _e222 = size_columns(3);
-            float _e226 = read_columns((((((((_e208 + 1) * _e212) + _e214) * _e217) + _e219) * _e222) + 1));
-            float _e229 = w11_3;
-            int _e230 = row_4;
-            int _e234 = size_columns(1);
-            int _e236 = place_3;
-            int _e241 = size_columns(2);
-            int _e243 = c_7;
-            int _e246 = size_columns(3);
-            float _e250 = read_columns((((((((_e230 + 1) * _e234) + (_e236 + 1)) * _e241) + _e243) * _e246) + 1));
-            scaled_1 = ((((_e166 * _e183) + (_e185 * _e204)) + (_e207 * _e226)) + (_e229 * _e250));
-            int _e254 = c_7;
-            float _e256 = distance_1_4;
-            float _e257 = scaled_1;
-            float _e259 = scale_1;
-            march_line_1_there[_e254] = ((_e256 * _e257) / _e259);
+            float _e81 = w00_3;
+            int _e82 = row_4;
+            int _e84 = size_columns(1);
+            int _e86 = place_3;
+            int _e89 = size_columns(2);
+            int _e91 = c_7;
+            int _e94 = size_columns(3);
+            float _e98 = read_columns(((((((_e82 * _e84) + _e86) * _e89) + _e91) * _e94) + 0));
+            float _e100 = w01_3;
+            int _e101 = row_4;
+            int _e103 = size_columns(1);
+            int _e105 = place_3;
+            int _e110 = size_columns(2);
+            int _e112 = c_7;
+            int _e115 = size_columns(3);
+            float _e119 = read_columns(((((((_e101 * _e103) + (_e105 + 1)) * _e110) + _e112) * _e115) + 0));
+            float _e122 = w10_3;
+            int _e123 = row_4;
+            int _e127 = size_columns(1);
+            int _e129 = place_3;
+            int _e132 = size_columns(2);
+            int _e134 = c_7;
+            int _e137 = size_columns(3);
+            float _e141 = read_columns((((((((_e123 + 1) * _e127) + _e129) * _e132) + _e134) * _e137) + 0));
+            float _e144 = w11_3;
+            int _e145 = row_4;
+            int _e149 = size_columns(1);
+            int _e151 = place_3;
+            int _e156 = size_columns(2);
+            int _e158 = c_7;
+            int _e161 = size_columns(3);
+            float _e165 = read_columns((((((((_e145 + 1) * _e149) + (_e151 + 1)) * _e156) + _e158) * _e161) + 0));
+            scale_1 = ((((_e81 * _e98) + (_e100 * _e119)) + (_e122 * _e141)) + (_e144 * _e165));
+            float _e168 = w00_3;
+            int _e169 = row_4;
+            int _e171 = size_columns(1);
+            int _e173 = place_3;
+            int _e176 = size_columns(2);
+            int _e178 = c_7;
+            int _e181 = size_columns(3);
+            float _e185 = read_columns(((((((_e169 * _e171) + _e173) * _e176) + _e178) * _e181) + 1));
+            float _e187 = w01_3;
+            int _e188 = row_4;
+            int _e190 = size_columns(1);
+            int _e192 = place_3;
+            int _e197 = size_columns(2);
+            int _e199 = c_7;
+            int _e202 = size_columns(3);
+            float _e206 = read_columns(((((((_e188 * _e190) + (_e192 + 1)) * _e197) + _e199) * _e202) + 1));
+            float _e209 = w10_3;
+            int _e210 = row_4;
+            int _e214 = size_columns(1);
+            int _e216 = place_3;
+            int _e219 = size_columns(2);
+            int _e221 = c_7;
+            int _e224 = size_columns(3);
+            float _e228 = read_columns((((((((_e210 + 1) * _e214) + _e216) * _e219) + _e221) * _e224) + 1));
+            float _e231 = w11_3;
+            int _e232 = row_4;
+            int _e236 = size_columns(1);
+            int _e238 = place_3;
+            int _e243 = size_columns(2);
+            int _e245 = c_7;
+            int _e248 = size_columns(3);
+            float _e252 = read_columns((((((((_e232 + 1) * _e236) + (_e238 + 1)) * _e243) + _e245) * _e248) + 1));
+            scaled_1 = ((((_e168 * _e185) + (_e187 * _e206)) + (_e209 * _e228)) + (_e231 * _e252));
+            int _e256 = c_7;
+            float _e258 = distance_1_4;
+            float _e259 = scaled_1;
+            float _e261 = scale_1;
+            march_line_1_there[_e256] = ((_e258 * _e259) / _e261);
+            int _e263 = c_7;
+            c_7 = (_e263 + 1);
+            float _e266 = w00_3;
+            int _e267 = row_4;
+            int _e269 = size_columns(1);
+            int _e271 = place_3;
+            int _e274 = size_columns(2);
+            int _e276 = c_7;
+            int _e279 = size_columns(3);
+            float _e283 = read_columns(((((((_e267 * _e269) + _e271) * _e274) + _e276) * _e279) + 0));
+            float _e285 = w01_3;
+            int _e286 = row_4;
+            int _e288 = size_columns(1);
+            int _e290 = place_3;
+            int _e295 = size_columns(2);
+            int _e297 = c_7;
+            int _e300 = size_columns(3);
+            float _e304 = read_columns(((((((_e286 * _e288) + (_e290 + 1)) * _e295) + _e297) * _e300) + 0));
+            float _e307 = w10_3;
+            int _e308 = row_4;
+            int _e312 = size_columns(1);
+            int _e314 = place_3;
+            int _e317 = size_columns(2);
+            int _e319 = c_7;
+            int _e322 = size_columns(3);
+            float _e326 = read_columns((((((((_e308 + 1) * _e312) + _e314) * _e317) + _e319) * _e322) + 0));
+            float _e329 = w11_3;
+            int _e330 = row_4;
+            int _e334 = size_columns(1);
+            int _e336 = place_3;
+            int _e341 = size_columns(2);
+            int _e343 = c_7;
+            int _e346 = size_columns(3);
+            float _e350 = read_columns((((((((_e330 + 1) * _e334) + (_e336 + 1)) * _e341) + _e343) * _e346) + 0));
+            scale_1 = ((((_e266 * _e283) + (_e285 * _e304)) + (_e307 * _e326)) + (_e329 * _e350));
+            float _e353 = w00_3;
+            int _e354 = row_4;
+            int _e356 = size_columns(1);
+            int _e358 = place_3;
+            int _e361 = size_columns(2);
+            int _e363 = c_7;
+            int _e366 = size_columns(3);
+            float _e370 = read_columns(((((((_e354 * _e356) + _e358) * _e361) + _e363) * _e366) + 1));
+            float _e372 = w01_3;
+            int _e373 = row_4;
+            int _e375 = size_columns(1);
+            int _e377 = place_3;
+            int _e382 = size_columns(2);
+            int _e384 = c_7;
+            int _e387 = size_columns(3);
+            float _e391 = read_columns(((((((_e373 * _e375) + (_e377 + 1)) * _e382) + _e384) * _e387) + 1));
+            float _e394 = w10_3;
+            int _e395 = row_4;
+            int _e399 = size_columns(1);
+            int _e401 = place_3;
+            int _e404 = size_columns(2);
+            int _e406 = c_7;
+            int _e409 = size_columns(3);
+            float _e413 = read_columns((((((((_e395 + 1) * _e399) + _e401) * _e404) + _e406) * _e409) + 1));
+            float _e416 = w11_3;
+            int _e417 = row_4;
+            int _e421 = size_columns(1);
+            int _e423 = place_3;
+            int _e428 = size_columns(2);
+            int _e430 = c_7;
+            int _e433 = size_columns(3);
+            float _e437 = read_columns((((((((_e417 + 1) * _e421) + (_e423 + 1)) * _e428) + _e430) * _e433) + 1));
+            scaled_1 = ((((_e353 * _e370) + (_e372 * _e391)) + (_e394 * _e413)) + (_e416 * _e437));
+            int _e441 = c_7;
+            float _e443 = distance_1_4;
+            float _e444 = scaled_1;
+            float _e446 = scale_1;
+            march_line_1_there[_e441] = ((_e443 * _e444) / _e446);
+            int _e448 = c_7;
+            c_7 = (_e448 + 1);
+            float _e451 = w00_3;
+            int _e452 = row_4;
+            int _e454 = size_columns(1);
+            int _e456 = place_3;
+            int _e459 = size_columns(2);
+            int _e461 = c_7;
+            int _e464 = size_columns(3);
+            float _e468 = read_columns(((((((_e452 * _e454) + _e456) * _e459) + _e461) * _e464) + 0));
+            float _e470 = w01_3;
+            int _e471 = row_4;
+            int _e473 = size_columns(1);
+            int _e475 = place_3;
+            int _e480 = size_columns(2);
+            int _e482 = c_7;
+            int _e485 = size_columns(3);
+            float _e489 = read_columns(((((((_e471 * _e473) + (_e475 + 1)) * _e480) + _e482) * _e485) + 0));
+            float _e492 = w10_3;
+            int _e493 = row_4;
+            int _e497 = size_columns(1);
+            int _e499 = place_3;
+            int _e502 = size_columns(2);
+            int _e504 = c_7;
+            int _e507 = size_columns(3);
+            float _e511 = read_columns((((((((_e493 + 1) * _e497) + _e499) * _e502) + _e504) * _e507) + 0));
+            float _e514 = w11_3;
+            int _e515 = row_4;
+            int _e519 = size_columns(1);
+            int _e521 = place_3;
+            int _e526 = size_columns(2);
+            int _e528 = c_7;
+            int _e531 = size_columns(3);
+            float _e535 = read_columns((((((((_e515 + 1) * _e519) + (_e521 + 1)) * _e526) + _e528) * _e531) + 0));
+            scale_1 = ((((_e451 * _e468) + (_e470 * _e489)) + (_e492 * _e511)) + (_e514 * _e535));
+            float _e538 = w00_3;
+            int _e539 = row_4;
+            int _e541 = size_columns(1);
+            int _e543 = place_3;
+            int _e546 = size_columns(2);
+            int _e548 = c_7;
+            int _e551 = size_columns(3);
+            float _e555 = read_columns(((((((_e539 * _e541) + _e543) * _e546) + _e548) * _e551) + 1));
+            float _e557 = w01_3;
+            int _e558 = row_4;
+            int _e560 = size_columns(1);
+            int _e562 = place_3;
+            int _e567 = size_columns(2);
+            int _e569 = c_7;
+            int _e572 = size_columns(3);
+            float _e576 = read_columns(((((((_e558 * _e560) + (_e562 + 1)) * _e567) + _e569) * _e572) + 1));
+            float _e579 = w10_3;
+            int _e580 = row_4;
+            int _e584 = size_columns(1);
+            int _e586 = place_3;
+            int _e589 = size_columns(2);
+            int _e591 = c_7;
+            int _e594 = size_columns(3);
+            float _e598 = read_columns((((((((_e580 + 1) * _e584) + _e586) * _e589) + _e591) * _e594) + 1));
+            float _e601 = w11_3;
+            int _e602 = row_4;
+            int _e606 = size_columns(1);
+            int _e608 = place_3;
+            int _e613 = size_columns(2);
+            int _e615 = c_7;
+            int _e618 = size_columns(3);
+            float _e622 = read_columns((((((((_e602 + 1) * _e606) + (_e608 + 1)) * _e613) + _e615) * _e618) + 1));
+            scaled_1 = ((((_e538 * _e555) + (_e557 * _e576)) + (_e579 * _e598)) + (_e601 * _e622));
+            int _e626 = c_7;
+            float _e628 = distance_1_4;
+            float _e629 = scaled_1;
+            float _e631 = scale_1;
+            march_line_1_there[_e626] = ((_e628 * _e629) / _e631);
+            int _e633 = c_7;
+            c_7 = (_e633 + 1);
+            float _e636 = w00_3;
+            int _e637 = row_4;
+            int _e639 = size_columns(1);
+            int _e641 = place_3;
+            int _e644 = size_columns(2);
+            int _e646 = c_7;
+            int _e649 = size_columns(3);
+            float _e653 = read_columns(((((((_e637 * _e639) + _e641) * _e644) + _e646) * _e649) + 0));
+            float _e655 = w01_3;
+            int _e656 = row_4;
+            int _e658 = size_columns(1);
+            int _e660 = place_3;
+            int _e665 = size_columns(2);
+            int _e667 = c_7;
+            int _e670 = size_columns(3);
+            float _e674 = read_columns(((((((_e656 * _e658) + (_e660 + 1)) * _e665) + _e667) * _e670) + 0));
+            float _e677 = w10_3;
+            int _e678 = row_4;
+            int _e682 = size_columns(1);
+            int _e684 = place_3;
+            int _e687 = size_columns(2);
+            int _e689 = c_7;
+            int _e692 = size_columns(3);
+            float _e696 = read_columns((((((((_e678 + 1) * _e682) + _e684) * _e687) + _e689) * _e692) + 0));
+            float _e699 = w11_3;
+            int _e700 = row_4;
+            int _e704 = size_columns(1);
+            int _e706 = place_3;
+            int _e711 = size_columns(2);
+            int _e713 = c_7;
+            int _e716 = size_columns(3);
+            float _e720 = read_columns((((((((_e700 + 1) * _e704) + (_e706 + 1)) * _e711) + _e713) * _e716) + 0));
+            scale_1 = ((((_e636 * _e653) + (_e655 * _e674)) + (_e677 * _e696)) + (_e699 * _e720));
+            float _e723 = w00_3;
+            int _e724 = row_4;
+            int _e726 = size_columns(1);
+            int _e728 = place_3;
+            int _e731 = size_columns(2);
+            int _e733 = c_7;
+            int _e736 = size_columns(3);
+            float _e740 = read_columns(((((((_e724 * _e726) + _e728) * _e731) + _e733) * _e736) + 1));
+            float _e742 = w01_3;
+            int _e743 = row_4;
+            int _e745 = size_columns(1);
+            int _e747 = place_3;
+            int _e752 = size_columns(2);
+            int _e754 = c_7;
+            int _e757 = size_columns(3);
+            float _e761 = read_columns(((((((_e743 * _e745) + (_e747 + 1)) * _e752) + _e754) * _e757) + 1));
+            float _e764 = w10_3;
+            int _e765 = row_4;
+            int _e769 = size_columns(1);
+            int _e771 = place_3;
+            int _e774 = size_columns(2);
+            int _e776 = c_7;
+            int _e779 = size_columns(3);
+            float _e783 = read_columns((((((((_e765 + 1) * _e769) + _e771) * _e774) + _e776) * _e779) + 1));
+            float _e786 = w11_3;
+            int _e787 = row_4;
+            int _e791 = size_columns(1);
+            int _e793 = place_3;
+            int _e798 = size_columns(2);
+            int _e800 = c_7;
+            int _e803 = size_columns(3);
+            float _e807 = read_columns((((((((_e787 + 1) * _e791) + (_e793 + 1)) * _e798) + _e800) * _e803) + 1));
+            scaled_1 = ((((_e723 * _e740) + (_e742 * _e761)) + (_e764 * _e783)) + (_e786 * _e807));
+            int _e811 = c_7;
+            float _e813 = distance_1_4;
+            float _e814 = scaled_1;
+            float _e816 = scale_1;
+            march_line_1_there[_e811] = ((_e813 * _e814) / _e816);
+        }
+    }
+    bool loop_init_29 = true;
+    while(true) {
+        if (!loop_init_29) {
+            int _e1005 = c_7;
+            c_7 = (_e1005 + 1);
+        }
+        loop_init_29 = false;
+        int _e821 = c_7;
+        if ((_e821 < _e75)) {
+        } else {
+            break;
+        }
+        {
+            float _e823 = w00_3;
+            int _e824 = row_4;
+            int _e826 = size_columns(1);
+            int _e828 = place_3;
+            int _e831 = size_columns(2);
+            int _e833 = c_7;
+            int _e836 = size_columns(3);
+            float _e840 = read_columns(((((((_e824 * _e826) + _e828) * _e831) + _e833) * _e836) + 0));
+            float _e842 = w01_3;
+            int _e843 = row_4;
+            int _e845 = size_columns(1);
+            int _e847 = place_3;
+            int _e852 = size_columns(2);
+            int _e854 = c_7;
+            int _e857 = size_columns(3);
+            float _e861 = read_columns(((((((_e843 * _e845) + (_e847 + 1)) * _e852) + _e854) * _e857) + 0));
+            float _e864 = w10_3;
+            int _e865 = row_4;
+            int _e869 = size_columns(1);
+            int _e871 = place_3;
+            int _e874 = size_columns(2);
+            int _e876 = c_7;
+            int _e879 = size_columns(3);
+            float _e883 = read_columns((((((((_e865 + 1) * _e869) + _e871) * _e874) + _e876) * _e879) + 0));
+            float _e886 = w11_3;
+            int _e887 = row_4;
+            int _e891 = size_columns(1);
+            int _e893 = place_3;
+            int _e898 = size_columns(2);
+            int _e900 = c_7;
+            int _e903 = size_columns(3);
+            float _e907 = read_columns((((((((_e887 + 1) * _e891) + (_e893 + 1)) * _e898) + _e900) * _e903) + 0));
+            scale_1 = ((((_e823 * _e840) + (_e842 * _e861)) + (_e864 * _e883)) + (_e886 * _e907));
+            float _e910 = w00_3;
+            int _e911 = row_4;
+            int _e913 = size_columns(1);
+            int _e915 = place_3;
+            int _e918 = size_columns(2);
+            int _e920 = c_7;
+            int _e923 = size_columns(3);
+            float _e927 = read_columns(((((((_e911 * _e913) + _e915) * _e918) + _e920) * _e923) + 1));
+            float _e929 = w01_3;
+            int _e930 = row_4;
+            int _e932 = size_columns(1);
+            int _e934 = place_3;
+            int _e939 = size_columns(2);
+            int _e941 = c_7;
+            int _e944 = size_columns(3);
+            float _e948 = read_columns(((((((_e930 * _e932) + (_e934 + 1)) * _e939) + _e941) * _e944) + 1));
+            float _e951 = w10_3;
+            int _e952 = row_4;
+            int _e956 = size_columns(1);
+            int _e958 = place_3;
+            int _e961 = size_columns(2);
+            int _e963 = c_7;
+            int _e966 = size_columns(3);
+            float _e970 = read_columns((((((((_e952 + 1) * _e956) + _e958) * _e961) + _e963) * _e966) + 1));
+            float _e973 = w11_3;
+            int _e974 = row_4;
+            int _e978 = size_columns(1);
+            int _e980 = place_3;
+            int _e985 = size_columns(2);
+            int _e987 = c_7;
+            int _e990 = size_columns(3);
+            float _e994 = read_columns((((((((_e974 + 1) * _e978) + (_e980 + 1)) * _e985) + _e987) * _e990) + 1));
+            scaled_1 = ((((_e910 * _e927) + (_e929 * _e948)) + (_e951 * _e970)) + (_e973 * _e994));
+            int _e998 = c_7;
+            float _e1000 = distance_1_4;
+            float _e1001 = scaled_1;
+            float _e1003 = scale_1;
+            march_line_1_there[_e998] = ((_e1000 * _e1001) / _e1003);
         }
     }
     return;
@@ -2215,29 +3385,74 @@ vec4 through_columns_3_(int constituents_1) {
     int c_8 = 0;
     tau_1 = vec4(0.0);
     c_8 = 0;
-    bool loop_init_23 = true;
+    bool loop_init_30 = true;
     while(true) {
-        if (!loop_init_23) {
-            int _e21 = c_8;
-            c_8 = (_e21 + 1);
+        if (!loop_init_30) {
+            int _e71 = c_8;
+            c_8 = (_e71 + 1);
         }
-        loop_init_23 = false;
+        loop_init_30 = false;
         int _e6 = c_8;
-        if ((_e6 < constituents_1)) {
+        if (((_e6 + 3) < constituents_1)) {
         } else {
             break;
         }
         {
-            vec4 _e8 = tau_1;
-            int _e9 = c_8;
-            vec4 _e14 = read_extinction(((1 * _e9) + 0));
-            int _e16 = c_8;
-            float _e18 = march_line_1_here[_e16];
-            tau_1 = (_e8 + (_e14 * _e18));
+            vec4 _e10 = tau_1;
+            int _e11 = c_8;
+            vec4 _e16 = read_extinction(((1 * _e11) + 0));
+            int _e18 = c_8;
+            float _e20 = march_line_1_here[_e18];
+            tau_1 = (_e10 + (_e16 * _e20));
+            int _e23 = c_8;
+            c_8 = (_e23 + 1);
+            vec4 _e26 = tau_1;
+            int _e27 = c_8;
+            vec4 _e32 = read_extinction(((1 * _e27) + 0));
+            int _e34 = c_8;
+            float _e36 = march_line_1_here[_e34];
+            tau_1 = (_e26 + (_e32 * _e36));
+            int _e39 = c_8;
+            c_8 = (_e39 + 1);
+            vec4 _e42 = tau_1;
+            int _e43 = c_8;
+            vec4 _e48 = read_extinction(((1 * _e43) + 0));
+            int _e50 = c_8;
+            float _e52 = march_line_1_here[_e50];
+            tau_1 = (_e42 + (_e48 * _e52));
+            int _e55 = c_8;
+            c_8 = (_e55 + 1);
+            vec4 _e58 = tau_1;
+            int _e59 = c_8;
+            vec4 _e64 = read_extinction(((1 * _e59) + 0));
+            int _e66 = c_8;
+            float _e68 = march_line_1_here[_e66];
+            tau_1 = (_e58 + (_e64 * _e68));
         }
     }
-    vec4 _e24 = tau_1;
-    return exp((vec4(0.0) - _e24));
+    bool loop_init_31 = true;
+    while(true) {
+        if (!loop_init_31) {
+            int _e89 = c_8;
+            c_8 = (_e89 + 1);
+        }
+        loop_init_31 = false;
+        int _e74 = c_8;
+        if ((_e74 < constituents_1)) {
+        } else {
+            break;
+        }
+        {
+            vec4 _e76 = tau_1;
+            int _e77 = c_8;
+            vec4 _e82 = read_extinction(((1 * _e77) + 0));
+            int _e84 = c_8;
+            float _e86 = march_line_1_here[_e84];
+            tau_1 = (_e76 + (_e82 * _e86));
+        }
+    }
+    vec4 _e92 = tau_1;
+    return exp((vec4(0.0) - _e92));
 }
 
 vec4 through_columns_4_(int constituents_2) {
@@ -2245,29 +3460,74 @@ vec4 through_columns_4_(int constituents_2) {
     int c_9 = 0;
     tau_2 = vec4(0.0);
     c_9 = 0;
-    bool loop_init_24 = true;
+    bool loop_init_32 = true;
     while(true) {
-        if (!loop_init_24) {
-            int _e21 = c_9;
-            c_9 = (_e21 + 1);
+        if (!loop_init_32) {
+            int _e71 = c_9;
+            c_9 = (_e71 + 1);
         }
-        loop_init_24 = false;
+        loop_init_32 = false;
         int _e6 = c_9;
-        if ((_e6 < constituents_2)) {
+        if (((_e6 + 3) < constituents_2)) {
         } else {
             break;
         }
         {
-            vec4 _e8 = tau_2;
-            int _e9 = c_9;
-            vec4 _e14 = read_extinction(((1 * _e9) + 0));
-            int _e16 = c_9;
-            float _e18 = march_line_1_there[_e16];
-            tau_2 = (_e8 + (_e14 * _e18));
+            vec4 _e10 = tau_2;
+            int _e11 = c_9;
+            vec4 _e16 = read_extinction(((1 * _e11) + 0));
+            int _e18 = c_9;
+            float _e20 = march_line_1_there[_e18];
+            tau_2 = (_e10 + (_e16 * _e20));
+            int _e23 = c_9;
+            c_9 = (_e23 + 1);
+            vec4 _e26 = tau_2;
+            int _e27 = c_9;
+            vec4 _e32 = read_extinction(((1 * _e27) + 0));
+            int _e34 = c_9;
+            float _e36 = march_line_1_there[_e34];
+            tau_2 = (_e26 + (_e32 * _e36));
+            int _e39 = c_9;
+            c_9 = (_e39 + 1);
+            vec4 _e42 = tau_2;
+            int _e43 = c_9;
+            vec4 _e48 = read_extinction(((1 * _e43) + 0));
+            int _e50 = c_9;
+            float _e52 = march_line_1_there[_e50];
+            tau_2 = (_e42 + (_e48 * _e52));
+            int _e55 = c_9;
+            c_9 = (_e55 + 1);
+            vec4 _e58 = tau_2;
+            int _e59 = c_9;
+            vec4 _e64 = read_extinction(((1 * _e59) + 0));
+            int _e66 = c_9;
+            float _e68 = march_line_1_there[_e66];
+            tau_2 = (_e58 + (_e64 * _e68));
         }
     }
-    vec4 _e24 = tau_2;
-    return exp((vec4(0.0) - _e24));
+    bool loop_init_33 = true;
+    while(true) {
+        if (!loop_init_33) {
+            int _e89 = c_9;
+            c_9 = (_e89 + 1);
+        }
+        loop_init_33 = false;
+        int _e74 = c_9;
+        if ((_e74 < constituents_2)) {
+        } else {
+            break;
+        }
+        {
+            vec4 _e76 = tau_2;
+            int _e77 = c_9;
+            vec4 _e82 = read_extinction(((1 * _e77) + 0));
+            int _e84 = c_9;
+            float _e86 = march_line_1_there[_e84];
+            tau_2 = (_e76 + (_e82 * _e86));
+        }
+    }
+    vec4 _e92 = tau_2;
+    return exp((vec4(0.0) - _e92));
 }
 
 vec4 star_at_1_(float seen_1, bool spread, int constituents_3) {
@@ -2290,55 +3550,108 @@ vec4 scattered_star_1_(int constituents_4) {
     int c_10 = 0;
     source = vec4(0.0);
     c_10 = 0;
-    bool loop_init_25 = true;
+    bool loop_init_34 = true;
     while(true) {
-        if (!loop_init_25) {
-            int _e30 = c_10;
-            c_10 = (_e30 + 1);
+        if (!loop_init_34) {
+            int _e107 = c_10;
+            c_10 = (_e107 + 1);
         }
-        loop_init_25 = false;
+        loop_init_34 = false;
         int _e6 = c_10;
-        if ((_e6 < constituents_4)) {
+        if (((_e6 + 3) < constituents_4)) {
         } else {
             break;
         }
         {
-            vec4 _e8 = source;
-            int _e9 = c_10;
-            vec4 _e14 = read_scattering(((1 * _e9) + 0));
-            int _e16 = c_10;
-            vec4 _e22 = air_texel_1_phase[((1 * _e16) + 0)];
-            int _e25 = c_10;
-            float _e27 = march_line_1_rho[_e25];
-            source = (_e8 + ((_e14 * _e22) * _e27));
+            vec4 _e10 = source;
+            int _e11 = c_10;
+            vec4 _e16 = read_scattering(((1 * _e11) + 0));
+            int _e18 = c_10;
+            vec4 _e24 = air_texel_1_phase[((1 * _e18) + 0)];
+            int _e27 = c_10;
+            float _e29 = march_line_1_rho[_e27];
+            source = (_e10 + ((_e16 * _e24) * _e29));
+            int _e32 = c_10;
+            c_10 = (_e32 + 1);
+            vec4 _e35 = source;
+            int _e36 = c_10;
+            vec4 _e41 = read_scattering(((1 * _e36) + 0));
+            int _e43 = c_10;
+            vec4 _e49 = air_texel_1_phase[((1 * _e43) + 0)];
+            int _e52 = c_10;
+            float _e54 = march_line_1_rho[_e52];
+            source = (_e35 + ((_e41 * _e49) * _e54));
+            int _e57 = c_10;
+            c_10 = (_e57 + 1);
+            vec4 _e60 = source;
+            int _e61 = c_10;
+            vec4 _e66 = read_scattering(((1 * _e61) + 0));
+            int _e68 = c_10;
+            vec4 _e74 = air_texel_1_phase[((1 * _e68) + 0)];
+            int _e77 = c_10;
+            float _e79 = march_line_1_rho[_e77];
+            source = (_e60 + ((_e66 * _e74) * _e79));
+            int _e82 = c_10;
+            c_10 = (_e82 + 1);
+            vec4 _e85 = source;
+            int _e86 = c_10;
+            vec4 _e91 = read_scattering(((1 * _e86) + 0));
+            int _e93 = c_10;
+            vec4 _e99 = air_texel_1_phase[((1 * _e93) + 0)];
+            int _e102 = c_10;
+            float _e104 = march_line_1_rho[_e102];
+            source = (_e85 + ((_e91 * _e99) * _e104));
         }
     }
-    vec4 _e33 = source;
-    return _e33;
+    bool loop_init_35 = true;
+    while(true) {
+        if (!loop_init_35) {
+            int _e134 = c_10;
+            c_10 = (_e134 + 1);
+        }
+        loop_init_35 = false;
+        int _e110 = c_10;
+        if ((_e110 < constituents_4)) {
+        } else {
+            break;
+        }
+        {
+            vec4 _e112 = source;
+            int _e113 = c_10;
+            vec4 _e118 = read_scattering(((1 * _e113) + 0));
+            int _e120 = c_10;
+            vec4 _e126 = air_texel_1_phase[((1 * _e120) + 0)];
+            int _e129 = c_10;
+            float _e131 = march_line_1_rho[_e129];
+            source = (_e112 + ((_e118 * _e126) * _e131));
+        }
+    }
+    vec4 _e137 = source;
+    return _e137;
 }
 
-void legendre_functions_1_(float mu_16) {
+void legendre_functions_1_(float mu_17) {
     int degree = 0;
     float sine_1_4 = 0.0;
     float power = 0.0;
     int m = 0;
-    float before = 0.0;
-    float value = 0.0;
+    float before_1 = 0.0;
+    float value_1 = 0.0;
     int index_20 = 0;
     int l = 0;
     float following = 0.0;
     float _e13 = _group_0_binding_0_fs.counts.y;
     degree = int(_e13);
-    sine_1_4 = sqrt(max(((1.0 - mu_16) * (1.0 + mu_16)), 0.0));
+    sine_1_4 = sqrt(max(((1.0 - mu_17) * (1.0 + mu_17)), 0.0));
     power = 1.0;
     m = 0;
-    bool loop_init_26 = true;
+    bool loop_init_36 = true;
     while(true) {
-        if (!loop_init_26) {
-            int _e81 = m;
-            m = (_e81 + 1);
+        if (!loop_init_36) {
+            int _e78 = m;
+            m = (_e78 + 1);
         }
-        loop_init_26 = false;
+        loop_init_36 = false;
         int _e25 = m;
         int _e26 = degree;
         if ((_e25 < (_e26 + 1))) {
@@ -2346,27 +3659,28 @@ void legendre_functions_1_(float mu_16) {
             break;
         }
         {
-            before = 0.0;
+            before_1 = 0.0;
             int _e31 = m;
             float _e32 = read_start(_e31);
             float _e33 = power;
-            value = (_e32 * _e33);
+            value_1 = (_e32 * _e33);
             int _e35 = m;
             int _e36 = m;
+            int _e41 = whole_quotient((_e35 * (_e36 + 1)), 2);
             int _e42 = m;
-            index_20 = (((_e35 * (_e36 + 1)) / 2) + _e42);
+            index_20 = (_e41 + _e42);
             int _e45 = index_20;
-            float _e47 = value;
+            float _e47 = value_1;
             march_line_1_functions[_e45] = _e47;
             int _e48 = m;
             l = (_e48 + 1);
-            bool loop_init_27 = true;
+            bool loop_init_37 = true;
             while(true) {
-                if (!loop_init_27) {
-                    int _e75 = l;
-                    l = (_e75 + 1);
+                if (!loop_init_37) {
+                    int _e72 = l;
+                    l = (_e72 + 1);
                 }
-                loop_init_27 = false;
+                loop_init_37 = false;
                 int _e51 = l;
                 int _e52 = degree;
                 if ((_e51 < (_e52 + 1))) {
@@ -2379,44 +3693,45 @@ void legendre_functions_1_(float mu_16) {
                     index_20 = (_e56 + _e57);
                     int _e59 = index_20;
                     float _e60 = read_ahead(_e59);
-                    float _e62 = value;
-                    int _e64 = index_20;
-                    float _e65 = read_back(_e64);
-                    float _e66 = before;
-                    following = (((_e60 * mu_16) * _e62) - (_e65 * _e66));
-                    float _e69 = value;
-                    before = _e69;
-                    float _e70 = following;
-                    value = _e70;
-                    int _e72 = index_20;
-                    float _e74 = value;
-                    march_line_1_functions[_e72] = _e74;
+                    int _e61 = index_20;
+                    float _e62 = read_back(_e61);
+                    float _e63 = value_1;
+                    float _e64 = before_1;
+                    float _e65 = climbed(_e60, _e62, mu_17, _e63, _e64);
+                    following = _e65;
+                    float _e66 = value_1;
+                    before_1 = _e66;
+                    float _e67 = following;
+                    value_1 = _e67;
+                    int _e69 = index_20;
+                    float _e71 = value_1;
+                    march_line_1_functions[_e69] = _e71;
                 }
             }
-            float _e78 = power;
-            float _e79 = sine_1_4;
-            power = (_e78 * _e79);
+            float _e75 = power;
+            float _e76 = sine_1_4;
+            power = (_e75 * _e76);
         }
     }
     return;
 }
 
 void times_cosines_1_(float step_1_, int degree_1) {
-    float before_1 = 0.0;
+    float before_2 = 0.0;
     float multiple = 0.0;
     int m_1 = 0;
     int index_21 = 0;
     int l_1 = 0;
-    before_1 = 1.0;
+    before_2 = 1.0;
     multiple = step_1_;
     m_1 = 1;
-    bool loop_init_28 = true;
+    bool loop_init_38 = true;
     while(true) {
-        if (!loop_init_28) {
-            int _e51 = m_1;
-            m_1 = (_e51 + 1);
+        if (!loop_init_38) {
+            int _e123 = m_1;
+            m_1 = (_e123 + 1);
         }
-        loop_init_28 = false;
+        loop_init_38 = false;
         int _e9 = m_1;
         if ((_e9 < (degree_1 + 1))) {
         } else {
@@ -2425,39 +3740,94 @@ void times_cosines_1_(float step_1_, int degree_1) {
         {
             int _e13 = m_1;
             int _e14 = m_1;
+            int _e19 = whole_quotient((_e13 * (_e14 + 1)), 2);
             int _e20 = m_1;
-            index_21 = (((_e13 * (_e14 + 1)) / 2) + _e20);
-            int _e22 = m_1;
-            l_1 = _e22;
-            bool loop_init_29 = true;
+            index_21 = (_e19 + _e20);
+            int end_3_ = (degree_1 + 1);
+            int _e24 = m_1;
+            l_1 = _e24;
+            bool loop_init_39 = true;
             while(true) {
-                if (!loop_init_29) {
-                    int _e41 = l_1;
-                    l_1 = (_e41 + 1);
+                if (!loop_init_39) {
+                    int _e94 = l_1;
+                    l_1 = (_e94 + 1);
                 }
-                loop_init_29 = false;
-                int _e23 = l_1;
-                if ((_e23 < (degree_1 + 1))) {
+                loop_init_39 = false;
+                int _e25 = l_1;
+                if (((_e25 + 3) < end_3_)) {
                 } else {
                     break;
                 }
                 {
-                    int _e28 = index_21;
-                    int _e31 = index_21;
-                    float _e33 = march_line_1_functions[_e31];
-                    float _e34 = multiple;
-                    march_line_1_functions[_e28] = (_e33 * _e34);
-                    int _e36 = index_21;
-                    int _e37 = l_1;
-                    index_21 = (_e36 + (_e37 + 1));
+                    int _e30 = index_21;
+                    int _e33 = index_21;
+                    float _e35 = march_line_1_functions[_e33];
+                    float _e36 = multiple;
+                    march_line_1_functions[_e30] = (_e35 * _e36);
+                    int _e38 = index_21;
+                    int _e39 = l_1;
+                    index_21 = (_e38 + (_e39 + 1));
+                    int _e43 = l_1;
+                    l_1 = (_e43 + 1);
+                    int _e47 = index_21;
+                    int _e50 = index_21;
+                    float _e52 = march_line_1_functions[_e50];
+                    float _e53 = multiple;
+                    march_line_1_functions[_e47] = (_e52 * _e53);
+                    int _e55 = index_21;
+                    int _e56 = l_1;
+                    index_21 = (_e55 + (_e56 + 1));
+                    int _e60 = l_1;
+                    l_1 = (_e60 + 1);
+                    int _e64 = index_21;
+                    int _e67 = index_21;
+                    float _e69 = march_line_1_functions[_e67];
+                    float _e70 = multiple;
+                    march_line_1_functions[_e64] = (_e69 * _e70);
+                    int _e72 = index_21;
+                    int _e73 = l_1;
+                    index_21 = (_e72 + (_e73 + 1));
+                    int _e77 = l_1;
+                    l_1 = (_e77 + 1);
+                    int _e81 = index_21;
+                    int _e84 = index_21;
+                    float _e86 = march_line_1_functions[_e84];
+                    float _e87 = multiple;
+                    march_line_1_functions[_e81] = (_e86 * _e87);
+                    int _e89 = index_21;
+                    int _e90 = l_1;
+                    index_21 = (_e89 + (_e90 + 1));
                 }
             }
-            float now_3_5 = multiple;
-            float _e47 = multiple;
-            float _e49 = before_1;
-            float now_4_4 = (((2.0 * step_1_) * _e47) - _e49);
-            before_1 = now_3_5;
-            multiple = now_4_4;
+            bool loop_init_40 = true;
+            while(true) {
+                if (!loop_init_40) {
+                    int _e113 = l_1;
+                    l_1 = (_e113 + 1);
+                }
+                loop_init_40 = false;
+                int _e97 = l_1;
+                if ((_e97 < end_3_)) {
+                } else {
+                    break;
+                }
+                {
+                    int _e100 = index_21;
+                    int _e103 = index_21;
+                    float _e105 = march_line_1_functions[_e103];
+                    float _e106 = multiple;
+                    march_line_1_functions[_e100] = (_e105 * _e106);
+                    int _e108 = index_21;
+                    int _e109 = l_1;
+                    index_21 = (_e108 + (_e109 + 1));
+                }
+            }
+            float now_4_3 = multiple;
+            float _e119 = multiple;
+            float _e121 = before_2;
+            float now_5_ = (((2.0 * step_1_) * _e119) - _e121);
+            before_2 = now_4_3;
+            multiple = now_5_;
         }
     }
     return;
@@ -2474,13 +3844,13 @@ vec4 gathered_light_1_(int near_1, int far_1, int block_1, float w00_4, float w0
     vec4 scale_2 = vec4(0.0);
     gathered = vec4(0.0);
     l_2 = 0;
-    bool loop_init_30 = true;
+    bool loop_init_41 = true;
     while(true) {
-        if (!loop_init_30) {
-            int _e97 = l_2;
-            l_2 = (_e97 + 1);
+        if (!loop_init_41) {
+            int _e277 = l_2;
+            l_2 = (_e277 + 1);
         }
-        loop_init_30 = false;
+        loop_init_41 = false;
         int _e20 = l_2;
         if ((_e20 < (degree_2 + 1))) {
         } else {
@@ -2489,69 +3859,177 @@ vec4 gathered_light_1_(int near_1, int far_1, int block_1, float w00_4, float w0
         {
             strength = vec4(0.0);
             c_11 = 0;
-            bool loop_init_31 = true;
+            bool loop_init_42 = true;
             while(true) {
-                if (!loop_init_31) {
-                    int _e47 = c_11;
-                    c_11 = (_e47 + 1);
+                if (!loop_init_42) {
+                    int _e112 = c_11;
+                    c_11 = (_e112 + 1);
                 }
-                loop_init_31 = false;
+                loop_init_42 = false;
                 int _e27 = c_11;
-                if ((_e27 < constituents_5)) {
+                if (((_e27 + 3) < constituents_5)) {
                 } else {
                     break;
                 }
                 {
-                    vec4 _e29 = strength;
-                    int _e30 = c_11;
-                    int _e34 = l_2;
-                    vec4 _e40 = read_moments(((1 * ((_e30 * (degree_2 + 1)) + _e34)) + 0));
-                    int _e42 = c_11;
-                    float _e44 = march_line_1_rho[_e42];
-                    strength = (_e29 + (_e40 * _e44));
+                    vec4 _e31 = strength;
+                    int _e32 = c_11;
+                    int _e36 = l_2;
+                    vec4 _e42 = read_moments(((1 * ((_e32 * (degree_2 + 1)) + _e36)) + 0));
+                    int _e44 = c_11;
+                    float _e46 = march_line_1_rho[_e44];
+                    strength = (_e31 + (_e42 * _e46));
+                    int _e49 = c_11;
+                    c_11 = (_e49 + 1);
+                    vec4 _e52 = strength;
+                    int _e53 = c_11;
+                    int _e57 = l_2;
+                    vec4 _e63 = read_moments(((1 * ((_e53 * (degree_2 + 1)) + _e57)) + 0));
+                    int _e65 = c_11;
+                    float _e67 = march_line_1_rho[_e65];
+                    strength = (_e52 + (_e63 * _e67));
+                    int _e70 = c_11;
+                    c_11 = (_e70 + 1);
+                    vec4 _e73 = strength;
+                    int _e74 = c_11;
+                    int _e78 = l_2;
+                    vec4 _e84 = read_moments(((1 * ((_e74 * (degree_2 + 1)) + _e78)) + 0));
+                    int _e86 = c_11;
+                    float _e88 = march_line_1_rho[_e86];
+                    strength = (_e73 + (_e84 * _e88));
+                    int _e91 = c_11;
+                    c_11 = (_e91 + 1);
+                    vec4 _e94 = strength;
+                    int _e95 = c_11;
+                    int _e99 = l_2;
+                    vec4 _e105 = read_moments(((1 * ((_e95 * (degree_2 + 1)) + _e99)) + 0));
+                    int _e107 = c_11;
+                    float _e109 = march_line_1_rho[_e107];
+                    strength = (_e94 + (_e105 * _e109));
+                }
+            }
+            bool loop_init_43 = true;
+            while(true) {
+                if (!loop_init_43) {
+                    int _e135 = c_11;
+                    c_11 = (_e135 + 1);
+                }
+                loop_init_43 = false;
+                int _e115 = c_11;
+                if ((_e115 < constituents_5)) {
+                } else {
+                    break;
+                }
+                {
+                    vec4 _e117 = strength;
+                    int _e118 = c_11;
+                    int _e122 = l_2;
+                    vec4 _e128 = read_moments(((1 * ((_e118 * (degree_2 + 1)) + _e122)) + 0));
+                    int _e130 = c_11;
+                    float _e132 = march_line_1_rho[_e130];
+                    strength = (_e117 + (_e128 * _e132));
                 }
             }
             part_1 = vec4(0.0);
-            int _e52 = l_2;
-            int _e53 = l_2;
-            index_22 = ((_e52 * (_e53 + 1)) / 2);
-            bool loop_init_32 = true;
+            int _e140 = l_2;
+            int _e143 = l_2;
+            int _e148 = whole_quotient(((_e140 + 1) * (_e143 + 2)), 2);
+            int _e149 = l_2;
+            int _e150 = l_2;
+            int _e155 = whole_quotient((_e149 * (_e150 + 1)), 2);
+            index_22 = _e155;
+            bool loop_init_44 = true;
             while(true) {
-                if (!loop_init_32) {
-                    int _e89 = index_22;
-                    index_22 = (_e89 + 1);
+                if (!loop_init_44) {
+                    int _e245 = index_22;
+                    index_22 = (_e245 + 1);
                 }
-                loop_init_32 = false;
-                int _e59 = index_22;
-                int _e60 = l_2;
-                int _e63 = l_2;
-                if ((_e59 < (((_e60 + 1) * (_e63 + 2)) / 2))) {
+                loop_init_44 = false;
+                int _e156 = index_22;
+                if (((_e156 + 3) < _e148)) {
                 } else {
                     break;
                 }
                 {
-                    int _e70 = index_22;
-                    here_3 = ((1 * (1 + _e70)) + 0);
-                    vec4 _e77 = part_1;
-                    int _e79 = index_22;
-                    float _e81 = march_line_1_functions[_e79];
-                    int _e82 = here_3;
-                    int _e84 = here_3;
-                    vec4 _e86 = between((near_1 + _e82), (far_1 + _e84), block_1, w00_4, w01_4, w10_4, w11_4);
-                    part_1 = (_e77 + (_e81 * _e86));
+                    int _e160 = index_22;
+                    here_3 = ((1 * (1 + _e160)) + 0);
+                    vec4 _e167 = part_1;
+                    int _e169 = index_22;
+                    float _e171 = march_line_1_functions[_e169];
+                    int _e172 = here_3;
+                    int _e174 = here_3;
+                    vec4 _e176 = between((near_1 + _e172), (far_1 + _e174), block_1, w00_4, w01_4, w10_4, w11_4);
+                    part_1 = (_e167 + (_e171 * _e176));
+                    int _e179 = index_22;
+                    index_22 = (_e179 + 1);
+                    int _e182 = index_22;
+                    here_3 = ((1 * (1 + _e182)) + 0);
+                    vec4 _e189 = part_1;
+                    int _e191 = index_22;
+                    float _e193 = march_line_1_functions[_e191];
+                    int _e194 = here_3;
+                    int _e196 = here_3;
+                    vec4 _e198 = between((near_1 + _e194), (far_1 + _e196), block_1, w00_4, w01_4, w10_4, w11_4);
+                    part_1 = (_e189 + (_e193 * _e198));
+                    int _e201 = index_22;
+                    index_22 = (_e201 + 1);
+                    int _e204 = index_22;
+                    here_3 = ((1 * (1 + _e204)) + 0);
+                    vec4 _e211 = part_1;
+                    int _e213 = index_22;
+                    float _e215 = march_line_1_functions[_e213];
+                    int _e216 = here_3;
+                    int _e218 = here_3;
+                    vec4 _e220 = between((near_1 + _e216), (far_1 + _e218), block_1, w00_4, w01_4, w10_4, w11_4);
+                    part_1 = (_e211 + (_e215 * _e220));
+                    int _e223 = index_22;
+                    index_22 = (_e223 + 1);
+                    int _e226 = index_22;
+                    here_3 = ((1 * (1 + _e226)) + 0);
+                    vec4 _e233 = part_1;
+                    int _e235 = index_22;
+                    float _e237 = march_line_1_functions[_e235];
+                    int _e238 = here_3;
+                    int _e240 = here_3;
+                    vec4 _e242 = between((near_1 + _e238), (far_1 + _e240), block_1, w00_4, w01_4, w10_4, w11_4);
+                    part_1 = (_e233 + (_e237 * _e242));
                 }
             }
-            vec4 _e92 = gathered;
-            vec4 _e93 = strength;
-            vec4 _e94 = part_1;
-            gathered = (_e92 + (_e93 * _e94));
+            bool loop_init_45 = true;
+            while(true) {
+                if (!loop_init_45) {
+                    int _e269 = index_22;
+                    index_22 = (_e269 + 1);
+                }
+                loop_init_45 = false;
+                int _e248 = index_22;
+                if ((_e248 < _e148)) {
+                } else {
+                    break;
+                }
+                {
+                    int _e250 = index_22;
+                    here_3 = ((1 * (1 + _e250)) + 0);
+                    vec4 _e257 = part_1;
+                    int _e259 = index_22;
+                    float _e261 = march_line_1_functions[_e259];
+                    int _e262 = here_3;
+                    int _e264 = here_3;
+                    vec4 _e266 = between((near_1 + _e262), (far_1 + _e264), block_1, w00_4, w01_4, w10_4, w11_4);
+                    part_1 = (_e257 + (_e261 * _e266));
+                }
+            }
+            vec4 _e272 = gathered;
+            vec4 _e273 = strength;
+            vec4 _e274 = part_1;
+            gathered = (_e272 + (_e273 * _e274));
         }
     }
-    vec4 _e104 = between((near_1 + 0), (far_1 + 0), block_1, w00_4, w01_4, w10_4, w11_4);
-    scale_2 = _e104;
-    vec4 _e105 = gathered;
-    vec4 _e106 = scale_2;
-    return max((_e105 / _e106), vec4(0.0));
+    vec4 _e284 = between((near_1 + 0), (far_1 + 0), block_1, w00_4, w01_4, w10_4, w11_4);
+    scale_2 = _e284;
+    vec4 _e285 = gathered;
+    vec4 _e286 = scale_2;
+    return max((_e285 / _e286), vec4(0.0));
 }
 
 vec4 through_columns_2_(int constituents_6) {
@@ -2559,32 +4037,77 @@ vec4 through_columns_2_(int constituents_6) {
     int c_12 = 0;
     tau_3 = vec4(0.0);
     c_12 = 0;
-    bool loop_init_33 = true;
+    bool loop_init_46 = true;
     while(true) {
-        if (!loop_init_33) {
-            int _e21 = c_12;
-            c_12 = (_e21 + 1);
+        if (!loop_init_46) {
+            int _e71 = c_12;
+            c_12 = (_e71 + 1);
         }
-        loop_init_33 = false;
+        loop_init_46 = false;
         int _e6 = c_12;
-        if ((_e6 < constituents_6)) {
+        if (((_e6 + 3) < constituents_6)) {
         } else {
             break;
         }
         {
-            vec4 _e8 = tau_3;
-            int _e9 = c_12;
-            vec4 _e14 = read_extinction(((1 * _e9) + 0));
-            int _e16 = c_12;
-            float _e18 = march_line_1_before[_e16];
-            tau_3 = (_e8 + (_e14 * _e18));
+            vec4 _e10 = tau_3;
+            int _e11 = c_12;
+            vec4 _e16 = read_extinction(((1 * _e11) + 0));
+            int _e18 = c_12;
+            float _e20 = march_line_1_before[_e18];
+            tau_3 = (_e10 + (_e16 * _e20));
+            int _e23 = c_12;
+            c_12 = (_e23 + 1);
+            vec4 _e26 = tau_3;
+            int _e27 = c_12;
+            vec4 _e32 = read_extinction(((1 * _e27) + 0));
+            int _e34 = c_12;
+            float _e36 = march_line_1_before[_e34];
+            tau_3 = (_e26 + (_e32 * _e36));
+            int _e39 = c_12;
+            c_12 = (_e39 + 1);
+            vec4 _e42 = tau_3;
+            int _e43 = c_12;
+            vec4 _e48 = read_extinction(((1 * _e43) + 0));
+            int _e50 = c_12;
+            float _e52 = march_line_1_before[_e50];
+            tau_3 = (_e42 + (_e48 * _e52));
+            int _e55 = c_12;
+            c_12 = (_e55 + 1);
+            vec4 _e58 = tau_3;
+            int _e59 = c_12;
+            vec4 _e64 = read_extinction(((1 * _e59) + 0));
+            int _e66 = c_12;
+            float _e68 = march_line_1_before[_e66];
+            tau_3 = (_e58 + (_e64 * _e68));
         }
     }
-    vec4 _e24 = tau_3;
-    return exp((vec4(0.0) - _e24));
+    bool loop_init_47 = true;
+    while(true) {
+        if (!loop_init_47) {
+            int _e89 = c_12;
+            c_12 = (_e89 + 1);
+        }
+        loop_init_47 = false;
+        int _e74 = c_12;
+        if ((_e74 < constituents_6)) {
+        } else {
+            break;
+        }
+        {
+            vec4 _e76 = tau_3;
+            int _e77 = c_12;
+            vec4 _e82 = read_extinction(((1 * _e77) + 0));
+            int _e84 = c_12;
+            float _e86 = march_line_1_before[_e84];
+            tau_3 = (_e76 + (_e82 * _e86));
+        }
+    }
+    vec4 _e92 = tau_3;
+    return exp((vec4(0.0) - _e92));
 }
 
-void march_line_1_(float r_17, float mu_17, float mu_s_7, float nu_2, float length_1_4, int orders) {
+void march_line_1_(float r_17, float mu_18, float mu_s_7, float nu_2, float length_1_4, int orders) {
     float bottom_6 = 0.0;
     float top_6 = 0.0;
     float first_cut_1 = 0.0;
@@ -2621,7 +4144,7 @@ void march_line_1_(float r_17, float mu_17, float mu_s_7, float nu_2, float leng
     vec4 star = vec4(0.0);
     float spread_1 = 0.0;
     float step_1_1 = 0.0;
-    float x_20 = 0.0;
+    float x_24 = 0.0;
     int row_5 = 0;
     float f_4 = 0.0;
     int place_4 = 0;
@@ -2629,25 +4152,27 @@ void march_line_1_(float r_17, float mu_17, float mu_s_7, float nu_2, float leng
     float g_1 = 0.0;
     float h = 0.0;
     int near_2 = 0;
-    bool local_6 = false;
-    bool local_7 = false;
+    bool local_11 = false;
+    bool local_12 = false;
+    bool local_13 = false;
+    bool local_14 = false;
     float now_1_3 = _group_0_binding_0_fs.shell.x;
     float now_2_4 = _group_0_binding_0_fs.shell.y;
     bottom_6 = now_1_3;
     top_6 = now_2_4;
     float _e58 = bottom_6;
-    Several_f32_f32_ _e59 = shadow_edges(r_17, mu_17, mu_s_7, nu_2, _e58);
+    Several_f32_f32_ _e59 = shadow_edges(r_17, mu_18, mu_s_7, nu_2, _e58);
     first_cut_1 = _e59.v0_;
     second_cut_1 = _e59.v1_;
     float _e62 = first_cut_1;
     float _e63 = second_cut_1;
-    int _e64 = place_edges_1_(r_17, mu_17, length_1_4, _e62, _e63);
+    int _e64 = place_edges_1_(r_17, mu_18, length_1_4, _e62, _e63);
     count_4 = _e64;
     float _e65 = bottom_6;
     int _e66 = count_4;
-    int _e67 = cut_at_corners_1_(r_17, mu_17, _e65, _e66);
+    int _e67 = cut_at_corners_1_(r_17, mu_18, _e65, _e66);
     count_4 = _e67;
-    float _e71 = radius_along(r_17, mu_17, length_1_4);
+    float _e71 = radius_along(r_17, mu_18, length_1_4);
     end_4 = min(mu_s_7, (((r_17 * mu_s_7) + (length_1_4 * nu_2)) / _e71));
     float _e74 = top_6;
     float _e75 = bottom_6;
@@ -2659,407 +4184,652 @@ void march_line_1_(float r_17, float mu_17, float mu_s_7, float nu_2, float leng
     bool _e87 = day;
     if (_e87) {
         float _e90 = slant;
-        local_6 = (_e90 < 4.0);
+        local_11 = (_e90 < 4.0);
     } else {
-        local_6 = false;
+        local_11 = false;
     }
-    bool _e94 = local_6;
-    if (_e94) {
+    bool _e94 = local_11;
+    if (!(_e94)) {
+        int _e98 = count_4;
+        local_12 = (_e98 > 12);
+    } else {
+        local_12 = true;
+    }
+    bool _e102 = local_12;
+    if (_e102) {
         kind = 0;
     }
-    int _e96 = kind;
-    float _e97 = read_rules(_e96);
-    rule_4 = int(_e97);
-    int _e99 = rule_4;
-    float _e100 = read_rules(_e99);
-    n_4 = int(_e100);
+    int _e104 = kind;
+    float _e105 = read_rules(_e104);
+    rule_4 = int(_e105);
+    int _e107 = rule_4;
+    float _e108 = read_rules(_e107);
+    n_4 = int(_e108);
     attempt = 0;
-    bool loop_init_34 = true;
+    bool loop_init_48 = true;
     while(true) {
-        if (!loop_init_34) {
-            int _e124 = attempt;
-            attempt = (_e124 + 1);
+        if (!loop_init_48) {
+            int _e132 = attempt;
+            attempt = (_e132 + 1);
         }
-        loop_init_34 = false;
-        int _e103 = attempt;
-        if ((_e103 < 2)) {
+        loop_init_48 = false;
+        int _e111 = attempt;
+        if ((_e111 < 2)) {
         } else {
             break;
         }
         {
-            int _e106 = count_4;
-            int _e107 = rule_4;
-            float _e108 = columns_along_1_(r_17, mu_17, _e106, _e107);
-            if ((_e108 <= 15.0)) {
+            int _e114 = count_4;
+            int _e115 = rule_4;
+            float _e116 = columns_along_1_(r_17, mu_18, _e114, _e115);
+            if ((_e116 <= 15.0)) {
                 break;
             }
             which_1 = 0;
-            bool loop_init_35 = true;
+            bool loop_init_49 = true;
             while(true) {
-                if (!loop_init_35) {
-                    int _e121 = which_1;
-                    which_1 = (_e121 + 1);
+                if (!loop_init_49) {
+                    int _e129 = which_1;
+                    which_1 = (_e129 + 1);
                 }
-                loop_init_35 = false;
-                int _e112 = which_1;
-                if ((_e112 < 3)) {
+                loop_init_49 = false;
+                int _e120 = which_1;
+                if ((_e120 < 3)) {
                 } else {
                     break;
                 }
                 {
-                    int _e115 = count_4;
-                    int _e117 = which_1;
-                    float _e119 = march_line_1_cuts[_e117];
-                    int _e120 = insert_edge_1_(_e115, _e119);
-                    count_4 = _e120;
+                    int _e123 = count_4;
+                    int _e125 = which_1;
+                    float _e127 = march_line_1_cuts[_e125];
+                    int _e128 = insert_edge_1_(_e123, _e127);
+                    count_4 = _e128;
                 }
             }
         }
     }
     scatters = 0.0;
+    float _e139 = _group_0_binding_0_fs.counts.x;
+    int end_4_3 = int(_e139);
     c_13 = 0;
-    bool loop_init_36 = true;
+    bool loop_init_50 = true;
     while(true) {
-        if (!loop_init_36) {
-            int _e149 = c_13;
-            c_13 = (_e149 + 1);
+        if (!loop_init_50) {
+            int _e207 = c_13;
+            c_13 = (_e207 + 1);
         }
-        loop_init_36 = false;
-        int _e129 = c_13;
-        float _e133 = _group_0_binding_0_fs.counts.x;
-        if ((_e129 < int(_e133))) {
+        loop_init_50 = false;
+        int _e142 = c_13;
+        if (((_e142 + 3) < end_4_3)) {
         } else {
             break;
         }
         {
-            float _e136 = scatters;
-            int _e137 = c_13;
-            float _e138 = read_brightest(_e137);
-            int _e140 = c_13;
-            float _e142 = look_1_totals[_e140];
-            scatters = (_e136 + (_e138 * _e142));
-            int _e146 = c_13;
-            march_line_1_before[_e146] = 0.0;
+            float _e146 = scatters;
+            int _e147 = c_13;
+            float _e148 = read_brightest(_e147);
+            int _e150 = c_13;
+            float _e152 = look_1_totals[_e150];
+            scatters = (_e146 + (_e148 * _e152));
+            int _e156 = c_13;
+            march_line_1_before[_e156] = 0.0;
+            int _e159 = c_13;
+            c_13 = (_e159 + 1);
+            float _e162 = scatters;
+            int _e163 = c_13;
+            float _e164 = read_brightest(_e163);
+            int _e166 = c_13;
+            float _e168 = look_1_totals[_e166];
+            scatters = (_e162 + (_e164 * _e168));
+            int _e172 = c_13;
+            march_line_1_before[_e172] = 0.0;
+            int _e175 = c_13;
+            c_13 = (_e175 + 1);
+            float _e178 = scatters;
+            int _e179 = c_13;
+            float _e180 = read_brightest(_e179);
+            int _e182 = c_13;
+            float _e184 = look_1_totals[_e182];
+            scatters = (_e178 + (_e180 * _e184));
+            int _e188 = c_13;
+            march_line_1_before[_e188] = 0.0;
+            int _e191 = c_13;
+            c_13 = (_e191 + 1);
+            float _e194 = scatters;
+            int _e195 = c_13;
+            float _e196 = read_brightest(_e195);
+            int _e198 = c_13;
+            float _e200 = look_1_totals[_e198];
+            scatters = (_e194 + (_e196 * _e200));
+            int _e204 = c_13;
+            march_line_1_before[_e204] = 0.0;
         }
     }
-    float _e152 = scatters;
-    bool _e157 = day;
-    faint = (_e157 ? (0.0005 * min(_e152, 1.0)) : 0.0);
-    vec4 now_4_5 = vec4(0.0);
-    vec4 now_5_ = vec4(0.0);
-    vec4 now_6_ = vec4(0.0);
-    air = now_4_5;
-    first_5 = now_5_;
-    second_1 = now_6_;
-    float _e169 = _group_0_binding_0_fs.counts.y;
-    float _e176 = _group_0_binding_0_fs.counts.y;
-    block_2 = (1 * (1 + (((int(_e169) + 1) * (int(_e176) + 2)) / 2)));
-    panel_1 = 0;
-    bool loop_init_37 = true;
+    bool loop_init_51 = true;
     while(true) {
-        if (!loop_init_37) {
-            int _e562 = panel_1;
-            panel_1 = (_e562 + 1);
+        if (!loop_init_51) {
+            int _e225 = c_13;
+            c_13 = (_e225 + 1);
         }
-        loop_init_37 = false;
-        int _e188 = panel_1;
-        int _e189 = count_4;
-        if ((_e188 < (_e189 - 1))) {
+        loop_init_51 = false;
+        int _e210 = c_13;
+        if ((_e210 < end_4_3)) {
         } else {
             break;
         }
         {
-            int _e194 = panel_1;
-            float _e196 = march_line_1_edges[_e194];
-            int _e198 = panel_1;
-            float _e202 = march_line_1_edges[(_e198 + 1)];
-            int _e204 = count_4;
-            float _e208 = march_line_1_edges[(_e204 - 1)];
-            int _e209 = rule_4;
-            place_panel_1_(r_17, mu_17, _e196, _e202, _e208, _e209);
+            float _e212 = scatters;
+            int _e213 = c_13;
+            float _e214 = read_brightest(_e213);
+            int _e216 = c_13;
+            float _e218 = look_1_totals[_e216];
+            scatters = (_e212 + (_e214 * _e218));
+            int _e222 = c_13;
+            march_line_1_before[_e222] = 0.0;
+        }
+    }
+    float _e228 = scatters;
+    bool _e233 = day;
+    faint = (_e233 ? (0.0005 * min(_e228, 1.0)) : 0.0);
+    vec4 now_5_1 = vec4(0.0);
+    vec4 now_6_1 = vec4(0.0);
+    vec4 now_7_1 = vec4(0.0);
+    air = now_5_1;
+    first_5 = now_6_1;
+    second_1 = now_7_1;
+    float _e245 = _group_0_binding_0_fs.counts.y;
+    float _e252 = _group_0_binding_0_fs.counts.y;
+    int _e258 = whole_quotient(((int(_e245) + 1) * (int(_e252) + 2)), 2);
+    block_2 = (1 * (1 + _e258));
+    panel_1 = 0;
+    bool loop_init_52 = true;
+    while(true) {
+        if (!loop_init_52) {
+            int _e879 = panel_1;
+            panel_1 = (_e879 + 1);
+        }
+        loop_init_52 = false;
+        int _e264 = panel_1;
+        int _e265 = count_4;
+        if ((_e264 < (_e265 - 1))) {
+        } else {
+            break;
+        }
+        {
+            int _e270 = panel_1;
+            float _e272 = march_line_1_edges[_e270];
+            int _e274 = panel_1;
+            float _e278 = march_line_1_edges[(_e274 + 1)];
+            int _e280 = count_4;
+            float _e284 = march_line_1_edges[(_e280 - 1)];
+            int _e285 = rule_4;
+            place_panel_1_(r_17, mu_18, _e272, _e278, _e284, _e285);
             c_13 = 0;
-            bool loop_init_38 = true;
+            bool loop_init_53 = true;
             while(true) {
-                if (!loop_init_38) {
-                    int _e245 = c_13;
-                    c_13 = (_e245 + 1);
+                if (!loop_init_53) {
+                    int _e417 = c_13;
+                    c_13 = (_e417 + 1);
                 }
-                loop_init_38 = false;
-                int _e211 = c_13;
-                float _e215 = _group_0_binding_0_fs.counts.x;
-                if ((_e211 < int(_e215))) {
+                loop_init_53 = false;
+                int _e287 = c_13;
+                float _e291 = _group_0_binding_0_fs.counts.x;
+                if ((_e287 < int(_e291))) {
                 } else {
                     break;
                 }
                 {
+                    int end_8_ = n_4;
                     k_7 = 0;
-                    bool loop_init_39 = true;
+                    bool loop_init_54 = true;
                     while(true) {
-                        if (!loop_init_39) {
-                            int _e242 = k_7;
-                            k_7 = (_e242 + 1);
+                        if (!loop_init_54) {
+                            int _e389 = k_7;
+                            k_7 = (_e389 + 1);
                         }
-                        loop_init_39 = false;
-                        int _e219 = k_7;
-                        int _e220 = n_4;
-                        if ((_e219 < _e220)) {
+                        loop_init_54 = false;
+                        int _e296 = k_7;
+                        if (((_e296 + 3) < end_8_)) {
                         } else {
                             break;
                         }
                         {
-                            int _e223 = c_13;
-                            int _e226 = k_7;
-                            int _e230 = c_13;
-                            int _e233 = k_7;
-                            float _e236 = march_line_1_density[((_e230 * 24) + _e233)];
-                            int _e238 = k_7;
-                            float _e240 = march_line_1_weight[_e238];
-                            march_line_1_amounts[((_e223 * 24) + _e226)] = (_e236 * _e240);
-                        }
-                    }
-                }
-            }
-            int _e248 = rule_4;
-            panel_columns_1_(_e248);
-            k_7 = 0;
-            bool loop_init_40 = true;
-            while(true) {
-                if (!loop_init_40) {
-                    int _e559 = k_7;
-                    k_7 = (_e559 + 1);
-                }
-                loop_init_40 = false;
-                int _e250 = k_7;
-                int _e251 = n_4;
-                if ((_e250 < _e251)) {
-                } else {
-                    break;
-                }
-                {
-                    int _e254 = k_7;
-                    float _e256 = march_line_1_radius[_e254];
-                    float _e257 = bottom_6;
-                    float _e259 = top_6;
-                    q_1 = min(max(_e256, _e257), _e259);
-                    int _e262 = k_7;
-                    float _e264 = march_line_1_distance_1_[_e262];
-                    t = _e264;
-                    float _e266 = t;
-                    float _e268 = q_1;
-                    mu_q = min(max((((r_17 * mu_17) + _e266) / _e268), -1.0), 1.0);
-                    float _e275 = t;
-                    float _e278 = q_1;
-                    mu_sq = min(max((((r_17 * mu_s_7) + (_e275 * nu_2)) / _e278), -1.0), 1.0);
-                    nu_q = nu_2;
-                    depth_2 = 0.0;
-                    c_13 = 0;
-                    bool loop_init_41 = true;
-                    while(true) {
-                        if (!loop_init_41) {
-                            int _e324 = c_13;
-                            c_13 = (_e324 + 1);
-                        }
-                        loop_init_41 = false;
-                        int _e286 = c_13;
-                        float _e290 = _group_0_binding_0_fs.counts.x;
-                        if ((_e286 < int(_e290))) {
-                        } else {
-                            break;
-                        }
-                        {
-                            int _e294 = c_13;
-                            int _e297 = c_13;
-                            int _e300 = k_7;
-                            float _e303 = march_line_1_density[((_e297 * 24) + _e300)];
-                            march_line_1_rho[_e294] = _e303;
-                            int _e305 = c_13;
+                            int _e301 = c_13;
+                            int _e304 = k_7;
                             int _e308 = c_13;
                             int _e311 = k_7;
-                            float _e314 = march_line_1_columns[((_e308 * 24) + _e311)];
-                            march_line_1_depths[_e305] = _e314;
-                            float _e315 = depth_2;
-                            int _e316 = c_13;
-                            float _e317 = read_brightest(_e316);
-                            int _e319 = c_13;
-                            float _e321 = march_line_1_rho[_e319];
-                            depth_2 = (_e315 + (_e317 * _e321));
+                            float _e314 = march_line_1_density[((_e308 * 24) + _e311)];
+                            int _e316 = k_7;
+                            float _e318 = march_line_1_weight[_e316];
+                            march_line_1_amounts[((_e301 * 24) + _e304)] = (_e314 * _e318);
+                            int _e320 = k_7;
+                            k_7 = (_e320 + 1);
+                            int _e324 = c_13;
+                            int _e327 = k_7;
+                            int _e331 = c_13;
+                            int _e334 = k_7;
+                            float _e337 = march_line_1_density[((_e331 * 24) + _e334)];
+                            int _e339 = k_7;
+                            float _e341 = march_line_1_weight[_e339];
+                            march_line_1_amounts[((_e324 * 24) + _e327)] = (_e337 * _e341);
+                            int _e343 = k_7;
+                            k_7 = (_e343 + 1);
+                            int _e347 = c_13;
+                            int _e350 = k_7;
+                            int _e354 = c_13;
+                            int _e357 = k_7;
+                            float _e360 = march_line_1_density[((_e354 * 24) + _e357)];
+                            int _e362 = k_7;
+                            float _e364 = march_line_1_weight[_e362];
+                            march_line_1_amounts[((_e347 * 24) + _e350)] = (_e360 * _e364);
+                            int _e366 = k_7;
+                            k_7 = (_e366 + 1);
+                            int _e370 = c_13;
+                            int _e373 = k_7;
+                            int _e377 = c_13;
+                            int _e380 = k_7;
+                            float _e383 = march_line_1_density[((_e377 * 24) + _e380)];
+                            int _e385 = k_7;
+                            float _e387 = march_line_1_weight[_e385];
+                            march_line_1_amounts[((_e370 * 24) + _e373)] = (_e383 * _e387);
                         }
                     }
-                    float _e330 = _group_0_binding_0_fs.shell.w;
-                    if ((_e330 > 0.0)) {
-                        float _e336 = _group_0_binding_0_fs.shell.w;
-                        float _e341 = _group_0_binding_0_fs.counts.x;
-                        float _e346 = march_line_1_depths[(int(_e341) - 1)];
-                        float _e347 = bend_angle(r_17, mu_17, _e336, _e346);
-                        angle_2 = _e347;
-                        float _e348 = mu_q;
-                        float _e349 = mu_sq;
-                        float _e350 = angle_2;
-                        Several_f32_f32_ _e351 = turned(_e348, _e349, nu_2, _e350);
-                        mu_sq = _e351.v0_;
-                        nu_q = _e351.v1_;
-                        float _e354 = mu_sq;
-                        mu_sq = min(max(_e354, -1.0), 1.0);
+                    bool loop_init_55 = true;
+                    while(true) {
+                        if (!loop_init_55) {
+                            int _e414 = k_7;
+                            k_7 = (_e414 + 1);
+                        }
+                        loop_init_55 = false;
+                        int _e392 = k_7;
+                        if ((_e392 < end_8_)) {
+                        } else {
+                            break;
+                        }
+                        {
+                            int _e395 = c_13;
+                            int _e398 = k_7;
+                            int _e402 = c_13;
+                            int _e405 = k_7;
+                            float _e408 = march_line_1_density[((_e402 * 24) + _e405)];
+                            int _e410 = k_7;
+                            float _e412 = march_line_1_weight[_e410];
+                            march_line_1_amounts[((_e395 * 24) + _e398)] = (_e408 * _e412);
+                        }
                     }
-                    float _e362 = _group_0_binding_0_fs.counts.x;
-                    vec4 _e364 = through_columns_1_(int(_e362));
-                    int _e366 = k_7;
-                    float _e368 = march_line_1_weight[_e366];
-                    through = (_e364 * _e368);
+                }
+            }
+            int _e420 = rule_4;
+            panel_columns_1_(_e420);
+            k_7 = 0;
+            bool loop_init_56 = true;
+            while(true) {
+                if (!loop_init_56) {
+                    int _e876 = k_7;
+                    k_7 = (_e876 + 1);
+                }
+                loop_init_56 = false;
+                int _e422 = k_7;
+                int _e423 = n_4;
+                if ((_e422 < _e423)) {
+                } else {
+                    break;
+                }
+                {
+                    int _e426 = k_7;
+                    float _e428 = march_line_1_radius[_e426];
+                    float _e429 = bottom_6;
+                    float _e431 = top_6;
+                    q_1 = min(max(_e428, _e429), _e431);
+                    int _e434 = k_7;
+                    float _e436 = march_line_1_distance_1_[_e434];
+                    t = _e436;
+                    float _e438 = t;
+                    float _e440 = q_1;
+                    mu_q = min(max((((r_17 * mu_18) + _e438) / _e440), -1.0), 1.0);
+                    float _e447 = t;
+                    float _e450 = q_1;
+                    mu_sq = min(max((((r_17 * mu_s_7) + (_e447 * nu_2)) / _e450), -1.0), 1.0);
+                    nu_q = nu_2;
+                    depth_2 = 0.0;
+                    float _e460 = _group_0_binding_0_fs.counts.x;
+                    int end_9_ = int(_e460);
+                    c_13 = 0;
+                    bool loop_init_57 = true;
+                    while(true) {
+                        if (!loop_init_57) {
+                            int _e600 = c_13;
+                            c_13 = (_e600 + 1);
+                        }
+                        loop_init_57 = false;
+                        int _e463 = c_13;
+                        if (((_e463 + 3) < end_9_)) {
+                        } else {
+                            break;
+                        }
+                        {
+                            int _e468 = c_13;
+                            int _e471 = c_13;
+                            int _e474 = k_7;
+                            float _e477 = march_line_1_density[((_e471 * 24) + _e474)];
+                            march_line_1_rho[_e468] = _e477;
+                            int _e479 = c_13;
+                            int _e482 = c_13;
+                            int _e485 = k_7;
+                            float _e488 = march_line_1_columns[((_e482 * 24) + _e485)];
+                            march_line_1_depths[_e479] = _e488;
+                            float _e489 = depth_2;
+                            int _e490 = c_13;
+                            float _e491 = read_brightest(_e490);
+                            int _e493 = c_13;
+                            float _e495 = march_line_1_rho[_e493];
+                            depth_2 = (_e489 + (_e491 * _e495));
+                            int _e498 = c_13;
+                            c_13 = (_e498 + 1);
+                            int _e502 = c_13;
+                            int _e505 = c_13;
+                            int _e508 = k_7;
+                            float _e511 = march_line_1_density[((_e505 * 24) + _e508)];
+                            march_line_1_rho[_e502] = _e511;
+                            int _e513 = c_13;
+                            int _e516 = c_13;
+                            int _e519 = k_7;
+                            float _e522 = march_line_1_columns[((_e516 * 24) + _e519)];
+                            march_line_1_depths[_e513] = _e522;
+                            float _e523 = depth_2;
+                            int _e524 = c_13;
+                            float _e525 = read_brightest(_e524);
+                            int _e527 = c_13;
+                            float _e529 = march_line_1_rho[_e527];
+                            depth_2 = (_e523 + (_e525 * _e529));
+                            int _e532 = c_13;
+                            c_13 = (_e532 + 1);
+                            int _e536 = c_13;
+                            int _e539 = c_13;
+                            int _e542 = k_7;
+                            float _e545 = march_line_1_density[((_e539 * 24) + _e542)];
+                            march_line_1_rho[_e536] = _e545;
+                            int _e547 = c_13;
+                            int _e550 = c_13;
+                            int _e553 = k_7;
+                            float _e556 = march_line_1_columns[((_e550 * 24) + _e553)];
+                            march_line_1_depths[_e547] = _e556;
+                            float _e557 = depth_2;
+                            int _e558 = c_13;
+                            float _e559 = read_brightest(_e558);
+                            int _e561 = c_13;
+                            float _e563 = march_line_1_rho[_e561];
+                            depth_2 = (_e557 + (_e559 * _e563));
+                            int _e566 = c_13;
+                            c_13 = (_e566 + 1);
+                            int _e570 = c_13;
+                            int _e573 = c_13;
+                            int _e576 = k_7;
+                            float _e579 = march_line_1_density[((_e573 * 24) + _e576)];
+                            march_line_1_rho[_e570] = _e579;
+                            int _e581 = c_13;
+                            int _e584 = c_13;
+                            int _e587 = k_7;
+                            float _e590 = march_line_1_columns[((_e584 * 24) + _e587)];
+                            march_line_1_depths[_e581] = _e590;
+                            float _e591 = depth_2;
+                            int _e592 = c_13;
+                            float _e593 = read_brightest(_e592);
+                            int _e595 = c_13;
+                            float _e597 = march_line_1_rho[_e595];
+                            depth_2 = (_e591 + (_e593 * _e597));
+                        }
+                    }
+                    bool loop_init_58 = true;
+                    while(true) {
+                        if (!loop_init_58) {
+                            int _e636 = c_13;
+                            c_13 = (_e636 + 1);
+                        }
+                        loop_init_58 = false;
+                        int _e603 = c_13;
+                        if ((_e603 < end_9_)) {
+                        } else {
+                            break;
+                        }
+                        {
+                            int _e606 = c_13;
+                            int _e609 = c_13;
+                            int _e612 = k_7;
+                            float _e615 = march_line_1_density[((_e609 * 24) + _e612)];
+                            march_line_1_rho[_e606] = _e615;
+                            int _e617 = c_13;
+                            int _e620 = c_13;
+                            int _e623 = k_7;
+                            float _e626 = march_line_1_columns[((_e620 * 24) + _e623)];
+                            march_line_1_depths[_e617] = _e626;
+                            float _e627 = depth_2;
+                            int _e628 = c_13;
+                            float _e629 = read_brightest(_e628);
+                            int _e631 = c_13;
+                            float _e633 = march_line_1_rho[_e631];
+                            depth_2 = (_e627 + (_e629 * _e633));
+                        }
+                    }
+                    float _e642 = _group_0_binding_0_fs.shell.w;
+                    if ((_e642 > 0.0)) {
+                        float _e648 = _group_0_binding_0_fs.shell.w;
+                        float _e653 = _group_0_binding_0_fs.counts.x;
+                        float _e658 = march_line_1_depths[(int(_e653) - 1)];
+                        float _e659 = bend_angle(r_17, mu_18, _e648, _e658);
+                        angle_2 = _e659;
+                        float _e660 = mu_q;
+                        float _e661 = mu_sq;
+                        float _e662 = angle_2;
+                        Several_f32_f32_ _e663 = turned(_e660, _e661, nu_2, _e662);
+                        mu_sq = _e663.v0_;
+                        nu_q = _e663.v1_;
+                        float _e666 = mu_sq;
+                        mu_sq = min(max(_e666, -1.0), 1.0);
+                    }
+                    float _e674 = _group_0_binding_0_fs.counts.x;
+                    vec4 _e676 = through_columns_1_(int(_e674));
+                    int _e678 = k_7;
+                    float _e680 = march_line_1_weight[_e678];
+                    through = (_e676 * _e680);
                     if ((orders != 0)) {
-                        float _e372 = q_1;
-                        float _e373 = mu_sq;
-                        float _e374 = bottom_6;
-                        float _e375 = top_6;
-                        float _e379 = _group_0_binding_0_fs.shell.z;
-                        Several_f32_f32_f32_ _e380 = star_points(_e372, _e373, _e374, _e375, _e379);
-                        seen_2 = _e380.v0_;
-                        low_8 = _e380.v1_;
-                        high_5 = _e380.v2_;
-                        float _e384 = seen_2;
-                        if ((_e384 > 0.0)) {
-                            float _e387 = q_1;
-                            float _e388 = low_8;
-                            float _e389 = bottom_6;
-                            float _e390 = top_6;
-                            columns_to_top_1_(_e387, _e388, _e389, _e390);
-                            float _e391 = high_5;
-                            float _e392 = low_8;
-                            if ((_e391 > _e392)) {
-                                float _e394 = q_1;
-                                float _e395 = high_5;
-                                float _e396 = bottom_6;
-                                float _e397 = top_6;
-                                columns_to_top_2_(_e394, _e395, _e396, _e397);
+                        float _e684 = q_1;
+                        float _e685 = mu_sq;
+                        float _e686 = bottom_6;
+                        float _e687 = top_6;
+                        float _e691 = _group_0_binding_0_fs.shell.z;
+                        Several_f32_f32_f32_ _e692 = star_points(_e684, _e685, _e686, _e687, _e691);
+                        seen_2 = _e692.v0_;
+                        low_8 = _e692.v1_;
+                        high_5 = _e692.v2_;
+                        float _e696 = seen_2;
+                        if ((_e696 > 0.0)) {
+                            float _e699 = q_1;
+                            float _e700 = low_8;
+                            float _e701 = bottom_6;
+                            float _e702 = top_6;
+                            columns_to_top_1_(_e699, _e700, _e701, _e702);
+                            float _e703 = high_5;
+                            float _e704 = low_8;
+                            if ((_e703 > _e704)) {
+                                float _e706 = q_1;
+                                float _e707 = high_5;
+                                float _e708 = bottom_6;
+                                float _e709 = top_6;
+                                columns_to_top_2_(_e706, _e707, _e708, _e709);
                             }
-                            vec4 _e398 = through;
-                            float _e399 = seen_2;
-                            float _e400 = high_5;
-                            float _e401 = low_8;
-                            float _e406 = _group_0_binding_0_fs.counts.x;
-                            vec4 _e408 = star_at_1_(_e399, (_e400 > _e401), int(_e406));
-                            star = (_e398 * _e408);
-                            vec4 _e410 = air;
-                            vec4 _e411 = star;
-                            float _e415 = _group_0_binding_0_fs.counts.x;
-                            vec4 _e417 = scattered_star_1_(int(_e415));
-                            air = (_e410 + (_e411 * _e417));
+                            vec4 _e710 = through;
+                            float _e711 = seen_2;
+                            float _e712 = high_5;
+                            float _e713 = low_8;
+                            float _e718 = _group_0_binding_0_fs.counts.x;
+                            vec4 _e720 = star_at_1_(_e711, (_e712 > _e713), int(_e718));
+                            star = (_e710 * _e720);
+                            vec4 _e722 = air;
+                            vec4 _e723 = star;
+                            float _e727 = _group_0_binding_0_fs.counts.x;
+                            vec4 _e729 = scattered_star_1_(int(_e727));
+                            air = (_e722 + (_e723 * _e729));
                         }
                     }
-                    if ((orders != 1)) {
-                        float _e424 = depth_2;
-                        int _e426 = k_7;
-                        float _e428 = march_line_1_weight[_e426];
-                        float _e430 = faint;
-                        local_7 = ((_e424 * _e428) >= _e430);
+                    if (true) {
+                        local_13 = (orders != 1);
                     } else {
-                        local_7 = false;
+                        local_13 = false;
                     }
-                    bool _e433 = local_7;
-                    if (_e433) {
-                        float _e434 = mu_q;
-                        legendre_functions_1_(_e434);
-                        float _e435 = mu_q;
-                        float _e438 = mu_q;
-                        float _e442 = mu_sq;
-                        float _e446 = mu_sq;
-                        spread_1 = ((((1.0 - _e435) * (1.0 + _e438)) * (1.0 - _e442)) * (1.0 + _e446));
-                        float _e450 = nu_q;
-                        float _e451 = mu_q;
-                        float _e452 = mu_sq;
-                        float _e455 = spread_1;
-                        step_1_1 = ((_e450 - (_e451 * _e452)) / sqrt(max(_e455, 1e-24)));
-                        float _e460 = step_1_1;
-                        float _e468 = _group_0_binding_0_fs.counts.y;
-                        times_cosines_1_(min(max(_e460, -1.0), 1.0), int(_e468));
-                        float _e470 = q_1;
-                        float _e471 = bottom_6;
-                        float _e472 = top_6;
-                        float _e473 = row_of(_e470, _e471, _e472);
-                        x_20 = _e473;
-                        float _e474 = x_20;
-                        float _e479 = _group_0_binding_0_fs.counts.z;
-                        row_5 = min(int(_e474), (int(_e479) - 2));
-                        float _e484 = x_20;
-                        int _e485 = row_5;
-                        f_4 = (_e484 - float(_e485));
-                        float _e488 = mu_sq;
-                        float _e489 = place_of(_e488);
-                        x_20 = _e489;
-                        float _e490 = x_20;
-                        float _e495 = _group_0_binding_0_fs.counts.w;
-                        place_4 = min(int(_e490), (int(_e495) - 2));
-                        float _e500 = x_20;
-                        int _e501 = place_4;
-                        e_4 = (_e500 - float(_e501));
-                        float _e504 = f_4;
-                        g_1 = (1.0 - _e504);
-                        float _e507 = e_4;
-                        h = (1.0 - _e507);
-                        int _e510 = row_5;
-                        float _e514 = _group_0_binding_0_fs.counts.w;
-                        int _e517 = place_4;
-                        int _e519 = block_2;
-                        near_2 = (((_e510 * int(_e514)) + _e517) * _e519);
-                        vec4 _e521 = air;
-                        vec4 _e522 = through;
-                        int _e523 = near_2;
-                        int _e524 = near_2;
-                        float _e528 = _group_0_binding_0_fs.counts.w;
-                        int _e530 = block_2;
-                        int _e533 = block_2;
-                        float _e534 = g_1;
-                        float _e535 = h;
-                        float _e537 = g_1;
-                        float _e538 = e_4;
-                        float _e540 = f_4;
-                        float _e541 = h;
-                        float _e543 = f_4;
-                        float _e544 = e_4;
-                        float _e549 = _group_0_binding_0_fs.counts.y;
-                        float _e554 = _group_0_binding_0_fs.counts.x;
-                        vec4 _e556 = gathered_light_1_(_e523, (_e524 + (int(_e528) * _e530)), _e533, (_e534 * _e535), (_e537 * _e538), (_e540 * _e541), (_e543 * _e544), int(_e549), int(_e554));
-                        air = (_e521 + (_e522 * _e556));
+                    bool _e738 = local_13;
+                    if (_e738) {
+                        float _e741 = depth_2;
+                        int _e743 = k_7;
+                        float _e745 = march_line_1_weight[_e743];
+                        float _e747 = faint;
+                        local_14 = ((_e741 * _e745) >= _e747);
+                    } else {
+                        local_14 = false;
+                    }
+                    bool _e750 = local_14;
+                    if (_e750) {
+                        float _e751 = mu_q;
+                        legendre_functions_1_(_e751);
+                        float _e752 = mu_q;
+                        float _e755 = mu_q;
+                        float _e759 = mu_sq;
+                        float _e763 = mu_sq;
+                        spread_1 = ((((1.0 - _e752) * (1.0 + _e755)) * (1.0 - _e759)) * (1.0 + _e763));
+                        float _e767 = nu_q;
+                        float _e768 = mu_q;
+                        float _e769 = mu_sq;
+                        float _e772 = spread_1;
+                        step_1_1 = ((_e767 - (_e768 * _e769)) / sqrt(max(_e772, 1e-24)));
+                        float _e777 = step_1_1;
+                        float _e785 = _group_0_binding_0_fs.counts.y;
+                        times_cosines_1_(min(max(_e777, -1.0), 1.0), int(_e785));
+                        float _e787 = q_1;
+                        float _e788 = bottom_6;
+                        float _e789 = top_6;
+                        float _e790 = row_of(_e787, _e788, _e789);
+                        x_24 = _e790;
+                        float _e791 = x_24;
+                        float _e796 = _group_0_binding_0_fs.counts.z;
+                        row_5 = min(int(_e791), (int(_e796) - 2));
+                        float _e801 = x_24;
+                        int _e802 = row_5;
+                        f_4 = (_e801 - float(_e802));
+                        float _e805 = mu_sq;
+                        float _e806 = place_of(_e805);
+                        x_24 = _e806;
+                        float _e807 = x_24;
+                        float _e812 = _group_0_binding_0_fs.counts.w;
+                        place_4 = min(int(_e807), (int(_e812) - 2));
+                        float _e817 = x_24;
+                        int _e818 = place_4;
+                        e_4 = (_e817 - float(_e818));
+                        float _e821 = f_4;
+                        g_1 = (1.0 - _e821);
+                        float _e824 = e_4;
+                        h = (1.0 - _e824);
+                        int _e827 = row_5;
+                        float _e831 = _group_0_binding_0_fs.counts.w;
+                        int _e834 = place_4;
+                        int _e836 = block_2;
+                        near_2 = (((_e827 * int(_e831)) + _e834) * _e836);
+                        vec4 _e838 = air;
+                        vec4 _e839 = through;
+                        int _e840 = near_2;
+                        int _e841 = near_2;
+                        float _e845 = _group_0_binding_0_fs.counts.w;
+                        int _e847 = block_2;
+                        int _e850 = block_2;
+                        float _e851 = g_1;
+                        float _e852 = h;
+                        float _e854 = g_1;
+                        float _e855 = e_4;
+                        float _e857 = f_4;
+                        float _e858 = h;
+                        float _e860 = f_4;
+                        float _e861 = e_4;
+                        float _e866 = _group_0_binding_0_fs.counts.y;
+                        float _e871 = _group_0_binding_0_fs.counts.x;
+                        vec4 _e873 = gathered_light_1_(_e840, (_e841 + (int(_e845) * _e847)), _e850, (_e851 * _e852), (_e854 * _e855), (_e857 * _e858), (_e860 * _e861), int(_e866), int(_e871));
+                        air = (_e838 + (_e839 * _e873));
                     }
                 }
             }
         }
     }
+    float _e885 = _group_0_binding_0_fs.counts.x;
+    int end_12_ = int(_e885);
     c_13 = 0;
-    bool loop_init_42 = true;
+    bool loop_init_59 = true;
     while(true) {
-        if (!loop_init_42) {
-            int _e580 = c_13;
-            c_13 = (_e580 + 1);
+        if (!loop_init_59) {
+            int _e929 = c_13;
+            c_13 = (_e929 + 1);
         }
-        loop_init_42 = false;
-        int _e566 = c_13;
-        float _e570 = _group_0_binding_0_fs.counts.x;
-        if ((_e566 < int(_e570))) {
+        loop_init_59 = false;
+        int _e888 = c_13;
+        if (((_e888 + 3) < end_12_)) {
         } else {
             break;
         }
         {
-            int _e574 = c_13;
-            int _e577 = c_13;
-            float _e579 = march_line_1_before[_e577];
-            look_1_totals[_e574] = _e579;
+            int _e893 = c_13;
+            int _e896 = c_13;
+            float _e898 = march_line_1_before[_e896];
+            look_1_totals[_e893] = _e898;
+            int _e899 = c_13;
+            c_13 = (_e899 + 1);
+            int _e903 = c_13;
+            int _e906 = c_13;
+            float _e908 = march_line_1_before[_e906];
+            look_1_totals[_e903] = _e908;
+            int _e909 = c_13;
+            c_13 = (_e909 + 1);
+            int _e913 = c_13;
+            int _e916 = c_13;
+            float _e918 = march_line_1_before[_e916];
+            look_1_totals[_e913] = _e918;
+            int _e919 = c_13;
+            c_13 = (_e919 + 1);
+            int _e923 = c_13;
+            int _e926 = c_13;
+            float _e928 = march_line_1_before[_e926];
+            look_1_totals[_e923] = _e928;
         }
     }
-    vec4 _e585 = air;
-    look_1_along[0] = _e585;
-    float _e591 = _group_0_binding_0_fs.counts.x;
-    vec4 _e593 = through_columns_2_(int(_e591));
-    look_1_along[1] = _e593;
-    vec4 _e596 = first_5;
-    look_1_along[2] = _e596;
-    vec4 _e599 = second_1;
-    look_1_along[3] = _e599;
+    bool loop_init_60 = true;
+    while(true) {
+        if (!loop_init_60) {
+            int _e941 = c_13;
+            c_13 = (_e941 + 1);
+        }
+        loop_init_60 = false;
+        int _e932 = c_13;
+        if ((_e932 < end_12_)) {
+        } else {
+            break;
+        }
+        {
+            int _e935 = c_13;
+            int _e938 = c_13;
+            float _e940 = march_line_1_before[_e938];
+            look_1_totals[_e935] = _e940;
+        }
+    }
+    vec4 _e946 = air;
+    look_1_along[0] = _e946;
+    float _e952 = _group_0_binding_0_fs.counts.x;
+    vec4 _e954 = through_columns_2_(int(_e952));
+    look_1_along[1] = _e954;
+    vec4 _e957 = first_5;
+    look_1_along[2] = _e957;
+    vec4 _e960 = second_1;
+    look_1_along[3] = _e960;
     return;
 }
 
-void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
-    float x_21 = 0.0;
+void columns_to_top_3_(float r_18, float mu_19, float bottom_7, float top_7) {
+    float x_25 = 0.0;
     int row_6 = 0;
     float f_5 = 0.0;
     int place_5 = 0;
@@ -3074,20 +4844,20 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
     float scaled_2 = 0.0;
     float _e17 = altitude_coordinate(r_18, bottom_7, top_7);
     int _e19 = size_columns(0);
-    x_21 = (_e17 * float((_e19 - 1)));
-    float _e24 = x_21;
+    x_25 = (_e17 * float((_e19 - 1)));
+    float _e24 = x_25;
     int _e27 = size_columns(0);
     row_6 = min(int(_e24), (_e27 - 2));
-    float _e31 = x_21;
+    float _e31 = x_25;
     int _e32 = row_6;
     f_5 = (_e31 - float(_e32));
-    float _e35 = direction_coordinate(r_18, mu_18, bottom_7, top_7);
+    float _e35 = direction_coordinate(r_18, mu_19, bottom_7, top_7);
     int _e37 = size_columns(1);
-    x_21 = (_e35 * float((_e37 - 1)));
-    float _e42 = x_21;
+    x_25 = (_e35 * float((_e37 - 1)));
+    float _e42 = x_25;
     int _e45 = size_columns(1);
     place_5 = min(int(_e42), (_e45 - 2));
-    float _e49 = x_21;
+    float _e49 = x_25;
     int _e50 = place_5;
     e_5 = (_e49 - float(_e50));
     float _e53 = f_5;
@@ -3100,107 +4870,412 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
     w01_5 = now_2_5;
     float _e65 = f_5;
     float _e66 = e_5;
-    float now_3_6 = (_e65 * (1.0 - _e66));
+    float now_3_4 = (_e65 * (1.0 - _e66));
     float _e70 = f_5;
     float _e71 = e_5;
-    float now_4_6 = (_e70 * _e71);
-    w10_5 = now_3_6;
-    w11_5 = now_4_6;
-    float _e73 = distance_to_top(r_18, mu_18, top_7);
+    float now_4_4 = (_e70 * _e71);
+    w10_5 = now_3_4;
+    w11_5 = now_4_4;
+    float _e73 = distance_to_top(r_18, mu_19, top_7);
     distance_1_5 = _e73;
+    int _e75 = size_columns(2);
     c_14 = 0;
-    bool loop_init_43 = true;
+    bool loop_init_61 = true;
     while(true) {
-        if (!loop_init_43) {
-            int _e261 = c_14;
-            c_14 = (_e261 + 1);
+        if (!loop_init_61) {
+            int _e818 = c_14;
+            c_14 = (_e818 + 1);
         }
-        loop_init_43 = false;
-        int _e75 = c_14;
-        int _e77 = size_columns(2);
-        if ((_e75 < _e77)) {
+        loop_init_61 = false;
+        int _e77 = c_14;
+        if (((_e77 + 3) < _e75)) {
         } else {
             break;
         }
         {
-            float _e79 = w00_5;
-            int _e80 = row_6;
-            int _e82 = size_columns(1);
-            int _e84 = place_5;
-            int _e87 = size_columns(2);
-            int _e89 = c_14;
-            int _e92 = size_columns(3);
-            float _e96 = read_columns(((((((_e80 * _e82) + _e84) * _e87) + _e89) * _e92) + 0));
-            float _e98 = w01_5;
-            int _e99 = row_6;
-            int _e101 = size_columns(1);
-            int _e103 = place_5;
-            int _e108 = size_columns(2);
-            int _e110 = c_14;
-            int _e113 = size_columns(3);
-            float _e117 = read_columns(((((((_e99 * _e101) + (_e103 + 1)) * _e108) + _e110) * _e113) + 0));
-            float _e120 = w10_5;
-            int _e121 = row_6;
-            int _e125 = size_columns(1);
-            int _e127 = place_5;
-            int _e130 = size_columns(2);
-            int _e132 = c_14;
-            int _e135 = size_columns(3);
-            float _e139 = read_columns((((((((_e121 + 1) * _e125) + _e127) * _e130) + _e132) * _e135) + 0));
-            float _e142 = w11_5;
-            int _e143 = row_6;
-            int _e147 = size_columns(1);
-            int _e149 = place_5;
-            int _e154 = size_columns(2);
-            int _e156 = c_14;
-            int _e159 = size_columns(3);
-            float _e163 = read_columns((((((((_e143 + 1) * _e147) + (_e149 + 1)) * _e154) + _e156) * _e159) + 0));
-            scale_3 = ((((_e79 * _e96) + (_e98 * _e117)) + (_e120 * _e139)) + (_e142 * _e163));
-            float _e166 = w00_5;
-            int _e167 = row_6;
-            int _e169 = size_columns(1);
-            int _e171 = place_5;
-            int _e174 = size_columns(2);
-            int _e176 = c_14;
-            int _e179 = size_columns(3);
-            float _e183 = read_columns(((((((_e167 * _e169) + _e171) * _e174) + _e176) * _e179) + 1));
-            float _e185 = w01_5;
-            int _e186 = row_6;
-            int _e188 = size_columns(1);
-            int _e190 = place_5;
-            int _e195 = size_columns(2);
-            int _e197 = c_14;
-            int _e200 = size_columns(3);
-            float _e204 = read_columns(((((((_e186 * _e188) + (_e190 + 1)) * _e195) + _e197) * _e200) + 1));
-            float _e207 = w10_5;
-            int _e208 = row_6;
-            int _e212 = size_columns(1);
-            int _e214 = place_5;
-            int _e217 = size_columns(2);
-            int _e219 = c_14;
-            int _e222 = size_columns(3);
-            float _e226 = read_columns((((((((_e208 + 1) * _e212) + _e214) * _e217) + _e219) * _e222) + 1));
-            float _e229 = w11_5;
-            int _e230 = row_6;
-            int _e234 = size_columns(1);
-            int _e236 = place_5;
-            int _e241 = size_columns(2);
-            int _e243 = c_14;
-            int _e246 = size_columns(3);
-            float _e250 = read_columns((((((((_e230 + 1) * _e234) + (_e236 + 1)) * _e241) + _e243) * _e246) + 1));
-            scaled_2 = ((((_e166 * _e183) + (_e185 * _e204)) + (_e207 * _e226)) + (_e229 * _e250));
-            int _e254 = c_14;
-            float _e256 = distance_1_5;
-            float _e257 = scaled_2;
-            float _e259 = scale_3;
-            ground_received_1_below[_e254] = ((_e256 * _e257) / _e259);
+            float _e81 = w00_5;
+            int _e82 = row_6;
+            int _e84 = size_columns(1);
+            int _e86 = place_5;
+            int _e89 = size_columns(2);
+            int _e91 = c_14;
+            int _e94 = size_columns(3);
+            float _e98 = read_columns(((((((_e82 * _e84) + _e86) * _e89) + _e91) * _e94) + 0));
+            float _e100 = w01_5;
+            int _e101 = row_6;
+            int _e103 = size_columns(1);
+            int _e105 = place_5;
+            int _e110 = size_columns(2);
+            int _e112 = c_14;
+            int _e115 = size_columns(3);
+            float _e119 = read_columns(((((((_e101 * _e103) + (_e105 + 1)) * _e110) + _e112) * _e115) + 0));
+            float _e122 = w10_5;
+            int _e123 = row_6;
+            int _e127 = size_columns(1);
+            int _e129 = place_5;
+            int _e132 = size_columns(2);
+            int _e134 = c_14;
+            int _e137 = size_columns(3);
+            float _e141 = read_columns((((((((_e123 + 1) * _e127) + _e129) * _e132) + _e134) * _e137) + 0));
+            float _e144 = w11_5;
+            int _e145 = row_6;
+            int _e149 = size_columns(1);
+            int _e151 = place_5;
+            int _e156 = size_columns(2);
+            int _e158 = c_14;
+            int _e161 = size_columns(3);
+            float _e165 = read_columns((((((((_e145 + 1) * _e149) + (_e151 + 1)) * _e156) + _e158) * _e161) + 0));
+            scale_3 = ((((_e81 * _e98) + (_e100 * _e119)) + (_e122 * _e141)) + (_e144 * _e165));
+            float _e168 = w00_5;
+            int _e169 = row_6;
+            int _e171 = size_columns(1);
+            int _e173 = place_5;
+            int _e176 = size_columns(2);
+            int _e178 = c_14;
+            int _e181 = size_columns(3);
+            float _e185 = read_columns(((((((_e169 * _e171) + _e173) * _e176) + _e178) * _e181) + 1));
+            float _e187 = w01_5;
+            int _e188 = row_6;
+            int _e190 = size_columns(1);
+            int _e192 = place_5;
+            int _e197 = size_columns(2);
+            int _e199 = c_14;
+            int _e202 = size_columns(3);
+            float _e206 = read_columns(((((((_e188 * _e190) + (_e192 + 1)) * _e197) + _e199) * _e202) + 1));
+            float _e209 = w10_5;
+            int _e210 = row_6;
+            int _e214 = size_columns(1);
+            int _e216 = place_5;
+            int _e219 = size_columns(2);
+            int _e221 = c_14;
+            int _e224 = size_columns(3);
+            float _e228 = read_columns((((((((_e210 + 1) * _e214) + _e216) * _e219) + _e221) * _e224) + 1));
+            float _e231 = w11_5;
+            int _e232 = row_6;
+            int _e236 = size_columns(1);
+            int _e238 = place_5;
+            int _e243 = size_columns(2);
+            int _e245 = c_14;
+            int _e248 = size_columns(3);
+            float _e252 = read_columns((((((((_e232 + 1) * _e236) + (_e238 + 1)) * _e243) + _e245) * _e248) + 1));
+            scaled_2 = ((((_e168 * _e185) + (_e187 * _e206)) + (_e209 * _e228)) + (_e231 * _e252));
+            int _e256 = c_14;
+            float _e258 = distance_1_5;
+            float _e259 = scaled_2;
+            float _e261 = scale_3;
+            ground_received_1_below[_e256] = ((_e258 * _e259) / _e261);
+            int _e263 = c_14;
+            c_14 = (_e263 + 1);
+            float _e266 = w00_5;
+            int _e267 = row_6;
+            int _e269 = size_columns(1);
+            int _e271 = place_5;
+            int _e274 = size_columns(2);
+            int _e276 = c_14;
+            int _e279 = size_columns(3);
+            float _e283 = read_columns(((((((_e267 * _e269) + _e271) * _e274) + _e276) * _e279) + 0));
+            float _e285 = w01_5;
+            int _e286 = row_6;
+            int _e288 = size_columns(1);
+            int _e290 = place_5;
+            int _e295 = size_columns(2);
+            int _e297 = c_14;
+            int _e300 = size_columns(3);
+            float _e304 = read_columns(((((((_e286 * _e288) + (_e290 + 1)) * _e295) + _e297) * _e300) + 0));
+            float _e307 = w10_5;
+            int _e308 = row_6;
+            int _e312 = size_columns(1);
+            int _e314 = place_5;
+            int _e317 = size_columns(2);
+            int _e319 = c_14;
+            int _e322 = size_columns(3);
+            float _e326 = read_columns((((((((_e308 + 1) * _e312) + _e314) * _e317) + _e319) * _e322) + 0));
+            float _e329 = w11_5;
+            int _e330 = row_6;
+            int _e334 = size_columns(1);
+            int _e336 = place_5;
+            int _e341 = size_columns(2);
+            int _e343 = c_14;
+            int _e346 = size_columns(3);
+            float _e350 = read_columns((((((((_e330 + 1) * _e334) + (_e336 + 1)) * _e341) + _e343) * _e346) + 0));
+            scale_3 = ((((_e266 * _e283) + (_e285 * _e304)) + (_e307 * _e326)) + (_e329 * _e350));
+            float _e353 = w00_5;
+            int _e354 = row_6;
+            int _e356 = size_columns(1);
+            int _e358 = place_5;
+            int _e361 = size_columns(2);
+            int _e363 = c_14;
+            int _e366 = size_columns(3);
+            float _e370 = read_columns(((((((_e354 * _e356) + _e358) * _e361) + _e363) * _e366) + 1));
+            float _e372 = w01_5;
+            int _e373 = row_6;
+            int _e375 = size_columns(1);
+            int _e377 = place_5;
+            int _e382 = size_columns(2);
+            int _e384 = c_14;
+            int _e387 = size_columns(3);
+            float _e391 = read_columns(((((((_e373 * _e375) + (_e377 + 1)) * _e382) + _e384) * _e387) + 1));
+            float _e394 = w10_5;
+            int _e395 = row_6;
+            int _e399 = size_columns(1);
+            int _e401 = place_5;
+            int _e404 = size_columns(2);
+            int _e406 = c_14;
+            int _e409 = size_columns(3);
+            float _e413 = read_columns((((((((_e395 + 1) * _e399) + _e401) * _e404) + _e406) * _e409) + 1));
+            float _e416 = w11_5;
+            int _e417 = row_6;
+            int _e421 = size_columns(1);
+            int _e423 = place_5;
+            int _e428 = size_columns(2);
+            int _e430 = c_14;
+            int _e433 = size_columns(3);
+            float _e437 = read_columns((((((((_e417 + 1) * _e421) + (_e423 + 1)) * _e428) + _e430) * _e433) + 1));
+            scaled_2 = ((((_e353 * _e370) + (_e372 * _e391)) + (_e394 * _e413)) + (_e416 * _e437));
+            int _e441 = c_14;
+            float _e443 = distance_1_5;
+            float _e444 = scaled_2;
+            float _e446 = scale_3;
+            ground_received_1_below[_e441] = ((_e443 * _e444) / _e446);
+            int _e448 = c_14;
+            c_14 = (_e448 + 1);
+            float _e451 = w00_5;
+            int _e452 = row_6;
+            int _e454 = size_columns(1);
+            int _e456 = place_5;
+            int _e459 = size_columns(2);
+            int _e461 = c_14;
+            int _e464 = size_columns(3);
+            float _e468 = read_columns(((((((_e452 * _e454) + _e456) * _e459) + _e461) * _e464) + 0));
+            float _e470 = w01_5;
+            int _e471 = row_6;
+            int _e473 = size_columns(1);
+            int _e475 = place_5;
+            int _e480 = size_columns(2);
+            int _e482 = c_14;
+            int _e485 = size_columns(3);
+            float _e489 = read_columns(((((((_e471 * _e473) + (_e475 + 1)) * _e480) + _e482) * _e485) + 0));
+            float _e492 = w10_5;
+            int _e493 = row_6;
+            int _e497 = size_columns(1);
+            int _e499 = place_5;
+            int _e502 = size_columns(2);
+            int _e504 = c_14;
+            int _e507 = size_columns(3);
+            float _e511 = read_columns((((((((_e493 + 1) * _e497) + _e499) * _e502) + _e504) * _e507) + 0));
+            float _e514 = w11_5;
+            int _e515 = row_6;
+            int _e519 = size_columns(1);
+            int _e521 = place_5;
+            int _e526 = size_columns(2);
+            int _e528 = c_14;
+            int _e531 = size_columns(3);
+            float _e535 = read_columns((((((((_e515 + 1) * _e519) + (_e521 + 1)) * _e526) + _e528) * _e531) + 0));
+            scale_3 = ((((_e451 * _e468) + (_e470 * _e489)) + (_e492 * _e511)) + (_e514 * _e535));
+            float _e538 = w00_5;
+            int _e539 = row_6;
+            int _e541 = size_columns(1);
+            int _e543 = place_5;
+            int _e546 = size_columns(2);
+            int _e548 = c_14;
+            int _e551 = size_columns(3);
+            float _e555 = read_columns(((((((_e539 * _e541) + _e543) * _e546) + _e548) * _e551) + 1));
+            float _e557 = w01_5;
+            int _e558 = row_6;
+            int _e560 = size_columns(1);
+            int _e562 = place_5;
+            int _e567 = size_columns(2);
+            int _e569 = c_14;
+            int _e572 = size_columns(3);
+            float _e576 = read_columns(((((((_e558 * _e560) + (_e562 + 1)) * _e567) + _e569) * _e572) + 1));
+            float _e579 = w10_5;
+            int _e580 = row_6;
+            int _e584 = size_columns(1);
+            int _e586 = place_5;
+            int _e589 = size_columns(2);
+            int _e591 = c_14;
+            int _e594 = size_columns(3);
+            float _e598 = read_columns((((((((_e580 + 1) * _e584) + _e586) * _e589) + _e591) * _e594) + 1));
+            float _e601 = w11_5;
+            int _e602 = row_6;
+            int _e606 = size_columns(1);
+            int _e608 = place_5;
+            int _e613 = size_columns(2);
+            int _e615 = c_14;
+            int _e618 = size_columns(3);
+            float _e622 = read_columns((((((((_e602 + 1) * _e606) + (_e608 + 1)) * _e613) + _e615) * _e618) + 1));
+            scaled_2 = ((((_e538 * _e555) + (_e557 * _e576)) + (_e579 * _e598)) + (_e601 * _e622));
+            int _e626 = c_14;
+            float _e628 = distance_1_5;
+            float _e629 = scaled_2;
+            float _e631 = scale_3;
+            ground_received_1_below[_e626] = ((_e628 * _e629) / _e631);
+            int _e633 = c_14;
+            c_14 = (_e633 + 1);
+            float _e636 = w00_5;
+            int _e637 = row_6;
+            int _e639 = size_columns(1);
+            int _e641 = place_5;
+            int _e644 = size_columns(2);
+            int _e646 = c_14;
+            int _e649 = size_columns(3);
+            float _e653 = read_columns(((((((_e637 * _e639) + _e641) * _e644) + _e646) * _e649) + 0));
+            float _e655 = w01_5;
+            int _e656 = row_6;
+            int _e658 = size_columns(1);
+            int _e660 = place_5;
+            int _e665 = size_columns(2);
+            int _e667 = c_14;
+            int _e670 = size_columns(3);
+            float _e674 = read_columns(((((((_e656 * _e658) + (_e660 + 1)) * _e665) + _e667) * _e670) + 0));
+            float _e677 = w10_5;
+            int _e678 = row_6;
+            int _e682 = size_columns(1);
+            int _e684 = place_5;
+            int _e687 = size_columns(2);
+            int _e689 = c_14;
+            int _e692 = size_columns(3);
+            float _e696 = read_columns((((((((_e678 + 1) * _e682) + _e684) * _e687) + _e689) * _e692) + 0));
+            float _e699 = w11_5;
+            int _e700 = row_6;
+            int _e704 = size_columns(1);
+            int _e706 = place_5;
+            int _e711 = size_columns(2);
+            int _e713 = c_14;
+            int _e716 = size_columns(3);
+            float _e720 = read_columns((((((((_e700 + 1) * _e704) + (_e706 + 1)) * _e711) + _e713) * _e716) + 0));
+            scale_3 = ((((_e636 * _e653) + (_e655 * _e674)) + (_e677 * _e696)) + (_e699 * _e720));
+            float _e723 = w00_5;
+            int _e724 = row_6;
+            int _e726 = size_columns(1);
+            int _e728 = place_5;
+            int _e731 = size_columns(2);
+            int _e733 = c_14;
+            int _e736 = size_columns(3);
+            float _e740 = read_columns(((((((_e724 * _e726) + _e728) * _e731) + _e733) * _e736) + 1));
+            float _e742 = w01_5;
+            int _e743 = row_6;
+            int _e745 = size_columns(1);
+            int _e747 = place_5;
+            int _e752 = size_columns(2);
+            int _e754 = c_14;
+            int _e757 = size_columns(3);
+            float _e761 = read_columns(((((((_e743 * _e745) + (_e747 + 1)) * _e752) + _e754) * _e757) + 1));
+            float _e764 = w10_5;
+            int _e765 = row_6;
+            int _e769 = size_columns(1);
+            int _e771 = place_5;
+            int _e774 = size_columns(2);
+            int _e776 = c_14;
+            int _e779 = size_columns(3);
+            float _e783 = read_columns((((((((_e765 + 1) * _e769) + _e771) * _e774) + _e776) * _e779) + 1));
+            float _e786 = w11_5;
+            int _e787 = row_6;
+            int _e791 = size_columns(1);
+            int _e793 = place_5;
+            int _e798 = size_columns(2);
+            int _e800 = c_14;
+            int _e803 = size_columns(3);
+            float _e807 = read_columns((((((((_e787 + 1) * _e791) + (_e793 + 1)) * _e798) + _e800) * _e803) + 1));
+            scaled_2 = ((((_e723 * _e740) + (_e742 * _e761)) + (_e764 * _e783)) + (_e786 * _e807));
+            int _e811 = c_14;
+            float _e813 = distance_1_5;
+            float _e814 = scaled_2;
+            float _e816 = scale_3;
+            ground_received_1_below[_e811] = ((_e813 * _e814) / _e816);
+        }
+    }
+    bool loop_init_62 = true;
+    while(true) {
+        if (!loop_init_62) {
+            int _e1005 = c_14;
+            c_14 = (_e1005 + 1);
+        }
+        loop_init_62 = false;
+        int _e821 = c_14;
+        if ((_e821 < _e75)) {
+        } else {
+            break;
+        }
+        {
+            float _e823 = w00_5;
+            int _e824 = row_6;
+            int _e826 = size_columns(1);
+            int _e828 = place_5;
+            int _e831 = size_columns(2);
+            int _e833 = c_14;
+            int _e836 = size_columns(3);
+            float _e840 = read_columns(((((((_e824 * _e826) + _e828) * _e831) + _e833) * _e836) + 0));
+            float _e842 = w01_5;
+            int _e843 = row_6;
+            int _e845 = size_columns(1);
+            int _e847 = place_5;
+            int _e852 = size_columns(2);
+            int _e854 = c_14;
+            int _e857 = size_columns(3);
+            float _e861 = read_columns(((((((_e843 * _e845) + (_e847 + 1)) * _e852) + _e854) * _e857) + 0));
+            float _e864 = w10_5;
+            int _e865 = row_6;
+            int _e869 = size_columns(1);
+            int _e871 = place_5;
+            int _e874 = size_columns(2);
+            int _e876 = c_14;
+            int _e879 = size_columns(3);
+            float _e883 = read_columns((((((((_e865 + 1) * _e869) + _e871) * _e874) + _e876) * _e879) + 0));
+            float _e886 = w11_5;
+            int _e887 = row_6;
+            int _e891 = size_columns(1);
+            int _e893 = place_5;
+            int _e898 = size_columns(2);
+            int _e900 = c_14;
+            int _e903 = size_columns(3);
+            float _e907 = read_columns((((((((_e887 + 1) * _e891) + (_e893 + 1)) * _e898) + _e900) * _e903) + 0));
+            scale_3 = ((((_e823 * _e840) + (_e842 * _e861)) + (_e864 * _e883)) + (_e886 * _e907));
+            float _e910 = w00_5;
+            int _e911 = row_6;
+            int _e913 = size_columns(1);
+            int _e915 = place_5;
+            int _e918 = size_columns(2);
+            int _e920 = c_14;
+            int _e923 = size_columns(3);
+            float _e927 = read_columns(((((((_e911 * _e913) + _e915) * _e918) + _e920) * _e923) + 1));
+            float _e929 = w01_5;
+            int _e930 = row_6;
+            int _e932 = size_columns(1);
+            int _e934 = place_5;
+            int _e939 = size_columns(2);
+            int _e941 = c_14;
+            int _e944 = size_columns(3);
+            float _e948 = read_columns(((((((_e930 * _e932) + (_e934 + 1)) * _e939) + _e941) * _e944) + 1));
+            float _e951 = w10_5;
+            int _e952 = row_6;
+            int _e956 = size_columns(1);
+            int _e958 = place_5;
+            int _e961 = size_columns(2);
+            int _e963 = c_14;
+            int _e966 = size_columns(3);
+            float _e970 = read_columns((((((((_e952 + 1) * _e956) + _e958) * _e961) + _e963) * _e966) + 1));
+            float _e973 = w11_5;
+            int _e974 = row_6;
+            int _e978 = size_columns(1);
+            int _e980 = place_5;
+            int _e985 = size_columns(2);
+            int _e987 = c_14;
+            int _e990 = size_columns(3);
+            float _e994 = read_columns((((((((_e974 + 1) * _e978) + (_e980 + 1)) * _e985) + _e987) * _e990) + 1));
+            scaled_2 = ((((_e910 * _e927) + (_e929 * _e948)) + (_e951 * _e970)) + (_e973 * _e994));
+            int _e998 = c_14;
+            float _e1000 = distance_1_5;
+            float _e1001 = scaled_2;
+            float _e1003 = scale_3;
+            ground_received_1_below[_e998] = ((_e1000 * _e1001) / _e1003);
         }
     }
     return;
 }
 
-void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
-    float x_22 = 0.0;
+void columns_to_top_4_(float r_19, float mu_20, float bottom_8, float top_8) {
+    float x_26 = 0.0;
     int row_7 = 0;
     float f_6 = 0.0;
     int place_6 = 0;
@@ -3215,20 +5290,20 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
     float scaled_3 = 0.0;
     float _e17 = altitude_coordinate(r_19, bottom_8, top_8);
     int _e19 = size_columns(0);
-    x_22 = (_e17 * float((_e19 - 1)));
-    float _e24 = x_22;
+    x_26 = (_e17 * float((_e19 - 1)));
+    float _e24 = x_26;
     int _e27 = size_columns(0);
     row_7 = min(int(_e24), (_e27 - 2));
-    float _e31 = x_22;
+    float _e31 = x_26;
     int _e32 = row_7;
     f_6 = (_e31 - float(_e32));
-    float _e35 = direction_coordinate(r_19, mu_19, bottom_8, top_8);
+    float _e35 = direction_coordinate(r_19, mu_20, bottom_8, top_8);
     int _e37 = size_columns(1);
-    x_22 = (_e35 * float((_e37 - 1)));
-    float _e42 = x_22;
+    x_26 = (_e35 * float((_e37 - 1)));
+    float _e42 = x_26;
     int _e45 = size_columns(1);
     place_6 = min(int(_e42), (_e45 - 2));
-    float _e49 = x_22;
+    float _e49 = x_26;
     int _e50 = place_6;
     e_6 = (_e49 - float(_e50));
     float _e53 = f_6;
@@ -3241,100 +5316,405 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
     w01_6 = now_2_6;
     float _e65 = f_6;
     float _e66 = e_6;
-    float now_3_7 = (_e65 * (1.0 - _e66));
+    float now_3_5 = (_e65 * (1.0 - _e66));
     float _e70 = f_6;
     float _e71 = e_6;
-    float now_4_7 = (_e70 * _e71);
-    w10_6 = now_3_7;
-    w11_6 = now_4_7;
-    float _e73 = distance_to_top(r_19, mu_19, top_8);
+    float now_4_5 = (_e70 * _e71);
+    w10_6 = now_3_5;
+    w11_6 = now_4_5;
+    float _e73 = distance_to_top(r_19, mu_20, top_8);
     distance_1_6 = _e73;
+    int _e75 = size_columns(2);
     c_15 = 0;
-    bool loop_init_44 = true;
+    bool loop_init_63 = true;
     while(true) {
-        if (!loop_init_44) {
-            int _e261 = c_15;
-            c_15 = (_e261 + 1);
+        if (!loop_init_63) {
+            int _e818 = c_15;
+            c_15 = (_e818 + 1);
         }
-        loop_init_44 = false;
-        int _e75 = c_15;
-        int _e77 = size_columns(2);
-        if ((_e75 < _e77)) {
+        loop_init_63 = false;
+        int _e77 = c_15;
+        if (((_e77 + 3) < _e75)) {
         } else {
             break;
         }
         {
-            float _e79 = w00_6;
-            int _e80 = row_7;
-            int _e82 = size_columns(1);
-            int _e84 = place_6;
-            int _e87 = size_columns(2);
-            int _e89 = c_15;
-            int _e92 = size_columns(3);
-            float _e96 = read_columns(((((((_e80 * _e82) + _e84) * _e87) + _e89) * _e92) + 0));
-            float _e98 = w01_6;
-            int _e99 = row_7;
-            int _e101 = size_columns(1);
-            int _e103 = place_6;
-            int _e108 = size_columns(2);
-            int _e110 = c_15;
-            int _e113 = size_columns(3);
-            float _e117 = read_columns(((((((_e99 * _e101) + (_e103 + 1)) * _e108) + _e110) * _e113) + 0));
-            float _e120 = w10_6;
-            int _e121 = row_7;
-            int _e125 = size_columns(1);
-            int _e127 = place_6;
-            int _e130 = size_columns(2);
-            int _e132 = c_15;
-            int _e135 = size_columns(3);
-            float _e139 = read_columns((((((((_e121 + 1) * _e125) + _e127) * _e130) + _e132) * _e135) + 0));
-            float _e142 = w11_6;
-            int _e143 = row_7;
-            int _e147 = size_columns(1);
-            int _e149 = place_6;
-            int _e154 = size_columns(2);
-            int _e156 = c_15;
-            int _e159 = size_columns(3);
-            float _e163 = read_columns((((((((_e143 + 1) * _e147) + (_e149 + 1)) * _e154) + _e156) * _e159) + 0));
-            scale_4 = ((((_e79 * _e96) + (_e98 * _e117)) + (_e120 * _e139)) + (_e142 * _e163));
-            float _e166 = w00_6;
-            int _e167 = row_7;
-            int _e169 = size_columns(1);
-            int _e171 = place_6;
-            int _e174 = size_columns(2);
-            int _e176 = c_15;
-            int _e179 = size_columns(3);
-            float _e183 = read_columns(((((((_e167 * _e169) + _e171) * _e174) + _e176) * _e179) + 1));
-            float _e185 = w01_6;
-            int _e186 = row_7;
-            int _e188 = size_columns(1);
-            int _e190 = place_6;
-            int _e195 = size_columns(2);
-            int _e197 = c_15;
-            int _e200 = size_columns(3);
-            float _e204 = read_columns(((((((_e186 * _e188) + (_e190 + 1)) * _e195) + _e197) * _e200) + 1));
-            float _e207 = w10_6;
-            int _e208 = row_7;
-            int _e212 = size_columns(1);
-            int _e214 = place_6;
-            int _e217 = size_columns(2);
-            int _e219 = c_15;
-            int _e222 = size_columns(3);
-            float _e226 = read_columns((((((((_e208 + 1) * _e212) + _e214) * _e217) + _e219) * _e222) + 1));
-            float _e229 = w11_6;
-            int _e230 = row_7;
-            int _e234 = size_columns(1);
-            int _e236 = place_6;
-            int _e241 = size_columns(2);
-            int _e243 = c_15;
-            int _e246 = size_columns(3);
-            float _e250 = read_columns((((((((_e230 + 1) * _e234) + (_e236 + 1)) * _e241) + _e243) * _e246) + 1));
-            scaled_3 = ((((_e166 * _e183) + (_e185 * _e204)) + (_e207 * _e226)) + (_e229 * _e250));
-            int _e254 = c_15;
-            float _e256 = distance_1_6;
-            float _e257 = scaled_3;
-            float _e259 = scale_4;
-            ground_received_1_above[_e254] = ((_e256 * _e257) / _e259);
+            float _e81 = w00_6;
+            int _e82 = row_7;
+            int _e84 = size_columns(1);
+            int _e86 = place_6;
+            int _e89 = size_columns(2);
+            int _e91 = c_15;
+            int _e94 = size_columns(3);
+            float _e98 = read_columns(((((((_e82 * _e84) + _e86) * _e89) + _e91) * _e94) + 0));
+            float _e100 = w01_6;
+            int _e101 = row_7;
+            int _e103 = size_columns(1);
+            int _e105 = place_6;
+            int _e110 = size_columns(2);
+            int _e112 = c_15;
+            int _e115 = size_columns(3);
+            float _e119 = read_columns(((((((_e101 * _e103) + (_e105 + 1)) * _e110) + _e112) * _e115) + 0));
+            float _e122 = w10_6;
+            int _e123 = row_7;
+            int _e127 = size_columns(1);
+            int _e129 = place_6;
+            int _e132 = size_columns(2);
+            int _e134 = c_15;
+            int _e137 = size_columns(3);
+            float _e141 = read_columns((((((((_e123 + 1) * _e127) + _e129) * _e132) + _e134) * _e137) + 0));
+            float _e144 = w11_6;
+            int _e145 = row_7;
+            int _e149 = size_columns(1);
+            int _e151 = place_6;
+            int _e156 = size_columns(2);
+            int _e158 = c_15;
+            int _e161 = size_columns(3);
+            float _e165 = read_columns((((((((_e145 + 1) * _e149) + (_e151 + 1)) * _e156) + _e158) * _e161) + 0));
+            scale_4 = ((((_e81 * _e98) + (_e100 * _e119)) + (_e122 * _e141)) + (_e144 * _e165));
+            float _e168 = w00_6;
+            int _e169 = row_7;
+            int _e171 = size_columns(1);
+            int _e173 = place_6;
+            int _e176 = size_columns(2);
+            int _e178 = c_15;
+            int _e181 = size_columns(3);
+            float _e185 = read_columns(((((((_e169 * _e171) + _e173) * _e176) + _e178) * _e181) + 1));
+            float _e187 = w01_6;
+            int _e188 = row_7;
+            int _e190 = size_columns(1);
+            int _e192 = place_6;
+            int _e197 = size_columns(2);
+            int _e199 = c_15;
+            int _e202 = size_columns(3);
+            float _e206 = read_columns(((((((_e188 * _e190) + (_e192 + 1)) * _e197) + _e199) * _e202) + 1));
+            float _e209 = w10_6;
+            int _e210 = row_7;
+            int _e214 = size_columns(1);
+            int _e216 = place_6;
+            int _e219 = size_columns(2);
+            int _e221 = c_15;
+            int _e224 = size_columns(3);
+            float _e228 = read_columns((((((((_e210 + 1) * _e214) + _e216) * _e219) + _e221) * _e224) + 1));
+            float _e231 = w11_6;
+            int _e232 = row_7;
+            int _e236 = size_columns(1);
+            int _e238 = place_6;
+            int _e243 = size_columns(2);
+            int _e245 = c_15;
+            int _e248 = size_columns(3);
+            float _e252 = read_columns((((((((_e232 + 1) * _e236) + (_e238 + 1)) * _e243) + _e245) * _e248) + 1));
+            scaled_3 = ((((_e168 * _e185) + (_e187 * _e206)) + (_e209 * _e228)) + (_e231 * _e252));
+            int _e256 = c_15;
+            float _e258 = distance_1_6;
+            float _e259 = scaled_3;
+            float _e261 = scale_4;
+            ground_received_1_above[_e256] = ((_e258 * _e259) / _e261);
+            int _e263 = c_15;
+            c_15 = (_e263 + 1);
+            float _e266 = w00_6;
+            int _e267 = row_7;
+            int _e269 = size_columns(1);
+            int _e271 = place_6;
+            int _e274 = size_columns(2);
+            int _e276 = c_15;
+            int _e279 = size_columns(3);
+            float _e283 = read_columns(((((((_e267 * _e269) + _e271) * _e274) + _e276) * _e279) + 0));
+            float _e285 = w01_6;
+            int _e286 = row_7;
+            int _e288 = size_columns(1);
+            int _e290 = place_6;
+            int _e295 = size_columns(2);
+            int _e297 = c_15;
+            int _e300 = size_columns(3);
+            float _e304 = read_columns(((((((_e286 * _e288) + (_e290 + 1)) * _e295) + _e297) * _e300) + 0));
+            float _e307 = w10_6;
+            int _e308 = row_7;
+            int _e312 = size_columns(1);
+            int _e314 = place_6;
+            int _e317 = size_columns(2);
+            int _e319 = c_15;
+            int _e322 = size_columns(3);
+            float _e326 = read_columns((((((((_e308 + 1) * _e312) + _e314) * _e317) + _e319) * _e322) + 0));
+            float _e329 = w11_6;
+            int _e330 = row_7;
+            int _e334 = size_columns(1);
+            int _e336 = place_6;
+            int _e341 = size_columns(2);
+            int _e343 = c_15;
+            int _e346 = size_columns(3);
+            float _e350 = read_columns((((((((_e330 + 1) * _e334) + (_e336 + 1)) * _e341) + _e343) * _e346) + 0));
+            scale_4 = ((((_e266 * _e283) + (_e285 * _e304)) + (_e307 * _e326)) + (_e329 * _e350));
+            float _e353 = w00_6;
+            int _e354 = row_7;
+            int _e356 = size_columns(1);
+            int _e358 = place_6;
+            int _e361 = size_columns(2);
+            int _e363 = c_15;
+            int _e366 = size_columns(3);
+            float _e370 = read_columns(((((((_e354 * _e356) + _e358) * _e361) + _e363) * _e366) + 1));
+            float _e372 = w01_6;
+            int _e373 = row_7;
+            int _e375 = size_columns(1);
+            int _e377 = place_6;
+            int _e382 = size_columns(2);
+            int _e384 = c_15;
+            int _e387 = size_columns(3);
+            float _e391 = read_columns(((((((_e373 * _e375) + (_e377 + 1)) * _e382) + _e384) * _e387) + 1));
+            float _e394 = w10_6;
+            int _e395 = row_7;
+            int _e399 = size_columns(1);
+            int _e401 = place_6;
+            int _e404 = size_columns(2);
+            int _e406 = c_15;
+            int _e409 = size_columns(3);
+            float _e413 = read_columns((((((((_e395 + 1) * _e399) + _e401) * _e404) + _e406) * _e409) + 1));
+            float _e416 = w11_6;
+            int _e417 = row_7;
+            int _e421 = size_columns(1);
+            int _e423 = place_6;
+            int _e428 = size_columns(2);
+            int _e430 = c_15;
+            int _e433 = size_columns(3);
+            float _e437 = read_columns((((((((_e417 + 1) * _e421) + (_e423 + 1)) * _e428) + _e430) * _e433) + 1));
+            scaled_3 = ((((_e353 * _e370) + (_e372 * _e391)) + (_e394 * _e413)) + (_e416 * _e437));
+            int _e441 = c_15;
+            float _e443 = distance_1_6;
+            float _e444 = scaled_3;
+            float _e446 = scale_4;
+            ground_received_1_above[_e441] = ((_e443 * _e444) / _e446);
+            int _e448 = c_15;
+            c_15 = (_e448 + 1);
+            float _e451 = w00_6;
+            int _e452 = row_7;
+            int _e454 = size_columns(1);
+            int _e456 = place_6;
+            int _e459 = size_columns(2);
+            int _e461 = c_15;
+            int _e464 = size_columns(3);
+            float _e468 = read_columns(((((((_e452 * _e454) + _e456) * _e459) + _e461) * _e464) + 0));
+            float _e470 = w01_6;
+            int _e471 = row_7;
+            int _e473 = size_columns(1);
+            int _e475 = place_6;
+            int _e480 = size_columns(2);
+            int _e482 = c_15;
+            int _e485 = size_columns(3);
+            float _e489 = read_columns(((((((_e471 * _e473) + (_e475 + 1)) * _e480) + _e482) * _e485) + 0));
+            float _e492 = w10_6;
+            int _e493 = row_7;
+            int _e497 = size_columns(1);
+            int _e499 = place_6;
+            int _e502 = size_columns(2);
+            int _e504 = c_15;
+            int _e507 = size_columns(3);
+            float _e511 = read_columns((((((((_e493 + 1) * _e497) + _e499) * _e502) + _e504) * _e507) + 0));
+            float _e514 = w11_6;
+            int _e515 = row_7;
+            int _e519 = size_columns(1);
+            int _e521 = place_6;
+            int _e526 = size_columns(2);
+            int _e528 = c_15;
+            int _e531 = size_columns(3);
+            float _e535 = read_columns((((((((_e515 + 1) * _e519) + (_e521 + 1)) * _e526) + _e528) * _e531) + 0));
+            scale_4 = ((((_e451 * _e468) + (_e470 * _e489)) + (_e492 * _e511)) + (_e514 * _e535));
+            float _e538 = w00_6;
+            int _e539 = row_7;
+            int _e541 = size_columns(1);
+            int _e543 = place_6;
+            int _e546 = size_columns(2);
+            int _e548 = c_15;
+            int _e551 = size_columns(3);
+            float _e555 = read_columns(((((((_e539 * _e541) + _e543) * _e546) + _e548) * _e551) + 1));
+            float _e557 = w01_6;
+            int _e558 = row_7;
+            int _e560 = size_columns(1);
+            int _e562 = place_6;
+            int _e567 = size_columns(2);
+            int _e569 = c_15;
+            int _e572 = size_columns(3);
+            float _e576 = read_columns(((((((_e558 * _e560) + (_e562 + 1)) * _e567) + _e569) * _e572) + 1));
+            float _e579 = w10_6;
+            int _e580 = row_7;
+            int _e584 = size_columns(1);
+            int _e586 = place_6;
+            int _e589 = size_columns(2);
+            int _e591 = c_15;
+            int _e594 = size_columns(3);
+            float _e598 = read_columns((((((((_e580 + 1) * _e584) + _e586) * _e589) + _e591) * _e594) + 1));
+            float _e601 = w11_6;
+            int _e602 = row_7;
+            int _e606 = size_columns(1);
+            int _e608 = place_6;
+            int _e613 = size_columns(2);
+            int _e615 = c_15;
+            int _e618 = size_columns(3);
+            float _e622 = read_columns((((((((_e602 + 1) * _e606) + (_e608 + 1)) * _e613) + _e615) * _e618) + 1));
+            scaled_3 = ((((_e538 * _e555) + (_e557 * _e576)) + (_e579 * _e598)) + (_e601 * _e622));
+            int _e626 = c_15;
+            float _e628 = distance_1_6;
+            float _e629 = scaled_3;
+            float _e631 = scale_4;
+            ground_received_1_above[_e626] = ((_e628 * _e629) / _e631);
+            int _e633 = c_15;
+            c_15 = (_e633 + 1);
+            float _e636 = w00_6;
+            int _e637 = row_7;
+            int _e639 = size_columns(1);
+            int _e641 = place_6;
+            int _e644 = size_columns(2);
+            int _e646 = c_15;
+            int _e649 = size_columns(3);
+            float _e653 = read_columns(((((((_e637 * _e639) + _e641) * _e644) + _e646) * _e649) + 0));
+            float _e655 = w01_6;
+            int _e656 = row_7;
+            int _e658 = size_columns(1);
+            int _e660 = place_6;
+            int _e665 = size_columns(2);
+            int _e667 = c_15;
+            int _e670 = size_columns(3);
+            float _e674 = read_columns(((((((_e656 * _e658) + (_e660 + 1)) * _e665) + _e667) * _e670) + 0));
+            float _e677 = w10_6;
+            int _e678 = row_7;
+            int _e682 = size_columns(1);
+            int _e684 = place_6;
+            int _e687 = size_columns(2);
+            int _e689 = c_15;
+            int _e692 = size_columns(3);
+            float _e696 = read_columns((((((((_e678 + 1) * _e682) + _e684) * _e687) + _e689) * _e692) + 0));
+            float _e699 = w11_6;
+            int _e700 = row_7;
+            int _e704 = size_columns(1);
+            int _e706 = place_6;
+            int _e711 = size_columns(2);
+            int _e713 = c_15;
+            int _e716 = size_columns(3);
+            float _e720 = read_columns((((((((_e700 + 1) * _e704) + (_e706 + 1)) * _e711) + _e713) * _e716) + 0));
+            scale_4 = ((((_e636 * _e653) + (_e655 * _e674)) + (_e677 * _e696)) + (_e699 * _e720));
+            float _e723 = w00_6;
+            int _e724 = row_7;
+            int _e726 = size_columns(1);
+            int _e728 = place_6;
+            int _e731 = size_columns(2);
+            int _e733 = c_15;
+            int _e736 = size_columns(3);
+            float _e740 = read_columns(((((((_e724 * _e726) + _e728) * _e731) + _e733) * _e736) + 1));
+            float _e742 = w01_6;
+            int _e743 = row_7;
+            int _e745 = size_columns(1);
+            int _e747 = place_6;
+            int _e752 = size_columns(2);
+            int _e754 = c_15;
+            int _e757 = size_columns(3);
+            float _e761 = read_columns(((((((_e743 * _e745) + (_e747 + 1)) * _e752) + _e754) * _e757) + 1));
+            float _e764 = w10_6;
+            int _e765 = row_7;
+            int _e769 = size_columns(1);
+            int _e771 = place_6;
+            int _e774 = size_columns(2);
+            int _e776 = c_15;
+            int _e779 = size_columns(3);
+            float _e783 = read_columns((((((((_e765 + 1) * _e769) + _e771) * _e774) + _e776) * _e779) + 1));
+            float _e786 = w11_6;
+            int _e787 = row_7;
+            int _e791 = size_columns(1);
+            int _e793 = place_6;
+            int _e798 = size_columns(2);
+            int _e800 = c_15;
+            int _e803 = size_columns(3);
+            float _e807 = read_columns((((((((_e787 + 1) * _e791) + (_e793 + 1)) * _e798) + _e800) * _e803) + 1));
+            scaled_3 = ((((_e723 * _e740) + (_e742 * _e761)) + (_e764 * _e783)) + (_e786 * _e807));
+            int _e811 = c_15;
+            float _e813 = distance_1_6;
+            float _e814 = scaled_3;
+            float _e816 = scale_4;
+            ground_received_1_above[_e811] = ((_e813 * _e814) / _e816);
+        }
+    }
+    bool loop_init_64 = true;
+    while(true) {
+        if (!loop_init_64) {
+            int _e1005 = c_15;
+            c_15 = (_e1005 + 1);
+        }
+        loop_init_64 = false;
+        int _e821 = c_15;
+        if ((_e821 < _e75)) {
+        } else {
+            break;
+        }
+        {
+            float _e823 = w00_6;
+            int _e824 = row_7;
+            int _e826 = size_columns(1);
+            int _e828 = place_6;
+            int _e831 = size_columns(2);
+            int _e833 = c_15;
+            int _e836 = size_columns(3);
+            float _e840 = read_columns(((((((_e824 * _e826) + _e828) * _e831) + _e833) * _e836) + 0));
+            float _e842 = w01_6;
+            int _e843 = row_7;
+            int _e845 = size_columns(1);
+            int _e847 = place_6;
+            int _e852 = size_columns(2);
+            int _e854 = c_15;
+            int _e857 = size_columns(3);
+            float _e861 = read_columns(((((((_e843 * _e845) + (_e847 + 1)) * _e852) + _e854) * _e857) + 0));
+            float _e864 = w10_6;
+            int _e865 = row_7;
+            int _e869 = size_columns(1);
+            int _e871 = place_6;
+            int _e874 = size_columns(2);
+            int _e876 = c_15;
+            int _e879 = size_columns(3);
+            float _e883 = read_columns((((((((_e865 + 1) * _e869) + _e871) * _e874) + _e876) * _e879) + 0));
+            float _e886 = w11_6;
+            int _e887 = row_7;
+            int _e891 = size_columns(1);
+            int _e893 = place_6;
+            int _e898 = size_columns(2);
+            int _e900 = c_15;
+            int _e903 = size_columns(3);
+            float _e907 = read_columns((((((((_e887 + 1) * _e891) + (_e893 + 1)) * _e898) + _e900) * _e903) + 0));
+            scale_4 = ((((_e823 * _e840) + (_e842 * _e861)) + (_e864 * _e883)) + (_e886 * _e907));
+            float _e910 = w00_6;
+            int _e911 = row_7;
+            int _e913 = size_columns(1);
+            int _e915 = place_6;
+            int _e918 = size_columns(2);
+            int _e920 = c_15;
+            int _e923 = size_columns(3);
+            float _e927 = read_columns(((((((_e911 * _e913) + _e915) * _e918) + _e920) * _e923) + 1));
+            float _e929 = w01_6;
+            int _e930 = row_7;
+            int _e932 = size_columns(1);
+            int _e934 = place_6;
+            int _e939 = size_columns(2);
+            int _e941 = c_15;
+            int _e944 = size_columns(3);
+            float _e948 = read_columns(((((((_e930 * _e932) + (_e934 + 1)) * _e939) + _e941) * _e944) + 1));
+            float _e951 = w10_6;
+            int _e952 = row_7;
+            int _e956 = size_columns(1);
+            int _e958 = place_6;
+            int _e961 = size_columns(2);
+            int _e963 = c_15;
+            int _e966 = size_columns(3);
+            float _e970 = read_columns((((((((_e952 + 1) * _e956) + _e958) * _e961) + _e963) * _e966) + 1));
+            float _e973 = w11_6;
+            int _e974 = row_7;
+            int _e978 = size_columns(1);
+            int _e980 = place_6;
+            int _e985 = size_columns(2);
+            int _e987 = c_15;
+            int _e990 = size_columns(3);
+            float _e994 = read_columns((((((((_e974 + 1) * _e978) + (_e980 + 1)) * _e985) + _e987) * _e990) + 1));
+            scaled_3 = ((((_e910 * _e927) + (_e929 * _e948)) + (_e951 * _e970)) + (_e973 * _e994));
+            int _e998 = c_15;
+            float _e1000 = distance_1_6;
+            float _e1001 = scaled_3;
+            float _e1003 = scale_4;
+            ground_received_1_above[_e998] = ((_e1000 * _e1001) / _e1003);
         }
     }
     return;
@@ -3345,29 +5725,74 @@ vec4 through_columns_5_(int constituents_7) {
     int c_16 = 0;
     tau_4 = vec4(0.0);
     c_16 = 0;
-    bool loop_init_45 = true;
+    bool loop_init_65 = true;
     while(true) {
-        if (!loop_init_45) {
-            int _e21 = c_16;
-            c_16 = (_e21 + 1);
+        if (!loop_init_65) {
+            int _e71 = c_16;
+            c_16 = (_e71 + 1);
         }
-        loop_init_45 = false;
+        loop_init_65 = false;
         int _e6 = c_16;
-        if ((_e6 < constituents_7)) {
+        if (((_e6 + 3) < constituents_7)) {
         } else {
             break;
         }
         {
-            vec4 _e8 = tau_4;
-            int _e9 = c_16;
-            vec4 _e14 = read_extinction(((1 * _e9) + 0));
-            int _e16 = c_16;
-            float _e18 = ground_received_1_below[_e16];
-            tau_4 = (_e8 + (_e14 * _e18));
+            vec4 _e10 = tau_4;
+            int _e11 = c_16;
+            vec4 _e16 = read_extinction(((1 * _e11) + 0));
+            int _e18 = c_16;
+            float _e20 = ground_received_1_below[_e18];
+            tau_4 = (_e10 + (_e16 * _e20));
+            int _e23 = c_16;
+            c_16 = (_e23 + 1);
+            vec4 _e26 = tau_4;
+            int _e27 = c_16;
+            vec4 _e32 = read_extinction(((1 * _e27) + 0));
+            int _e34 = c_16;
+            float _e36 = ground_received_1_below[_e34];
+            tau_4 = (_e26 + (_e32 * _e36));
+            int _e39 = c_16;
+            c_16 = (_e39 + 1);
+            vec4 _e42 = tau_4;
+            int _e43 = c_16;
+            vec4 _e48 = read_extinction(((1 * _e43) + 0));
+            int _e50 = c_16;
+            float _e52 = ground_received_1_below[_e50];
+            tau_4 = (_e42 + (_e48 * _e52));
+            int _e55 = c_16;
+            c_16 = (_e55 + 1);
+            vec4 _e58 = tau_4;
+            int _e59 = c_16;
+            vec4 _e64 = read_extinction(((1 * _e59) + 0));
+            int _e66 = c_16;
+            float _e68 = ground_received_1_below[_e66];
+            tau_4 = (_e58 + (_e64 * _e68));
         }
     }
-    vec4 _e24 = tau_4;
-    return exp((vec4(0.0) - _e24));
+    bool loop_init_66 = true;
+    while(true) {
+        if (!loop_init_66) {
+            int _e89 = c_16;
+            c_16 = (_e89 + 1);
+        }
+        loop_init_66 = false;
+        int _e74 = c_16;
+        if ((_e74 < constituents_7)) {
+        } else {
+            break;
+        }
+        {
+            vec4 _e76 = tau_4;
+            int _e77 = c_16;
+            vec4 _e82 = read_extinction(((1 * _e77) + 0));
+            int _e84 = c_16;
+            float _e86 = ground_received_1_below[_e84];
+            tau_4 = (_e76 + (_e82 * _e86));
+        }
+    }
+    vec4 _e92 = tau_4;
+    return exp((vec4(0.0) - _e92));
 }
 
 vec4 through_columns_6_(int constituents_8) {
@@ -3375,29 +5800,74 @@ vec4 through_columns_6_(int constituents_8) {
     int c_17 = 0;
     tau_5 = vec4(0.0);
     c_17 = 0;
-    bool loop_init_46 = true;
+    bool loop_init_67 = true;
     while(true) {
-        if (!loop_init_46) {
-            int _e21 = c_17;
-            c_17 = (_e21 + 1);
+        if (!loop_init_67) {
+            int _e71 = c_17;
+            c_17 = (_e71 + 1);
         }
-        loop_init_46 = false;
+        loop_init_67 = false;
         int _e6 = c_17;
-        if ((_e6 < constituents_8)) {
+        if (((_e6 + 3) < constituents_8)) {
         } else {
             break;
         }
         {
-            vec4 _e8 = tau_5;
-            int _e9 = c_17;
-            vec4 _e14 = read_extinction(((1 * _e9) + 0));
-            int _e16 = c_17;
-            float _e18 = ground_received_1_above[_e16];
-            tau_5 = (_e8 + (_e14 * _e18));
+            vec4 _e10 = tau_5;
+            int _e11 = c_17;
+            vec4 _e16 = read_extinction(((1 * _e11) + 0));
+            int _e18 = c_17;
+            float _e20 = ground_received_1_above[_e18];
+            tau_5 = (_e10 + (_e16 * _e20));
+            int _e23 = c_17;
+            c_17 = (_e23 + 1);
+            vec4 _e26 = tau_5;
+            int _e27 = c_17;
+            vec4 _e32 = read_extinction(((1 * _e27) + 0));
+            int _e34 = c_17;
+            float _e36 = ground_received_1_above[_e34];
+            tau_5 = (_e26 + (_e32 * _e36));
+            int _e39 = c_17;
+            c_17 = (_e39 + 1);
+            vec4 _e42 = tau_5;
+            int _e43 = c_17;
+            vec4 _e48 = read_extinction(((1 * _e43) + 0));
+            int _e50 = c_17;
+            float _e52 = ground_received_1_above[_e50];
+            tau_5 = (_e42 + (_e48 * _e52));
+            int _e55 = c_17;
+            c_17 = (_e55 + 1);
+            vec4 _e58 = tau_5;
+            int _e59 = c_17;
+            vec4 _e64 = read_extinction(((1 * _e59) + 0));
+            int _e66 = c_17;
+            float _e68 = ground_received_1_above[_e66];
+            tau_5 = (_e58 + (_e64 * _e68));
         }
     }
-    vec4 _e24 = tau_5;
-    return exp((vec4(0.0) - _e24));
+    bool loop_init_68 = true;
+    while(true) {
+        if (!loop_init_68) {
+            int _e89 = c_17;
+            c_17 = (_e89 + 1);
+        }
+        loop_init_68 = false;
+        int _e74 = c_17;
+        if ((_e74 < constituents_8)) {
+        } else {
+            break;
+        }
+        {
+            vec4 _e76 = tau_5;
+            int _e77 = c_17;
+            vec4 _e82 = read_extinction(((1 * _e77) + 0));
+            int _e84 = c_17;
+            float _e86 = ground_received_1_above[_e84];
+            tau_5 = (_e76 + (_e82 * _e86));
+        }
+    }
+    vec4 _e92 = tau_5;
+    return exp((vec4(0.0) - _e92));
 }
 
 vec4 level_star_1_(float from_low, float from_high, int constituents_9) {
@@ -3420,7 +5890,7 @@ void ground_received_1_(float mu_s_8, int orders_1) {
     float from_high_1 = 0.0;
     float low_10 = 0.0;
     float high_7 = 0.0;
-    float x_23 = 0.0;
+    float x_27 = 0.0;
     int place_7 = 0;
     float now_1_6 = _group_0_binding_0_fs.shell.x;
     float now_2_7 = _group_0_binding_0_fs.shell.y;
@@ -3459,13 +5929,13 @@ void ground_received_1_(float mu_s_8, int orders_1) {
     }
     if ((orders_1 != 1)) {
         float _e58 = place_of(mu_s_8);
-        x_23 = _e58;
-        float _e59 = x_23;
+        x_27 = _e58;
+        float _e59 = x_27;
         float _e64 = _group_0_binding_0_fs.counts.w;
         place_7 = min(int(_e59), (int(_e64) - 2));
         vec4 _e69 = received_3;
         int _e70 = place_7;
-        float _e71 = x_23;
+        float _e71 = x_27;
         int _e72 = place_7;
         vec4 _e75 = level_sky(_e70, (_e71 - float(_e72)));
         received_3 = (_e69 + _e75);
@@ -3475,7 +5945,7 @@ void ground_received_1_(float mu_s_8, int orders_1) {
     return;
 }
 
-float look_1_(float mu_20, float sine_1_5, float cos_azimuth_1, bool to_ground) {
+float look_1_(float mu_21, float sine_1_5, float cos_azimuth_1, bool to_ground) {
     float nu_3 = 0.0;
     float r_20 = 0.0;
     float start_mu = 0.0;
@@ -3488,14 +5958,15 @@ float look_1_(float mu_20, float sine_1_5, float cos_azimuth_1, bool to_ground) 
     float angle_3 = 0.0;
     float mu_s_9 = 0.0;
     float slant_1 = 0.0;
+    bool local_15 = false;
     float _e20 = _group_0_binding_0_fs.star.x;
     float _e25 = _group_0_binding_0_fs.star.y;
-    nu_3 = min(max((((sine_1_5 * cos_azimuth_1) * _e20) + (mu_20 * _e25)), -1.0), 1.0);
+    nu_3 = min(max((((sine_1_5 * cos_azimuth_1) * _e20) + (mu_21 * _e25)), -1.0), 1.0);
     float now_1_7 = _group_0_binding_0_fs.observer.x;
-    float now_3_8 = _group_0_binding_0_fs.star.y;
+    float now_3_6 = _group_0_binding_0_fs.star.y;
     r_20 = now_1_7;
-    start_mu = mu_20;
-    start_mu_s = now_3_8;
+    start_mu = mu_21;
+    start_mu_s = now_3_6;
     float _e43 = _group_0_binding_0_fs.observer.x;
     impact_1 = (_e43 * sine_1_5);
     float _e48 = _group_0_binding_0_fs.observer.y;
@@ -3543,61 +6014,67 @@ float look_1_(float mu_20, float sine_1_5, float cos_azimuth_1, bool to_ground) 
     march_line_1_(_e119, _e120, _e121, _e122, _e123, int(_e127));
     ground = vec4(0.0);
     angle_3 = 0.0;
-    if (to_ground) {
-        float _e132 = impact_1;
-        float _e136 = _group_0_binding_0_fs.shell.x;
-        float _e141 = _group_0_binding_0_fs.shell.x;
-        Several_f32_f32_ _e142 = first_meeting(min(_e132, _e136), sine_1_5, _e141);
-        across_3 = _e142.v0_;
-        up_1 = _e142.v1_;
-        float _e145 = across_3;
-        float _e146 = up_1;
-        float _e150 = _group_0_binding_0_fs.shell.x;
-        float _e154 = _group_0_binding_0_fs.star.x;
-        float _e158 = _group_0_binding_0_fs.star.y;
-        float _e159 = star_from(_e145, _e146, _e150, cos_azimuth_1, _e154, _e158);
-        mu_s_9 = _e159;
-        float _e163 = _group_0_binding_0_fs.shell.w;
-        if ((_e163 > 0.0)) {
-            float _e166 = r_20;
-            float _e167 = start_mu;
-            float _e171 = _group_0_binding_0_fs.shell.w;
-            float _e176 = _group_0_binding_0_fs.counts.x;
-            float _e181 = look_1_totals[(int(_e176) - 1)];
-            float _e182 = bend_angle(_e166, _e167, _e171, _e181);
-            angle_3 = _e182;
-            float _e183 = r_20;
-            float _e184 = start_mu;
-            float _e186 = length_1_5;
-            float _e191 = _group_0_binding_0_fs.shell.x;
-            slant_1 = (((_e183 * _e184) + _e186) / _e191);
-            float _e193 = slant_1;
-            float _e194 = mu_s_9;
-            float _e195 = nu_3;
-            float _e196 = angle_3;
-            Several_f32_f32_ _e197 = turned(_e193, _e194, _e195, _e196);
-            mu_s_9 = _e197.v0_;
-            float _e199 = mu_s_9;
-            mu_s_9 = min(max(_e199, -1.0), 1.0);
-        }
-        float _e204 = mu_s_9;
-        float _e208 = _group_0_binding_0_fs.peaks.w;
-        ground_received_1_(_e204, int(_e208));
-        vec4 _e212 = look_1_received[0];
-        vec4 _e215 = reflected(_e212, vec4(1.0));
-        vec4 _e218 = look_1_along[1];
-        ground = (_e215 * _e218);
+    if (true) {
+        local_15 = to_ground;
+    } else {
+        local_15 = false;
     }
-    vec4 _e224 = look_1_along[0];
-    air_texel_1_found[0] = _e224;
-    vec4 _e227 = ground;
-    air_texel_1_found[1] = _e227;
-    vec4 _e232 = look_1_along[2];
-    air_texel_1_found[2] = _e232;
-    vec4 _e237 = look_1_along[3];
-    air_texel_1_found[3] = _e237;
-    float _e238 = angle_3;
-    return _e238;
+    bool _e136 = local_15;
+    if (_e136) {
+        float _e137 = impact_1;
+        float _e141 = _group_0_binding_0_fs.shell.x;
+        float _e146 = _group_0_binding_0_fs.shell.x;
+        Several_f32_f32_ _e147 = first_meeting(min(_e137, _e141), sine_1_5, _e146);
+        across_3 = _e147.v0_;
+        up_1 = _e147.v1_;
+        float _e150 = across_3;
+        float _e151 = up_1;
+        float _e155 = _group_0_binding_0_fs.shell.x;
+        float _e159 = _group_0_binding_0_fs.star.x;
+        float _e163 = _group_0_binding_0_fs.star.y;
+        float _e164 = star_from(_e150, _e151, _e155, cos_azimuth_1, _e159, _e163);
+        mu_s_9 = _e164;
+        float _e168 = _group_0_binding_0_fs.shell.w;
+        if ((_e168 > 0.0)) {
+            float _e171 = r_20;
+            float _e172 = start_mu;
+            float _e176 = _group_0_binding_0_fs.shell.w;
+            float _e181 = _group_0_binding_0_fs.counts.x;
+            float _e186 = look_1_totals[(int(_e181) - 1)];
+            float _e187 = bend_angle(_e171, _e172, _e176, _e186);
+            angle_3 = _e187;
+            float _e188 = r_20;
+            float _e189 = start_mu;
+            float _e191 = length_1_5;
+            float _e196 = _group_0_binding_0_fs.shell.x;
+            slant_1 = (((_e188 * _e189) + _e191) / _e196);
+            float _e198 = slant_1;
+            float _e199 = mu_s_9;
+            float _e200 = nu_3;
+            float _e201 = angle_3;
+            Several_f32_f32_ _e202 = turned(_e198, _e199, _e200, _e201);
+            mu_s_9 = _e202.v0_;
+            float _e204 = mu_s_9;
+            mu_s_9 = min(max(_e204, -1.0), 1.0);
+        }
+        float _e209 = mu_s_9;
+        float _e213 = _group_0_binding_0_fs.peaks.w;
+        ground_received_1_(_e209, int(_e213));
+        vec4 _e217 = look_1_received[0];
+        vec4 _e220 = reflected(_e217, vec4(1.0));
+        vec4 _e223 = look_1_along[1];
+        ground = (_e220 * _e223);
+    }
+    vec4 _e229 = look_1_along[0];
+    air_texel_1_found[0] = _e229;
+    vec4 _e232 = ground;
+    air_texel_1_found[1] = _e232;
+    vec4 _e237 = look_1_along[2];
+    air_texel_1_found[2] = _e237;
+    vec4 _e242 = look_1_along[3];
+    air_texel_1_found[3] = _e242;
+    float _e243 = angle_3;
+    return _e243;
 }
 
 void air_texel_1_(int column_2, int row_8, int columns, int rows) {
@@ -3606,7 +6083,7 @@ void air_texel_1_(int column_2, int row_8, int columns, int rows) {
     float azimuth = 0.0;
     float cos_azimuth_2 = 0.0;
     float sine_1_6 = 0.0;
-    float mu_21 = 0.0;
+    float mu_22 = 0.0;
     float side = 0.0;
     float half_sine_2 = 0.0;
     int layer = 0;
@@ -3628,14 +6105,14 @@ void air_texel_1_(int column_2, int row_8, int columns, int rows) {
         sine_1_6 = (_e47 / _e51);
         float _e53 = sine_1_6;
         float _e56 = sine_1_6;
-        mu_21 = -(sqrt(max(((1.0 - _e53) * (1.0 + _e56)), 0.0)));
+        mu_22 = -(sqrt(max(((1.0 - _e53) * (1.0 + _e56)), 0.0)));
     } else {
         float _e64 = at_5;
         bool _e65 = sky_2;
         float _e69 = _group_0_binding_0_fs.observer.z;
         float _e73 = _group_0_binding_0_fs.observer.w;
         Several_f32_f32_ _e74 = direction_from_row(_e64, _e65, _e69, _e73);
-        mu_21 = _e74.v0_;
+        mu_22 = _e74.v0_;
         sine_1_6 = _e74.v1_;
     }
     float _e77 = cos_azimuth_2;
@@ -3645,26 +6122,26 @@ void air_texel_1_(int column_2, int row_8, int columns, int rows) {
     float _e88 = cos_azimuth_2;
     float _e90 = sine_1_6;
     float _e91 = side;
-    float _e93 = mu_21;
+    float _e93 = mu_22;
     float _e97 = _group_0_binding_0_fs.star.z;
     float _e101 = _group_0_binding_0_fs.star.w;
     float _e102 = half_sine_between((_e87 * _e88), (_e90 * _e91), _e93, _e97, _e101);
     half_sine_2 = _e102;
     float _e103 = half_sine_2;
     phases_towards_1_(_e103);
-    float _e104 = mu_21;
+    float _e104 = mu_22;
     float _e105 = sine_1_6;
     float _e106 = cos_azimuth_2;
     bool _e107 = sky_2;
     float _e109 = look_1_(_e104, _e105, _e106, !(_e107));
     layer = 0;
-    bool loop_init_47 = true;
+    bool loop_init_69 = true;
     while(true) {
-        if (!loop_init_47) {
+        if (!loop_init_69) {
             int _e130 = layer;
             layer = (_e130 + 1);
         }
-        loop_init_47 = false;
+        loop_init_69 = false;
         int _e111 = layer;
         if ((_e111 < 4)) {
         } else {

@@ -1,5 +1,5 @@
 #version 300 es
-// of sky_peaks.wgsl dd932706867752b1, by naga-wasm@30.1.0
+// of sky_peaks.wgsl 65e600925ebf1201, by naga-wasm@30.1.0
 precision highp float;
 precision highp int;
 
@@ -44,6 +44,10 @@ struct Frame {
     vec4 table_levels;
     vec4 table_texels;
 };
+struct Layers {
+    vec4 first;
+    vec4 second;
+};
 struct Several_f32_f32_ {
     float v0_;
     float v1_;
@@ -63,10 +67,6 @@ struct Several_f32_f32_f32_ {
 struct Several_i32_f32_ {
     int v0_;
     float v1_;
-};
-struct Layers {
-    vec4 first;
-    vec4 second;
 };
 layout(std140) uniform Frame_block_0Fragment { Frame _group_0_binding_0_fs; };
 
@@ -355,15 +355,32 @@ float cubed(float x_1) {
     return ((x_1 * x_1) * x_1);
 }
 
+int whole_quotient(int a, int b) {
+    bool local = false;
+    int towards_zero = (a / b);
+    if (((towards_zero * b) != a)) {
+        local = ((a < 0) != (b < 0));
+    } else {
+        local = false;
+    }
+    bool _e15 = local;
+    return (_e15 ? (towards_zero - 1) : towards_zero);
+}
+
+int whole_rest(int a_1, int b_1) {
+    int _e2 = whole_quotient(a_1, b_1);
+    return (a_1 - (b_1 * _e2));
+}
+
 float sine_of_quarter(float x_2) {
-    float y_2 = (x_2 * x_2);
-    return (x_2 + ((x_2 * y_2) * (-0.16666655 + (y_2 * (0.008332161 - (0.00019515296 * y_2))))));
+    float y_3 = (x_2 * x_2);
+    return (x_2 + ((x_2 * y_3) * (-0.16666655 + (y_3 * (0.008332161 - (0.00019515296 * y_3))))));
 }
 
 float cosine_of_quarter(float x_3) {
-    float y_3 = (x_3 * x_3);
-    float tail = ((y_3 * y_3) * (0.041666646 + (y_3 * (-0.0013887316 + (2.4433157e-5 * y_3)))));
-    return ((1.0 - (0.5 * y_3)) + tail);
+    float y_4 = (x_3 * x_3);
+    float tail = ((y_4 * y_4) * (0.041666646 + (y_4 * (-0.0013887316 + (2.4433157e-5 * y_4)))));
+    return ((1.0 - (0.5 * y_4)) + tail);
 }
 
 float rest_of_quarter(float x_4, float turns) {
@@ -381,7 +398,7 @@ float sine(float x_5) {
 }
 
 float cosine(float x_6) {
-    bool local = false;
+    bool local_1 = false;
     float turns_2 = roundEven((x_6 * 0.63661975));
     float _e4 = rest_of_quarter(x_6, turns_2);
     int quarter_1 = (int(turns_2) & 3);
@@ -389,12 +406,41 @@ float cosine(float x_6) {
     float _e9 = sine_of_quarter(_e4);
     float value_1 = (((quarter_1 & 1) == 1) ? _e9 : _e8);
     if (!((quarter_1 == 1))) {
-        local = (quarter_1 == 2);
+        local_1 = (quarter_1 == 2);
     } else {
-        local = true;
+        local_1 = true;
     }
-    bool _e24 = local;
+    bool _e24 = local_1;
     return (_e24 ? -(value_1) : value_1);
+}
+
+float angle_of(float y, float x_7) {
+    float a_3 = abs(x_7);
+    float b_3 = abs(y);
+    float slope_3 = (min(a_3, b_3) / max(max(a_3, b_3), 1e-37));
+    bool steep = (slope_3 > 0.41421357);
+    float t_1 = (steep ? ((slope_3 - 1.0) / (slope_3 + 1.0)) : slope_3);
+    float z_1 = (t_1 * t_1);
+    float tail_1 = (-0.3333295 + (z_1 * (0.19977711 + (z_1 * (-0.13877685 + (z_1 * 0.080537446))))));
+    float part_1 = ((steep ? 0.7853982 : 0.0) + (t_1 + ((t_1 * z_1) * tail_1)));
+    float quarter_2 = ((b_3 > a_3) ? (1.5707964 - part_1) : part_1);
+    float half_ = ((x_7 < 0.0) ? (3.1415927 - quarter_2) : quarter_2);
+    return ((y < 0.0) ? -(half_) : half_);
+}
+
+float arc_tangent(float x_8) {
+    float _e2 = angle_of(x_8, 1.0);
+    return _e2;
+}
+
+float arc_cosine(float x_9) {
+    float _e9 = angle_of(sqrt(max(((1.0 - x_9) * (1.0 + x_9)), 0.0)), x_9);
+    return _e9;
+}
+
+float arc_sine(float x_10) {
+    float _e9 = angle_of(x_10, sqrt(max(((1.0 - x_10) * (1.0 + x_10)), 0.0)));
+    return _e9;
 }
 
 float impact_from_row(float row, bool sky, float bottom_radius, float top_radius) {
@@ -409,7 +455,8 @@ Several_f32_f32_ direction_from_row(float row_1, bool sky_1, float horizon_mu, f
     float angle = 0.0;
     float turn = 0.0;
     float keep = 0.0;
-    highest = acos(horizon_mu);
+    float _e8 = arc_cosine(horizon_mu);
+    highest = _e8;
     float _e10 = highest;
     float _e13 = highest;
     angle = ((row_1 * row_1) * (sky_1 ? _e13 : (_e10 - 3.1415927)));
@@ -426,9 +473,9 @@ Several_f32_f32_ direction_from_row(float row_1, bool sky_1, float horizon_mu, f
     return Several_f32_f32_(((horizon_mu * _e20) + (horizon_sine * _e22)), ((horizon_sine * _e25) - (horizon_mu * _e27)));
 }
 
-float half_sine_between(float x_7, float y, float z, float sun_x, float sun_z) {
+float half_sine_between(float x_11, float y_1, float z, float sun_x, float sun_z) {
     float across = 0.0;
-    across = (((x_7 - sun_x) * (x_7 - sun_x)) + (y * y));
+    across = (((x_11 - sun_x) * (x_11 - sun_x)) + (y_1 * y_1));
     float _e11 = across;
     return min((0.5 * sqrt((_e11 + ((z - sun_z) * (z - sun_z))))), 1.0);
 }
@@ -464,24 +511,24 @@ float distance_to_bottom(float r_2, float mu_2, float bottom_radius_1) {
 }
 
 Several_f32_f32_ shadow_edges(float r_3, float mu_3, float mu_s, float nu, float bottom_radius_2) {
-    float a = 0.0;
-    float b = 0.0;
+    float a_2 = 0.0;
+    float b_2 = 0.0;
     float c = 0.0;
     float discriminant = 0.0;
     float root = 0.0;
     float first = 0.0;
     float second = 0.0;
     float plane = 0.0;
-    a = ((1.0 - nu) * (1.0 + nu));
-    float _e18 = a;
+    a_2 = ((1.0 - nu) * (1.0 + nu));
+    float _e18 = a_2;
     if ((_e18 < 1e-12)) {
         return Several_f32_f32_(0.0, 0.0);
     }
-    b = (r_3 * (mu_3 - (mu_s * nu)));
+    b_2 = (r_3 * (mu_3 - (mu_s * nu)));
     c = ((((r_3 * r_3) * (1.0 - mu_s)) * (1.0 + mu_s)) - (bottom_radius_2 * bottom_radius_2));
-    float _e36 = b;
-    float _e37 = b;
-    float _e39 = a;
+    float _e36 = b_2;
+    float _e37 = b_2;
+    float _e39 = a_2;
     float _e40 = c;
     discriminant = ((_e36 * _e37) - (_e39 * _e40));
     float _e43 = discriminant;
@@ -490,13 +537,13 @@ Several_f32_f32_ shadow_edges(float r_3, float mu_3, float mu_s, float nu, float
     }
     float _e49 = discriminant;
     root = sqrt(_e49);
-    float _e51 = b;
+    float _e51 = b_2;
     float _e53 = root;
-    float _e55 = a;
+    float _e55 = a_2;
     first = ((-(_e51) - _e53) / _e55);
-    float _e57 = b;
+    float _e57 = b_2;
     float _e59 = root;
-    float _e61 = a;
+    float _e61 = a_2;
     second = ((-(_e57) + _e59) / _e61);
     if ((abs(nu) > 1e-12)) {
         plane = ((-(r_3) * mu_s) / nu);
@@ -593,24 +640,24 @@ Several_bool_f32_f32_f32_f32_ panel_leg(float r_5, float mu_5, float start, floa
 }
 
 Several_f32_f32_f32_ panel_point(float nearest_1, bool descending_1, float low_1, float beside_1, float first_2, float last_1, float node) {
-    float y_1 = 0.0;
+    float y_2 = 0.0;
     float away = 0.0;
     float radius_3 = 0.0;
     float distance_1_1 = 0.0;
     float slope = 0.0;
-    y_1 = (first_2 + ((last_1 - first_2) * node));
-    float _e16 = y_1;
-    float _e17 = y_1;
-    float _e21 = y_1;
-    float _e22 = y_1;
+    y_2 = (first_2 + ((last_1 - first_2) * node));
+    float _e16 = y_2;
+    float _e17 = y_2;
+    float _e21 = y_2;
+    float _e22 = y_2;
     away = sqrt(((beside_1 * beside_1) + ((_e16 * _e17) * ((2.0 * low_1) + (_e21 * _e22)))));
-    float _e28 = y_1;
-    float _e29 = y_1;
+    float _e28 = y_2;
+    float _e29 = y_2;
     radius_3 = (low_1 + (_e28 * _e29));
     float _e32 = away;
     float _e34 = away;
     distance_1_1 = (descending_1 ? (nearest_1 - _e34) : (nearest_1 + _e32));
-    float _e39 = y_1;
+    float _e39 = y_2;
     float _e42 = radius_3;
     float _e44 = away;
     float _e47 = away;
@@ -623,21 +670,21 @@ Several_f32_f32_f32_ panel_point(float nearest_1, bool descending_1, float low_1
 
 Several_i32_f32_ density_place(float radius_4, float bottom_radius_3, float thickness, int nodes) {
     float altitude = 0.0;
-    float x_8 = 0.0;
+    float x_12 = 0.0;
     int node_1 = 0;
     altitude = min(max(((radius_4 - bottom_radius_3) / thickness), 0.0), 1.0);
     float _e13 = altitude;
-    x_8 = (sqrt(_e13) * float((nodes - 1)));
-    float _e19 = x_8;
+    x_12 = (sqrt(_e13) * float((nodes - 1)));
+    float _e19 = x_12;
     node_1 = min(int(_e19), (nodes - 2));
     int _e24 = node_1;
-    float _e25 = x_8;
+    float _e25 = x_12;
     int _e26 = node_1;
     return Several_i32_f32_(_e24, (_e25 - float(_e26)));
 }
 
-float bend_angle(float x_9, float mu_6, float bend, float column) {
-    return (((bend * column) * x_9) * sqrt(max(((1.0 - mu_6) * (1.0 + mu_6)), 0.0)));
+float bend_angle(float x_13, float mu_6, float bend, float column) {
+    return (((bend * column) * x_13) * sqrt(max(((1.0 - mu_6) * (1.0 + mu_6)), 0.0)));
 }
 
 Several_f32_f32_ turned(float mu_7, float mu_s_1, float nu_1, float angle_1) {
@@ -666,25 +713,21 @@ Several_f32_f32_ turned(float mu_7, float mu_s_1, float nu_1, float angle_1) {
     return Several_f32_f32_(_e29, ((mu_7 * _e30) + (_e32 * ((_e33 * _e34) - (_e36 * mu_s_1)))));
 }
 
-float sun_elevation(float r_6, float mu_s_2, float bottom_radius_4) {
+float horizon_cosine(float r_6, float bottom_radius_4) {
+    return (-(sqrt(max(((r_6 - bottom_radius_4) * (r_6 + bottom_radius_4)), 0.0))) / r_6);
+}
+
+float sun_elevation(float r_7, float mu_s_2, float bottom_radius_5) {
     float sine_1_2 = 0.0;
-    float horizon = 0.0;
-    sine_1_2 = (bottom_radius_4 / r_6);
-    float _e6 = sine_1_2;
-    float _e9 = sine_1_2;
-    horizon = -(sqrt(max(((1.0 - _e6) * (1.0 + _e9)), 0.0)));
-    float _e17 = horizon;
-    float _e19 = sine_1_2;
-    return ((mu_s_2 - _e17) / _e19);
+    sine_1_2 = (bottom_radius_5 / r_7);
+    float _e5 = horizon_cosine(r_7, bottom_radius_5);
+    float _e7 = sine_1_2;
+    return ((mu_s_2 - _e5) / _e7);
 }
 
-float horizon_cosine(float r_7, float bottom_radius_5) {
-    return (-(sqrt(max(((r_7 - bottom_radius_5) * (r_7 + bottom_radius_5)), 0.0))) / r_7);
-}
-
-Several_f32_f32_f32_ seen_star(float x_10, float mu_s_3, float bottom, float top) {
+Several_f32_f32_f32_ seen_star(float x_14, float mu_s_3, float bottom, float top) {
     float sine_1_3 = 0.0;
-    float horizon_1 = 0.0;
+    float horizon = 0.0;
     float tangent_1 = 0.0;
     float at_1 = 0.0;
     int row_2 = 0;
@@ -702,23 +745,23 @@ Several_f32_f32_f32_ seen_star(float x_10, float mu_s_3, float bottom, float top
     float squeeze = 0.0;
     int _e22 = size_lift(0);
     if ((_e22 == 0)) {
-        float _e25 = sun_elevation(x_10, mu_s_3, bottom);
+        float _e25 = sun_elevation(x_14, mu_s_3, bottom);
         return Several_f32_f32_f32_(mu_s_3, 1.0, _e25);
     }
-    sine_1_3 = (bottom / x_10);
-    float _e29 = horizon_cosine(x_10, bottom);
-    horizon_1 = _e29;
+    sine_1_3 = (bottom / x_14);
+    float _e29 = horizon_cosine(x_14, bottom);
+    horizon = _e29;
     tangent_1 = sqrt(((top - bottom) * (top + bottom)));
     float _e40 = tangent_1;
     int _e43 = size_lift(0);
-    at_1 = ((sqrt(max(((x_10 - bottom) * (x_10 + bottom)), 0.0)) / _e40) * float((_e43 - 1)));
+    at_1 = ((sqrt(max(((x_14 - bottom) * (x_14 + bottom)), 0.0)) / _e40) * float((_e43 - 1)));
     float _e48 = at_1;
     int _e51 = size_lift(0);
     row_2 = min(int(_e48), (_e51 - 2));
     float _e55 = at_1;
     int _e56 = row_2;
     f = (_e55 - float(_e56));
-    float _e59 = horizon_1;
+    float _e59 = horizon;
     int _e60 = row_2;
     int _e62 = size_lift(1);
     int _e67 = size_lift(2);
@@ -816,45 +859,47 @@ Several_f32_f32_f32_ seen_star(float x_10, float mu_s_3, float bottom, float top
 }
 
 float visible_fraction(float elevation, float angular_radius) {
-    float x_11 = 0.0;
+    float x_15 = 0.0;
     if ((angular_radius <= 0.0)) {
         return ((elevation > 0.0) ? 1.0 : 0.0);
     }
-    x_11 = (elevation / angular_radius);
-    float _e11 = x_11;
+    x_15 = (elevation / angular_radius);
+    float _e11 = x_15;
     if ((_e11 >= 1.0)) {
         return 1.0;
     }
-    float _e15 = x_11;
+    float _e15 = x_15;
     if ((_e15 <= -1.0)) {
         return 0.0;
     }
-    float _e19 = x_11;
-    float _e22 = x_11;
-    float _e23 = x_11;
-    float _e24 = x_11;
-    return ((acos(-(_e19)) + (_e22 * sqrt((1.0 - (_e23 * _e24))))) / 3.1415927);
+    float _e19 = x_15;
+    float _e21 = arc_cosine(-(_e19));
+    float _e22 = x_15;
+    float _e23 = x_15;
+    float _e24 = x_15;
+    return ((_e21 + (_e22 * sqrt((1.0 - (_e23 * _e24))))) / 3.1415927);
 }
 
 Several_f32_f32_ visible_spread(float elevation_1, float angular_radius_1) {
-    float x_12 = 0.0;
+    float x_16 = 0.0;
     float rest = 0.0;
     float area = 0.0;
     float mean = 0.0;
     float square = 0.0;
     float deviation = 0.0;
-    x_12 = (elevation_1 / angular_radius_1);
-    float _e9 = x_12;
+    x_16 = (elevation_1 / angular_radius_1);
+    float _e9 = x_16;
     if ((_e9 >= 1.0)) {
         return Several_f32_f32_(elevation_1, (0.5 * angular_radius_1));
     }
-    float _e15 = x_12;
-    float _e18 = x_12;
+    float _e15 = x_16;
+    float _e18 = x_16;
     rest = sqrt(max(((1.0 - _e15) * (1.0 + _e18)), 0.0));
-    float _e25 = x_12;
-    float _e28 = x_12;
+    float _e25 = x_16;
+    float _e27 = arc_cosine(-(_e25));
+    float _e28 = x_16;
     float _e29 = rest;
-    area = (acos(-(_e25)) + (_e28 * _e29));
+    area = (_e27 + (_e28 * _e29));
     float _e32 = area;
     if ((_e32 < 1e-9)) {
         return Several_f32_f32_(0.0, 0.0);
@@ -864,13 +909,14 @@ Several_f32_f32_ visible_spread(float elevation_1, float angular_radius_1) {
     float _e43 = rest;
     float _e45 = area;
     mean = ((((2.0 * _e38) * _e41) * _e43) / (3.0 * _e45));
-    float _e49 = x_12;
-    float _e53 = x_12;
+    float _e49 = x_16;
+    float _e50 = arc_sine(_e49);
+    float _e53 = x_16;
     float _e54 = rest;
-    float _e56 = x_12;
-    float _e59 = x_12;
+    float _e56 = x_16;
+    float _e59 = x_16;
     float _e65 = area;
-    square = (((1.5707964 + asin(_e49)) - ((_e53 * _e54) * (1.0 - ((2.0 * _e56) * _e59)))) / (4.0 * _e65));
+    square = (((1.5707964 + _e50) - ((_e53 * _e54) * (1.0 - ((2.0 * _e56) * _e59)))) / (4.0 * _e65));
     float _e69 = square;
     float _e70 = mean;
     float _e71 = mean;
@@ -880,7 +926,7 @@ Several_f32_f32_ visible_spread(float elevation_1, float angular_radius_1) {
     return Several_f32_f32_((elevation_1 + (angular_radius_1 * _e77)), (angular_radius_1 * _e80));
 }
 
-Several_f32_f32_f32_ star_points(float x_13, float mu_s_4, float bottom_1, float top_1, float star_radius) {
+Several_f32_f32_f32_ star_points(float x_17, float mu_s_4, float bottom_1, float top_1, float star_radius) {
     float seen = 0.0;
     float squeeze_1 = 0.0;
     float elevation_2 = 0.0;
@@ -890,9 +936,9 @@ Several_f32_f32_f32_ star_points(float x_13, float mu_s_4, float bottom_1, float
     float middle = 0.0;
     float apart = 0.0;
     float lowest_1 = 0.0;
-    bool local_1 = false;
     bool local_2 = false;
-    Several_f32_f32_f32_ _e14 = seen_star(x_13, mu_s_4, bottom_1, top_1);
+    bool local_3 = false;
+    Several_f32_f32_f32_ _e14 = seen_star(x_17, mu_s_4, bottom_1, top_1);
     seen = _e14.v0_;
     squeeze_1 = _e14.v1_;
     elevation_2 = _e14.v2_;
@@ -902,18 +948,18 @@ Several_f32_f32_f32_ star_points(float x_13, float mu_s_4, float bottom_1, float
     received = (_e18 * _e20);
     float _e22 = received;
     if (!((_e22 <= 0.0))) {
-        local_1 = (star_radius <= 0.0);
-    } else {
-        local_1 = true;
-    }
-    bool _e31 = local_1;
-    if (!(_e31)) {
-        float _e35 = elevation_2;
-        local_2 = (_e35 > (16.0 * star_radius));
+        local_2 = (star_radius <= 0.0);
     } else {
         local_2 = true;
     }
-    bool _e40 = local_2;
+    bool _e31 = local_2;
+    if (!(_e31)) {
+        float _e35 = elevation_2;
+        local_3 = (_e35 > (16.0 * star_radius));
+    } else {
+        local_3 = true;
+    }
+    bool _e40 = local_3;
     if (_e40) {
         float _e41 = received;
         float _e42 = seen;
@@ -928,11 +974,11 @@ Several_f32_f32_f32_ star_points(float x_13, float mu_s_4, float bottom_1, float
     float _e50 = squeeze_1;
     float _e53 = mean_1;
     float _e54 = elevation_2;
-    middle = (_e49 + ((_e50 * (bottom_1 / x_13)) * (_e53 - _e54)));
+    middle = (_e49 + ((_e50 * (bottom_1 / x_17)) * (_e53 - _e54)));
     float _e58 = squeeze_1;
     float _e61 = deviation_1;
-    apart = ((_e58 * (bottom_1 / x_13)) * _e61);
-    float _e63 = horizon_cosine(x_13, bottom_1);
+    apart = ((_e58 * (bottom_1 / x_17)) * _e61);
+    float _e63 = horizon_cosine(x_17, bottom_1);
     lowest_1 = _e63;
     float _e64 = received;
     float _e65 = middle;
@@ -1032,21 +1078,21 @@ void phases_towards_1_(float half_sine_1) {
 
 int insert_edge_1_(int count, float cut) {
     int place = 0;
-    bool local_3 = false;
     bool local_4 = false;
+    bool local_5 = false;
     if ((0.0 < cut)) {
         float _e11 = march_line_1_edges[(count - 1)];
-        local_3 = (cut < _e11);
+        local_4 = (cut < _e11);
     } else {
-        local_3 = false;
+        local_4 = false;
     }
-    bool _e14 = local_3;
+    bool _e14 = local_4;
     if (!(!(_e14))) {
-        local_4 = (count >= 64);
+        local_5 = (count >= 64);
     } else {
-        local_4 = true;
+        local_5 = true;
     }
-    bool _e22 = local_4;
+    bool _e22 = local_5;
     if (_e22) {
         return count;
     }
@@ -1079,7 +1125,7 @@ int place_edges_1_(float r_10, float mu_9, float length_1_1, float first_cut, fl
     int leg = 0;
     float end_1 = 0.0;
     int part = 0;
-    float x_14 = 0.0;
+    float x_18 = 0.0;
     float low_3 = 0.0;
     float high_2 = 0.0;
     float radius_5 = 0.0;
@@ -1125,7 +1171,7 @@ int place_edges_1_(float r_10, float mu_9, float length_1_1, float first_cut, fl
                 }
                 {
                     int _e40 = part;
-                    x_14 = (float(_e40) / 1.0);
+                    x_18 = (float(_e40) / 1.0);
                     int _e44 = leg;
                     if ((_e44 == 0)) {
                         float _e47 = end_1;
@@ -1137,8 +1183,8 @@ int place_edges_1_(float r_10, float mu_9, float length_1_1, float first_cut, fl
                         float _e51 = low_3;
                         float _e52 = high_2;
                         float _e53 = low_3;
-                        float _e55 = x_14;
-                        float _e59 = x_14;
+                        float _e55 = x_18;
+                        float _e59 = x_18;
                         radius_5 = (_e51 + (((_e52 - _e53) * (1.0 - _e55)) * (1.0 - _e59)));
                         float _e64 = nearest_2;
                         float _e65 = radius_5;
@@ -1154,8 +1200,8 @@ int place_edges_1_(float r_10, float mu_9, float length_1_1, float first_cut, fl
                         float _e72 = low_3;
                         float _e73 = high_2;
                         float _e74 = low_3;
-                        float _e76 = x_14;
-                        float _e78 = x_14;
+                        float _e76 = x_18;
+                        float _e78 = x_18;
                         radius_5 = (_e72 + (((_e73 - _e74) * _e76) * _e78));
                         float _e81 = nearest_2;
                         float _e82 = radius_5;
@@ -1259,8 +1305,8 @@ void place_panel_2_(float r_12, float mu_11, float start_2, float end_2, float l
     bool loop_init_4 = true;
     while(true) {
         if (!loop_init_4) {
-            int _e126 = k_1;
-            k_1 = (_e126 + 1);
+            int _e258 = k_1;
+            k_1 = (_e258 + 1);
         }
         loop_init_4 = false;
         int _e27 = k_1;
@@ -1298,36 +1344,118 @@ void place_panel_2_(float r_12, float mu_11, float start_2, float end_2, float l
             Several_i32_f32_ _e83 = density_place(_e67, _e71, (_e75 - _e79), _e82);
             node_3 = _e83.v0_;
             share_1 = _e83.v1_;
+            float _e89 = _group_0_binding_0_fs.counts.x;
+            int end_4_ = int(_e89);
             c_1 = 0;
             bool loop_init_5 = true;
             while(true) {
                 if (!loop_init_5) {
-                    int _e123 = c_1;
-                    c_1 = (_e123 + 1);
+                    int _e221 = c_1;
+                    c_1 = (_e221 + 1);
                 }
                 loop_init_5 = false;
-                int _e87 = c_1;
-                float _e91 = _group_0_binding_0_fs.counts.x;
-                if ((_e87 < int(_e91))) {
+                int _e92 = c_1;
+                if (((_e92 + 3) < end_4_)) {
                 } else {
                     break;
                 }
                 {
-                    int _e94 = node_3;
-                    int _e96 = size_density(1);
-                    int _e98 = c_1;
-                    float _e100 = read_density(((_e94 * _e96) + _e98));
-                    here_1 = _e100;
-                    int _e102 = c_1;
-                    int _e105 = k_1;
-                    float _e108 = here_1;
-                    int _e109 = node_3;
-                    int _e113 = size_density(1);
-                    int _e115 = c_1;
-                    float _e117 = read_density((((_e109 + 1) * _e113) + _e115));
-                    float _e118 = here_1;
-                    float _e120 = share_1;
-                    columns_along_1_density[((_e102 * 24) + _e105)] = (_e108 + ((_e117 - _e118) * _e120));
+                    int _e96 = node_3;
+                    int _e98 = size_density(1);
+                    int _e100 = c_1;
+                    float _e102 = read_density(((_e96 * _e98) + _e100));
+                    here_1 = _e102;
+                    int _e104 = c_1;
+                    int _e107 = k_1;
+                    float _e110 = here_1;
+                    int _e111 = node_3;
+                    int _e115 = size_density(1);
+                    int _e117 = c_1;
+                    float _e119 = read_density((((_e111 + 1) * _e115) + _e117));
+                    float _e120 = here_1;
+                    float _e122 = share_1;
+                    columns_along_1_density[((_e104 * 24) + _e107)] = (_e110 + ((_e119 - _e120) * _e122));
+                    int _e125 = c_1;
+                    c_1 = (_e125 + 1);
+                    int _e128 = node_3;
+                    int _e130 = size_density(1);
+                    int _e132 = c_1;
+                    float _e134 = read_density(((_e128 * _e130) + _e132));
+                    here_1 = _e134;
+                    int _e136 = c_1;
+                    int _e139 = k_1;
+                    float _e142 = here_1;
+                    int _e143 = node_3;
+                    int _e147 = size_density(1);
+                    int _e149 = c_1;
+                    float _e151 = read_density((((_e143 + 1) * _e147) + _e149));
+                    float _e152 = here_1;
+                    float _e154 = share_1;
+                    columns_along_1_density[((_e136 * 24) + _e139)] = (_e142 + ((_e151 - _e152) * _e154));
+                    int _e157 = c_1;
+                    c_1 = (_e157 + 1);
+                    int _e160 = node_3;
+                    int _e162 = size_density(1);
+                    int _e164 = c_1;
+                    float _e166 = read_density(((_e160 * _e162) + _e164));
+                    here_1 = _e166;
+                    int _e168 = c_1;
+                    int _e171 = k_1;
+                    float _e174 = here_1;
+                    int _e175 = node_3;
+                    int _e179 = size_density(1);
+                    int _e181 = c_1;
+                    float _e183 = read_density((((_e175 + 1) * _e179) + _e181));
+                    float _e184 = here_1;
+                    float _e186 = share_1;
+                    columns_along_1_density[((_e168 * 24) + _e171)] = (_e174 + ((_e183 - _e184) * _e186));
+                    int _e189 = c_1;
+                    c_1 = (_e189 + 1);
+                    int _e192 = node_3;
+                    int _e194 = size_density(1);
+                    int _e196 = c_1;
+                    float _e198 = read_density(((_e192 * _e194) + _e196));
+                    here_1 = _e198;
+                    int _e200 = c_1;
+                    int _e203 = k_1;
+                    float _e206 = here_1;
+                    int _e207 = node_3;
+                    int _e211 = size_density(1);
+                    int _e213 = c_1;
+                    float _e215 = read_density((((_e207 + 1) * _e211) + _e213));
+                    float _e216 = here_1;
+                    float _e218 = share_1;
+                    columns_along_1_density[((_e200 * 24) + _e203)] = (_e206 + ((_e215 - _e216) * _e218));
+                }
+            }
+            bool loop_init_6 = true;
+            while(true) {
+                if (!loop_init_6) {
+                    int _e255 = c_1;
+                    c_1 = (_e255 + 1);
+                }
+                loop_init_6 = false;
+                int _e224 = c_1;
+                if ((_e224 < end_4_)) {
+                } else {
+                    break;
+                }
+                {
+                    int _e226 = node_3;
+                    int _e228 = size_density(1);
+                    int _e230 = c_1;
+                    float _e232 = read_density(((_e226 * _e228) + _e230));
+                    here_1 = _e232;
+                    int _e234 = c_1;
+                    int _e237 = k_1;
+                    float _e240 = here_1;
+                    int _e241 = node_3;
+                    int _e245 = size_density(1);
+                    int _e247 = c_1;
+                    float _e249 = read_density((((_e241 + 1) * _e245) + _e247));
+                    float _e250 = here_1;
+                    float _e252 = share_1;
+                    columns_along_1_density[((_e234 * 24) + _e237)] = (_e240 + ((_e249 - _e250) * _e252));
                 }
             }
         }
@@ -1346,26 +1474,60 @@ float columns_along_1_(float r_13, float mu_12, int count_3, int rule_1) {
     float amount = 0.0;
     int which = 0;
     float wanted = 0.0;
-    bool local_5 = false;
+    bool local_6 = false;
+    bool local_7 = false;
+    bool local_8 = false;
+    bool local_9 = false;
+    bool local_10 = false;
     float _e14 = read_rules(rule_1);
     n_1 = int(_e14);
+    float _e19 = _group_0_binding_0_fs.counts.x;
+    int end_1_ = int(_e19);
     c_2 = 0;
-    bool loop_init_6 = true;
+    bool loop_init_7 = true;
     while(true) {
-        if (!loop_init_6) {
-            int _e28 = c_2;
-            c_2 = (_e28 + 1);
+        if (!loop_init_7) {
+            int _e51 = c_2;
+            c_2 = (_e51 + 1);
         }
-        loop_init_6 = false;
-        int _e17 = c_2;
-        float _e21 = _group_0_binding_0_fs.counts.x;
-        if ((_e17 < int(_e21))) {
+        loop_init_7 = false;
+        int _e22 = c_2;
+        if (((_e22 + 3) < end_1_)) {
         } else {
             break;
         }
         {
-            int _e25 = c_2;
-            look_1_totals[_e25] = 0.0;
+            int _e27 = c_2;
+            look_1_totals[_e27] = 0.0;
+            int _e30 = c_2;
+            c_2 = (_e30 + 1);
+            int _e34 = c_2;
+            look_1_totals[_e34] = 0.0;
+            int _e37 = c_2;
+            c_2 = (_e37 + 1);
+            int _e41 = c_2;
+            look_1_totals[_e41] = 0.0;
+            int _e44 = c_2;
+            c_2 = (_e44 + 1);
+            int _e48 = c_2;
+            look_1_totals[_e48] = 0.0;
+        }
+    }
+    bool loop_init_8 = true;
+    while(true) {
+        if (!loop_init_8) {
+            int _e60 = c_2;
+            c_2 = (_e60 + 1);
+        }
+        loop_init_8 = false;
+        int _e54 = c_2;
+        if ((_e54 < end_1_)) {
+        } else {
+            break;
+        }
+        {
+            int _e57 = c_2;
+            look_1_totals[_e57] = 0.0;
         }
     }
     march_line_1_cuts[0] = 0.0;
@@ -1374,131 +1536,338 @@ float columns_along_1_(float r_13, float mu_12, int count_3, int rule_1) {
     reached = 0.0;
     at_4 = 0.0;
     panel = 0;
-    bool loop_init_7 = true;
+    bool loop_init_9 = true;
     while(true) {
-        if (!loop_init_7) {
-            int _e164 = panel;
-            panel = (_e164 + 1);
+        if (!loop_init_9) {
+            int _e500 = panel;
+            panel = (_e500 + 1);
         }
-        loop_init_7 = false;
-        int _e43 = panel;
-        if ((_e43 < (count_3 - 1))) {
+        loop_init_9 = false;
+        int _e75 = panel;
+        if ((_e75 < (count_3 - 1))) {
         } else {
             break;
         }
         {
-            int _e48 = panel;
-            float _e50 = march_line_1_edges[_e48];
-            int _e52 = panel;
-            float _e56 = march_line_1_edges[(_e52 + 1)];
-            float _e61 = march_line_1_edges[(count_3 - 1)];
-            place_panel_2_(r_13, mu_12, _e50, _e56, _e61, rule_1);
+            int _e80 = panel;
+            float _e82 = march_line_1_edges[_e80];
+            int _e84 = panel;
+            float _e88 = march_line_1_edges[(_e84 + 1)];
+            float _e93 = march_line_1_edges[(count_3 - 1)];
+            place_panel_2_(r_13, mu_12, _e82, _e88, _e93, rule_1);
             k_2 = 0;
-            bool loop_init_8 = true;
+            bool loop_init_10 = true;
             while(true) {
-                if (!loop_init_8) {
-                    int _e161 = k_2;
-                    k_2 = (_e161 + 1);
+                if (!loop_init_10) {
+                    int _e497 = k_2;
+                    k_2 = (_e497 + 1);
                 }
-                loop_init_8 = false;
-                int _e63 = k_2;
-                int _e64 = n_1;
-                if ((_e63 < _e64)) {
+                loop_init_10 = false;
+                int _e95 = k_2;
+                int _e96 = n_1;
+                if ((_e95 < _e96)) {
                 } else {
                     break;
                 }
                 {
-                    float _e66 = reached;
-                    depth_1 = _e66;
+                    float _e98 = reached;
+                    depth_1 = _e98;
+                    float _e102 = _group_0_binding_0_fs.counts.x;
+                    int end_4_1 = int(_e102);
                     c_2 = 0;
-                    bool loop_init_9 = true;
+                    bool loop_init_11 = true;
                     while(true) {
-                        if (!loop_init_9) {
-                            int _e103 = c_2;
-                            c_2 = (_e103 + 1);
+                        if (!loop_init_11) {
+                            int _e230 = c_2;
+                            c_2 = (_e230 + 1);
                         }
-                        loop_init_9 = false;
-                        int _e68 = c_2;
-                        float _e72 = _group_0_binding_0_fs.counts.x;
-                        if ((_e68 < int(_e72))) {
+                        loop_init_11 = false;
+                        int _e105 = c_2;
+                        if (((_e105 + 3) < end_4_1)) {
                         } else {
                             break;
                         }
                         {
-                            int _e76 = c_2;
-                            int _e79 = k_2;
-                            float _e82 = columns_along_1_density[((_e76 * 24) + _e79)];
-                            int _e84 = k_2;
-                            float _e86 = columns_along_1_weight[_e84];
-                            amount = (_e82 * _e86);
-                            int _e89 = c_2;
-                            int _e92 = c_2;
-                            float _e94 = look_1_totals[_e92];
-                            float _e95 = amount;
-                            look_1_totals[_e89] = (_e94 + _e95);
-                            float _e97 = depth_1;
-                            int _e98 = c_2;
-                            float _e99 = read_strongest(_e98);
-                            float _e100 = amount;
-                            depth_1 = (_e97 + (_e99 * _e100));
+                            int _e110 = c_2;
+                            int _e113 = k_2;
+                            float _e116 = columns_along_1_density[((_e110 * 24) + _e113)];
+                            int _e118 = k_2;
+                            float _e120 = columns_along_1_weight[_e118];
+                            amount = (_e116 * _e120);
+                            int _e123 = c_2;
+                            int _e126 = c_2;
+                            float _e128 = look_1_totals[_e126];
+                            float _e129 = amount;
+                            look_1_totals[_e123] = (_e128 + _e129);
+                            float _e131 = depth_1;
+                            int _e132 = c_2;
+                            float _e133 = read_strongest(_e132);
+                            float _e134 = amount;
+                            depth_1 = (_e131 + (_e133 * _e134));
+                            int _e137 = c_2;
+                            c_2 = (_e137 + 1);
+                            int _e141 = c_2;
+                            int _e144 = k_2;
+                            float _e147 = columns_along_1_density[((_e141 * 24) + _e144)];
+                            int _e149 = k_2;
+                            float _e151 = columns_along_1_weight[_e149];
+                            amount = (_e147 * _e151);
+                            int _e154 = c_2;
+                            int _e157 = c_2;
+                            float _e159 = look_1_totals[_e157];
+                            float _e160 = amount;
+                            look_1_totals[_e154] = (_e159 + _e160);
+                            float _e162 = depth_1;
+                            int _e163 = c_2;
+                            float _e164 = read_strongest(_e163);
+                            float _e165 = amount;
+                            depth_1 = (_e162 + (_e164 * _e165));
+                            int _e168 = c_2;
+                            c_2 = (_e168 + 1);
+                            int _e172 = c_2;
+                            int _e175 = k_2;
+                            float _e178 = columns_along_1_density[((_e172 * 24) + _e175)];
+                            int _e180 = k_2;
+                            float _e182 = columns_along_1_weight[_e180];
+                            amount = (_e178 * _e182);
+                            int _e185 = c_2;
+                            int _e188 = c_2;
+                            float _e190 = look_1_totals[_e188];
+                            float _e191 = amount;
+                            look_1_totals[_e185] = (_e190 + _e191);
+                            float _e193 = depth_1;
+                            int _e194 = c_2;
+                            float _e195 = read_strongest(_e194);
+                            float _e196 = amount;
+                            depth_1 = (_e193 + (_e195 * _e196));
+                            int _e199 = c_2;
+                            c_2 = (_e199 + 1);
+                            int _e203 = c_2;
+                            int _e206 = k_2;
+                            float _e209 = columns_along_1_density[((_e203 * 24) + _e206)];
+                            int _e211 = k_2;
+                            float _e213 = columns_along_1_weight[_e211];
+                            amount = (_e209 * _e213);
+                            int _e216 = c_2;
+                            int _e219 = c_2;
+                            float _e221 = look_1_totals[_e219];
+                            float _e222 = amount;
+                            look_1_totals[_e216] = (_e221 + _e222);
+                            float _e224 = depth_1;
+                            int _e225 = c_2;
+                            float _e226 = read_strongest(_e225);
+                            float _e227 = amount;
+                            depth_1 = (_e224 + (_e226 * _e227));
                         }
                     }
-                    float _e106 = depth_1;
-                    float _e107 = reached;
-                    if ((_e106 > _e107)) {
+                    bool loop_init_12 = true;
+                    while(true) {
+                        if (!loop_init_12) {
+                            int _e263 = c_2;
+                            c_2 = (_e263 + 1);
+                        }
+                        loop_init_12 = false;
+                        int _e233 = c_2;
+                        if ((_e233 < end_4_1)) {
+                        } else {
+                            break;
+                        }
+                        {
+                            int _e236 = c_2;
+                            int _e239 = k_2;
+                            float _e242 = columns_along_1_density[((_e236 * 24) + _e239)];
+                            int _e244 = k_2;
+                            float _e246 = columns_along_1_weight[_e244];
+                            amount = (_e242 * _e246);
+                            int _e249 = c_2;
+                            int _e252 = c_2;
+                            float _e254 = look_1_totals[_e252];
+                            float _e255 = amount;
+                            look_1_totals[_e249] = (_e254 + _e255);
+                            float _e257 = depth_1;
+                            int _e258 = c_2;
+                            float _e259 = read_strongest(_e258);
+                            float _e260 = amount;
+                            depth_1 = (_e257 + (_e259 * _e260));
+                        }
+                    }
+                    float _e266 = depth_1;
+                    float _e267 = reached;
+                    if ((_e266 > _e267)) {
                         which = 0;
-                        bool loop_init_10 = true;
+                        bool loop_init_13 = true;
                         while(true) {
-                            if (!loop_init_10) {
-                                int _e153 = which;
-                                which = (_e153 + 1);
+                            if (!loop_init_13) {
+                                int _e444 = which;
+                                which = (_e444 + 1);
                             }
-                            loop_init_10 = false;
-                            int _e110 = which;
-                            if ((_e110 < 3)) {
+                            loop_init_13 = false;
+                            int _e271 = which;
+                            if (((_e271 + 3) < 3)) {
                             } else {
                                 break;
                             }
                             {
-                                int _e113 = which;
-                                int _e119 = which;
-                                wanted = ((_e119 == 0) ? 0.5 : ((_e113 == 1) ? 3.0 : 12.0));
-                                float _e124 = reached;
-                                float _e125 = wanted;
-                                if ((_e124 < _e125)) {
-                                    float _e129 = depth_1;
-                                    float _e130 = wanted;
-                                    local_5 = (_e129 >= _e130);
+                                int _e275 = which;
+                                int _e281 = which;
+                                wanted = ((_e281 == 0) ? 0.5 : ((_e275 == 1) ? 3.0 : 12.0));
+                                float _e286 = reached;
+                                float _e287 = wanted;
+                                if ((_e286 < _e287)) {
+                                    float _e291 = depth_1;
+                                    float _e292 = wanted;
+                                    local_6 = (_e291 >= _e292);
                                 } else {
-                                    local_5 = false;
+                                    local_6 = false;
                                 }
-                                bool _e133 = local_5;
-                                if (_e133) {
-                                    int _e135 = which;
-                                    float _e137 = at_4;
-                                    int _e139 = k_2;
-                                    float _e141 = columns_along_1_distance_1_[_e139];
-                                    float _e142 = at_4;
-                                    float _e144 = wanted;
-                                    float _e145 = reached;
-                                    float _e148 = depth_1;
-                                    float _e149 = reached;
-                                    march_line_1_cuts[_e135] = (_e137 + (((_e141 - _e142) * (_e144 - _e145)) / (_e148 - _e149)));
+                                bool _e295 = local_6;
+                                if (_e295) {
+                                    int _e297 = which;
+                                    float _e299 = at_4;
+                                    int _e301 = k_2;
+                                    float _e303 = columns_along_1_distance_1_[_e301];
+                                    float _e304 = at_4;
+                                    float _e306 = wanted;
+                                    float _e307 = reached;
+                                    float _e310 = depth_1;
+                                    float _e311 = reached;
+                                    march_line_1_cuts[_e297] = (_e299 + (((_e303 - _e304) * (_e306 - _e307)) / (_e310 - _e311)));
+                                }
+                                int _e315 = which;
+                                which = (_e315 + 1);
+                                int _e318 = which;
+                                int _e324 = which;
+                                wanted = ((_e324 == 0) ? 0.5 : ((_e318 == 1) ? 3.0 : 12.0));
+                                float _e329 = reached;
+                                float _e330 = wanted;
+                                if ((_e329 < _e330)) {
+                                    float _e334 = depth_1;
+                                    float _e335 = wanted;
+                                    local_7 = (_e334 >= _e335);
+                                } else {
+                                    local_7 = false;
+                                }
+                                bool _e338 = local_7;
+                                if (_e338) {
+                                    int _e340 = which;
+                                    float _e342 = at_4;
+                                    int _e344 = k_2;
+                                    float _e346 = columns_along_1_distance_1_[_e344];
+                                    float _e347 = at_4;
+                                    float _e349 = wanted;
+                                    float _e350 = reached;
+                                    float _e353 = depth_1;
+                                    float _e354 = reached;
+                                    march_line_1_cuts[_e340] = (_e342 + (((_e346 - _e347) * (_e349 - _e350)) / (_e353 - _e354)));
+                                }
+                                int _e358 = which;
+                                which = (_e358 + 1);
+                                int _e361 = which;
+                                int _e367 = which;
+                                wanted = ((_e367 == 0) ? 0.5 : ((_e361 == 1) ? 3.0 : 12.0));
+                                float _e372 = reached;
+                                float _e373 = wanted;
+                                if ((_e372 < _e373)) {
+                                    float _e377 = depth_1;
+                                    float _e378 = wanted;
+                                    local_8 = (_e377 >= _e378);
+                                } else {
+                                    local_8 = false;
+                                }
+                                bool _e381 = local_8;
+                                if (_e381) {
+                                    int _e383 = which;
+                                    float _e385 = at_4;
+                                    int _e387 = k_2;
+                                    float _e389 = columns_along_1_distance_1_[_e387];
+                                    float _e390 = at_4;
+                                    float _e392 = wanted;
+                                    float _e393 = reached;
+                                    float _e396 = depth_1;
+                                    float _e397 = reached;
+                                    march_line_1_cuts[_e383] = (_e385 + (((_e389 - _e390) * (_e392 - _e393)) / (_e396 - _e397)));
+                                }
+                                int _e401 = which;
+                                which = (_e401 + 1);
+                                int _e404 = which;
+                                int _e410 = which;
+                                wanted = ((_e410 == 0) ? 0.5 : ((_e404 == 1) ? 3.0 : 12.0));
+                                float _e415 = reached;
+                                float _e416 = wanted;
+                                if ((_e415 < _e416)) {
+                                    float _e420 = depth_1;
+                                    float _e421 = wanted;
+                                    local_9 = (_e420 >= _e421);
+                                } else {
+                                    local_9 = false;
+                                }
+                                bool _e424 = local_9;
+                                if (_e424) {
+                                    int _e426 = which;
+                                    float _e428 = at_4;
+                                    int _e430 = k_2;
+                                    float _e432 = columns_along_1_distance_1_[_e430];
+                                    float _e433 = at_4;
+                                    float _e435 = wanted;
+                                    float _e436 = reached;
+                                    float _e439 = depth_1;
+                                    float _e440 = reached;
+                                    march_line_1_cuts[_e426] = (_e428 + (((_e432 - _e433) * (_e435 - _e436)) / (_e439 - _e440)));
+                                }
+                            }
+                        }
+                        bool loop_init_14 = true;
+                        while(true) {
+                            if (!loop_init_14) {
+                                int _e489 = which;
+                                which = (_e489 + 1);
+                            }
+                            loop_init_14 = false;
+                            int _e447 = which;
+                            if ((_e447 < 3)) {
+                            } else {
+                                break;
+                            }
+                            {
+                                int _e449 = which;
+                                int _e455 = which;
+                                wanted = ((_e455 == 0) ? 0.5 : ((_e449 == 1) ? 3.0 : 12.0));
+                                float _e460 = reached;
+                                float _e461 = wanted;
+                                if ((_e460 < _e461)) {
+                                    float _e465 = depth_1;
+                                    float _e466 = wanted;
+                                    local_10 = (_e465 >= _e466);
+                                } else {
+                                    local_10 = false;
+                                }
+                                bool _e469 = local_10;
+                                if (_e469) {
+                                    int _e471 = which;
+                                    float _e473 = at_4;
+                                    int _e475 = k_2;
+                                    float _e477 = columns_along_1_distance_1_[_e475];
+                                    float _e478 = at_4;
+                                    float _e480 = wanted;
+                                    float _e481 = reached;
+                                    float _e484 = depth_1;
+                                    float _e485 = reached;
+                                    march_line_1_cuts[_e471] = (_e473 + (((_e477 - _e478) * (_e480 - _e481)) / (_e484 - _e485)));
                                 }
                             }
                         }
                     }
-                    float now_3_1 = depth_1;
-                    int _e158 = k_2;
-                    float now_4_1 = columns_along_1_distance_1_[_e158];
-                    reached = now_3_1;
-                    at_4 = now_4_1;
+                    float now_6_ = depth_1;
+                    int _e494 = k_2;
+                    float now_7_ = columns_along_1_distance_1_[_e494];
+                    reached = now_6_;
+                    at_4 = now_7_;
                 }
             }
         }
     }
-    float _e167 = reached;
-    return _e167;
+    float _e503 = reached;
+    return _e503;
 }
 
 void place_panel_1_(float r_14, float mu_13, float start_3, float end_3, float length_1_3, int rule_2) {
@@ -1523,13 +1892,13 @@ void place_panel_1_(float r_14, float mu_13, float start_3, float end_3, float l
     first_4 = _e20.v3_;
     last_3 = _e20.v4_;
     k_3 = 0;
-    bool loop_init_11 = true;
+    bool loop_init_15 = true;
     while(true) {
-        if (!loop_init_11) {
-            int _e126 = k_3;
-            k_3 = (_e126 + 1);
+        if (!loop_init_15) {
+            int _e258 = k_3;
+            k_3 = (_e258 + 1);
         }
-        loop_init_11 = false;
+        loop_init_15 = false;
         int _e27 = k_3;
         int _e28 = n_2;
         if ((_e27 < _e28)) {
@@ -1565,36 +1934,118 @@ void place_panel_1_(float r_14, float mu_13, float start_3, float end_3, float l
             Several_i32_f32_ _e83 = density_place(_e67, _e71, (_e75 - _e79), _e82);
             node_4 = _e83.v0_;
             share_2 = _e83.v1_;
+            float _e89 = _group_0_binding_0_fs.counts.x;
+            int end_4_2 = int(_e89);
             c_3 = 0;
-            bool loop_init_12 = true;
+            bool loop_init_16 = true;
             while(true) {
-                if (!loop_init_12) {
-                    int _e123 = c_3;
-                    c_3 = (_e123 + 1);
+                if (!loop_init_16) {
+                    int _e221 = c_3;
+                    c_3 = (_e221 + 1);
                 }
-                loop_init_12 = false;
-                int _e87 = c_3;
-                float _e91 = _group_0_binding_0_fs.counts.x;
-                if ((_e87 < int(_e91))) {
+                loop_init_16 = false;
+                int _e92 = c_3;
+                if (((_e92 + 3) < end_4_2)) {
                 } else {
                     break;
                 }
                 {
-                    int _e94 = node_4;
-                    int _e96 = size_density(1);
-                    int _e98 = c_3;
-                    float _e100 = read_density(((_e94 * _e96) + _e98));
-                    here_2 = _e100;
-                    int _e102 = c_3;
-                    int _e105 = k_3;
-                    float _e108 = here_2;
-                    int _e109 = node_4;
-                    int _e113 = size_density(1);
-                    int _e115 = c_3;
-                    float _e117 = read_density((((_e109 + 1) * _e113) + _e115));
-                    float _e118 = here_2;
-                    float _e120 = share_2;
-                    march_line_1_density[((_e102 * 24) + _e105)] = (_e108 + ((_e117 - _e118) * _e120));
+                    int _e96 = node_4;
+                    int _e98 = size_density(1);
+                    int _e100 = c_3;
+                    float _e102 = read_density(((_e96 * _e98) + _e100));
+                    here_2 = _e102;
+                    int _e104 = c_3;
+                    int _e107 = k_3;
+                    float _e110 = here_2;
+                    int _e111 = node_4;
+                    int _e115 = size_density(1);
+                    int _e117 = c_3;
+                    float _e119 = read_density((((_e111 + 1) * _e115) + _e117));
+                    float _e120 = here_2;
+                    float _e122 = share_2;
+                    march_line_1_density[((_e104 * 24) + _e107)] = (_e110 + ((_e119 - _e120) * _e122));
+                    int _e125 = c_3;
+                    c_3 = (_e125 + 1);
+                    int _e128 = node_4;
+                    int _e130 = size_density(1);
+                    int _e132 = c_3;
+                    float _e134 = read_density(((_e128 * _e130) + _e132));
+                    here_2 = _e134;
+                    int _e136 = c_3;
+                    int _e139 = k_3;
+                    float _e142 = here_2;
+                    int _e143 = node_4;
+                    int _e147 = size_density(1);
+                    int _e149 = c_3;
+                    float _e151 = read_density((((_e143 + 1) * _e147) + _e149));
+                    float _e152 = here_2;
+                    float _e154 = share_2;
+                    march_line_1_density[((_e136 * 24) + _e139)] = (_e142 + ((_e151 - _e152) * _e154));
+                    int _e157 = c_3;
+                    c_3 = (_e157 + 1);
+                    int _e160 = node_4;
+                    int _e162 = size_density(1);
+                    int _e164 = c_3;
+                    float _e166 = read_density(((_e160 * _e162) + _e164));
+                    here_2 = _e166;
+                    int _e168 = c_3;
+                    int _e171 = k_3;
+                    float _e174 = here_2;
+                    int _e175 = node_4;
+                    int _e179 = size_density(1);
+                    int _e181 = c_3;
+                    float _e183 = read_density((((_e175 + 1) * _e179) + _e181));
+                    float _e184 = here_2;
+                    float _e186 = share_2;
+                    march_line_1_density[((_e168 * 24) + _e171)] = (_e174 + ((_e183 - _e184) * _e186));
+                    int _e189 = c_3;
+                    c_3 = (_e189 + 1);
+                    int _e192 = node_4;
+                    int _e194 = size_density(1);
+                    int _e196 = c_3;
+                    float _e198 = read_density(((_e192 * _e194) + _e196));
+                    here_2 = _e198;
+                    int _e200 = c_3;
+                    int _e203 = k_3;
+                    float _e206 = here_2;
+                    int _e207 = node_4;
+                    int _e211 = size_density(1);
+                    int _e213 = c_3;
+                    float _e215 = read_density((((_e207 + 1) * _e211) + _e213));
+                    float _e216 = here_2;
+                    float _e218 = share_2;
+                    march_line_1_density[((_e200 * 24) + _e203)] = (_e206 + ((_e215 - _e216) * _e218));
+                }
+            }
+            bool loop_init_17 = true;
+            while(true) {
+                if (!loop_init_17) {
+                    int _e255 = c_3;
+                    c_3 = (_e255 + 1);
+                }
+                loop_init_17 = false;
+                int _e224 = c_3;
+                if ((_e224 < end_4_2)) {
+                } else {
+                    break;
+                }
+                {
+                    int _e226 = node_4;
+                    int _e228 = size_density(1);
+                    int _e230 = c_3;
+                    float _e232 = read_density(((_e226 * _e228) + _e230));
+                    here_2 = _e232;
+                    int _e234 = c_3;
+                    int _e237 = k_3;
+                    float _e240 = here_2;
+                    int _e241 = node_4;
+                    int _e245 = size_density(1);
+                    int _e247 = c_3;
+                    float _e249 = read_density((((_e241 + 1) * _e245) + _e247));
+                    float _e250 = here_2;
+                    float _e252 = share_2;
+                    march_line_1_density[((_e234 * 24) + _e237)] = (_e240 + ((_e249 - _e250) * _e252));
                 }
             }
         }
@@ -1604,135 +2055,24 @@ void place_panel_1_(float r_14, float mu_13, float start_3, float end_3, float l
 
 void panel_columns_1_(int rule_3) {
     int n_3 = 0;
-    int k_4 = 0;
     int c_4 = 0;
+    int k_4 = 0;
+    float running = 0.0;
     int j = 0;
     float share_3 = 0.0;
-    float _e6 = read_rules(rule_3);
-    n_3 = int(_e6);
-    k_4 = 0;
-    bool loop_init_13 = true;
-    while(true) {
-        if (!loop_init_13) {
-            int _e121 = k_4;
-            k_4 = (_e121 + 1);
-        }
-        loop_init_13 = false;
-        int _e9 = k_4;
-        int _e10 = n_3;
-        if ((_e9 < _e10)) {
-        } else {
-            break;
-        }
-        {
-            c_4 = 0;
-            bool loop_init_14 = true;
-            while(true) {
-                if (!loop_init_14) {
-                    int _e28 = c_4;
-                    c_4 = (_e28 + 1);
-                }
-                loop_init_14 = false;
-                int _e13 = c_4;
-                float _e17 = _group_0_binding_0_fs.counts.x;
-                if ((_e13 < int(_e17))) {
-                } else {
-                    break;
-                }
-                {
-                    int _e21 = c_4;
-                    int _e24 = k_4;
-                    march_line_1_columns[((_e21 * 24) + _e24)] = 0.0;
-                }
-            }
-            j = 0;
-            bool loop_init_15 = true;
-            while(true) {
-                if (!loop_init_15) {
-                    int _e85 = j;
-                    j = (_e85 + 1);
-                }
-                loop_init_15 = false;
-                int _e32 = j;
-                int _e33 = n_3;
-                if ((_e32 < _e33)) {
-                } else {
-                    break;
-                }
-                {
-                    int _e37 = n_3;
-                    int _e41 = k_4;
-                    int _e42 = n_3;
-                    int _e45 = j;
-                    float _e47 = read_rules(((((rule_3 + 1) + (2 * _e37)) + (_e41 * _e42)) + _e45));
-                    share_3 = _e47;
-                    c_4 = 0;
-                    bool loop_init_16 = true;
-                    while(true) {
-                        if (!loop_init_16) {
-                            int _e82 = c_4;
-                            c_4 = (_e82 + 1);
-                        }
-                        loop_init_16 = false;
-                        int _e49 = c_4;
-                        float _e53 = _group_0_binding_0_fs.counts.x;
-                        if ((_e49 < int(_e53))) {
-                        } else {
-                            break;
-                        }
-                        {
-                            int _e57 = c_4;
-                            int _e60 = k_4;
-                            int _e64 = c_4;
-                            int _e67 = k_4;
-                            float _e70 = march_line_1_columns[((_e64 * 24) + _e67)];
-                            float _e71 = share_3;
-                            int _e73 = c_4;
-                            int _e76 = j;
-                            float _e79 = march_line_1_amounts[((_e73 * 24) + _e76)];
-                            march_line_1_columns[((_e57 * 24) + _e60)] = (_e70 + (_e71 * _e79));
-                        }
-                    }
-                }
-            }
-            c_4 = 0;
-            bool loop_init_17 = true;
-            while(true) {
-                if (!loop_init_17) {
-                    int _e118 = c_4;
-                    c_4 = (_e118 + 1);
-                }
-                loop_init_17 = false;
-                int _e89 = c_4;
-                float _e93 = _group_0_binding_0_fs.counts.x;
-                if ((_e89 < int(_e93))) {
-                } else {
-                    break;
-                }
-                {
-                    int _e97 = c_4;
-                    int _e100 = k_4;
-                    int _e104 = c_4;
-                    float _e106 = march_line_1_before[_e104];
-                    int _e108 = c_4;
-                    int _e111 = k_4;
-                    float _e114 = march_line_1_columns[((_e108 * 24) + _e111)];
-                    march_line_1_columns[((_e97 * 24) + _e100)] = (_e106 + max(_e114, 0.0));
-                }
-            }
-        }
-    }
+    float _e7 = read_rules(rule_3);
+    n_3 = int(_e7);
     c_4 = 0;
     bool loop_init_18 = true;
     while(true) {
         if (!loop_init_18) {
-            int _e155 = c_4;
-            c_4 = (_e155 + 1);
+            int _e291 = c_4;
+            c_4 = (_e291 + 1);
         }
         loop_init_18 = false;
-        int _e125 = c_4;
-        float _e129 = _group_0_binding_0_fs.counts.x;
-        if ((_e125 < int(_e129))) {
+        int _e10 = c_4;
+        float _e14 = _group_0_binding_0_fs.counts.x;
+        if ((_e10 < int(_e14))) {
         } else {
             break;
         }
@@ -1741,24 +2081,195 @@ void panel_columns_1_(int rule_3) {
             bool loop_init_19 = true;
             while(true) {
                 if (!loop_init_19) {
-                    int _e152 = k_4;
-                    k_4 = (_e152 + 1);
+                    int _e185 = k_4;
+                    k_4 = (_e185 + 1);
                 }
                 loop_init_19 = false;
-                int _e133 = k_4;
-                int _e134 = n_3;
-                if ((_e133 < _e134)) {
+                int _e18 = k_4;
+                int _e19 = n_3;
+                if ((_e18 < _e19)) {
                 } else {
                     break;
                 }
                 {
-                    int _e137 = c_4;
-                    int _e140 = c_4;
-                    float _e142 = march_line_1_before[_e140];
-                    int _e144 = c_4;
-                    int _e147 = k_4;
-                    float _e150 = march_line_1_amounts[((_e144 * 24) + _e147)];
-                    march_line_1_before[_e137] = (_e142 + _e150);
+                    running = 0.0;
+                    int end_1_1 = n_3;
+                    j = 0;
+                    bool loop_init_20 = true;
+                    while(true) {
+                        if (!loop_init_20) {
+                            int _e137 = j;
+                            j = (_e137 + 1);
+                        }
+                        loop_init_20 = false;
+                        int _e24 = j;
+                        if (((_e24 + 3) < end_1_1)) {
+                        } else {
+                            break;
+                        }
+                        {
+                            int _e30 = n_3;
+                            int _e34 = k_4;
+                            int _e35 = n_3;
+                            int _e38 = j;
+                            float _e40 = read_rules(((((rule_3 + 1) + (2 * _e30)) + (_e34 * _e35)) + _e38));
+                            share_3 = _e40;
+                            float _e41 = running;
+                            float _e42 = share_3;
+                            int _e44 = c_4;
+                            int _e47 = j;
+                            float _e50 = march_line_1_amounts[((_e44 * 24) + _e47)];
+                            running = (_e41 + (_e42 * _e50));
+                            int _e53 = j;
+                            j = (_e53 + 1);
+                            int _e58 = n_3;
+                            int _e62 = k_4;
+                            int _e63 = n_3;
+                            int _e66 = j;
+                            float _e68 = read_rules(((((rule_3 + 1) + (2 * _e58)) + (_e62 * _e63)) + _e66));
+                            share_3 = _e68;
+                            float _e69 = running;
+                            float _e70 = share_3;
+                            int _e72 = c_4;
+                            int _e75 = j;
+                            float _e78 = march_line_1_amounts[((_e72 * 24) + _e75)];
+                            running = (_e69 + (_e70 * _e78));
+                            int _e81 = j;
+                            j = (_e81 + 1);
+                            int _e86 = n_3;
+                            int _e90 = k_4;
+                            int _e91 = n_3;
+                            int _e94 = j;
+                            float _e96 = read_rules(((((rule_3 + 1) + (2 * _e86)) + (_e90 * _e91)) + _e94));
+                            share_3 = _e96;
+                            float _e97 = running;
+                            float _e98 = share_3;
+                            int _e100 = c_4;
+                            int _e103 = j;
+                            float _e106 = march_line_1_amounts[((_e100 * 24) + _e103)];
+                            running = (_e97 + (_e98 * _e106));
+                            int _e109 = j;
+                            j = (_e109 + 1);
+                            int _e114 = n_3;
+                            int _e118 = k_4;
+                            int _e119 = n_3;
+                            int _e122 = j;
+                            float _e124 = read_rules(((((rule_3 + 1) + (2 * _e114)) + (_e118 * _e119)) + _e122));
+                            share_3 = _e124;
+                            float _e125 = running;
+                            float _e126 = share_3;
+                            int _e128 = c_4;
+                            int _e131 = j;
+                            float _e134 = march_line_1_amounts[((_e128 * 24) + _e131)];
+                            running = (_e125 + (_e126 * _e134));
+                        }
+                    }
+                    bool loop_init_21 = true;
+                    while(true) {
+                        if (!loop_init_21) {
+                            int _e167 = j;
+                            j = (_e167 + 1);
+                        }
+                        loop_init_21 = false;
+                        int _e140 = j;
+                        if ((_e140 < end_1_1)) {
+                        } else {
+                            break;
+                        }
+                        {
+                            int _e144 = n_3;
+                            int _e148 = k_4;
+                            int _e149 = n_3;
+                            int _e152 = j;
+                            float _e154 = read_rules(((((rule_3 + 1) + (2 * _e144)) + (_e148 * _e149)) + _e152));
+                            share_3 = _e154;
+                            float _e155 = running;
+                            float _e156 = share_3;
+                            int _e158 = c_4;
+                            int _e161 = j;
+                            float _e164 = march_line_1_amounts[((_e158 * 24) + _e161)];
+                            running = (_e155 + (_e156 * _e164));
+                        }
+                    }
+                    int _e171 = c_4;
+                    int _e174 = k_4;
+                    int _e178 = c_4;
+                    float _e180 = march_line_1_before[_e178];
+                    float _e181 = running;
+                    march_line_1_columns[((_e171 * 24) + _e174)] = (_e180 + max(_e181, 0.0));
+                }
+            }
+            int end_2_ = n_3;
+            k_4 = 0;
+            bool loop_init_22 = true;
+            while(true) {
+                if (!loop_init_22) {
+                    int _e267 = k_4;
+                    k_4 = (_e267 + 1);
+                }
+                loop_init_22 = false;
+                int _e190 = k_4;
+                if (((_e190 + 3) < end_2_)) {
+                } else {
+                    break;
+                }
+                {
+                    int _e195 = c_4;
+                    int _e198 = c_4;
+                    float _e200 = march_line_1_before[_e198];
+                    int _e202 = c_4;
+                    int _e205 = k_4;
+                    float _e208 = march_line_1_amounts[((_e202 * 24) + _e205)];
+                    march_line_1_before[_e195] = (_e200 + _e208);
+                    int _e210 = k_4;
+                    k_4 = (_e210 + 1);
+                    int _e214 = c_4;
+                    int _e217 = c_4;
+                    float _e219 = march_line_1_before[_e217];
+                    int _e221 = c_4;
+                    int _e224 = k_4;
+                    float _e227 = march_line_1_amounts[((_e221 * 24) + _e224)];
+                    march_line_1_before[_e214] = (_e219 + _e227);
+                    int _e229 = k_4;
+                    k_4 = (_e229 + 1);
+                    int _e233 = c_4;
+                    int _e236 = c_4;
+                    float _e238 = march_line_1_before[_e236];
+                    int _e240 = c_4;
+                    int _e243 = k_4;
+                    float _e246 = march_line_1_amounts[((_e240 * 24) + _e243)];
+                    march_line_1_before[_e233] = (_e238 + _e246);
+                    int _e248 = k_4;
+                    k_4 = (_e248 + 1);
+                    int _e252 = c_4;
+                    int _e255 = c_4;
+                    float _e257 = march_line_1_before[_e255];
+                    int _e259 = c_4;
+                    int _e262 = k_4;
+                    float _e265 = march_line_1_amounts[((_e259 * 24) + _e262)];
+                    march_line_1_before[_e252] = (_e257 + _e265);
+                }
+            }
+            bool loop_init_23 = true;
+            while(true) {
+                if (!loop_init_23) {
+                    int _e288 = k_4;
+                    k_4 = (_e288 + 1);
+                }
+                loop_init_23 = false;
+                int _e270 = k_4;
+                if ((_e270 < end_2_)) {
+                } else {
+                    break;
+                }
+                {
+                    int _e273 = c_4;
+                    int _e276 = c_4;
+                    float _e278 = march_line_1_before[_e276];
+                    int _e280 = c_4;
+                    int _e283 = k_4;
+                    float _e286 = march_line_1_amounts[((_e280 * 24) + _e283)];
+                    march_line_1_before[_e273] = (_e278 + _e286);
                 }
             }
         }
@@ -1771,33 +2282,78 @@ vec4 through_columns_1_(int constituents) {
     int c_5 = 0;
     tau = vec4(0.0);
     c_5 = 0;
-    bool loop_init_20 = true;
+    bool loop_init_24 = true;
     while(true) {
-        if (!loop_init_20) {
-            int _e21 = c_5;
-            c_5 = (_e21 + 1);
+        if (!loop_init_24) {
+            int _e71 = c_5;
+            c_5 = (_e71 + 1);
         }
-        loop_init_20 = false;
+        loop_init_24 = false;
         int _e6 = c_5;
-        if ((_e6 < constituents)) {
+        if (((_e6 + 3) < constituents)) {
         } else {
             break;
         }
         {
-            vec4 _e8 = tau;
-            int _e9 = c_5;
-            vec4 _e14 = read_extinction(((1 * _e9) + 0));
-            int _e16 = c_5;
-            float _e18 = march_line_1_depths[_e16];
-            tau = (_e8 + (_e14 * _e18));
+            vec4 _e10 = tau;
+            int _e11 = c_5;
+            vec4 _e16 = read_extinction(((1 * _e11) + 0));
+            int _e18 = c_5;
+            float _e20 = march_line_1_depths[_e18];
+            tau = (_e10 + (_e16 * _e20));
+            int _e23 = c_5;
+            c_5 = (_e23 + 1);
+            vec4 _e26 = tau;
+            int _e27 = c_5;
+            vec4 _e32 = read_extinction(((1 * _e27) + 0));
+            int _e34 = c_5;
+            float _e36 = march_line_1_depths[_e34];
+            tau = (_e26 + (_e32 * _e36));
+            int _e39 = c_5;
+            c_5 = (_e39 + 1);
+            vec4 _e42 = tau;
+            int _e43 = c_5;
+            vec4 _e48 = read_extinction(((1 * _e43) + 0));
+            int _e50 = c_5;
+            float _e52 = march_line_1_depths[_e50];
+            tau = (_e42 + (_e48 * _e52));
+            int _e55 = c_5;
+            c_5 = (_e55 + 1);
+            vec4 _e58 = tau;
+            int _e59 = c_5;
+            vec4 _e64 = read_extinction(((1 * _e59) + 0));
+            int _e66 = c_5;
+            float _e68 = march_line_1_depths[_e66];
+            tau = (_e58 + (_e64 * _e68));
         }
     }
-    vec4 _e24 = tau;
-    return exp((vec4(0.0) - _e24));
+    bool loop_init_25 = true;
+    while(true) {
+        if (!loop_init_25) {
+            int _e89 = c_5;
+            c_5 = (_e89 + 1);
+        }
+        loop_init_25 = false;
+        int _e74 = c_5;
+        if ((_e74 < constituents)) {
+        } else {
+            break;
+        }
+        {
+            vec4 _e76 = tau;
+            int _e77 = c_5;
+            vec4 _e82 = read_extinction(((1 * _e77) + 0));
+            int _e84 = c_5;
+            float _e86 = march_line_1_depths[_e84];
+            tau = (_e76 + (_e82 * _e86));
+        }
+    }
+    vec4 _e92 = tau;
+    return exp((vec4(0.0) - _e92));
 }
 
 void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
-    float x_15 = 0.0;
+    float x_19 = 0.0;
     int row_3 = 0;
     float f_2 = 0.0;
     int place_1 = 0;
@@ -1812,20 +2368,20 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
     float scaled = 0.0;
     float _e17 = altitude_coordinate(r_15, bottom_2, top_2);
     int _e19 = size_columns(0);
-    x_15 = (_e17 * float((_e19 - 1)));
-    float _e24 = x_15;
+    x_19 = (_e17 * float((_e19 - 1)));
+    float _e24 = x_19;
     int _e27 = size_columns(0);
     row_3 = min(int(_e24), (_e27 - 2));
-    float _e31 = x_15;
+    float _e31 = x_19;
     int _e32 = row_3;
     f_2 = (_e31 - float(_e32));
     float _e35 = direction_coordinate(r_15, mu_14, bottom_2, top_2);
     int _e37 = size_columns(1);
-    x_15 = (_e35 * float((_e37 - 1)));
-    float _e42 = x_15;
+    x_19 = (_e35 * float((_e37 - 1)));
+    float _e42 = x_19;
     int _e45 = size_columns(1);
     place_1 = min(int(_e42), (_e45 - 2));
-    float _e49 = x_15;
+    float _e49 = x_19;
     int _e50 = place_1;
     e_1 = (_e49 - float(_e50));
     float _e53 = f_2;
@@ -1838,107 +2394,412 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
     w01_1 = now_2_1;
     float _e65 = f_2;
     float _e66 = e_1;
-    float now_3_2 = (_e65 * (1.0 - _e66));
+    float now_3_1 = (_e65 * (1.0 - _e66));
     float _e70 = f_2;
     float _e71 = e_1;
-    float now_4_2 = (_e70 * _e71);
-    w10_1 = now_3_2;
-    w11_1 = now_4_2;
+    float now_4_1 = (_e70 * _e71);
+    w10_1 = now_3_1;
+    w11_1 = now_4_1;
     float _e73 = distance_to_top(r_15, mu_14, top_2);
     distance_1_3 = _e73;
+    int _e75 = size_columns(2);
     c_6 = 0;
-    bool loop_init_21 = true;
+    bool loop_init_26 = true;
     while(true) {
-        if (!loop_init_21) {
-            int _e261 = c_6;
-            c_6 = (_e261 + 1);
+        if (!loop_init_26) {
+            int _e818 = c_6;
+            c_6 = (_e818 + 1);
         }
-        loop_init_21 = false;
-        int _e75 = c_6;
-        int _e77 = size_columns(2);
-        if ((_e75 < _e77)) {
+        loop_init_26 = false;
+        int _e77 = c_6;
+        if (((_e77 + 3) < _e75)) {
         } else {
             break;
         }
         {
-            float _e79 = w00_1;
-            int _e80 = row_3;
-            int _e82 = size_columns(1);
-            int _e84 = place_1;
-            int _e87 = size_columns(2);
-            int _e89 = c_6;
-            int _e92 = size_columns(3);
-            float _e96 = read_columns(((((((_e80 * _e82) + _e84) * _e87) + _e89) * _e92) + 0));
-            float _e98 = w01_1;
-            int _e99 = row_3;
-            int _e101 = size_columns(1);
-            int _e103 = place_1;
-            int _e108 = size_columns(2);
-            int _e110 = c_6;
-            int _e113 = size_columns(3);
-            float _e117 = read_columns(((((((_e99 * _e101) + (_e103 + 1)) * _e108) + _e110) * _e113) + 0));
-            float _e120 = w10_1;
-            int _e121 = row_3;
-            int _e125 = size_columns(1);
-            int _e127 = place_1;
-            int _e130 = size_columns(2);
-            int _e132 = c_6;
-            int _e135 = size_columns(3);
-            float _e139 = read_columns((((((((_e121 + 1) * _e125) + _e127) * _e130) + _e132) * _e135) + 0));
-            float _e142 = w11_1;
-            int _e143 = row_3;
-            int _e147 = size_columns(1);
-            int _e149 = place_1;
-            int _e154 = size_columns(2);
-            int _e156 = c_6;
-            int _e159 = size_columns(3);
-            float _e163 = read_columns((((((((_e143 + 1) * _e147) + (_e149 + 1)) * _e154) + _e156) * _e159) + 0));
-            scale = ((((_e79 * _e96) + (_e98 * _e117)) + (_e120 * _e139)) + (_e142 * _e163));
-            float _e166 = w00_1;
-            int _e167 = row_3;
-            int _e169 = size_columns(1);
-            int _e171 = place_1;
-            int _e174 = size_columns(2);
-            int _e176 = c_6;
-            int _e179 = size_columns(3);
-            float _e183 = read_columns(((((((_e167 * _e169) + _e171) * _e174) + _e176) * _e179) + 1));
-            float _e185 = w01_1;
-            int _e186 = row_3;
-            int _e188 = size_columns(1);
-            int _e190 = place_1;
-            int _e195 = size_columns(2);
-            int _e197 = c_6;
-            int _e200 = size_columns(3);
-            float _e204 = read_columns(((((((_e186 * _e188) + (_e190 + 1)) * _e195) + _e197) * _e200) + 1));
-            float _e207 = w10_1;
-            int _e208 = row_3;
-            int _e212 = size_columns(1);
-            int _e214 = place_1;
-            int _e217 = size_columns(2);
-            int _e219 = c_6;
-            int _e222 = size_columns(3);
-            float _e226 = read_columns((((((((_e208 + 1) * _e212) + _e214) * _e217) + _e219) * _e222) + 1));
-            float _e229 = w11_1;
-            int _e230 = row_3;
-            int _e234 = size_columns(1);
-            int _e236 = place_1;
-            int _e241 = size_columns(2);
-            int _e243 = c_6;
-            int _e246 = size_columns(3);
-            float _e250 = read_columns((((((((_e230 + 1) * _e234) + (_e236 + 1)) * _e241) + _e243) * _e246) + 1));
-            scaled = ((((_e166 * _e183) + (_e185 * _e204)) + (_e207 * _e226)) + (_e229 * _e250));
-            int _e254 = c_6;
-            float _e256 = distance_1_3;
-            float _e257 = scaled;
-            float _e259 = scale;
-            march_line_1_here[_e254] = ((_e256 * _e257) / _e259);
+            float _e81 = w00_1;
+            int _e82 = row_3;
+            int _e84 = size_columns(1);
+            int _e86 = place_1;
+            int _e89 = size_columns(2);
+            int _e91 = c_6;
+            int _e94 = size_columns(3);
+            float _e98 = read_columns(((((((_e82 * _e84) + _e86) * _e89) + _e91) * _e94) + 0));
+            float _e100 = w01_1;
+            int _e101 = row_3;
+            int _e103 = size_columns(1);
+            int _e105 = place_1;
+            int _e110 = size_columns(2);
+            int _e112 = c_6;
+            int _e115 = size_columns(3);
+            float _e119 = read_columns(((((((_e101 * _e103) + (_e105 + 1)) * _e110) + _e112) * _e115) + 0));
+            float _e122 = w10_1;
+            int _e123 = row_3;
+            int _e127 = size_columns(1);
+            int _e129 = place_1;
+            int _e132 = size_columns(2);
+            int _e134 = c_6;
+            int _e137 = size_columns(3);
+            float _e141 = read_columns((((((((_e123 + 1) * _e127) + _e129) * _e132) + _e134) * _e137) + 0));
+            float _e144 = w11_1;
+            int _e145 = row_3;
+            int _e149 = size_columns(1);
+            int _e151 = place_1;
+            int _e156 = size_columns(2);
+            int _e158 = c_6;
+            int _e161 = size_columns(3);
+            float _e165 = read_columns((((((((_e145 + 1) * _e149) + (_e151 + 1)) * _e156) + _e158) * _e161) + 0));
+            scale = ((((_e81 * _e98) + (_e100 * _e119)) + (_e122 * _e141)) + (_e144 * _e165));
+            float _e168 = w00_1;
+            int _e169 = row_3;
+            int _e171 = size_columns(1);
+            int _e173 = place_1;
+            int _e176 = size_columns(2);
+            int _e178 = c_6;
+            int _e181 = size_columns(3);
+            float _e185 = read_columns(((((((_e169 * _e171) + _e173) * _e176) + _e178) * _e181) + 1));
+            float _e187 = w01_1;
+            int _e188 = row_3;
+            int _e190 = size_columns(1);
+            int _e192 = place_1;
+            int _e197 = size_columns(2);
+            int _e199 = c_6;
+            int _e202 = size_columns(3);
+            float _e206 = read_columns(((((((_e188 * _e190) + (_e192 + 1)) * _e197) + _e199) * _e202) + 1));
+            float _e209 = w10_1;
+            int _e210 = row_3;
+            int _e214 = size_columns(1);
+            int _e216 = place_1;
+            int _e219 = size_columns(2);
+            int _e221 = c_6;
+            int _e224 = size_columns(3);
+            float _e228 = read_columns((((((((_e210 + 1) * _e214) + _e216) * _e219) + _e221) * _e224) + 1));
+            float _e231 = w11_1;
+            int _e232 = row_3;
+            int _e236 = size_columns(1);
+            int _e238 = place_1;
+            int _e243 = size_columns(2);
+            int _e245 = c_6;
+            int _e248 = size_columns(3);
+            float _e252 = read_columns((((((((_e232 + 1) * _e236) + (_e238 + 1)) * _e243) + _e245) * _e248) + 1));
+            scaled = ((((_e168 * _e185) + (_e187 * _e206)) + (_e209 * _e228)) + (_e231 * _e252));
+            int _e256 = c_6;
+            float _e258 = distance_1_3;
+            float _e259 = scaled;
+            float _e261 = scale;
+            march_line_1_here[_e256] = ((_e258 * _e259) / _e261);
+            int _e263 = c_6;
+            c_6 = (_e263 + 1);
+            float _e266 = w00_1;
+            int _e267 = row_3;
+            int _e269 = size_columns(1);
+            int _e271 = place_1;
+            int _e274 = size_columns(2);
+            int _e276 = c_6;
+            int _e279 = size_columns(3);
+            float _e283 = read_columns(((((((_e267 * _e269) + _e271) * _e274) + _e276) * _e279) + 0));
+            float _e285 = w01_1;
+            int _e286 = row_3;
+            int _e288 = size_columns(1);
+            int _e290 = place_1;
+            int _e295 = size_columns(2);
+            int _e297 = c_6;
+            int _e300 = size_columns(3);
+            float _e304 = read_columns(((((((_e286 * _e288) + (_e290 + 1)) * _e295) + _e297) * _e300) + 0));
+            float _e307 = w10_1;
+            int _e308 = row_3;
+            int _e312 = size_columns(1);
+            int _e314 = place_1;
+            int _e317 = size_columns(2);
+            int _e319 = c_6;
+            int _e322 = size_columns(3);
+            float _e326 = read_columns((((((((_e308 + 1) * _e312) + _e314) * _e317) + _e319) * _e322) + 0));
+            float _e329 = w11_1;
+            int _e330 = row_3;
+            int _e334 = size_columns(1);
+            int _e336 = place_1;
+            int _e341 = size_columns(2);
+            int _e343 = c_6;
+            int _e346 = size_columns(3);
+            float _e350 = read_columns((((((((_e330 + 1) * _e334) + (_e336 + 1)) * _e341) + _e343) * _e346) + 0));
+            scale = ((((_e266 * _e283) + (_e285 * _e304)) + (_e307 * _e326)) + (_e329 * _e350));
+            float _e353 = w00_1;
+            int _e354 = row_3;
+            int _e356 = size_columns(1);
+            int _e358 = place_1;
+            int _e361 = size_columns(2);
+            int _e363 = c_6;
+            int _e366 = size_columns(3);
+            float _e370 = read_columns(((((((_e354 * _e356) + _e358) * _e361) + _e363) * _e366) + 1));
+            float _e372 = w01_1;
+            int _e373 = row_3;
+            int _e375 = size_columns(1);
+            int _e377 = place_1;
+            int _e382 = size_columns(2);
+            int _e384 = c_6;
+            int _e387 = size_columns(3);
+            float _e391 = read_columns(((((((_e373 * _e375) + (_e377 + 1)) * _e382) + _e384) * _e387) + 1));
+            float _e394 = w10_1;
+            int _e395 = row_3;
+            int _e399 = size_columns(1);
+            int _e401 = place_1;
+            int _e404 = size_columns(2);
+            int _e406 = c_6;
+            int _e409 = size_columns(3);
+            float _e413 = read_columns((((((((_e395 + 1) * _e399) + _e401) * _e404) + _e406) * _e409) + 1));
+            float _e416 = w11_1;
+            int _e417 = row_3;
+            int _e421 = size_columns(1);
+            int _e423 = place_1;
+            int _e428 = size_columns(2);
+            int _e430 = c_6;
+            int _e433 = size_columns(3);
+            float _e437 = read_columns((((((((_e417 + 1) * _e421) + (_e423 + 1)) * _e428) + _e430) * _e433) + 1));
+            scaled = ((((_e353 * _e370) + (_e372 * _e391)) + (_e394 * _e413)) + (_e416 * _e437));
+            int _e441 = c_6;
+            float _e443 = distance_1_3;
+            float _e444 = scaled;
+            float _e446 = scale;
+            march_line_1_here[_e441] = ((_e443 * _e444) / _e446);
+            int _e448 = c_6;
+            c_6 = (_e448 + 1);
+            float _e451 = w00_1;
+            int _e452 = row_3;
+            int _e454 = size_columns(1);
+            int _e456 = place_1;
+            int _e459 = size_columns(2);
+            int _e461 = c_6;
+            int _e464 = size_columns(3);
+            float _e468 = read_columns(((((((_e452 * _e454) + _e456) * _e459) + _e461) * _e464) + 0));
+            float _e470 = w01_1;
+            int _e471 = row_3;
+            int _e473 = size_columns(1);
+            int _e475 = place_1;
+            int _e480 = size_columns(2);
+            int _e482 = c_6;
+            int _e485 = size_columns(3);
+            float _e489 = read_columns(((((((_e471 * _e473) + (_e475 + 1)) * _e480) + _e482) * _e485) + 0));
+            float _e492 = w10_1;
+            int _e493 = row_3;
+            int _e497 = size_columns(1);
+            int _e499 = place_1;
+            int _e502 = size_columns(2);
+            int _e504 = c_6;
+            int _e507 = size_columns(3);
+            float _e511 = read_columns((((((((_e493 + 1) * _e497) + _e499) * _e502) + _e504) * _e507) + 0));
+            float _e514 = w11_1;
+            int _e515 = row_3;
+            int _e519 = size_columns(1);
+            int _e521 = place_1;
+            int _e526 = size_columns(2);
+            int _e528 = c_6;
+            int _e531 = size_columns(3);
+            float _e535 = read_columns((((((((_e515 + 1) * _e519) + (_e521 + 1)) * _e526) + _e528) * _e531) + 0));
+            scale = ((((_e451 * _e468) + (_e470 * _e489)) + (_e492 * _e511)) + (_e514 * _e535));
+            float _e538 = w00_1;
+            int _e539 = row_3;
+            int _e541 = size_columns(1);
+            int _e543 = place_1;
+            int _e546 = size_columns(2);
+            int _e548 = c_6;
+            int _e551 = size_columns(3);
+            float _e555 = read_columns(((((((_e539 * _e541) + _e543) * _e546) + _e548) * _e551) + 1));
+            float _e557 = w01_1;
+            int _e558 = row_3;
+            int _e560 = size_columns(1);
+            int _e562 = place_1;
+            int _e567 = size_columns(2);
+            int _e569 = c_6;
+            int _e572 = size_columns(3);
+            float _e576 = read_columns(((((((_e558 * _e560) + (_e562 + 1)) * _e567) + _e569) * _e572) + 1));
+            float _e579 = w10_1;
+            int _e580 = row_3;
+            int _e584 = size_columns(1);
+            int _e586 = place_1;
+            int _e589 = size_columns(2);
+            int _e591 = c_6;
+            int _e594 = size_columns(3);
+            float _e598 = read_columns((((((((_e580 + 1) * _e584) + _e586) * _e589) + _e591) * _e594) + 1));
+            float _e601 = w11_1;
+            int _e602 = row_3;
+            int _e606 = size_columns(1);
+            int _e608 = place_1;
+            int _e613 = size_columns(2);
+            int _e615 = c_6;
+            int _e618 = size_columns(3);
+            float _e622 = read_columns((((((((_e602 + 1) * _e606) + (_e608 + 1)) * _e613) + _e615) * _e618) + 1));
+            scaled = ((((_e538 * _e555) + (_e557 * _e576)) + (_e579 * _e598)) + (_e601 * _e622));
+            int _e626 = c_6;
+            float _e628 = distance_1_3;
+            float _e629 = scaled;
+            float _e631 = scale;
+            march_line_1_here[_e626] = ((_e628 * _e629) / _e631);
+            int _e633 = c_6;
+            c_6 = (_e633 + 1);
+            float _e636 = w00_1;
+            int _e637 = row_3;
+            int _e639 = size_columns(1);
+            int _e641 = place_1;
+            int _e644 = size_columns(2);
+            int _e646 = c_6;
+            int _e649 = size_columns(3);
+            float _e653 = read_columns(((((((_e637 * _e639) + _e641) * _e644) + _e646) * _e649) + 0));
+            float _e655 = w01_1;
+            int _e656 = row_3;
+            int _e658 = size_columns(1);
+            int _e660 = place_1;
+            int _e665 = size_columns(2);
+            int _e667 = c_6;
+            int _e670 = size_columns(3);
+            float _e674 = read_columns(((((((_e656 * _e658) + (_e660 + 1)) * _e665) + _e667) * _e670) + 0));
+            float _e677 = w10_1;
+            int _e678 = row_3;
+            int _e682 = size_columns(1);
+            int _e684 = place_1;
+            int _e687 = size_columns(2);
+            int _e689 = c_6;
+            int _e692 = size_columns(3);
+            float _e696 = read_columns((((((((_e678 + 1) * _e682) + _e684) * _e687) + _e689) * _e692) + 0));
+            float _e699 = w11_1;
+            int _e700 = row_3;
+            int _e704 = size_columns(1);
+            int _e706 = place_1;
+            int _e711 = size_columns(2);
+            int _e713 = c_6;
+            int _e716 = size_columns(3);
+            float _e720 = read_columns((((((((_e700 + 1) * _e704) + (_e706 + 1)) * _e711) + _e713) * _e716) + 0));
+            scale = ((((_e636 * _e653) + (_e655 * _e674)) + (_e677 * _e696)) + (_e699 * _e720));
+            float _e723 = w00_1;
+            int _e724 = row_3;
+            int _e726 = size_columns(1);
+            int _e728 = place_1;
+            int _e731 = size_columns(2);
+            int _e733 = c_6;
+            int _e736 = size_columns(3);
+            float _e740 = read_columns(((((((_e724 * _e726) + _e728) * _e731) + _e733) * _e736) + 1));
+            float _e742 = w01_1;
+            int _e743 = row_3;
+            int _e745 = size_columns(1);
+            int _e747 = place_1;
+            int _e752 = size_columns(2);
+            int _e754 = c_6;
+            int _e757 = size_columns(3);
+            float _e761 = read_columns(((((((_e743 * _e745) + (_e747 + 1)) * _e752) + _e754) * _e757) + 1));
+            float _e764 = w10_1;
+            int _e765 = row_3;
+            int _e769 = size_columns(1);
+            int _e771 = place_1;
+            int _e774 = size_columns(2);
+            int _e776 = c_6;
+            int _e779 = size_columns(3);
+            float _e783 = read_columns((((((((_e765 + 1) * _e769) + _e771) * _e774) + _e776) * _e779) + 1));
+            float _e786 = w11_1;
+            int _e787 = row_3;
+            int _e791 = size_columns(1);
+            int _e793 = place_1;
+            int _e798 = size_columns(2);
+            int _e800 = c_6;
+            int _e803 = size_columns(3);
+            float _e807 = read_columns((((((((_e787 + 1) * _e791) + (_e793 + 1)) * _e798) + _e800) * _e803) + 1));
+            scaled = ((((_e723 * _e740) + (_e742 * _e761)) + (_e764 * _e783)) + (_e786 * _e807));
+            int _e811 = c_6;
+            float _e813 = distance_1_3;
+            float _e814 = scaled;
+            float _e816 = scale;
+            march_line_1_here[_e811] = ((_e813 * _e814) / _e816);
+        }
+    }
+    bool loop_init_27 = true;
+    while(true) {
+        if (!loop_init_27) {
+            int _e1005 = c_6;
+            c_6 = (_e1005 + 1);
+        }
+        loop_init_27 = false;
+        int _e821 = c_6;
+        if ((_e821 < _e75)) {
+        } else {
+            break;
+        }
+        {
+            float _e823 = w00_1;
+            int _e824 = row_3;
+            int _e826 = size_columns(1);
+            int _e828 = place_1;
+            int _e831 = size_columns(2);
+            int _e833 = c_6;
+            int _e836 = size_columns(3);
+            float _e840 = read_columns(((((((_e824 * _e826) + _e828) * _e831) + _e833) * _e836) + 0));
+            float _e842 = w01_1;
+            int _e843 = row_3;
+            int _e845 = size_columns(1);
+            int _e847 = place_1;
+            int _e852 = size_columns(2);
+            int _e854 = c_6;
+            int _e857 = size_columns(3);
+            float _e861 = read_columns(((((((_e843 * _e845) + (_e847 + 1)) * _e852) + _e854) * _e857) + 0));
+            float _e864 = w10_1;
+            int _e865 = row_3;
+            int _e869 = size_columns(1);
+            int _e871 = place_1;
+            int _e874 = size_columns(2);
+            int _e876 = c_6;
+            int _e879 = size_columns(3);
+            float _e883 = read_columns((((((((_e865 + 1) * _e869) + _e871) * _e874) + _e876) * _e879) + 0));
+            float _e886 = w11_1;
+            int _e887 = row_3;
+            int _e891 = size_columns(1);
+            int _e893 = place_1;
+            int _e898 = size_columns(2);
+            int _e900 = c_6;
+            int _e903 = size_columns(3);
+            float _e907 = read_columns((((((((_e887 + 1) * _e891) + (_e893 + 1)) * _e898) + _e900) * _e903) + 0));
+            scale = ((((_e823 * _e840) + (_e842 * _e861)) + (_e864 * _e883)) + (_e886 * _e907));
+            float _e910 = w00_1;
+            int _e911 = row_3;
+            int _e913 = size_columns(1);
+            int _e915 = place_1;
+            int _e918 = size_columns(2);
+            int _e920 = c_6;
+            int _e923 = size_columns(3);
+            float _e927 = read_columns(((((((_e911 * _e913) + _e915) * _e918) + _e920) * _e923) + 1));
+            float _e929 = w01_1;
+            int _e930 = row_3;
+            int _e932 = size_columns(1);
+            int _e934 = place_1;
+            int _e939 = size_columns(2);
+            int _e941 = c_6;
+            int _e944 = size_columns(3);
+            float _e948 = read_columns(((((((_e930 * _e932) + (_e934 + 1)) * _e939) + _e941) * _e944) + 1));
+            float _e951 = w10_1;
+            int _e952 = row_3;
+            int _e956 = size_columns(1);
+            int _e958 = place_1;
+            int _e961 = size_columns(2);
+            int _e963 = c_6;
+            int _e966 = size_columns(3);
+            float _e970 = read_columns((((((((_e952 + 1) * _e956) + _e958) * _e961) + _e963) * _e966) + 1));
+            float _e973 = w11_1;
+            int _e974 = row_3;
+            int _e978 = size_columns(1);
+            int _e980 = place_1;
+            int _e985 = size_columns(2);
+            int _e987 = c_6;
+            int _e990 = size_columns(3);
+            float _e994 = read_columns((((((((_e974 + 1) * _e978) + (_e980 + 1)) * _e985) + _e987) * _e990) + 1));
+            scaled = ((((_e910 * _e927) + (_e929 * _e948)) + (_e951 * _e970)) + (_e973 * _e994));
+            int _e998 = c_6;
+            float _e1000 = distance_1_3;
+            float _e1001 = scaled;
+            float _e1003 = scale;
+            march_line_1_here[_e998] = ((_e1000 * _e1001) / _e1003);
         }
     }
     return;
 }
 
 void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
-    float x_16 = 0.0;
+    float x_20 = 0.0;
     int row_4 = 0;
     float f_3 = 0.0;
     int place_2 = 0;
@@ -1953,20 +2814,20 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
     float scaled_1 = 0.0;
     float _e17 = altitude_coordinate(r_16, bottom_3, top_3);
     int _e19 = size_columns(0);
-    x_16 = (_e17 * float((_e19 - 1)));
-    float _e24 = x_16;
+    x_20 = (_e17 * float((_e19 - 1)));
+    float _e24 = x_20;
     int _e27 = size_columns(0);
     row_4 = min(int(_e24), (_e27 - 2));
-    float _e31 = x_16;
+    float _e31 = x_20;
     int _e32 = row_4;
     f_3 = (_e31 - float(_e32));
     float _e35 = direction_coordinate(r_16, mu_15, bottom_3, top_3);
     int _e37 = size_columns(1);
-    x_16 = (_e35 * float((_e37 - 1)));
-    float _e42 = x_16;
+    x_20 = (_e35 * float((_e37 - 1)));
+    float _e42 = x_20;
     int _e45 = size_columns(1);
     place_2 = min(int(_e42), (_e45 - 2));
-    float _e49 = x_16;
+    float _e49 = x_20;
     int _e50 = place_2;
     e_2 = (_e49 - float(_e50));
     float _e53 = f_3;
@@ -1979,100 +2840,405 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
     w01_2 = now_2_2;
     float _e65 = f_3;
     float _e66 = e_2;
-    float now_3_3 = (_e65 * (1.0 - _e66));
+    float now_3_2 = (_e65 * (1.0 - _e66));
     float _e70 = f_3;
     float _e71 = e_2;
-    float now_4_3 = (_e70 * _e71);
-    w10_2 = now_3_3;
-    w11_2 = now_4_3;
+    float now_4_2 = (_e70 * _e71);
+    w10_2 = now_3_2;
+    w11_2 = now_4_2;
     float _e73 = distance_to_top(r_16, mu_15, top_3);
     distance_1_4 = _e73;
+    int _e75 = size_columns(2);
     c_7 = 0;
-    bool loop_init_22 = true;
+    bool loop_init_28 = true;
     while(true) {
-        if (!loop_init_22) {
-            int _e261 = c_7;
-            c_7 = (_e261 + 1);
+        if (!loop_init_28) {
+            int _e818 = c_7;
+            c_7 = (_e818 + 1);
         }
-        loop_init_22 = false;
-        int _e75 = c_7;
-        int _e77 = size_columns(2);
-        if ((_e75 < _e77)) {
+        loop_init_28 = false;
+        int _e77 = c_7;
+        if (((_e77 + 3) < _e75)) {
         } else {
             break;
         }
         {
-            float _e79 = w00_2;
-            int _e80 = row_4;
-            int _e82 = size_columns(1);
-            int _e84 = place_2;
-            int _e87 = size_columns(2);
-            int _e89 = c_7;
-            int _e92 = size_columns(3);
-            float _e96 = read_columns(((((((_e80 * _e82) + _e84) * _e87) + _e89) * _e92) + 0));
-            float _e98 = w01_2;
-            int _e99 = row_4;
-            int _e101 = size_columns(1);
-            int _e103 = place_2;
-            int _e108 = size_columns(2);
-            int _e110 = c_7;
-            int _e113 = size_columns(3);
-            float _e117 = read_columns(((((((_e99 * _e101) + (_e103 + 1)) * _e108) + _e110) * _e113) + 0));
-            float _e120 = w10_2;
-            int _e121 = row_4;
-            int _e125 = size_columns(1);
-            int _e127 = place_2;
-            int _e130 = size_columns(2);
-            int _e132 = c_7;
-            int _e135 = size_columns(3);
-            float _e139 = read_columns((((((((_e121 + 1) * _e125) + _e127) * _e130) + _e132) * _e135) + 0));
-            float _e142 = w11_2;
-            int _e143 = row_4;
-            int _e147 = size_columns(1);
-            int _e149 = place_2;
-            int _e154 = size_columns(2);
-            int _e156 = c_7;
-            int _e159 = size_columns(3);
-            float _e163 = read_columns((((((((_e143 + 1) * _e147) + (_e149 + 1)) * _e154) + _e156) * _e159) + 0));
-            scale_1 = ((((_e79 * _e96) + (_e98 * _e117)) + (_e120 * _e139)) + (_e142 * _e163));
-            float _e166 = w00_2;
-            int _e167 = row_4;
-            int _e169 = size_columns(1);
-            int _e171 = place_2;
-            int _e174 = size_columns(2);
-            int _e176 = c_7;
-            int _e179 = size_columns(3);
-            float _e183 = read_columns(((((((_e167 * _e169) + _e171) * _e174) + _e176) * _e179) + 1));
-            float _e185 = w01_2;
-            int _e186 = row_4;
-            int _e188 = size_columns(1);
-            int _e190 = place_2;
-            int _e195 = size_columns(2);
-            int _e197 = c_7;
-            int _e200 = size_columns(3);
-            float _e204 = read_columns(((((((_e186 * _e188) + (_e190 + 1)) * _e195) + _e197) * _e200) + 1));
-            float _e207 = w10_2;
-            int _e208 = row_4;
-            int _e212 = size_columns(1);
-            int _e214 = place_2;
-            int _e217 = size_columns(2);
-            int _e219 = c_7;
-            int _e222 = size_columns(3);
-            float _e226 = read_columns((((((((_e208 + 1) * _e212) + _e214) * _e217) + _e219) * _e222) + 1));
-            float _e229 = w11_2;
-            int _e230 = row_4;
-            int _e234 = size_columns(1);
-            int _e236 = place_2;
-            int _e241 = size_columns(2);
-            int _e243 = c_7;
-            int _e246 = size_columns(3);
-            float _e250 = read_columns((((((((_e230 + 1) * _e234) + (_e236 + 1)) * _e241) + _e243) * _e246) + 1));
-            scaled_1 = ((((_e166 * _e183) + (_e185 * _e204)) + (_e207 * _e226)) + (_e229 * _e250));
-            int _e254 = c_7;
-            float _e256 = distance_1_4;
-            float _e257 = scaled_1;
-            float _e259 = scale_1;
-            march_line_1_there[_e254] = ((_e256 * _e257) / _e259);
+            float _e81 = w00_2;
+            int _e82 = row_4;
+            int _e84 = size_columns(1);
+            int _e86 = place_2;
+            int _e89 = size_columns(2);
+            int _e91 = c_7;
+            int _e94 = size_columns(3);
+            float _e98 = read_columns(((((((_e82 * _e84) + _e86) * _e89) + _e91) * _e94) + 0));
+            float _e100 = w01_2;
+            int _e101 = row_4;
+            int _e103 = size_columns(1);
+            int _e105 = place_2;
+            int _e110 = size_columns(2);
+            int _e112 = c_7;
+            int _e115 = size_columns(3);
+            float _e119 = read_columns(((((((_e101 * _e103) + (_e105 + 1)) * _e110) + _e112) * _e115) + 0));
+            float _e122 = w10_2;
+            int _e123 = row_4;
+            int _e127 = size_columns(1);
+            int _e129 = place_2;
+            int _e132 = size_columns(2);
+            int _e134 = c_7;
+            int _e137 = size_columns(3);
+            float _e141 = read_columns((((((((_e123 + 1) * _e127) + _e129) * _e132) + _e134) * _e137) + 0));
+            float _e144 = w11_2;
+            int _e145 = row_4;
+            int _e149 = size_columns(1);
+            int _e151 = place_2;
+            int _e156 = size_columns(2);
+            int _e158 = c_7;
+            int _e161 = size_columns(3);
+            float _e165 = read_columns((((((((_e145 + 1) * _e149) + (_e151 + 1)) * _e156) + _e158) * _e161) + 0));
+            scale_1 = ((((_e81 * _e98) + (_e100 * _e119)) + (_e122 * _e141)) + (_e144 * _e165));
+            float _e168 = w00_2;
+            int _e169 = row_4;
+            int _e171 = size_columns(1);
+            int _e173 = place_2;
+            int _e176 = size_columns(2);
+            int _e178 = c_7;
+            int _e181 = size_columns(3);
+            float _e185 = read_columns(((((((_e169 * _e171) + _e173) * _e176) + _e178) * _e181) + 1));
+            float _e187 = w01_2;
+            int _e188 = row_4;
+            int _e190 = size_columns(1);
+            int _e192 = place_2;
+            int _e197 = size_columns(2);
+            int _e199 = c_7;
+            int _e202 = size_columns(3);
+            float _e206 = read_columns(((((((_e188 * _e190) + (_e192 + 1)) * _e197) + _e199) * _e202) + 1));
+            float _e209 = w10_2;
+            int _e210 = row_4;
+            int _e214 = size_columns(1);
+            int _e216 = place_2;
+            int _e219 = size_columns(2);
+            int _e221 = c_7;
+            int _e224 = size_columns(3);
+            float _e228 = read_columns((((((((_e210 + 1) * _e214) + _e216) * _e219) + _e221) * _e224) + 1));
+            float _e231 = w11_2;
+            int _e232 = row_4;
+            int _e236 = size_columns(1);
+            int _e238 = place_2;
+            int _e243 = size_columns(2);
+            int _e245 = c_7;
+            int _e248 = size_columns(3);
+            float _e252 = read_columns((((((((_e232 + 1) * _e236) + (_e238 + 1)) * _e243) + _e245) * _e248) + 1));
+            scaled_1 = ((((_e168 * _e185) + (_e187 * _e206)) + (_e209 * _e228)) + (_e231 * _e252));
+            int _e256 = c_7;
+            float _e258 = distance_1_4;
+            float _e259 = scaled_1;
+            float _e261 = scale_1;
+            march_line_1_there[_e256] = ((_e258 * _e259) / _e261);
+            int _e263 = c_7;
+            c_7 = (_e263 + 1);
+            float _e266 = w00_2;
+            int _e267 = row_4;
+            int _e269 = size_columns(1);
+            int _e271 = place_2;
+            int _e274 = size_columns(2);
+            int _e276 = c_7;
+            int _e279 = size_columns(3);
+            float _e283 = read_columns(((((((_e267 * _e269) + _e271) * _e274) + _e276) * _e279) + 0));
+            float _e285 = w01_2;
+            int _e286 = row_4;
+            int _e288 = size_columns(1);
+            int _e290 = place_2;
+            int _e295 = size_columns(2);
+            int _e297 = c_7;
+            int _e300 = size_columns(3);
+            float _e304 = read_columns(((((((_e286 * _e288) + (_e290 + 1)) * _e295) + _e297) * _e300) + 0));
+            float _e307 = w10_2;
+            int _e308 = row_4;
+            int _e312 = size_columns(1);
+            int _e314 = place_2;
+            int _e317 = size_columns(2);
+            int _e319 = c_7;
+            int _e322 = size_columns(3);
+            float _e326 = read_columns((((((((_e308 + 1) * _e312) + _e314) * _e317) + _e319) * _e322) + 0));
+            float _e329 = w11_2;
+            int _e330 = row_4;
+            int _e334 = size_columns(1);
+            int _e336 = place_2;
+            int _e341 = size_columns(2);
+            int _e343 = c_7;
+            int _e346 = size_columns(3);
+            float _e350 = read_columns((((((((_e330 + 1) * _e334) + (_e336 + 1)) * _e341) + _e343) * _e346) + 0));
+            scale_1 = ((((_e266 * _e283) + (_e285 * _e304)) + (_e307 * _e326)) + (_e329 * _e350));
+            float _e353 = w00_2;
+            int _e354 = row_4;
+            int _e356 = size_columns(1);
+            int _e358 = place_2;
+            int _e361 = size_columns(2);
+            int _e363 = c_7;
+            int _e366 = size_columns(3);
+            float _e370 = read_columns(((((((_e354 * _e356) + _e358) * _e361) + _e363) * _e366) + 1));
+            float _e372 = w01_2;
+            int _e373 = row_4;
+            int _e375 = size_columns(1);
+            int _e377 = place_2;
+            int _e382 = size_columns(2);
+            int _e384 = c_7;
+            int _e387 = size_columns(3);
+            float _e391 = read_columns(((((((_e373 * _e375) + (_e377 + 1)) * _e382) + _e384) * _e387) + 1));
+            float _e394 = w10_2;
+            int _e395 = row_4;
+            int _e399 = size_columns(1);
+            int _e401 = place_2;
+            int _e404 = size_columns(2);
+            int _e406 = c_7;
+            int _e409 = size_columns(3);
+            float _e413 = read_columns((((((((_e395 + 1) * _e399) + _e401) * _e404) + _e406) * _e409) + 1));
+            float _e416 = w11_2;
+            int _e417 = row_4;
+            int _e421 = size_columns(1);
+            int _e423 = place_2;
+            int _e428 = size_columns(2);
+            int _e430 = c_7;
+            int _e433 = size_columns(3);
+            float _e437 = read_columns((((((((_e417 + 1) * _e421) + (_e423 + 1)) * _e428) + _e430) * _e433) + 1));
+            scaled_1 = ((((_e353 * _e370) + (_e372 * _e391)) + (_e394 * _e413)) + (_e416 * _e437));
+            int _e441 = c_7;
+            float _e443 = distance_1_4;
+            float _e444 = scaled_1;
+            float _e446 = scale_1;
+            march_line_1_there[_e441] = ((_e443 * _e444) / _e446);
+            int _e448 = c_7;
+            c_7 = (_e448 + 1);
+            float _e451 = w00_2;
+            int _e452 = row_4;
+            int _e454 = size_columns(1);
+            int _e456 = place_2;
+            int _e459 = size_columns(2);
+            int _e461 = c_7;
+            int _e464 = size_columns(3);
+            float _e468 = read_columns(((((((_e452 * _e454) + _e456) * _e459) + _e461) * _e464) + 0));
+            float _e470 = w01_2;
+            int _e471 = row_4;
+            int _e473 = size_columns(1);
+            int _e475 = place_2;
+            int _e480 = size_columns(2);
+            int _e482 = c_7;
+            int _e485 = size_columns(3);
+            float _e489 = read_columns(((((((_e471 * _e473) + (_e475 + 1)) * _e480) + _e482) * _e485) + 0));
+            float _e492 = w10_2;
+            int _e493 = row_4;
+            int _e497 = size_columns(1);
+            int _e499 = place_2;
+            int _e502 = size_columns(2);
+            int _e504 = c_7;
+            int _e507 = size_columns(3);
+            float _e511 = read_columns((((((((_e493 + 1) * _e497) + _e499) * _e502) + _e504) * _e507) + 0));
+            float _e514 = w11_2;
+            int _e515 = row_4;
+            int _e519 = size_columns(1);
+            int _e521 = place_2;
+            int _e526 = size_columns(2);
+            int _e528 = c_7;
+            int _e531 = size_columns(3);
+            float _e535 = read_columns((((((((_e515 + 1) * _e519) + (_e521 + 1)) * _e526) + _e528) * _e531) + 0));
+            scale_1 = ((((_e451 * _e468) + (_e470 * _e489)) + (_e492 * _e511)) + (_e514 * _e535));
+            float _e538 = w00_2;
+            int _e539 = row_4;
+            int _e541 = size_columns(1);
+            int _e543 = place_2;
+            int _e546 = size_columns(2);
+            int _e548 = c_7;
+            int _e551 = size_columns(3);
+            float _e555 = read_columns(((((((_e539 * _e541) + _e543) * _e546) + _e548) * _e551) + 1));
+            float _e557 = w01_2;
+            int _e558 = row_4;
+            int _e560 = size_columns(1);
+            int _e562 = place_2;
+            int _e567 = size_columns(2);
+            int _e569 = c_7;
+            int _e572 = size_columns(3);
+            float _e576 = read_columns(((((((_e558 * _e560) + (_e562 + 1)) * _e567) + _e569) * _e572) + 1));
+            float _e579 = w10_2;
+            int _e580 = row_4;
+            int _e584 = size_columns(1);
+            int _e586 = place_2;
+            int _e589 = size_columns(2);
+            int _e591 = c_7;
+            int _e594 = size_columns(3);
+            float _e598 = read_columns((((((((_e580 + 1) * _e584) + _e586) * _e589) + _e591) * _e594) + 1));
+            float _e601 = w11_2;
+            int _e602 = row_4;
+            int _e606 = size_columns(1);
+            int _e608 = place_2;
+            int _e613 = size_columns(2);
+            int _e615 = c_7;
+            int _e618 = size_columns(3);
+            float _e622 = read_columns((((((((_e602 + 1) * _e606) + (_e608 + 1)) * _e613) + _e615) * _e618) + 1));
+            scaled_1 = ((((_e538 * _e555) + (_e557 * _e576)) + (_e579 * _e598)) + (_e601 * _e622));
+            int _e626 = c_7;
+            float _e628 = distance_1_4;
+            float _e629 = scaled_1;
+            float _e631 = scale_1;
+            march_line_1_there[_e626] = ((_e628 * _e629) / _e631);
+            int _e633 = c_7;
+            c_7 = (_e633 + 1);
+            float _e636 = w00_2;
+            int _e637 = row_4;
+            int _e639 = size_columns(1);
+            int _e641 = place_2;
+            int _e644 = size_columns(2);
+            int _e646 = c_7;
+            int _e649 = size_columns(3);
+            float _e653 = read_columns(((((((_e637 * _e639) + _e641) * _e644) + _e646) * _e649) + 0));
+            float _e655 = w01_2;
+            int _e656 = row_4;
+            int _e658 = size_columns(1);
+            int _e660 = place_2;
+            int _e665 = size_columns(2);
+            int _e667 = c_7;
+            int _e670 = size_columns(3);
+            float _e674 = read_columns(((((((_e656 * _e658) + (_e660 + 1)) * _e665) + _e667) * _e670) + 0));
+            float _e677 = w10_2;
+            int _e678 = row_4;
+            int _e682 = size_columns(1);
+            int _e684 = place_2;
+            int _e687 = size_columns(2);
+            int _e689 = c_7;
+            int _e692 = size_columns(3);
+            float _e696 = read_columns((((((((_e678 + 1) * _e682) + _e684) * _e687) + _e689) * _e692) + 0));
+            float _e699 = w11_2;
+            int _e700 = row_4;
+            int _e704 = size_columns(1);
+            int _e706 = place_2;
+            int _e711 = size_columns(2);
+            int _e713 = c_7;
+            int _e716 = size_columns(3);
+            float _e720 = read_columns((((((((_e700 + 1) * _e704) + (_e706 + 1)) * _e711) + _e713) * _e716) + 0));
+            scale_1 = ((((_e636 * _e653) + (_e655 * _e674)) + (_e677 * _e696)) + (_e699 * _e720));
+            float _e723 = w00_2;
+            int _e724 = row_4;
+            int _e726 = size_columns(1);
+            int _e728 = place_2;
+            int _e731 = size_columns(2);
+            int _e733 = c_7;
+            int _e736 = size_columns(3);
+            float _e740 = read_columns(((((((_e724 * _e726) + _e728) * _e731) + _e733) * _e736) + 1));
+            float _e742 = w01_2;
+            int _e743 = row_4;
+            int _e745 = size_columns(1);
+            int _e747 = place_2;
+            int _e752 = size_columns(2);
+            int _e754 = c_7;
+            int _e757 = size_columns(3);
+            float _e761 = read_columns(((((((_e743 * _e745) + (_e747 + 1)) * _e752) + _e754) * _e757) + 1));
+            float _e764 = w10_2;
+            int _e765 = row_4;
+            int _e769 = size_columns(1);
+            int _e771 = place_2;
+            int _e774 = size_columns(2);
+            int _e776 = c_7;
+            int _e779 = size_columns(3);
+            float _e783 = read_columns((((((((_e765 + 1) * _e769) + _e771) * _e774) + _e776) * _e779) + 1));
+            float _e786 = w11_2;
+            int _e787 = row_4;
+            int _e791 = size_columns(1);
+            int _e793 = place_2;
+            int _e798 = size_columns(2);
+            int _e800 = c_7;
+            int _e803 = size_columns(3);
+            float _e807 = read_columns((((((((_e787 + 1) * _e791) + (_e793 + 1)) * _e798) + _e800) * _e803) + 1));
+            scaled_1 = ((((_e723 * _e740) + (_e742 * _e761)) + (_e764 * _e783)) + (_e786 * _e807));
+            int _e811 = c_7;
+            float _e813 = distance_1_4;
+            float _e814 = scaled_1;
+            float _e816 = scale_1;
+            march_line_1_there[_e811] = ((_e813 * _e814) / _e816);
+        }
+    }
+    bool loop_init_29 = true;
+    while(true) {
+        if (!loop_init_29) {
+            int _e1005 = c_7;
+            c_7 = (_e1005 + 1);
+        }
+        loop_init_29 = false;
+        int _e821 = c_7;
+        if ((_e821 < _e75)) {
+        } else {
+            break;
+        }
+        {
+            float _e823 = w00_2;
+            int _e824 = row_4;
+            int _e826 = size_columns(1);
+            int _e828 = place_2;
+            int _e831 = size_columns(2);
+            int _e833 = c_7;
+            int _e836 = size_columns(3);
+            float _e840 = read_columns(((((((_e824 * _e826) + _e828) * _e831) + _e833) * _e836) + 0));
+            float _e842 = w01_2;
+            int _e843 = row_4;
+            int _e845 = size_columns(1);
+            int _e847 = place_2;
+            int _e852 = size_columns(2);
+            int _e854 = c_7;
+            int _e857 = size_columns(3);
+            float _e861 = read_columns(((((((_e843 * _e845) + (_e847 + 1)) * _e852) + _e854) * _e857) + 0));
+            float _e864 = w10_2;
+            int _e865 = row_4;
+            int _e869 = size_columns(1);
+            int _e871 = place_2;
+            int _e874 = size_columns(2);
+            int _e876 = c_7;
+            int _e879 = size_columns(3);
+            float _e883 = read_columns((((((((_e865 + 1) * _e869) + _e871) * _e874) + _e876) * _e879) + 0));
+            float _e886 = w11_2;
+            int _e887 = row_4;
+            int _e891 = size_columns(1);
+            int _e893 = place_2;
+            int _e898 = size_columns(2);
+            int _e900 = c_7;
+            int _e903 = size_columns(3);
+            float _e907 = read_columns((((((((_e887 + 1) * _e891) + (_e893 + 1)) * _e898) + _e900) * _e903) + 0));
+            scale_1 = ((((_e823 * _e840) + (_e842 * _e861)) + (_e864 * _e883)) + (_e886 * _e907));
+            float _e910 = w00_2;
+            int _e911 = row_4;
+            int _e913 = size_columns(1);
+            int _e915 = place_2;
+            int _e918 = size_columns(2);
+            int _e920 = c_7;
+            int _e923 = size_columns(3);
+            float _e927 = read_columns(((((((_e911 * _e913) + _e915) * _e918) + _e920) * _e923) + 1));
+            float _e929 = w01_2;
+            int _e930 = row_4;
+            int _e932 = size_columns(1);
+            int _e934 = place_2;
+            int _e939 = size_columns(2);
+            int _e941 = c_7;
+            int _e944 = size_columns(3);
+            float _e948 = read_columns(((((((_e930 * _e932) + (_e934 + 1)) * _e939) + _e941) * _e944) + 1));
+            float _e951 = w10_2;
+            int _e952 = row_4;
+            int _e956 = size_columns(1);
+            int _e958 = place_2;
+            int _e961 = size_columns(2);
+            int _e963 = c_7;
+            int _e966 = size_columns(3);
+            float _e970 = read_columns((((((((_e952 + 1) * _e956) + _e958) * _e961) + _e963) * _e966) + 1));
+            float _e973 = w11_2;
+            int _e974 = row_4;
+            int _e978 = size_columns(1);
+            int _e980 = place_2;
+            int _e985 = size_columns(2);
+            int _e987 = c_7;
+            int _e990 = size_columns(3);
+            float _e994 = read_columns((((((((_e974 + 1) * _e978) + (_e980 + 1)) * _e985) + _e987) * _e990) + 1));
+            scaled_1 = ((((_e910 * _e927) + (_e929 * _e948)) + (_e951 * _e970)) + (_e973 * _e994));
+            int _e998 = c_7;
+            float _e1000 = distance_1_4;
+            float _e1001 = scaled_1;
+            float _e1003 = scale_1;
+            march_line_1_there[_e998] = ((_e1000 * _e1001) / _e1003);
         }
     }
     return;
@@ -2083,29 +3249,74 @@ vec4 through_columns_3_(int constituents_1) {
     int c_8 = 0;
     tau_1 = vec4(0.0);
     c_8 = 0;
-    bool loop_init_23 = true;
+    bool loop_init_30 = true;
     while(true) {
-        if (!loop_init_23) {
-            int _e21 = c_8;
-            c_8 = (_e21 + 1);
+        if (!loop_init_30) {
+            int _e71 = c_8;
+            c_8 = (_e71 + 1);
         }
-        loop_init_23 = false;
+        loop_init_30 = false;
         int _e6 = c_8;
-        if ((_e6 < constituents_1)) {
+        if (((_e6 + 3) < constituents_1)) {
         } else {
             break;
         }
         {
-            vec4 _e8 = tau_1;
-            int _e9 = c_8;
-            vec4 _e14 = read_extinction(((1 * _e9) + 0));
-            int _e16 = c_8;
-            float _e18 = march_line_1_here[_e16];
-            tau_1 = (_e8 + (_e14 * _e18));
+            vec4 _e10 = tau_1;
+            int _e11 = c_8;
+            vec4 _e16 = read_extinction(((1 * _e11) + 0));
+            int _e18 = c_8;
+            float _e20 = march_line_1_here[_e18];
+            tau_1 = (_e10 + (_e16 * _e20));
+            int _e23 = c_8;
+            c_8 = (_e23 + 1);
+            vec4 _e26 = tau_1;
+            int _e27 = c_8;
+            vec4 _e32 = read_extinction(((1 * _e27) + 0));
+            int _e34 = c_8;
+            float _e36 = march_line_1_here[_e34];
+            tau_1 = (_e26 + (_e32 * _e36));
+            int _e39 = c_8;
+            c_8 = (_e39 + 1);
+            vec4 _e42 = tau_1;
+            int _e43 = c_8;
+            vec4 _e48 = read_extinction(((1 * _e43) + 0));
+            int _e50 = c_8;
+            float _e52 = march_line_1_here[_e50];
+            tau_1 = (_e42 + (_e48 * _e52));
+            int _e55 = c_8;
+            c_8 = (_e55 + 1);
+            vec4 _e58 = tau_1;
+            int _e59 = c_8;
+            vec4 _e64 = read_extinction(((1 * _e59) + 0));
+            int _e66 = c_8;
+            float _e68 = march_line_1_here[_e66];
+            tau_1 = (_e58 + (_e64 * _e68));
         }
     }
-    vec4 _e24 = tau_1;
-    return exp((vec4(0.0) - _e24));
+    bool loop_init_31 = true;
+    while(true) {
+        if (!loop_init_31) {
+            int _e89 = c_8;
+            c_8 = (_e89 + 1);
+        }
+        loop_init_31 = false;
+        int _e74 = c_8;
+        if ((_e74 < constituents_1)) {
+        } else {
+            break;
+        }
+        {
+            vec4 _e76 = tau_1;
+            int _e77 = c_8;
+            vec4 _e82 = read_extinction(((1 * _e77) + 0));
+            int _e84 = c_8;
+            float _e86 = march_line_1_here[_e84];
+            tau_1 = (_e76 + (_e82 * _e86));
+        }
+    }
+    vec4 _e92 = tau_1;
+    return exp((vec4(0.0) - _e92));
 }
 
 vec4 through_columns_4_(int constituents_2) {
@@ -2113,29 +3324,74 @@ vec4 through_columns_4_(int constituents_2) {
     int c_9 = 0;
     tau_2 = vec4(0.0);
     c_9 = 0;
-    bool loop_init_24 = true;
+    bool loop_init_32 = true;
     while(true) {
-        if (!loop_init_24) {
-            int _e21 = c_9;
-            c_9 = (_e21 + 1);
+        if (!loop_init_32) {
+            int _e71 = c_9;
+            c_9 = (_e71 + 1);
         }
-        loop_init_24 = false;
+        loop_init_32 = false;
         int _e6 = c_9;
-        if ((_e6 < constituents_2)) {
+        if (((_e6 + 3) < constituents_2)) {
         } else {
             break;
         }
         {
-            vec4 _e8 = tau_2;
-            int _e9 = c_9;
-            vec4 _e14 = read_extinction(((1 * _e9) + 0));
-            int _e16 = c_9;
-            float _e18 = march_line_1_there[_e16];
-            tau_2 = (_e8 + (_e14 * _e18));
+            vec4 _e10 = tau_2;
+            int _e11 = c_9;
+            vec4 _e16 = read_extinction(((1 * _e11) + 0));
+            int _e18 = c_9;
+            float _e20 = march_line_1_there[_e18];
+            tau_2 = (_e10 + (_e16 * _e20));
+            int _e23 = c_9;
+            c_9 = (_e23 + 1);
+            vec4 _e26 = tau_2;
+            int _e27 = c_9;
+            vec4 _e32 = read_extinction(((1 * _e27) + 0));
+            int _e34 = c_9;
+            float _e36 = march_line_1_there[_e34];
+            tau_2 = (_e26 + (_e32 * _e36));
+            int _e39 = c_9;
+            c_9 = (_e39 + 1);
+            vec4 _e42 = tau_2;
+            int _e43 = c_9;
+            vec4 _e48 = read_extinction(((1 * _e43) + 0));
+            int _e50 = c_9;
+            float _e52 = march_line_1_there[_e50];
+            tau_2 = (_e42 + (_e48 * _e52));
+            int _e55 = c_9;
+            c_9 = (_e55 + 1);
+            vec4 _e58 = tau_2;
+            int _e59 = c_9;
+            vec4 _e64 = read_extinction(((1 * _e59) + 0));
+            int _e66 = c_9;
+            float _e68 = march_line_1_there[_e66];
+            tau_2 = (_e58 + (_e64 * _e68));
         }
     }
-    vec4 _e24 = tau_2;
-    return exp((vec4(0.0) - _e24));
+    bool loop_init_33 = true;
+    while(true) {
+        if (!loop_init_33) {
+            int _e89 = c_9;
+            c_9 = (_e89 + 1);
+        }
+        loop_init_33 = false;
+        int _e74 = c_9;
+        if ((_e74 < constituents_2)) {
+        } else {
+            break;
+        }
+        {
+            vec4 _e76 = tau_2;
+            int _e77 = c_9;
+            vec4 _e82 = read_extinction(((1 * _e77) + 0));
+            int _e84 = c_9;
+            float _e86 = march_line_1_there[_e84];
+            tau_2 = (_e76 + (_e82 * _e86));
+        }
+    }
+    vec4 _e92 = tau_2;
+    return exp((vec4(0.0) - _e92));
 }
 
 vec4 star_at_1_(float seen_1, bool spread, int constituents_3) {
@@ -2158,29 +3414,74 @@ vec4 through_columns_2_(int constituents_4) {
     int c_10 = 0;
     tau_3 = vec4(0.0);
     c_10 = 0;
-    bool loop_init_25 = true;
+    bool loop_init_34 = true;
     while(true) {
-        if (!loop_init_25) {
-            int _e21 = c_10;
-            c_10 = (_e21 + 1);
+        if (!loop_init_34) {
+            int _e71 = c_10;
+            c_10 = (_e71 + 1);
         }
-        loop_init_25 = false;
+        loop_init_34 = false;
         int _e6 = c_10;
-        if ((_e6 < constituents_4)) {
+        if (((_e6 + 3) < constituents_4)) {
         } else {
             break;
         }
         {
-            vec4 _e8 = tau_3;
-            int _e9 = c_10;
-            vec4 _e14 = read_extinction(((1 * _e9) + 0));
-            int _e16 = c_10;
-            float _e18 = march_line_1_before[_e16];
-            tau_3 = (_e8 + (_e14 * _e18));
+            vec4 _e10 = tau_3;
+            int _e11 = c_10;
+            vec4 _e16 = read_extinction(((1 * _e11) + 0));
+            int _e18 = c_10;
+            float _e20 = march_line_1_before[_e18];
+            tau_3 = (_e10 + (_e16 * _e20));
+            int _e23 = c_10;
+            c_10 = (_e23 + 1);
+            vec4 _e26 = tau_3;
+            int _e27 = c_10;
+            vec4 _e32 = read_extinction(((1 * _e27) + 0));
+            int _e34 = c_10;
+            float _e36 = march_line_1_before[_e34];
+            tau_3 = (_e26 + (_e32 * _e36));
+            int _e39 = c_10;
+            c_10 = (_e39 + 1);
+            vec4 _e42 = tau_3;
+            int _e43 = c_10;
+            vec4 _e48 = read_extinction(((1 * _e43) + 0));
+            int _e50 = c_10;
+            float _e52 = march_line_1_before[_e50];
+            tau_3 = (_e42 + (_e48 * _e52));
+            int _e55 = c_10;
+            c_10 = (_e55 + 1);
+            vec4 _e58 = tau_3;
+            int _e59 = c_10;
+            vec4 _e64 = read_extinction(((1 * _e59) + 0));
+            int _e66 = c_10;
+            float _e68 = march_line_1_before[_e66];
+            tau_3 = (_e58 + (_e64 * _e68));
         }
     }
-    vec4 _e24 = tau_3;
-    return exp((vec4(0.0) - _e24));
+    bool loop_init_35 = true;
+    while(true) {
+        if (!loop_init_35) {
+            int _e89 = c_10;
+            c_10 = (_e89 + 1);
+        }
+        loop_init_35 = false;
+        int _e74 = c_10;
+        if ((_e74 < constituents_4)) {
+        } else {
+            break;
+        }
+        {
+            vec4 _e76 = tau_3;
+            int _e77 = c_10;
+            vec4 _e82 = read_extinction(((1 * _e77) + 0));
+            int _e84 = c_10;
+            float _e86 = march_line_1_before[_e84];
+            tau_3 = (_e76 + (_e82 * _e86));
+        }
+    }
+    vec4 _e92 = tau_3;
+    return exp((vec4(0.0) - _e92));
 }
 
 void march_line_1_(float r_17, float mu_16, float mu_s_5, float nu_2, float length_1_4, int orders) {
@@ -2218,7 +3519,8 @@ void march_line_1_(float r_17, float mu_16, float mu_s_5, float nu_2, float leng
     float low_6 = 0.0;
     float high_3 = 0.0;
     vec4 star = vec4(0.0);
-    bool local_6 = false;
+    bool local_11 = false;
+    bool local_12 = false;
     float now_1_3 = _group_0_binding_0_fs.shell.x;
     float now_2_3 = _group_0_binding_0_fs.shell.y;
     bottom_4 = now_1_3;
@@ -2247,305 +3549,506 @@ void march_line_1_(float r_17, float mu_16, float mu_s_5, float nu_2, float leng
     bool _e77 = day;
     if (_e77) {
         float _e80 = slant;
-        local_6 = (_e80 < 4.0);
+        local_11 = (_e80 < 4.0);
     } else {
-        local_6 = false;
+        local_11 = false;
     }
-    bool _e84 = local_6;
-    if (_e84) {
+    bool _e84 = local_11;
+    if (!(_e84)) {
+        int _e88 = count_4;
+        local_12 = (_e88 > 12);
+    } else {
+        local_12 = true;
+    }
+    bool _e92 = local_12;
+    if (_e92) {
         kind = 0;
     }
-    int _e86 = kind;
-    float _e87 = read_rules(_e86);
-    rule_4 = int(_e87);
-    int _e89 = rule_4;
-    float _e90 = read_rules(_e89);
-    n_4 = int(_e90);
+    int _e94 = kind;
+    float _e95 = read_rules(_e94);
+    rule_4 = int(_e95);
+    int _e97 = rule_4;
+    float _e98 = read_rules(_e97);
+    n_4 = int(_e98);
     attempt = 0;
-    bool loop_init_26 = true;
+    bool loop_init_36 = true;
     while(true) {
-        if (!loop_init_26) {
-            int _e114 = attempt;
-            attempt = (_e114 + 1);
+        if (!loop_init_36) {
+            int _e122 = attempt;
+            attempt = (_e122 + 1);
         }
-        loop_init_26 = false;
-        int _e93 = attempt;
-        if ((_e93 < 2)) {
+        loop_init_36 = false;
+        int _e101 = attempt;
+        if ((_e101 < 2)) {
         } else {
             break;
         }
         {
-            int _e96 = count_4;
-            int _e97 = rule_4;
-            float _e98 = columns_along_1_(r_17, mu_16, _e96, _e97);
-            if ((_e98 <= 15.0)) {
+            int _e104 = count_4;
+            int _e105 = rule_4;
+            float _e106 = columns_along_1_(r_17, mu_16, _e104, _e105);
+            if ((_e106 <= 15.0)) {
                 break;
             }
             which_1 = 0;
-            bool loop_init_27 = true;
+            bool loop_init_37 = true;
             while(true) {
-                if (!loop_init_27) {
-                    int _e111 = which_1;
-                    which_1 = (_e111 + 1);
+                if (!loop_init_37) {
+                    int _e119 = which_1;
+                    which_1 = (_e119 + 1);
                 }
-                loop_init_27 = false;
-                int _e102 = which_1;
-                if ((_e102 < 3)) {
+                loop_init_37 = false;
+                int _e110 = which_1;
+                if ((_e110 < 3)) {
                 } else {
                     break;
                 }
                 {
-                    int _e105 = count_4;
-                    int _e107 = which_1;
-                    float _e109 = march_line_1_cuts[_e107];
-                    int _e110 = insert_edge_1_(_e105, _e109);
-                    count_4 = _e110;
+                    int _e113 = count_4;
+                    int _e115 = which_1;
+                    float _e117 = march_line_1_cuts[_e115];
+                    int _e118 = insert_edge_1_(_e113, _e117);
+                    count_4 = _e118;
                 }
             }
         }
     }
     scatters = 0.0;
+    float _e129 = _group_0_binding_0_fs.counts.x;
+    int end_4_3 = int(_e129);
     c_11 = 0;
-    bool loop_init_28 = true;
+    bool loop_init_38 = true;
     while(true) {
-        if (!loop_init_28) {
-            int _e139 = c_11;
-            c_11 = (_e139 + 1);
+        if (!loop_init_38) {
+            int _e197 = c_11;
+            c_11 = (_e197 + 1);
         }
-        loop_init_28 = false;
-        int _e119 = c_11;
-        float _e123 = _group_0_binding_0_fs.counts.x;
-        if ((_e119 < int(_e123))) {
+        loop_init_38 = false;
+        int _e132 = c_11;
+        if (((_e132 + 3) < end_4_3)) {
         } else {
             break;
         }
         {
-            float _e126 = scatters;
-            int _e127 = c_11;
-            float _e128 = read_brightest(_e127);
-            int _e130 = c_11;
-            float _e132 = look_1_totals[_e130];
-            scatters = (_e126 + (_e128 * _e132));
-            int _e136 = c_11;
-            march_line_1_before[_e136] = 0.0;
+            float _e136 = scatters;
+            int _e137 = c_11;
+            float _e138 = read_brightest(_e137);
+            int _e140 = c_11;
+            float _e142 = look_1_totals[_e140];
+            scatters = (_e136 + (_e138 * _e142));
+            int _e146 = c_11;
+            march_line_1_before[_e146] = 0.0;
+            int _e149 = c_11;
+            c_11 = (_e149 + 1);
+            float _e152 = scatters;
+            int _e153 = c_11;
+            float _e154 = read_brightest(_e153);
+            int _e156 = c_11;
+            float _e158 = look_1_totals[_e156];
+            scatters = (_e152 + (_e154 * _e158));
+            int _e162 = c_11;
+            march_line_1_before[_e162] = 0.0;
+            int _e165 = c_11;
+            c_11 = (_e165 + 1);
+            float _e168 = scatters;
+            int _e169 = c_11;
+            float _e170 = read_brightest(_e169);
+            int _e172 = c_11;
+            float _e174 = look_1_totals[_e172];
+            scatters = (_e168 + (_e170 * _e174));
+            int _e178 = c_11;
+            march_line_1_before[_e178] = 0.0;
+            int _e181 = c_11;
+            c_11 = (_e181 + 1);
+            float _e184 = scatters;
+            int _e185 = c_11;
+            float _e186 = read_brightest(_e185);
+            int _e188 = c_11;
+            float _e190 = look_1_totals[_e188];
+            scatters = (_e184 + (_e186 * _e190));
+            int _e194 = c_11;
+            march_line_1_before[_e194] = 0.0;
         }
     }
-    float _e142 = scatters;
-    bool _e147 = day;
-    faint = (_e147 ? (0.0005 * min(_e142, 1.0)) : 0.0);
-    vec4 now_4_4 = vec4(0.0);
-    vec4 now_5_ = vec4(0.0);
-    vec4 now_6_ = vec4(0.0);
-    air = now_4_4;
-    first_5 = now_5_;
-    second_1 = now_6_;
-    float _e159 = _group_0_binding_0_fs.counts.y;
-    float _e166 = _group_0_binding_0_fs.counts.y;
-    block = (1 * (1 + (((int(_e159) + 1) * (int(_e166) + 2)) / 2)));
-    panel_1 = 0;
-    bool loop_init_29 = true;
+    bool loop_init_39 = true;
     while(true) {
-        if (!loop_init_29) {
-            int _e459 = panel_1;
-            panel_1 = (_e459 + 1);
+        if (!loop_init_39) {
+            int _e215 = c_11;
+            c_11 = (_e215 + 1);
         }
-        loop_init_29 = false;
-        int _e178 = panel_1;
-        int _e179 = count_4;
-        if ((_e178 < (_e179 - 1))) {
+        loop_init_39 = false;
+        int _e200 = c_11;
+        if ((_e200 < end_4_3)) {
         } else {
             break;
         }
         {
-            int _e184 = panel_1;
-            float _e186 = march_line_1_edges[_e184];
-            int _e188 = panel_1;
-            float _e192 = march_line_1_edges[(_e188 + 1)];
-            int _e194 = count_4;
-            float _e198 = march_line_1_edges[(_e194 - 1)];
-            int _e199 = rule_4;
-            place_panel_1_(r_17, mu_16, _e186, _e192, _e198, _e199);
+            float _e202 = scatters;
+            int _e203 = c_11;
+            float _e204 = read_brightest(_e203);
+            int _e206 = c_11;
+            float _e208 = look_1_totals[_e206];
+            scatters = (_e202 + (_e204 * _e208));
+            int _e212 = c_11;
+            march_line_1_before[_e212] = 0.0;
+        }
+    }
+    float _e218 = scatters;
+    bool _e223 = day;
+    faint = (_e223 ? (0.0005 * min(_e218, 1.0)) : 0.0);
+    vec4 now_5_ = vec4(0.0);
+    vec4 now_6_1 = vec4(0.0);
+    vec4 now_7_1 = vec4(0.0);
+    air = now_5_;
+    first_5 = now_6_1;
+    second_1 = now_7_1;
+    float _e235 = _group_0_binding_0_fs.counts.y;
+    float _e242 = _group_0_binding_0_fs.counts.y;
+    int _e248 = whole_quotient(((int(_e235) + 1) * (int(_e242) + 2)), 2);
+    block = (1 * (1 + _e248));
+    panel_1 = 0;
+    bool loop_init_40 = true;
+    while(true) {
+        if (!loop_init_40) {
+            int _e771 = panel_1;
+            panel_1 = (_e771 + 1);
+        }
+        loop_init_40 = false;
+        int _e254 = panel_1;
+        int _e255 = count_4;
+        if ((_e254 < (_e255 - 1))) {
+        } else {
+            break;
+        }
+        {
+            int _e260 = panel_1;
+            float _e262 = march_line_1_edges[_e260];
+            int _e264 = panel_1;
+            float _e268 = march_line_1_edges[(_e264 + 1)];
+            int _e270 = count_4;
+            float _e274 = march_line_1_edges[(_e270 - 1)];
+            int _e275 = rule_4;
+            place_panel_1_(r_17, mu_16, _e262, _e268, _e274, _e275);
             c_11 = 0;
-            bool loop_init_30 = true;
+            bool loop_init_41 = true;
             while(true) {
-                if (!loop_init_30) {
-                    int _e235 = c_11;
-                    c_11 = (_e235 + 1);
+                if (!loop_init_41) {
+                    int _e407 = c_11;
+                    c_11 = (_e407 + 1);
                 }
-                loop_init_30 = false;
-                int _e201 = c_11;
-                float _e205 = _group_0_binding_0_fs.counts.x;
-                if ((_e201 < int(_e205))) {
+                loop_init_41 = false;
+                int _e277 = c_11;
+                float _e281 = _group_0_binding_0_fs.counts.x;
+                if ((_e277 < int(_e281))) {
                 } else {
                     break;
                 }
                 {
+                    int end_8_ = n_4;
                     k_5 = 0;
-                    bool loop_init_31 = true;
+                    bool loop_init_42 = true;
                     while(true) {
-                        if (!loop_init_31) {
-                            int _e232 = k_5;
-                            k_5 = (_e232 + 1);
+                        if (!loop_init_42) {
+                            int _e379 = k_5;
+                            k_5 = (_e379 + 1);
                         }
-                        loop_init_31 = false;
-                        int _e209 = k_5;
-                        int _e210 = n_4;
-                        if ((_e209 < _e210)) {
+                        loop_init_42 = false;
+                        int _e286 = k_5;
+                        if (((_e286 + 3) < end_8_)) {
                         } else {
                             break;
                         }
                         {
-                            int _e213 = c_11;
-                            int _e216 = k_5;
-                            int _e220 = c_11;
-                            int _e223 = k_5;
-                            float _e226 = march_line_1_density[((_e220 * 24) + _e223)];
-                            int _e228 = k_5;
-                            float _e230 = march_line_1_weight[_e228];
-                            march_line_1_amounts[((_e213 * 24) + _e216)] = (_e226 * _e230);
-                        }
-                    }
-                }
-            }
-            int _e238 = rule_4;
-            panel_columns_1_(_e238);
-            k_5 = 0;
-            bool loop_init_32 = true;
-            while(true) {
-                if (!loop_init_32) {
-                    int _e456 = k_5;
-                    k_5 = (_e456 + 1);
-                }
-                loop_init_32 = false;
-                int _e240 = k_5;
-                int _e241 = n_4;
-                if ((_e240 < _e241)) {
-                } else {
-                    break;
-                }
-                {
-                    int _e244 = k_5;
-                    float _e246 = march_line_1_radius[_e244];
-                    float _e247 = bottom_4;
-                    float _e249 = top_4;
-                    q = min(max(_e246, _e247), _e249);
-                    int _e252 = k_5;
-                    float _e254 = march_line_1_distance_1_[_e252];
-                    t = _e254;
-                    float _e256 = t;
-                    float _e258 = q;
-                    mu_q = min(max((((r_17 * mu_16) + _e256) / _e258), -1.0), 1.0);
-                    float _e265 = t;
-                    float _e268 = q;
-                    mu_sq = min(max((((r_17 * mu_s_5) + (_e265 * nu_2)) / _e268), -1.0), 1.0);
-                    nu_q = nu_2;
-                    depth_2 = 0.0;
-                    c_11 = 0;
-                    bool loop_init_33 = true;
-                    while(true) {
-                        if (!loop_init_33) {
-                            int _e314 = c_11;
-                            c_11 = (_e314 + 1);
-                        }
-                        loop_init_33 = false;
-                        int _e276 = c_11;
-                        float _e280 = _group_0_binding_0_fs.counts.x;
-                        if ((_e276 < int(_e280))) {
-                        } else {
-                            break;
-                        }
-                        {
-                            int _e284 = c_11;
-                            int _e287 = c_11;
-                            int _e290 = k_5;
-                            float _e293 = march_line_1_density[((_e287 * 24) + _e290)];
-                            march_line_1_rho[_e284] = _e293;
-                            int _e295 = c_11;
+                            int _e291 = c_11;
+                            int _e294 = k_5;
                             int _e298 = c_11;
                             int _e301 = k_5;
-                            float _e304 = march_line_1_columns[((_e298 * 24) + _e301)];
-                            march_line_1_depths[_e295] = _e304;
-                            float _e305 = depth_2;
-                            int _e306 = c_11;
-                            float _e307 = read_brightest(_e306);
-                            int _e309 = c_11;
-                            float _e311 = march_line_1_rho[_e309];
-                            depth_2 = (_e305 + (_e307 * _e311));
+                            float _e304 = march_line_1_density[((_e298 * 24) + _e301)];
+                            int _e306 = k_5;
+                            float _e308 = march_line_1_weight[_e306];
+                            march_line_1_amounts[((_e291 * 24) + _e294)] = (_e304 * _e308);
+                            int _e310 = k_5;
+                            k_5 = (_e310 + 1);
+                            int _e314 = c_11;
+                            int _e317 = k_5;
+                            int _e321 = c_11;
+                            int _e324 = k_5;
+                            float _e327 = march_line_1_density[((_e321 * 24) + _e324)];
+                            int _e329 = k_5;
+                            float _e331 = march_line_1_weight[_e329];
+                            march_line_1_amounts[((_e314 * 24) + _e317)] = (_e327 * _e331);
+                            int _e333 = k_5;
+                            k_5 = (_e333 + 1);
+                            int _e337 = c_11;
+                            int _e340 = k_5;
+                            int _e344 = c_11;
+                            int _e347 = k_5;
+                            float _e350 = march_line_1_density[((_e344 * 24) + _e347)];
+                            int _e352 = k_5;
+                            float _e354 = march_line_1_weight[_e352];
+                            march_line_1_amounts[((_e337 * 24) + _e340)] = (_e350 * _e354);
+                            int _e356 = k_5;
+                            k_5 = (_e356 + 1);
+                            int _e360 = c_11;
+                            int _e363 = k_5;
+                            int _e367 = c_11;
+                            int _e370 = k_5;
+                            float _e373 = march_line_1_density[((_e367 * 24) + _e370)];
+                            int _e375 = k_5;
+                            float _e377 = march_line_1_weight[_e375];
+                            march_line_1_amounts[((_e360 * 24) + _e363)] = (_e373 * _e377);
                         }
                     }
-                    float _e320 = _group_0_binding_0_fs.shell.w;
-                    if ((_e320 > 0.0)) {
-                        float _e326 = _group_0_binding_0_fs.shell.w;
-                        float _e331 = _group_0_binding_0_fs.counts.x;
-                        float _e336 = march_line_1_depths[(int(_e331) - 1)];
-                        float _e337 = bend_angle(r_17, mu_16, _e326, _e336);
-                        angle_2 = _e337;
-                        float _e338 = mu_q;
-                        float _e339 = mu_sq;
-                        float _e340 = angle_2;
-                        Several_f32_f32_ _e341 = turned(_e338, _e339, nu_2, _e340);
-                        mu_sq = _e341.v0_;
-                        nu_q = _e341.v1_;
-                        float _e344 = mu_sq;
-                        mu_sq = min(max(_e344, -1.0), 1.0);
+                    bool loop_init_43 = true;
+                    while(true) {
+                        if (!loop_init_43) {
+                            int _e404 = k_5;
+                            k_5 = (_e404 + 1);
+                        }
+                        loop_init_43 = false;
+                        int _e382 = k_5;
+                        if ((_e382 < end_8_)) {
+                        } else {
+                            break;
+                        }
+                        {
+                            int _e385 = c_11;
+                            int _e388 = k_5;
+                            int _e392 = c_11;
+                            int _e395 = k_5;
+                            float _e398 = march_line_1_density[((_e392 * 24) + _e395)];
+                            int _e400 = k_5;
+                            float _e402 = march_line_1_weight[_e400];
+                            march_line_1_amounts[((_e385 * 24) + _e388)] = (_e398 * _e402);
+                        }
                     }
-                    float _e352 = _group_0_binding_0_fs.counts.x;
-                    vec4 _e354 = through_columns_1_(int(_e352));
-                    int _e356 = k_5;
-                    float _e358 = march_line_1_weight[_e356];
-                    through = (_e354 * _e358);
+                }
+            }
+            int _e410 = rule_4;
+            panel_columns_1_(_e410);
+            k_5 = 0;
+            bool loop_init_44 = true;
+            while(true) {
+                if (!loop_init_44) {
+                    int _e768 = k_5;
+                    k_5 = (_e768 + 1);
+                }
+                loop_init_44 = false;
+                int _e412 = k_5;
+                int _e413 = n_4;
+                if ((_e412 < _e413)) {
+                } else {
+                    break;
+                }
+                {
+                    int _e416 = k_5;
+                    float _e418 = march_line_1_radius[_e416];
+                    float _e419 = bottom_4;
+                    float _e421 = top_4;
+                    q = min(max(_e418, _e419), _e421);
+                    int _e424 = k_5;
+                    float _e426 = march_line_1_distance_1_[_e424];
+                    t = _e426;
+                    float _e428 = t;
+                    float _e430 = q;
+                    mu_q = min(max((((r_17 * mu_16) + _e428) / _e430), -1.0), 1.0);
+                    float _e437 = t;
+                    float _e440 = q;
+                    mu_sq = min(max((((r_17 * mu_s_5) + (_e437 * nu_2)) / _e440), -1.0), 1.0);
+                    nu_q = nu_2;
+                    depth_2 = 0.0;
+                    float _e450 = _group_0_binding_0_fs.counts.x;
+                    int end_9_ = int(_e450);
+                    c_11 = 0;
+                    bool loop_init_45 = true;
+                    while(true) {
+                        if (!loop_init_45) {
+                            int _e590 = c_11;
+                            c_11 = (_e590 + 1);
+                        }
+                        loop_init_45 = false;
+                        int _e453 = c_11;
+                        if (((_e453 + 3) < end_9_)) {
+                        } else {
+                            break;
+                        }
+                        {
+                            int _e458 = c_11;
+                            int _e461 = c_11;
+                            int _e464 = k_5;
+                            float _e467 = march_line_1_density[((_e461 * 24) + _e464)];
+                            march_line_1_rho[_e458] = _e467;
+                            int _e469 = c_11;
+                            int _e472 = c_11;
+                            int _e475 = k_5;
+                            float _e478 = march_line_1_columns[((_e472 * 24) + _e475)];
+                            march_line_1_depths[_e469] = _e478;
+                            float _e479 = depth_2;
+                            int _e480 = c_11;
+                            float _e481 = read_brightest(_e480);
+                            int _e483 = c_11;
+                            float _e485 = march_line_1_rho[_e483];
+                            depth_2 = (_e479 + (_e481 * _e485));
+                            int _e488 = c_11;
+                            c_11 = (_e488 + 1);
+                            int _e492 = c_11;
+                            int _e495 = c_11;
+                            int _e498 = k_5;
+                            float _e501 = march_line_1_density[((_e495 * 24) + _e498)];
+                            march_line_1_rho[_e492] = _e501;
+                            int _e503 = c_11;
+                            int _e506 = c_11;
+                            int _e509 = k_5;
+                            float _e512 = march_line_1_columns[((_e506 * 24) + _e509)];
+                            march_line_1_depths[_e503] = _e512;
+                            float _e513 = depth_2;
+                            int _e514 = c_11;
+                            float _e515 = read_brightest(_e514);
+                            int _e517 = c_11;
+                            float _e519 = march_line_1_rho[_e517];
+                            depth_2 = (_e513 + (_e515 * _e519));
+                            int _e522 = c_11;
+                            c_11 = (_e522 + 1);
+                            int _e526 = c_11;
+                            int _e529 = c_11;
+                            int _e532 = k_5;
+                            float _e535 = march_line_1_density[((_e529 * 24) + _e532)];
+                            march_line_1_rho[_e526] = _e535;
+                            int _e537 = c_11;
+                            int _e540 = c_11;
+                            int _e543 = k_5;
+                            float _e546 = march_line_1_columns[((_e540 * 24) + _e543)];
+                            march_line_1_depths[_e537] = _e546;
+                            float _e547 = depth_2;
+                            int _e548 = c_11;
+                            float _e549 = read_brightest(_e548);
+                            int _e551 = c_11;
+                            float _e553 = march_line_1_rho[_e551];
+                            depth_2 = (_e547 + (_e549 * _e553));
+                            int _e556 = c_11;
+                            c_11 = (_e556 + 1);
+                            int _e560 = c_11;
+                            int _e563 = c_11;
+                            int _e566 = k_5;
+                            float _e569 = march_line_1_density[((_e563 * 24) + _e566)];
+                            march_line_1_rho[_e560] = _e569;
+                            int _e571 = c_11;
+                            int _e574 = c_11;
+                            int _e577 = k_5;
+                            float _e580 = march_line_1_columns[((_e574 * 24) + _e577)];
+                            march_line_1_depths[_e571] = _e580;
+                            float _e581 = depth_2;
+                            int _e582 = c_11;
+                            float _e583 = read_brightest(_e582);
+                            int _e585 = c_11;
+                            float _e587 = march_line_1_rho[_e585];
+                            depth_2 = (_e581 + (_e583 * _e587));
+                        }
+                    }
+                    bool loop_init_46 = true;
+                    while(true) {
+                        if (!loop_init_46) {
+                            int _e626 = c_11;
+                            c_11 = (_e626 + 1);
+                        }
+                        loop_init_46 = false;
+                        int _e593 = c_11;
+                        if ((_e593 < end_9_)) {
+                        } else {
+                            break;
+                        }
+                        {
+                            int _e596 = c_11;
+                            int _e599 = c_11;
+                            int _e602 = k_5;
+                            float _e605 = march_line_1_density[((_e599 * 24) + _e602)];
+                            march_line_1_rho[_e596] = _e605;
+                            int _e607 = c_11;
+                            int _e610 = c_11;
+                            int _e613 = k_5;
+                            float _e616 = march_line_1_columns[((_e610 * 24) + _e613)];
+                            march_line_1_depths[_e607] = _e616;
+                            float _e617 = depth_2;
+                            int _e618 = c_11;
+                            float _e619 = read_brightest(_e618);
+                            int _e621 = c_11;
+                            float _e623 = march_line_1_rho[_e621];
+                            depth_2 = (_e617 + (_e619 * _e623));
+                        }
+                    }
+                    float _e632 = _group_0_binding_0_fs.shell.w;
+                    if ((_e632 > 0.0)) {
+                        float _e638 = _group_0_binding_0_fs.shell.w;
+                        float _e643 = _group_0_binding_0_fs.counts.x;
+                        float _e648 = march_line_1_depths[(int(_e643) - 1)];
+                        float _e649 = bend_angle(r_17, mu_16, _e638, _e648);
+                        angle_2 = _e649;
+                        float _e650 = mu_q;
+                        float _e651 = mu_sq;
+                        float _e652 = angle_2;
+                        Several_f32_f32_ _e653 = turned(_e650, _e651, nu_2, _e652);
+                        mu_sq = _e653.v0_;
+                        nu_q = _e653.v1_;
+                        float _e656 = mu_sq;
+                        mu_sq = min(max(_e656, -1.0), 1.0);
+                    }
+                    float _e664 = _group_0_binding_0_fs.counts.x;
+                    vec4 _e666 = through_columns_1_(int(_e664));
+                    int _e668 = k_5;
+                    float _e670 = march_line_1_weight[_e668];
+                    through = (_e666 * _e670);
                     if ((orders != 0)) {
-                        float _e362 = q;
-                        float _e363 = mu_sq;
-                        float _e364 = bottom_4;
-                        float _e365 = top_4;
-                        float _e369 = _group_0_binding_0_fs.shell.z;
-                        Several_f32_f32_f32_ _e370 = star_points(_e362, _e363, _e364, _e365, _e369);
-                        seen_2 = _e370.v0_;
-                        low_6 = _e370.v1_;
-                        high_3 = _e370.v2_;
-                        float _e374 = seen_2;
-                        if ((_e374 > 0.0)) {
-                            float _e377 = q;
-                            float _e378 = low_6;
-                            float _e379 = bottom_4;
-                            float _e380 = top_4;
-                            columns_to_top_1_(_e377, _e378, _e379, _e380);
-                            float _e381 = high_3;
-                            float _e382 = low_6;
-                            if ((_e381 > _e382)) {
-                                float _e384 = q;
-                                float _e385 = high_3;
-                                float _e386 = bottom_4;
-                                float _e387 = top_4;
-                                columns_to_top_2_(_e384, _e385, _e386, _e387);
+                        float _e674 = q;
+                        float _e675 = mu_sq;
+                        float _e676 = bottom_4;
+                        float _e677 = top_4;
+                        float _e681 = _group_0_binding_0_fs.shell.z;
+                        Several_f32_f32_f32_ _e682 = star_points(_e674, _e675, _e676, _e677, _e681);
+                        seen_2 = _e682.v0_;
+                        low_6 = _e682.v1_;
+                        high_3 = _e682.v2_;
+                        float _e686 = seen_2;
+                        if ((_e686 > 0.0)) {
+                            float _e689 = q;
+                            float _e690 = low_6;
+                            float _e691 = bottom_4;
+                            float _e692 = top_4;
+                            columns_to_top_1_(_e689, _e690, _e691, _e692);
+                            float _e693 = high_3;
+                            float _e694 = low_6;
+                            if ((_e693 > _e694)) {
+                                float _e696 = q;
+                                float _e697 = high_3;
+                                float _e698 = bottom_4;
+                                float _e699 = top_4;
+                                columns_to_top_2_(_e696, _e697, _e698, _e699);
                             }
-                            vec4 _e388 = through;
-                            float _e389 = seen_2;
-                            float _e390 = high_3;
-                            float _e391 = low_6;
-                            float _e396 = _group_0_binding_0_fs.counts.x;
-                            vec4 _e398 = star_at_1_(_e389, (_e390 > _e391), int(_e396));
-                            star = (_e388 * _e398);
-                            float _e403 = _group_0_binding_0_fs.peaks.y;
-                            if ((int(_e403) >= 0)) {
-                                vec4 _e407 = first_5;
-                                vec4 _e408 = star;
-                                float _e412 = _group_0_binding_0_fs.peaks.y;
-                                vec4 _e416 = read_scattering((1 * int(_e412)));
-                                float _e422 = _group_0_binding_0_fs.peaks.y;
-                                float _e425 = march_line_1_rho[int(_e422)];
-                                first_5 = (_e407 + ((_e408 * _e416) * _e425));
+                            vec4 _e700 = through;
+                            float _e701 = seen_2;
+                            float _e702 = high_3;
+                            float _e703 = low_6;
+                            float _e708 = _group_0_binding_0_fs.counts.x;
+                            vec4 _e710 = star_at_1_(_e701, (_e702 > _e703), int(_e708));
+                            star = (_e700 * _e710);
+                            float _e715 = _group_0_binding_0_fs.peaks.y;
+                            if ((int(_e715) >= 0)) {
+                                vec4 _e719 = first_5;
+                                vec4 _e720 = star;
+                                float _e724 = _group_0_binding_0_fs.peaks.y;
+                                vec4 _e728 = read_scattering((1 * int(_e724)));
+                                float _e734 = _group_0_binding_0_fs.peaks.y;
+                                float _e737 = march_line_1_rho[int(_e734)];
+                                first_5 = (_e719 + ((_e720 * _e728) * _e737));
                             }
-                            float _e431 = _group_0_binding_0_fs.peaks.z;
-                            if ((int(_e431) >= 0)) {
-                                vec4 _e435 = second_1;
-                                vec4 _e436 = star;
-                                float _e440 = _group_0_binding_0_fs.peaks.z;
-                                vec4 _e444 = read_scattering((1 * int(_e440)));
-                                float _e450 = _group_0_binding_0_fs.peaks.z;
-                                float _e453 = march_line_1_rho[int(_e450)];
-                                second_1 = (_e435 + ((_e436 * _e444) * _e453));
+                            float _e743 = _group_0_binding_0_fs.peaks.z;
+                            if ((int(_e743) >= 0)) {
+                                vec4 _e747 = second_1;
+                                vec4 _e748 = star;
+                                float _e752 = _group_0_binding_0_fs.peaks.z;
+                                vec4 _e756 = read_scattering((1 * int(_e752)));
+                                float _e762 = _group_0_binding_0_fs.peaks.z;
+                                float _e765 = march_line_1_rho[int(_e762)];
+                                second_1 = (_e747 + ((_e748 * _e756) * _e765));
                             }
                         }
                     }
@@ -2553,36 +4056,74 @@ void march_line_1_(float r_17, float mu_16, float mu_s_5, float nu_2, float leng
             }
         }
     }
+    float _e777 = _group_0_binding_0_fs.counts.x;
+    int end_12_ = int(_e777);
     c_11 = 0;
-    bool loop_init_34 = true;
+    bool loop_init_47 = true;
     while(true) {
-        if (!loop_init_34) {
-            int _e477 = c_11;
-            c_11 = (_e477 + 1);
+        if (!loop_init_47) {
+            int _e821 = c_11;
+            c_11 = (_e821 + 1);
         }
-        loop_init_34 = false;
-        int _e463 = c_11;
-        float _e467 = _group_0_binding_0_fs.counts.x;
-        if ((_e463 < int(_e467))) {
+        loop_init_47 = false;
+        int _e780 = c_11;
+        if (((_e780 + 3) < end_12_)) {
         } else {
             break;
         }
         {
-            int _e471 = c_11;
-            int _e474 = c_11;
-            float _e476 = march_line_1_before[_e474];
-            look_1_totals[_e471] = _e476;
+            int _e785 = c_11;
+            int _e788 = c_11;
+            float _e790 = march_line_1_before[_e788];
+            look_1_totals[_e785] = _e790;
+            int _e791 = c_11;
+            c_11 = (_e791 + 1);
+            int _e795 = c_11;
+            int _e798 = c_11;
+            float _e800 = march_line_1_before[_e798];
+            look_1_totals[_e795] = _e800;
+            int _e801 = c_11;
+            c_11 = (_e801 + 1);
+            int _e805 = c_11;
+            int _e808 = c_11;
+            float _e810 = march_line_1_before[_e808];
+            look_1_totals[_e805] = _e810;
+            int _e811 = c_11;
+            c_11 = (_e811 + 1);
+            int _e815 = c_11;
+            int _e818 = c_11;
+            float _e820 = march_line_1_before[_e818];
+            look_1_totals[_e815] = _e820;
         }
     }
-    vec4 _e482 = air;
-    look_1_along[0] = _e482;
-    float _e488 = _group_0_binding_0_fs.counts.x;
-    vec4 _e490 = through_columns_2_(int(_e488));
-    look_1_along[1] = _e490;
-    vec4 _e493 = first_5;
-    look_1_along[2] = _e493;
-    vec4 _e496 = second_1;
-    look_1_along[3] = _e496;
+    bool loop_init_48 = true;
+    while(true) {
+        if (!loop_init_48) {
+            int _e833 = c_11;
+            c_11 = (_e833 + 1);
+        }
+        loop_init_48 = false;
+        int _e824 = c_11;
+        if ((_e824 < end_12_)) {
+        } else {
+            break;
+        }
+        {
+            int _e827 = c_11;
+            int _e830 = c_11;
+            float _e832 = march_line_1_before[_e830];
+            look_1_totals[_e827] = _e832;
+        }
+    }
+    vec4 _e838 = air;
+    look_1_along[0] = _e838;
+    float _e844 = _group_0_binding_0_fs.counts.x;
+    vec4 _e846 = through_columns_2_(int(_e844));
+    look_1_along[1] = _e846;
+    vec4 _e849 = first_5;
+    look_1_along[2] = _e849;
+    vec4 _e852 = second_1;
+    look_1_along[3] = _e852;
     return;
 }
 
@@ -2601,10 +4142,10 @@ float look_1_(float mu_17, float sine_1_4, float cos_azimuth_1, bool to_ground) 
     float _e23 = _group_0_binding_0_fs.star.y;
     nu_3 = min(max((((sine_1_4 * cos_azimuth_1) * _e18) + (mu_17 * _e23)), -1.0), 1.0);
     float now_1_4 = _group_0_binding_0_fs.observer.x;
-    float now_3_4 = _group_0_binding_0_fs.star.y;
+    float now_3_3 = _group_0_binding_0_fs.star.y;
     r_18 = now_1_4;
     start_mu = mu_17;
-    start_mu_s = now_3_4;
+    start_mu_s = now_3_3;
     float _e41 = _group_0_binding_0_fs.observer.x;
     impact_1 = (_e41 * sine_1_4);
     float _e46 = _group_0_binding_0_fs.observer.y;
@@ -2722,13 +4263,13 @@ void peaks_texel_1_(int column_2, int row_5, int columns, int rows) {
     bool _e107 = sky_2;
     float _e109 = look_1_(_e104, _e105, _e106, !(_e107));
     layer = 0;
-    bool loop_init_35 = true;
+    bool loop_init_49 = true;
     while(true) {
-        if (!loop_init_35) {
+        if (!loop_init_49) {
             int _e130 = layer;
             layer = (_e130 + 1);
         }
-        loop_init_35 = false;
+        loop_init_49 = false;
         int _e111 = layer;
         if ((_e111 < 4)) {
         } else {
