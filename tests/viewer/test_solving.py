@@ -167,6 +167,16 @@ def test_an_impossible_planet_is_one_line_and_leaves_the_picture(fake: Fake) -> 
         assert solving.status.error == ""
 
 
+def test_a_star_without_light_has_no_picture_and_says_so(fake: Fake) -> None:
+    # The reader allows an irradiance of 0; nothing can be weighted by it.
+    session = Session("earth-bruneton")
+    with Solving(session, solver=fake) as solving:
+        session.set("light.wavelengths", "three")  # those of the file, 550 nm among them
+        session.set("star.irradiance[1]", 0.0)
+        assert solving.wait(LONG)
+        assert solving.status.error == "irradiance is 0.0; allowed: above 0 at every wavelength"
+
+
 def test_a_solver_that_breaks_does_not_end_the_thread(fake: Fake) -> None:
     # The next edit is solved.
     session = Session(PLANET)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import contextlib
 import json
+import math
 import os
 import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -74,6 +75,18 @@ class Driven:
         command = ["xdotool", *map(str, words)]
         subprocess.run(command, env=self.environment, check=True, timeout=20)
 
+    def press(self, x: float, y: float) -> None:
+        """Move there, let the window see it, and press the left button."""
+        self.mouse("mousemove", int(x), int(y), "sleep", 0.2, "mousedown", 1, "sleep", 0.2)
+
+    @staticmethod
+    def until(condition: Callable[[], Any], seconds: float = 20.0) -> None:
+        """Wait for something that a loaded machine may do late."""
+        limit = time.monotonic() + seconds
+        while not condition():
+            assert time.monotonic() < limit
+            time.sleep(0.02)
+
     def close(self) -> None:
         if self.process.poll() is None:
             self.process.kill()
@@ -101,13 +114,18 @@ def window(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Driven]:
     os.close(writes)
     with os.fdopen(reads) as pipe:
         display = f":{pipe.readline().strip()}"
-    driven = Driven(display, tmp_path_factory.mktemp("window"), "cpu")
+    driven = Driven(display, tmp_path_factory.mktemp("window"), "auto")
     try:
         assert driven.ask("settled", 240.0), driven.ask("error")
         left, top, right, bottom = driven.ask("place_of", "search")
-        driven.mouse("mousemove", int(0.5 * (left + right)), int(0.5 * (top + bottom)))
-        driven.mouse("click", 1, "sleep", 0.2, "type", "--delay", 30, "dust optical depth")
-        driven.mouse("mousemove", 600, 200, "sleep", 0.3, "click", 1, "sleep", 0.3)
+        driven.press(0.5 * (left + right), 0.5 * (top + bottom))
+        driven.until(lambda: driven.ask("typing"))
+        driven.mouse("mouseup", 1, "type", "--delay", 60, "dust optical depth")
+        driven.until(lambda: driven.ask("knows", DEPTH))
+        driven.press(600, 200)
+        driven.until(lambda: not driven.ask("typing"))
+        driven.mouse("mouseup", 1)
+        driven.ask("settled", 60.0)
         yield driven
     finally:
         driven.close()
@@ -116,92 +134,104 @@ def window(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Driven]:
 
 
 def test_a_slider_dragged_changes_the_value_and_the_picture(window: Driven) -> None:
-    # The slider is logarithmic and its middle is not where the preset's 0.5 lies; the picture's
-    # own solution says which planet it shows.
+    # The picture's own solution says which planet it shows.
     before = window.ask("picture")["depth"]
     left, top, right, bottom = window.ask("place_of", DEPTH)
-    middle = 0.5 * (top + bottom)
-    start = left + 0.4 * (right - left)
-    window.mouse("mousemove", int(start), int(middle), "sleep", 0.1, "mousedown", 1)
+    middle, width = 0.5 * (top + bottom), right - left
+    window.press(left + 0.4 * width, middle)
+    window.until(lambda: window.ask("value", DEPTH) != 0.5)
     seen = set()
     for step in range(1, 9):
-        window.mouse("mousemove", int(start + step * 0.05 * (right - left)), int(middle))
-        time.sleep(0.05)
+        last = window.ask("value", DEPTH)
+        window.mouse("mousemove", int(left + (0.4 + step * 0.05) * width), int(middle))
+        window.until(lambda last=last: window.ask("value", DEPTH) != last)
         seen.add(window.ask("value", DEPTH))
     window.mouse("mouseup", 1)
-    assert len(seen) >= 4, seen  # the value follows while the mouse is down
+    assert len(seen) == 8  # the value follows while the mouse is down
     assert window.ask("settled", 60.0), window.ask("error")
     after = window.ask("value", DEPTH)
     assert after > 1.0
     shown = window.ask("picture")
-    # the red, green and blue depths of dust scale with the parameter
-    assert shown["depth"] > before * after / 0.5 * 0.8
+    # the depth of dust is in proportion to the parameter, that of the air is below 0.01
+    assert shown["depth"] == pytest.approx(before * after / 0.5, rel=0.03)
     assert shown["finished"]
     # one drag is one step to undo
-    window.mouse("mousemove", 600, 200, "sleep", 0.1, "key", "ctrl+z")
+    window.mouse("mousemove", 600, 200, "sleep", 0.2, "key", "ctrl+z")
+    window.until(lambda: window.ask("value", DEPTH) == 0.5)
     assert window.ask("settled", 60.0)
-    assert window.ask("value", DEPTH) == 0.5
+    assert window.ask("picture")["depth"] == pytest.approx(before)
 
 
 def test_mouse_wheel_and_keys_fly(window: Driven) -> None:
-    # Laws of the controls: the wheel goes up and comes back, keys turn and climb.
+    # Laws of the controls: the picture follows the mouse, a key climbs, the wheel goes up.
     left, top, width, height = window.ask("picture_place")
-    x, y = int(left + 0.5 * width), int(top + 0.5 * height)
-    heading = window.ask("value", "view.heading")
-    window.mouse("mousemove", x, y, "sleep", 0.1, "mousedown", 1)
-    window.mouse("mousemove", x - 100, y, "sleep", 0.1, "mouseup", 1)
-    time.sleep(0.2)
+    x, y = left + 0.5 * width, top + 0.5 * height
+    heading, look = window.ask("value", "view.heading"), window.ask("value", "view.look_zenith")
+    window.press(x, y)
+    window.mouse("mousemove", int(x) - 100, int(y), "sleep", 0.2, "mouseup", 1)
+    window.until(lambda: window.ask("value", "view.heading") != heading)
     field = window.ask("value", "view.field_of_view")
     turned = (window.ask("value", "view.heading") - heading) % 360.0
-    # 100 pixels of the picture's width; a look at 88 degrees widens by 1/sin
-    assert turned == pytest.approx(field * 100.0 / width, rel=0.05)
+    # 100 pixels of the picture's width; away from the horizon headings lie closer
+    expected = field * 100.0 / width / math.sin(math.radians(look))
+    assert turned == pytest.approx(expected, rel=0.01)
     altitude = window.ask("value", "view.altitude")
-    window.mouse("keydown", "e", "sleep", 0.5, "keyup", "e")
-    time.sleep(0.2)
+    window.mouse("keydown", "e")
+    window.until(lambda: window.ask("value", "view.altitude") > altitude + 1.0)
+    window.mouse("keyup", "e")
+    assert window.ask("settled", 60.0)
     higher = window.ask("value", "view.altitude")
-    assert higher > altitude + 0.5
-    window.mouse("click", "--repeat", 3, 5)
-    time.sleep(0.3)
-    assert window.ask("value", "view.altitude") > higher
+    window.mouse("click", 5)
+    window.until(lambda: window.ask("value", "view.altitude") > higher)
     assert window.ask("settled", 60.0)
     assert window.ask("picture")["altitude"] == window.ask("value", "view.altitude")
 
 
 def test_keys_change_what_is_shown(window: Driven) -> None:
-    window.mouse("key", "x")
-    time.sleep(0.2)
-    assert window.ask("value", "display.automatic") is False
+    window.mouse("mousemove", 600, 200, "sleep", 0.2, "key", "x")
+    window.until(lambda: window.ask("value", "display.automatic") is False)
     exposure = window.ask("value", "display.exposure")
     window.mouse("key", "minus")
-    time.sleep(0.2)
+    window.until(lambda: window.ask("value", "display.exposure") < exposure)
     assert window.ask("value", "display.exposure") == pytest.approx(exposure - 1.0 / 3.0)
     width = window.ask("picture_place")[2]
     window.mouse("key", "Tab")
-    time.sleep(0.2)
-    assert window.ask("picture_place")[2] == SIZE[0] > width
-    window.mouse("key", "Tab", "sleep", 0.1, "key", "x")
+    window.until(lambda: window.ask("picture_place")[2] == SIZE[0] > width)
+    window.mouse("key", "Tab")
+    window.until(lambda: window.ask("picture_place")[2] == width)
+    window.mouse("key", "x")
+    window.until(lambda: window.ask("value", "display.automatic") is True)
     assert window.ask("settled", 60.0)
 
 
-def test_frames_keep_coming_while_the_planet_is_solved(window: Driven) -> None:
+def test_frames_keep_coming_while_the_planet_is_solved(
+    window: Driven, tell: Callable[[str], None]
+) -> None:
     # A frame waits for nothing: neither for a solution, which takes seconds, nor for a picture.
     left, top, right, bottom = window.ask("place_of", DEPTH)
-    window.mouse("mousemove", int(left + 0.9 * (right - left)), int(0.5 * (top + bottom)))
-    window.mouse("mousedown", 1, "sleep", 0.1, "mouseup", 1)
-    # a software device and a solver share the processor; a person notices from about 0.3 s on
-    gap = window.ask("longest_gap", 2.0)
-    assert gap < 0.3, gap
+    window.press(left + 0.9 * (right - left), 0.5 * (top + bottom))
+    window.until(lambda: window.ask("value", DEPTH) != 0.5)
+    window.mouse("mouseup", 1)
+    assert window.ask("busy")
+    gap, slowness = window.ask("longest_gap", 2.0), window.ask("slowness")
+    # 0.3 s, from which on a person notices, where the processor is free; solver, software device
+    # and whatever else runs here share it
+    tell(f"window: longest time between frames while solving {gap:.2f} s, slowed {slowness:.1f}×")
+    assert gap < 0.3 * min(slowness, 5.0)
     assert window.ask("settled", 60.0)
 
 
-def test_an_idle_window_costs_no_processor_time(window: Driven) -> None:
+def test_an_idle_window_costs_no_processor_time(
+    window: Driven, tell: Callable[[str], None]
+) -> None:
     window.mouse("mousemove", 600, 200)
     assert window.ask("settled", 60.0)
     time.sleep(2.0)  # the last hints have faded
     frames = window.ask("frames")
     share = window.ask("cpu", 3.0)
     assert window.ask("frames") == frames
-    assert share < 0.03, share
+    tell(f"window: at rest {100.0 * share:.2f} % of one processor")
+    assert share < 0.03
 
 
 def test_the_window_ends_with_all_its_threads(window: Driven) -> None:

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from airlight.gpu.device import open_device
-from airlight.viewer.start import Start, opened, pictures_by
+from airlight.viewer.start import Start, opened, painter_by
 from airlight.viewer.window import Window
 from airlight.viewer.window_canvas import DesktopPlace
 
@@ -41,6 +41,12 @@ class Answers:
 
     def place_of(self, path: str) -> list[float]:
         return list(self.window.panel.planet_rows.places[path])
+
+    def knows(self, path: str) -> bool:
+        return path in self.window.panel.planet_rows.places
+
+    def typing(self) -> bool:
+        return self.window.surface.typing
 
     def picture_place(self) -> list[float]:
         one = self.window.picture_rectangle()
@@ -82,6 +88,13 @@ class Answers:
                 frames, last = self.window.frames, time.monotonic()
         return max(longest, time.monotonic() - last)
 
+    def slowness(self) -> float:
+        """How many times longer work takes here than the processor itself needs for it."""
+        started, before = time.perf_counter(), time.thread_time()
+        while time.thread_time() - before < 0.1:
+            pass
+        return (time.perf_counter() - started) / (time.thread_time() - before)
+
     def threads(self) -> list[str]:
         return sorted(one.name for one in threading.enumerate() if "airlight" in one.name)
 
@@ -94,7 +107,7 @@ def main() -> None:
     session = opened(Start(planet=planet, view={"light.quality": "preview"}))
     place = DesktopPlace((width, height), "airlight test")
     device = open_device()
-    window = Window(session, place, device.device, pictures_by(by, device))
+    window = Window(session, place, device.device, painter_by(by, device))
     answers = Answers(window, place)
 
     def listen() -> None:

@@ -6,10 +6,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from airlight.gpu.uniforms import layout, struct_text
 from numpy.typing import NDArray
 
 from airlight.gpu.translated import entry_points, translated
+from airlight.gpu.uniforms import layout, struct_text
 from airlight.viewer.tables_text import as_text
 
 SHADERS = Path(__file__).parent / "shaders"
@@ -56,13 +56,7 @@ def program() -> dict[str, Any]:
             "size": where["floats"],
             "passes": [
                 one("sky_air", "sky_air", {"0/1": "fields"}, *sky),
-                one(
-                    "sky_peaks",
-                    "sky_air",
-                    {"0/1": "fields"},
-                    ("first", 2048, 1),
-                    ("second", 2048, 1),
-                ),
+                one("sky_peaks", "sky_air", {"0/1": "fields"}, *peaks),
                 one("glance", "linear_picture", {"0/2": "air"}, ("glance", 64, 64)),
                 one("picture", "shown_picture", {"0/2": "air"}),
             ],

@@ -11,12 +11,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from airlight.gpu.pictures import Pictures
 from numpy.testing import assert_allclose
 from PIL import Image
 
 from airlight import solve
 from airlight.gpu.flat import read_texture
+from airlight.gpu.pictures import Pictures
 from airlight.planets import load_planet
 from airlight.viewer.page import page_data
 from airlight.viewer.page_text import page_text

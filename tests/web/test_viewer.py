@@ -36,6 +36,7 @@ VIEW = {
     "display.tone_map": "hable",
     "light.orders": "all",
 }
+_GROUPS = {"view": "camera", "display": "display", "light": "light"}
 _RANGES = {
     "view.altitude": (0.0, 1e12, "log"),
     "view.latitude": (-90.0, 90.0, "linear"),
@@ -57,8 +58,8 @@ def parameters() -> list[dict[str, Any]]:
         low, high, scale = _RANGES.get(path, (0.0, 1.0, "linear"))
         kind = {bool: "switch", str: "choice"}.get(type(value), "number")
         made.append({
-            "path": path, "label": path.split(".")[1], "group": path.split(".")[0], "help": "-",
-            "kind": kind, "unit": "1", "low": max(low, 1.0) if scale == "log" else low,
+            "path": path, "label": path.split(".")[1], "group": _GROUPS[path.split(".")[0]],
+            "help": "-", "kind": kind, "unit": "1", "low": max(low, 1.0) if scale == "log" else low,
             "high": high, "least": low, "most": high, "step": 1.0, "wraps": scale == "wraps",
             "scale": "log" if scale == "log" else "linear", "mode": "standard", "part_of": "",
             "options": [value] if kind == "choice" else [],

@@ -272,9 +272,19 @@ class _Body:
     def refuse(self, node: ast.AST, why: str) -> SubsetError:
         return self.expressions.refuse(node, why)
 
-    def block(self, body: Sequence[ast.stmt], depth: int) -> None:
+    def block(self, body: Sequence[ast.stmt], depth: int) -> bool:
+        """Statements up to the first that always returns; whether there is one."""
         for statement in body:
+            if isinstance(statement, ast.If):
+                known = self.expressions.known(statement.test)
+                if known is not None:
+                    if self.block(statement.body if known else statement.orelse, depth):
+                        return True
+                    continue
             self.statement(statement, depth)
+            if isinstance(statement, ast.Return):
+                return True
+        return False
 
     def put(self, depth: int, text: str) -> None:
         self.lines.append("  " * depth + text)
@@ -319,10 +329,6 @@ class _Body:
         return text if run_time(value) == BOOL else f"{text} != 0"
 
     def branch(self, node: ast.If, depth: int) -> None:
-        known = self.expressions.known(node.test)
-        if known is not None:
-            self.block(node.body if known else node.orelse, depth)
-            return
         self.put(depth, f"if ({self.condition(node.test)}) {{")
         self.block(node.body, depth + 1)
         if node.orelse:

@@ -7,6 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from airlight.color.encoding import encoded
+from airlight.color.tone_maps import tone_mapped
 from airlight.geometry.shell import first_meeting
 from airlight.gpu.shown import MOST_CONSTITUENTS
 from airlight.gpu.sky_table import half_sine_between, look, phases_towards
@@ -56,6 +58,39 @@ class Screen(NamedTuple):
     sky_ground: np.ndarray
     sky_first: np.ndarray
     sky_second: np.ndarray
+
+
+class Display(NamedTuple):
+    """How light is shown; names as in ``gpu.uniforms``.
+
+    Attributes
+    ----------
+    exposure : float
+        Factor. [1]
+    tone_map : int
+        Place in ``TONE_MAPS``.
+    encoding : int
+        Place in ``ENCODINGS``; -1 for a target that encodes by itself.
+    """
+
+    exposure: float
+    tone_map: int
+    encoding: int
+
+
+@inlined
+def displayed(red, green, blue, display):
+    """What a display shows of linear light: exposed, tone-mapped and encoded. [1]"""
+    red, green, blue = tone_mapped(
+        display.tone_map, red * display.exposure, green * display.exposure, blue * display.exposure
+    )
+    if display.encoding < 0:
+        return red, green, blue
+    return (
+        encoded(display.encoding, red),
+        encoded(display.encoding, green),
+        encoded(display.encoding, blue),
+    )
 
 
 @inlined

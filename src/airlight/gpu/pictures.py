@@ -14,15 +14,19 @@ from airlight.color.encoding import ENCODINGS
 from airlight.color.exposure import exposure_factor
 from airlight.color.spectral import rgb_weights
 from airlight.color.tone_maps import TONE_MAPS
+from airlight.color.upsampling import reflectance_basis
 from airlight.errors import Cancelled, ParameterError
 from airlight.geometry.bending import seen_star
+from airlight.gpu.bands import Band, bands
 from airlight.gpu.device import Device
-from airlight.gpu.flat import FLAT_WIDTH, empty_flat_texture, read_texture
+from airlight.gpu.flat import FLAT_WIDTH, empty_flat_texture, read_texture, update_flat
 from airlight.gpu.fragment_pass import FragmentPass
-from airlight.gpu.shaders import Shader, picture_shader, sky_air_shader, sky_peaks_shader
-from airlight.gpu.shown import WAVELENGTHS
+from airlight.gpu.shaders import Fixed, Shader, picture_shader, sky_air_shader, sky_peaks_shader
+from airlight.gpu.shown import WAVELENGTHS, Shown, shown_solution
+from airlight.gpu.sky_by_processor import filled_sky
+from airlight.gpu.sky_table import Observer
 from airlight.gpu.solution_textures import SolutionTextures
-from airlight.gpu.uniforms import packed
+from airlight.gpu.uniforms import SWITCHES, packed
 from airlight.kernel.threads import Cancel, Progress
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
@@ -53,6 +57,8 @@ class Pictures:
         From ``open_device``.
     sky_shape : (int, int)
         Azimuths and rows of the table of the sky; together a multiple of 2048.
+    sky_by_processor : bool, optional
+        Whether the processor fills that table; by default where it does the work of a GPU.
 
     Examples
     --------
@@ -62,11 +68,19 @@ class Pictures:
     >>> frame = pictures.frame(Scene())  # doctest: +SKIP
     """
 
-    def __init__(self, device: Device, sky_shape: tuple[int, int] = SKY_SHAPE) -> None:
+    def __init__(
+        self,
+        device: Device,
+        sky_shape: tuple[int, int] = SKY_SHAPE,
+        *,
+        sky_by_processor: bool | None = None,
+    ) -> None:
         self.device = device
-        self._passes: dict[tuple[str, str, str], FragmentPass] = {}
+        self._by_processor = device.software if sky_by_processor is None else sky_by_processor
+        self._passes: dict[tuple[Shader, str, tuple[str, ...]], FragmentPass] = {}
         self._solution: MomentsSolution | None = None
         self._textures: SolutionTextures | None = None
+        self._shown_tables: Shown | None = None
         self._weights: FloatArray = np.zeros((0, 3))
         self._groups: dict[Any, list[Any]] = {}
         self._seen: bytes = b""
@@ -117,7 +131,10 @@ class Pictures:
             weights = rgb_weights(nm, spectrum)
         if np.shape(weights) != (nm.size, 3):
             raise ParameterError("weights", np.shape(weights), f"an array of shape ({nm.size}, 3)")
-        self._textures = SolutionTextures.of(self.device, solution, self._textures)
+        self._shown_tables = shown_solution(solution, reflectance_basis(nm))
+        self._textures = SolutionTextures.of(
+            self.device, solution, self._shown_tables, self._textures
+        )
         self._solution = solution
         self._weights = np.zeros((WAVELENGTHS, 3))
         self._weights[: nm.size] = np.asarray(weights) * solution.medium.solar_irradiance[:, None]
@@ -132,10 +149,17 @@ class Pictures:
         return self.device.device.create_buffer(size=packed({}, {}).nbytes, usage=use)
 
     def _pass(self, shader: Shader, entry: str, targets: tuple[str, ...]) -> FragmentPass:
-        key = (shader.name + shader.textures[-1], entry, " ".join(targets))
+        key = (shader, entry, targets)
         if key not in self._passes:
             self._passes[key] = FragmentPass(self.device, shader.text, entry, targets, entry)
         return self._passes[key]
+
+    def _fixed(self, numbers: Mapping[str, float]) -> Fixed:
+        """What a software device should not have to choose for every pixel anew."""
+        return tuple(
+            (name, bool(numbers[name]) if name in SWITCHES else int(numbers.get(name, 0)))
+            for name in _CHOICES
+        )
 
     def _bound(self, one: FragmentPass) -> list[Any]:
         if one not in self._groups:
@@ -260,6 +284,20 @@ class Pictures:
         entry = "linear_picture" if exposure is None else "shown_picture"
         if not exact:
             self._draw_sky(numbers)
+        if self.device.software and not exact:
+            # Such a device works out all sides of every choice: each band has a shader that has
+            # no more choices than it needs.
+            for band in self._bands(scene, numbers):
+                seen = {
+                    **numbers,
+                    "mapped": numbers["mapped"] * band.ground,
+                    "draws_disc": numbers["draws_disc"] * band.star,
+                }
+                shader = picture_shader(exact, self._fixed(seen))
+                one = self._pass(shader, entry, (target_format,))
+                area = (0, band.first, width, band.rows)
+                self._draw_strip(one, numbers, view, area, band.first > 0)
+            return
         one = self._pass(picture_shader(exact), entry, (target_format,))
         rows = self._rows_at_once(width, height, exact)
         for first in range(0, height, rows):
@@ -279,7 +317,9 @@ class Pictures:
             "height": size[1],
             "orders": _order_number(orders),
             "exact": float(exact),
-            "draws_disc": float(disc and solution.medium.star_angular_radius > 0.0),
+            "draws_disc": float(
+                disc and orders == "all" and solution.medium.star_angular_radius > 0.0
+            ),
             "sky_columns": self._sky_shape[0],
             "sky_rows": self._sky_shape[1],
             "keeps_peaks": peaks,
@@ -309,10 +349,24 @@ class Pictures:
         one.run(encoder, self._bound(one), [view], area, keep)
         self.device.device.queue.submit([encoder.finish()])
 
+    def _bands(self, scene: Scene, numbers: Mapping[str, float]) -> list[Band]:
+        """Rows of the target by what is seen in them."""
+        width, height = int(numbers["width"]), int(numbers["height"])
+        if (width, height) != (scene.camera.width, scene.camera.height):
+            return [Band(0, height, True, True)]
+        solution = self._shown()
+        star = (numbers["seen_x"], 0.0, numbers["seen_z"])
+        reach = 2.0 * solution.medium.star_angular_radius + 3.0 * numbers["pixel_angle"]
+        return bands(scene, numbers["horizon_mu"], star, reach + solution.paths.largest_bend)
+
     def _draw_sky(self, numbers: Mapping[str, float]) -> None:
         """Draw the table of the sky, unless it is there for this observer and star."""
         seen = packed({**numbers, **dict.fromkeys(_NOT_THE_SKYS, 0.0)}, self._places()).tobytes()
         if seen == self._seen:
+            return
+        if self._by_processor:
+            self._upload_sky(numbers)
+            self._seen = seen
             return
         self._write(numbers)
         encoder = self.device.device.create_command_encoder()
@@ -325,12 +379,26 @@ class Pictures:
         self.device.device.queue.submit([encoder.finish()])
         self._seen = seen
 
+    def _upload_sky(self, numbers: Mapping[str, float]) -> None:
+        """The table of the sky from the processor's own march."""
+        values: dict[str, Any] = {name: float(numbers[name]) for name in Observer._fields}
+        values["outside"] = bool(values["outside"])
+        values["orders"] = int(values["orders"])
+        observer = Observer(**values)
+        assert self._shown_tables is not None
+        layers = filled_sky(self._shown(), self._shown_tables, observer, self._sky_shape)
+        names = ("air", "behind", "first", "second")[: 4 if numbers["keeps_peaks"] else 2]
+        for name, layer in zip(names, layers, strict=False):
+            update_flat(self.device, self._layers[name], 0, layer)
+
     def _places(self) -> dict[str, tuple[int, ...]]:
         assert self._textures is not None
         return self._textures.places
 
     def _write(self, numbers: Mapping[str, float]) -> None:
-        values = packed(numbers, self._places())
+        # Above the ground as the shader has it: its radii are good to half a metre.
+        r = float(np.float32(numbers["bottom"])) + (numbers["r"] - numbers["bottom"])
+        values = packed({**numbers, "r": r}, self._places())
         self.device.device.queue.write_buffer(self._uniforms, 0, values)
 
     def _shown(self) -> MomentsSolution:
@@ -339,6 +407,11 @@ class Pictures:
         return self._solution
 
 
+#: Choices that are made for a whole picture.
+_CHOICES: Final = (
+    "projection", "tone_map", "encoding", "outside", "mapped", "draws_disc", "first_peak",
+    "second_peak",
+)  # fmt: skip
 #: What may change without a new table of the sky.
 _NOT_THE_SKYS: Final = (
     "width", "height", "field_of_view", "projection", "pixel_angle", "disc", "exact", "mapped",
@@ -364,8 +437,7 @@ def _scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     assert camera.field_of_view is not None
     alpha = solution.medium.star_angular_radius
     numbers = {
-        # Above the ground as the shader has it: its radii are good to half a metre.
-        "r": float(np.float32(bottom)) + (r - bottom),
+        "r": r,
         "outside": float(outside),
         "horizon_mu": -sqrt(max((r - bottom) * (r + bottom), 0.0)) / r,
         "horizon_sine": bottom / r,

@@ -5,20 +5,20 @@ They do not depend on the planet: sizes stand in the uniforms.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from typing import Any, Final
 
-from airlight.color.encoding import encoded
-from airlight.color.tone_maps import tone_mapped
 from airlight.gpu.emitter import Emitter
 from airlight.gpu.fragment_pass import wgsl
-from airlight.gpu.picture import Screen, pixel_light
+from airlight.gpu.picture import Display, Screen, displayed, pixel_light
 from airlight.gpu.shader_types import F32, I32, VEC4, Bundle, Constant, Room, Table, Value
 from airlight.gpu.shown import FIELD_TABLES, SCALAR_TABLES, SPECTRAL_TABLES, Shown
 from airlight.gpu.sky_table import Observer, sky_texel
 from airlight.gpu.uniforms import struct_text, table_text, uniform
+
+#: Numbers of the uniforms that are known when a shader is written.
+Fixed = tuple[tuple[str, int | bool], ...]
 
 #: The textures of a shader, after the uniforms.
 TEXTURES: Final = ("scalars", "spectra", "fields", "ground", "air", "behind", "first", "second")
@@ -28,7 +28,7 @@ _LAYERS: Final = {
 }  # fmt: skip
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Shader:
     """A shader and what it needs.
 
@@ -62,11 +62,14 @@ def tables() -> dict[str, tuple[Table, str]]:
     return found | {"levels": (Table("levels", 2), "ground"), "texels": (Table("texels"), "ground")}
 
 
-def _bundle(kind: Any) -> Bundle:
+def _bundle(kind: Any, fixed: Fixed = ()) -> Bundle:
     """A NamedTuple of which the shader finds each field in tables, layers or uniforms."""
     fields: dict[str, Value] = {}
+    known = dict(fixed)
     for name in kind._fields:
-        if name in tables():
+        if name in known:
+            fields[name] = Constant(known[name])
+        elif name in tables():
             fields[name] = tables()[name][0]
         elif name in _LAYERS:
             fields[name] = Table(name, 1, True)
@@ -76,21 +79,27 @@ def _bundle(kind: Any) -> Bundle:
 
 
 @cache
-def light() -> Bundle:
+def light(fixed: Fixed = ()) -> Bundle:
     """The solution, for the emitter."""
-    return _bundle(Shown)
+    return _bundle(Shown, fixed)
 
 
 @cache
-def observer() -> Bundle:
+def observer(fixed: Fixed = ()) -> Bundle:
     """Who looks, for the emitter."""
-    return _bundle(Observer)
+    return _bundle(Observer, fixed)
 
 
 @cache
-def screen() -> Bundle:
+def screen(fixed: Fixed = ()) -> Bundle:
     """The camera, for the emitter."""
-    return _bundle(Screen)
+    return _bundle(Screen, fixed)
+
+
+@cache
+def display(fixed: Fixed = ()) -> Bundle:
+    """Tone map and encoding, for the emitter."""
+    return _bundle(Display, fixed)
 
 
 def assembled(
@@ -133,22 +142,26 @@ def _sky_shader(name: str, function: str, *, gathers: bool, peaks: bool) -> Shad
 
 
 @cache
-def picture_shader(exact: bool) -> Shader:
-    """A pixel's light and what a display shows of it: from the table, or by its own march."""
+def picture_shader(exact: bool, fixed: Fixed = ()) -> Shader:
+    """A pixel's light and what a display shows of it: from the table, or by its own march.
+
+    Parameters
+    ----------
+    exact : bool
+        Whether each pixel has a march of its own.
+    fixed : tuple of (str, value)
+        Whole numbers and switches of the uniforms that are known, in place of what stands there:
+        a software device works out all sides of every choice.
+    """
     emitter = Emitter()
     emitter.add(
-        pixel_light, F32, F32, Constant(exact), observer(), screen(), light(), Room(1, VEC4),
-        name="light_of_pixel",
+        pixel_light, F32, F32, Constant(exact), observer(fixed), screen(fixed), light(fixed),
+        Room(1, VEC4), name="light_of_pixel",
     )  # fmt: skip
-    _add_named(emitter, tone_mapped, I32, F32, F32, F32)
-    _add_named(emitter, encoded, I32, F32)
+    emitter.add(displayed, F32, F32, F32, display(fixed), name="displayed")
     return assembled(
         "picture", ("linear_picture", "shown_picture"), TEXTURES[: 4 if exact else 8], emitter
     )
-
-
-def _add_named(emitter: Emitter, function: Callable[..., Any], *arguments: Value) -> None:
-    emitter.add(function, *arguments, name=getattr(function, "py_func", function).__name__)
 
 
 def all_shaders() -> tuple[Shader, ...]:

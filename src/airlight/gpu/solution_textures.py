@@ -79,25 +79,25 @@ class SolutionTables:
     places: dict[str, Shape]
 
     @classmethod
-    def of(cls, solution: MomentsSolution) -> SolutionTables:
-        """The tables of a solution of at most four wavelengths.
+    def of(cls, solution: MomentsSolution, shown: Shown | None = None) -> SolutionTables:
+        """The tables of a solution of at most four wavelengths; ``shown`` if it is known already.
 
         Raises
         ------
         ParameterError
             If there are more wavelengths or constituents than the shaders have room for.
         """
-        medium = solution.medium
-        shown = shown_solution(solution, reflectance_basis(medium.wavelengths))
-        count = medium.wavelengths.size
+        nm = solution.wavelengths
+        if shown is None:
+            shown = shown_solution(solution, reflectance_basis(nm))
         scalars, places = laid_out(
             {name: np.asarray(getattr(shown, name), float) for name in SCALAR_TABLES}, 1
         )
         spectra, more = laid_out(
-            {name: as_texels(getattr(shown, name), count) for name in SPECTRAL_TABLES}, 4
+            {name: as_texels(getattr(shown, name), nm.size) for name in SPECTRAL_TABLES}, 4
         )
         fields, most = laid_out(
-            {name: as_texels(getattr(shown, name), count) for name in FIELD_TABLES}, 4
+            {name: as_texels(getattr(shown, name), nm.size) for name in FIELD_TABLES}, 4
         )
         numbers = {
             name: float(getattr(shown, name))
@@ -125,10 +125,14 @@ class SolutionTextures:
 
     @classmethod
     def of(
-        cls, device: Device, solution: MomentsSolution, before: SolutionTextures | None = None
+        cls,
+        device: Device,
+        solution: MomentsSolution,
+        shown: Shown | None = None,
+        before: SolutionTextures | None = None,
     ) -> SolutionTextures:
         """Upload a solution; the map of the ground stays where it is if it is the same."""
-        made = SolutionTables.of(solution)
+        made = SolutionTables.of(solution, shown)
         textures = {
             "scalars": flat_texture(device, made.scalars, "scalars"),
             "spectra": flat_texture(device, made.spectra, "spectra"),

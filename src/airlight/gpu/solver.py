@@ -4,7 +4,8 @@ The passes (``solver_passes``) compute what the CPU's sweeps compute, by the sam
 host runs them, reads the mean radiance at the nodes after each order (some 20 kB), and combines
 the last few images as the CPU does (``acceleration``). What the CPU does for thick air,
 the inverse of a sweep along the vertical, is left out: in clear and in dusty air each order
-changes the light by much less than the one before, and six to twelve sweeps arrive.
+changes the light by much less than the one before, and five to fifteen sweeps arrive. Air in which
+light wanders for longer is left to the CPU.
 """
 
 from __future__ import annotations
@@ -36,6 +37,10 @@ from airlight.solvers.moments.solution import MomentsSolution
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
+#: By so much the tolerance is smaller in thick air.
+_STRICTER: Final = 0.9
+#: Part of the thickness by which a change in the night counts less.
+_NIGHT: Final = 0.25
 #: The GPU gives up after so many sweeps: then the air is one for the CPU.
 MOST_SWEEPS: Final = 60
 
@@ -126,7 +131,8 @@ def _iterate(
     sweeper: GpuSweeper, settings: Settings, progress: Progress | None, cancel: Cancel | None
 ) -> tuple[int, FloatArray]:
     """Sweeps until nothing changes: how many, and what is still to come."""
-    tolerance = settings.tolerance
+    # Where many orders follow, what one more changes says less of what is still to come.
+    tolerance = settings.tolerance * (1.0 - _STRICTER * float(sweeper.plan.thick.max()))
     sweeper.begin()
     residuals: deque[FloatArray] = deque(maxlen=len(IMAGES))
     largest = np.full(WAVELENGTHS, np.inf)
@@ -137,8 +143,11 @@ def _iterate(
         mean, sky, before = sweeper.sweep()
         if not (mean > 0.0).any():
             return 0, np.zeros(WAVELENGTHS)
-        change = relative_change(before, mean) * counts(mean, sweeper.plan.thick)
-        residuals.append(change.reshape(-1, WAVELENGTHS))
+        change = relative_change(before, mean)
+        thick = sweeper.plan.thick
+        residuals.append((change * counts(mean, thick)).reshape(-1, WAVELENGTHS))
+        # Nothing but more orders brings light into the night: there it counts for more.
+        change *= counts(mean, _NIGHT * thick)
         largest = np.abs(change).max(axis=(0, 1)) * what_follows(residuals)
         sweeper.combine(_weights(residuals, mean, sky))
         if progress is not None:

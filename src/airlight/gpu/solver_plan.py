@@ -36,6 +36,7 @@ from airlight.solvers.moments.air import (
     make_air,
     panel_ends,
     scattering_depth,
+    transport_depth,
 )
 from airlight.solvers.moments.block_rays import rays_in_sight
 from airlight.solvers.moments.grid import Grid
@@ -61,6 +62,10 @@ _SPAN: Final = 4 << 20
 _KEPT: Final = 4
 
 _tables: OrderedDict[tuple[Any, ...], tuple[ColumnTable, FloatArray]] = OrderedDict()
+
+
+#: Vertical depth, each scattering counted by 1 - g, beyond which the air is left to the CPU. [1]
+_THICKEST: Final = 2.5
 
 
 class ThickAir(AirlightError):
@@ -270,6 +275,8 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
             "constituents", constituents, f"at most {MOST_CONSTITUENTS} on the GPU"
         )
     degree = choose_degree(medium, settings)
+    if transport_depth(medium).max() > _THICKEST:
+        raise ThickAir
     grid, parts = grid_for(medium, settings)
     gathering = grid._replace(radii=grid.radii[::parts])
     ends = panel_ends(medium, grid, parts)

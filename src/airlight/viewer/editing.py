@@ -5,7 +5,6 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any, Final
 
 from airlight.errors import ParameterError
@@ -80,12 +79,12 @@ class Editing:
         return self._listed[2]
 
     @property
-    def values(self) -> Mapping[str, Value]:
+    def values(self) -> dict[str, Value]:
         """Every parameter's value by its path: numbers in the parameter's unit."""
         if self._valued is None or self._valued[0] != self._versions:
             values = {one.path: self._value(one) for one in self.parameters}
-            self._valued = (self._versions, MappingProxyType(values))
-        return self._valued[1]
+            self._valued = (self._versions, values)
+        return dict(self._valued[1])
 
     def parameter(self, path: str) -> Parameter:
         """A parameter by its path; constituents by place or by name.

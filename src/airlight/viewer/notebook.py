@@ -76,6 +76,9 @@ class Viewer(anywidget.AnyWidget):
     height = traitlets.Int(540).tag(sync=True)
     device = traitlets.Unicode("auto").tag(sync=True)
 
+    _ending: tuple[Callable[[], None], ...] = ()
+    _solving: Any = None
+
     def __init__(
         self,
         planet: str | Path | Session = "earth",
@@ -92,10 +95,11 @@ class Viewer(anywidget.AnyWidget):
             self._loop: asyncio.AbstractEventLoop | None = asyncio.get_running_loop()
         except RuntimeError:
             self._loop = None
-        self._unfollow = self.session.follow(lambda versions: self._tell())
+        unfollow = self.session.follow(lambda versions: self._tell())
         self.observe(self._take_values, "values")
         self.observe(self._take_command, "command")
         self._solving = solving(self.session, on_change=self._wake)
+        self._ending = (unfollow, self._solving.close)
         self._follow_solution()
 
     # --- from Python --------------------------------------------------------------------------
@@ -111,9 +115,10 @@ class Viewer(anywidget.AnyWidget):
         return done
 
     def close(self) -> None:
-        """End the solving, and take the widget away."""
-        self._unfollow()
-        self._solving.close()
+        """End the solving, and take the widget away; once is enough."""
+        ending, self._ending = self._ending, ()
+        for end in ending:
+            end()
         super().close()
 
     # --- to the browser -----------------------------------------------------------------------
@@ -123,7 +128,7 @@ class Viewer(anywidget.AnyWidget):
         return {
             "title": session.planet_name,
             "parameters": [one.as_json() for one in session.parameters],
-            "values": session.values,
+            "values": dict(session.values),
             "can": {
                 "undo": session.can_undo,
                 "redo": session.can_redo,
@@ -150,6 +155,8 @@ class Viewer(anywidget.AnyWidget):
             self._loop.call_soon_threadsafe(self._follow_solution)
 
     def _follow_solution(self) -> None:
+        if self._solving is None:  # the thread may be quicker than the end of ``__init__``
+            return
         solved, now = self._solving.latest, self._solving.status
         self.message = now.error
         if solved is not None and solved is not self._shown:

@@ -15,10 +15,11 @@ from airlight.solvers import solve
 from airlight.viewer.package import planet_tables, program
 from airlight.viewer.page_text import page_text
 from airlight.viewer.parameter import Parameter, Value
-from airlight.viewer.session import SOLVED, Session
+from airlight.viewer.session import Session
 from airlight.viewer.solving import evenly_spaced
 from airlight.viewer.tables_text import as_text
 from airlight.viewer.view_parameters import view_parameters
+from airlight.viewer.wanted import SOLVED
 
 #: A page larger than this is refused. [byte]
 LARGEST: Final = 3_000_000

@@ -143,7 +143,7 @@ class ParameterRows:
 
         if count:
             imgui.push_style_color(imgui.Col_.text, imgui.ImVec4(*style.QUIET))
-            if imgui.small_button(f"{count} more of its composition"):
+            if imgui.small_button(f"{count} more, advanced"):
                 self.advanced = True
             imgui.pop_style_color()
             style.hint("show the advanced parameters")

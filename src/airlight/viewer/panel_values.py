@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from airlight.errors import AirlightError
 from airlight.viewer.parameter import Parameter, Value
 from airlight.viewer.parameter_list import value_at
@@ -21,7 +23,7 @@ class PanelValues:
         self._session = session
         self._key: object = None
         self._base_key: object = None
-        self._values: dict[str, Value] = {}
+        self._values: Mapping[str, Value] = {}
         self._defaults: dict[str, Value] = {}
         self.parameters: tuple[Parameter, ...] = ()
 

@@ -1,186 +1,158 @@
-"""Pictures by the graphics device: drawn anew in every frame that needs it, as they are shown.
+"""Pictures by the graphics device.
 
-A device in software draws with a coarse table of the sky while something moves, and with the fine
-one when all has been still for a moment. What the shaders have no room for is left to the
-processor.
+A device in software paints with a coarse table of the sky while something moves; when all has been
+still for a moment the processor paints the exact picture, which, unlike a long pass, leaves the
+device free for the window. The processor also paints until the shaders are compiled, and what they
+have no room for.
 """
 
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Iterator
 from time import perf_counter
 from typing import Final
 
 from airlight.color.exposure import automatic_exposure
-from airlight.errors import AirlightError
+from airlight.errors import Cancelled, ParameterError
 from airlight.gpu.device import Device
 from airlight.gpu.pictures import QUICK_SKY_SHAPE, SKY_SHAPE, Pictures
-from airlight.viewer.picture_cpu import CpuPictures
+from airlight.viewer.picture_cpu import CpuPainter
 from airlight.viewer.picture_source import Picture, Request, scaled
-from airlight.viewer.picture_texture import PictureTexture
+from airlight.viewer.picture_texture import Canvases
 
-#: After so long without a change the fine table is drawn. [s]
+#: After so long without a change the exact picture is painted. [s]
 _STILL: Final = 0.2
-#: Automatic exposure is measured on a picture of so many pixels a side.
+#: Automatic exposure is measured on a picture so wide. [pixel]
 _MEASURED: Final = 96.0
 
 
-class GpuPictures:
+class GpuPainter:
     """Pictures by ``airlight.gpu.pictures.Pictures``.
 
     Parameters
     ----------
     device : Device
-    wake : callable
-        Called from any thread when there is something new to draw.
     """
 
-    def __init__(self, device: Device, wake: Callable[[], None]) -> None:
+    def __init__(self, device: Device) -> None:
         self._device = device
-        self._wake = wake
         self._pictures = Pictures(device, QUICK_SKY_SHAPE if device.software else SKY_SHAPE)
-        self._texture = PictureTexture(device.device)
-        self._wanted: Request | None = None
-        self._changed = 0.0
-        self._shown: Picture | None = None
+        self._canvases = Canvases(device.device)
+        self._processor = CpuPainter(device.device)
+        self._compiling: threading.Thread | None = None
+        self._compiled = False
         self._loaded: object = None
-        self._refused: object = None
-        self._fallback: CpuPictures | None = None
-        self._error = ""
+        self._last: Picture | None = None
+        self._exact: Request | None = None  # painted last by the processor
 
-    @property
-    def name(self) -> str:
-        """Who computes, in a few words."""
-        if self._leaves_it:
-            return "processor"
-        return "GPU in software" if self._device.software else "GPU"
-
-    @property
-    def _leaves_it(self) -> bool:
-        """Whether the processor draws what is wanted."""
-        return self._wanted is not None and self._wanted.solution is self._refused
-
-    def want(self, request: Request) -> None:
-        """See ``PictureSource``."""
-        if request.same(self._wanted):
+    def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
+        """See ``Painter``."""
+        if not self._compiled:
+            yield from self._while_compiling(request, stale)
+            if stale() or request is self._exact:
+                return
+        if not self._load(request):
+            yield from self._processor.paint(request, stale)
             return
-        if self._wanted is None or request.solution is not self._wanted.solution:
-            self._prepare(request)
-        self._wanted = request
-        self._changed = perf_counter()
-        if self._leaves_it:
-            self._processor().want(request)
+        if not self._device.software:
+            yield self._painted(request, finished=True)
+            return
+        if self._exact is None or not request.same_light(self._exact):
+            yield self._painted(request, finished=False)
+            until = perf_counter() + _STILL
+            while perf_counter() < until:
+                if stale():
+                    return
+                time.sleep(0.02)
+        yield from self._processor.paint(request, stale, coarse=False)
+        self._exact = request
 
-    def _prepare(self, request: Request) -> None:
-        """Begin to pack a solution's tables on another thread: the window does not wait."""
-        solution = request.solution
-
-        def pack() -> None:
-            try:
-                _ = solution.light
-            finally:
-                self._wake()
-
-        if "light" not in solution.__dict__:
-            threading.Thread(target=pack, name="airlight-packing", daemon=True).start()
-
-    def picture(self) -> Picture | None:
-        """See ``PictureSource``."""
-        request = self._wanted
-        if request is None:
-            return None
-        if self._leaves_it:
-            return self._processor().picture()
-        if "light" not in request.solution.__dict__:
-            return self._shown
-        fine = not self._device.software or perf_counter() - self._changed > _STILL
-        done = self._shown is not None and request.same(self._shown.request)
-        if done and self._shown is not None and (self._shown.finished or not fine):
-            return self._shown
+    def _while_compiling(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
+        if self._compiling is None:
+            self._compiling = threading.Thread(
+                target=self._compile, args=(request,), name="airlight-compiling", daemon=True
+            )
+            self._compiling.start()
+        over = (lambda: False) if self._device.software else (lambda: self._compiled)
         try:
-            self._draw(request, fine)
-            self._error = ""
-        except AirlightError as error:
-            if request.solution is self._loaded:
-                self._error = str(error)
-                return self._shown
-            # The solution has no room on the device: too many wavelengths or constituents.
-            self._refused = request.solution
-            self._processor().want(request)
-        return self._shown
+            yield from self._processor.paint(request, lambda: stale() or over())
+            if self._device.software:
+                self._exact = request
+                return
+        except Cancelled:
+            if stale():
+                raise
+        while not self._compiled and not stale():
+            time.sleep(0.02)
 
-    def _draw(self, request: Request, fine: bool) -> None:
+    def _compile(self, request: Request) -> None:
+        """Paint once, very small: the first time compiles the shaders, which takes seconds."""
+        try:
+            if self._load(request):
+                small = scaled(request.scene, 16.0 / request.scene.camera.width)
+                texture = self._canvases.next()
+                texture.resize(small.camera.width, small.camera.height)
+                self._pictures.draw(small, texture.view, texture.form, exposure=0.0)
+                self._pictures.frame(small)
+        finally:
+            self._compiled = True
+
+    def _load(self, request: Request) -> bool:
+        """Whether the device has room for a solution, which it then holds."""
+        if request.solution is self._loaded:
+            return True
+        try:
+            self._pictures.show(request.solution)
+        except ParameterError:  # too many wavelengths or constituents
+            self._loaded = None
+            return False
+        self._loaded = request.solution
+        return True
+
+    def _painted(self, request: Request, *, finished: bool) -> Picture:
         started = perf_counter()
-        pictures = self._pictures
-        if request.solution is not self._loaded:
-            pictures.show(request.solution)
-            self._loaded = request.solution
-        shape = SKY_SHAPE if fine else QUICK_SKY_SHAPE
-        if pictures.sky_shape != shape:
-            pictures.sky_shape = shape
+        pictures, camera = self._pictures, request.scene.camera
         exposure = self._exposure(request)
-        camera = request.scene.camera
-        self._texture.resize(camera.width, camera.height)
+        texture = self._canvases.next()
+        texture.resize(camera.width, camera.height)
         pictures.draw(
             request.scene,
-            self._texture.view,
-            self._texture.form,
+            texture.view,
+            texture.form,
             orders=request.orders,
             exposure=exposure,
             tone_map=request.tone_map,
         )
-        self._shown = Picture(
-            view=self._texture.view,
+        texture.wait()
+        self._last = Picture(
+            view=texture.view,
             width=camera.width,
             height=camera.height,
             request=request,
             exposure=exposure,
-            finished=fine,
+            finished=finished,
             seconds=perf_counter() - started,
+            by="GPU in software" if self._device.software else "GPU",
         )
+        return self._last
 
     def _exposure(self, request: Request) -> float:
-        exposure = request.exposure
-        if request.automatic:
-            old = self._shown
-            if old is not None and request.same_light(old.request) and old.request.automatic:
-                exposure += old.exposure - old.request.exposure
-            else:
-                camera = request.scene.camera
-                small = scaled(request.scene, min(1.0, _MEASURED / camera.width))
-                frame = self._pictures.frame(small, orders=request.orders)
-                exposure += automatic_exposure(frame.rgb, request.tone_map)
-        return min(max(exposure, -100.0), 100.0)
-
-    def _processor(self) -> CpuPictures:
-        if self._fallback is None:
-            self._fallback = CpuPictures(self._device.device, self._wake)
-        return self._fallback
-
-    @property
-    def busy(self) -> bool:
-        """See ``PictureSource``."""
-        if self._leaves_it:
-            return self._processor().busy
-        shown, wanted = self._shown, self._wanted
-        if wanted is None or self._error:
-            return False
-        return shown is None or not shown.finished or not wanted.same(shown.request)
-
-    @property
-    def needs_frames(self) -> bool:
-        """See ``PictureSource``."""
-        return self.busy and not self._leaves_it
-
-    @property
-    def error(self) -> str:
-        """See ``PictureSource``."""
-        if self._leaves_it:
-            return self._processor().error
-        return self._error
+        if not request.automatic:
+            return request.exposure
+        last = self._last
+        known = last is not None and last.request.automatic and request.same_light(last.request)
+        if known and last is not None and last.request.tone_map == request.tone_map:
+            return last.exposure - last.request.exposure + request.exposure
+        camera = request.scene.camera
+        small = scaled(request.scene, min(1.0, _MEASURED / camera.width))
+        frame = self._pictures.frame(small, orders=request.orders)
+        measured = automatic_exposure(frame.rgb, request.tone_map)
+        return min(max(measured + request.exposure, -100.0), 100.0)
 
     def close(self) -> None:
-        """See ``PictureSource``."""
-        if self._fallback is not None:
-            self._fallback.close()
+        """See ``Painter``."""
+        if self._compiling is not None:
+            self._compiling.join()
+        self._processor.close()

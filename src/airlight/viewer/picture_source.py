@@ -1,7 +1,8 @@
-"""What the window asks of whoever makes its pictures."""
+"""A picture that is wanted, a picture that was made, and who makes the one of the other."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any, Literal, Protocol
 
@@ -77,7 +78,9 @@ class Picture:
     finished : bool
         False for a coarse picture that a finer one will follow.
     seconds : float
-        What the frame took. [s]
+        What it took. [s]
+    by : str
+        Who computed it, in a few words.
     """
 
     view: Any
@@ -87,35 +90,30 @@ class Picture:
     exposure: float
     finished: bool
     seconds: float
+    by: str
 
 
-class PictureSource(Protocol):
-    """Makes the pictures of one side of the window; all calls come from the drawing thread."""
+class Painter(Protocol):
+    """Makes pictures; everything is called on one thread, which is not the window's."""
 
-    @property
-    def name(self) -> str:
-        """Who computes, in a few words."""
+    def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
+        """Pictures of what is wanted, each finer than the one before.
 
-    def want(self, request: Request) -> None:
-        """Say what is to be shown from now on; returns at once."""
+        Parameters
+        ----------
+        request : Request
+            What is wanted.
+        stale : callable
+            Whether it is wanted no longer: then the rest need not be made.
 
-    def picture(self) -> Picture | None:
-        """The newest picture, which may lag behind what is wanted."""
-
-    @property
-    def busy(self) -> bool:
-        """Whether a newer or finer picture will follow."""
-
-    @property
-    def needs_frames(self) -> bool:
-        """Whether that happens only if the window goes on drawing."""
-
-    @property
-    def error(self) -> str:
-        """Why there is no picture of what is wanted, in one line; empty if there is."""
+        Raises
+        ------
+        AirlightError
+            If there is no such picture.
+        """
 
     def close(self) -> None:
-        """End the threads; the source cannot be used afterwards."""
+        """End its threads."""
 
 
 def scaled(scene: Scene, part: float) -> Scene:

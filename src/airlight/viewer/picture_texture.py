@@ -56,3 +56,28 @@ class PictureTexture:
             {"offset": 0, "bytes_per_row": 4 * width, "rows_per_image": height},
             (width, height, 1),
         )
+
+    def wait(self) -> None:
+        """Return when all that was submitted for it has been done."""
+        self._device.queue.read_texture(
+            {"texture": self._texture, "mip_level": 0, "origin": (0, 0, 0)},
+            {"offset": 0, "bytes_per_row": 4, "rows_per_image": 1},
+            (1, 1, 1),
+        )
+
+
+class Canvases:
+    """Two textures in turn: while one is shown, the other is painted.
+
+    Parameters
+    ----------
+    device : wgpu.GPUDevice
+    """
+
+    def __init__(self, device: Any) -> None:
+        self._both = [PictureTexture(device), PictureTexture(device)]
+
+    def next(self) -> PictureTexture:
+        """The one that was not given last."""
+        self._both.reverse()
+        return self._both[0]

@@ -21,9 +21,9 @@ from airlight.viewer.editing import Editing, Side
 from airlight.viewer.parameter import Value
 from airlight.viewer.planet_file import planet_file
 from airlight.viewer.view_parameters import view_parameters
-from airlight.viewer.wanted import Versions, Wanted
+from airlight.viewer.wanted import SOLVED, Versions, Wanted
 
-__all__ = ["Session", "Versions", "Wanted"]
+__all__ = ["SOLVED", "Session", "Versions", "Wanted"]
 
 
 class Session(Editing):

@@ -16,7 +16,7 @@ from typing import Any, Final, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.spectral import default_wavelengths
+from airlight.color.spectral import default_wavelengths, rgb_weights
 from airlight.errors import AirlightError, Cancelled
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.planet import Planet
@@ -271,9 +271,12 @@ class Solving:
                 self._publish(replace(known, version=wanted.version, seconds=0.0), wanted)
                 continue
             planet = self._planet(wanted, newer)
+            wavelengths = self._wavelengths(planet, wanted.wavelengths)
+            # Refuses a star without light at one of them: its picture would have no colours.
+            rgb_weights(wavelengths, planet.star.irradiances)
             solution = self._solver(
                 planet,
-                self._wavelengths(planet, wanted.wavelengths),
+                wavelengths,
                 level,
                 progress=self._reporter(wanted, f"solving, {level}"),
                 cancel=newer,

@@ -15,8 +15,8 @@ from airlight.errors import FileError
 from airlight.gpu.device import Device, NoDevice, open_device
 from airlight.scene import look_at
 from airlight.viewer.parameter import Value
-from airlight.viewer.picture_cpu import CpuPictures
-from airlight.viewer.picture_source import PictureSource
+from airlight.viewer.picture_cpu import CpuPainter
+from airlight.viewer.picture_source import Painter
 from airlight.viewer.places import PLACES, view_of
 from airlight.viewer.session import Session
 from airlight.viewer.window import Window
@@ -94,7 +94,7 @@ def show(start: Start) -> None:
     except NoDevice as error:
         place.close()
         raise WindowError(f"the window needs a graphics device: {error.reason}") from error
-    window = Window(session, place, device.device, pictures_by(start.device, device))
+    window = Window(session, place, device.device, painter_by(start.device, device))
     if start.other is not None:
         window.panel.compare_with(start.other)
     if start.screenshot is None or isinstance(place, DesktopPlace):
@@ -143,17 +143,15 @@ def _first_view(session: Session) -> Mapping[str, float]:
     return view_of(PLACES[0], bottom_radius=bottom, top_radius=top, bearing=bearing)
 
 
-def pictures_by(
-    choice: Literal["auto", "gpu", "cpu"], device: Device
-) -> Callable[[Callable[[], None]], PictureSource]:
-    """What makes picture sources: by the graphics device, or by the processor."""
+def painter_by(choice: Literal["auto", "gpu", "cpu"], device: Device) -> Callable[[], Painter]:
+    """What makes painters: by the graphics device, or by the processor."""
 
-    def make(wake: Callable[[], None]) -> PictureSource:
+    def make() -> Painter:
         if choice == "cpu":
-            return CpuPictures(device.device, wake)
-        from airlight.viewer.picture_gpu import GpuPictures
+            return CpuPainter(device.device)
+        from airlight.viewer.picture_gpu import GpuPainter
 
-        return GpuPictures(device, wake)
+        return GpuPainter(device)
 
     return make
 

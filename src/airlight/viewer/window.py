@@ -18,7 +18,8 @@ from airlight.viewer.panel_save import SaveDialog, Saving
 from airlight.viewer.panel_side import SidePanel
 from airlight.viewer.panel_status import FrameTimes, Status, draw_status
 from airlight.viewer.picture_area import PictureArea, Rectangle, layout
-from airlight.viewer.picture_source import Orders, Picture, PictureSource, Request
+from airlight.viewer.picture_source import Orders, Painter, Picture, Request
+from airlight.viewer.picture_thread import PictureThread
 from airlight.viewer.places import PLACES, view_of
 from airlight.viewer.probing import Probing
 from airlight.viewer.session import Session
@@ -49,8 +50,8 @@ class Window:
     place : Place
         A window of the desktop, or memory.
     device : wgpu.GPUDevice
-    source : callable
-        ``source(wake)`` makes a picture source; called once for each side.
+    painter : callable
+        Makes a painter; called once for each side.
     """
 
     def __init__(
@@ -58,14 +59,14 @@ class Window:
         session: Session,
         place: Place,
         device: Any,
-        source: Callable[[Callable[[], None]], PictureSource],
+        painter: Callable[[], Painter],
     ) -> None:
         self.session = session
         self._place = place
         self.surface = WindowSurface(device, place.canvas)
         self.area = PictureArea(self.surface.backend)
-        self._make_source = source
-        self._sources: dict[str, PictureSource] = {}
+        self._make_painter = painter
+        self._sources: dict[str, PictureThread] = {}
         self._sides: tuple[str, ...] = ()
         self._shown: dict[str, Picture] = {}
         self._solvings: dict[str, Solving] = {}
@@ -141,7 +142,7 @@ class Window:
     def _picture(self, side: str = "") -> Picture | None:
         side = side or self.session.showing
         source = self._sources.get(side)
-        found = None if source is None else source.picture()
+        found = None if source is None else source.picture
         if found is not None:
             self._shown[side] = found
         return found
@@ -170,7 +171,6 @@ class Window:
             self._flight.moving
             or self.panel.plays
             or self.surface.pressed
-            or any(self._sources[side].needs_frames for side in self._sides)
             or perf_counter() - self._last_event < _LINGER
         )
 
@@ -199,13 +199,14 @@ class Window:
         session.resize(round(into.width * ratio), round(into.height * ratio))
         shown = session.showing
         other = "A" if shown == "B" else "B"
-        self._sides = (shown, other) if session.has_other and self.panel.compares else (shown,)
-        for side in self._sides:
+        sides = (shown, other) if session.has_other and self.panel.compares else (shown,)
+        for side in sides:
             self._want(side)
+        self._sides = sides
 
     def _want(self, side: str) -> None:
         if side not in self._solvings:
-            self._sources[side] = self._make_source(self._place.wake)
+            self._sources[side] = PictureThread(self._make_painter(), self._place.wake)
             self._solvings[side] = Solving(
                 SessionSide(self.session, side), on_change=self._place.wake
             )
@@ -272,7 +273,7 @@ class Window:
         if shown is not None and source is not None:
             fine = "" if shown.finished else ", finer follows"
             seconds = _seconds(shown.seconds)
-            picture = f"{source.name}: {shown.width}×{shown.height} in {seconds}{fine}"
+            picture = f"{shown.by}: {shown.width}×{shown.height} in {seconds}{fine}"
             exposure = f"{shown.exposure:+.1f} EV"
         if source is not None:
             error = error or source.error

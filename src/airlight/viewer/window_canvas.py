@@ -136,8 +136,8 @@ class DesktopPlace:
                 self._glfw.post_empty_event()
 
     def close(self) -> None:
-        """Close the window, which ends ``run``."""
-        self.canvas.close()
+        """Close the window once this frame is done, which ends ``run``."""
+        self._loop.call_soon(self.canvas.close)
 
 
 class OffscreenPlace:
@@ -183,12 +183,11 @@ class OffscreenPlace:
 
 def _check_display(glfw: Any) -> None:
     """Raise a ``WindowError`` if no window can be opened."""
-    reason = ""
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
         alive = bool(glfw.init())
-        if not alive:
-            reason = "; ".join(str(one.message).splitlines()[0] for one in caught)
     if not alive:
-        hint = "is DISPLAY set?" if sys.platform.startswith("linux") else "is anybody logged in?"
-        raise WindowError(f"there is no display to open a window on ({reason or hint})")
+        hint = ": is DISPLAY set?" if sys.platform.startswith("linux") else ""
+        raise WindowError(
+            f"there is no display to open a window on{hint} (--screenshot FILE needs none)"
+        )

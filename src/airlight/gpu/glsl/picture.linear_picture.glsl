@@ -1,5 +1,5 @@
 #version 300 es
-// of picture.wgsl fb8a457e86b9249d, by naga-wasm@30.1.0
+// of picture.wgsl 48a13ec35980241f, by naga-wasm@30.1.0
 precision highp float;
 precision highp int;
 
@@ -3534,6 +3534,43 @@ float encoded(int which_2, float linear_2) {
     }
     float _e5 = gamma_curve(linear_2);
     return _e5;
+}
+
+Several_f32_f32_f32_ displayed(float red_given, float green_given, float blue_given) {
+    float red_6 = 0.0;
+    float green_6 = 0.0;
+    float blue_6 = 0.0;
+    red_6 = red_given;
+    green_6 = green_given;
+    blue_6 = blue_given;
+    float _e9 = _group_0_binding_0_fs.display.y;
+    float _e11 = red_6;
+    float _e15 = _group_0_binding_0_fs.display.x;
+    float _e17 = green_6;
+    float _e21 = _group_0_binding_0_fs.display.x;
+    float _e23 = blue_6;
+    float _e27 = _group_0_binding_0_fs.display.x;
+    Several_f32_f32_f32_ _e29 = tone_mapped(int(_e9), (_e11 * _e15), (_e17 * _e21), (_e23 * _e27));
+    red_6 = _e29.v0_;
+    green_6 = _e29.v1_;
+    blue_6 = _e29.v2_;
+    float _e36 = _group_0_binding_0_fs.display.z;
+    if ((int(_e36) < 0)) {
+        float _e40 = red_6;
+        float _e41 = green_6;
+        float _e42 = blue_6;
+        return Several_f32_f32_f32_(_e40, _e41, _e42);
+    }
+    float _e47 = _group_0_binding_0_fs.display.z;
+    float _e49 = red_6;
+    float _e50 = encoded(int(_e47), _e49);
+    float _e54 = _group_0_binding_0_fs.display.z;
+    float _e56 = green_6;
+    float _e57 = encoded(int(_e54), _e56);
+    float _e61 = _group_0_binding_0_fs.display.z;
+    float _e63 = blue_6;
+    float _e64 = encoded(int(_e61), _e63);
+    return Several_f32_f32_f32_(_e50, _e57, _e64);
 }
 
 void light_of_pixel_1_(float px_4, float py_4) {

@@ -13,13 +13,7 @@ fn linear_picture(@builtin(position) at: vec4f) -> @location(0) vec4f {
 
 @fragment
 fn shown_picture(@builtin(position) at: vec4f) -> @location(0) vec4f {
-  let light = light_of(at) * frame.display.x;
-  let shown = tone_mapped(i32(frame.display.y), light.x, light.y, light.z);
-  let kind = i32(frame.display.z);
-  if (kind < 0) { // the target encodes
-    return vec4f(shown.v0, shown.v1, shown.v2, 1.0);
-  }
-  return vec4f(
-    encoded(kind, shown.v0), encoded(kind, shown.v1), encoded(kind, shown.v2), 1.0
-  );
+  let light = light_of(at);
+  let shown = displayed(light.x, light.y, light.z);
+  return vec4f(shown.v0, shown.v1, shown.v2, 1.0);
 }

@@ -1,6 +1,10 @@
 /** The panel: one control for each declared parameter, in groups that fold. */
 import { checked, numberAt, rounded, shareOf, written } from "./parameters.js";
 
+/** Groups that stand first, unfolded: those of the view. */
+const FIRST = ["camera", "sun", "display", "light"];
+/** What the label of a list's item ends with. */
+const ITEM = / (at \S+ \S+|\d+)$/;
 /** Positions of a slider. */
 const STEPS = 1000;
 
@@ -32,11 +36,13 @@ export class Controls {
   build() {
     this.rows.clear();
     const groups = new Map();
-    for (const parameter of this.state.parameters.values()) {
+    const all = [...this.state.parameters.values()];
+    const own = (parameter) => Number(FIRST.includes(parameter.group));
+    for (const parameter of all.sort((a, b) => own(b) - own(a))) {
       if (parameter.mode === "advanced" && !this.advanced) continue;
-      const group = this.fold(groups, parameter.group, this.place, groups.size < 3);
+      const group = this.fold(groups, parameter.group, this.place, parameter.group);
       const list = parameter.part_of
-        ? this.fold(groups, parameter.part_of, group.body, false)
+        ? this.fold(groups, parameter.part_of, group.body, parameter.label.replace(ITEM, ""))
         : group;
       const row = this.row(parameter);
       this.rows.set(parameter.path, row);
@@ -47,11 +53,11 @@ export class Controls {
     this.update(new Set(this.rows.keys()));
   }
 
-  fold(groups, name, place, open) {
+  fold(groups, name, place, label) {
     if (groups.has(name)) return groups.get(name);
     const body = element("div", { className: "airlight-body" });
-    const fold = element("details", {}, element("summary", { textContent: name }), body);
-    fold.open = this.folded.get(name) ?? open;
+    const fold = element("details", {}, element("summary", { textContent: label }), body);
+    fold.open = this.folded.get(name) ?? FIRST.includes(name);
     fold.addEventListener("toggle", () => this.folded.set(name, fold.open));
     const made = { element: fold, body, top: place === this.place };
     if (!made.top) place.append(fold);

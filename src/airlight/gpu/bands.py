@@ -1,0 +1,71 @@
+"""Rows of a picture that show only sky, or no star: what a software device need not work out."""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from airlight.scene import Scene
+from airlight.scene.projections import PROJECTIONS
+
+#: Rows of a band, and columns between two samples of it. [pixel]
+_STEP: Final = 16
+
+
+class Band(NamedTuple):
+    """Rows that are drawn together.
+
+    Attributes
+    ----------
+    first, rows : int
+        [pixel]
+    ground, star : bool
+        Whether ground or the star's disc may be seen in them.
+    """
+
+    first: int
+    rows: int
+    ground: bool
+    star: bool
+
+
+def bands(
+    scene: Scene, lowest_up: float, star: tuple[float, float, float], reach: float
+) -> list[Band]:
+    """Rows of a picture by what may be seen in them; none is taken for empty that is not.
+
+    Parameters
+    ----------
+    scene : Scene
+        Camera.
+    lowest_up : float
+        Sine of the elevation of the horizon, or of the planet's edge from outside. [1]
+    star : (float, float, float)
+        Direction in which the star is seen. [1]
+    reach : float
+        The star's disc reaches so far from there. [rad]
+    """
+    camera = scene.camera
+    form = PROJECTIONS[camera.projection]
+    assert camera.field_of_view is not None
+    width, height = camera.width, camera.height
+    x = np.linspace(0.0, width, max(2, -(-width // _STEP) + 1))
+    firsts = np.arange(0, height, _STEP)
+    y = np.concatenate([firsts, [height]]).astype(float)
+    rays = form.rays(x, y, width, height, np.radians(camera.field_of_view)) @ camera.axes
+    margin = 1.5 * _STEP * camera.pixel_angle
+    elevation = np.arcsin(np.clip(rays[..., 2], -1.0, 1.0))
+    seen = np.any(rays != 0.0, axis=-1)
+    ground = (seen & (elevation < np.arcsin(lowest_up) + margin)).any(axis=1)
+    apart = np.arccos(np.clip(rays @ np.asarray(star), -1.0, 1.0))
+    near = (seen & (apart < reach + margin)).any(axis=1)
+    found: list[Band] = []
+    for k, first in enumerate(firsts):
+        count = min(_STEP, height - int(first))
+        shows = (bool(ground[k] or ground[k + 1]), bool(near[k] or near[k + 1]))
+        if found and (found[-1].ground, found[-1].star) == shows:
+            found[-1] = found[-1]._replace(rows=found[-1].rows + count)
+        else:
+            found.append(Band(int(first), count, *shows))
+    return found

@@ -1,0 +1,96 @@
+"""The widget's Python side: parameters both ways, without a browser."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.testing import assert_array_equal
+
+from airlight import solve
+from airlight.planets import load_planet
+from airlight.viewer.session import Session
+from airlight.viewer.solving import Solving
+
+pytest.importorskip("anywidget")
+
+
+@pytest.fixture(scope="module")
+def solution() -> Any:
+    """One that stands for all: what is shown does not matter here."""
+    return solve(load_planet("mars"), (680.0, 550.0, 440.0), "preview", cache=False)
+
+
+@pytest.fixture
+def viewer(solution: Any) -> Iterator[Any]:
+    """A viewer whose planet is solved at once."""
+    from airlight.viewer.notebook import Viewer
+
+    def solving(session: Session, *, on_change: Callable[[], None]) -> Solving:
+        return Solving(session, solver=lambda *a, **k: solution, on_change=on_change)
+
+    made = Viewer("mars", solving=solving)
+    assert made.wait(60.0)
+    yield made
+    made.close()
+
+
+def test_python_moves_what_the_browser_is_told(viewer: Any) -> None:
+    viewer.set("view.altitude", 1234.0)
+    assert viewer.values["view.altitude"] == 1234.0
+    viewer.session.set("dust.particles.optical_depth", 2.0)
+    assert viewer.values["constituents[1].particles.optical_depth"] == 2.0
+    assert viewer.can["undo"] is True
+
+
+def test_browser_moves_what_python_holds(viewer: Any) -> None:
+    # a browser sets the state of the widget, all values at once
+    viewer.set_state({"values": {**viewer.values, "view.sun_zenith": 75.5}})
+    assert viewer.session.value("view.sun_zenith") == 75.5
+    viewer.set_state({"command": {"name": "undo", "count": 1}})
+    assert viewer.session.value("view.sun_zenith") == 60.0
+    assert viewer.values["view.sun_zenith"] == 60.0
+
+
+def test_flight_is_no_step_of_undo(viewer: Any) -> None:
+    moved = {"view.altitude": 5e4, "view.heading": 90.0, "view.latitude": 3.0}
+    viewer.set_state({"values": {**viewer.values, **moved}})
+    assert viewer.session.value("view.latitude") == 3.0
+    assert not viewer.session.can_undo
+
+
+def test_value_that_cannot_be_goes_back_with_a_word(viewer: Any) -> None:
+    viewer.set_state({"values": {**viewer.values, "view.altitude": -5e3}})
+    assert viewer.values["view.altitude"] == viewer.session.value("view.altitude") == 2.0
+    assert "view.altitude is -5000" in viewer.message
+    viewer.set("view.altitude", 10.0)
+    viewer.set_state({"values": {**viewer.values, "view.altitude": 20.0}})
+    assert viewer.message == ""
+
+
+def test_solution_arrives_as_tables(viewer: Any, solution: Any) -> None:
+    # the first table of the spectra is the extinction, of three wavelengths in texels of four
+    data = viewer.picture["tables"]["spectra"]["data"]
+    numbers = np.frombuffer(data, np.float32).reshape(-1, 4)
+    extinction = solution.light.air.extinction.reshape(-1, 8)[:, :4]
+    assert_array_equal(numbers[: len(extinction)], extinction)
+    assert viewer.picture["radius"] == solution.medium.bottom_radius
+    assert viewer.status.startswith("default, ")
+
+
+def test_closing_ends_the_thread(solution: Any) -> None:
+    from airlight.viewer.notebook import Viewer
+
+    before = threading.active_count()
+    viewer = Viewer("mars")
+    viewer.close()
+    viewer.session.set("view.altitude", 7.0)  # nobody follows any more
+    assert viewer.values["view.altitude"] == 2.0
+    deadline = time.monotonic() + 30.0
+    while threading.active_count() > before:
+        assert time.monotonic() < deadline
+        time.sleep(0.01)

@@ -1,0 +1,147 @@
+"""The viewer in JupyterLab, moved by a real slider, and by Python."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import re
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+from waiting import until
+
+pytest.importorskip("jupyterlab")
+pytest.importorskip("anywidget")
+
+_CELLS = (
+    """from airlight.viewer.notebook import Viewer
+from airlight.viewer.session import Session
+session = Session("mars")
+session.set("light.quality", "preview")
+session.set("light.wavelengths", "three")
+session.set("display.automatic", False)
+viewer = Viewer(session, height=400)
+viewer""",
+    """path = "view.look_zenith"
+print("zenith", viewer.values[path], session.value(path))""",
+    """viewer.set("view.look_zenith", 30.0)""",
+    """viewer.close()""",
+)
+
+
+@pytest.fixture
+def lab(tmp_path: Path) -> Iterator[str]:
+    """A running JupyterLab with a notebook; its address."""
+    cells = [
+        {"cell_type": "code", "id": f"c{i}", "metadata": {}, "outputs": [], "source": text,
+         "execution_count": None}
+        for i, text in enumerate(_CELLS)
+    ]  # fmt: skip
+    notebook = {
+        "cells": cells,
+        "metadata": {"kernelspec": {"name": "python3", "display_name": "Python 3"}},
+        "nbformat": 4,
+        "nbformat_minor": 5,
+    }
+    room = tmp_path / "lab"
+    room.mkdir()
+    (room / "viewer.ipynb").write_text(json.dumps(notebook), encoding="utf-8")
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    own = {f"JUPYTER_{n}_DIR": str(tmp_path / n.lower()) for n in ("CONFIG", "DATA", "RUNTIME")}
+    options = ["--no-browser", "--ServerApp.ip=127.0.0.1", f"--ServerApp.port={port}",
+               "--IdentityProvider.token=", f"--ServerApp.root_dir={room}", "--allow-root",
+               "--ServerApp.port_retries=0"]  # fmt: skip
+    with (tmp_path / "lab.log").open("w") as log:
+        server = subprocess.Popen(
+            [sys.executable, "-m", "jupyterlab", *options],
+            stdout=log,
+            stderr=log,
+            env={**os.environ, **own, "JUPYTERLAB_SETTINGS_DIR": str(tmp_path / "settings")},
+        )
+    try:
+        end = time.monotonic() + 120.0
+        while True:
+            with socket.socket() as probe:
+                if probe.connect_ex(("127.0.0.1", port)) == 0:
+                    break
+            assert server.poll() is None, (tmp_path / "lab.log").read_text()
+            assert time.monotonic() < end
+            time.sleep(0.2)
+        yield f"http://127.0.0.1:{port}/lab/tree/viewer.ipynb?reset"
+    finally:
+        server.terminate()
+        server.wait(60)
+
+
+def run_cell(page: Any, index: int) -> Any:
+    """Run one cell; gives it."""
+    cell = page.locator(".jp-Notebook .jp-CodeCell").nth(index)
+    prompt = cell.locator(".jp-InputPrompt")
+    end = time.monotonic() + 60.0
+    # A kernel that has just started may not have been heard of yet.
+    while not re.search(r"[*\d]", prompt.inner_text()):
+        assert time.monotonic() < end
+        # It then asks which kernel is meant.
+        while page.locator(".jp-Dialog .jp-mod-accept").count():
+            page.locator(".jp-Dialog .jp-mod-accept").first.click()
+            page.wait_for_timeout(500)
+        cell.locator(".cm-content").click()
+        page.keyboard.press("Control+Enter")
+        page.wait_for_timeout(1500)
+    return cell
+
+
+def seen(page: Any) -> np.ndarray:
+    """The picture as the screen shows it."""
+    page.evaluate("document.querySelector('.airlight').parentElement.viewer.settled()")
+    shot = page.locator(".airlight canvas").screenshot()
+    return np.asarray(Image.open(io.BytesIO(shot)).convert("RGB"), float)
+
+
+@pytest.mark.slow
+def test_slider_in_jupyterlab_moves_python_and_the_picture(lab: str, chromium: Any) -> None:
+    page = chromium.new_page(viewport={"width": 1200, "height": 900})
+    page.set_default_timeout(120_000)
+    page.goto(lab)
+    page.locator(".jp-Notebook .jp-CodeCell").first.wait_for()
+    until(page, "!!document.querySelector('.jp-Notebook-ExecutionIndicator[data-status=idle]')")
+    run_cell(page, 0)
+    page.locator(".airlight canvas").wait_for()
+    until(page, "!!document.querySelector('.airlight').parentElement.viewer.drawn")
+    before = seen(page)
+
+    slider = page.locator("[data-path='view.look_zenith'] input[type=range]")
+    slider.focus()
+    slider.press("Home")
+    for _ in range(3):
+        slider.press("PageUp")
+    field = page.locator("[data-path='view.look_zenith'] input[type=text]")
+    shown = float(field.input_value())
+    assert 0.0 < shown < 88.0
+    # Python knows it, in the widget and in the session
+    cell = run_cell(page, 1)
+    cell.locator(".jp-OutputArea-output").wait_for()
+    words = cell.locator(".jp-OutputArea-output").inner_text().split()
+    assert words == ["zenith", f"{shown:.1f}", f"{shown:.1f}"]
+    # and the picture is another
+    after = seen(page)
+    assert np.abs(after - before).mean() > 2.0
+
+    run_cell(page, 2)
+    until(page, "document.querySelector(\"[data-path='view.look_zenith'] input\").value === '30'")
+    assert np.abs(seen(page) - after).mean() > 0.5
+
+    run_cell(page, 3)
+    until(page, "!document.querySelector('.airlight')")
+    page.close()

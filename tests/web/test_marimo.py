@@ -1,0 +1,119 @@
+"""The viewer in marimo, moved by a real slider, and by Python."""
+
+from __future__ import annotations
+
+import os
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+pytest.importorskip("marimo")
+pytest.importorskip("anywidget")
+
+_NOTEBOOK = """
+import marimo
+
+app = marimo.App()
+
+
+@app.cell
+def _():
+    import marimo as mo
+    from airlight.viewer.notebook import Viewer
+    from airlight.viewer.session import Session
+
+    session = Session("mars")
+    session.set("light.quality", "preview")
+    session.set("light.wavelengths", "three")
+    viewer = mo.ui.anywidget(Viewer(session, height=300))
+    viewer
+    return mo, session, viewer
+
+
+@app.cell
+def _(mo, session, viewer):
+    _path = "view.look_zenith"
+    mo.md(f"<b id=said>{viewer.value['values'][_path]} {session.value(_path)}</b>")
+    return
+
+
+@app.cell
+def _(mo, viewer):
+    mo.ui.button(label="up", on_click=lambda _: viewer.widget.set("view.look_zenith", 30.0))
+    return
+
+
+if __name__ == "__main__":
+    app.run()
+"""
+
+
+@pytest.fixture
+def served(tmp_path: Path) -> Iterator[str]:
+    """A running notebook; its address."""
+    file = tmp_path / "viewer.py"
+    file.write_text(_NOTEBOOK, encoding="utf-8")
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    options = ["--headless", "--host", "127.0.0.1", "--port", str(port), "--no-token"]
+    own = {"HOME": str(tmp_path), "XDG_CONFIG_HOME": str(tmp_path), "XDG_STATE_HOME": str(tmp_path)}
+    with (tmp_path / "marimo.log").open("w") as log:
+        server = subprocess.Popen(
+            [sys.executable, "-m", "marimo", "run", str(file), *options],
+            stdout=log,
+            stderr=log,
+            cwd=tmp_path,
+            env={**os.environ, **own},
+        )
+    try:
+        end = time.monotonic() + 120.0
+        while True:
+            with socket.socket() as probe:
+                if probe.connect_ex(("127.0.0.1", port)) == 0:
+                    break
+            assert server.poll() is None, (tmp_path / "marimo.log").read_text()
+            assert time.monotonic() < end
+            time.sleep(0.2)
+        yield f"http://127.0.0.1:{port}"
+    finally:
+        server.terminate()
+        server.wait(60)
+
+
+@pytest.mark.slow
+def test_slider_in_marimo_moves_python_and_python_the_slider(served: str, chromium: Any) -> None:
+    page = chromium.new_page(viewport={"width": 1200, "height": 900})
+    page.set_default_timeout(120_000)
+    page.goto(served)
+    page.locator(".airlight canvas").wait_for()
+    said = page.locator("#said")
+    said.wait_for()
+    assert said.inner_text() == "88.0 88.0"
+    slider = page.locator("[data-path='view.look_zenith'] input[type=range]")
+    field = page.locator("[data-path='view.look_zenith'] input[type=text]")
+    slider.focus()
+    slider.press("Home")
+    for _ in range(3):
+        slider.press("PageUp")
+    shown = float(field.input_value())
+    assert 0.0 < shown < 88.0
+    end = time.monotonic() + 60.0
+    while said.inner_text() != f"{shown} {shown}":
+        assert time.monotonic() < end, said.inner_text()
+        page.wait_for_timeout(200)
+    # the solution comes from a thread, and is drawn
+    page.locator(".airlight-status", has_text="preview").wait_for()
+
+    page.get_by_role("button", name="up").click()
+    end = time.monotonic() + 60.0
+    while field.input_value() != "30":
+        assert time.monotonic() < end, field.input_value()
+        page.wait_for_timeout(200)
+    page.close()
