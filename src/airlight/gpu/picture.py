@@ -2,24 +2,21 @@
 
 from __future__ import annotations
 
-from math import atan2, cos, pi, sin, sqrt
+from math import atan2, pi, sqrt
 from typing import NamedTuple
 
 import numpy as np
 
 from airlight.color.encoding import encoded
 from airlight.color.tone_maps import tone_mapped
-from airlight.geometry.bending import bend_angle
 from airlight.geometry.shell import first_meeting
 from airlight.gpu.shown import MOST_CONSTITUENTS
 from airlight.gpu.sky_table import half_sine_between, look, phases_towards
+from airlight.gpu.star_disc import camera_direction, star_disc
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load, maximum, minimum, room_of_lanes, splat, store
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle, row_from_impact
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
-from airlight.scene.projections.projected import projected_ray
-from airlight.solvers.moments.source import through_columns
-from airlight.tables.column_ratios import columns_to_top
 
 
 class Screen(NamedTuple):
@@ -177,43 +174,6 @@ def reflectance(x, y, z, sine, impact, cosine, angle, observer, screen, light):
 
 
 @inlined
-def star_disc(x, y, z, start_r, start_mu, inside, observer, screen, light):
-    """Radiance of the star's disc through the air, per irradiance, smooth at its rim. [sr⁻¹]
-
-    A disc smaller than a pixel is shared out over the pixels around it.
-
-    Parameters
-    ----------
-    x, y, z : float
-        Direction, which misses the ground. [1]
-    start_r, start_mu : float
-        Where its line starts in the shell. [m], [1]
-    inside : bool
-        Whether it passes through the shell at all.
-    observer, screen, light : Observer, Screen, Shown
-    """
-    through = splat(1.0)
-    lx, ly, lz = x, y, z
-    if inside:
-        here = np.empty(MOST_CONSTITUENTS)
-        columns_to_top(start_r, start_mu, light.bottom, light.top, light.columns, here)
-        through = through_columns(here, light.extinction, light.constituents, LANES, 0)
-        if light.bend > 0.0:
-            # Where the line leads once it has left the air: lower by what it was bent.
-            angle = bend_angle(start_r, start_mu, light.bend, here[light.constituents - 1])
-            level = sqrt(x * x + y * y)
-            turn, keep = sin(angle), cos(angle)
-            lz = z * keep - level * turn
-            scale = (level * keep + z * turn) / max(level, 1e-30)
-            lx, ly = x * scale, y * scale
-    apart = 2.0 * half_sine_between(lx, ly, lz, observer.sun_x, observer.sun_z)
-    wide = max(light.star_radius, 0.75 * screen.pixel_angle)
-    covered = min(max((wide - apart) / screen.pixel_angle + 0.5, 0.0), 1.0)
-    share = light.star_radius / wide
-    return through * np.float32(covered * share * share * screen.disc)
-
-
-@inlined
 def pixel_light(px, py, exact, observer, screen, light, result):
     """Spectral light of a pixel, per irradiance of the star, into ``result`` (w,). [sr⁻¹]
 
@@ -225,12 +185,7 @@ def pixel_light(px, py, exact, observer, screen, light, result):
         Constant: a march for the pixel itself instead of the table of the sky.
     observer, screen, light : Observer, Screen, Shown
     """
-    right, above, ahead = projected_ray(
-        screen.projection, px, py, screen.width, screen.height, screen.field_of_view
-    )
-    x = right * screen.right_x + above * screen.up_x + ahead * screen.forward_x
-    y = right * screen.right_y + above * screen.up_y + ahead * screen.forward_y
-    z = right * screen.right_z + above * screen.up_z + ahead * screen.forward_z
+    x, y, z = camera_direction(px, py, screen)
     total = splat(0.0)
     sine = sqrt(x * x + y * y)
     impact = observer.r * sine
@@ -242,11 +197,7 @@ def pixel_light(px, py, exact, observer, screen, light, result):
         inside = z < 0.0 and impact < light.top
         to_ground = inside and impact < light.bottom
         row = row_from_impact(impact, light.bottom, light.top)
-    shown = right != 0.0 or above != 0.0 or ahead != 0.0
-    start_r, start_mu = observer.r, z
-    if observer.outside:
-        start_r = light.top
-        start_mu = -sqrt(max((light.top - impact) * (light.top + impact), 0.0)) / light.top
+    shown = x != 0.0 or y != 0.0 or z != 0.0
     if shown and inside:
         cos_azimuth = x / sine if sine > 0.0 else 1.0
         half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
@@ -281,5 +232,5 @@ def pixel_light(px, py, exact, observer, screen, light, result):
                 albedo = reflectance(x, y, z, sine, impact, cosine, bent, observer, screen, light)
             total = total + ground * albedo
     if shown and screen.draws_disc and not to_ground:
-        total = total + star_disc(x, y, z, start_r, start_mu, inside, observer, screen, light)
+        total = total + star_disc(px, py, observer, screen, light)
     store(result, 0, total)

@@ -22,7 +22,7 @@ from airlight.gpu.device import Device
 from airlight.gpu.flat import FLAT_WIDTH, empty_flat_texture, read_texture, update_flat
 from airlight.gpu.fragment_pass import FragmentPass
 from airlight.gpu.shaders import Fixed, Shader, picture_shader, sky_air_shader, sky_peaks_shader
-from airlight.gpu.shown import WAVELENGTHS, Shown, shown_solution
+from airlight.gpu.shown import EVEN_POINTS, POINTS, WAVELENGTHS, Shown, shown_solution
 from airlight.gpu.sky_by_processor import filled_sky
 from airlight.gpu.sky_table import Observer
 from airlight.gpu.solution_textures import SolutionTextures
@@ -114,7 +114,7 @@ class Pictures:
         solution : MomentsSolution
             Of four wavelengths at most; of one or two only with weights.
         weights : array, shape (nl, 3), optional
-            Linear sRGB per radiance; by default ``picture_weights``.
+            Linear sRGB per radiance; by default those of ``picture_weights``.
 
         Raises
         ------
@@ -131,7 +131,8 @@ class Pictures:
             weights = picture_weights(nm, spectrum)
         if np.shape(weights) != (nm.size, 3):
             raise ParameterError("weights", np.shape(weights), f"an array of shape ({nm.size}, 3)")
-        self._shown_tables = shown_solution(solution, reflectance_basis(nm))
+        points = EVEN_POINTS if self.device.software else POINTS
+        self._shown_tables = shown_solution(solution, reflectance_basis(nm), points=points)
         self._textures = SolutionTextures.of(
             self.device, solution, self._shown_tables, self._textures
         )
@@ -213,26 +214,25 @@ class Pictures:
         if width > limit:
             raise ParameterError("camera.width", width, f"at most {limit} pixels on the GPU")
         numbers = self._numbers(scene, (width, height), exact, orders, disc)
-        parts = self._parts(scene, numbers, exact)
+        one = self._pass(picture_shader(exact), "linear_picture", (_LINEAR,))
+        rows = self._rows_at_once(width, height, exact)
         use = wgpu.TextureUsage
         target = self.device.device.create_texture(
-            size=(width, max(rows for _, rows, _ in parts), 1),
-            format=_LINEAR,
-            usage=use.RENDER_ATTACHMENT | use.COPY_SRC,
+            size=(width, rows, 1), format=_LINEAR, usage=use.RENDER_ATTACHMENT | use.COPY_SRC
         )
         view = target.create_view()
         rgb = np.empty((height, width, 3), np.float32)
         if not exact:
             self._draw_sky(numbers)
         try:
-            for first, rows, shader in parts:
+            for first in range(0, height, rows):
                 if cancel is not None and cancel():
                     raise Cancelled
-                self._write({**numbers, "first_row": first})
-                self._run(shader, "linear_picture", _LINEAR, view, (0, 0, width, rows))
-                rgb[first : first + rows] = read_texture(self.device, target)[:rows, :, :3]
+                count = min(rows, height - first)
+                self._draw_strip(one, {**numbers, "first_row": first}, view, (0, 0, width, count))
+                rgb[first : first + count] = read_texture(self.device, target)[:count, :, :3]
                 if progress is not None:
-                    progress(first + rows, height, "rendering")
+                    progress(first + count, height, "rendering")
         finally:
             target.destroy()
         return Frame(
@@ -285,9 +285,25 @@ class Pictures:
         entry = "linear_picture" if exposure is None else "shown_picture"
         if not exact:
             self._draw_sky(numbers)
-        self._write(numbers)
-        for first, rows, shader in self._parts(scene, numbers, exact):
-            self._run(shader, entry, target_format, view, (0, first, width, rows), first > 0)
+        if self.device.software and not exact:
+            # Such a device works out all sides of every choice: each band has a shader that has
+            # no more choices than it needs.
+            for band in self._bands(scene, numbers):
+                seen = {
+                    **numbers,
+                    "mapped": numbers["mapped"] * band.ground,
+                    "draws_disc": numbers["draws_disc"] * band.star,
+                }
+                shader = picture_shader(exact, self._fixed(seen))
+                one = self._pass(shader, entry, (target_format,))
+                area = (0, band.first, width, band.rows)
+                self._draw_strip(one, numbers, view, area, band.first > 0)
+            return
+        one = self._pass(picture_shader(exact), entry, (target_format,))
+        rows = self._rows_at_once(width, height, exact)
+        for first in range(0, height, rows):
+            area = (0, first, width, min(rows, height - first))
+            self._draw_strip(one, numbers, view, area, first > 0)
 
     def _numbers(
         self, scene: Scene, size: tuple[int, int], exact: bool, orders: str, disc: bool
@@ -315,52 +331,34 @@ class Pictures:
             numbers |= {f"{channel}_{i}": float(value) for i, value in enumerate(column)}
         return numbers
 
-    def _parts(
-        self, scene: Scene, numbers: Mapping[str, float], exact: bool
-    ) -> list[tuple[int, int, Shader]]:
-        """Strips of a picture: first row, rows, and the shader that draws them.
-
-        A device that is busy for long is taken for dead. One in software works out all sides of
-        every choice: each band gets a shader that has no more of them than it needs.
-        """
-        width, height = int(numbers["width"]), int(numbers["height"])
+    def _rows_at_once(self, width: int, height: int, exact: bool) -> int:
+        """Rows of one strip."""
         pixels = _PIXELS_AT_ONCE[(2 if self.device.software else 1) if exact else 0]
-        step = max(1, pixels // width)
-        found = [Band(0, height, True, True)]
-        # A shader with a march in it takes a software device long to compile: one for all bands.
-        apart = self.device.software and not exact
-        if apart and (width, height) == (scene.camera.width, scene.camera.height):
-            solution = self._shown()
-            star = (numbers["seen_x"], 0.0, numbers["seen_z"])
-            reach = 2.0 * solution.medium.star_angular_radius + 3.0 * numbers["pixel_angle"]
-            reach += solution.paths.largest_bend
-            found = bands(scene, numbers["horizon_mu"], star, reach)
-        parts = []
-        for band in found:
-            known = {
-                **numbers,
-                "mapped": numbers["mapped"] * band.ground,
-                "draws_disc": numbers["draws_disc"] * band.star,
-            }
-            shader = picture_shader(exact, self._fixed(known) if apart else ())
-            last = band.first + band.rows
-            parts += [(at, min(step, last - at), shader) for at in range(band.first, last, step)]
-        return parts
+        return min(max(1, pixels // width), height)
 
-    def _run(
+    def _draw_strip(
         self,
-        shader: Shader,
-        entry: str,
-        target_format: str,
+        one: FragmentPass,
+        numbers: Mapping[str, float],
         view: Any,
         area: tuple[int, int, int, int],
         keep: bool = False,
     ) -> None:
         """Draw into a part of a target; the rest becomes black or is kept."""
-        one = self._pass(shader, entry, (target_format,))
+        self._write(numbers)
         encoder = self.device.device.create_command_encoder()
         one.run(encoder, self._bound(one), [view], area, keep)
         self.device.device.queue.submit([encoder.finish()])
+
+    def _bands(self, scene: Scene, numbers: Mapping[str, float]) -> list[Band]:
+        """Rows of the target by what is seen in them."""
+        width, height = int(numbers["width"]), int(numbers["height"])
+        if (width, height) != (scene.camera.width, scene.camera.height):
+            return [Band(0, height, True, True)]
+        solution = self._shown()
+        star = (numbers["seen_x"], 0.0, numbers["seen_z"])
+        reach = 2.0 * solution.medium.star_angular_radius + 3.0 * numbers["pixel_angle"]
+        return bands(scene, numbers["horizon_mu"], star, reach + solution.paths.largest_bend)
 
     def _draw_sky(self, numbers: Mapping[str, float]) -> None:
         """Draw the table of the sky, unless it is there for this observer and star."""
@@ -399,7 +397,9 @@ class Pictures:
         return self._textures.places
 
     def _write(self, numbers: Mapping[str, float]) -> None:
-        values = packed(numbers, self._places())
+        # Above the ground as the shader has it: its radii are good to half a metre.
+        r = float(np.float32(numbers["bottom"])) + (numbers["r"] - numbers["bottom"])
+        values = packed({**numbers, "r": r}, self._places())
         self.device.device.queue.write_buffer(self._uniforms, 0, values)
 
     def _shown(self) -> MomentsSolution:
@@ -428,7 +428,7 @@ def _scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     camera, medium = scene.camera, solution.paths.medium
     true_r = solution.medium.bottom_radius + scene.altitude
     r = float(solution.paths.optical_radius(np.array(true_r)))
-    outside = scene.altitude > solution.medium.thickness
+    outside = scene.altitude >= solution.medium.thickness
     bottom = medium.bottom_radius
     sun = scene.sun_direction
     seen, lift = sun[2], solution.paths

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from airlight.color.upsampling import reflectance_basis
 from airlight.gpu.device import Device
-from airlight.gpu.flat import FLAT_WIDTH, MOST_ROWS, flat_texture
+from airlight.gpu.flat import FLAT_WIDTH, MOST_ROWS, flat_rows, flat_texture
 from airlight.gpu.shown import (
     FIELD_TABLES,
     SCALAR_TABLES,
@@ -135,9 +135,10 @@ class SolutionTextures:
         """Upload a solution; the map of the ground stays where it is if it is the same."""
         made = SolutionTables.of(solution, shown)
         textures = {
-            "scalars": flat_texture(device, made.scalars, "scalars"),
-            "spectra": flat_texture(device, made.spectra, "spectra"),
-            "fields": fields_on(device, solution) or flat_texture(device, made.fields, "fields"),
+            "scalars": flat_texture(device, _uneven(made.scalars), "scalars"),
+            "spectra": flat_texture(device, _uneven(made.spectra), "spectra"),
+            "fields": fields_on(device, solution)
+            or flat_texture(device, _uneven(made.fields), "fields"),
         }
         name = solution.medium.ground_map
         if before is not None and before.textures.get("map of") == name:
@@ -145,13 +146,26 @@ class SolutionTextures:
             places = {one: before.places[one] for one in ("levels", "texels")}
         else:
             texels, places = _map_texels(name)
-            textures["ground"] = flat_texture(device, texels, "ground")
+            textures["ground"] = flat_texture(device, _uneven(texels), "ground")
         textures["map of"] = name
         numbers = made.numbers | {
             "mapped": float(name is not None),
             "map_levels": float(places["levels"][1]),
         }
         return cls(numbers, made.places | places, textures)
+
+
+def _uneven(texels: NDArray[np.float32]) -> NDArray[np.float32]:
+    """The same with another row where the rows are a power of two.
+
+    Software devices compile a shader anew, which takes them seconds to minutes, where a texture's
+    height becomes a power of two or ceases to be one: so none is.
+    """
+    rows = flat_rows(len(texels))
+    if rows & (rows - 1) or rows == MOST_ROWS:
+        return texels
+    more = FLAT_WIDTH * (rows + (2 if rows == 1 else 1)) - len(texels)
+    return np.pad(texels, ((0, more), (0, 0)))
 
 
 def _map_texels(name: str | None) -> tuple[NDArray[np.float32], dict[str, Shape]]:

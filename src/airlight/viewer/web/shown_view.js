@@ -19,13 +19,13 @@ const PIXEL_ANGLES = {
  */
 export function observerNumbers(planet, altitude, sun) {
   const { radius, thickness, star, paths } = planet;
-  const outside = altitude > thickness;
+  const outside = altitude >= thickness;
   const r = paths ? opticalRadius(planet, altitude) : radius + altitude;
   const bottom = paths ? paths.bottom : radius;
   const seen = paths && !outside ? seenStar(r, sun[2], paths) : sun[2];
   const reach = Math.sin(0.5 * star);
   return {
-    r,
+    r: Math.fround(bottom) + (r - bottom),
     outside: Number(outside),
     horizon_mu: -Math.sqrt(Math.max((r - bottom) * (r + bottom), 0)) / r,
     horizon_sine: bottom / r,

@@ -1,0 +1,209 @@
+"""No seam on a flight from the ground to deep space, and none across the horizon behind an object.
+
+Where the ways of drawing change: the table of the sky has one mapping inside the shell and another
+outside; the horizon parts two halves of it; lines that graze the ground have more points.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import sqrt
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight import Camera, Scene, load_planet, look_at, render
+from airlight.color.xyz import rgb_to_xyz
+from airlight.gpu.device import Device
+from airlight.gpu.emitter import Emitter
+from airlight.gpu.flat import FLAT_WIDTH, empty_flat_texture, flat_texture, read_flat
+from airlight.gpu.fragment_pass import FragmentPass
+from airlight.gpu.march import march_line
+from airlight.gpu.pictures import Pictures, _scene_numbers
+from airlight.gpu.shader_types import F32, VEC4, Room
+from airlight.gpu.shaders import TEXTURES, assembled, light
+from airlight.gpu.shown import MOST_CONSTITUENTS
+from airlight.gpu.sky_table import phases_towards
+from airlight.gpu.uniforms import packed
+from airlight.kernel.lanes import room_of_lanes
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solvers.sight import Sight
+
+NM = (440.0, 500.0, 560.0, 620.0)
+
+
+@pytest.fixture(scope="module")
+def earth(solved: Callable[..., MomentsSolution]) -> MomentsSolution:
+    """The Earth, preview."""
+    return solved(load_planet("earth"), NM, "preview")
+
+
+@pytest.fixture(scope="module")
+def pictures(device: Device, earth: MomentsSolution) -> Pictures:
+    """Pictures of it, with a table a quarter as high and as wide as by default."""
+    made = Pictures(device, (64, 64))
+    made.show(earth)
+    return made
+
+
+def flown(altitude: float, earth: MomentsSolution) -> Scene:
+    """The view along a fixed heading: a little below the horizon, wherever that is."""
+    bottom = earth.medium.bottom_radius
+    zenith, _ = look_at("horizon", altitude=altitude, sun_zenith=70.0, bottom_radius=bottom)
+    far = np.degrees(np.arcsin(bottom / (bottom + altitude)))
+    camera = Camera(
+        width=32, height=18, look_zenith=min(zenith + 0.3 * far, 180.0), look_azimuth=40.0,
+        field_of_view=max(0.9 * far, 2.0),
+    )  # fmt: skip
+    return Scene(altitude=altitude, sun_zenith=70.0, camera=camera)
+
+
+def means(
+    pictures: Pictures, earth: MomentsSolution, altitudes: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Mean luminance of each frame by the GPU and by the processor."""
+    found = []
+    for altitude in altitudes:
+        scene = flown(float(altitude), earth)
+        drawn = pictures.frame(scene, disc=False).rgb, render(earth, scene, orders="all").rgb
+        found.append([rgb_to_xyz(rgb)[..., 1].mean() for rgb in drawn])
+    return tuple(np.array(found).T)  # type: ignore[return-value]
+
+
+def test_no_frame_of_a_flight_to_deep_space_jumps(
+    pictures: Pictures, earth: MomentsSolution, tell: Callable[[str], None]
+) -> None:
+    # The processor marches every pixel and has neither table nor mapping: what pixels do at the
+    # limb, both do alike. Between two frames the GPU may change by what the processor changes by,
+    # and half a per cent more: a step of luminance of less than that is not seen (Weber's law has
+    # 1 %), and the rounding of heights just above the ground, half a metre, makes a tenth of it.
+    altitudes = np.geomspace(1.0, 1e8, 200)
+    gpu, processor = means(pictures, earth, altitudes)
+    steps = np.diff(np.log(gpu)) - np.diff(np.log(processor))
+    worst = int(np.abs(steps).argmax())
+    tell(f"flight of 200 frames: largest jump {abs(steps[worst]):.1e} at {altitudes[worst]:.3g} m")
+    assert np.abs(steps).max() < 5e-3
+    # and the frames themselves are those of one flight: no step is far from its neighbours'
+    assert np.abs(np.diff(np.log(gpu), 2)).max() < 1.2 * np.abs(np.diff(np.log(processor), 2)).max()
+
+
+def test_the_top_of_the_air_is_crossed_without_a_jump(
+    pictures: Pictures, earth: MomentsSolution, tell: Callable[[str], None]
+) -> None:
+    # As above, a hundred metres a frame: the table's mapping changes between two of them.
+    thickness = earth.medium.thickness
+    altitudes = thickness + np.linspace(-1e3, 1e3, 20)
+    gpu, processor = means(pictures, earth, altitudes)
+    steps = np.diff(np.log(gpu)) - np.diff(np.log(processor))
+    tell(f"across the top of the air: largest jump {np.abs(steps).max():.1e}")
+    assert np.abs(steps).max() < 5e-3
+
+
+def stretch(r, mu, mu_s, nu, half_sine, length, light, result):
+    """Light of the air between an observer and an object, as the shaders march it."""
+    phase = room_of_lanes(MOST_CONSTITUENTS)
+    totals = np.empty(MOST_CONSTITUENTS)
+    phases_towards(half_sine, True, light, phase)
+    march_line(r, mu, mu_s, nu, length, 2, True, False, phase, light, totals, result)
+
+
+@pytest.fixture(scope="module")
+def stretches(device: Device, pictures: Pictures) -> Callable[[np.ndarray], np.ndarray]:
+    """Radiance per irradiance of air before objects: rows of r, μ, μs, ν, sin(θ/2), length."""
+    import wgpu
+
+    emitter = Emitter()
+    emitter.add(stretch, *[F32] * 6, light(), Room(4, VEC4), name="light_of_stretch")
+    base = assembled("full_screen_triangle", (), TEXTURES[:3], emitter).text
+    text = f"""{base}
+@group(0) @binding(9) var given: texture_2d<f32>;
+fn number(index: i32) -> f32 {{ return textureLoad(given, vec2i(index & 2047, index >> 11), 0).x; }}
+@fragment fn before_object(@builtin(position) at: vec4f) -> @location(0) vec4f {{
+  let item = 6 * (i32(at.y) * {FLAT_WIDTH} + i32(at.x));
+  var found: array<vec4f, 4>;
+  light_of_stretch(number(item), number(item + 1), number(item + 2), number(item + 3),
+    number(item + 4), number(item + 5), &found);
+  return found[0];
+}}"""
+    one = FragmentPass(device, text, "before_object", ["rgba32float"])
+
+    def run(rows: np.ndarray) -> np.ndarray:
+        textures = pictures._textures
+        assert textures is not None
+        numbers: dict[str, Any] = {**_scene_numbers(Scene(), pictures._shown()), **textures.numbers}
+        use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
+        values = packed({**numbers, "first_peak": -1.0, "second_peak": -1.0}, textures.places)
+        uniforms = device.device.create_buffer(size=values.nbytes, usage=use)
+        device.device.queue.write_buffer(uniforms, 0, values)
+        target = empty_flat_texture(device, len(rows), 4)
+        resources = {
+            **textures.textures,
+            "frame": uniforms,
+            "given": flat_texture(device, rows.ravel()),
+        }
+        encoder = device.device.create_command_encoder()
+        area = (0, 0, len(rows), 1)
+        one.run(encoder, one.bind(resources), [target], area)
+        device.device.queue.submit([encoder.finish()])
+        return read_flat(device, target, len(rows)).astype(float)
+
+    return run
+
+
+def rows_of(
+    earth: MomentsSolution, altitude: float, elevation: np.ndarray, length: np.ndarray
+) -> tuple[np.ndarray, Sight]:
+    """Stretches towards the sun's side, for the shader and for the processor. [m], [rad]"""
+    r = np.full(elevation.shape, earth.medium.bottom_radius + altitude)
+    sun = np.radians(10.0)
+    mu, mu_s = np.sin(elevation), np.full(elevation.shape, np.sin(sun))
+    apart = sun - elevation
+    nu = np.cos(apart)
+    rows = np.stack([r, mu, mu_s, nu, np.sin(0.5 * np.abs(apart)), length], axis=-1)
+    return rows, Sight(r, mu, mu_s, nu, length, np.zeros(elevation.shape, bool))
+
+
+def horizon(earth: MomentsSolution, altitude: float) -> tuple[float, float]:
+    """Elevation of the horizon [rad], negative, and its distance. [m]"""
+    bottom = earth.medium.bottom_radius
+    distance = sqrt(altitude * (altitude + 2.0 * bottom))
+    return -float(np.arctan2(distance, bottom)), distance
+
+
+@pytest.mark.parametrize("altitude", [100.0, 10e3])
+def test_a_sphere_before_the_horizon_has_no_stripe(
+    altitude: float, earth: MomentsSolution, stretches: Callable[[np.ndarray], np.ndarray],
+    tell: Callable[[str], None],
+) -> None:  # fmt: skip
+    # What an object is seen through is the air before it alone, however the line would go on: on a
+    # sphere at nine tenths of the horizon's distance, which covers it, the radiance changes evenly
+    # from pixel to pixel. A stripe, as from the difference of two long ways, is a pixel that is
+    # far from the mean of its neighbours. 1e-3: rounding, where a radius is good to 0.5 m.
+    level, distance = horizon(earth, altitude)
+    size = 0.02 * distance
+    offset = np.linspace(-0.9, 0.9, 121) * size
+    elevation = level + offset / (0.9 * distance)
+    length = 0.9 * distance - np.sqrt(size**2 - offset**2)
+    rows, sight = rows_of(earth, altitude, elevation, length)
+    seen = stretches(rows)
+    # a second march
+    assert_allclose(seen, earth.marched(sight, 2, ground=False)[:, :4], rtol=0.01)
+    stripe = np.abs(0.5 * (seen[:-2] + seen[2:]) - seen[1:-1]) / seen[1:-1]
+    tell(f"sphere before the horizon, from {altitude:g} m: largest stripe {stripe.max():.1e}")
+    assert stripe.max() < 1e-3
+
+
+def test_air_before_an_object_grows_evenly_past_the_horizon(
+    earth: MomentsSolution, stretches: Callable[[np.ndarray], np.ndarray]
+) -> None:
+    # A line just above the horizon: stretches that end before it, at it and behind it gain with
+    # each step of their length what the step's own air sends; the gain falls slowly.
+    level, distance = horizon(earth, 10e3)
+    length = np.linspace(0.95, 1.05, 41) * distance
+    rows, _ = rows_of(earth, 10e3, np.full(length.shape, level + 1e-5), length)
+    gain = np.diff(stretches(rows), axis=0)
+    assert (gain > 0.0).all()
+    # 5 % from step to step: a step is 1/400 of the way, and rounding is 1e-3 of its gain at most
+    assert_allclose(gain[1:], gain[:-1], rtol=0.05)

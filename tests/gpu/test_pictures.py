@@ -1,0 +1,388 @@
+"""Pictures of the GPU against those of the processor's renderer, which has lines of its own.
+
+Both march the same solution; the GPU in single precision, panel by panel, and with a table of the
+sky between them where it is not asked to march every pixel. Pixels that the rim of the star's disc
+crosses are left out: the processor counts samples in them, the GPU lets the light fall from one
+pixel to the next. What they get in all is compared instead.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+from airlight import (
+    Camera,
+    Cancelled,
+    ParameterError,
+    Planet,
+    Scene,
+    load_planet,
+    look_at,
+    render,
+    replace,
+    solve,
+)
+from airlight.color.display import to_display
+from airlight.color.exposure import automatic_exposure
+from airlight.color.four_wavelengths import four_wavelengths
+from airlight.gpu import pictures as pictures_module
+from airlight.gpu.device import Device
+from airlight.gpu.flat import read_texture
+from airlight.gpu.pictures import Pictures
+from airlight.gpu.solution_textures import fitting_levels
+from airlight.planets import Constituent
+from airlight.render.render import color_weights
+from airlight.render.sun_disc import add_sun_disc, leaving_direction
+from airlight.scene.surface_map import surface_map
+from airlight.solvers.moments.solution import MomentsSolution
+
+NM = (440.0, 500.0, 560.0, 620.0)
+Lit = Callable[..., MomentsSolution]
+Shows = Callable[..., Pictures]
+
+
+def _many() -> Planet:
+    """Earth with six constituents, two of them peaked."""
+    earth = load_planet("earth-atmosphere-plus")
+    gas, dust, ozone = earth.constituents
+    more = [
+        Constituent(
+            name=f"{dust.name} {k}",
+            profile=replace(dust.profile, scale_height=height),
+            scattering=amount,
+            absorption=0.1 * amount,
+            phase_function=replace(dust.phase_function, asymmetry=asymmetry),
+        )
+        for k, (height, amount, asymmetry) in enumerate(
+            [(500.0, 2e-5, 0.6), (3e3, 1e-6, -0.3), (15e3, 5e-7, 0.85)]
+        )
+    ]
+    return replace(earth, constituents=(gas, dust, ozone, *more))
+
+
+PLANETS: dict[str, Callable[[], Planet]] = {
+    "earth, with a map": lambda: load_planet("earth"),
+    "mars": lambda: load_planet("mars-standard"),
+    "titan": lambda: load_planet("titan"),
+    "earth, light bent": lambda: load_planet("earth", {"refraction": "bouguer"}),
+    "six constituents": _many,
+}
+
+
+@pytest.fixture(scope="module")
+def lit(solved: Callable[..., MomentsSolution]) -> Lit:
+    """The solution of one of ``PLANETS`` at four wavelengths, preview."""
+    planets = {name: make() for name, make in PLANETS.items()}
+    return lambda name="earth, with a map": solved(planets[name], NM, "preview")
+
+
+@pytest.fixture(scope="module")
+def shows(device: Device, lit: Lit) -> Shows:
+    """Pictures that show one of ``PLANETS``."""
+    pictures = Pictures(device, (128, 64))
+
+    def make(name: str = "earth, with a map") -> Pictures:
+        solution = lit(name)
+        if pictures._solution is not solution:
+            pictures.show(solution)
+        return pictures
+
+    return make
+
+
+def scene_of(planet: Planet, name: str) -> Scene:
+    """A scene by name; heights in parts of the planet.
+
+    Radii in the shader are multiples of half a metre. So are heights where light goes straight;
+    where it is bent, optical ones are rounded, which near the ground would change the way to it by
+    a per cent: there the observer stands higher.
+    """
+    bottom, thick = planet.bottom_radius, planet.top_radius - planet.bottom_radius
+    low = 20.0 if planet.refraction == "none" else 200.0
+    limb, _ = look_at("horizon", altitude=4.0 * thick, sun_zenith=75.0, bottom_radius=bottom)
+    view = {
+        "noon": (low, 30.0, "perspective", 75.0, 30.0, None),
+        "sunset": (low, 90.0, "perspective", 85.0, 10.0, None),
+        "twilight": (low, 94.0, "perspective", 80.0, 10.0, None),
+        "aloft": (0.35 * thick, 80.0, "perspective", 95.0, -20.0, None),
+        "at the top": (thick, 80.0, "perspective", 95.0, -20.0, None),
+        "in orbit": (4.0 * thick, 75.0, "perspective", limb, 20.0, None),
+        "whole planet": (3.0 * bottom, 60.0, "perspective", 180.0, 20.0, 35.0),
+        "far away": (1e8, 60.0, "perspective", 180.0, 20.0, 200.0 * bottom / 1e8),
+        "dome": (low, 60.0, "fisheye", None, 0.0, None),
+        "nadir": (0.5 * thick, 0.0, "fisheye", 180.0, 0.0, 220.0),
+        "panorama": (0.1 * thick, 85.0, "equirectangular", None, 0.0, None),
+        "cube": (4.0 * thick, 85.0, "cubemap", None, 0.0, None),
+        "midnight": (0.2 * thick, 180.0, "perspective", 90.0, 0.0, None),
+    }
+    altitude, sun, projection, look, azimuth, fov = view[name]
+    width, height = {"perspective": (96, 54), "fisheye": (64, 64), "equirectangular": (96, 48),
+                     "cubemap": (144, 24)}[projection]  # fmt: skip
+    camera = Camera(
+        projection=projection, width=width, height=height, look_zenith=look, look_azimuth=azimuth,
+        field_of_view=fov,
+    )  # fmt: skip
+    return Scene(altitude=altitude, sun_zenith=sun, camera=camera)
+
+
+SCENES = ("noon", "sunset", "twilight", "aloft", "at the top", "in orbit", "whole planet",
+          "far away", "dome", "nadir", "panorama", "cube", "midnight")  # fmt: skip
+FEW = ("noon", "sunset", "aloft", "in orbit")
+CASES = [("earth, with a map", scene) for scene in SCENES]
+CASES += [(name, scene) for name in PLANETS for scene in FEW if name != "earth, with a map"]
+
+
+def away_from_the_rim(solution: MomentsSolution, scene: Scene) -> np.ndarray:
+    """Pixels farther than two from the rim of the star's disc: beyond what either shares out."""
+    rays = scene.camera.directions()
+    there = leaving_direction(rays.reshape(-1, 3), solution, scene.altitude)
+    half = 0.5 * np.linalg.norm(there - scene.sun_direction, axis=-1)
+    angle = 2.0 * np.arcsin(np.minimum(half, 1.0)).reshape(rays.shape[:2])
+    reach = 2.0 * scene.camera.pixel_angle
+    return np.asarray(np.abs(angle - solution.medium.star_angular_radius) > reach)
+
+
+def solid_angles(camera: Camera) -> np.ndarray:
+    """Of each pixel, from the corners' directions. [sr]"""
+    a, b, c, d = (
+        camera.directions(offset=(dx, dy))
+        for dx, dy in ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5))
+    )
+    return 0.5 * np.linalg.norm(np.cross(c - a, d - b), axis=-1)
+
+
+@pytest.mark.parametrize(("name", "scene"), CASES)
+def test_a_marched_picture_has_the_processor_s_radiance(
+    name: str, scene: str, lit: Lit, shows: Shows, tell: Callable[[str], None]
+) -> None:
+    # 1 %, of the pixel's brightest channel: the others may be differences of larger numbers.
+    # Single precision makes 1e-4, of lines that graze the ground 2e-3. Light below 1e-4 of the
+    # picture's is nobody's.
+    solution, seen = lit(name), scene_of(PLANETS[name](), scene)
+    wanted = render(solution, seen).rgb.astype(float)
+    rgb = shows(name).frame(seen, exact=True).rgb
+    assert np.isfinite(rgb).all()
+    bright = np.abs(wanted).max(axis=2)
+    error = np.abs(rgb - wanted).max(axis=2) / (bright + 1e-4 * np.quantile(bright, 0.99))
+    error = error[away_from_the_rim(solution, seen)]
+    tell(f"marched on the GPU, {name}, {scene}: {np.median(error):.1e}, at most {error.max():.1e}")
+    assert bright.max() > 0.0
+    assert error.max() < 0.01
+
+
+@pytest.mark.parametrize(("name", "scene"), CASES)
+def test_a_picture_from_the_table_is_shown_as_the_processor_s(
+    name: str, scene: str, lit: Lit, shows: Shows
+) -> None:
+    # 2/255, tone mapped and encoded: less than anybody sees. The table has a quarter of the texels
+    # that it has by default.
+    solution, seen = lit(name), scene_of(PLANETS[name](), scene)
+    wanted = render(solution, seen).rgb
+    exposure = automatic_exposure(wanted)
+    shown = to_display(shows(name).frame(seen).rgb, exposure).astype(int)
+    difference = np.abs(shown - to_display(wanted, exposure)).max(axis=2)
+    assert difference[away_from_the_rim(solution, seen)].max() <= 2
+
+
+@pytest.mark.parametrize("orders", ["single", "multiple"])
+def test_orders_are_drawn_apart_as_by_the_processor(orders: str, lit: Lit, shows: Shows) -> None:
+    # Bounds as above: of the march, and of the table.
+    seen = scene_of(PLANETS["earth, with a map"](), "in orbit")
+    wanted = render(lit(), seen, orders=orders).rgb
+    marched = shows().frame(seen, exact=True, orders=orders).rgb
+    bright = np.abs(wanted).max(axis=2, keepdims=True) + 1e-4 * np.abs(wanted).max()
+    assert_array_equal(np.abs(marched - wanted) < 0.01 * bright, True)
+    exposure = automatic_exposure(wanted)
+    shown = to_display(shows().frame(seen, orders=orders).rgb, exposure).astype(int)
+    assert np.abs(shown - to_display(wanted, exposure)).max() <= 2
+
+
+def test_default_quality_is_drawn_as_well(
+    device: Device, solved: Callable[..., MomentsSolution]
+) -> None:
+    # More radii, angles and harmonics than in preview: bounds as above, the table as by default.
+    solution = solved(load_planet("earth"), NM, "default")
+    seen = scene_of(load_planet("earth"), "aloft")
+    pictures = Pictures(device)
+    pictures.show(solution)
+    wanted = render(solution, seen).rgb
+    free = away_from_the_rim(solution, seen)
+    bright = np.abs(wanted).max(axis=2, keepdims=True) + 1e-4 * np.quantile(wanted, 0.99)
+    error = np.abs(pictures.frame(seen, exact=True).rgb - wanted) / bright
+    assert error[free].max() < 0.01
+    exposure = automatic_exposure(wanted)
+    shown = to_display(pictures.frame(seen).rgb, exposure).astype(int)
+    assert np.abs(shown - to_display(wanted, exposure))[free].max() <= 2
+
+
+#: Radius of the sun's disc in pixels: 26, 3.2, 2.3, 1.3, 0.4, 0.2.
+FIELDS = (1.0, 8.0, 11.0, 20.0, 60.0, 100.0)
+
+
+@pytest.mark.parametrize("field", FIELDS)
+@pytest.mark.parametrize("name", ["earth, with a map", "earth, light bent"])
+def test_the_disc_s_light_does_not_depend_on_how_it_is_shared_out(
+    name: str, field: float, lit: Lit, shows: Shows
+) -> None:
+    # The law: all pixels together hold the star's irradiance, however large they are. 2 %: the
+    # processor counts 25 samples in each pixel of the rim, 48 points where it is small; the
+    # transmittance comes from a table, good to 1 % where the sun stands 70° high.
+    solution = lit(name)
+    camera = Camera(
+        width=96, height=54, look_zenith=20.0 + 0.003 * field, look_azimuth=0.02 * field,
+        field_of_view=field,
+    )  # fmt: skip
+    seen = Scene(altitude=0.0, sun_zenith=20.0, camera=camera)
+    total = disc_total(shows(name), seen)
+    assert_allclose(total, processor_total(solution, seen), rtol=0.02)
+
+
+@pytest.mark.parametrize("projection", ["fisheye", "equirectangular", "cubemap"])
+@pytest.mark.parametrize("sun_zenith", [30.0, 60.0])
+def test_a_small_disc_has_its_light_on_every_projection(
+    projection: str, sun_zenith: float, lit: Lit, shows: Shows
+) -> None:
+    # As above, where pixels are neither square nor upright.
+    width, height = {"fisheye": (64, 64), "equirectangular": (96, 48), "cubemap": (288, 48)}[
+        projection
+    ]
+    camera = Camera(projection=projection, width=width, height=height)
+    seen = Scene(altitude=0.0, sun_zenith=sun_zenith, camera=camera)
+    assert_allclose(disc_total(shows(), seen), processor_total(lit(), seen), rtol=0.02)
+
+
+def test_the_setting_disc_has_the_processor_s_light(
+    device: Device, solved: Callable[..., MomentsSolution]
+) -> None:
+    # 2 % at 85°; on the horizon 4 %: there the air is 15 deep, and its table good to 2e-3.
+    solution = solved(load_planet("earth"), NM, "default")
+    pictures = Pictures(device, (64, 64))
+    pictures.show(solution)
+    for sun_zenith, tolerance in ((85.0, 0.02), (90.0, 0.04)):
+        camera = Camera(width=96, height=54, look_zenith=sun_zenith, field_of_view=3.0)
+        seen = Scene(altitude=20.0, sun_zenith=sun_zenith, camera=camera)
+        wanted = processor_total(solution, seen)
+        assert_allclose(disc_total(pictures, seen), wanted, rtol=tolerance)
+
+
+def disc_total(pictures: Pictures, seen: Scene) -> np.ndarray:
+    """What the disc adds to all pixels of a picture of the GPU. [W m⁻²]"""
+    with_disc = pictures.frame(seen).rgb.astype(float)
+    only = with_disc - pictures.frame(seen, disc=False).rgb
+    return np.asarray((only * solid_angles(seen.camera)[..., None]).sum(axis=(0, 1)))
+
+
+def processor_total(solution: MomentsSolution, seen: Scene) -> np.ndarray:
+    """The same by the processor."""
+    rgb = np.zeros((seen.camera.height, seen.camera.width, 3), np.float32)
+    add_sun_disc(rgb, solution, seen, color_weights(solution))
+    return np.asarray((rgb * solid_angles(seen.camera)[..., None]).sum(axis=(0, 1)))
+
+
+def test_a_point_star_has_no_disc(device: Device, lit: Lit) -> None:
+    # A radius of 0 has no solid angle: the light of the air is all that is drawn.
+    planet = PLANETS["six constituents"]()
+    planet = replace(planet, star=replace(planet.star, angular_radius=0.0))
+    pictures = Pictures(device, (64, 64))
+    solution = solve(planet, NM, quality="preview", cache=False)
+    pictures.show(solution)
+    seen = scene_of(planet, "sunset")
+    rgb = pictures.frame(seen, exact=True).rgb
+    wanted = render(solution, seen).rgb
+    bright = np.abs(wanted).max(axis=2, keepdims=True)
+    assert_array_equal(np.abs(rgb - wanted) <= 0.01 * bright, True)
+
+
+def test_outside_the_circle_a_dome_is_black(shows: Shows) -> None:
+    seen = scene_of(PLANETS["earth, with a map"](), "dome")
+    outside = ~np.any(seen.camera.directions() != 0.0, axis=-1)
+    assert outside.sum() > 500
+    for exact in (True, False):
+        assert_array_equal(shows().frame(seen, exact=exact).rgb[outside], 0.0)
+
+
+def test_the_shader_fills_the_table_as_the_processor_does(device: Device, lit: Lit) -> None:
+    # Two marches of one source of light: fourth roots that agree to a quarter of 1 %.
+    layers = []
+    for by_processor in (True, False):
+        pictures = Pictures(device, (64, 32), sky_by_processor=by_processor)
+        pictures.show(lit())
+        pictures.frame(scene_of(PLANETS["earth, with a map"](), "aloft"))
+        layers.append([read_texture(device, one) for one in pictures._layers.values()])
+    for processor, shader in zip(*layers, strict=True):
+        atol = 1e-3 * processor.max(axis=(0, 1))
+        assert_array_equal(np.abs(shader - processor) <= 2.5e-3 * processor + atol, True)
+
+
+@pytest.mark.parametrize("exact", [True, False])
+def test_a_picture_in_strips_is_the_whole_one(
+    exact: bool, shows: Shows, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # The same arithmetic for each pixel: no bit differs.
+    seen = scene_of(PLANETS["earth, with a map"](), "sunset")
+    whole = shows().frame(seen, exact=exact).rgb
+    monkeypatch.setattr(pictures_module, "_PIXELS_AT_ONCE", (96 * 7, 96 * 7, 96 * 7))
+    said: list[tuple[int, int]] = []
+    rgb = shows().frame(seen, exact=exact, progress=lambda *one: said.append(one[:2])).rgb
+    assert_array_equal(rgb.view(np.uint32), whole.view(np.uint32))
+    assert said == [(min(7 * (k + 1), 54), 54) for k in range(8)]
+
+
+def test_a_picture_can_be_cancelled_and_one_too_wide_is_refused(shows: Shows) -> None:
+    with pytest.raises(Cancelled):
+        shows().frame(Scene(camera=Camera(width=8, height=8)), cancel=lambda: True)
+    with pytest.raises(ParameterError, match=r"camera\.width is 16384; allowed: at most 8192"):
+        shows().frame(Scene(camera=Camera(width=16384, height=1)))
+
+
+def test_bands_draw_the_same_picture(device: Device, shows: Shows) -> None:
+    # Shaders with fewer choices, for the same numbers: rounding alone may differ.
+    import wgpu
+
+    seen = scene_of(PLANETS["earth, with a map"](), "sunset")
+    use = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.COPY_SRC
+    target = device.device.create_texture(size=(96, 54, 1), format="rgba32float", usage=use)
+    shows().draw(seen, target.create_view(), "rgba32float")
+    rgb = shows().frame(seen).rgb
+    assert_allclose(read_texture(device, target)[..., :3], rgb, rtol=1e-4, atol=1e-6 * rgb.max())
+
+
+def test_fewer_wavelengths_leave_the_others_dark(device: Device, lit: Lit) -> None:
+    # Light is linear in the wavelengths: one with its weights is what it adds to the picture of
+    # four. 2e-3: each solution has sweeps of its own number.
+    planet = PLANETS["mars"]()
+    seen = scene_of(planet, "noon")
+    _, weights = four_wavelengths(planet.star.irradiances)
+    whole = Pictures(device, (64, 64))
+    only = np.zeros_like(weights)
+    only[2] = weights[2]
+    whole.show(lit("mars"), only)
+    one = Pictures(device, (64, 64))
+    one.show(solve(planet, NM[2:3], quality="preview", cache=False), weights[2:3])
+    rgb = one.frame(seen).rgb
+    assert_allclose(rgb, whole.frame(seen).rgb, rtol=2e-3, atol=1e-4 * np.abs(rgb).max())
+
+
+def test_more_wavelengths_than_four_are_refused(device: Device) -> None:
+    solution = solve(PLANETS["mars"](), (400.0, *NM), quality="preview", cache=False)
+    with pytest.raises(ParameterError, match="wavelengths is 5; allowed: at most 4 on the GPU"):
+        Pictures(device, (64, 64)).show(solution)
+
+
+def test_a_map_with_too_many_pixels_loses_its_finest_levels() -> None:
+    # Means of means: what is left has the whole map's mean, and the levels that it had.
+    levels = surface_map("earth").levels
+    kept = fitting_levels(levels, levels[0].size)
+    assert_array_equal(kept[0], levels[1])
+    assert len(kept) == len(levels) - 1
+    assert fitting_levels(levels, sum(one.size for one in levels))[0] is levels[0]
+    uneven = np.random.default_rng(1).uniform(size=(90, 210, 3)).astype(np.float32)
+    (taken,) = fitting_levels((uneven,), 3 * 30 * 70)
+    assert taken.shape == (30, 70, 3)
+    # Each new pixel is the mean of three by three old ones.
+    wanted = uneven.reshape(30, 3, 70, 3, 3).mean(axis=(1, 3))
+    assert_allclose(taken, wanted, rtol=1e-6)
