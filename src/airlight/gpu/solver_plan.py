@@ -65,7 +65,7 @@ _tables: OrderedDict[tuple[Any, ...], tuple[ColumnTable, FloatArray]] = OrderedD
 
 
 #: Vertical depth, each scattering counted by 1 - g, beyond which the air is left to the CPU. [1]
-_THICKEST: Final = 2.5
+THICKEST: Final = 2.5
 
 
 class ThickAir(AirlightError):
@@ -275,7 +275,7 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
             "constituents", constituents, f"at most {MOST_CONSTITUENTS} on the GPU"
         )
     degree = choose_degree(medium, settings)
-    if transport_depth(medium).max() > _THICKEST:
+    if transport_depth(medium).max() > THICKEST:
         raise ThickAir
     grid, parts = grid_for(medium, settings)
     gathering = grid._replace(radii=grid.radii[::parts])

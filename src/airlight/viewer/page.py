@@ -17,6 +17,7 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.planets import load_planet
 from airlight.solvers import solve
 from airlight.viewer.package import planet_tables, program, wavelengths_for
+from airlight.viewer.page_solver import amount_parameters, solver_data
 from airlight.viewer.page_text import page_text
 from airlight.viewer.parameter import Parameter, Value
 from airlight.viewer.session import Session
@@ -30,6 +31,11 @@ LARGEST: Final = 3_000_000
 _DIGITS: Final = 12
 #: What the page says about the planet's own parameters.
 NOTE: Final = "The planet is as it was solved; the desktop viewer edits it: airlight view {name}"
+
+#: The same where the page solves for itself.
+EDITED: Final = (
+    "Amounts and the ground are edited here; the desktop viewer edits all: airlight view {name}"
+)
 
 
 @dataclass(frozen=True)
@@ -72,15 +78,21 @@ def page_data(
         ``three`` or ``four``: how many wavelengths were solved.
     """
     numbers, tables = planet_tables(solution)
+    solver = solver_data(solution)
+    edited = () if solver is None else amount_parameters(solution)
     parameters = page_parameters()
     fixed = program()
     return {
         "title": title,
         "planet": name,
-        "note": NOTE.format(name=name),
-        "parameters": [one.as_json() for one in parameters],
-        "values": {one.path: values[one.path] for one in parameters},
+        "note": (EDITED if edited else NOTE).format(name=name),
+        "parameters": [one.as_json() for one in (*edited, *parameters)],
+        "values": {
+            **{one.path: values[one.path] for one in parameters},
+            **{one.path: 1.0 for one in edited},
+        },
         "solution": f"{count} wavelengths, solved at the quality {solution.settings.as_text()}",
+        "solver": solver,
         "picture": {
             **fixed,
             "shaders": deflated(json.dumps(fixed["shaders"])),
