@@ -21,14 +21,12 @@ from airlight.viewer.page_solver import amount_parameters, solver_data
 from airlight.viewer.page_text import page_text
 from airlight.viewer.parameter import Parameter, Value
 from airlight.viewer.session import Session
-from airlight.viewer.tables_text import as_text, deflated, rounded
+from airlight.viewer.tables_text import DIGITS, as_text, deflated, rounded
 from airlight.viewer.view_parameters import view_parameters
 from airlight.viewer.wanted import SOLVED
 
 #: A page larger than this is refused. [byte]
 LARGEST: Final = 3_000_000
-#: Binary digits that are kept of light and of columns: 1e-4, a tenth of what a display shows.
-_DIGITS: Final = 12
 #: What the page says about the planet's own parameters.
 NOTE: Final = "The planet is as it was solved; the desktop viewer edits it: airlight view {name}"
 
@@ -112,13 +110,13 @@ def _table_text(key: str, table: NDArray[np.float32], uniforms: Mapping[str, Any
         start, *shape = (int(n) for n in uniforms["table_columns"])
         columns = slice(start, start + int(np.prod(shape)) * 2)
         table = table.copy()
-        table[columns] = rounded(table[columns], _DIGITS)
+        table[columns] = rounded(table[columns], DIGITS)
         return as_text(table, 2 * constituents)
     if key == "fields":
         degree, suns = int(uniforms["degree"]), int(uniforms["suns"])
         texels = suns * (1 + (degree + 1) * (degree + 2) // 2)
-        return as_text(rounded(table, _DIGITS), 4 * texels)
-    return as_text(rounded(table, _DIGITS), 4 * constituents)
+        return as_text(rounded(table, DIGITS), 4 * texels)
+    return as_text(rounded(table, DIGITS), 4 * constituents)
 
 
 def export_page(

@@ -15,11 +15,10 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.gpu.fragment_pass import declared_bindings, wgsl
 from airlight.gpu.shown import WAVELENGTHS
 from airlight.gpu.solver import MOST_SWEEPS, NIGHT, STRICTER
-from airlight.gpu.solver_passes import PASSES, shader
-from airlight.gpu.solver_plan import THICKEST, ThickAir, plan_for
+from airlight.gpu.solver_passes import SCALARS
+from airlight.gpu.solver_plan import THICKEST, SolverPlan, ThickAir, plan_for
 from airlight.planets.medium import BENDING
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments import air, convergence
@@ -28,8 +27,8 @@ from airlight.solvers.moments.packing import filled, level_weights
 from airlight.solvers.moments.settings import QUALITIES, Settings
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.viewer.parameter import Parameter
-from airlight.viewer.tables_text import as_text, deflated
-from airlight.viewer.web_shaders import CORNERS
+from airlight.viewer.tables_text import DIGITS, as_text, deflated, rounded
+from airlight.viewer.web_shaders import solver_shaders
 
 #: How much of a constituent there may be, in parts of what the planet has.
 MOST: Final = 10.0
@@ -100,8 +99,8 @@ def solver_data(
     return {
         "plan": made,
         "uniforms": [float(x) for x in plan.solve.reshape(-1)],
-        "scalars": as_text(plan.scalars),
-        "shaders": deflated(json.dumps(_shaders())),
+        "scalars": _tables(plan, made["tables"]),
+        "shaders": deflated(json.dumps(solver_shaders())),
         "tolerance": chosen.tolerance,
         "most_sweeps": min(chosen.max_sweeps, MOST_SWEEPS),
         "stricter": STRICTER,
@@ -134,24 +133,19 @@ def solver_data(
     }
 
 
+def _tables(plan: SolverPlan, places: dict[str, Any]) -> dict[str, str]:
+    """The tables of numbers as text, each next to its neighbour along the axis that helps most."""
+    found = {}
+    for name in SCALARS:
+        start, shape = places[name]["start"], places[name]["shape"]
+        values = plan.scalars[start : start + int(np.prod(shape))]
+        if name == "ratios":
+            found[name] = as_text(rounded(values, DIGITS), shape[-1] * shape[-2])
+        else:
+            found[name] = min((as_text(values, n) for n in (1, shape[-1])), key=len)
+    return found
+
+
 def _four(values: NDArray[np.float64]) -> Any:
     """Wavelengths (..., w) as lists of four numbers."""
     return filled(np.asarray(values, np.float64))[..., :WAVELENGTHS].tolist()
-
-
-def _shaders() -> dict[str, dict[str, Any]]:
-    """Every pass of the solver as ``web/solver.js`` takes it, with the slots that it reads."""
-    corners = wgsl(CORNERS)
-    found = {}
-    for name in sorted(PASSES):
-        text = shader(name)
-        slots = {
-            one.name: (f"{one.group}/{one.binding}", "texture" in one.layout)
-            for one in declared_bindings(text, name)
-        }
-        found[name] = {
-            "wgsl": f"{corners}\n{text}",
-            "uniforms": {one: slot for one, (slot, texture) in slots.items() if not texture},
-            "reads": {slot: one for one, (slot, texture) in slots.items() if texture},
-        }
-    return found

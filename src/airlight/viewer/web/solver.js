@@ -2,7 +2,8 @@
  * The moments solver on a device: successive orders of scattering as passes of fragments.
  *
  * A description, as viewer/page_solver.py makes it, has the `plan` of gpu/solver_plan.py, its
- * `uniforms`, `scalars` and `shaders`, the numbers of the `air`, and when to stop.
+ * `uniforms`, `scalars` (its tables in their order) and `shaders`, the numbers of the `air`, and
+ * when to stop.
  */
 import { brightest, counts, mixingWeights, relativeChange, whatFollows } from "./convergence.js";
 import { numbersOf, textOf } from "./package.js";
@@ -20,7 +21,8 @@ export class Solver {
    */
   static async make(device, description) {
     const shaders = JSON.parse(await textOf(description.shaders));
-    const solver = new Solver(device, description, await numbersOf(description.scalars));
+    const parts = await Promise.all(Object.values(description.scalars).map(numbersOf));
+    const solver = new Solver(device, description, Float32Array.from(parts.flatMap((p) => [...p])));
     await solver.build(shaders);
     return solver;
   }
