@@ -125,3 +125,21 @@ def test_an_edit_in_the_page_shows_what_is_solved_without_a_browser(
         f"in the mean {off.mean():.3f}/255"
     )
     assert_allclose(off, 0.0, atol=2.0)
+
+
+def test_an_edit_that_is_refused_says_so_and_leaves_the_picture(
+    plain: Callable[[str], MomentsSolution], opened: Callable[..., Any], tmp_path: Path
+) -> None:
+    # the air's depth is beyond what the passes solve; the address carries the edit all the same
+    data = page_data(plain("earth"), "earth", "earth", {**DEFAULTS, **FIXED}, "three")
+    file = tmp_path / "page.html"
+    file.write_text(page_text("earth", json.loads(json.dumps(data))), encoding="utf-8")
+    edit = {"air.amounts[0]": 10.0, "air.amounts[1]": 10.0}
+    fragment = "#" + json.dumps({"planet": "earth", "air": edit}, separators=(",", ":"))
+    page = opened(file, f"?device=webgl2{fragment}")
+    page.evaluate("airlight.settled()")
+    said = page.evaluate("airlight.parts.message.textContent")
+    assert said == "so much air is too thick to be solved here; the desktop viewer solves it"
+    assert page.evaluate("airlight.state.get('air.amounts[1]')") == 10.0
+    assert page.evaluate("decodeURI(airlight.state.asFragment())") == fragment[1:].replace(".0", "")
+    assert page.evaluate("airlight.picture.solutions") == 1
