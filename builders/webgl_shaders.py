@@ -15,9 +15,8 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from airlight.gpu.uniforms import struct_text
-
 from airlight.gpu.translated import entry_points, file_name, with_head
+from airlight.gpu.uniforms import struct_text
 from airlight.viewer.web_shaders import web_texts
 from private_rooms import with_private_rooms
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -30,8 +30,8 @@ def viewer(solution: Any) -> Iterator[Any]:
     """A viewer whose planet is solved at once."""
     from airlight.viewer.notebook import Viewer
 
-    def solving(session: Session, *, on_change: Callable[[], None]) -> Solving:
-        return Solving(session, solver=lambda *a, **k: solution, on_change=on_change)
+    def solving(session: Session, **more: Any) -> Solving:
+        return Solving(session, **{**more, "solver": lambda *a, **k: solution})
 
     made = Viewer("mars", solving=solving)
     assert made.wait(60.0)

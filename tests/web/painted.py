@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 
 from airlight.gpu.translated import entry_points, translated
 from airlight.gpu.uniforms import layout, struct_text
-from airlight.viewer.tables_text import as_text
+from airlight.viewer.tables_text import as_text, deflated
 
 SHADERS = Path(__file__).parent / "shaders"
 #: Columns of the table of the sky.
@@ -62,13 +63,15 @@ def program() -> dict[str, Any]:
             ],
         },
         "shaders": {"painted": shader("painted")},
-        "sky": {"full": [64, 64], "quick": [64, 32]},
+        "sky": {"full": [64, 64], "medium": [64, 32], "quick": [64, 16]},
         "glance": 64,
         "projections": {"perspective": [1e-3, 170.0]},
         "tone_maps": {"hable": 0.18},
         "encodings": ["srgb"],
         "orders": {"all": 2, "single": 1, "multiple": 0},
         "luminance": [0.2, 0.7, 0.1],
+        "xyz": [[0.4, 0.2, 0.0], [0.4, 0.7, 0.1], [0.2, 0.1, 0.9]],
+        "efficacy": 683.0,
     }
 
 
@@ -83,6 +86,12 @@ def solution(paint: tuple[float, ...] = PAINT) -> dict[str, Any]:
         "star": 0.0,
         "paths": None,
     }
+
+
+def page() -> dict[str, Any]:
+    """What a page carries of it."""
+    fixed = program()
+    return {**fixed, "shaders": deflated(json.dumps(fixed["shaders"])), **solution()}
 
 
 def picture(

@@ -72,7 +72,7 @@ def file(tmp_path: Path) -> Path:
     """A page of its own."""
     data = {
         "title": "painted", "planet": "painted", "parameters": parameters(), "values": VIEW,
-        "note": "nothing to edit", "picture": {**painted.program(), **painted.solution()},
+        "note": "nothing to edit", "picture": painted.page(),
     }  # fmt: skip
     place = tmp_path / "page.html"
     place.write_text(page_text("painted <sky>", data), encoding="utf-8")
@@ -192,3 +192,26 @@ def test_page_carries_all_that_it_needs(file: Path) -> None:
         assert word not in text, word
     data = text.partition('id="airlight-data">')[2].partition("</script>")[0]
     assert json.loads(data)["title"] == "painted"
+
+
+@pytest.mark.parametrize("device", ["webgpu", "webgl2"])
+def test_probe_tells_the_light_of_the_pixel_that_is_pointed_at(
+    device: str, file: Path, opened: Callable[..., Any]
+) -> None:
+    # a second method: the painted sky in NumPy, and the two sums by hand
+    page = opened(file, f"?device={device}")
+    png(page)
+    page.evaluate("airlight.settled()")
+    width, height = page.evaluate("airlight.drawn")
+    box = page.locator("canvas").bounding_box()
+    page.mouse.move(box["x"] + 0.25 * box["width"], box["y"] + 0.7 * box["height"])
+    until(page, "document.querySelector('.airlight-probe').textContent !== ''")
+    words = page.locator(".airlight-probe").inner_text().replace(",", "").split()
+    azimuth = VIEW["view.heading"] - VIEW["view.sun_azimuth"]
+    axes = camera_axes(VIEW["view.look_zenith"], azimuth, VIEW["view.roll"])
+    light = painted.picture(axes, width, height, VIEW["view.field_of_view"], 0.0)
+    rgb = light[int(0.7 * height), int(0.25 * width)]
+    xyz = rgb @ np.array(painted.program()["xyz"])
+    # three digits, and four behind the point
+    assert_allclose(float(words[1]), 683.0 * xyz[1], rtol=5e-3)
+    assert_allclose([float(words[4]), float(words[6])], xyz[:2] / xyz.sum(), atol=1e-4)

@@ -14,6 +14,7 @@ from airlight.color.spectral import (
     eye_rgb,
     irradiance_at,
     on_eye_grid,
+    rgb_weights,
     sun_color,
 )
 from airlight.color.typical_light import typical_light
@@ -170,6 +171,32 @@ def fitted_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None)
     system = np.einsum("kij,kn->kinj", seen, free).reshape(missing.size, -1)
     rows = np.linalg.lstsq(system, missing.ravel(), rcond=None)[0].reshape(-1, 3)
     return np.vstack([rows, whole - rows.sum(axis=0)]) / local[:, None]
+
+
+def picture_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None) -> FloatArray:
+    """Weights of a picture: fitted for the few of ``few_wavelengths``, integrated for all others.
+
+    Parameters
+    ----------
+    wavelengths : array, shape (n,)
+        [nm]
+    irradiance : callable, array or None
+        As in ``rgb_weights``.
+
+    Returns
+    -------
+    array, shape (n, 3)
+        In the meaning of ``rgb_weights``. [nm]
+
+    Examples
+    --------
+    >>> bool((picture_weights(few_wavelengths(4)) == fitted_weights(few_wavelengths(4))).all())
+    True
+    """
+    at = np.asarray(wavelengths, dtype=float)
+    if at.size in CHOSEN and tuple(at) == CHOSEN[at.size]:
+        return fitted_weights(at, irradiance)
+    return rgb_weights(at, irradiance)
 
 
 def _seen_differences(rgb: FloatArray) -> FloatArray:

@@ -25,7 +25,7 @@ from airlight.gpu.shown import MOST_CONSTITUENTS
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.solvers.moments.grid import row_of
-from airlight.solvers.moments.harmonics import legendre_functions
+from airlight.solvers.moments.harmonics import directed_functions
 from airlight.solvers.moments.source import (
     gathered_light,
     level_sky,
@@ -33,7 +33,6 @@ from airlight.solvers.moments.source import (
     scattered_star,
     star_at,
     through_columns,
-    times_cosines,
 )
 from airlight.solvers.moments.sweep import place_of
 from airlight.tables.column_ratios import columns_to_top
@@ -49,8 +48,9 @@ GRAZING = 9.0
 FAINT = 5e-4
 FULL_DAY = 0.1
 THICK = 15.0
-#: A line that is cut so often needs few points a panel.
-MANY_EDGES = 12
+#: Lines that are cut so often need fewer points a panel.
+SOME_EDGES = 6
+MANY_EDGES = 10
 
 
 @inlined
@@ -172,7 +172,7 @@ def march_line(r, mu, mu_s, nu, length, orders, gathers, peaks, phase, light, to
     end = min(mu_s, (r * mu_s + length * nu) / radius_along(r, mu, length))
     slant = length / (top - bottom)
     day = end > FULL_DAY
-    kind = 1 if slant < GRAZING else 2
+    kind = 1 if slant < GRAZING or count > SOME_EDGES else 2
     if (day and slant < STEEP) or count > MANY_EDGES:
         kind = 0
     rule = int(light.rules[kind])
@@ -246,12 +246,14 @@ def march_line(r, mu, mu_s, nu, length, orders, gathers, peaks, phase, light, to
                             rho, light.scattering, phase, light.constituents, LANES, 0
                         )
             if gathers and orders != 1 and depth * weight[k] >= faint:
-                legendre_functions(
-                    mu_q, (light.degree, light.start, light.ahead, light.back), functions
-                )
                 spread = (1.0 - mu_q) * (1.0 + mu_q) * (1.0 - mu_sq) * (1.0 + mu_sq)
                 step = (nu_q - mu_q * mu_sq) / sqrt(max(spread, 1e-24))
-                times_cosines(functions, min(max(step, -1.0), 1.0), light.degree)
+                directed_functions(
+                    mu_q,
+                    min(max(step, -1.0), 1.0),
+                    (light.degree, light.start, light.ahead, light.back),
+                    functions,
+                )
                 x = row_of(q, bottom, top, light.row)
                 row = min(int(x), light.radii - 2)
                 f = np.float32(x - row)

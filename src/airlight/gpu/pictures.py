@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from airlight.color.encoding import ENCODINGS
 from airlight.color.exposure import exposure_factor
-from airlight.color.spectral import rgb_weights
+from airlight.color.four_wavelengths import picture_weights
 from airlight.color.tone_maps import TONE_MAPS
 from airlight.color.upsampling import reflectance_basis
 from airlight.errors import Cancelled, ParameterError
@@ -22,7 +22,7 @@ from airlight.gpu.device import Device
 from airlight.gpu.flat import FLAT_WIDTH, empty_flat_texture, read_texture, update_flat
 from airlight.gpu.fragment_pass import FragmentPass
 from airlight.gpu.shaders import Fixed, Shader, picture_shader, sky_air_shader, sky_peaks_shader
-from airlight.gpu.shown import WAVELENGTHS, Shown, shown_solution
+from airlight.gpu.shown import EVEN_POINTS, POINTS, WAVELENGTHS, Shown, shown_solution
 from airlight.gpu.sky_by_processor import filled_sky
 from airlight.gpu.sky_table import Observer
 from airlight.gpu.solution_textures import SolutionTextures
@@ -114,7 +114,7 @@ class Pictures:
         solution : MomentsSolution
             Of four wavelengths at most; of one or two only with weights.
         weights : array, shape (nl, 3), optional
-            Linear sRGB per radiance; by default those of ``color.spectral.rgb_weights``.
+            Linear sRGB per radiance; by default those of ``picture_weights``.
 
         Raises
         ------
@@ -128,10 +128,11 @@ class Pictures:
             raise ParameterError("wavelengths", nm.size, f"at most {WAVELENGTHS} on the GPU")
         if weights is None:
             spectrum = solution.planet.star.irradiances if solution.planet is not None else None
-            weights = rgb_weights(nm, spectrum)
+            weights = picture_weights(nm, spectrum)
         if np.shape(weights) != (nm.size, 3):
             raise ParameterError("weights", np.shape(weights), f"an array of shape ({nm.size}, 3)")
-        self._shown_tables = shown_solution(solution, reflectance_basis(nm))
+        points = EVEN_POINTS if self.device.software else POINTS
+        self._shown_tables = shown_solution(solution, reflectance_basis(nm), points=points)
         self._textures = SolutionTextures.of(
             self.device, solution, self._shown_tables, self._textures
         )

@@ -22,6 +22,9 @@ WAVELENGTHS: Final = 4
 MOST_CONSTITUENTS: Final = 8
 #: Points of a panel: for steep stretches by day, for most, for those that graze the ground.
 POINTS: Final = (8, 12, 24)
+#: The same where neighbouring lines must have equally many: Mesa's software renderer ends the
+#: loops of all as soon as those with the fewest points are done.
+EVEN_POINTS: Final = (16, 16, 16)
 #: A constituent of which more of a scattering goes within 10° of straight on is peaked.
 _PEAKED: Final = 0.08
 #: Constituents whose peaks can be kept out of the table of the sky.
@@ -100,7 +103,7 @@ SPECTRAL_TABLES: Final = ("extinction", "scattering", "moments", "albedo", "phas
 FIELD_TABLES: Final = ("field", "sky")
 
 
-def quadratures(counts: tuple[int, ...] = POINTS) -> FloatArray:
+def quadratures(counts: tuple[int, ...]) -> FloatArray:
     """The rules of the march one after another, see ``Shown.rules``."""
     parts = []
     starts = []
@@ -136,7 +139,13 @@ def peaked_constituents(solution: MomentsSolution) -> tuple[int, ...]:
     return tuple(order[:MOST_PEAKS])
 
 
-def shown_solution(solution: MomentsSolution, basis: FloatArray, *, peaks: bool = True) -> Shown:
+def shown_solution(
+    solution: MomentsSolution,
+    basis: FloatArray,
+    *,
+    peaks: bool = True,
+    points: tuple[int, int, int] = EVEN_POINTS,
+) -> Shown:
     """The tables of a solution.
 
     Parameters
@@ -147,6 +156,8 @@ def shown_solution(solution: MomentsSolution, basis: FloatArray, *, peaks: bool 
         Reflectance of a red, a green and a blue ground. [1]
     peaks : bool
         Whether peaked constituents are kept apart.
+    points : tuple of int
+        Of a panel: ``POINTS`` or ``EVEN_POINTS``.
 
     Raises
     ------
@@ -182,7 +193,7 @@ def shown_solution(solution: MomentsSolution, basis: FloatArray, *, peaks: bool 
         start=expansion.start,
         ahead=expansion.ahead,
         back=expansion.back,
-        rules=quadratures(),
+        rules=quadratures(points),
         extinction=light.air.extinction,
         scattering=light.scattering,
         moments=light.air.moments,

@@ -21,6 +21,7 @@ from airlight.gpu.shown import (
     as_texels,
     shown_solution,
 )
+from airlight.gpu.solver import fields_on
 from airlight.scene.surface_map import surface_map
 from airlight.solvers.moments.solution import MomentsSolution
 
@@ -136,7 +137,8 @@ class SolutionTextures:
         textures = {
             "scalars": flat_texture(device, _uneven(made.scalars), "scalars"),
             "spectra": flat_texture(device, _uneven(made.spectra), "spectra"),
-            "fields": flat_texture(device, _uneven(made.fields), "fields"),
+            "fields": fields_on(device, solution)
+            or flat_texture(device, _uneven(made.fields), "fields"),
         }
         name = solution.medium.ground_map
         if before is not None and before.textures.get("map of") == name:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any, Final
 
@@ -15,6 +15,7 @@ from airlight.errors import Cancelled
 from airlight.gpu.device import Device
 from airlight.gpu.flat import FLAT_WIDTH, empty_flat_texture, flat_rows, read_flat, update_flat
 from airlight.gpu.fragment_pass import FragmentPass
+from airlight.gpu.pass_times import PassTimes
 from airlight.gpu.shown import WAVELENGTHS
 from airlight.gpu.solver_passes import IMAGES, MIX, ONCE, PACK, SWEEP, SolverPass, shader
 from airlight.gpu.solver_plan import SolverPlan
@@ -104,19 +105,15 @@ class GpuSweeper:
         use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
         return self.device.device.create_buffer_with_data(data=values, usage=use)
 
-    def run(
-        self, passes: tuple[SolverPass, ...], *, after: Callable[[str], None] | None = None
-    ) -> None:
+    def run(self, passes: tuple[SolverPass, ...], *, times: PassTimes | None = None) -> None:
         """Run passes, span by span where they are spanned.
 
         Parameters
         ----------
         passes : tuple of SolverPass
-        after : callable, optional
-            Called with each pass's name once it is done, to measure; without it all are submitted
-            together.
+        times : PassTimes, optional
+            Times each pass on the device.
         """
-        queue = self.device.device.queue
         encoder = self.device.device.create_command_encoder()
         for one, texels in self.plan.runs(passes):
             ready = self._pass(one)
@@ -128,13 +125,11 @@ class GpuSweeper:
                 [self._views[target]],
                 (0, top, FLAT_WIDTH, bottom - top),
                 keep=True,
+                timestamps=None if times is None else times(one.name),
             )
-            if after is not None:
-                queue.submit([encoder.finish()])
-                read_flat(self.device, self._textures["means"], 1)
-                after(one.name)
-                encoder = self.device.device.create_command_encoder()
-        queue.submit([encoder.finish()])
+        if times is not None:
+            times.resolve(encoder)
+        self.device.device.queue.submit([encoder.finish()])
 
     def _pass(self, one: SolverPass) -> FragmentPass:
         """A pass on the device, compiled at its first use."""

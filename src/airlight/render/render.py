@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.spectral import rgb_weights
+from airlight.color.four_wavelengths import picture_weights
 from airlight.color.upsampling import reflectance_basis
 from airlight.errors import ParameterError
 from airlight.geometry.quadrature import gauss_legendre
@@ -160,7 +160,7 @@ def color_weights(solution: MomentsSolution) -> FloatArray:
     planet = solution.planet
     spectrum: Callable[[FloatArray], FloatArray] | None
     spectrum = None if planet is None else planet.star.irradiances
-    weights = rgb_weights(solution.wavelengths, spectrum)
+    weights = picture_weights(solution.wavelengths, spectrum)
     return np.asarray(weights * solution.medium.solar_irradiance[:, None])
 
 

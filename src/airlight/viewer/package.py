@@ -13,14 +13,16 @@ from numpy.typing import NDArray
 
 from airlight.color.encoding import ENCODINGS
 from airlight.color.exposure import MIDDLE_GREY
-from airlight.color.spectral import rgb_weights
+from airlight.color.four_wavelengths import few_wavelengths, picture_weights
 from airlight.color.tone_maps import TONE_MAPS, tone_map_named
-from airlight.color.xyz import luminance
+from airlight.color.xyz import luminance, rgb_to_xyz
+from airlight.constants import LUMINOUS_EFFICACY
 from airlight.gpu.pictures import ORDERS, QUICK_SKY_SHAPE, SKY_SHAPE
 from airlight.gpu.shaders import Shader, picture_shader, sky_air_shader, sky_peaks_shader
 from airlight.gpu.shown import WAVELENGTHS
 from airlight.gpu.solution_textures import SolutionTables
 from airlight.gpu.uniforms import layout
+from airlight.planets.planet import Planet
 from airlight.scene.projections import PROJECTIONS
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.viewer.ground_map import ground_map
@@ -81,7 +83,11 @@ def program() -> dict[str, Any]:
     return {
         "plan": plan(),
         "shaders": web_shaders(),
-        "sky": {"full": list(SKY_SHAPE), "quick": list(QUICK_SKY_SHAPE)},
+        "sky": {
+            "full": list(SKY_SHAPE),
+            "medium": [SKY_SHAPE[0] // 2, SKY_SHAPE[1] // 2],
+            "quick": list(QUICK_SKY_SHAPE),
+        },
         "glance": GLANCE,
         "projections": {
             name: list(form.field_of_view_limits) for name, form in PROJECTIONS.items()
@@ -92,7 +98,21 @@ def program() -> dict[str, Any]:
         "encodings": list(ENCODINGS),
         "orders": ORDERS,
         "luminance": [float(x) for x in luminance(np.eye(3))],
+        "xyz": [[float(x) for x in row] for row in rgb_to_xyz(np.eye(3))],
+        "efficacy": LUMINOUS_EFFICACY,
     }
+
+
+def wavelengths_for(planet: Planet, count: str) -> FloatArray:
+    """Wavelengths that a browser draws with: three or four, the nearest to what is asked. [nm]
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> wavelengths_for(load_planet("mars-rayleigh"), "sixteen").size
+    4
+    """
+    return few_wavelengths(3 if count == "three" else 4, *planet.wavelength_limits)
 
 
 def planet_tables(
@@ -105,7 +125,7 @@ def planet_tables(
     solution : MomentsSolution
         Of three or four wavelengths.
     weights : array, shape (nl, 3), optional
-        Linear sRGB per radiance; by default those of ``color.spectral.rgb_weights``.
+        Linear sRGB per radiance; by default ``picture_weights``.
 
     Returns
     -------
@@ -123,7 +143,7 @@ def planet_tables(
         uniforms[f"table_{name}"] = [*place, 0, 0, 0][:4]
     if weights is None:
         spectrum = None if solution.planet is None else solution.planet.star.irradiances
-        weights = rgb_weights(solution.wavelengths, spectrum)
+        weights = picture_weights(solution.wavelengths, spectrum)
     shown = np.zeros((WAVELENGTHS, 3))
     shown[: len(weights)] = weights * medium.solar_irradiance[:, None]
     for channel, column in zip(("red", "green", "blue"), shown.T, strict=True):

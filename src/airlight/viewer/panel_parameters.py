@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
 from itertools import groupby
 
@@ -72,6 +73,7 @@ class ParameterRows:
         reset: Callable[[str], None],
         *,
         closed: Iterable[str] = (),
+        under: Callable[[str], None] = lambda group: None,
     ) -> None:
         """Draw the rows of parameters.
 
@@ -87,6 +89,8 @@ class ParameterRows:
             ``reset(path)`` when a parameter shall be what it was.
         closed : iterable of str
             Groups that are folded at first.
+        under : callable
+            ``under(group)`` draws what stands below the rows of a group.
         """
         from imgui_bundle import imgui
 
@@ -107,6 +111,7 @@ class ParameterRows:
                 imgui.push_id(group)
                 self._group(rows, values, defaults, change, reset)
                 self._more(sum(one.group == group for one in hidden))
+                under(group)
                 imgui.pop_id()
                 imgui.dummy(imgui.ImVec2(0.0, 3.0))
 
@@ -124,7 +129,7 @@ class ParameterRows:
             items = list(members)
             folds = bool(part_of) and len(items) > _SHORT_LIST and not self.search
             if folds:
-                name = items[0].label.partition(" at ")[0]
+                name = re.sub(r" (at .*|\d+)$", "", items[0].label)
                 if not imgui.tree_node(f"{name}: {len(items)} values###{part_of}"):
                     continue
             for one in items:

@@ -141,6 +141,7 @@ def with_unit(number: str, unit: str) -> str:
 
 def _raised(unit: str) -> str:
     name, _, power = unit.partition("^")
+    name = "µm" if name == "um" else name
     return name + power.translate(str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹"))
 
 

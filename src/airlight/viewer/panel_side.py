@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from airlight.planets.planet import Planet
 from airlight.planets.reader import planet_names
 from airlight.viewer import window_style as style
 from airlight.viewer.flight import Flight
@@ -33,6 +34,8 @@ class SidePanel:
         ``do(deed)``, as the keys do it.
     attempt : callable
         Runs an edit and shows its error in the window.
+    read_planet : callable
+        The planet that is shown as it was read, or None while that is not known.
 
     Attributes
     ----------
@@ -50,7 +53,9 @@ class SidePanel:
         flight: Flight,
         do: Callable[[str], None],
         attempt: Callable[[Callable[[], object]], None],
+        read_planet: Callable[[], Planet | None],
     ) -> None:
+        self._read_planet = read_planet
         self._session = session
         self._flight = flight
         self._do = do
@@ -153,8 +158,22 @@ class SidePanel:
             self._change,
             self._reset,
             closed=("planet",),
+            under=self._freeze,
         )
         imgui.end_child()
+
+    def _freeze(self, group: str) -> None:
+        """The way from what a constituent is made of to its coefficients."""
+        from imgui_bundle import imgui
+
+        if group not in self._session.advanced or not self.planet_rows.advanced:
+            return
+        planet = self._read_planet()
+        imgui.begin_disabled(planet is None)
+        if imgui.small_button("give it by coefficients"):
+            self._attempt(lambda: self._session.as_standard(group, planet))
+        imgui.end_disabled()
+        style.hint("freeze what follows from its composition to numbers of its own; can be undone")
 
     def _view(self) -> None:
         from imgui_bundle import imgui

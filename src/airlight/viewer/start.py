@@ -12,6 +12,7 @@ from typing import Final, Literal
 import numpy as np
 
 from airlight.errors import FileError
+from airlight.exports.whole_file import check_target
 from airlight.gpu.device import Device, NoDevice, open_device
 from airlight.scene import look_at
 from airlight.viewer.parameter import Value
@@ -19,6 +20,7 @@ from airlight.viewer.picture_cpu import CpuPainter
 from airlight.viewer.picture_source import Painter
 from airlight.viewer.places import PLACES, view_of
 from airlight.viewer.session import Session
+from airlight.viewer.solving_by import solver_by
 from airlight.viewer.window import Window
 from airlight.viewer.window_canvas import DesktopPlace, OffscreenPlace, WindowError
 
@@ -79,8 +81,10 @@ def show(start: Start) -> None:
     ParameterError, FileError
         If the planet or a value is not allowed.
     """
-    if start.screenshot is not None and start.screenshot.suffix.lower() != ".png":
-        raise FileError(start.screenshot, "the name of a screenshot ends in .png")
+    if start.screenshot is not None:
+        if start.screenshot.suffix.lower() != ".png":
+            raise FileError(start.screenshot, "the name of a screenshot ends in .png")
+        check_target(start.screenshot)
     # Two sides may compile a function at the same time; the second finds it done, and says so.
     warnings.filterwarnings("ignore", message="Compilation requested for previously compiled")
     session = opened(start)
@@ -94,7 +98,8 @@ def show(start: Start) -> None:
     except NoDevice as error:
         place.close()
         raise WindowError(f"the window needs a graphics device: {error.reason}") from error
-    window = Window(session, place, device.device, painter_by(start.device, device))
+    painter, solver = painter_by(start.device, device), solver_by(start.device, device)
+    window = Window(session, place, device.device, painter, solver)
     if start.other is not None:
         window.panel.compare_with(start.other)
     if start.screenshot is None or isinstance(place, DesktopPlace):

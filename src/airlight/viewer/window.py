@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from time import perf_counter
-from typing import Any, Final, cast
+from typing import Any, Final
 
 from airlight.errors import AirlightError
 from airlight.viewer.flight import Flight
@@ -18,16 +18,14 @@ from airlight.viewer.panel_save import SaveDialog, Saving
 from airlight.viewer.panel_side import SidePanel
 from airlight.viewer.panel_status import FrameTimes, Status, draw_status
 from airlight.viewer.picture_area import PictureArea, Rectangle, layout
-from airlight.viewer.picture_source import Orders, Painter, Picture, Request
-from airlight.viewer.picture_thread import PictureThread
+from airlight.viewer.picture_source import Painter, Picture
 from airlight.viewer.places import PLACES, view_of
 from airlight.viewer.probing import Probing
 from airlight.viewer.session import Session
-from airlight.viewer.session_side import SessionSide
-from airlight.viewer.solving import Solved, Solving
-from airlight.viewer.view_parameters import scene_of
+from airlight.viewer.solving import Solver, solve_on_cpu
 from airlight.viewer.window_canvas import EVENTS, Place
 from airlight.viewer.window_input import WindowInput
+from airlight.viewer.window_sides import Sides
 from airlight.viewer.window_surface import WindowSurface
 
 #: After an event the window goes on drawing for so long: hints appear, buttons fade. [s]
@@ -52,6 +50,8 @@ class Window:
     device : wgpu.GPUDevice
     painter : callable
         Makes a painter; called once for each side.
+    solver : Solver
+        Solves, on threads of ``Solving``.
     """
 
     def __init__(
@@ -60,18 +60,17 @@ class Window:
         place: Place,
         device: Any,
         painter: Callable[[], Painter],
+        solver: Solver = solve_on_cpu,
     ) -> None:
         self.session = session
         self._place = place
         self.surface = WindowSurface(device, place.canvas)
         self.area = PictureArea(self.surface.backend)
-        self._make_painter = painter
-        self._sources: dict[str, PictureThread] = {}
-        self._sides: tuple[str, ...] = ()
-        self._shown: dict[str, Picture] = {}
-        self._solvings: dict[str, Solving] = {}
+        self._sides = Sides(session, painter, solver, place.wake)
         self._flight = Flight(session)
-        self.panel = SidePanel(session, self._flight, self.do, self.attempt)
+        self.panel = SidePanel(
+            session, self._flight, self.do, self.attempt, lambda: self._sides.planet
+        )
         self._saving = Saving(place.wake)
         self._dialog = SaveDialog()
         self._probing = Probing(place.wake)
@@ -98,54 +97,21 @@ class Window:
         """End all threads."""
         self._saving.close()
         self._probing.close()
-        for solving in self._solvings.values():
-            solving.close()
-        for source in self._sources.values():
-            source.close()
-        self._solvings.clear()
-        self._sources.clear()
+        self._sides.close()
 
     @property
     def settled(self) -> bool:
         """Whether all that is wanted is shown, in full quality."""
-        return (
-            bool(self._sides)
-            and not self._probing.busy
-            and all(self._is_settled(side) for side in self._sides)
-        )
-
-    def _is_settled(self, side: str) -> bool:
-        solving, source, shown = (
-            self._solvings[side], self._sources[side], self._shown.get(side)
-        )  # fmt: skip
-        solved = solving.latest
-        return (
-            solving.idle
-            and not source.busy
-            and shown is not None
-            and shown.finished
-            and solved is not None
-            and shown.request.same(self._request(side, solved))
-        )
+        return self._sides.settled and not self._probing.busy
 
     @property
     def problem(self) -> str:
         """Why what is wanted cannot be shown, in one line; empty if it can."""
-        errors = [self._solvings[side].status.error for side in self._sides]
-        errors += [self._sources[side].error for side in self._sides]
-        return next((one for one in (self._error, *errors) if one), "")
+        return self._error or self._sides.error
 
     def shown(self, side: str = "") -> Picture | None:
         """What the last frame showed of a side; of the one that is edited if left out."""
-        return self._shown.get(side or self.session.showing)
-
-    def _picture(self, side: str = "") -> Picture | None:
-        side = side or self.session.showing
-        source = self._sources.get(side)
-        found = None if source is None else source.picture
-        if found is not None:
-            self._shown[side] = found
-        return found
+        return self._sides.picture(side)
 
     # --- a frame ------------------------------------------------------------------------------
 
@@ -197,42 +163,14 @@ class Window:
         into = self._parts["picture"]
         ratio = self.surface.ratio
         session.resize(round(into.width * ratio), round(into.height * ratio))
-        shown = session.showing
-        other = "A" if shown == "B" else "B"
-        sides = (shown, other) if session.has_other and self.panel.compares else (shown,)
-        for side in sides:
-            self._want(side)
-        self._sides = sides
-
-    def _want(self, side: str) -> None:
-        if side not in self._solvings:
-            self._sources[side] = PictureThread(self._make_painter(), self._place.wake)
-            self._solvings[side] = Solving(
-                SessionSide(self.session, side), on_change=self._place.wake
-            )
-        solved = self._solvings[side].latest
-        if solved is not None:
-            self._sources[side].want(self._request(side, solved))
-
-    def _request(self, side: str, solved: Solved) -> Request:
-        """The picture that is wanted of a side."""
-        session = self.session
-        view = session.view if side == session.showing else session.view_other or session.view
-        return Request(
-            solution=solved.solution,
-            scene=scene_of(view, *session.size),
-            exposure=float(view["display.exposure"]),
-            automatic=bool(view["display.automatic"]),
-            tone_map=str(view["display.tone_map"]),
-            orders=cast(Orders, view["light.orders"]),
-        )
+        self._sides.follow(both=session.has_other and self.panel.compares)
 
     def _gui(self) -> None:
-        shown = self._picture()
+        shown = self.shown()
         fitting = self.picture_rectangle()
         both = self.panel.compares and self.session.has_other
         if both:
-            self.area.draw(self._picture("A"), self._picture("B"), fitting)
+            self.area.draw(self.shown("A"), self.shown("B"), fitting)
             self.area.draw_divider(fitting, self._names())
         else:
             self.area.draw(shown, None, fitting)
@@ -256,27 +194,24 @@ class Window:
         return f"A  {names[0]}", f"B  {names[1]}"
 
     def _status(self, shown: Picture | None) -> Status:
-        solving = self._solvings.get(self.session.showing)
-        source = self._sources.get(self.session.showing)
-        solver, working, error = "", "", self._error
-        if solving is not None:
-            solved = solving.latest
-            if solved is not None:
-                solver = f"{solved.quality}: {_seconds(solved.seconds)}"
-            status = solving.status
-            if status.busy:
-                part = f" {100 * status.done // status.total} %" if status.total else ""
-                working = f"{status.doing}{part} …"
-                solver = f"{solver}, {working}" if solver else working
-            error = error or status.error
+        solver, working = "", ""
+        solved, status = self._sides.solved(), self._sides.status
+        if solved is not None:
+            solver = f"{solved.quality}: {_seconds(solved.seconds)}"
+        if status.busy:
+            part = f" {100 * status.done // status.total} %" if status.total else ""
+            working = f"{status.doing}{part} …"
+            solver = f"{solver}, {working}" if solver else working
         picture = exposure = ""
-        if shown is not None and source is not None:
+        if shown is not None:
             fine = "" if shown.finished else ", finer follows"
             seconds = _seconds(shown.seconds)
             picture = f"{shown.by}: {shown.width}×{shown.height} in {seconds}{fine}"
             exposure = f"{shown.exposure:+.1f} EV"
-        if source is not None:
-            error = error or source.error
+        error = self.problem
+        if self._saving.message and not self._saving.busy:
+            self.say(self._saving.message)
+            self._saving.message = ""
         text, until = self._said
         message = self._saving.message if self._saving.busy else ""
         if not message and perf_counter() < until:
@@ -288,7 +223,7 @@ class Window:
             picture=picture,
             solver=solver,
             working=working,
-            message=message or self._saving.message,
+            message=message,
             error=error or self._saving.error or self._probing.error,
         )
 
@@ -427,14 +362,18 @@ class Window:
 
 
 def _length(metres: float) -> str:
-    """A length in m or km, or in 10³ km far away.
+    """A length in m or km.
 
     Examples
     --------
-    >>> _length(2.0), _length(35e3), _length(4.2e8)
-    ('2 m', '35 km', '4.2e+05 km')
+    >>> _length(2.0), _length(35e3), _length(1.529e7), _length(4.2e11)
+    ('2 m', '35 km', '15290 km', '4.2e+08 km')
     """
-    return f"{metres:.4g} m" if metres < 1e3 else f"{metres / 1e3:.4g} km"
+    if metres < 1e3:
+        return f"{metres:.4g} m"
+    kilometres = metres / 1e3
+    digits = ".0f" if 1e4 <= kilometres < 1e7 else ".4g"
+    return f"{kilometres:{digits}} km"
 
 
 def _seconds(seconds: float) -> str:

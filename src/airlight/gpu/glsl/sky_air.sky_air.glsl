@@ -1,5 +1,5 @@
 #version 300 es
-// of sky_air.wgsl 6263dffcbe71a9e4, by naga-wasm@30.1.0
+// of sky_air.wgsl d4fc92db1ca016ac, by naga-wasm@30.1.0
 precision highp float;
 precision highp int;
 
@@ -423,8 +423,8 @@ float sine(float x_5) {
     int quarter = (int(turns_1) & 3);
     float _e8 = sine_of_quarter(_e4);
     float _e9 = cosine_of_quarter(_e4);
-    float value_2 = (((quarter & 1) == 1) ? _e9 : _e8);
-    return ((quarter >= 2) ? -(value_2) : value_2);
+    float value_1 = (((quarter & 1) == 1) ? _e9 : _e8);
+    return ((quarter >= 2) ? -(value_1) : value_1);
 }
 
 float cosine(float x_6) {
@@ -434,14 +434,14 @@ float cosine(float x_6) {
     int quarter_1 = (int(turns_2) & 3);
     float _e8 = cosine_of_quarter(_e4);
     float _e9 = sine_of_quarter(_e4);
-    float value_3 = (((quarter_1 & 1) == 1) ? _e9 : _e8);
+    float value_2 = (((quarter_1 & 1) == 1) ? _e9 : _e8);
     if (!((quarter_1 == 1))) {
         local_1 = (quarter_1 == 2);
     } else {
         local_1 = true;
     }
     bool _e24 = local_1;
-    return (_e24 ? -(value_3) : value_3);
+    return (_e24 ? -(value_2) : value_2);
 }
 
 float angle_of(float y, float x_7) {
@@ -1041,10 +1041,6 @@ float direction_coordinate(float r_9, float mu_8, float bottom_radius_7, float t
     return min(max(((_e20 - _e21) / (_e23 - _e24)), 0.0), 1.0);
 }
 
-float climbed(float ahead, float back, float mu_9, float value, float before) {
-    return (((ahead * mu_9) * value) - (back * before));
-}
-
 float row_of(float q, float bottom_2, float top_2) {
     float fraction = 0.0;
     float x_18 = 0.0;
@@ -1254,7 +1250,7 @@ int insert_edge_1_(int count, float cut) {
     return (count + 1);
 }
 
-int place_edges_1_(float r_10, float mu_10, float length_1_1, float first_cut, float second_cut) {
+int place_edges_1_(float r_10, float mu_9, float length_1_1, float first_cut, float second_cut) {
     float nearest_2 = 0.0;
     int count_1 = 0;
     float start_1 = 0.0;
@@ -1266,7 +1262,7 @@ int place_edges_1_(float r_10, float mu_10, float length_1_1, float first_cut, f
     float high_4 = 0.0;
     float radius_5 = 0.0;
     float at_3 = 0.0;
-    nearest_2 = (-(r_10) * mu_10);
+    nearest_2 = (-(r_10) * mu_9);
     march_line_1_edges[0] = 0.0;
     count_1 = 1;
     start_1 = 0.0;
@@ -1311,10 +1307,10 @@ int place_edges_1_(float r_10, float mu_10, float length_1_1, float first_cut, f
                     int _e44 = leg;
                     if ((_e44 == 0)) {
                         float _e47 = end_1;
-                        float _e48 = radius_along(r_10, mu_10, _e47);
+                        float _e48 = radius_along(r_10, mu_9, _e47);
                         low_5 = _e48;
                         float _e49 = start_1;
-                        float _e50 = radius_along(r_10, mu_10, _e49);
+                        float _e50 = radius_along(r_10, mu_9, _e49);
                         high_4 = _e50;
                         float _e51 = low_5;
                         float _e52 = high_4;
@@ -1324,14 +1320,14 @@ int place_edges_1_(float r_10, float mu_10, float length_1_1, float first_cut, f
                         radius_5 = (_e51 + (((_e52 - _e53) * (1.0 - _e55)) * (1.0 - _e59)));
                         float _e64 = nearest_2;
                         float _e65 = radius_5;
-                        float _e66 = chord(r_10, mu_10, _e65);
+                        float _e66 = chord(r_10, mu_9, _e65);
                         at_3 = (_e64 - _e66);
                     } else {
                         float _e68 = start_1;
-                        float _e69 = radius_along(r_10, mu_10, _e68);
+                        float _e69 = radius_along(r_10, mu_9, _e68);
                         low_5 = _e69;
                         float _e70 = end_1;
-                        float _e71 = radius_along(r_10, mu_10, _e70);
+                        float _e71 = radius_along(r_10, mu_9, _e70);
                         high_4 = _e71;
                         float _e72 = low_5;
                         float _e73 = high_4;
@@ -1341,7 +1337,7 @@ int place_edges_1_(float r_10, float mu_10, float length_1_1, float first_cut, f
                         radius_5 = (_e72 + (((_e73 - _e74) * _e76) * _e78));
                         float _e81 = nearest_2;
                         float _e82 = radius_5;
-                        float _e83 = chord(r_10, mu_10, _e82);
+                        float _e83 = chord(r_10, mu_9, _e82);
                         at_3 = (_e81 + _e83);
                     }
                     int _e86 = count_1;
@@ -1369,14 +1365,14 @@ int place_edges_1_(float r_10, float mu_10, float length_1_1, float first_cut, f
     return _e117;
 }
 
-int cut_at_corners_1_(float r_11, float mu_11, float bottom_radius_8, int count_given) {
+int cut_at_corners_1_(float r_11, float mu_10, float bottom_radius_8, int count_given) {
     int count_2 = 0;
     float tangent_3 = 0.0;
     int k_2 = 0;
     float radius_6 = 0.0;
     float beside_2 = 0.0;
     count_2 = count_given;
-    tangent_3 = (r_11 * sqrt(max(((1.0 - mu_11) * (1.0 + mu_11)), 0.0)));
+    tangent_3 = (r_11 * sqrt(max(((1.0 - mu_10) * (1.0 + mu_10)), 0.0)));
     k_2 = 0;
     bool loop_init_3 = true;
     while(true) {
@@ -1399,15 +1395,15 @@ int cut_at_corners_1_(float r_11, float mu_11, float bottom_radius_8, int count_
             float _e27 = radius_6;
             if ((_e26 < _e27)) {
                 float _e29 = radius_6;
-                float _e30 = chord(r_11, mu_11, _e29);
+                float _e30 = chord(r_11, mu_10, _e29);
                 beside_2 = _e30;
                 int _e31 = count_2;
                 float _e34 = beside_2;
-                int _e36 = insert_edge_1_(_e31, ((-(r_11) * mu_11) - _e34));
+                int _e36 = insert_edge_1_(_e31, ((-(r_11) * mu_10) - _e34));
                 count_2 = _e36;
                 int _e37 = count_2;
                 float _e40 = beside_2;
-                int _e42 = insert_edge_1_(_e37, ((-(r_11) * mu_11) + _e40));
+                int _e42 = insert_edge_1_(_e37, ((-(r_11) * mu_10) + _e40));
                 count_2 = _e42;
             }
         }
@@ -1416,7 +1412,7 @@ int cut_at_corners_1_(float r_11, float mu_11, float bottom_radius_8, int count_
     return _e46;
 }
 
-void place_panel_2_(float r_12, float mu_12, float start_2, float end_2, float length_1_2, int rule) {
+void place_panel_2_(float r_12, float mu_11, float start_2, float end_2, float length_1_2, int rule) {
     int n = 0;
     bool descending_2 = false;
     float low_6 = 0.0;
@@ -1431,7 +1427,7 @@ void place_panel_2_(float r_12, float mu_12, float start_2, float end_2, float l
     float here_1 = 0.0;
     float _e18 = read_rules(rule);
     n = int(_e18);
-    Several_bool_f32_f32_f32_f32_ _e20 = panel_leg(r_12, mu_12, start_2, end_2, length_1_2);
+    Several_bool_f32_f32_f32_f32_ _e20 = panel_leg(r_12, mu_11, start_2, end_2, length_1_2);
     descending_2 = _e20.v0_;
     low_6 = _e20.v1_;
     beside_3 = _e20.v2_;
@@ -1459,7 +1455,7 @@ void place_panel_2_(float r_12, float mu_12, float start_2, float end_2, float l
             float _e36 = last_2;
             int _e39 = k_3;
             float _e41 = read_rules(((rule + 1) + _e39));
-            Several_f32_f32_f32_ _e42 = panel_point((-(r_12) * mu_12), _e32, _e33, _e34, _e35, _e36, _e41);
+            Several_f32_f32_f32_ _e42 = panel_point((-(r_12) * mu_11), _e32, _e33, _e34, _e35, _e36, _e41);
             int _e44 = k_3;
             columns_along_1_distance_1_[_e44] = _e42.v0_;
             int _e48 = k_3;
@@ -1599,7 +1595,7 @@ void place_panel_2_(float r_12, float mu_12, float start_2, float end_2, float l
     return;
 }
 
-float columns_along_1_(float r_13, float mu_13, int count_3, int rule_1) {
+float columns_along_1_(float r_13, float mu_12, int count_3, int rule_1) {
     int n_1 = 0;
     int c_2 = 0;
     float reached = 0.0;
@@ -1690,7 +1686,7 @@ float columns_along_1_(float r_13, float mu_13, int count_3, int rule_1) {
             int _e84 = panel;
             float _e88 = march_line_1_edges[(_e84 + 1)];
             float _e93 = march_line_1_edges[(count_3 - 1)];
-            place_panel_2_(r_13, mu_13, _e82, _e88, _e93, rule_1);
+            place_panel_2_(r_13, mu_12, _e82, _e88, _e93, rule_1);
             k_4 = 0;
             bool loop_init_10 = true;
             while(true) {
@@ -2006,7 +2002,7 @@ float columns_along_1_(float r_13, float mu_13, int count_3, int rule_1) {
     return _e503;
 }
 
-void place_panel_1_(float r_14, float mu_14, float start_3, float end_3, float length_1_3, int rule_2) {
+void place_panel_1_(float r_14, float mu_13, float start_3, float end_3, float length_1_3, int rule_2) {
     int n_2 = 0;
     bool descending_3 = false;
     float low_7 = 0.0;
@@ -2021,7 +2017,7 @@ void place_panel_1_(float r_14, float mu_14, float start_3, float end_3, float l
     float here_2 = 0.0;
     float _e18 = read_rules(rule_2);
     n_2 = int(_e18);
-    Several_bool_f32_f32_f32_f32_ _e20 = panel_leg(r_14, mu_14, start_3, end_3, length_1_3);
+    Several_bool_f32_f32_f32_f32_ _e20 = panel_leg(r_14, mu_13, start_3, end_3, length_1_3);
     descending_3 = _e20.v0_;
     low_7 = _e20.v1_;
     beside_4 = _e20.v2_;
@@ -2049,7 +2045,7 @@ void place_panel_1_(float r_14, float mu_14, float start_3, float end_3, float l
             float _e36 = last_3;
             int _e39 = k_5;
             float _e41 = read_rules(((rule_2 + 1) + _e39));
-            Several_f32_f32_f32_ _e42 = panel_point((-(r_14) * mu_14), _e32, _e33, _e34, _e35, _e36, _e41);
+            Several_f32_f32_f32_ _e42 = panel_point((-(r_14) * mu_13), _e32, _e33, _e34, _e35, _e36, _e41);
             int _e44 = k_5;
             march_line_1_distance_1_[_e44] = _e42.v0_;
             int _e48 = k_5;
@@ -2488,7 +2484,7 @@ vec4 through_columns_1_(int constituents) {
     return exp((vec4(0.0) - _e92));
 }
 
-void columns_to_top_1_(float r_15, float mu_15, float bottom_4, float top_4) {
+void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
     float x_22 = 0.0;
     int row_3 = 0;
     float f_2 = 0.0;
@@ -2511,7 +2507,7 @@ void columns_to_top_1_(float r_15, float mu_15, float bottom_4, float top_4) {
     float _e31 = x_22;
     int _e32 = row_3;
     f_2 = (_e31 - float(_e32));
-    float _e35 = direction_coordinate(r_15, mu_15, bottom_4, top_4);
+    float _e35 = direction_coordinate(r_15, mu_14, bottom_4, top_4);
     int _e37 = size_columns(1);
     x_22 = (_e35 * float((_e37 - 1)));
     float _e42 = x_22;
@@ -2536,7 +2532,7 @@ void columns_to_top_1_(float r_15, float mu_15, float bottom_4, float top_4) {
     float now_4_1 = (_e70 * _e71);
     w10_2 = now_3_2;
     w11_2 = now_4_1;
-    float _e73 = distance_to_top(r_15, mu_15, top_4);
+    float _e73 = distance_to_top(r_15, mu_14, top_4);
     distance_1_3 = _e73;
     int _e75 = size_columns(2);
     c_6 = 0;
@@ -2934,7 +2930,7 @@ void columns_to_top_1_(float r_15, float mu_15, float bottom_4, float top_4) {
     return;
 }
 
-void columns_to_top_2_(float r_16, float mu_16, float bottom_5, float top_5) {
+void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
     float x_23 = 0.0;
     int row_4 = 0;
     float f_3 = 0.0;
@@ -2957,7 +2953,7 @@ void columns_to_top_2_(float r_16, float mu_16, float bottom_5, float top_5) {
     float _e31 = x_23;
     int _e32 = row_4;
     f_3 = (_e31 - float(_e32));
-    float _e35 = direction_coordinate(r_16, mu_16, bottom_5, top_5);
+    float _e35 = direction_coordinate(r_16, mu_15, bottom_5, top_5);
     int _e37 = size_columns(1);
     x_23 = (_e35 * float((_e37 - 1)));
     float _e42 = x_23;
@@ -2982,7 +2978,7 @@ void columns_to_top_2_(float r_16, float mu_16, float bottom_5, float top_5) {
     float now_4_2 = (_e70 * _e71);
     w10_3 = now_3_3;
     w11_3 = now_4_2;
-    float _e73 = distance_to_top(r_16, mu_16, top_5);
+    float _e73 = distance_to_top(r_16, mu_15, top_5);
     distance_1_4 = _e73;
     int _e75 = size_columns(2);
     c_7 = 0;
@@ -3630,242 +3626,225 @@ vec4 scattered_star_1_(int constituents_4) {
     return _e137;
 }
 
-void legendre_functions_1_(float mu_17) {
+void directed_functions_1_(float mu_16, float cosine_1_) {
     int degree = 0;
     float sine_1_4 = 0.0;
     float power = 0.0;
+    float earlier = 0.0;
+    float multiple = 0.0;
     int m = 0;
-    float before_1 = 0.0;
-    float value_1 = 0.0;
+    float before = 0.0;
+    float value = 0.0;
     int index_20 = 0;
     int l = 0;
     float following = 0.0;
-    float _e13 = _group_0_binding_0_fs.counts.y;
-    degree = int(_e13);
-    sine_1_4 = sqrt(max(((1.0 - mu_17) * (1.0 + mu_17)), 0.0));
+    float _e16 = _group_0_binding_0_fs.counts.y;
+    degree = int(_e16);
+    sine_1_4 = sqrt(max(((1.0 - mu_16) * (1.0 + mu_16)), 0.0));
     power = 1.0;
+    earlier = cosine_1_;
+    multiple = 1.0;
     m = 0;
     bool loop_init_36 = true;
     while(true) {
         if (!loop_init_36) {
-            int _e78 = m;
-            m = (_e78 + 1);
+            int _e186 = m;
+            m = (_e186 + 1);
         }
         loop_init_36 = false;
-        int _e25 = m;
-        int _e26 = degree;
-        if ((_e25 < (_e26 + 1))) {
+        int _e29 = m;
+        int _e30 = degree;
+        if ((_e29 < (_e30 + 1))) {
         } else {
             break;
         }
         {
-            before_1 = 0.0;
-            int _e31 = m;
-            float _e32 = read_start(_e31);
-            float _e33 = power;
-            value_1 = (_e32 * _e33);
+            before = 0.0;
             int _e35 = m;
-            int _e36 = m;
-            int _e41 = whole_quotient((_e35 * (_e36 + 1)), 2);
+            float _e36 = read_start(_e35);
+            float _e37 = power;
+            float _e39 = multiple;
+            value = ((_e36 * _e37) * _e39);
+            int _e41 = m;
             int _e42 = m;
-            index_20 = (_e41 + _e42);
-            int _e45 = index_20;
-            float _e47 = value_1;
-            march_line_1_functions[_e45] = _e47;
+            int _e47 = whole_quotient((_e41 * (_e42 + 1)), 2);
             int _e48 = m;
-            l = (_e48 + 1);
+            index_20 = (_e47 + _e48);
+            int _e51 = index_20;
+            float _e53 = value;
+            march_line_1_functions[_e51] = _e53;
+            int _e54 = degree;
+            int end_3_ = (_e54 + 1);
+            int _e57 = m;
+            l = (_e57 + 1);
             bool loop_init_37 = true;
             while(true) {
                 if (!loop_init_37) {
-                    int _e72 = l;
-                    l = (_e72 + 1);
+                    int _e149 = l;
+                    l = (_e149 + 1);
                 }
                 loop_init_37 = false;
-                int _e51 = l;
-                int _e52 = degree;
-                if ((_e51 < (_e52 + 1))) {
+                int _e60 = l;
+                if (((_e60 + 3) < end_3_)) {
                 } else {
                     break;
                 }
                 {
-                    int _e56 = index_20;
-                    int _e57 = l;
-                    index_20 = (_e56 + _e57);
-                    int _e59 = index_20;
-                    float _e60 = read_ahead(_e59);
-                    int _e61 = index_20;
-                    float _e62 = read_back(_e61);
-                    float _e63 = value_1;
-                    float _e64 = before_1;
-                    float _e65 = climbed(_e60, _e62, mu_17, _e63, _e64);
-                    following = _e65;
-                    float _e66 = value_1;
-                    before_1 = _e66;
-                    float _e67 = following;
-                    value_1 = _e67;
-                    int _e69 = index_20;
-                    float _e71 = value_1;
-                    march_line_1_functions[_e69] = _e71;
+                    int _e64 = index_20;
+                    int _e65 = l;
+                    index_20 = (_e64 + _e65);
+                    int _e67 = index_20;
+                    float _e68 = read_ahead(_e67);
+                    float _e70 = value;
+                    int _e72 = index_20;
+                    float _e73 = read_back(_e72);
+                    float _e74 = before;
+                    following = (((_e68 * mu_16) * _e70) - (_e73 * _e74));
+                    float _e77 = value;
+                    before = _e77;
+                    float _e78 = following;
+                    value = _e78;
+                    int _e80 = index_20;
+                    float _e82 = value;
+                    march_line_1_functions[_e80] = _e82;
+                    int _e83 = l;
+                    l = (_e83 + 1);
+                    int _e86 = index_20;
+                    int _e87 = l;
+                    index_20 = (_e86 + _e87);
+                    int _e89 = index_20;
+                    float _e90 = read_ahead(_e89);
+                    float _e92 = value;
+                    int _e94 = index_20;
+                    float _e95 = read_back(_e94);
+                    float _e96 = before;
+                    following = (((_e90 * mu_16) * _e92) - (_e95 * _e96));
+                    float _e99 = value;
+                    before = _e99;
+                    float _e100 = following;
+                    value = _e100;
+                    int _e102 = index_20;
+                    float _e104 = value;
+                    march_line_1_functions[_e102] = _e104;
+                    int _e105 = l;
+                    l = (_e105 + 1);
+                    int _e108 = index_20;
+                    int _e109 = l;
+                    index_20 = (_e108 + _e109);
+                    int _e111 = index_20;
+                    float _e112 = read_ahead(_e111);
+                    float _e114 = value;
+                    int _e116 = index_20;
+                    float _e117 = read_back(_e116);
+                    float _e118 = before;
+                    following = (((_e112 * mu_16) * _e114) - (_e117 * _e118));
+                    float _e121 = value;
+                    before = _e121;
+                    float _e122 = following;
+                    value = _e122;
+                    int _e124 = index_20;
+                    float _e126 = value;
+                    march_line_1_functions[_e124] = _e126;
+                    int _e127 = l;
+                    l = (_e127 + 1);
+                    int _e130 = index_20;
+                    int _e131 = l;
+                    index_20 = (_e130 + _e131);
+                    int _e133 = index_20;
+                    float _e134 = read_ahead(_e133);
+                    float _e136 = value;
+                    int _e138 = index_20;
+                    float _e139 = read_back(_e138);
+                    float _e140 = before;
+                    following = (((_e134 * mu_16) * _e136) - (_e139 * _e140));
+                    float _e143 = value;
+                    before = _e143;
+                    float _e144 = following;
+                    value = _e144;
+                    int _e146 = index_20;
+                    float _e148 = value;
+                    march_line_1_functions[_e146] = _e148;
                 }
             }
-            float _e75 = power;
-            float _e76 = sine_1_4;
-            power = (_e75 * _e76);
-        }
-    }
-    return;
-}
-
-void times_cosines_1_(float step_1_, int degree_1) {
-    float before_2 = 0.0;
-    float multiple = 0.0;
-    int m_1 = 0;
-    int index_21 = 0;
-    int l_1 = 0;
-    before_2 = 1.0;
-    multiple = step_1_;
-    m_1 = 1;
-    bool loop_init_38 = true;
-    while(true) {
-        if (!loop_init_38) {
-            int _e123 = m_1;
-            m_1 = (_e123 + 1);
-        }
-        loop_init_38 = false;
-        int _e9 = m_1;
-        if ((_e9 < (degree_1 + 1))) {
-        } else {
-            break;
-        }
-        {
-            int _e13 = m_1;
-            int _e14 = m_1;
-            int _e19 = whole_quotient((_e13 * (_e14 + 1)), 2);
-            int _e20 = m_1;
-            index_21 = (_e19 + _e20);
-            int end_3_ = (degree_1 + 1);
-            int _e24 = m_1;
-            l_1 = _e24;
-            bool loop_init_39 = true;
+            bool loop_init_38 = true;
             while(true) {
-                if (!loop_init_39) {
-                    int _e94 = l_1;
-                    l_1 = (_e94 + 1);
+                if (!loop_init_38) {
+                    int _e173 = l;
+                    l = (_e173 + 1);
                 }
-                loop_init_39 = false;
-                int _e25 = l_1;
-                if (((_e25 + 3) < end_3_)) {
+                loop_init_38 = false;
+                int _e152 = l;
+                if ((_e152 < end_3_)) {
                 } else {
                     break;
                 }
                 {
-                    int _e30 = index_21;
-                    int _e33 = index_21;
-                    float _e35 = march_line_1_functions[_e33];
-                    float _e36 = multiple;
-                    march_line_1_functions[_e30] = (_e35 * _e36);
-                    int _e38 = index_21;
-                    int _e39 = l_1;
-                    index_21 = (_e38 + (_e39 + 1));
-                    int _e43 = l_1;
-                    l_1 = (_e43 + 1);
-                    int _e47 = index_21;
-                    int _e50 = index_21;
-                    float _e52 = march_line_1_functions[_e50];
-                    float _e53 = multiple;
-                    march_line_1_functions[_e47] = (_e52 * _e53);
-                    int _e55 = index_21;
-                    int _e56 = l_1;
-                    index_21 = (_e55 + (_e56 + 1));
-                    int _e60 = l_1;
-                    l_1 = (_e60 + 1);
-                    int _e64 = index_21;
-                    int _e67 = index_21;
-                    float _e69 = march_line_1_functions[_e67];
-                    float _e70 = multiple;
-                    march_line_1_functions[_e64] = (_e69 * _e70);
-                    int _e72 = index_21;
-                    int _e73 = l_1;
-                    index_21 = (_e72 + (_e73 + 1));
-                    int _e77 = l_1;
-                    l_1 = (_e77 + 1);
-                    int _e81 = index_21;
-                    int _e84 = index_21;
-                    float _e86 = march_line_1_functions[_e84];
-                    float _e87 = multiple;
-                    march_line_1_functions[_e81] = (_e86 * _e87);
-                    int _e89 = index_21;
-                    int _e90 = l_1;
-                    index_21 = (_e89 + (_e90 + 1));
+                    int _e154 = index_20;
+                    int _e155 = l;
+                    index_20 = (_e154 + _e155);
+                    int _e157 = index_20;
+                    float _e158 = read_ahead(_e157);
+                    float _e160 = value;
+                    int _e162 = index_20;
+                    float _e163 = read_back(_e162);
+                    float _e164 = before;
+                    following = (((_e158 * mu_16) * _e160) - (_e163 * _e164));
+                    float _e167 = value;
+                    before = _e167;
+                    float _e168 = following;
+                    value = _e168;
+                    int _e170 = index_20;
+                    float _e172 = value;
+                    march_line_1_functions[_e170] = _e172;
                 }
             }
-            bool loop_init_40 = true;
-            while(true) {
-                if (!loop_init_40) {
-                    int _e113 = l_1;
-                    l_1 = (_e113 + 1);
-                }
-                loop_init_40 = false;
-                int _e97 = l_1;
-                if ((_e97 < end_3_)) {
-                } else {
-                    break;
-                }
-                {
-                    int _e100 = index_21;
-                    int _e103 = index_21;
-                    float _e105 = march_line_1_functions[_e103];
-                    float _e106 = multiple;
-                    march_line_1_functions[_e100] = (_e105 * _e106);
-                    int _e108 = index_21;
-                    int _e109 = l_1;
-                    index_21 = (_e108 + (_e109 + 1));
-                }
-            }
+            float _e176 = power;
+            float _e177 = sine_1_4;
+            power = (_e176 * _e177);
             float now_4_3 = multiple;
-            float _e119 = multiple;
-            float _e121 = before_2;
-            float now_5_ = (((2.0 * step_1_) * _e119) - _e121);
-            before_2 = now_4_3;
+            float _e182 = multiple;
+            float _e184 = earlier;
+            float now_5_ = (((2.0 * cosine_1_) * _e182) - _e184);
+            earlier = now_4_3;
             multiple = now_5_;
         }
     }
     return;
 }
 
-vec4 gathered_light_1_(int near_1, int far_1, int block_1, float w00_4, float w01_4, float w10_4, float w11_4, int degree_2, int constituents_5) {
+vec4 gathered_light_1_(int near_1, int far_1, int block_1, float w00_4, float w01_4, float w10_4, float w11_4, int degree_1, int constituents_5) {
     vec4 gathered = vec4(0.0);
-    int l_2 = 0;
+    int l_1 = 0;
     vec4 strength = vec4(0.0);
     int c_11 = 0;
     vec4 part_1 = vec4(0.0);
-    int index_22 = 0;
+    int index_21 = 0;
     int here_3 = 0;
     vec4 scale_2 = vec4(0.0);
     gathered = vec4(0.0);
-    l_2 = 0;
-    bool loop_init_41 = true;
+    l_1 = 0;
+    bool loop_init_39 = true;
     while(true) {
-        if (!loop_init_41) {
-            int _e277 = l_2;
-            l_2 = (_e277 + 1);
+        if (!loop_init_39) {
+            int _e277 = l_1;
+            l_1 = (_e277 + 1);
         }
-        loop_init_41 = false;
-        int _e20 = l_2;
-        if ((_e20 < (degree_2 + 1))) {
+        loop_init_39 = false;
+        int _e20 = l_1;
+        if ((_e20 < (degree_1 + 1))) {
         } else {
             break;
         }
         {
             strength = vec4(0.0);
             c_11 = 0;
-            bool loop_init_42 = true;
+            bool loop_init_40 = true;
             while(true) {
-                if (!loop_init_42) {
+                if (!loop_init_40) {
                     int _e112 = c_11;
                     c_11 = (_e112 + 1);
                 }
-                loop_init_42 = false;
+                loop_init_40 = false;
                 int _e27 = c_11;
                 if (((_e27 + 3) < constituents_5)) {
                 } else {
@@ -3874,8 +3853,8 @@ vec4 gathered_light_1_(int near_1, int far_1, int block_1, float w00_4, float w0
                 {
                     vec4 _e31 = strength;
                     int _e32 = c_11;
-                    int _e36 = l_2;
-                    vec4 _e42 = read_moments(((1 * ((_e32 * (degree_2 + 1)) + _e36)) + 0));
+                    int _e36 = l_1;
+                    vec4 _e42 = read_moments(((1 * ((_e32 * (degree_1 + 1)) + _e36)) + 0));
                     int _e44 = c_11;
                     float _e46 = march_line_1_rho[_e44];
                     strength = (_e31 + (_e42 * _e46));
@@ -3883,8 +3862,8 @@ vec4 gathered_light_1_(int near_1, int far_1, int block_1, float w00_4, float w0
                     c_11 = (_e49 + 1);
                     vec4 _e52 = strength;
                     int _e53 = c_11;
-                    int _e57 = l_2;
-                    vec4 _e63 = read_moments(((1 * ((_e53 * (degree_2 + 1)) + _e57)) + 0));
+                    int _e57 = l_1;
+                    vec4 _e63 = read_moments(((1 * ((_e53 * (degree_1 + 1)) + _e57)) + 0));
                     int _e65 = c_11;
                     float _e67 = march_line_1_rho[_e65];
                     strength = (_e52 + (_e63 * _e67));
@@ -3892,8 +3871,8 @@ vec4 gathered_light_1_(int near_1, int far_1, int block_1, float w00_4, float w0
                     c_11 = (_e70 + 1);
                     vec4 _e73 = strength;
                     int _e74 = c_11;
-                    int _e78 = l_2;
-                    vec4 _e84 = read_moments(((1 * ((_e74 * (degree_2 + 1)) + _e78)) + 0));
+                    int _e78 = l_1;
+                    vec4 _e84 = read_moments(((1 * ((_e74 * (degree_1 + 1)) + _e78)) + 0));
                     int _e86 = c_11;
                     float _e88 = march_line_1_rho[_e86];
                     strength = (_e73 + (_e84 * _e88));
@@ -3901,20 +3880,20 @@ vec4 gathered_light_1_(int near_1, int far_1, int block_1, float w00_4, float w0
                     c_11 = (_e91 + 1);
                     vec4 _e94 = strength;
                     int _e95 = c_11;
-                    int _e99 = l_2;
-                    vec4 _e105 = read_moments(((1 * ((_e95 * (degree_2 + 1)) + _e99)) + 0));
+                    int _e99 = l_1;
+                    vec4 _e105 = read_moments(((1 * ((_e95 * (degree_1 + 1)) + _e99)) + 0));
                     int _e107 = c_11;
                     float _e109 = march_line_1_rho[_e107];
                     strength = (_e94 + (_e105 * _e109));
                 }
             }
-            bool loop_init_43 = true;
+            bool loop_init_41 = true;
             while(true) {
-                if (!loop_init_43) {
+                if (!loop_init_41) {
                     int _e135 = c_11;
                     c_11 = (_e135 + 1);
                 }
-                loop_init_43 = false;
+                loop_init_41 = false;
                 int _e115 = c_11;
                 if ((_e115 < constituents_5)) {
                 } else {
@@ -3923,71 +3902,71 @@ vec4 gathered_light_1_(int near_1, int far_1, int block_1, float w00_4, float w0
                 {
                     vec4 _e117 = strength;
                     int _e118 = c_11;
-                    int _e122 = l_2;
-                    vec4 _e128 = read_moments(((1 * ((_e118 * (degree_2 + 1)) + _e122)) + 0));
+                    int _e122 = l_1;
+                    vec4 _e128 = read_moments(((1 * ((_e118 * (degree_1 + 1)) + _e122)) + 0));
                     int _e130 = c_11;
                     float _e132 = march_line_1_rho[_e130];
                     strength = (_e117 + (_e128 * _e132));
                 }
             }
             part_1 = vec4(0.0);
-            int _e140 = l_2;
-            int _e143 = l_2;
+            int _e140 = l_1;
+            int _e143 = l_1;
             int _e148 = whole_quotient(((_e140 + 1) * (_e143 + 2)), 2);
-            int _e149 = l_2;
-            int _e150 = l_2;
+            int _e149 = l_1;
+            int _e150 = l_1;
             int _e155 = whole_quotient((_e149 * (_e150 + 1)), 2);
-            index_22 = _e155;
-            bool loop_init_44 = true;
+            index_21 = _e155;
+            bool loop_init_42 = true;
             while(true) {
-                if (!loop_init_44) {
-                    int _e245 = index_22;
-                    index_22 = (_e245 + 1);
+                if (!loop_init_42) {
+                    int _e245 = index_21;
+                    index_21 = (_e245 + 1);
                 }
-                loop_init_44 = false;
-                int _e156 = index_22;
+                loop_init_42 = false;
+                int _e156 = index_21;
                 if (((_e156 + 3) < _e148)) {
                 } else {
                     break;
                 }
                 {
-                    int _e160 = index_22;
+                    int _e160 = index_21;
                     here_3 = ((1 * (1 + _e160)) + 0);
                     vec4 _e167 = part_1;
-                    int _e169 = index_22;
+                    int _e169 = index_21;
                     float _e171 = march_line_1_functions[_e169];
                     int _e172 = here_3;
                     int _e174 = here_3;
                     vec4 _e176 = between((near_1 + _e172), (far_1 + _e174), block_1, w00_4, w01_4, w10_4, w11_4);
                     part_1 = (_e167 + (_e171 * _e176));
-                    int _e179 = index_22;
-                    index_22 = (_e179 + 1);
-                    int _e182 = index_22;
+                    int _e179 = index_21;
+                    index_21 = (_e179 + 1);
+                    int _e182 = index_21;
                     here_3 = ((1 * (1 + _e182)) + 0);
                     vec4 _e189 = part_1;
-                    int _e191 = index_22;
+                    int _e191 = index_21;
                     float _e193 = march_line_1_functions[_e191];
                     int _e194 = here_3;
                     int _e196 = here_3;
                     vec4 _e198 = between((near_1 + _e194), (far_1 + _e196), block_1, w00_4, w01_4, w10_4, w11_4);
                     part_1 = (_e189 + (_e193 * _e198));
-                    int _e201 = index_22;
-                    index_22 = (_e201 + 1);
-                    int _e204 = index_22;
+                    int _e201 = index_21;
+                    index_21 = (_e201 + 1);
+                    int _e204 = index_21;
                     here_3 = ((1 * (1 + _e204)) + 0);
                     vec4 _e211 = part_1;
-                    int _e213 = index_22;
+                    int _e213 = index_21;
                     float _e215 = march_line_1_functions[_e213];
                     int _e216 = here_3;
                     int _e218 = here_3;
                     vec4 _e220 = between((near_1 + _e216), (far_1 + _e218), block_1, w00_4, w01_4, w10_4, w11_4);
                     part_1 = (_e211 + (_e215 * _e220));
-                    int _e223 = index_22;
-                    index_22 = (_e223 + 1);
-                    int _e226 = index_22;
+                    int _e223 = index_21;
+                    index_21 = (_e223 + 1);
+                    int _e226 = index_21;
                     here_3 = ((1 * (1 + _e226)) + 0);
                     vec4 _e233 = part_1;
-                    int _e235 = index_22;
+                    int _e235 = index_21;
                     float _e237 = march_line_1_functions[_e235];
                     int _e238 = here_3;
                     int _e240 = here_3;
@@ -3995,23 +3974,23 @@ vec4 gathered_light_1_(int near_1, int far_1, int block_1, float w00_4, float w0
                     part_1 = (_e233 + (_e237 * _e242));
                 }
             }
-            bool loop_init_45 = true;
+            bool loop_init_43 = true;
             while(true) {
-                if (!loop_init_45) {
-                    int _e269 = index_22;
-                    index_22 = (_e269 + 1);
+                if (!loop_init_43) {
+                    int _e269 = index_21;
+                    index_21 = (_e269 + 1);
                 }
-                loop_init_45 = false;
-                int _e248 = index_22;
+                loop_init_43 = false;
+                int _e248 = index_21;
                 if ((_e248 < _e148)) {
                 } else {
                     break;
                 }
                 {
-                    int _e250 = index_22;
+                    int _e250 = index_21;
                     here_3 = ((1 * (1 + _e250)) + 0);
                     vec4 _e257 = part_1;
-                    int _e259 = index_22;
+                    int _e259 = index_21;
                     float _e261 = march_line_1_functions[_e259];
                     int _e262 = here_3;
                     int _e264 = here_3;
@@ -4037,13 +4016,13 @@ vec4 through_columns_2_(int constituents_6) {
     int c_12 = 0;
     tau_3 = vec4(0.0);
     c_12 = 0;
-    bool loop_init_46 = true;
+    bool loop_init_44 = true;
     while(true) {
-        if (!loop_init_46) {
+        if (!loop_init_44) {
             int _e71 = c_12;
             c_12 = (_e71 + 1);
         }
-        loop_init_46 = false;
+        loop_init_44 = false;
         int _e6 = c_12;
         if (((_e6 + 3) < constituents_6)) {
         } else {
@@ -4082,13 +4061,13 @@ vec4 through_columns_2_(int constituents_6) {
             tau_3 = (_e58 + (_e64 * _e68));
         }
     }
-    bool loop_init_47 = true;
+    bool loop_init_45 = true;
     while(true) {
-        if (!loop_init_47) {
+        if (!loop_init_45) {
             int _e89 = c_12;
             c_12 = (_e89 + 1);
         }
-        loop_init_47 = false;
+        loop_init_45 = false;
         int _e74 = c_12;
         if ((_e74 < constituents_6)) {
         } else {
@@ -4107,7 +4086,7 @@ vec4 through_columns_2_(int constituents_6) {
     return exp((vec4(0.0) - _e92));
 }
 
-void march_line_1_(float r_17, float mu_18, float mu_s_7, float nu_2, float length_1_4, int orders) {
+void march_line_1_(float r_17, float mu_17, float mu_s_7, float nu_2, float length_1_4, int orders) {
     float bottom_6 = 0.0;
     float top_6 = 0.0;
     float first_cut_1 = 0.0;
@@ -4143,7 +4122,7 @@ void march_line_1_(float r_17, float mu_18, float mu_s_7, float nu_2, float leng
     float high_5 = 0.0;
     vec4 star = vec4(0.0);
     float spread_1 = 0.0;
-    float step_1_1 = 0.0;
+    float step_1_ = 0.0;
     float x_24 = 0.0;
     int row_5 = 0;
     float f_4 = 0.0;
@@ -4156,23 +4135,24 @@ void march_line_1_(float r_17, float mu_18, float mu_s_7, float nu_2, float leng
     bool local_12 = false;
     bool local_13 = false;
     bool local_14 = false;
+    bool local_15 = false;
     float now_1_3 = _group_0_binding_0_fs.shell.x;
     float now_2_4 = _group_0_binding_0_fs.shell.y;
     bottom_6 = now_1_3;
     top_6 = now_2_4;
     float _e58 = bottom_6;
-    Several_f32_f32_ _e59 = shadow_edges(r_17, mu_18, mu_s_7, nu_2, _e58);
+    Several_f32_f32_ _e59 = shadow_edges(r_17, mu_17, mu_s_7, nu_2, _e58);
     first_cut_1 = _e59.v0_;
     second_cut_1 = _e59.v1_;
     float _e62 = first_cut_1;
     float _e63 = second_cut_1;
-    int _e64 = place_edges_1_(r_17, mu_18, length_1_4, _e62, _e63);
+    int _e64 = place_edges_1_(r_17, mu_17, length_1_4, _e62, _e63);
     count_4 = _e64;
     float _e65 = bottom_6;
     int _e66 = count_4;
-    int _e67 = cut_at_corners_1_(r_17, mu_18, _e65, _e66);
+    int _e67 = cut_at_corners_1_(r_17, mu_17, _e65, _e66);
     count_4 = _e67;
-    float _e71 = radius_along(r_17, mu_18, length_1_4);
+    float _e71 = radius_along(r_17, mu_17, length_1_4);
     end_4 = min(mu_s_7, (((r_17 * mu_s_7) + (length_1_4 * nu_2)) / _e71));
     float _e74 = top_6;
     float _e75 = bottom_6;
@@ -4180,655 +4160,660 @@ void march_line_1_(float r_17, float mu_18, float mu_s_7, float nu_2, float leng
     float _e78 = end_4;
     day = (_e78 > 0.1);
     float _e81 = slant;
-    kind = ((_e81 < 9.0) ? 1 : 2);
-    bool _e87 = day;
-    if (_e87) {
-        float _e90 = slant;
-        local_11 = (_e90 < 4.0);
+    if (!((_e81 < 9.0))) {
+        int _e87 = count_4;
+        local_11 = (_e87 > 6);
     } else {
-        local_11 = false;
+        local_11 = true;
     }
-    bool _e94 = local_11;
-    if (!(_e94)) {
-        int _e98 = count_4;
-        local_12 = (_e98 > 12);
+    bool _e91 = local_11;
+    kind = (_e91 ? 1 : 2);
+    bool _e95 = day;
+    if (_e95) {
+        float _e98 = slant;
+        local_12 = (_e98 < 4.0);
     } else {
-        local_12 = true;
+        local_12 = false;
     }
     bool _e102 = local_12;
-    if (_e102) {
+    if (!(_e102)) {
+        int _e106 = count_4;
+        local_13 = (_e106 > 10);
+    } else {
+        local_13 = true;
+    }
+    bool _e110 = local_13;
+    if (_e110) {
         kind = 0;
     }
-    int _e104 = kind;
-    float _e105 = read_rules(_e104);
-    rule_4 = int(_e105);
-    int _e107 = rule_4;
-    float _e108 = read_rules(_e107);
-    n_4 = int(_e108);
+    int _e112 = kind;
+    float _e113 = read_rules(_e112);
+    rule_4 = int(_e113);
+    int _e115 = rule_4;
+    float _e116 = read_rules(_e115);
+    n_4 = int(_e116);
     attempt = 0;
-    bool loop_init_48 = true;
+    bool loop_init_46 = true;
     while(true) {
-        if (!loop_init_48) {
-            int _e132 = attempt;
-            attempt = (_e132 + 1);
+        if (!loop_init_46) {
+            int _e140 = attempt;
+            attempt = (_e140 + 1);
         }
-        loop_init_48 = false;
-        int _e111 = attempt;
-        if ((_e111 < 2)) {
+        loop_init_46 = false;
+        int _e119 = attempt;
+        if ((_e119 < 2)) {
         } else {
             break;
         }
         {
-            int _e114 = count_4;
-            int _e115 = rule_4;
-            float _e116 = columns_along_1_(r_17, mu_18, _e114, _e115);
-            if ((_e116 <= 15.0)) {
+            int _e122 = count_4;
+            int _e123 = rule_4;
+            float _e124 = columns_along_1_(r_17, mu_17, _e122, _e123);
+            if ((_e124 <= 15.0)) {
                 break;
             }
             which_1 = 0;
-            bool loop_init_49 = true;
+            bool loop_init_47 = true;
             while(true) {
-                if (!loop_init_49) {
-                    int _e129 = which_1;
-                    which_1 = (_e129 + 1);
+                if (!loop_init_47) {
+                    int _e137 = which_1;
+                    which_1 = (_e137 + 1);
                 }
-                loop_init_49 = false;
-                int _e120 = which_1;
-                if ((_e120 < 3)) {
+                loop_init_47 = false;
+                int _e128 = which_1;
+                if ((_e128 < 3)) {
                 } else {
                     break;
                 }
                 {
-                    int _e123 = count_4;
-                    int _e125 = which_1;
-                    float _e127 = march_line_1_cuts[_e125];
-                    int _e128 = insert_edge_1_(_e123, _e127);
-                    count_4 = _e128;
+                    int _e131 = count_4;
+                    int _e133 = which_1;
+                    float _e135 = march_line_1_cuts[_e133];
+                    int _e136 = insert_edge_1_(_e131, _e135);
+                    count_4 = _e136;
                 }
             }
         }
     }
     scatters = 0.0;
-    float _e139 = _group_0_binding_0_fs.counts.x;
-    int end_4_3 = int(_e139);
+    float _e147 = _group_0_binding_0_fs.counts.x;
+    int end_4_3 = int(_e147);
     c_13 = 0;
-    bool loop_init_50 = true;
+    bool loop_init_48 = true;
     while(true) {
-        if (!loop_init_50) {
-            int _e207 = c_13;
-            c_13 = (_e207 + 1);
+        if (!loop_init_48) {
+            int _e215 = c_13;
+            c_13 = (_e215 + 1);
         }
-        loop_init_50 = false;
-        int _e142 = c_13;
-        if (((_e142 + 3) < end_4_3)) {
+        loop_init_48 = false;
+        int _e150 = c_13;
+        if (((_e150 + 3) < end_4_3)) {
         } else {
             break;
         }
         {
-            float _e146 = scatters;
-            int _e147 = c_13;
-            float _e148 = read_brightest(_e147);
-            int _e150 = c_13;
-            float _e152 = look_1_totals[_e150];
-            scatters = (_e146 + (_e148 * _e152));
-            int _e156 = c_13;
-            march_line_1_before[_e156] = 0.0;
-            int _e159 = c_13;
-            c_13 = (_e159 + 1);
-            float _e162 = scatters;
-            int _e163 = c_13;
-            float _e164 = read_brightest(_e163);
-            int _e166 = c_13;
-            float _e168 = look_1_totals[_e166];
-            scatters = (_e162 + (_e164 * _e168));
-            int _e172 = c_13;
-            march_line_1_before[_e172] = 0.0;
-            int _e175 = c_13;
-            c_13 = (_e175 + 1);
-            float _e178 = scatters;
-            int _e179 = c_13;
-            float _e180 = read_brightest(_e179);
-            int _e182 = c_13;
-            float _e184 = look_1_totals[_e182];
-            scatters = (_e178 + (_e180 * _e184));
-            int _e188 = c_13;
-            march_line_1_before[_e188] = 0.0;
-            int _e191 = c_13;
-            c_13 = (_e191 + 1);
-            float _e194 = scatters;
-            int _e195 = c_13;
-            float _e196 = read_brightest(_e195);
-            int _e198 = c_13;
-            float _e200 = look_1_totals[_e198];
-            scatters = (_e194 + (_e196 * _e200));
-            int _e204 = c_13;
-            march_line_1_before[_e204] = 0.0;
+            float _e154 = scatters;
+            int _e155 = c_13;
+            float _e156 = read_brightest(_e155);
+            int _e158 = c_13;
+            float _e160 = look_1_totals[_e158];
+            scatters = (_e154 + (_e156 * _e160));
+            int _e164 = c_13;
+            march_line_1_before[_e164] = 0.0;
+            int _e167 = c_13;
+            c_13 = (_e167 + 1);
+            float _e170 = scatters;
+            int _e171 = c_13;
+            float _e172 = read_brightest(_e171);
+            int _e174 = c_13;
+            float _e176 = look_1_totals[_e174];
+            scatters = (_e170 + (_e172 * _e176));
+            int _e180 = c_13;
+            march_line_1_before[_e180] = 0.0;
+            int _e183 = c_13;
+            c_13 = (_e183 + 1);
+            float _e186 = scatters;
+            int _e187 = c_13;
+            float _e188 = read_brightest(_e187);
+            int _e190 = c_13;
+            float _e192 = look_1_totals[_e190];
+            scatters = (_e186 + (_e188 * _e192));
+            int _e196 = c_13;
+            march_line_1_before[_e196] = 0.0;
+            int _e199 = c_13;
+            c_13 = (_e199 + 1);
+            float _e202 = scatters;
+            int _e203 = c_13;
+            float _e204 = read_brightest(_e203);
+            int _e206 = c_13;
+            float _e208 = look_1_totals[_e206];
+            scatters = (_e202 + (_e204 * _e208));
+            int _e212 = c_13;
+            march_line_1_before[_e212] = 0.0;
         }
     }
-    bool loop_init_51 = true;
+    bool loop_init_49 = true;
     while(true) {
-        if (!loop_init_51) {
-            int _e225 = c_13;
-            c_13 = (_e225 + 1);
+        if (!loop_init_49) {
+            int _e233 = c_13;
+            c_13 = (_e233 + 1);
         }
-        loop_init_51 = false;
-        int _e210 = c_13;
-        if ((_e210 < end_4_3)) {
+        loop_init_49 = false;
+        int _e218 = c_13;
+        if ((_e218 < end_4_3)) {
         } else {
             break;
         }
         {
-            float _e212 = scatters;
-            int _e213 = c_13;
-            float _e214 = read_brightest(_e213);
-            int _e216 = c_13;
-            float _e218 = look_1_totals[_e216];
-            scatters = (_e212 + (_e214 * _e218));
-            int _e222 = c_13;
-            march_line_1_before[_e222] = 0.0;
+            float _e220 = scatters;
+            int _e221 = c_13;
+            float _e222 = read_brightest(_e221);
+            int _e224 = c_13;
+            float _e226 = look_1_totals[_e224];
+            scatters = (_e220 + (_e222 * _e226));
+            int _e230 = c_13;
+            march_line_1_before[_e230] = 0.0;
         }
     }
-    float _e228 = scatters;
-    bool _e233 = day;
-    faint = (_e233 ? (0.0005 * min(_e228, 1.0)) : 0.0);
+    float _e236 = scatters;
+    bool _e241 = day;
+    faint = (_e241 ? (0.0005 * min(_e236, 1.0)) : 0.0);
     vec4 now_5_1 = vec4(0.0);
     vec4 now_6_1 = vec4(0.0);
     vec4 now_7_1 = vec4(0.0);
     air = now_5_1;
     first_5 = now_6_1;
     second_1 = now_7_1;
-    float _e245 = _group_0_binding_0_fs.counts.y;
-    float _e252 = _group_0_binding_0_fs.counts.y;
-    int _e258 = whole_quotient(((int(_e245) + 1) * (int(_e252) + 2)), 2);
-    block_2 = (1 * (1 + _e258));
+    float _e253 = _group_0_binding_0_fs.counts.y;
+    float _e260 = _group_0_binding_0_fs.counts.y;
+    int _e266 = whole_quotient(((int(_e253) + 1) * (int(_e260) + 2)), 2);
+    block_2 = (1 * (1 + _e266));
     panel_1 = 0;
-    bool loop_init_52 = true;
+    bool loop_init_50 = true;
     while(true) {
-        if (!loop_init_52) {
-            int _e879 = panel_1;
-            panel_1 = (_e879 + 1);
+        if (!loop_init_50) {
+            int _e882 = panel_1;
+            panel_1 = (_e882 + 1);
         }
-        loop_init_52 = false;
-        int _e264 = panel_1;
-        int _e265 = count_4;
-        if ((_e264 < (_e265 - 1))) {
+        loop_init_50 = false;
+        int _e272 = panel_1;
+        int _e273 = count_4;
+        if ((_e272 < (_e273 - 1))) {
         } else {
             break;
         }
         {
-            int _e270 = panel_1;
-            float _e272 = march_line_1_edges[_e270];
-            int _e274 = panel_1;
-            float _e278 = march_line_1_edges[(_e274 + 1)];
-            int _e280 = count_4;
-            float _e284 = march_line_1_edges[(_e280 - 1)];
-            int _e285 = rule_4;
-            place_panel_1_(r_17, mu_18, _e272, _e278, _e284, _e285);
+            int _e278 = panel_1;
+            float _e280 = march_line_1_edges[_e278];
+            int _e282 = panel_1;
+            float _e286 = march_line_1_edges[(_e282 + 1)];
+            int _e288 = count_4;
+            float _e292 = march_line_1_edges[(_e288 - 1)];
+            int _e293 = rule_4;
+            place_panel_1_(r_17, mu_17, _e280, _e286, _e292, _e293);
             c_13 = 0;
-            bool loop_init_53 = true;
+            bool loop_init_51 = true;
             while(true) {
-                if (!loop_init_53) {
-                    int _e417 = c_13;
-                    c_13 = (_e417 + 1);
+                if (!loop_init_51) {
+                    int _e425 = c_13;
+                    c_13 = (_e425 + 1);
                 }
-                loop_init_53 = false;
-                int _e287 = c_13;
-                float _e291 = _group_0_binding_0_fs.counts.x;
-                if ((_e287 < int(_e291))) {
+                loop_init_51 = false;
+                int _e295 = c_13;
+                float _e299 = _group_0_binding_0_fs.counts.x;
+                if ((_e295 < int(_e299))) {
                 } else {
                     break;
                 }
                 {
                     int end_8_ = n_4;
                     k_7 = 0;
-                    bool loop_init_54 = true;
+                    bool loop_init_52 = true;
                     while(true) {
-                        if (!loop_init_54) {
-                            int _e389 = k_7;
-                            k_7 = (_e389 + 1);
+                        if (!loop_init_52) {
+                            int _e397 = k_7;
+                            k_7 = (_e397 + 1);
                         }
-                        loop_init_54 = false;
-                        int _e296 = k_7;
-                        if (((_e296 + 3) < end_8_)) {
+                        loop_init_52 = false;
+                        int _e304 = k_7;
+                        if (((_e304 + 3) < end_8_)) {
                         } else {
                             break;
                         }
                         {
-                            int _e301 = c_13;
-                            int _e304 = k_7;
-                            int _e308 = c_13;
-                            int _e311 = k_7;
-                            float _e314 = march_line_1_density[((_e308 * 24) + _e311)];
-                            int _e316 = k_7;
-                            float _e318 = march_line_1_weight[_e316];
-                            march_line_1_amounts[((_e301 * 24) + _e304)] = (_e314 * _e318);
-                            int _e320 = k_7;
-                            k_7 = (_e320 + 1);
-                            int _e324 = c_13;
-                            int _e327 = k_7;
-                            int _e331 = c_13;
-                            int _e334 = k_7;
-                            float _e337 = march_line_1_density[((_e331 * 24) + _e334)];
-                            int _e339 = k_7;
-                            float _e341 = march_line_1_weight[_e339];
-                            march_line_1_amounts[((_e324 * 24) + _e327)] = (_e337 * _e341);
-                            int _e343 = k_7;
-                            k_7 = (_e343 + 1);
-                            int _e347 = c_13;
-                            int _e350 = k_7;
-                            int _e354 = c_13;
-                            int _e357 = k_7;
-                            float _e360 = march_line_1_density[((_e354 * 24) + _e357)];
-                            int _e362 = k_7;
-                            float _e364 = march_line_1_weight[_e362];
-                            march_line_1_amounts[((_e347 * 24) + _e350)] = (_e360 * _e364);
-                            int _e366 = k_7;
-                            k_7 = (_e366 + 1);
-                            int _e370 = c_13;
-                            int _e373 = k_7;
-                            int _e377 = c_13;
-                            int _e380 = k_7;
-                            float _e383 = march_line_1_density[((_e377 * 24) + _e380)];
-                            int _e385 = k_7;
-                            float _e387 = march_line_1_weight[_e385];
-                            march_line_1_amounts[((_e370 * 24) + _e373)] = (_e383 * _e387);
+                            int _e309 = c_13;
+                            int _e312 = k_7;
+                            int _e316 = c_13;
+                            int _e319 = k_7;
+                            float _e322 = march_line_1_density[((_e316 * 24) + _e319)];
+                            int _e324 = k_7;
+                            float _e326 = march_line_1_weight[_e324];
+                            march_line_1_amounts[((_e309 * 24) + _e312)] = (_e322 * _e326);
+                            int _e328 = k_7;
+                            k_7 = (_e328 + 1);
+                            int _e332 = c_13;
+                            int _e335 = k_7;
+                            int _e339 = c_13;
+                            int _e342 = k_7;
+                            float _e345 = march_line_1_density[((_e339 * 24) + _e342)];
+                            int _e347 = k_7;
+                            float _e349 = march_line_1_weight[_e347];
+                            march_line_1_amounts[((_e332 * 24) + _e335)] = (_e345 * _e349);
+                            int _e351 = k_7;
+                            k_7 = (_e351 + 1);
+                            int _e355 = c_13;
+                            int _e358 = k_7;
+                            int _e362 = c_13;
+                            int _e365 = k_7;
+                            float _e368 = march_line_1_density[((_e362 * 24) + _e365)];
+                            int _e370 = k_7;
+                            float _e372 = march_line_1_weight[_e370];
+                            march_line_1_amounts[((_e355 * 24) + _e358)] = (_e368 * _e372);
+                            int _e374 = k_7;
+                            k_7 = (_e374 + 1);
+                            int _e378 = c_13;
+                            int _e381 = k_7;
+                            int _e385 = c_13;
+                            int _e388 = k_7;
+                            float _e391 = march_line_1_density[((_e385 * 24) + _e388)];
+                            int _e393 = k_7;
+                            float _e395 = march_line_1_weight[_e393];
+                            march_line_1_amounts[((_e378 * 24) + _e381)] = (_e391 * _e395);
                         }
                     }
-                    bool loop_init_55 = true;
+                    bool loop_init_53 = true;
                     while(true) {
-                        if (!loop_init_55) {
-                            int _e414 = k_7;
-                            k_7 = (_e414 + 1);
+                        if (!loop_init_53) {
+                            int _e422 = k_7;
+                            k_7 = (_e422 + 1);
                         }
-                        loop_init_55 = false;
-                        int _e392 = k_7;
-                        if ((_e392 < end_8_)) {
+                        loop_init_53 = false;
+                        int _e400 = k_7;
+                        if ((_e400 < end_8_)) {
                         } else {
                             break;
                         }
                         {
-                            int _e395 = c_13;
-                            int _e398 = k_7;
-                            int _e402 = c_13;
-                            int _e405 = k_7;
-                            float _e408 = march_line_1_density[((_e402 * 24) + _e405)];
-                            int _e410 = k_7;
-                            float _e412 = march_line_1_weight[_e410];
-                            march_line_1_amounts[((_e395 * 24) + _e398)] = (_e408 * _e412);
+                            int _e403 = c_13;
+                            int _e406 = k_7;
+                            int _e410 = c_13;
+                            int _e413 = k_7;
+                            float _e416 = march_line_1_density[((_e410 * 24) + _e413)];
+                            int _e418 = k_7;
+                            float _e420 = march_line_1_weight[_e418];
+                            march_line_1_amounts[((_e403 * 24) + _e406)] = (_e416 * _e420);
                         }
                     }
                 }
             }
-            int _e420 = rule_4;
-            panel_columns_1_(_e420);
+            int _e428 = rule_4;
+            panel_columns_1_(_e428);
             k_7 = 0;
-            bool loop_init_56 = true;
+            bool loop_init_54 = true;
             while(true) {
-                if (!loop_init_56) {
-                    int _e876 = k_7;
-                    k_7 = (_e876 + 1);
+                if (!loop_init_54) {
+                    int _e879 = k_7;
+                    k_7 = (_e879 + 1);
                 }
-                loop_init_56 = false;
-                int _e422 = k_7;
-                int _e423 = n_4;
-                if ((_e422 < _e423)) {
+                loop_init_54 = false;
+                int _e430 = k_7;
+                int _e431 = n_4;
+                if ((_e430 < _e431)) {
                 } else {
                     break;
                 }
                 {
-                    int _e426 = k_7;
-                    float _e428 = march_line_1_radius[_e426];
-                    float _e429 = bottom_6;
-                    float _e431 = top_6;
-                    q_1 = min(max(_e428, _e429), _e431);
                     int _e434 = k_7;
-                    float _e436 = march_line_1_distance_1_[_e434];
-                    t = _e436;
-                    float _e438 = t;
-                    float _e440 = q_1;
-                    mu_q = min(max((((r_17 * mu_18) + _e438) / _e440), -1.0), 1.0);
-                    float _e447 = t;
-                    float _e450 = q_1;
-                    mu_sq = min(max((((r_17 * mu_s_7) + (_e447 * nu_2)) / _e450), -1.0), 1.0);
+                    float _e436 = march_line_1_radius[_e434];
+                    float _e437 = bottom_6;
+                    float _e439 = top_6;
+                    q_1 = min(max(_e436, _e437), _e439);
+                    int _e442 = k_7;
+                    float _e444 = march_line_1_distance_1_[_e442];
+                    t = _e444;
+                    float _e446 = t;
+                    float _e448 = q_1;
+                    mu_q = min(max((((r_17 * mu_17) + _e446) / _e448), -1.0), 1.0);
+                    float _e455 = t;
+                    float _e458 = q_1;
+                    mu_sq = min(max((((r_17 * mu_s_7) + (_e455 * nu_2)) / _e458), -1.0), 1.0);
                     nu_q = nu_2;
                     depth_2 = 0.0;
-                    float _e460 = _group_0_binding_0_fs.counts.x;
-                    int end_9_ = int(_e460);
+                    float _e468 = _group_0_binding_0_fs.counts.x;
+                    int end_9_ = int(_e468);
                     c_13 = 0;
-                    bool loop_init_57 = true;
+                    bool loop_init_55 = true;
                     while(true) {
-                        if (!loop_init_57) {
-                            int _e600 = c_13;
-                            c_13 = (_e600 + 1);
+                        if (!loop_init_55) {
+                            int _e608 = c_13;
+                            c_13 = (_e608 + 1);
                         }
-                        loop_init_57 = false;
-                        int _e463 = c_13;
-                        if (((_e463 + 3) < end_9_)) {
+                        loop_init_55 = false;
+                        int _e471 = c_13;
+                        if (((_e471 + 3) < end_9_)) {
                         } else {
                             break;
                         }
                         {
-                            int _e468 = c_13;
-                            int _e471 = c_13;
-                            int _e474 = k_7;
-                            float _e477 = march_line_1_density[((_e471 * 24) + _e474)];
-                            march_line_1_rho[_e468] = _e477;
+                            int _e476 = c_13;
                             int _e479 = c_13;
-                            int _e482 = c_13;
-                            int _e485 = k_7;
-                            float _e488 = march_line_1_columns[((_e482 * 24) + _e485)];
-                            march_line_1_depths[_e479] = _e488;
-                            float _e489 = depth_2;
+                            int _e482 = k_7;
+                            float _e485 = march_line_1_density[((_e479 * 24) + _e482)];
+                            march_line_1_rho[_e476] = _e485;
+                            int _e487 = c_13;
                             int _e490 = c_13;
-                            float _e491 = read_brightest(_e490);
-                            int _e493 = c_13;
-                            float _e495 = march_line_1_rho[_e493];
-                            depth_2 = (_e489 + (_e491 * _e495));
+                            int _e493 = k_7;
+                            float _e496 = march_line_1_columns[((_e490 * 24) + _e493)];
+                            march_line_1_depths[_e487] = _e496;
+                            float _e497 = depth_2;
                             int _e498 = c_13;
-                            c_13 = (_e498 + 1);
-                            int _e502 = c_13;
-                            int _e505 = c_13;
-                            int _e508 = k_7;
-                            float _e511 = march_line_1_density[((_e505 * 24) + _e508)];
-                            march_line_1_rho[_e502] = _e511;
+                            float _e499 = read_brightest(_e498);
+                            int _e501 = c_13;
+                            float _e503 = march_line_1_rho[_e501];
+                            depth_2 = (_e497 + (_e499 * _e503));
+                            int _e506 = c_13;
+                            c_13 = (_e506 + 1);
+                            int _e510 = c_13;
                             int _e513 = c_13;
-                            int _e516 = c_13;
-                            int _e519 = k_7;
-                            float _e522 = march_line_1_columns[((_e516 * 24) + _e519)];
-                            march_line_1_depths[_e513] = _e522;
-                            float _e523 = depth_2;
+                            int _e516 = k_7;
+                            float _e519 = march_line_1_density[((_e513 * 24) + _e516)];
+                            march_line_1_rho[_e510] = _e519;
+                            int _e521 = c_13;
                             int _e524 = c_13;
-                            float _e525 = read_brightest(_e524);
-                            int _e527 = c_13;
-                            float _e529 = march_line_1_rho[_e527];
-                            depth_2 = (_e523 + (_e525 * _e529));
+                            int _e527 = k_7;
+                            float _e530 = march_line_1_columns[((_e524 * 24) + _e527)];
+                            march_line_1_depths[_e521] = _e530;
+                            float _e531 = depth_2;
                             int _e532 = c_13;
-                            c_13 = (_e532 + 1);
-                            int _e536 = c_13;
-                            int _e539 = c_13;
-                            int _e542 = k_7;
-                            float _e545 = march_line_1_density[((_e539 * 24) + _e542)];
-                            march_line_1_rho[_e536] = _e545;
+                            float _e533 = read_brightest(_e532);
+                            int _e535 = c_13;
+                            float _e537 = march_line_1_rho[_e535];
+                            depth_2 = (_e531 + (_e533 * _e537));
+                            int _e540 = c_13;
+                            c_13 = (_e540 + 1);
+                            int _e544 = c_13;
                             int _e547 = c_13;
-                            int _e550 = c_13;
-                            int _e553 = k_7;
-                            float _e556 = march_line_1_columns[((_e550 * 24) + _e553)];
-                            march_line_1_depths[_e547] = _e556;
-                            float _e557 = depth_2;
+                            int _e550 = k_7;
+                            float _e553 = march_line_1_density[((_e547 * 24) + _e550)];
+                            march_line_1_rho[_e544] = _e553;
+                            int _e555 = c_13;
                             int _e558 = c_13;
-                            float _e559 = read_brightest(_e558);
-                            int _e561 = c_13;
-                            float _e563 = march_line_1_rho[_e561];
-                            depth_2 = (_e557 + (_e559 * _e563));
+                            int _e561 = k_7;
+                            float _e564 = march_line_1_columns[((_e558 * 24) + _e561)];
+                            march_line_1_depths[_e555] = _e564;
+                            float _e565 = depth_2;
                             int _e566 = c_13;
-                            c_13 = (_e566 + 1);
-                            int _e570 = c_13;
-                            int _e573 = c_13;
-                            int _e576 = k_7;
-                            float _e579 = march_line_1_density[((_e573 * 24) + _e576)];
-                            march_line_1_rho[_e570] = _e579;
+                            float _e567 = read_brightest(_e566);
+                            int _e569 = c_13;
+                            float _e571 = march_line_1_rho[_e569];
+                            depth_2 = (_e565 + (_e567 * _e571));
+                            int _e574 = c_13;
+                            c_13 = (_e574 + 1);
+                            int _e578 = c_13;
                             int _e581 = c_13;
-                            int _e584 = c_13;
-                            int _e587 = k_7;
-                            float _e590 = march_line_1_columns[((_e584 * 24) + _e587)];
-                            march_line_1_depths[_e581] = _e590;
-                            float _e591 = depth_2;
+                            int _e584 = k_7;
+                            float _e587 = march_line_1_density[((_e581 * 24) + _e584)];
+                            march_line_1_rho[_e578] = _e587;
+                            int _e589 = c_13;
                             int _e592 = c_13;
-                            float _e593 = read_brightest(_e592);
-                            int _e595 = c_13;
-                            float _e597 = march_line_1_rho[_e595];
-                            depth_2 = (_e591 + (_e593 * _e597));
+                            int _e595 = k_7;
+                            float _e598 = march_line_1_columns[((_e592 * 24) + _e595)];
+                            march_line_1_depths[_e589] = _e598;
+                            float _e599 = depth_2;
+                            int _e600 = c_13;
+                            float _e601 = read_brightest(_e600);
+                            int _e603 = c_13;
+                            float _e605 = march_line_1_rho[_e603];
+                            depth_2 = (_e599 + (_e601 * _e605));
                         }
                     }
-                    bool loop_init_58 = true;
+                    bool loop_init_56 = true;
                     while(true) {
-                        if (!loop_init_58) {
-                            int _e636 = c_13;
-                            c_13 = (_e636 + 1);
+                        if (!loop_init_56) {
+                            int _e644 = c_13;
+                            c_13 = (_e644 + 1);
                         }
-                        loop_init_58 = false;
-                        int _e603 = c_13;
-                        if ((_e603 < end_9_)) {
+                        loop_init_56 = false;
+                        int _e611 = c_13;
+                        if ((_e611 < end_9_)) {
                         } else {
                             break;
                         }
                         {
-                            int _e606 = c_13;
-                            int _e609 = c_13;
-                            int _e612 = k_7;
-                            float _e615 = march_line_1_density[((_e609 * 24) + _e612)];
-                            march_line_1_rho[_e606] = _e615;
+                            int _e614 = c_13;
                             int _e617 = c_13;
-                            int _e620 = c_13;
-                            int _e623 = k_7;
-                            float _e626 = march_line_1_columns[((_e620 * 24) + _e623)];
-                            march_line_1_depths[_e617] = _e626;
-                            float _e627 = depth_2;
+                            int _e620 = k_7;
+                            float _e623 = march_line_1_density[((_e617 * 24) + _e620)];
+                            march_line_1_rho[_e614] = _e623;
+                            int _e625 = c_13;
                             int _e628 = c_13;
-                            float _e629 = read_brightest(_e628);
-                            int _e631 = c_13;
-                            float _e633 = march_line_1_rho[_e631];
-                            depth_2 = (_e627 + (_e629 * _e633));
+                            int _e631 = k_7;
+                            float _e634 = march_line_1_columns[((_e628 * 24) + _e631)];
+                            march_line_1_depths[_e625] = _e634;
+                            float _e635 = depth_2;
+                            int _e636 = c_13;
+                            float _e637 = read_brightest(_e636);
+                            int _e639 = c_13;
+                            float _e641 = march_line_1_rho[_e639];
+                            depth_2 = (_e635 + (_e637 * _e641));
                         }
                     }
-                    float _e642 = _group_0_binding_0_fs.shell.w;
-                    if ((_e642 > 0.0)) {
-                        float _e648 = _group_0_binding_0_fs.shell.w;
-                        float _e653 = _group_0_binding_0_fs.counts.x;
-                        float _e658 = march_line_1_depths[(int(_e653) - 1)];
-                        float _e659 = bend_angle(r_17, mu_18, _e648, _e658);
-                        angle_2 = _e659;
-                        float _e660 = mu_q;
-                        float _e661 = mu_sq;
-                        float _e662 = angle_2;
-                        Several_f32_f32_ _e663 = turned(_e660, _e661, nu_2, _e662);
-                        mu_sq = _e663.v0_;
-                        nu_q = _e663.v1_;
-                        float _e666 = mu_sq;
-                        mu_sq = min(max(_e666, -1.0), 1.0);
+                    float _e650 = _group_0_binding_0_fs.shell.w;
+                    if ((_e650 > 0.0)) {
+                        float _e656 = _group_0_binding_0_fs.shell.w;
+                        float _e661 = _group_0_binding_0_fs.counts.x;
+                        float _e666 = march_line_1_depths[(int(_e661) - 1)];
+                        float _e667 = bend_angle(r_17, mu_17, _e656, _e666);
+                        angle_2 = _e667;
+                        float _e668 = mu_q;
+                        float _e669 = mu_sq;
+                        float _e670 = angle_2;
+                        Several_f32_f32_ _e671 = turned(_e668, _e669, nu_2, _e670);
+                        mu_sq = _e671.v0_;
+                        nu_q = _e671.v1_;
+                        float _e674 = mu_sq;
+                        mu_sq = min(max(_e674, -1.0), 1.0);
                     }
-                    float _e674 = _group_0_binding_0_fs.counts.x;
-                    vec4 _e676 = through_columns_1_(int(_e674));
-                    int _e678 = k_7;
-                    float _e680 = march_line_1_weight[_e678];
-                    through = (_e676 * _e680);
+                    float _e682 = _group_0_binding_0_fs.counts.x;
+                    vec4 _e684 = through_columns_1_(int(_e682));
+                    int _e686 = k_7;
+                    float _e688 = march_line_1_weight[_e686];
+                    through = (_e684 * _e688);
                     if ((orders != 0)) {
-                        float _e684 = q_1;
-                        float _e685 = mu_sq;
-                        float _e686 = bottom_6;
-                        float _e687 = top_6;
-                        float _e691 = _group_0_binding_0_fs.shell.z;
-                        Several_f32_f32_f32_ _e692 = star_points(_e684, _e685, _e686, _e687, _e691);
-                        seen_2 = _e692.v0_;
-                        low_8 = _e692.v1_;
-                        high_5 = _e692.v2_;
-                        float _e696 = seen_2;
-                        if ((_e696 > 0.0)) {
-                            float _e699 = q_1;
-                            float _e700 = low_8;
-                            float _e701 = bottom_6;
-                            float _e702 = top_6;
-                            columns_to_top_1_(_e699, _e700, _e701, _e702);
-                            float _e703 = high_5;
-                            float _e704 = low_8;
-                            if ((_e703 > _e704)) {
-                                float _e706 = q_1;
-                                float _e707 = high_5;
-                                float _e708 = bottom_6;
-                                float _e709 = top_6;
-                                columns_to_top_2_(_e706, _e707, _e708, _e709);
+                        float _e692 = q_1;
+                        float _e693 = mu_sq;
+                        float _e694 = bottom_6;
+                        float _e695 = top_6;
+                        float _e699 = _group_0_binding_0_fs.shell.z;
+                        Several_f32_f32_f32_ _e700 = star_points(_e692, _e693, _e694, _e695, _e699);
+                        seen_2 = _e700.v0_;
+                        low_8 = _e700.v1_;
+                        high_5 = _e700.v2_;
+                        float _e704 = seen_2;
+                        if ((_e704 > 0.0)) {
+                            float _e707 = q_1;
+                            float _e708 = low_8;
+                            float _e709 = bottom_6;
+                            float _e710 = top_6;
+                            columns_to_top_1_(_e707, _e708, _e709, _e710);
+                            float _e711 = high_5;
+                            float _e712 = low_8;
+                            if ((_e711 > _e712)) {
+                                float _e714 = q_1;
+                                float _e715 = high_5;
+                                float _e716 = bottom_6;
+                                float _e717 = top_6;
+                                columns_to_top_2_(_e714, _e715, _e716, _e717);
                             }
-                            vec4 _e710 = through;
-                            float _e711 = seen_2;
-                            float _e712 = high_5;
-                            float _e713 = low_8;
-                            float _e718 = _group_0_binding_0_fs.counts.x;
-                            vec4 _e720 = star_at_1_(_e711, (_e712 > _e713), int(_e718));
-                            star = (_e710 * _e720);
-                            vec4 _e722 = air;
-                            vec4 _e723 = star;
-                            float _e727 = _group_0_binding_0_fs.counts.x;
-                            vec4 _e729 = scattered_star_1_(int(_e727));
-                            air = (_e722 + (_e723 * _e729));
+                            vec4 _e718 = through;
+                            float _e719 = seen_2;
+                            float _e720 = high_5;
+                            float _e721 = low_8;
+                            float _e726 = _group_0_binding_0_fs.counts.x;
+                            vec4 _e728 = star_at_1_(_e719, (_e720 > _e721), int(_e726));
+                            star = (_e718 * _e728);
+                            vec4 _e730 = air;
+                            vec4 _e731 = star;
+                            float _e735 = _group_0_binding_0_fs.counts.x;
+                            vec4 _e737 = scattered_star_1_(int(_e735));
+                            air = (_e730 + (_e731 * _e737));
                         }
                     }
                     if (true) {
-                        local_13 = (orders != 1);
-                    } else {
-                        local_13 = false;
-                    }
-                    bool _e738 = local_13;
-                    if (_e738) {
-                        float _e741 = depth_2;
-                        int _e743 = k_7;
-                        float _e745 = march_line_1_weight[_e743];
-                        float _e747 = faint;
-                        local_14 = ((_e741 * _e745) >= _e747);
+                        local_14 = (orders != 1);
                     } else {
                         local_14 = false;
                     }
-                    bool _e750 = local_14;
-                    if (_e750) {
-                        float _e751 = mu_q;
-                        legendre_functions_1_(_e751);
-                        float _e752 = mu_q;
-                        float _e755 = mu_q;
-                        float _e759 = mu_sq;
-                        float _e763 = mu_sq;
-                        spread_1 = ((((1.0 - _e752) * (1.0 + _e755)) * (1.0 - _e759)) * (1.0 + _e763));
-                        float _e767 = nu_q;
-                        float _e768 = mu_q;
-                        float _e769 = mu_sq;
-                        float _e772 = spread_1;
-                        step_1_1 = ((_e767 - (_e768 * _e769)) / sqrt(max(_e772, 1e-24)));
-                        float _e777 = step_1_1;
-                        float _e785 = _group_0_binding_0_fs.counts.y;
-                        times_cosines_1_(min(max(_e777, -1.0), 1.0), int(_e785));
-                        float _e787 = q_1;
-                        float _e788 = bottom_6;
-                        float _e789 = top_6;
-                        float _e790 = row_of(_e787, _e788, _e789);
-                        x_24 = _e790;
-                        float _e791 = x_24;
-                        float _e796 = _group_0_binding_0_fs.counts.z;
-                        row_5 = min(int(_e791), (int(_e796) - 2));
-                        float _e801 = x_24;
-                        int _e802 = row_5;
-                        f_4 = (_e801 - float(_e802));
-                        float _e805 = mu_sq;
-                        float _e806 = place_of(_e805);
-                        x_24 = _e806;
-                        float _e807 = x_24;
-                        float _e812 = _group_0_binding_0_fs.counts.w;
-                        place_4 = min(int(_e807), (int(_e812) - 2));
-                        float _e817 = x_24;
-                        int _e818 = place_4;
-                        e_4 = (_e817 - float(_e818));
-                        float _e821 = f_4;
-                        g_1 = (1.0 - _e821);
-                        float _e824 = e_4;
-                        h = (1.0 - _e824);
-                        int _e827 = row_5;
-                        float _e831 = _group_0_binding_0_fs.counts.w;
-                        int _e834 = place_4;
-                        int _e836 = block_2;
-                        near_2 = (((_e827 * int(_e831)) + _e834) * _e836);
-                        vec4 _e838 = air;
-                        vec4 _e839 = through;
-                        int _e840 = near_2;
-                        int _e841 = near_2;
-                        float _e845 = _group_0_binding_0_fs.counts.w;
-                        int _e847 = block_2;
+                    bool _e746 = local_14;
+                    if (_e746) {
+                        float _e749 = depth_2;
+                        int _e751 = k_7;
+                        float _e753 = march_line_1_weight[_e751];
+                        float _e755 = faint;
+                        local_15 = ((_e749 * _e753) >= _e755);
+                    } else {
+                        local_15 = false;
+                    }
+                    bool _e758 = local_15;
+                    if (_e758) {
+                        float _e759 = mu_q;
+                        float _e762 = mu_q;
+                        float _e766 = mu_sq;
+                        float _e770 = mu_sq;
+                        spread_1 = ((((1.0 - _e759) * (1.0 + _e762)) * (1.0 - _e766)) * (1.0 + _e770));
+                        float _e774 = nu_q;
+                        float _e775 = mu_q;
+                        float _e776 = mu_sq;
+                        float _e779 = spread_1;
+                        step_1_ = ((_e774 - (_e775 * _e776)) / sqrt(max(_e779, 1e-24)));
+                        float _e784 = mu_q;
+                        float _e785 = step_1_;
+                        directed_functions_1_(_e784, min(max(_e785, -1.0), 1.0));
+                        float _e790 = q_1;
+                        float _e791 = bottom_6;
+                        float _e792 = top_6;
+                        float _e793 = row_of(_e790, _e791, _e792);
+                        x_24 = _e793;
+                        float _e794 = x_24;
+                        float _e799 = _group_0_binding_0_fs.counts.z;
+                        row_5 = min(int(_e794), (int(_e799) - 2));
+                        float _e804 = x_24;
+                        int _e805 = row_5;
+                        f_4 = (_e804 - float(_e805));
+                        float _e808 = mu_sq;
+                        float _e809 = place_of(_e808);
+                        x_24 = _e809;
+                        float _e810 = x_24;
+                        float _e815 = _group_0_binding_0_fs.counts.w;
+                        place_4 = min(int(_e810), (int(_e815) - 2));
+                        float _e820 = x_24;
+                        int _e821 = place_4;
+                        e_4 = (_e820 - float(_e821));
+                        float _e824 = f_4;
+                        g_1 = (1.0 - _e824);
+                        float _e827 = e_4;
+                        h = (1.0 - _e827);
+                        int _e830 = row_5;
+                        float _e834 = _group_0_binding_0_fs.counts.w;
+                        int _e837 = place_4;
+                        int _e839 = block_2;
+                        near_2 = (((_e830 * int(_e834)) + _e837) * _e839);
+                        vec4 _e841 = air;
+                        vec4 _e842 = through;
+                        int _e843 = near_2;
+                        int _e844 = near_2;
+                        float _e848 = _group_0_binding_0_fs.counts.w;
                         int _e850 = block_2;
-                        float _e851 = g_1;
-                        float _e852 = h;
+                        int _e853 = block_2;
                         float _e854 = g_1;
-                        float _e855 = e_4;
-                        float _e857 = f_4;
-                        float _e858 = h;
+                        float _e855 = h;
+                        float _e857 = g_1;
+                        float _e858 = e_4;
                         float _e860 = f_4;
-                        float _e861 = e_4;
-                        float _e866 = _group_0_binding_0_fs.counts.y;
-                        float _e871 = _group_0_binding_0_fs.counts.x;
-                        vec4 _e873 = gathered_light_1_(_e840, (_e841 + (int(_e845) * _e847)), _e850, (_e851 * _e852), (_e854 * _e855), (_e857 * _e858), (_e860 * _e861), int(_e866), int(_e871));
-                        air = (_e838 + (_e839 * _e873));
+                        float _e861 = h;
+                        float _e863 = f_4;
+                        float _e864 = e_4;
+                        float _e869 = _group_0_binding_0_fs.counts.y;
+                        float _e874 = _group_0_binding_0_fs.counts.x;
+                        vec4 _e876 = gathered_light_1_(_e843, (_e844 + (int(_e848) * _e850)), _e853, (_e854 * _e855), (_e857 * _e858), (_e860 * _e861), (_e863 * _e864), int(_e869), int(_e874));
+                        air = (_e841 + (_e842 * _e876));
                     }
                 }
             }
         }
     }
-    float _e885 = _group_0_binding_0_fs.counts.x;
-    int end_12_ = int(_e885);
+    float _e888 = _group_0_binding_0_fs.counts.x;
+    int end_12_ = int(_e888);
     c_13 = 0;
-    bool loop_init_59 = true;
+    bool loop_init_57 = true;
     while(true) {
-        if (!loop_init_59) {
-            int _e929 = c_13;
-            c_13 = (_e929 + 1);
+        if (!loop_init_57) {
+            int _e932 = c_13;
+            c_13 = (_e932 + 1);
         }
-        loop_init_59 = false;
-        int _e888 = c_13;
-        if (((_e888 + 3) < end_12_)) {
+        loop_init_57 = false;
+        int _e891 = c_13;
+        if (((_e891 + 3) < end_12_)) {
         } else {
             break;
         }
         {
-            int _e893 = c_13;
             int _e896 = c_13;
-            float _e898 = march_line_1_before[_e896];
-            look_1_totals[_e893] = _e898;
             int _e899 = c_13;
-            c_13 = (_e899 + 1);
-            int _e903 = c_13;
+            float _e901 = march_line_1_before[_e899];
+            look_1_totals[_e896] = _e901;
+            int _e902 = c_13;
+            c_13 = (_e902 + 1);
             int _e906 = c_13;
-            float _e908 = march_line_1_before[_e906];
-            look_1_totals[_e903] = _e908;
             int _e909 = c_13;
-            c_13 = (_e909 + 1);
-            int _e913 = c_13;
+            float _e911 = march_line_1_before[_e909];
+            look_1_totals[_e906] = _e911;
+            int _e912 = c_13;
+            c_13 = (_e912 + 1);
             int _e916 = c_13;
-            float _e918 = march_line_1_before[_e916];
-            look_1_totals[_e913] = _e918;
             int _e919 = c_13;
-            c_13 = (_e919 + 1);
-            int _e923 = c_13;
+            float _e921 = march_line_1_before[_e919];
+            look_1_totals[_e916] = _e921;
+            int _e922 = c_13;
+            c_13 = (_e922 + 1);
             int _e926 = c_13;
-            float _e928 = march_line_1_before[_e926];
-            look_1_totals[_e923] = _e928;
+            int _e929 = c_13;
+            float _e931 = march_line_1_before[_e929];
+            look_1_totals[_e926] = _e931;
         }
     }
-    bool loop_init_60 = true;
+    bool loop_init_58 = true;
     while(true) {
-        if (!loop_init_60) {
-            int _e941 = c_13;
-            c_13 = (_e941 + 1);
+        if (!loop_init_58) {
+            int _e944 = c_13;
+            c_13 = (_e944 + 1);
         }
-        loop_init_60 = false;
-        int _e932 = c_13;
-        if ((_e932 < end_12_)) {
+        loop_init_58 = false;
+        int _e935 = c_13;
+        if ((_e935 < end_12_)) {
         } else {
             break;
         }
         {
-            int _e935 = c_13;
             int _e938 = c_13;
-            float _e940 = march_line_1_before[_e938];
-            look_1_totals[_e935] = _e940;
+            int _e941 = c_13;
+            float _e943 = march_line_1_before[_e941];
+            look_1_totals[_e938] = _e943;
         }
     }
-    vec4 _e946 = air;
-    look_1_along[0] = _e946;
-    float _e952 = _group_0_binding_0_fs.counts.x;
-    vec4 _e954 = through_columns_2_(int(_e952));
-    look_1_along[1] = _e954;
-    vec4 _e957 = first_5;
-    look_1_along[2] = _e957;
-    vec4 _e960 = second_1;
-    look_1_along[3] = _e960;
+    vec4 _e949 = air;
+    look_1_along[0] = _e949;
+    float _e955 = _group_0_binding_0_fs.counts.x;
+    vec4 _e957 = through_columns_2_(int(_e955));
+    look_1_along[1] = _e957;
+    vec4 _e960 = first_5;
+    look_1_along[2] = _e960;
+    vec4 _e963 = second_1;
+    look_1_along[3] = _e963;
     return;
 }
 
-void columns_to_top_3_(float r_18, float mu_19, float bottom_7, float top_7) {
+void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
     float x_25 = 0.0;
     int row_6 = 0;
     float f_5 = 0.0;
@@ -4851,7 +4836,7 @@ void columns_to_top_3_(float r_18, float mu_19, float bottom_7, float top_7) {
     float _e31 = x_25;
     int _e32 = row_6;
     f_5 = (_e31 - float(_e32));
-    float _e35 = direction_coordinate(r_18, mu_19, bottom_7, top_7);
+    float _e35 = direction_coordinate(r_18, mu_18, bottom_7, top_7);
     int _e37 = size_columns(1);
     x_25 = (_e35 * float((_e37 - 1)));
     float _e42 = x_25;
@@ -4876,17 +4861,17 @@ void columns_to_top_3_(float r_18, float mu_19, float bottom_7, float top_7) {
     float now_4_4 = (_e70 * _e71);
     w10_5 = now_3_4;
     w11_5 = now_4_4;
-    float _e73 = distance_to_top(r_18, mu_19, top_7);
+    float _e73 = distance_to_top(r_18, mu_18, top_7);
     distance_1_5 = _e73;
     int _e75 = size_columns(2);
     c_14 = 0;
-    bool loop_init_61 = true;
+    bool loop_init_59 = true;
     while(true) {
-        if (!loop_init_61) {
+        if (!loop_init_59) {
             int _e818 = c_14;
             c_14 = (_e818 + 1);
         }
-        loop_init_61 = false;
+        loop_init_59 = false;
         int _e77 = c_14;
         if (((_e77 + 3) < _e75)) {
         } else {
@@ -5185,13 +5170,13 @@ void columns_to_top_3_(float r_18, float mu_19, float bottom_7, float top_7) {
             ground_received_1_below[_e811] = ((_e813 * _e814) / _e816);
         }
     }
-    bool loop_init_62 = true;
+    bool loop_init_60 = true;
     while(true) {
-        if (!loop_init_62) {
+        if (!loop_init_60) {
             int _e1005 = c_14;
             c_14 = (_e1005 + 1);
         }
-        loop_init_62 = false;
+        loop_init_60 = false;
         int _e821 = c_14;
         if ((_e821 < _e75)) {
         } else {
@@ -5274,7 +5259,7 @@ void columns_to_top_3_(float r_18, float mu_19, float bottom_7, float top_7) {
     return;
 }
 
-void columns_to_top_4_(float r_19, float mu_20, float bottom_8, float top_8) {
+void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
     float x_26 = 0.0;
     int row_7 = 0;
     float f_6 = 0.0;
@@ -5297,7 +5282,7 @@ void columns_to_top_4_(float r_19, float mu_20, float bottom_8, float top_8) {
     float _e31 = x_26;
     int _e32 = row_7;
     f_6 = (_e31 - float(_e32));
-    float _e35 = direction_coordinate(r_19, mu_20, bottom_8, top_8);
+    float _e35 = direction_coordinate(r_19, mu_19, bottom_8, top_8);
     int _e37 = size_columns(1);
     x_26 = (_e35 * float((_e37 - 1)));
     float _e42 = x_26;
@@ -5322,17 +5307,17 @@ void columns_to_top_4_(float r_19, float mu_20, float bottom_8, float top_8) {
     float now_4_5 = (_e70 * _e71);
     w10_6 = now_3_5;
     w11_6 = now_4_5;
-    float _e73 = distance_to_top(r_19, mu_20, top_8);
+    float _e73 = distance_to_top(r_19, mu_19, top_8);
     distance_1_6 = _e73;
     int _e75 = size_columns(2);
     c_15 = 0;
-    bool loop_init_63 = true;
+    bool loop_init_61 = true;
     while(true) {
-        if (!loop_init_63) {
+        if (!loop_init_61) {
             int _e818 = c_15;
             c_15 = (_e818 + 1);
         }
-        loop_init_63 = false;
+        loop_init_61 = false;
         int _e77 = c_15;
         if (((_e77 + 3) < _e75)) {
         } else {
@@ -5631,13 +5616,13 @@ void columns_to_top_4_(float r_19, float mu_20, float bottom_8, float top_8) {
             ground_received_1_above[_e811] = ((_e813 * _e814) / _e816);
         }
     }
-    bool loop_init_64 = true;
+    bool loop_init_62 = true;
     while(true) {
-        if (!loop_init_64) {
+        if (!loop_init_62) {
             int _e1005 = c_15;
             c_15 = (_e1005 + 1);
         }
-        loop_init_64 = false;
+        loop_init_62 = false;
         int _e821 = c_15;
         if ((_e821 < _e75)) {
         } else {
@@ -5725,13 +5710,13 @@ vec4 through_columns_5_(int constituents_7) {
     int c_16 = 0;
     tau_4 = vec4(0.0);
     c_16 = 0;
-    bool loop_init_65 = true;
+    bool loop_init_63 = true;
     while(true) {
-        if (!loop_init_65) {
+        if (!loop_init_63) {
             int _e71 = c_16;
             c_16 = (_e71 + 1);
         }
-        loop_init_65 = false;
+        loop_init_63 = false;
         int _e6 = c_16;
         if (((_e6 + 3) < constituents_7)) {
         } else {
@@ -5770,13 +5755,13 @@ vec4 through_columns_5_(int constituents_7) {
             tau_4 = (_e58 + (_e64 * _e68));
         }
     }
-    bool loop_init_66 = true;
+    bool loop_init_64 = true;
     while(true) {
-        if (!loop_init_66) {
+        if (!loop_init_64) {
             int _e89 = c_16;
             c_16 = (_e89 + 1);
         }
-        loop_init_66 = false;
+        loop_init_64 = false;
         int _e74 = c_16;
         if ((_e74 < constituents_7)) {
         } else {
@@ -5800,13 +5785,13 @@ vec4 through_columns_6_(int constituents_8) {
     int c_17 = 0;
     tau_5 = vec4(0.0);
     c_17 = 0;
-    bool loop_init_67 = true;
+    bool loop_init_65 = true;
     while(true) {
-        if (!loop_init_67) {
+        if (!loop_init_65) {
             int _e71 = c_17;
             c_17 = (_e71 + 1);
         }
-        loop_init_67 = false;
+        loop_init_65 = false;
         int _e6 = c_17;
         if (((_e6 + 3) < constituents_8)) {
         } else {
@@ -5845,13 +5830,13 @@ vec4 through_columns_6_(int constituents_8) {
             tau_5 = (_e58 + (_e64 * _e68));
         }
     }
-    bool loop_init_68 = true;
+    bool loop_init_66 = true;
     while(true) {
-        if (!loop_init_68) {
+        if (!loop_init_66) {
             int _e89 = c_17;
             c_17 = (_e89 + 1);
         }
-        loop_init_68 = false;
+        loop_init_66 = false;
         int _e74 = c_17;
         if ((_e74 < constituents_8)) {
         } else {
@@ -5945,7 +5930,7 @@ void ground_received_1_(float mu_s_8, int orders_1) {
     return;
 }
 
-float look_1_(float mu_21, float sine_1_5, float cos_azimuth_1, bool to_ground) {
+float look_1_(float mu_20, float sine_1_5, float cos_azimuth_1, bool to_ground) {
     float nu_3 = 0.0;
     float r_20 = 0.0;
     float start_mu = 0.0;
@@ -5958,14 +5943,14 @@ float look_1_(float mu_21, float sine_1_5, float cos_azimuth_1, bool to_ground) 
     float angle_3 = 0.0;
     float mu_s_9 = 0.0;
     float slant_1 = 0.0;
-    bool local_15 = false;
+    bool local_16 = false;
     float _e20 = _group_0_binding_0_fs.star.x;
     float _e25 = _group_0_binding_0_fs.star.y;
-    nu_3 = min(max((((sine_1_5 * cos_azimuth_1) * _e20) + (mu_21 * _e25)), -1.0), 1.0);
+    nu_3 = min(max((((sine_1_5 * cos_azimuth_1) * _e20) + (mu_20 * _e25)), -1.0), 1.0);
     float now_1_7 = _group_0_binding_0_fs.observer.x;
     float now_3_6 = _group_0_binding_0_fs.star.y;
     r_20 = now_1_7;
-    start_mu = mu_21;
+    start_mu = mu_20;
     start_mu_s = now_3_6;
     float _e43 = _group_0_binding_0_fs.observer.x;
     impact_1 = (_e43 * sine_1_5);
@@ -6015,11 +6000,11 @@ float look_1_(float mu_21, float sine_1_5, float cos_azimuth_1, bool to_ground) 
     ground = vec4(0.0);
     angle_3 = 0.0;
     if (true) {
-        local_15 = to_ground;
+        local_16 = to_ground;
     } else {
-        local_15 = false;
+        local_16 = false;
     }
-    bool _e136 = local_15;
+    bool _e136 = local_16;
     if (_e136) {
         float _e137 = impact_1;
         float _e141 = _group_0_binding_0_fs.shell.x;
@@ -6083,7 +6068,7 @@ void air_texel_1_(int column_2, int row_8, int columns, int rows) {
     float azimuth = 0.0;
     float cos_azimuth_2 = 0.0;
     float sine_1_6 = 0.0;
-    float mu_22 = 0.0;
+    float mu_21 = 0.0;
     float side = 0.0;
     float half_sine_2 = 0.0;
     int layer = 0;
@@ -6105,14 +6090,14 @@ void air_texel_1_(int column_2, int row_8, int columns, int rows) {
         sine_1_6 = (_e47 / _e51);
         float _e53 = sine_1_6;
         float _e56 = sine_1_6;
-        mu_22 = -(sqrt(max(((1.0 - _e53) * (1.0 + _e56)), 0.0)));
+        mu_21 = -(sqrt(max(((1.0 - _e53) * (1.0 + _e56)), 0.0)));
     } else {
         float _e64 = at_5;
         bool _e65 = sky_2;
         float _e69 = _group_0_binding_0_fs.observer.z;
         float _e73 = _group_0_binding_0_fs.observer.w;
         Several_f32_f32_ _e74 = direction_from_row(_e64, _e65, _e69, _e73);
-        mu_22 = _e74.v0_;
+        mu_21 = _e74.v0_;
         sine_1_6 = _e74.v1_;
     }
     float _e77 = cos_azimuth_2;
@@ -6122,26 +6107,26 @@ void air_texel_1_(int column_2, int row_8, int columns, int rows) {
     float _e88 = cos_azimuth_2;
     float _e90 = sine_1_6;
     float _e91 = side;
-    float _e93 = mu_22;
+    float _e93 = mu_21;
     float _e97 = _group_0_binding_0_fs.star.z;
     float _e101 = _group_0_binding_0_fs.star.w;
     float _e102 = half_sine_between((_e87 * _e88), (_e90 * _e91), _e93, _e97, _e101);
     half_sine_2 = _e102;
     float _e103 = half_sine_2;
     phases_towards_1_(_e103);
-    float _e104 = mu_22;
+    float _e104 = mu_21;
     float _e105 = sine_1_6;
     float _e106 = cos_azimuth_2;
     bool _e107 = sky_2;
     float _e109 = look_1_(_e104, _e105, _e106, !(_e107));
     layer = 0;
-    bool loop_init_69 = true;
+    bool loop_init_67 = true;
     while(true) {
-        if (!loop_init_69) {
+        if (!loop_init_67) {
             int _e130 = layer;
             layer = (_e130 + 1);
         }
-        loop_init_69 = false;
+        loop_init_67 = false;
         int _e111 = layer;
         if ((_e111 < 4)) {
         } else {

@@ -1,5 +1,5 @@
 #version 300 es
-// of sky_peaks.wgsl 65e600925ebf1201, by naga-wasm@30.1.0
+// of sky_peaks.wgsl efbdd6a2bdc4c519, by naga-wasm@30.1.0
 precision highp float;
 precision highp int;
 
@@ -3521,6 +3521,7 @@ void march_line_1_(float r_17, float mu_16, float mu_s_5, float nu_2, float leng
     vec4 star = vec4(0.0);
     bool local_11 = false;
     bool local_12 = false;
+    bool local_13 = false;
     float now_1_3 = _group_0_binding_0_fs.shell.x;
     float now_2_3 = _group_0_binding_0_fs.shell.y;
     bottom_4 = now_1_3;
@@ -3545,201 +3546,208 @@ void march_line_1_(float r_17, float mu_16, float mu_s_5, float nu_2, float leng
     float _e68 = end_4;
     day = (_e68 > 0.1);
     float _e71 = slant;
-    kind = ((_e71 < 9.0) ? 1 : 2);
-    bool _e77 = day;
-    if (_e77) {
-        float _e80 = slant;
-        local_11 = (_e80 < 4.0);
+    if (!((_e71 < 9.0))) {
+        int _e77 = count_4;
+        local_11 = (_e77 > 6);
     } else {
-        local_11 = false;
+        local_11 = true;
     }
-    bool _e84 = local_11;
-    if (!(_e84)) {
-        int _e88 = count_4;
-        local_12 = (_e88 > 12);
+    bool _e81 = local_11;
+    kind = (_e81 ? 1 : 2);
+    bool _e85 = day;
+    if (_e85) {
+        float _e88 = slant;
+        local_12 = (_e88 < 4.0);
     } else {
-        local_12 = true;
+        local_12 = false;
     }
     bool _e92 = local_12;
-    if (_e92) {
+    if (!(_e92)) {
+        int _e96 = count_4;
+        local_13 = (_e96 > 10);
+    } else {
+        local_13 = true;
+    }
+    bool _e100 = local_13;
+    if (_e100) {
         kind = 0;
     }
-    int _e94 = kind;
-    float _e95 = read_rules(_e94);
-    rule_4 = int(_e95);
-    int _e97 = rule_4;
-    float _e98 = read_rules(_e97);
-    n_4 = int(_e98);
+    int _e102 = kind;
+    float _e103 = read_rules(_e102);
+    rule_4 = int(_e103);
+    int _e105 = rule_4;
+    float _e106 = read_rules(_e105);
+    n_4 = int(_e106);
     attempt = 0;
     bool loop_init_36 = true;
     while(true) {
         if (!loop_init_36) {
-            int _e122 = attempt;
-            attempt = (_e122 + 1);
+            int _e130 = attempt;
+            attempt = (_e130 + 1);
         }
         loop_init_36 = false;
-        int _e101 = attempt;
-        if ((_e101 < 2)) {
+        int _e109 = attempt;
+        if ((_e109 < 2)) {
         } else {
             break;
         }
         {
-            int _e104 = count_4;
-            int _e105 = rule_4;
-            float _e106 = columns_along_1_(r_17, mu_16, _e104, _e105);
-            if ((_e106 <= 15.0)) {
+            int _e112 = count_4;
+            int _e113 = rule_4;
+            float _e114 = columns_along_1_(r_17, mu_16, _e112, _e113);
+            if ((_e114 <= 15.0)) {
                 break;
             }
             which_1 = 0;
             bool loop_init_37 = true;
             while(true) {
                 if (!loop_init_37) {
-                    int _e119 = which_1;
-                    which_1 = (_e119 + 1);
+                    int _e127 = which_1;
+                    which_1 = (_e127 + 1);
                 }
                 loop_init_37 = false;
-                int _e110 = which_1;
-                if ((_e110 < 3)) {
+                int _e118 = which_1;
+                if ((_e118 < 3)) {
                 } else {
                     break;
                 }
                 {
-                    int _e113 = count_4;
-                    int _e115 = which_1;
-                    float _e117 = march_line_1_cuts[_e115];
-                    int _e118 = insert_edge_1_(_e113, _e117);
-                    count_4 = _e118;
+                    int _e121 = count_4;
+                    int _e123 = which_1;
+                    float _e125 = march_line_1_cuts[_e123];
+                    int _e126 = insert_edge_1_(_e121, _e125);
+                    count_4 = _e126;
                 }
             }
         }
     }
     scatters = 0.0;
-    float _e129 = _group_0_binding_0_fs.counts.x;
-    int end_4_3 = int(_e129);
+    float _e137 = _group_0_binding_0_fs.counts.x;
+    int end_4_3 = int(_e137);
     c_11 = 0;
     bool loop_init_38 = true;
     while(true) {
         if (!loop_init_38) {
-            int _e197 = c_11;
-            c_11 = (_e197 + 1);
+            int _e205 = c_11;
+            c_11 = (_e205 + 1);
         }
         loop_init_38 = false;
-        int _e132 = c_11;
-        if (((_e132 + 3) < end_4_3)) {
+        int _e140 = c_11;
+        if (((_e140 + 3) < end_4_3)) {
         } else {
             break;
         }
         {
-            float _e136 = scatters;
-            int _e137 = c_11;
-            float _e138 = read_brightest(_e137);
-            int _e140 = c_11;
-            float _e142 = look_1_totals[_e140];
-            scatters = (_e136 + (_e138 * _e142));
-            int _e146 = c_11;
-            march_line_1_before[_e146] = 0.0;
-            int _e149 = c_11;
-            c_11 = (_e149 + 1);
-            float _e152 = scatters;
-            int _e153 = c_11;
-            float _e154 = read_brightest(_e153);
-            int _e156 = c_11;
-            float _e158 = look_1_totals[_e156];
-            scatters = (_e152 + (_e154 * _e158));
-            int _e162 = c_11;
-            march_line_1_before[_e162] = 0.0;
-            int _e165 = c_11;
-            c_11 = (_e165 + 1);
-            float _e168 = scatters;
-            int _e169 = c_11;
-            float _e170 = read_brightest(_e169);
-            int _e172 = c_11;
-            float _e174 = look_1_totals[_e172];
-            scatters = (_e168 + (_e170 * _e174));
-            int _e178 = c_11;
-            march_line_1_before[_e178] = 0.0;
-            int _e181 = c_11;
-            c_11 = (_e181 + 1);
-            float _e184 = scatters;
-            int _e185 = c_11;
-            float _e186 = read_brightest(_e185);
-            int _e188 = c_11;
-            float _e190 = look_1_totals[_e188];
-            scatters = (_e184 + (_e186 * _e190));
-            int _e194 = c_11;
-            march_line_1_before[_e194] = 0.0;
+            float _e144 = scatters;
+            int _e145 = c_11;
+            float _e146 = read_brightest(_e145);
+            int _e148 = c_11;
+            float _e150 = look_1_totals[_e148];
+            scatters = (_e144 + (_e146 * _e150));
+            int _e154 = c_11;
+            march_line_1_before[_e154] = 0.0;
+            int _e157 = c_11;
+            c_11 = (_e157 + 1);
+            float _e160 = scatters;
+            int _e161 = c_11;
+            float _e162 = read_brightest(_e161);
+            int _e164 = c_11;
+            float _e166 = look_1_totals[_e164];
+            scatters = (_e160 + (_e162 * _e166));
+            int _e170 = c_11;
+            march_line_1_before[_e170] = 0.0;
+            int _e173 = c_11;
+            c_11 = (_e173 + 1);
+            float _e176 = scatters;
+            int _e177 = c_11;
+            float _e178 = read_brightest(_e177);
+            int _e180 = c_11;
+            float _e182 = look_1_totals[_e180];
+            scatters = (_e176 + (_e178 * _e182));
+            int _e186 = c_11;
+            march_line_1_before[_e186] = 0.0;
+            int _e189 = c_11;
+            c_11 = (_e189 + 1);
+            float _e192 = scatters;
+            int _e193 = c_11;
+            float _e194 = read_brightest(_e193);
+            int _e196 = c_11;
+            float _e198 = look_1_totals[_e196];
+            scatters = (_e192 + (_e194 * _e198));
+            int _e202 = c_11;
+            march_line_1_before[_e202] = 0.0;
         }
     }
     bool loop_init_39 = true;
     while(true) {
         if (!loop_init_39) {
-            int _e215 = c_11;
-            c_11 = (_e215 + 1);
+            int _e223 = c_11;
+            c_11 = (_e223 + 1);
         }
         loop_init_39 = false;
-        int _e200 = c_11;
-        if ((_e200 < end_4_3)) {
+        int _e208 = c_11;
+        if ((_e208 < end_4_3)) {
         } else {
             break;
         }
         {
-            float _e202 = scatters;
-            int _e203 = c_11;
-            float _e204 = read_brightest(_e203);
-            int _e206 = c_11;
-            float _e208 = look_1_totals[_e206];
-            scatters = (_e202 + (_e204 * _e208));
-            int _e212 = c_11;
-            march_line_1_before[_e212] = 0.0;
+            float _e210 = scatters;
+            int _e211 = c_11;
+            float _e212 = read_brightest(_e211);
+            int _e214 = c_11;
+            float _e216 = look_1_totals[_e214];
+            scatters = (_e210 + (_e212 * _e216));
+            int _e220 = c_11;
+            march_line_1_before[_e220] = 0.0;
         }
     }
-    float _e218 = scatters;
-    bool _e223 = day;
-    faint = (_e223 ? (0.0005 * min(_e218, 1.0)) : 0.0);
+    float _e226 = scatters;
+    bool _e231 = day;
+    faint = (_e231 ? (0.0005 * min(_e226, 1.0)) : 0.0);
     vec4 now_5_ = vec4(0.0);
     vec4 now_6_1 = vec4(0.0);
     vec4 now_7_1 = vec4(0.0);
     air = now_5_;
     first_5 = now_6_1;
     second_1 = now_7_1;
-    float _e235 = _group_0_binding_0_fs.counts.y;
-    float _e242 = _group_0_binding_0_fs.counts.y;
-    int _e248 = whole_quotient(((int(_e235) + 1) * (int(_e242) + 2)), 2);
-    block = (1 * (1 + _e248));
+    float _e243 = _group_0_binding_0_fs.counts.y;
+    float _e250 = _group_0_binding_0_fs.counts.y;
+    int _e256 = whole_quotient(((int(_e243) + 1) * (int(_e250) + 2)), 2);
+    block = (1 * (1 + _e256));
     panel_1 = 0;
     bool loop_init_40 = true;
     while(true) {
         if (!loop_init_40) {
-            int _e771 = panel_1;
-            panel_1 = (_e771 + 1);
+            int _e779 = panel_1;
+            panel_1 = (_e779 + 1);
         }
         loop_init_40 = false;
-        int _e254 = panel_1;
-        int _e255 = count_4;
-        if ((_e254 < (_e255 - 1))) {
+        int _e262 = panel_1;
+        int _e263 = count_4;
+        if ((_e262 < (_e263 - 1))) {
         } else {
             break;
         }
         {
-            int _e260 = panel_1;
-            float _e262 = march_line_1_edges[_e260];
-            int _e264 = panel_1;
-            float _e268 = march_line_1_edges[(_e264 + 1)];
-            int _e270 = count_4;
-            float _e274 = march_line_1_edges[(_e270 - 1)];
-            int _e275 = rule_4;
-            place_panel_1_(r_17, mu_16, _e262, _e268, _e274, _e275);
+            int _e268 = panel_1;
+            float _e270 = march_line_1_edges[_e268];
+            int _e272 = panel_1;
+            float _e276 = march_line_1_edges[(_e272 + 1)];
+            int _e278 = count_4;
+            float _e282 = march_line_1_edges[(_e278 - 1)];
+            int _e283 = rule_4;
+            place_panel_1_(r_17, mu_16, _e270, _e276, _e282, _e283);
             c_11 = 0;
             bool loop_init_41 = true;
             while(true) {
                 if (!loop_init_41) {
-                    int _e407 = c_11;
-                    c_11 = (_e407 + 1);
+                    int _e415 = c_11;
+                    c_11 = (_e415 + 1);
                 }
                 loop_init_41 = false;
-                int _e277 = c_11;
-                float _e281 = _group_0_binding_0_fs.counts.x;
-                if ((_e277 < int(_e281))) {
+                int _e285 = c_11;
+                float _e289 = _group_0_binding_0_fs.counts.x;
+                if ((_e285 < int(_e289))) {
                 } else {
                     break;
                 }
@@ -3749,306 +3757,306 @@ void march_line_1_(float r_17, float mu_16, float mu_s_5, float nu_2, float leng
                     bool loop_init_42 = true;
                     while(true) {
                         if (!loop_init_42) {
-                            int _e379 = k_5;
-                            k_5 = (_e379 + 1);
+                            int _e387 = k_5;
+                            k_5 = (_e387 + 1);
                         }
                         loop_init_42 = false;
-                        int _e286 = k_5;
-                        if (((_e286 + 3) < end_8_)) {
+                        int _e294 = k_5;
+                        if (((_e294 + 3) < end_8_)) {
                         } else {
                             break;
                         }
                         {
-                            int _e291 = c_11;
-                            int _e294 = k_5;
-                            int _e298 = c_11;
-                            int _e301 = k_5;
-                            float _e304 = march_line_1_density[((_e298 * 24) + _e301)];
-                            int _e306 = k_5;
-                            float _e308 = march_line_1_weight[_e306];
-                            march_line_1_amounts[((_e291 * 24) + _e294)] = (_e304 * _e308);
-                            int _e310 = k_5;
-                            k_5 = (_e310 + 1);
-                            int _e314 = c_11;
-                            int _e317 = k_5;
-                            int _e321 = c_11;
-                            int _e324 = k_5;
-                            float _e327 = march_line_1_density[((_e321 * 24) + _e324)];
-                            int _e329 = k_5;
-                            float _e331 = march_line_1_weight[_e329];
-                            march_line_1_amounts[((_e314 * 24) + _e317)] = (_e327 * _e331);
-                            int _e333 = k_5;
-                            k_5 = (_e333 + 1);
-                            int _e337 = c_11;
-                            int _e340 = k_5;
-                            int _e344 = c_11;
-                            int _e347 = k_5;
-                            float _e350 = march_line_1_density[((_e344 * 24) + _e347)];
-                            int _e352 = k_5;
-                            float _e354 = march_line_1_weight[_e352];
-                            march_line_1_amounts[((_e337 * 24) + _e340)] = (_e350 * _e354);
-                            int _e356 = k_5;
-                            k_5 = (_e356 + 1);
-                            int _e360 = c_11;
-                            int _e363 = k_5;
-                            int _e367 = c_11;
-                            int _e370 = k_5;
-                            float _e373 = march_line_1_density[((_e367 * 24) + _e370)];
-                            int _e375 = k_5;
-                            float _e377 = march_line_1_weight[_e375];
-                            march_line_1_amounts[((_e360 * 24) + _e363)] = (_e373 * _e377);
+                            int _e299 = c_11;
+                            int _e302 = k_5;
+                            int _e306 = c_11;
+                            int _e309 = k_5;
+                            float _e312 = march_line_1_density[((_e306 * 24) + _e309)];
+                            int _e314 = k_5;
+                            float _e316 = march_line_1_weight[_e314];
+                            march_line_1_amounts[((_e299 * 24) + _e302)] = (_e312 * _e316);
+                            int _e318 = k_5;
+                            k_5 = (_e318 + 1);
+                            int _e322 = c_11;
+                            int _e325 = k_5;
+                            int _e329 = c_11;
+                            int _e332 = k_5;
+                            float _e335 = march_line_1_density[((_e329 * 24) + _e332)];
+                            int _e337 = k_5;
+                            float _e339 = march_line_1_weight[_e337];
+                            march_line_1_amounts[((_e322 * 24) + _e325)] = (_e335 * _e339);
+                            int _e341 = k_5;
+                            k_5 = (_e341 + 1);
+                            int _e345 = c_11;
+                            int _e348 = k_5;
+                            int _e352 = c_11;
+                            int _e355 = k_5;
+                            float _e358 = march_line_1_density[((_e352 * 24) + _e355)];
+                            int _e360 = k_5;
+                            float _e362 = march_line_1_weight[_e360];
+                            march_line_1_amounts[((_e345 * 24) + _e348)] = (_e358 * _e362);
+                            int _e364 = k_5;
+                            k_5 = (_e364 + 1);
+                            int _e368 = c_11;
+                            int _e371 = k_5;
+                            int _e375 = c_11;
+                            int _e378 = k_5;
+                            float _e381 = march_line_1_density[((_e375 * 24) + _e378)];
+                            int _e383 = k_5;
+                            float _e385 = march_line_1_weight[_e383];
+                            march_line_1_amounts[((_e368 * 24) + _e371)] = (_e381 * _e385);
                         }
                     }
                     bool loop_init_43 = true;
                     while(true) {
                         if (!loop_init_43) {
-                            int _e404 = k_5;
-                            k_5 = (_e404 + 1);
+                            int _e412 = k_5;
+                            k_5 = (_e412 + 1);
                         }
                         loop_init_43 = false;
-                        int _e382 = k_5;
-                        if ((_e382 < end_8_)) {
+                        int _e390 = k_5;
+                        if ((_e390 < end_8_)) {
                         } else {
                             break;
                         }
                         {
-                            int _e385 = c_11;
-                            int _e388 = k_5;
-                            int _e392 = c_11;
-                            int _e395 = k_5;
-                            float _e398 = march_line_1_density[((_e392 * 24) + _e395)];
-                            int _e400 = k_5;
-                            float _e402 = march_line_1_weight[_e400];
-                            march_line_1_amounts[((_e385 * 24) + _e388)] = (_e398 * _e402);
+                            int _e393 = c_11;
+                            int _e396 = k_5;
+                            int _e400 = c_11;
+                            int _e403 = k_5;
+                            float _e406 = march_line_1_density[((_e400 * 24) + _e403)];
+                            int _e408 = k_5;
+                            float _e410 = march_line_1_weight[_e408];
+                            march_line_1_amounts[((_e393 * 24) + _e396)] = (_e406 * _e410);
                         }
                     }
                 }
             }
-            int _e410 = rule_4;
-            panel_columns_1_(_e410);
+            int _e418 = rule_4;
+            panel_columns_1_(_e418);
             k_5 = 0;
             bool loop_init_44 = true;
             while(true) {
                 if (!loop_init_44) {
-                    int _e768 = k_5;
-                    k_5 = (_e768 + 1);
+                    int _e776 = k_5;
+                    k_5 = (_e776 + 1);
                 }
                 loop_init_44 = false;
-                int _e412 = k_5;
-                int _e413 = n_4;
-                if ((_e412 < _e413)) {
+                int _e420 = k_5;
+                int _e421 = n_4;
+                if ((_e420 < _e421)) {
                 } else {
                     break;
                 }
                 {
-                    int _e416 = k_5;
-                    float _e418 = march_line_1_radius[_e416];
-                    float _e419 = bottom_4;
-                    float _e421 = top_4;
-                    q = min(max(_e418, _e419), _e421);
                     int _e424 = k_5;
-                    float _e426 = march_line_1_distance_1_[_e424];
-                    t = _e426;
-                    float _e428 = t;
-                    float _e430 = q;
-                    mu_q = min(max((((r_17 * mu_16) + _e428) / _e430), -1.0), 1.0);
-                    float _e437 = t;
-                    float _e440 = q;
-                    mu_sq = min(max((((r_17 * mu_s_5) + (_e437 * nu_2)) / _e440), -1.0), 1.0);
+                    float _e426 = march_line_1_radius[_e424];
+                    float _e427 = bottom_4;
+                    float _e429 = top_4;
+                    q = min(max(_e426, _e427), _e429);
+                    int _e432 = k_5;
+                    float _e434 = march_line_1_distance_1_[_e432];
+                    t = _e434;
+                    float _e436 = t;
+                    float _e438 = q;
+                    mu_q = min(max((((r_17 * mu_16) + _e436) / _e438), -1.0), 1.0);
+                    float _e445 = t;
+                    float _e448 = q;
+                    mu_sq = min(max((((r_17 * mu_s_5) + (_e445 * nu_2)) / _e448), -1.0), 1.0);
                     nu_q = nu_2;
                     depth_2 = 0.0;
-                    float _e450 = _group_0_binding_0_fs.counts.x;
-                    int end_9_ = int(_e450);
+                    float _e458 = _group_0_binding_0_fs.counts.x;
+                    int end_9_ = int(_e458);
                     c_11 = 0;
                     bool loop_init_45 = true;
                     while(true) {
                         if (!loop_init_45) {
-                            int _e590 = c_11;
-                            c_11 = (_e590 + 1);
+                            int _e598 = c_11;
+                            c_11 = (_e598 + 1);
                         }
                         loop_init_45 = false;
-                        int _e453 = c_11;
-                        if (((_e453 + 3) < end_9_)) {
+                        int _e461 = c_11;
+                        if (((_e461 + 3) < end_9_)) {
                         } else {
                             break;
                         }
                         {
-                            int _e458 = c_11;
-                            int _e461 = c_11;
-                            int _e464 = k_5;
-                            float _e467 = march_line_1_density[((_e461 * 24) + _e464)];
-                            march_line_1_rho[_e458] = _e467;
+                            int _e466 = c_11;
                             int _e469 = c_11;
-                            int _e472 = c_11;
-                            int _e475 = k_5;
-                            float _e478 = march_line_1_columns[((_e472 * 24) + _e475)];
-                            march_line_1_depths[_e469] = _e478;
-                            float _e479 = depth_2;
+                            int _e472 = k_5;
+                            float _e475 = march_line_1_density[((_e469 * 24) + _e472)];
+                            march_line_1_rho[_e466] = _e475;
+                            int _e477 = c_11;
                             int _e480 = c_11;
-                            float _e481 = read_brightest(_e480);
-                            int _e483 = c_11;
-                            float _e485 = march_line_1_rho[_e483];
-                            depth_2 = (_e479 + (_e481 * _e485));
+                            int _e483 = k_5;
+                            float _e486 = march_line_1_columns[((_e480 * 24) + _e483)];
+                            march_line_1_depths[_e477] = _e486;
+                            float _e487 = depth_2;
                             int _e488 = c_11;
-                            c_11 = (_e488 + 1);
-                            int _e492 = c_11;
-                            int _e495 = c_11;
-                            int _e498 = k_5;
-                            float _e501 = march_line_1_density[((_e495 * 24) + _e498)];
-                            march_line_1_rho[_e492] = _e501;
+                            float _e489 = read_brightest(_e488);
+                            int _e491 = c_11;
+                            float _e493 = march_line_1_rho[_e491];
+                            depth_2 = (_e487 + (_e489 * _e493));
+                            int _e496 = c_11;
+                            c_11 = (_e496 + 1);
+                            int _e500 = c_11;
                             int _e503 = c_11;
-                            int _e506 = c_11;
-                            int _e509 = k_5;
-                            float _e512 = march_line_1_columns[((_e506 * 24) + _e509)];
-                            march_line_1_depths[_e503] = _e512;
-                            float _e513 = depth_2;
+                            int _e506 = k_5;
+                            float _e509 = march_line_1_density[((_e503 * 24) + _e506)];
+                            march_line_1_rho[_e500] = _e509;
+                            int _e511 = c_11;
                             int _e514 = c_11;
-                            float _e515 = read_brightest(_e514);
-                            int _e517 = c_11;
-                            float _e519 = march_line_1_rho[_e517];
-                            depth_2 = (_e513 + (_e515 * _e519));
+                            int _e517 = k_5;
+                            float _e520 = march_line_1_columns[((_e514 * 24) + _e517)];
+                            march_line_1_depths[_e511] = _e520;
+                            float _e521 = depth_2;
                             int _e522 = c_11;
-                            c_11 = (_e522 + 1);
-                            int _e526 = c_11;
-                            int _e529 = c_11;
-                            int _e532 = k_5;
-                            float _e535 = march_line_1_density[((_e529 * 24) + _e532)];
-                            march_line_1_rho[_e526] = _e535;
+                            float _e523 = read_brightest(_e522);
+                            int _e525 = c_11;
+                            float _e527 = march_line_1_rho[_e525];
+                            depth_2 = (_e521 + (_e523 * _e527));
+                            int _e530 = c_11;
+                            c_11 = (_e530 + 1);
+                            int _e534 = c_11;
                             int _e537 = c_11;
-                            int _e540 = c_11;
-                            int _e543 = k_5;
-                            float _e546 = march_line_1_columns[((_e540 * 24) + _e543)];
-                            march_line_1_depths[_e537] = _e546;
-                            float _e547 = depth_2;
+                            int _e540 = k_5;
+                            float _e543 = march_line_1_density[((_e537 * 24) + _e540)];
+                            march_line_1_rho[_e534] = _e543;
+                            int _e545 = c_11;
                             int _e548 = c_11;
-                            float _e549 = read_brightest(_e548);
-                            int _e551 = c_11;
-                            float _e553 = march_line_1_rho[_e551];
-                            depth_2 = (_e547 + (_e549 * _e553));
+                            int _e551 = k_5;
+                            float _e554 = march_line_1_columns[((_e548 * 24) + _e551)];
+                            march_line_1_depths[_e545] = _e554;
+                            float _e555 = depth_2;
                             int _e556 = c_11;
-                            c_11 = (_e556 + 1);
-                            int _e560 = c_11;
-                            int _e563 = c_11;
-                            int _e566 = k_5;
-                            float _e569 = march_line_1_density[((_e563 * 24) + _e566)];
-                            march_line_1_rho[_e560] = _e569;
+                            float _e557 = read_brightest(_e556);
+                            int _e559 = c_11;
+                            float _e561 = march_line_1_rho[_e559];
+                            depth_2 = (_e555 + (_e557 * _e561));
+                            int _e564 = c_11;
+                            c_11 = (_e564 + 1);
+                            int _e568 = c_11;
                             int _e571 = c_11;
-                            int _e574 = c_11;
-                            int _e577 = k_5;
-                            float _e580 = march_line_1_columns[((_e574 * 24) + _e577)];
-                            march_line_1_depths[_e571] = _e580;
-                            float _e581 = depth_2;
+                            int _e574 = k_5;
+                            float _e577 = march_line_1_density[((_e571 * 24) + _e574)];
+                            march_line_1_rho[_e568] = _e577;
+                            int _e579 = c_11;
                             int _e582 = c_11;
-                            float _e583 = read_brightest(_e582);
-                            int _e585 = c_11;
-                            float _e587 = march_line_1_rho[_e585];
-                            depth_2 = (_e581 + (_e583 * _e587));
+                            int _e585 = k_5;
+                            float _e588 = march_line_1_columns[((_e582 * 24) + _e585)];
+                            march_line_1_depths[_e579] = _e588;
+                            float _e589 = depth_2;
+                            int _e590 = c_11;
+                            float _e591 = read_brightest(_e590);
+                            int _e593 = c_11;
+                            float _e595 = march_line_1_rho[_e593];
+                            depth_2 = (_e589 + (_e591 * _e595));
                         }
                     }
                     bool loop_init_46 = true;
                     while(true) {
                         if (!loop_init_46) {
-                            int _e626 = c_11;
-                            c_11 = (_e626 + 1);
+                            int _e634 = c_11;
+                            c_11 = (_e634 + 1);
                         }
                         loop_init_46 = false;
-                        int _e593 = c_11;
-                        if ((_e593 < end_9_)) {
+                        int _e601 = c_11;
+                        if ((_e601 < end_9_)) {
                         } else {
                             break;
                         }
                         {
-                            int _e596 = c_11;
-                            int _e599 = c_11;
-                            int _e602 = k_5;
-                            float _e605 = march_line_1_density[((_e599 * 24) + _e602)];
-                            march_line_1_rho[_e596] = _e605;
+                            int _e604 = c_11;
                             int _e607 = c_11;
-                            int _e610 = c_11;
-                            int _e613 = k_5;
-                            float _e616 = march_line_1_columns[((_e610 * 24) + _e613)];
-                            march_line_1_depths[_e607] = _e616;
-                            float _e617 = depth_2;
+                            int _e610 = k_5;
+                            float _e613 = march_line_1_density[((_e607 * 24) + _e610)];
+                            march_line_1_rho[_e604] = _e613;
+                            int _e615 = c_11;
                             int _e618 = c_11;
-                            float _e619 = read_brightest(_e618);
-                            int _e621 = c_11;
-                            float _e623 = march_line_1_rho[_e621];
-                            depth_2 = (_e617 + (_e619 * _e623));
+                            int _e621 = k_5;
+                            float _e624 = march_line_1_columns[((_e618 * 24) + _e621)];
+                            march_line_1_depths[_e615] = _e624;
+                            float _e625 = depth_2;
+                            int _e626 = c_11;
+                            float _e627 = read_brightest(_e626);
+                            int _e629 = c_11;
+                            float _e631 = march_line_1_rho[_e629];
+                            depth_2 = (_e625 + (_e627 * _e631));
                         }
                     }
-                    float _e632 = _group_0_binding_0_fs.shell.w;
-                    if ((_e632 > 0.0)) {
-                        float _e638 = _group_0_binding_0_fs.shell.w;
-                        float _e643 = _group_0_binding_0_fs.counts.x;
-                        float _e648 = march_line_1_depths[(int(_e643) - 1)];
-                        float _e649 = bend_angle(r_17, mu_16, _e638, _e648);
-                        angle_2 = _e649;
-                        float _e650 = mu_q;
-                        float _e651 = mu_sq;
-                        float _e652 = angle_2;
-                        Several_f32_f32_ _e653 = turned(_e650, _e651, nu_2, _e652);
-                        mu_sq = _e653.v0_;
-                        nu_q = _e653.v1_;
-                        float _e656 = mu_sq;
-                        mu_sq = min(max(_e656, -1.0), 1.0);
+                    float _e640 = _group_0_binding_0_fs.shell.w;
+                    if ((_e640 > 0.0)) {
+                        float _e646 = _group_0_binding_0_fs.shell.w;
+                        float _e651 = _group_0_binding_0_fs.counts.x;
+                        float _e656 = march_line_1_depths[(int(_e651) - 1)];
+                        float _e657 = bend_angle(r_17, mu_16, _e646, _e656);
+                        angle_2 = _e657;
+                        float _e658 = mu_q;
+                        float _e659 = mu_sq;
+                        float _e660 = angle_2;
+                        Several_f32_f32_ _e661 = turned(_e658, _e659, nu_2, _e660);
+                        mu_sq = _e661.v0_;
+                        nu_q = _e661.v1_;
+                        float _e664 = mu_sq;
+                        mu_sq = min(max(_e664, -1.0), 1.0);
                     }
-                    float _e664 = _group_0_binding_0_fs.counts.x;
-                    vec4 _e666 = through_columns_1_(int(_e664));
-                    int _e668 = k_5;
-                    float _e670 = march_line_1_weight[_e668];
-                    through = (_e666 * _e670);
+                    float _e672 = _group_0_binding_0_fs.counts.x;
+                    vec4 _e674 = through_columns_1_(int(_e672));
+                    int _e676 = k_5;
+                    float _e678 = march_line_1_weight[_e676];
+                    through = (_e674 * _e678);
                     if ((orders != 0)) {
-                        float _e674 = q;
-                        float _e675 = mu_sq;
-                        float _e676 = bottom_4;
-                        float _e677 = top_4;
-                        float _e681 = _group_0_binding_0_fs.shell.z;
-                        Several_f32_f32_f32_ _e682 = star_points(_e674, _e675, _e676, _e677, _e681);
-                        seen_2 = _e682.v0_;
-                        low_6 = _e682.v1_;
-                        high_3 = _e682.v2_;
-                        float _e686 = seen_2;
-                        if ((_e686 > 0.0)) {
-                            float _e689 = q;
-                            float _e690 = low_6;
-                            float _e691 = bottom_4;
-                            float _e692 = top_4;
-                            columns_to_top_1_(_e689, _e690, _e691, _e692);
-                            float _e693 = high_3;
-                            float _e694 = low_6;
-                            if ((_e693 > _e694)) {
-                                float _e696 = q;
-                                float _e697 = high_3;
-                                float _e698 = bottom_4;
-                                float _e699 = top_4;
-                                columns_to_top_2_(_e696, _e697, _e698, _e699);
+                        float _e682 = q;
+                        float _e683 = mu_sq;
+                        float _e684 = bottom_4;
+                        float _e685 = top_4;
+                        float _e689 = _group_0_binding_0_fs.shell.z;
+                        Several_f32_f32_f32_ _e690 = star_points(_e682, _e683, _e684, _e685, _e689);
+                        seen_2 = _e690.v0_;
+                        low_6 = _e690.v1_;
+                        high_3 = _e690.v2_;
+                        float _e694 = seen_2;
+                        if ((_e694 > 0.0)) {
+                            float _e697 = q;
+                            float _e698 = low_6;
+                            float _e699 = bottom_4;
+                            float _e700 = top_4;
+                            columns_to_top_1_(_e697, _e698, _e699, _e700);
+                            float _e701 = high_3;
+                            float _e702 = low_6;
+                            if ((_e701 > _e702)) {
+                                float _e704 = q;
+                                float _e705 = high_3;
+                                float _e706 = bottom_4;
+                                float _e707 = top_4;
+                                columns_to_top_2_(_e704, _e705, _e706, _e707);
                             }
-                            vec4 _e700 = through;
-                            float _e701 = seen_2;
-                            float _e702 = high_3;
-                            float _e703 = low_6;
-                            float _e708 = _group_0_binding_0_fs.counts.x;
-                            vec4 _e710 = star_at_1_(_e701, (_e702 > _e703), int(_e708));
-                            star = (_e700 * _e710);
-                            float _e715 = _group_0_binding_0_fs.peaks.y;
-                            if ((int(_e715) >= 0)) {
-                                vec4 _e719 = first_5;
-                                vec4 _e720 = star;
-                                float _e724 = _group_0_binding_0_fs.peaks.y;
-                                vec4 _e728 = read_scattering((1 * int(_e724)));
-                                float _e734 = _group_0_binding_0_fs.peaks.y;
-                                float _e737 = march_line_1_rho[int(_e734)];
-                                first_5 = (_e719 + ((_e720 * _e728) * _e737));
+                            vec4 _e708 = through;
+                            float _e709 = seen_2;
+                            float _e710 = high_3;
+                            float _e711 = low_6;
+                            float _e716 = _group_0_binding_0_fs.counts.x;
+                            vec4 _e718 = star_at_1_(_e709, (_e710 > _e711), int(_e716));
+                            star = (_e708 * _e718);
+                            float _e723 = _group_0_binding_0_fs.peaks.y;
+                            if ((int(_e723) >= 0)) {
+                                vec4 _e727 = first_5;
+                                vec4 _e728 = star;
+                                float _e732 = _group_0_binding_0_fs.peaks.y;
+                                vec4 _e736 = read_scattering((1 * int(_e732)));
+                                float _e742 = _group_0_binding_0_fs.peaks.y;
+                                float _e745 = march_line_1_rho[int(_e742)];
+                                first_5 = (_e727 + ((_e728 * _e736) * _e745));
                             }
-                            float _e743 = _group_0_binding_0_fs.peaks.z;
-                            if ((int(_e743) >= 0)) {
-                                vec4 _e747 = second_1;
-                                vec4 _e748 = star;
-                                float _e752 = _group_0_binding_0_fs.peaks.z;
-                                vec4 _e756 = read_scattering((1 * int(_e752)));
-                                float _e762 = _group_0_binding_0_fs.peaks.z;
-                                float _e765 = march_line_1_rho[int(_e762)];
-                                second_1 = (_e747 + ((_e748 * _e756) * _e765));
+                            float _e751 = _group_0_binding_0_fs.peaks.z;
+                            if ((int(_e751) >= 0)) {
+                                vec4 _e755 = second_1;
+                                vec4 _e756 = star;
+                                float _e760 = _group_0_binding_0_fs.peaks.z;
+                                vec4 _e764 = read_scattering((1 * int(_e760)));
+                                float _e770 = _group_0_binding_0_fs.peaks.z;
+                                float _e773 = march_line_1_rho[int(_e770)];
+                                second_1 = (_e755 + ((_e756 * _e764) * _e773));
                             }
                         }
                     }
@@ -4056,74 +4064,74 @@ void march_line_1_(float r_17, float mu_16, float mu_s_5, float nu_2, float leng
             }
         }
     }
-    float _e777 = _group_0_binding_0_fs.counts.x;
-    int end_12_ = int(_e777);
+    float _e785 = _group_0_binding_0_fs.counts.x;
+    int end_12_ = int(_e785);
     c_11 = 0;
     bool loop_init_47 = true;
     while(true) {
         if (!loop_init_47) {
-            int _e821 = c_11;
-            c_11 = (_e821 + 1);
+            int _e829 = c_11;
+            c_11 = (_e829 + 1);
         }
         loop_init_47 = false;
-        int _e780 = c_11;
-        if (((_e780 + 3) < end_12_)) {
+        int _e788 = c_11;
+        if (((_e788 + 3) < end_12_)) {
         } else {
             break;
         }
         {
-            int _e785 = c_11;
-            int _e788 = c_11;
-            float _e790 = march_line_1_before[_e788];
-            look_1_totals[_e785] = _e790;
-            int _e791 = c_11;
-            c_11 = (_e791 + 1);
-            int _e795 = c_11;
-            int _e798 = c_11;
-            float _e800 = march_line_1_before[_e798];
-            look_1_totals[_e795] = _e800;
-            int _e801 = c_11;
-            c_11 = (_e801 + 1);
-            int _e805 = c_11;
-            int _e808 = c_11;
-            float _e810 = march_line_1_before[_e808];
-            look_1_totals[_e805] = _e810;
-            int _e811 = c_11;
-            c_11 = (_e811 + 1);
-            int _e815 = c_11;
-            int _e818 = c_11;
-            float _e820 = march_line_1_before[_e818];
-            look_1_totals[_e815] = _e820;
+            int _e793 = c_11;
+            int _e796 = c_11;
+            float _e798 = march_line_1_before[_e796];
+            look_1_totals[_e793] = _e798;
+            int _e799 = c_11;
+            c_11 = (_e799 + 1);
+            int _e803 = c_11;
+            int _e806 = c_11;
+            float _e808 = march_line_1_before[_e806];
+            look_1_totals[_e803] = _e808;
+            int _e809 = c_11;
+            c_11 = (_e809 + 1);
+            int _e813 = c_11;
+            int _e816 = c_11;
+            float _e818 = march_line_1_before[_e816];
+            look_1_totals[_e813] = _e818;
+            int _e819 = c_11;
+            c_11 = (_e819 + 1);
+            int _e823 = c_11;
+            int _e826 = c_11;
+            float _e828 = march_line_1_before[_e826];
+            look_1_totals[_e823] = _e828;
         }
     }
     bool loop_init_48 = true;
     while(true) {
         if (!loop_init_48) {
-            int _e833 = c_11;
-            c_11 = (_e833 + 1);
+            int _e841 = c_11;
+            c_11 = (_e841 + 1);
         }
         loop_init_48 = false;
-        int _e824 = c_11;
-        if ((_e824 < end_12_)) {
+        int _e832 = c_11;
+        if ((_e832 < end_12_)) {
         } else {
             break;
         }
         {
-            int _e827 = c_11;
-            int _e830 = c_11;
-            float _e832 = march_line_1_before[_e830];
-            look_1_totals[_e827] = _e832;
+            int _e835 = c_11;
+            int _e838 = c_11;
+            float _e840 = march_line_1_before[_e838];
+            look_1_totals[_e835] = _e840;
         }
     }
-    vec4 _e838 = air;
-    look_1_along[0] = _e838;
-    float _e844 = _group_0_binding_0_fs.counts.x;
-    vec4 _e846 = through_columns_2_(int(_e844));
-    look_1_along[1] = _e846;
-    vec4 _e849 = first_5;
-    look_1_along[2] = _e849;
-    vec4 _e852 = second_1;
-    look_1_along[3] = _e852;
+    vec4 _e846 = air;
+    look_1_along[0] = _e846;
+    float _e852 = _group_0_binding_0_fs.counts.x;
+    vec4 _e854 = through_columns_2_(int(_e852));
+    look_1_along[1] = _e854;
+    vec4 _e857 = first_5;
+    look_1_along[2] = _e857;
+    vec4 _e860 = second_1;
+    look_1_along[3] = _e860;
     return;
 }
 

@@ -150,3 +150,37 @@ def degree_of(index):
     """
     # The nearest root below a whole number is 1/(l + 1) away from it.
     return int(0.5 * (sqrt(8.0 * index + 1.0) - 1.0) + 1e-3)
+
+
+@inlined
+def directed_functions(mu, cosine, terms, out):
+    """K_lm P_l^m(mu) cos mφ for all l, m.
+
+    Parameters
+    ----------
+    mu : float
+        Cosine of the zenith angle. [1]
+    cosine : float
+        cos φ of the azimuth. [1]
+    terms : Harmonics
+        Fixes the degree.
+    out : array, shape (k,)
+        Receives the values, (l, m) at l(l + 1)/2 + m. [1]
+    """
+    degree, start, ahead, back = terms
+    sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
+    power = 1.0
+    earlier, multiple = cosine, 1.0  # cos (m - 1)φ and cos mφ
+    for m in range(degree + 1):
+        before = 0.0
+        value = start[m] * power * multiple
+        index = m * (m + 1) // 2 + m
+        out[index] = value
+        for l in range(m + 1, degree + 1):
+            index += l
+            following = ahead[index] * mu * value - back[index] * before
+            before = value
+            value = following
+            out[index] = value
+        power *= sine
+        earlier, multiple = multiple, 2.0 * cosine * multiple - earlier

@@ -20,13 +20,12 @@ from airlight.geometry.shell import radius_along
 from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.solvers.moments.grid import Grid, row_of
-from airlight.solvers.moments.harmonics import Harmonics, legendre_functions
+from airlight.solvers.moments.harmonics import Harmonics, directed_functions
 from airlight.solvers.moments.source import (
     gathered_light,
     scattered_star,
     star_at,
     through_columns,
-    times_cosines,
 )
 from airlight.solvers.moments.sweep import Air, place_of
 from airlight.tables.column_ratios import columns_to_top
@@ -284,10 +283,9 @@ def march(packet, rays, orders, panels, rules, light, work):
                 depth += brightest[c] * density[p, c, k]
             gathers = orders != 1 and depth * weight[p, k] >= faint[p]
             if gathers:
-                legendre_functions(mu_q, expansion, functions)
                 spread = (1.0 - mu_q) * (1.0 + mu_q) * (1.0 - mu_sq) * (1.0 + mu_sq)
                 step = (nu_q - mu_q * mu_sq) / sqrt(max(spread, 1e-24))
-                times_cosines(functions, min(max(step, -1.0), 1.0), degree)
+                directed_functions(mu_q, min(max(step, -1.0), 1.0), expansion, functions)
                 x = row_of(q, bottom, top, row_table)
                 row = min(int(x), radii - 2)
                 f = x - row

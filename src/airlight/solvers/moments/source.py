@@ -119,18 +119,6 @@ def gathered_light(
 
 
 @inlined
-def times_cosines(functions, step, degree):
-    """Multiply each Legendre function by cos mφ, from cos φ. [1]"""
-    before, multiple = 1.0, step
-    for m in range(1, degree + 1):
-        index = m * (m + 1) // 2 + m
-        for l in range(m, degree + 1):
-            functions[index] *= multiple
-            index += l + 1
-        before, multiple = multiple, 2.0 * step * multiple - before
-
-
-@inlined
 def read_phase(half_sine, table, nodes, width, out):
     """Phase functions of all constituents and wavelengths between the table's nodes. [sr⁻¹]
 

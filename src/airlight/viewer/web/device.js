@@ -9,9 +9,10 @@
  *   `vertex` and `fragment`, the names `vertex` and `entry` of its functions, the slot `uniforms`
  *   ("group/binding") and the slots `reads`; `formats` are those of its targets, `"screen"` alone
  *   for the canvas;
- * - `run(pipeline, uniforms, reads, targets)` — one pass; `reads` maps "group/binding" to textures,
- *   `targets` are textures, or none for the canvas;
- * - `read(texture)` — a promise of its numbers, row 0 first;
+ * - `run(pipeline, uniforms, reads, targets, area)` — one pass; `reads` maps "group/binding" to
+ *   textures, `targets` are textures, or none for the canvas; with an area (left, top, width,
+ *   height) only its texels are filled, and the others stay;
+ * - `read(texture, area)` — a promise of its numbers, or of an area's, row 0 first;
  * - `resize(width, height)` — of the canvas;
  * - `finished()` — a promise that the work handed over so far is done;
  * - `release(texture)` and `close()`;

@@ -92,7 +92,7 @@ export class WebGl2Device {
     return { program, formats, buffer: gl.createBuffer(), places: new Map() };
   }
 
-  run(compiled, uniforms, reads, targets) {
+  run(compiled, uniforms, reads, targets, area = null) {
     const { gl } = this;
     gl.useProgram(compiled.program);
     gl.bindBuffer(gl.UNIFORM_BUFFER, compiled.buffer);
@@ -106,7 +106,12 @@ export class WebGl2Device {
     if (targets) this.attach(targets);
     else this.attachScreen();
     gl.bindVertexArray(this.vertices);
+    if (area) {
+      gl.enable(gl.SCISSOR_TEST);
+      gl.scissor(...area);
+    }
     gl.drawArrays(gl.TRIANGLES, 0, 3);
+    gl.disable(gl.SCISSOR_TEST);
     if (!targets) this.show();
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
@@ -176,14 +181,14 @@ export class WebGl2Device {
     );
   }
 
-  async read(texture) {
+  async read(texture, area = [0, 0, texture.width, texture.height]) {
     const { gl } = this;
-    const numbers = new Float32Array(texture.width * texture.height * 4);
+    const numbers = new Float32Array(area[2] * area[3] * 4);
     gl.bindFramebuffer(gl.FRAMEBUFFER, texture.framebuffer);
     const point = gl.COLOR_ATTACHMENT0;
     gl.framebufferTexture2D(gl.FRAMEBUFFER, point, gl.TEXTURE_2D, texture.texture, 0);
     gl.readBuffer(point);
-    gl.readPixels(0, 0, texture.width, texture.height, gl.RGBA, gl.FLOAT, numbers);
+    gl.readPixels(...area, gl.RGBA, gl.FLOAT, numbers);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     if (CHANNELS[texture.format] === 4) return numbers;
     return numbers.filter((_, index) => index % 4 === 0);

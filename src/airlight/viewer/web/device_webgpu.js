@@ -88,7 +88,7 @@ export class WebGpuDevice {
     );
   }
 
-  run(compiled, uniforms, reads, targets) {
+  run(compiled, uniforms, reads, targets, area = null) {
     const { device } = this;
     if (!compiled.buffer) {
       const usage = GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST;
@@ -101,8 +101,13 @@ export class WebGpuDevice {
       : [this.context.getCurrentTexture().createView()];
     const encoder = device.createCommandEncoder();
     const pass = encoder.beginRenderPass({
-      colorAttachments: views.map((view) => ({ view, loadOp: "clear", storeOp: "store" })),
+      colorAttachments: views.map((view) => ({
+        view,
+        loadOp: area ? "load" : "clear",
+        storeOp: "store",
+      })),
     });
+    if (area) pass.setScissorRect(...area);
     pass.setPipeline(compiled.pipeline);
     compiled.groups.forEach((group, index) => pass.setBindGroup(index, group));
     pass.draw(3);
@@ -131,27 +136,25 @@ export class WebGpuDevice {
     compiled.bound = { ...reads };
   }
 
-  async read(texture) {
+  async read(texture, area = [0, 0, texture.width, texture.height]) {
     const { device } = this;
+    const [x, y, width, height] = area;
     const channels = CHANNELS[texture.format];
-    const bytes = texture.width * channels * 4;
-    const bytesPerRow = Math.ceil(bytes / ROW_ALIGNMENT) * ROW_ALIGNMENT;
+    const bytesPerRow = Math.ceil((width * channels * 4) / ROW_ALIGNMENT) * ROW_ALIGNMENT;
     const buffer = device.createBuffer({
-      size: bytesPerRow * texture.height,
+      size: bytesPerRow * height,
       usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ,
     });
     const encoder = device.createCommandEncoder();
-    encoder.copyTextureToBuffer({ texture: texture.texture }, { buffer, bytesPerRow }, [
-      texture.width,
-      texture.height,
-    ]);
+    const from = { texture: texture.texture, origin: [x, y] };
+    encoder.copyTextureToBuffer(from, { buffer, bytesPerRow }, [width, height]);
     device.queue.submit([encoder.finish()]);
     await buffer.mapAsync(GPUMapMode.READ);
     const mapped = buffer.getMappedRange();
-    const numbers = new Float32Array(texture.width * texture.height * channels);
-    for (let row = 0; row < texture.height; row++) {
-      const line = new Float32Array(mapped, row * bytesPerRow, texture.width * channels);
-      numbers.set(line, row * texture.width * channels);
+    const numbers = new Float32Array(width * height * channels);
+    for (let row = 0; row < height; row++) {
+      const line = new Float32Array(mapped, row * bytesPerRow, width * channels);
+      numbers.set(line, row * width * channels);
     }
     buffer.destroy();
     return numbers;

@@ -1,4 +1,5 @@
 /** The page in one file: reads what is in it, and keeps the address in step with the state. */
+import { textOf } from "./package.js";
 import { Picture } from "./picture.js";
 import { Viewer } from "./viewer.js";
 
@@ -16,7 +17,10 @@ const viewer = new Viewer(place, {
   note: data.note,
   device: wanted,
   radius: () => data.picture.radius,
-  picture: (device) => Picture.make(device, data.picture),
+  picture: async (device) => {
+    const shaders = JSON.parse(await textOf(data.picture.shaders));
+    return Picture.make(device, { ...data.picture, shaders });
+  },
 });
 viewer.state.planet = data.planet;
 

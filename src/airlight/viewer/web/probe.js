@@ -23,10 +23,11 @@ export class Probe {
 
   point(event) {
     const box = event.currentTarget.getBoundingClientRect();
-    this.pointed = [
+    const shares = [
       (event.clientX - box.left) / box.width,
       (event.clientY - box.top) / box.height,
     ];
+    this.pointed = shares.map((share) => Math.min(Math.max(share, 0), 0.9999));
     this.ask();
   }
 
@@ -40,7 +41,11 @@ export class Probe {
     this.busy = true;
     const asked = this.pointed;
     try {
-      const text = await this.viewer.picture.probe(this.viewer.state.values, ...asked);
+      await this.viewer.loop.settled();
+      const { drawn, state, picture, closed } = this.viewer;
+      if (closed || !drawn) return;
+      const place = asked.map((share, i) => Math.min(Math.floor(share * drawn[i]), drawn[i] - 1));
+      const text = await this.viewer.alone(() => picture.probe(state.values, drawn, place));
       if (this.pointed) this.place.textContent = text;
       await new Promise((resolve) => setTimeout(resolve, PAUSE));
     } finally {

@@ -75,21 +75,25 @@ export class Program {
 
   /** Run passes by their names, in this order. */
   run(...names) {
-    for (const name of names) {
-      const pass = this.plan.passes.find((one) => one.name === name);
-      const reads = Object.entries(pass.reads).map(([slot, one]) => [slot, this.textures.get(one)]);
-      const targets = pass.targets.map((one) => this.textures.get(one.name));
-      this.device.run(
-        this.compiled.get(name),
-        this.uniforms,
-        Object.fromEntries(reads),
-        targets.length ? targets : null,
-      );
-    }
+    for (const name of names) this.runIn(name, null);
   }
 
-  /** A promise of the numbers of a target. */
-  read(name) {
-    return this.device.read(this.textures.get(name));
+  /** Run a pass in an area of its targets: left, top, width and height. */
+  runIn(name, area) {
+    const pass = this.plan.passes.find((one) => one.name === name);
+    const reads = Object.entries(pass.reads).map(([slot, one]) => [slot, this.textures.get(one)]);
+    const targets = pass.targets.map((one) => this.textures.get(one.name));
+    this.device.run(
+      this.compiled.get(name),
+      this.uniforms,
+      Object.fromEntries(reads),
+      targets.length ? targets : null,
+      area,
+    );
+  }
+
+  /** A promise of the numbers of a target, or of an area of it. */
+  read(name, area) {
+    return this.device.read(this.textures.get(name), area);
   }
 }

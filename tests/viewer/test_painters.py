@@ -1,0 +1,118 @@
+"""The two painters show the same picture; each by its own way."""
+
+from __future__ import annotations
+
+import dataclasses
+import time
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight import Camera, Scene, load_planet
+from airlight.gpu.device import Device
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.viewer.picture_cpu import CpuPainter
+from airlight.viewer.picture_gpu import GpuPainter
+from airlight.viewer.picture_source import Picture, Request
+from airlight.viewer.solving_by import shown_wavelengths, solver_by
+
+Solved = Callable[..., MomentsSolution]
+
+
+@pytest.fixture(scope="module")
+def request_(solved: Solved) -> Request:
+    earth = load_planet("earth-atmosphere-plus")
+    nm = tuple(float(one) for one in shown_wavelengths(earth, "four"))
+    scene = Scene(
+        camera=Camera(width=96, height=54, look_zenith=95.0, look_azimuth=60.0),
+        altitude=2e3,
+        sun_zenith=70.0,
+    )
+    return Request(solution=solved(earth, nm, "preview"), scene=scene, exposure=0.0, automatic=True)
+
+
+def pixels(device: Device, picture: Picture) -> np.ndarray:
+    data: Any = device.device.queue.read_texture(
+        {"texture": picture.view.texture, "mip_level": 0, "origin": (0, 0, 0)},
+        {"offset": 0, "bytes_per_row": 4 * picture.width, "rows_per_image": picture.height},
+        (picture.width, picture.height, 1),
+    )
+    shape = (picture.height, picture.width, 4)
+    return np.frombuffer(data, np.uint8).reshape(shape)[..., :3].astype(int)
+
+
+def never() -> bool:
+    return False
+
+
+def test_the_processor_paints_finer_and_finer(device: Device, request_: Request) -> None:
+    # Each picture has more pixels than the one before, the last has all.
+    painter = CpuPainter(device.device)
+    painter._rate = 2000.0  # as if the processor were slow: the first picture is a small one
+    pictures = list(painter.paint(request_, never))
+    widths = [one.width for one in pictures]
+    assert widths == sorted(set(widths))
+    assert len(widths) >= 2
+    assert widths[-1] == 96
+    assert [one.finished for one in pictures] == [False] * (len(widths) - 1) + [True]
+
+
+def test_a_change_of_exposure_renders_nothing_anew(device: Device, request_: Request) -> None:
+    # What is asked for is added to what is measured; a frame that is there is shown at once.
+    painter = CpuPainter(device.device)
+    automatic = list(painter.paint(request_, never))[-1]
+    stops = dataclasses.replace(request_, exposure=-2.0)
+    again = list(painter.paint(stops, never))
+    assert [one.finished for one in again] == [True]
+    assert_allclose(again[0].exposure, automatic.exposure - 2.0)
+
+
+def test_both_painters_show_the_same(device: Device, request_: Request) -> None:
+    # Two renderers of one solution: by the table of the sky, and by a march for each pixel.
+    processor = CpuPainter(device.device)
+    exact = pixels(device, list(processor.paint(request_, never))[-1])
+    painter = GpuPainter(dataclasses.replace(device, software=False))
+    while True:  # the first pictures come from the processor, while the shaders are compiled
+        shown = list(painter.paint(request_, never))[-1]
+        if shown.by == "GPU":
+            break
+        time.sleep(0.05)
+    painter.close()
+    assert shown.finished
+    # automatic exposure is measured on a smaller picture; tables are read between their nodes
+    assert_allclose(pixels(device, shown), exact, rtol=0, atol=6)
+
+
+def test_in_software_the_exact_picture_follows(device: Device, request_: Request) -> None:
+    # While it moves by the table, at rest by the processor.
+    if not device.software:
+        pytest.skip("this device is no software")
+    painter = GpuPainter(device)
+    list(painter.paint(request_, never))
+    assert painter._compiling is not None
+    painter._compiling.join()
+    moved = dataclasses.replace(
+        request_, scene=dataclasses.replace(request_.scene, sun_zenith=60.0)
+    )
+    pictures = list(painter.paint(moved, never))
+    painter.close()
+    assert [one.finished for one in pictures] == [False, True]
+    assert [one.by for one in pictures] == ["GPU in software", "processor"]
+
+
+def test_what_the_gpu_has_no_room_for_the_processor_solves(device: Device) -> None:
+    # Four wavelengths fit into a texel, eight do not; both are solved.
+    earth = load_planet("earth-atmosphere-plus")
+    solver = solver_by("auto", dataclasses.replace(device, software=False))
+
+    def progress(_done: int, _total: int, _message: str) -> None:
+        pass
+
+    for count in ("four", "eight"):
+        nm = shown_wavelengths(earth, count)
+        solution = solver(earth, nm, "preview", progress=progress, cancel=never)
+        assert solution.planet is earth
+        assert_allclose(solution.wavelengths, nm)

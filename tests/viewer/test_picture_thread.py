@@ -1,0 +1,141 @@
+"""The thread that paints: the newest wish counts, errors are said, and it ends."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+
+from airlight.errors import Cancelled, ParameterError
+from airlight.scene import Camera, Scene
+from airlight.viewer.picture_source import Picture, Request, scaled
+from airlight.viewer.picture_thread import PictureThread
+
+
+class Slow:
+    """A painter whose second, fine picture waits until it is let go or wanted no longer."""
+
+    def __init__(self) -> None:
+        self.painted: list[float] = []
+        self.closed = False
+
+    def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
+        if request.exposure > 10.0:
+            raise ParameterError("exposure", request.exposure, "at most 10 EV")
+        if request.exposure < -10.0:
+            raise ZeroDivisionError("a fault\nof two lines")
+        yield self.picture(request, finished=False)
+        until = time.monotonic() + 20.0
+        while request.exposure != 3.0 and time.monotonic() < until:
+            if stale():
+                raise Cancelled("newer")
+            time.sleep(0.002)
+        yield self.picture(request, finished=True)
+
+    def picture(self, request: Request, *, finished: bool) -> Picture:
+        self.painted.append(request.exposure)
+        return Picture(
+            view=None,
+            width=1,
+            height=1,
+            request=request,
+            exposure=request.exposure,
+            finished=finished,
+            seconds=0.0,
+            by="test",
+        )
+
+    def close(self) -> None:
+        self.closed = True
+
+
+def wish(exposure: float) -> Request:
+    nothing: Any = None
+    return Request(solution=nothing, scene=Scene(), exposure=exposure)
+
+
+def until(condition: Callable[[], bool]) -> None:
+    limit = time.monotonic() + 10.0
+    while not condition():
+        assert time.monotonic() < limit
+        time.sleep(0.002)
+
+
+@pytest.fixture
+def thread() -> Iterator[tuple[PictureThread, Slow, list[int]]]:
+    painter, wakes = Slow(), [0]
+
+    def wake() -> None:
+        wakes[0] += 1
+
+    made = PictureThread(painter, wake)
+    yield made, painter, wakes
+    made.close()
+    assert painter.closed
+
+
+def test_the_newest_wish_is_painted_to_the_end(
+    thread: tuple[PictureThread, Slow, list[int]],
+) -> None:
+    # The first wishes hang until they are stale: only a newer one can end them.
+    made, painter, wakes = thread
+    for exposure in (1.0, 2.0, 3.0):
+        made.want(wish(exposure))
+        until(lambda exposure=exposure: exposure in painter.painted)
+    until(lambda: not made.busy)
+    assert made.picture is not None
+    assert made.picture.finished
+    assert made.picture.exposure == 3.0
+    assert painter.painted == [1.0, 2.0, 3.0, 3.0]  # coarse ones of all, a fine one of the last
+    assert wakes[0] >= 4
+
+
+def test_the_same_wish_is_painted_once(thread: tuple[PictureThread, Slow, list[int]]) -> None:
+    made, painter, _ = thread
+    made.want(wish(3.0))
+    until(lambda: not made.busy)
+    made.want(wish(3.0))
+    assert not made.busy
+    assert painter.painted == [3.0, 3.0]
+
+
+def test_errors_are_one_line_and_the_thread_lives_on(
+    thread: tuple[PictureThread, Slow, list[int]],
+) -> None:
+    made, _, _ = thread
+    made.want(wish(11.0))
+    until(lambda: not made.busy)
+    assert made.error == "exposure is 11.0; allowed: at most 10 EV"
+    made.want(wish(-11.0))
+    until(lambda: not made.busy)
+    assert made.error == "ZeroDivisionError: a fault of two lines"
+    made.want(wish(3.0))
+    until(lambda: not made.busy)
+    assert made.error == ""
+
+
+def test_closing_ends_a_picture_under_way() -> None:
+    painter = Slow()
+    made = PictureThread(painter, lambda: None)
+    made.want(wish(1.0))
+    until(lambda: painter.painted == [1.0])
+    before = threading.active_count()
+    made.close()
+    assert threading.active_count() == before - 1
+
+
+@pytest.mark.parametrize(
+    ("projection", "size"),
+    [("perspective", (640, 360)), ("equirectangular", (640, 320)), ("cubemap", (636, 106))],
+)
+def test_small_pictures_keep_their_projections_shape(
+    projection: str, size: tuple[int, int]
+) -> None:
+    # A camera refuses a shape that does not fit its projection.
+    scene = Scene(camera=Camera(projection=projection, width=size[0], height=size[1]))
+    for part in (1.0, 0.5, 0.1, 1e-3):
+        camera = scaled(scene, part).camera
+        assert camera.width <= max(size[0] * part + 1.0, 6.0)
