@@ -20,7 +20,6 @@ from airlight.kernel.lanes import LANES, fourth_root, load, room_of_lanes, splat
 from airlight.mappings.sky_view import direction_from_row, impact_from_row
 from airlight.solvers.moments.source import read_phase, reflected
 
-
 #: Where the last row of the sky stands, seen from outside: rows inside the top.
 INSIDE = 0.1
 
