@@ -104,12 +104,10 @@ def one_harmonic(mu, l, m, start, ahead, back):
     return harmonics.legendre_function(mu, l, m, start, ahead, back)
 
 
-def some_cosines(step):
+def some_directed(mu, cosine, start, ahead, back):
     out = np.empty(TERMS, np.float32)
-    for k in range(TERMS):
-        out[k] = np.float32(1.0)
-    source.times_cosines(out, step, DEGREE)
-    return out[0], out[2], out[7], out[9], out[14]
+    harmonics.directed_functions(mu, cosine, (DEGREE, start, ahead, back), out)
+    return out[0], out[2], out[7], out[10], out[14]
 
 
 def gathered_of_four(a, b, c, mu, f, e, start, ahead, back, moments, field):
@@ -273,7 +271,8 @@ CASES = [
     Case(one_harmonic, (harmonics.legendre_function,),
          (MU, RNG.integers(2, DEGREE + 1, COUNT), RNG.integers(0, 3, COUNT)), HARMONICS,
          atol=64 * EPS),
-    Case(some_cosines, (source.times_cosines,), (MU,), atol=64 * EPS),
+    Case(some_directed, (harmonics.directed_functions,), (MU, 2.0 * UNIT - 1.0), HARMONICS,
+         atol=64 * EPS),
     Case(between_four, (source.between,), (UNIT, UNIT, *AMOUNTS[:2]), {}, {"field": lanes(4)}),
     # Sums of 15 harmonics of either sign, over a scale of at least a half.
     Case(gathered_of_four, (source.gathered_light,), (*AMOUNTS, MU, UNIT, 1.0 - UNIT), HARMONICS,
