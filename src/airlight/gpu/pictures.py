@@ -24,7 +24,7 @@ from airlight.gpu.picture_numbers import (
     scene_numbers,
 )
 from airlight.gpu.shaders import Fixed, Shader, picture_shader, sky_air_shader, sky_peaks_shader
-from airlight.gpu.shown import EVEN_POINTS, POINTS, WAVELENGTHS, Shown, shown_solution
+from airlight.gpu.shown import POINTS, WAVELENGTHS, Shown, shown_solution
 from airlight.gpu.sky_by_processor import filled_sky
 from airlight.gpu.sky_table import Observer
 from airlight.gpu.solution_textures import SolutionTextures
@@ -130,7 +130,7 @@ class Pictures:
             weights = picture_weights(nm, spectrum)
         if np.shape(weights) != (nm.size, 3):
             raise ParameterError("weights", np.shape(weights), f"an array of shape ({nm.size}, 3)")
-        points = EVEN_POINTS if self.device.software else POINTS
+        points = None if self.device.software else POINTS
         self._shown_tables = shown_solution(solution, reflectance_basis(nm), points=points)
         self._textures = SolutionTextures.of(
             self.device, solution, self._shown_tables, self._textures
