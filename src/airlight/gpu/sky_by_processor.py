@@ -1,6 +1,6 @@
 """The table of the sky filled by the processor, for devices that are the processor anyway.
 
-Software devices run the shader's march some fifty times slower than the compiled one runs: they
+Software devices run the shader's march some fifteen times slower than the compiled one runs: they
 get the table from here, and draw pictures from it.
 """
 
