@@ -24,7 +24,7 @@ MOST_CONSTITUENTS: Final = 8
 POINTS: Final = (8, 12, 24)
 #: The same where neighbouring lines must have equally many: Mesa's software renderer ends the
 #: loops of all as soon as those with the fewest points are done.
-EVEN_POINTS: Final = (16, 16, 16)
+EVEN_POINTS: Final = (20, 20, 20)
 #: A constituent of which more of a scattering goes within 10° of straight on is peaked.
 _PEAKED: Final = 0.08
 #: Constituents whose peaks can be kept out of the table of the sky.
