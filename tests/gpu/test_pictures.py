@@ -162,7 +162,8 @@ def test_a_marched_picture_has_the_processor_s_radiance(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
     # The processor marches with the points of its finest quality: those of its own preview err by
-    # 1 % at low haze by day. 1 %, of the pixel's brightest channel: the others may be differences of larger numbers.
+    # 1 % at low haze by day. 1 %, of the pixel's brightest channel: the others may be differences
+    # of larger numbers.
     # Single precision makes 1e-4, of lines that graze the ground 2e-3, fewer points 5e-3. Light
     # below 1e-4 of the picture's is nobody's.
     renderer = sys.modules["airlight.render.render"]
