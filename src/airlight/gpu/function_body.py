@@ -81,7 +81,7 @@ class FunctionBody:
         self.temporaries = 0
 
     def write(self) -> None:
-        """At most three times: what one pass learns of the variables' types, the next one writes."""
+        """At most three times: what a pass learns of the variables' types, the next writes."""
         parameters = {name for name, _ in self.made.parameters}
         for _ in range(3):
             before = dict(self.names)
@@ -244,7 +244,7 @@ class FunctionBody:
             return
         if isinstance(node.value, ast.Tuple):
             written = [self.expressions.write(one) for one in node.value.elts]
-            items = [self.scalar_of(node, value) for _, value in written]
+            items = [self.expressions.number(node, value) for _, value in written]
             before = self.made.result
             if isinstance(before, Several) and len(before.items) == len(items):
                 items = [joined(a, b) for a, b in zip(before.items, items, strict=True)]
@@ -261,18 +261,11 @@ class FunctionBody:
             self.made.result = value
             self.put(depth, f"return {text};")
             return
-        kind = self.scalar_of(node, value)
+        kind = self.expressions.number(node, value)
         if isinstance(self.made.result, Scalar):
             kind = joined(self.made.result, kind) if kind != BOOL else kind
         self.made.result = kind
         self.put(depth, f"return {self.expressions.cast(text, value, kind)};")
-
-    def scalar_of(self, node: ast.AST, value: Value | None) -> Scalar:
-        if value is not None and not isinstance(value, (Table, Bundle)):
-            kind = run_time(value)
-            if isinstance(kind, Scalar):
-                return kind
-        raise self.refuse(node, "is no number")
 
     def assign(self, target: ast.expr, value: ast.expr, depth: int) -> None:
         """Give a value to a name or to an element of a room."""
