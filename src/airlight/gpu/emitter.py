@@ -18,9 +18,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Final
 
-from airlight.gpu.expressions import SubsetError
 from airlight.gpu.fragment_pass import wgsl
 from airlight.gpu.function_body import Emitted, FunctionBody
+from airlight.gpu.names import SubsetError
 from airlight.gpu.shader_types import Scalar, Several, Uniform, Value
 
 __all__ = ["Emitted", "Emitter", "SubsetError"]

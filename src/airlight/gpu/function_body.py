@@ -11,7 +11,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
-from airlight.gpu.expressions import Expressions, Functions, SubsetError
+from airlight.gpu.expressions import Expressions
+from airlight.gpu.names import Functions, SubsetError
 from airlight.gpu.shader_types import (
     BOOL,
     I32,
