@@ -1,8 +1,8 @@
 """The passes of the solver as data, and their shaders.
 
-A pass fills one flat texture with the texels of one function of ``solver_texels``. What it reads
-is named here; a host, in Python or in a browser, needs the list of passes, the shaders and the
-numbers of ``solver_plan``, and no physics.
+A pass fills one flat texture with the texels of one function of ``solver_rays``, ``solver_light``,
+``solver_packing`` or ``solver_mixing``. What it reads is named here; a host, in Python or in a
+browser, needs the list of passes, the shaders and the numbers of ``solver_plan``, and no physics.
 """
 
 from __future__ import annotations
@@ -11,7 +11,10 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any, Final, Literal
 
-from airlight.gpu import solver_texels as texels
+from airlight.gpu import solver_light as light
+from airlight.gpu import solver_mixing as mixing
+from airlight.gpu import solver_packing as packing
+from airlight.gpu import solver_rays as rays
 from airlight.gpu.emitter import Emitter
 from airlight.gpu.fragment_pass import wgsl
 from airlight.gpu.shader_types import F32, I32, VEC4, Bundle, Table, Uniform, Value
@@ -33,7 +36,7 @@ COUNTS: Final = (
 )  # fmt: skip
 MEASURES: Final = ("bottom", "top", "star_radius")
 #: Images of the light, the last first.
-IMAGES: Final = tuple(f"image_{i}" for i in range(texels.IMAGES))
+IMAGES: Final = tuple(f"image_{i}" for i in range(mixing.IMAGES))
 
 
 @dataclass(frozen=True)
@@ -64,7 +67,7 @@ class SolverPass:
     name : str
         Also of its shader.
     function : callable
-        Of ``solver_texels``; its arguments are ``index``, those of ``givens``, then the readings.
+        Its arguments are ``index``, those of ``givens``, then the readings.
     target : str
         The texture that it fills.
     givens : tuple of str
@@ -87,66 +90,68 @@ _ALONG: Final = ("sizes", "tables", "first_point")
 
 #: Once for a solve: what does not change from order to order, and the first order.
 ONCE: Final = (
-    SolverPass("strength", texels.strength, "strengths"),
-    SolverPass("factor", texels.factor, "factors"),
-    SolverPass("share", texels.share, "shares"),
-    SolverPass("reflection", texels.reflection, "reflections"),
-    SolverPass("projection", texels.projection, "projections"),
-    SolverPass("depth", texels.depth, "depths", _ALONG, spanned=True),
+    SolverPass("strength", rays.strength, "strengths"),
+    SolverPass("factor", rays.factor, "factors"),
+    SolverPass("share", rays.share, "shares"),
+    SolverPass("reflection", rays.reflection, "reflections"),
+    SolverPass("projection", rays.projection, "projections"),
+    SolverPass("depth", rays.depth, "depths", _ALONG, spanned=True),
     SolverPass(
-        "radiance_once", texels.radiance_once, "radiances", _ALONG,
+        "radiance_once", light.radiance_once, "radiances", _ALONG,
         (Reading("shares"), Reading("strengths"), Reading("reflections"), Reading("depths")),
         spanned=True,
     ),
-    SolverPass("azimuthal", texels.azimuthal, "azimuthals", readings=(Reading("radiances"),)),
+    SolverPass("azimuthal", light.azimuthal, "azimuthals", readings=(Reading("radiances"),)),
     SolverPass(
-        "gathered_moment", texels.gathered_moment, "first", ("sizes",),
+        "gathered_moment", light.gathered_moment, "first", ("sizes",),
         (Reading("projections", "numbers"), Reading("azimuthals")),
     ),
 )  # fmt: skip
 #: A light as the next sweep and a march read it.
 PACK: Final = (
-    SolverPass("highest", texels.highest, "heights", ("sizes",), (Reading("light", "numbers"),)),
-    SolverPass("floor", texels.floor, "floors", ("sizes",), (Reading("heights", "numbers"),)),
+    SolverPass("highest", packing.highest, "heights", ("sizes",), (Reading("light", "numbers"),)),
+    SolverPass("floor", packing.floor, "floors", ("sizes",), (Reading("heights", "numbers"),)),
     SolverPass(
-        "refined", texels.refined, "fine",
+        "refined", packing.refined, "fine",
         readings=(Reading("light", "numbers"), Reading("floors", "numbers")),
     ),
     SolverPass(
-        "highest_level", texels.highest_level, "level_heights", ("sizes",),
+        "highest_level", packing.highest_level, "level_heights", ("sizes",),
         (Reading("fine", "numbers"),),
     ),
     SolverPass(
-        "node_scale", texels.node_scale, "scales",
+        "node_scale", packing.node_scale, "scales",
         readings=(Reading("fine", "numbers"), Reading("level_heights", "numbers")),
     ),
-    SolverPass("packed", texels.packed, "packed", ("sizes",), (Reading("fine"), Reading("scales"))),
+    SolverPass(
+        "packed", packing.packed, "packed", ("sizes",), (Reading("fine"), Reading("scales"))
+    ),
 )  # fmt: skip
 #: One more order: from the packed light to its image.
 SWEEP: Final = (
     SolverPass(
-        "row", texels.row, "rows", _ALONG, (Reading("factors"), Reading("packed")), spanned=True
+        "row", light.row, "rows", _ALONG, (Reading("factors"), Reading("packed")), spanned=True
     ),
     SolverPass(
-        "radiance_again", texels.radiance_again, "radiances", _ALONG,
+        "radiance_again", light.radiance_again, "radiances", _ALONG,
         (
             Reading("shares"), Reading("rows"), Reading("reflections"),
             Reading("packed", from_sky=True),
         ),
         spanned=True,
     ),
-    SolverPass("azimuthal", texels.azimuthal, "azimuthals", readings=(Reading("radiances"),)),
+    SolverPass("azimuthal", light.azimuthal, "azimuthals", readings=(Reading("radiances"),)),
     SolverPass(
-        "gathered_onto", texels.gathered_onto, "image", ("sizes",),
+        "gathered_onto", light.gathered_onto, "image", ("sizes",),
         (Reading("projections", "numbers"), Reading("azimuthals"), Reading("first")),
     ),
-    SolverPass("mean", texels.mean, "means", ("sizes",), (Reading("image"), Reading("light"))),
+    SolverPass("mean", mixing.mean, "means", ("sizes",), (Reading("image"), Reading("light"))),
 )  # fmt: skip
 #: The next guess, from the last images and the host's weights.
 MIX: Final = (
-    SolverPass("sound", texels.sound, "sounds", ("sizes", "weights", "images:numbers")),
+    SolverPass("sound", mixing.sound, "sounds", ("sizes", "weights", "images:numbers")),
     SolverPass(
-        "next_guess", texels.next_guess, "light", ("sizes", "weights", "images:lanes"),
+        "next_guess", mixing.next_guess, "light", ("sizes", "weights", "images:lanes"),
         (Reading("sounds"),),
     ),
 )  # fmt: skip
@@ -255,7 +260,7 @@ def shader(name: str) -> str:
         "@group(0) @binding(1) var<uniform> span: Span;",
     ]
     if uses_mix:
-        lines.append(f"struct Mix {{ weights: array<vec4f, {texels.IMAGES + 2}> }}")
+        lines.append(f"struct Mix {{ weights: array<vec4f, {mixing.IMAGES + 2}> }}")
         lines.append("@group(0) @binding(2) var<uniform> mix: Mix;")
     lines += [
         f"@group(0) @binding({number}) var {texture}: texture_2d<f32>;"
