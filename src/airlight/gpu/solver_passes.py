@@ -17,24 +17,19 @@ from airlight.gpu import solver_packing as packing
 from airlight.gpu import solver_rays as rays
 from airlight.gpu.emitter import Emitter
 from airlight.gpu.fragment_pass import wgsl
-from airlight.gpu.shader_types import F32, I32, VEC4, Bundle, Table, Uniform, Value
+from airlight.gpu.shader_types import I32, VEC4, Bundle, Table, Value
+from airlight.gpu.solver_tables import (
+    SCALARS,
+    SPECTRA,
+    sizes_in_shader,
+    table_reader,
+    tables_in_shader,
+    uniform_fields,
+)
 
 #: How a texture is read: four wavelengths a texel, or number by number.
 View = Literal["lanes", "numbers"]
 
-#: Tables of numbers and of four wavelengths that the host uploads, with their ranks.
-SCALARS: Final = {
-    "mu": 2, "weight": 2, "flux": 2, "start": 2, "total": 1, "end": 3, "radius": 1, "mu_along": 1,
-    "turn": 2, "amount": 2, "column": 1, "sun_cosines": 1, "row": 1, "place": 1, "cosines": 1,
-    "multiples": 2, "harmonic": 1, "ahead": 1, "back": 1, "ratios": 4, "lift": 3, "level": 1,
-}  # fmt: skip
-SPECTRA: Final = ("extinction", "moments", "albedo")
-#: ``Sizes`` in the uniform, four to a vector.
-COUNTS: Final = (
-    "radii", "angles", "suns", "turns", "degree", "terms", "constituents", "directions", "levels",
-    "parts",
-)  # fmt: skip
-MEASURES: Final = ("bottom", "top", "star_radius")
 #: Images of the light, the last first.
 IMAGES: Final = tuple(f"image_{i}" for i in range(mixing.IMAGES))
 
@@ -158,41 +153,6 @@ MIX: Final = (
 PASSES: Final = {one.name: one for one in (*ONCE, *PACK, *SWEEP, *MIX)}
 
 
-def uniform_fields() -> tuple[str, ...]:
-    """Names of the vectors of the uniform ``solve``, in their order."""
-    tables = [*SCALARS, *SPECTRA]
-    return (
-        "counts", "more_counts", "most_counts", "measures",
-        *(f"{name}_{part}" for name in tables for part in ("shape", "start")),
-    )  # fmt: skip
-
-
-def _sizes() -> Bundle:
-    fields: dict[str, Value] = {}
-    for at, name in enumerate(COUNTS):
-        vector = ("counts", "more_counts", "most_counts")[at // 4]
-        fields[name] = Uniform(f"i32(solve.{vector}[{at % 4}])", I32)
-    for at, name in enumerate(MEASURES):
-        fields[name] = Uniform(f"solve.measures[{at}]", F32)
-    return Bundle(fields)
-
-
-def _tables() -> Bundle:
-    fields: dict[str, Value] = {name: Table(name, rank) for name, rank in SCALARS.items()}
-    fields |= {name: Table(name, 1, True) for name in SPECTRA}
-    return Bundle(fields)
-
-
-def _table_reader(name: str) -> str:
-    at = f"texel_place(index + i32(solve.{name}_start.x))"
-    if name in SPECTRA:
-        body = f"fn read_{name}(index: i32) -> vec4f {{ return textureLoad(spectra, {at}, 0); }}\n"
-    else:
-        body = f"fn read_{name}(index: i32) -> f32 {{ return textureLoad(scalars, {at}, 0).x; }}\n"
-    size = f"fn size_{name}(axis: i32) -> i32 {{ return i32(solve.{name}_shape[axis]); }}\n"
-    return body + size
-
-
 def _reader(name: str, texture: str, view: View, from_sky: bool = False) -> str:
     start = " + i32(solve.measures[3])" if from_sky else ""
     if view == "lanes":
@@ -220,9 +180,9 @@ def shader(name: str) -> str:
     for given in one.givens:
         kind, _, view = given.partition(":")
         if kind == "sizes":
-            arguments.append(_sizes())
+            arguments.append(sizes_in_shader())
         elif kind == "tables":
-            arguments.append(_tables())
+            arguments.append(tables_in_shader())
         elif kind == "first_point":
             arguments.append(I32)
             handed.append("i32(span.texels.z)")
@@ -269,7 +229,7 @@ def shader(name: str) -> str:
     lines.append(
         "fn texel_place(index: i32) -> vec2i { return vec2i(index & 2047, index >> 11u); }"
     )
-    lines += [_table_reader(table) for table in used] + readers
+    lines += [table_reader(table) for table in used] + readers
     rest = "".join(f", {one}" for one in handed)
     if made.result == VEC4:
         filled = f"{made.name}(index{rest})"

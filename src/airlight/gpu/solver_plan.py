@@ -13,20 +13,16 @@ from numpy.typing import NDArray
 from airlight.errors import AirlightError, ParameterError
 from airlight.gpu.shown import MOST_CONSTITUENTS, WAVELENGTHS
 from airlight.gpu.solver_passes import (
-    COUNTS,
     IMAGES,
-    MEASURES,
     MIX,
     ONCE,
     PACK,
     PASSES,
-    SCALARS,
-    SPECTRA,
     SWEEP,
     SolverPass,
     shader,
-    uniform_fields,
 )
+from airlight.gpu.solver_tables import COUNTS, MEASURES, SCALARS, SPECTRA, uniform_fields
 from airlight.kernel.lanes import LANES
 from airlight.optics.density_profile import DensitySegments
 from airlight.solvers.light_paths import LightPaths
