@@ -8,7 +8,7 @@ from airlight.errors import ConvergenceError
 from airlight.gpu.device import Device
 from airlight.gpu.shown import MOST_CONSTITUENTS, WAVELENGTHS
 from airlight.gpu.solver import solve_on
-from airlight.gpu.solver_plan import ThickAir
+from airlight.gpu.solver_planning import ThickAir
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
