@@ -351,6 +351,23 @@ def test_bands_draw_the_same_picture(device: Device, shows: Shows) -> None:
     assert_allclose(read_texture(device, target)[..., :3], rgb, rtol=1e-4, atol=1e-6 * rgb.max())
 
 
+@pytest.mark.parametrize("tone_map", ["hable", "aces"])
+def test_what_is_drawn_is_exposed_and_tone_mapped(
+    tone_map: str, device: Device, shows: Shows
+) -> None:
+    # The array functions by name, in double precision, of the same linear light: half of 1/255 for
+    # rounding to 8 bits, each.
+    import wgpu
+
+    seen = scene_of(PLANETS["earth, with a map"](), "aloft")
+    use = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.COPY_SRC
+    target = device.device.create_texture(size=(96, 54, 1), format="rgba8unorm", usage=use)
+    shows().draw(seen, target.create_view(), "rgba8unorm", exposure=-2.0, tone_map=tone_map)
+    wanted = to_display(shows().frame(seen).rgb, -2.0, tone_map=tone_map)
+    shown = np.rint(255.0 * read_texture(device, target)[..., :3])
+    assert_allclose(shown, wanted, rtol=0.0, atol=1.0)
+
+
 def test_fewer_wavelengths_leave_the_others_dark(device: Device, lit: Lit) -> None:
     # Light is linear in the wavelengths: one with its weights is what it adds to the picture of
     # four. 2e-3: each solution has sweeps of its own number.

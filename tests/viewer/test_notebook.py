@@ -31,7 +31,7 @@ def viewer(solution: Any) -> Iterator[Any]:
     from airlight.viewer.notebook import Viewer
 
     def solving(session: Session, **more: Any) -> Solving:
-        return Solving(session, solver=lambda *a, **k: solution, **more)
+        return Solving(session, **{**more, "solver": lambda *a, **k: solution})
 
     made = Viewer("mars", solving=solving)
     assert made.wait(60.0)

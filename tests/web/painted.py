@@ -63,7 +63,7 @@ def program() -> dict[str, Any]:
             ],
         },
         "shaders": {"painted": shader("painted")},
-        "sky": {"full": [64, 64], "quick": [64, 32]},
+        "sky": {"full": [64, 64], "medium": [64, 32], "quick": [64, 16]},
         "glance": 64,
         "projections": {"perspective": [1e-3, 170.0]},
         "tone_maps": {"hable": 0.18},

@@ -15,7 +15,6 @@ from numpy.testing import assert_allclose
 from PIL import Image
 
 from airlight import solve
-from airlight.color.four_wavelengths import fitted_weights
 from airlight.gpu.flat import read_texture
 from airlight.gpu.pictures import Pictures
 from airlight.planets import load_planet
@@ -110,9 +109,7 @@ def test_page_draws_what_the_native_device_draws(
     # the same shaders on another driver: what differs is rounding, and how each rounds to 8 bits
     name, changes = VIEWS[view]
     values = {**DEFAULTS, **FIXED, **changes}
-    solution = solutions(name)
-    spectrum = solution.planet.star.irradiances
-    native.show(solution, fitted_weights(solution.wavelengths, spectrum))
+    native.show(solutions(name))
     wanted = drawn(native, values)
     page = opened(
         page_of(solutions(name), name, values, tmp_path / "page.html"), f"?device={device}"

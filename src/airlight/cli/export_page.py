@@ -65,7 +65,7 @@ def export_page(
             progress=report,
         )
     seconds = time.perf_counter() - started
-    print(f"{page.path}  {page.size / 1e6:.2f} MB  {seconds:.1f} s")
+    print(f"{page.path}  {page.size / 1e6:.2f} MB  quality {page.quality}  {seconds:.1f} s")
 
 
 def _view_value(text: str) -> tuple[str, float | str | bool]:

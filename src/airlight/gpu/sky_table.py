@@ -20,6 +20,9 @@ from airlight.kernel.lanes import LANES, fourth_root, load, room_of_lanes, splat
 from airlight.mappings.sky_view import direction_from_row, impact_from_row
 from airlight.solvers.moments.source import read_phase, reflected
 
+#: Where the last row of the sky stands, seen from outside: rows inside the top.
+INSIDE = 0.1
+
 
 class Observer(NamedTuple):
     """Where the observer is, and where the star.
@@ -147,6 +150,31 @@ def phases_towards(half_sine, keeps_peaks, light, phase):
             store(phase, LANES * light.second_peak, splat(0.0))
 
 
+@kernel
+def row_coordinate(row, rows, outside):
+    """Coordinate of a row of the table in its half. [1]
+
+    From outside the last row of the sky stands a little inside the top of the shell: at the top
+    itself a line has no length, and fourth roots fall too steeply towards nothing.
+
+    Parameters
+    ----------
+    row, rows : int
+        As in ``sky_texel``.
+    outside : bool
+        Whether the observer is.
+
+    Examples
+    --------
+    >>> row_coordinate(8, 9, False), row_coordinate(8, 9, True), row_coordinate(17, 9, True)
+    (1.0, 0.9875, 1.0)
+    """
+    if row >= rows:
+        return (row - rows) / (rows - 1)
+    inside = INSIDE if outside else 0.0
+    return min(row, rows - 1.0 - inside) / (rows - 1)
+
+
 @inlined
 def sky_texel(column, row, columns, rows, gathers, peaks, observer, light, result):
     """A texel of the table: fourth roots of what ``look`` finds.
@@ -163,7 +191,7 @@ def sky_texel(column, row, columns, rows, gathers, peaks, observer, light, resul
     phase = room_of_lanes(MOST_CONSTITUENTS)
     found = room_of_lanes(4)
     sky = row < rows
-    at = (row if sky else row - rows) / (rows - 1)
+    at = row_coordinate(row, rows, observer.outside)
     azimuth = pi * column / (columns - 1)
     cos_azimuth = cos(azimuth)
     if observer.outside:

@@ -1,7 +1,7 @@
 """The viewer in a notebook: JupyterLab, marimo, and whatever else shows anywidgets.
 
 The picture is drawn in the browser, by the same JavaScript as the page's; the planet is solved
-here. Needs the extra ``airlight[view]``.
+here. Needs the extra ``airlight[notebook]``.
 """
 
 from __future__ import annotations
@@ -12,20 +12,30 @@ from pathlib import Path
 from typing import Any, Final
 
 from airlight.errors import AirlightError
+from airlight.gpu.device import NoDevice, open_device
 from airlight.viewer.modules import join_modules, web_file
 from airlight.viewer.package import planet_tables, program, wavelengths_for
 from airlight.viewer.parameter import Value
 from airlight.viewer.session import Session
-from airlight.viewer.solving import Solving
+from airlight.viewer.solving import Solver, Solving, solve_on_cpu
+from airlight.viewer.solving_by import solver_by
 
 try:
     import anywidget
     import traitlets
 except ImportError as error:
-    raise ImportError("a viewer in a notebook needs pip install 'airlight[view]'") from error
+    raise ImportError("a viewer in a notebook needs pip install 'airlight[notebook]'") from error
 
 #: What the buttons of the viewer ask for.
 COMMANDS: Final = ("undo", "redo", "reset", "keep", "swap", "rest")
+
+
+def quickest_solver() -> Solver:
+    """The solver of this machine's GPU, or of its processor where there is none."""
+    try:
+        return solver_by("auto", open_device())
+    except NoDevice:
+        return solve_on_cpu
 
 
 class Viewer(anywidget.AnyWidget):
@@ -43,7 +53,7 @@ class Viewer(anywidget.AnyWidget):
     device : str
         ``auto``, or which the browser is to draw with: ``webgpu`` or ``webgl2``.
     solving : callable, optional
-        Makes what follows the session, from the session and ``on_change``.
+        Makes what follows the session, with the arguments of ``Solving``.
 
     Attributes
     ----------
@@ -98,7 +108,12 @@ class Viewer(anywidget.AnyWidget):
         unfollow = self.session.follow(lambda versions: self._tell())
         self.observe(self._take_values, "values")
         self.observe(self._take_command, "command")
-        self._solving = solving(self.session, wavelengths=wavelengths_for, on_change=self._wake)
+        self._solving = solving(
+            self.session,
+            solver=quickest_solver(),
+            wavelengths=wavelengths_for,
+            on_change=self._wake,
+        )
         self._ending = (unfollow, self._solving.close)
         self._follow_solution()
 
@@ -112,7 +127,7 @@ class Viewer(anywidget.AnyWidget):
         """Wait until the planet is solved; False if that took longer. [s]"""
         done = bool(self._solving.wait(timeout))
         self._follow_solution()
-        return bool(done)
+        return done
 
     def close(self) -> None:
         """End the solving, and take the widget away; once is enough."""

@@ -83,7 +83,11 @@ def program() -> dict[str, Any]:
     return {
         "plan": plan(),
         "shaders": web_shaders(),
-        "sky": {"full": list(SKY_SHAPE), "quick": list(QUICK_SKY_SHAPE)},
+        "sky": {
+            "full": list(SKY_SHAPE),
+            "medium": [SKY_SHAPE[0] // 2, SKY_SHAPE[1] // 2],
+            "quick": list(QUICK_SKY_SHAPE),
+        },
         "glance": GLANCE,
         "projections": {
             name: list(form.field_of_view_limits) for name, form in PROJECTIONS.items()

@@ -8,6 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
+import numpy as np
+from numpy.typing import NDArray
+
 from airlight.errors import FileError, ParameterError
 from airlight.exports.whole_file import check_target, whole_file
 from airlight.kernel.threads import Cancel, Progress
@@ -17,14 +20,14 @@ from airlight.viewer.package import planet_tables, program, wavelengths_for
 from airlight.viewer.page_text import page_text
 from airlight.viewer.parameter import Parameter, Value
 from airlight.viewer.session import Session
-from airlight.viewer.tables_text import as_text, deflated
+from airlight.viewer.tables_text import as_text, deflated, rounded
 from airlight.viewer.view_parameters import view_parameters
 from airlight.viewer.wanted import SOLVED
 
 #: A page larger than this is refused. [byte]
 LARGEST: Final = 3_000_000
-#: Binary digits of light that are kept: 3e-5 of it, a hundredth of what a display shows.
-_DIGITS: Final = {"fields": 14, "spectra": 16}
+#: Binary digits that are kept of light and of columns: 1e-4, a tenth of what a display shows.
+_DIGITS: Final = 12
 #: What the page says about the planet's own parameters.
 NOTE: Final = "The planet is as it was solved; the desktop viewer edits it: airlight view {name}"
 
@@ -38,10 +41,13 @@ class Page:
     path : Path
     size : int
         [byte]
+    quality : str
+        Of the solution: ``preview`` where that of the better one is too large for a page.
     """
 
     path: Path
     size: int
+    quality: str
 
 
 def page_parameters() -> tuple[Parameter, ...]:
@@ -80,11 +86,27 @@ def page_data(
             "shaders": deflated(json.dumps(fixed["shaders"])),
             **numbers,
             "tables": {
-                key: {"format": kind, "data": as_text(table, _DIGITS.get(key, 23))}
+                key: {"format": kind, "data": _table_text(key, table, numbers["uniforms"])}
                 for key, (kind, table) in tables.items()
             },
         },
     }
+
+
+def _table_text(key: str, table: NDArray[np.float32], uniforms: Mapping[str, Any]) -> str:
+    """A table as text, with the digits that a display shows, next to its neighbour in radius."""
+    constituents = int(uniforms["constituents"])
+    if key == "scalars":  # of which the columns alone may be rounded
+        start, *shape = (int(n) for n in uniforms["table_columns"])
+        columns = slice(start, start + int(np.prod(shape)) * 2)
+        table = table.copy()
+        table[columns] = rounded(table[columns], _DIGITS)
+        return as_text(table, 2 * constituents)
+    if key == "fields":
+        degree, suns = int(uniforms["degree"]), int(uniforms["suns"])
+        texels = suns * (1 + (degree + 1) * (degree + 2) // 2)
+        return as_text(rounded(table, _DIGITS), 4 * texels)
+    return as_text(rounded(table, _DIGITS), 4 * constituents)
 
 
 def export_page(
@@ -112,7 +134,7 @@ def export_page(
     view : mapping, optional
         Where the page begins: values of the view's parameters by path, in their units.
     quality : str
-        ``preview``, ``default`` or ``fine``.
+        ``preview``, ``default`` or ``fine``; where the page would be larger than 3 MB, ``preview``.
     wavelengths : str
         ``three`` or ``four``.
     cache : bool
@@ -129,7 +151,7 @@ def export_page(
     ParameterError
         If the planet or a value of the view cannot be.
     FileError
-        If the page cannot be written, or would be larger than 3 MB.
+        If the page cannot be written, or would be larger than 3 MB even at ``preview``.
     """
     check_target(output)
     session = Session(planet)
@@ -139,21 +161,24 @@ def export_page(
             raise ParameterError("view", path, known)
         session.set(path, value)
     world = load_planet(planet, dict(changes or {}), progress=progress)
-    solution = solve(
-        world,
-        wavelengths=tuple(wavelengths_for(world, wavelengths)),
-        quality=quality,
-        cache=cache,
-        progress=progress,
-        cancel=cancel,
-    )
     title = f"{world.name} – airlight"
-    data = page_data(solution, str(planet), title, session.values, wavelengths)
-    content = page_text(title, data).encode()
+    for level in dict.fromkeys((quality, "preview")):
+        solution = solve(
+            world,
+            wavelengths=tuple(wavelengths_for(world, wavelengths)),
+            quality=level,
+            cache=cache,
+            progress=progress,
+            cancel=cancel,
+        )
+        data = page_data(solution, str(planet), title, session.values, wavelengths)
+        content = page_text(title, data).encode()
+        if len(content) <= LARGEST:
+            break
     if len(content) > LARGEST:
         size = f"{len(content) / 1e6:.1f} MB"
-        reason = f"the page would have {size}, more than 3 MB: lower the quality"
+        reason = f"the page would have {size}, more than 3 MB, even at the quality preview"
         raise FileError(output, reason)
     with whole_file(output) as place:
         place.write_bytes(content)
-    return Page(Path(output), len(content))
+    return Page(Path(output), len(content), level)

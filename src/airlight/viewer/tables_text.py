@@ -11,37 +11,58 @@ from numpy.typing import NDArray
 Float32Array = NDArray[np.float32]
 
 
-def as_text(values: Float32Array, digits: int = 23) -> str:
-    """Numbers as base64 of their deflated bytes, as ``web/package.js`` reads them.
+def as_text(values: Float32Array, stride: int = 1) -> str:
+    """Numbers as base64 of their deflated differences, as ``web/package.js`` reads them.
 
-    The bytes are sorted by their place within a number: the first bytes of all numbers, sign and
-    most of the exponent, differ little from one number to the next and deflate well.
+    What is deflated are the differences of the numbers' bit patterns, small ones next to 0
+    whatever their sign, their bytes sorted by their place within a number: neighbours in a smooth
+    table differ in their last bytes only.
 
     Parameters
     ----------
     values : array
         Of any shape; only the order of the numbers is kept.
-    digits : int
-        Binary digits that are kept of each number behind its first, 1 to 23: all of them, or fewer
-        where a shorter text is worth a relative error of 2 to the power of -digits - 1.
+    stride : int
+        How many numbers before it a number's neighbour stands.
 
     Examples
     --------
     >>> from_text(as_text(np.array([1.0, 2.5], np.float32)))
     array([1. , 2.5], dtype=float32)
     """
-    flat = _rounded(np.ascontiguousarray(values, "<f4").reshape(-1), digits)
-    places = flat.view(np.uint8).reshape(-1, 4).T
-    return base64.b64encode(zlib.compress(places.tobytes(), 9)).decode("ascii")
+    bits = np.ascontiguousarray(values, "<f4").reshape(-1).view(np.uint32)
+    step = bits.copy()
+    step[stride:] -= bits[:-stride]
+    signed = step.view(np.int32)
+    folded = (step << np.uint32(1)) ^ (signed >> np.int32(31)).view(np.uint32)
+    places = folded.astype("<u4").view(np.uint8).reshape(-1, 4).T
+    return f"{stride};{base64.b64encode(zlib.compress(places.tobytes(), 9)).decode('ascii')}"
 
 
-def _rounded(values: Float32Array, digits: int) -> Float32Array:
-    if digits >= 23:
-        return values
+def from_text(text: str) -> Float32Array:
+    """The numbers that ``as_text`` was given, flat."""
+    stride, _, data = text.partition(";")
+    places = np.frombuffer(zlib.decompress(base64.b64decode(data)), np.uint8).reshape(4, -1)
+    folded = np.ascontiguousarray(places.T).view("<u4").reshape(-1)
+    step = (folded >> np.uint32(1)) ^ (np.uint32(0) - (folded & np.uint32(1)))
+    bits = np.empty(step.shape, np.uint32)
+    for first in range(min(int(stride), step.size)):
+        bits[first :: int(stride)] = np.cumsum(step[first :: int(stride)], dtype=np.uint32)
+    return bits.view(np.float32)
+
+
+def rounded(values: Float32Array, digits: int) -> Float32Array:
+    """Numbers with so many binary digits behind the first, which makes a shorter text.
+
+    Parameters
+    ----------
+    values : array
+        Finite.
+    digits : int
+        1 to 22; the relative error is at most 2 to the power of -digits - 1.
+    """
     last = np.uint32(1) << np.uint32(23 - digits)
-    bits = values.view(np.uint32)
-    # Half of the last digit is added, and what is behind it taken away; no number is so large
-    # that it would become infinite by that.
+    bits = np.ascontiguousarray(values, np.float32).view(np.uint32)
     near = (bits + (last >> np.uint32(1))) & ~(last - np.uint32(1))
     return near.view(np.float32)
 
@@ -49,9 +70,3 @@ def _rounded(values: Float32Array, digits: int) -> Float32Array:
 def deflated(text: str) -> str:
     """A text as base64 of its deflated bytes."""
     return base64.b64encode(zlib.compress(text.encode(), 9)).decode("ascii")
-
-
-def from_text(text: str) -> Float32Array:
-    """The numbers that ``as_text`` was given, flat."""
-    places = np.frombuffer(zlib.decompress(base64.b64decode(text)), np.uint8).reshape(4, -1)
-    return np.ascontiguousarray(places.T).view("<f4").reshape(-1).astype(np.float32)

@@ -3,21 +3,27 @@
 /**
  * The numbers of a table.
  *
- * @param {string | DataView | ArrayBuffer | Uint8Array} data Base64 of a deflated table whose bytes
- *     are sorted by their place in a number (see `viewer/package.py`), or little-endian float32.
+ * @param {string | DataView | ArrayBuffer | Uint8Array} data Text as viewer/tables_text.py makes it,
+ *     or little-endian float32.
  * @returns {Promise<Float32Array>}
  */
 export async function numbersOf(data) {
   if (typeof data !== "string") return plainNumbers(data);
-  const sorted = new Uint8Array(await inflated(data).arrayBuffer());
+  const stride = Number(data.slice(0, data.indexOf(";")));
+  const text = data.slice(data.indexOf(";") + 1);
+  const sorted = new Uint8Array(await inflated(text).arrayBuffer());
   const count = sorted.length / 4;
-  const mixed = new Uint8Array(sorted.length);
-  for (let place = 0; place < 4; place++) {
-    for (let index = 0; index < count; index++) {
-      mixed[4 * index + place] = sorted[count * place + index];
-    }
+  const bits = new Int32Array(count);
+  for (let index = 0; index < count; index++) {
+    const folded =
+      sorted[index] |
+      (sorted[count + index] << 8) |
+      (sorted[2 * count + index] << 16) |
+      (sorted[3 * count + index] << 24);
+    const step = (folded >>> 1) ^ -(folded & 1);
+    bits[index] = index < stride ? step : step + bits[index - stride];
   }
-  return new Float32Array(mixed.buffer);
+  return new Float32Array(bits.buffer);
 }
 
 /** A promise of the text that was deflated into base64. */

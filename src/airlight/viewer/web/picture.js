@@ -15,8 +15,11 @@ import { Program } from "./program.js";
 import { cameraNumbers, observerNumbers } from "./shown_view.js";
 import { cameraOf } from "./view.js";
 
-/** A table of the sky that takes longer than this is drawn smaller while something moves. [ms] */
+/** A table of the sky may take so long while something moves, and while it rests. [ms] */
 const SMOOTH = 60;
+const PATIENT = 2500;
+/** A texel of it takes so long on a processor; until it is known it is taken to. [ms] */
+const SLOW = 0.05;
 /** Texels in a row of a flat texture. */
 const ROW = 2048;
 
@@ -41,7 +44,8 @@ export class Picture {
     this.seen = "";
     this.solutions = 0;
     this.shape = null;
-    this.skyTime = Infinity;
+    this.texelTime = SLOW;
+    this.drawings = 0;
     this.exposure = 0;
   }
 
@@ -74,13 +78,13 @@ export class Picture {
    * @param {Object<string, number | string | boolean>} values Of all parameters, by path.
    * @param {number} width
    * @param {number} height [pixel]
-   * @param {boolean} rest Whether nothing moves: what is seen is then drawn as well as it can be.
-   * @returns {Promise<boolean>} Whether it can be drawn better.
+   * @param {string} effort `moving`: at once; `resting`: as well as a short while allows; `best`.
+   * @returns {Promise<boolean>} Whether it can be drawn better while it rests.
    */
-  async draw(values, width, height, rest = true) {
+  async draw(values, width, height, effort) {
     const { program, fixed } = this;
     const camera = cameraOf(values, fixed.projections);
-    await this.drawSky(values, camera, rest);
+    await this.drawSky(values, camera, effort);
     const tone = values["display.tone_map"];
     let exposure = values["display.exposure"];
     if (values["display.automatic"]) exposure += await this.found(camera, width, height, tone);
@@ -93,18 +97,16 @@ export class Picture {
       first_row: 0,
     });
     program.run("picture");
-    return this.shape !== "full";
+    return this.texels(this.shapeFor("resting")) > this.texels(this.shape);
   }
 
   /** The table of what this observer sees around himself, unless it is there. */
-  async drawSky(values, camera, rest) {
+  async drawSky(values, camera, effort) {
     const { program, fixed, planet } = this;
     const numbers = this.seenBy(values, camera);
     const seen = this.key(numbers);
-    // The very first one is quick too, so that there is something to look at.
-    const quick = this.shape === null || !(rest || this.skyTime < SMOOTH);
-    const shape = quick ? "quick" : "full";
-    if (seen === this.seen && (shape === this.shape || !rest)) return;
+    const shape = this.shapeFor(effort);
+    if (seen === this.seen && this.texels(this.shape) >= this.texels(shape)) return;
     if (shape !== this.shape) this.reshape(shape);
     const peaks = planet.uniforms.first_peak >= 0;
     const [columns, rows] = fixed.sky[shape];
@@ -112,11 +114,28 @@ export class Picture {
     program.setAll({ sky_columns: columns, sky_rows: rows });
     const began = performance.now();
     program.run("sky_air", ...(peaks ? ["sky_peaks"] : []));
-    if (shape === "full") {
-      await this.device.finished();
-      this.skyTime = performance.now() - began;
-    }
     this.seen = seen;
+    // A GPU is asked now and then what it takes; a processor that stands in for one, always.
+    if (this.drawings++ % 16 === 0 || this.texelTime > SLOW) {
+      await this.device.finished();
+      const time = (performance.now() - began) / this.texels(shape);
+      // The first one has the driver's own compilation in it.
+      this.texelTime = this.drawings > 1 ? time : SLOW;
+    }
+  }
+
+  /** The largest table that an effort allows: the first one of all is the smallest. */
+  shapeFor(effort) {
+    if (effort === "best") return "full";
+    if (this.shape === null) return "quick";
+    const allowed = effort === "moving" ? SMOOTH : PATIENT;
+    const fits = ["full", "medium"].filter((s) => this.texels(s) * this.texelTime < allowed);
+    return fits[0] ?? "quick";
+  }
+
+  texels(shape) {
+    const [columns, rows] = this.fixed.sky[shape];
+    return 2 * columns * rows;
   }
 
   /** The numbers that the table of the sky depends on. */
@@ -134,7 +153,7 @@ export class Picture {
   reshape(shape) {
     const [columns, rows] = this.fixed.sky[shape];
     for (const name of ["air", "behind", "first", "second"]) {
-      this.program.resize(name, ROW, (2 * columns * rows) / ROW);
+      this.program.resize(name, ROW, Math.ceil((2 * columns * rows) / ROW));
     }
     this.shape = shape;
   }

@@ -41,12 +41,11 @@ export class Probe {
     this.busy = true;
     const asked = this.pointed;
     try {
-      // A picture that is being drawn uses the same uniforms.
       await this.viewer.loop.settled();
       const { drawn, state, picture, closed } = this.viewer;
       if (closed || !drawn) return;
       const place = asked.map((share, i) => Math.min(Math.floor(share * drawn[i]), drawn[i] - 1));
-      const text = await picture.probe(state.values, drawn, place);
+      const text = await this.viewer.alone(() => picture.probe(state.values, drawn, place));
       if (this.pointed) this.place.textContent = text;
       await new Promise((resolve) => setTimeout(resolve, PAUSE));
     } finally {

@@ -39,7 +39,10 @@ export class Viewer {
     this.state = source.state ?? new State(source.parameters, source.values);
     this.build(place);
     this.controls = new Controls(this.parts.controls, this.state, (text) => this.explain(text));
-    this.loop = new FrameLoop((now) => this.draw(now));
+    this.turn = Promise.resolve();
+    this.loop = new FrameLoop((now) =>
+      this.alone(() => this.draw(now)).catch((error) => this.say(error.message)),
+    );
     this.flight = new Flight(
       this.parts.canvas,
       this.state,
@@ -152,7 +155,7 @@ export class Viewer {
   async take(update) {
     await this.ready;
     if (!this.picture || this.closed) return;
-    await this.picture.take(update);
+    await this.alone(() => this.picture.take(update));
     this.request();
   }
 
@@ -172,6 +175,19 @@ export class Viewer {
     this.request();
   }
 
+  /**
+   * Do something that uses the device when nothing else does.
+   *
+   * @template T
+   * @param {() => Promise<T>} act
+   * @returns {Promise<T>}
+   */
+  alone(act) {
+    const done = this.turn.then(act);
+    this.turn = done.catch(() => {});
+    return done;
+  }
+
   async draw(now) {
     const moving = this.flight.advance(now);
     const resting = performance.now() - this.lastChange > REST;
@@ -179,8 +195,8 @@ export class Viewer {
     const [width, height] = this.size(share);
     this.device.resize(width, height);
     const began = performance.now();
-    const rest = resting && !moving;
-    const again = await this.picture.draw(this.state.values, width, height, rest);
+    const effort = resting && !moving ? "resting" : "moving";
+    const again = await this.picture.draw(this.state.values, width, height, effort);
     await this.device.finished();
     this.milliseconds = performance.now() - began;
     this.drawn = [width, height];
@@ -189,7 +205,7 @@ export class Viewer {
     this.share = Math.min(Math.max(0.5 * (this.share + wanted), COARSEST), 1);
     this.showStatus();
     if (share < 1 && !moving) await pause(REST - (performance.now() - this.lastChange));
-    return moving || share < 1 || again;
+    return moving || share < 1 || (effort === "resting" && again);
   }
 
   size(share) {
@@ -207,11 +223,12 @@ export class Viewer {
    * @returns {Promise<Blob>} A PNG.
    */
   async png(width, height) {
-    await this.settled();
-    this.device.resize(width, height);
-    await this.picture.draw(this.state.values, width, height);
-    const made = new Promise((resolve) => this.parts.canvas.toBlob(resolve, "image/png"));
-    const blob = await made;
+    await this.ready;
+    const blob = await this.alone(async () => {
+      this.device.resize(width, height);
+      await this.picture.draw(this.state.values, width, height, "best");
+      return new Promise((resolve) => this.parts.canvas.toBlob(resolve, "image/png"));
+    });
     this.request();
     return blob;
   }
