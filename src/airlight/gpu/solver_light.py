@@ -18,17 +18,37 @@ from airlight.solvers.moments.sweep import contracted, gathered, sky_at, star_at
 
 
 @inlined
-def radiance_once(index, sizes, tables, first_point, shares, strengths, reflections, depths):
-    """Radiance of a ray by light that is scattered or reflected once. [sr⁻¹]
+def ray_and_star(index, sizes, tables):
+    """Which ray and which star a texel (radius, direction, sun, azimuth) belongs to.
 
-    Texels (radius, direction, sun, azimuth).
+    Parameters
+    ----------
+    index : int
+        Of the texel.
+    sizes, tables : Sizes, Tables
+
+    Returns
+    -------
+    ray, i, a : int
+        The ray, its radius and its direction.
+    mu_s, nu : float
+        Cosine of the star's zenith angle at the start of the ray, and between star and ray. [1]
     """
     b = index % sizes.turns
     j = index // sizes.turns % sizes.suns
     ray = index // (sizes.turns * sizes.suns)
     i, a = ray // sizes.angles, ray % sizes.angles
     mu_s = tables.sun_cosines[j]
-    nu = star_from_ray(tables.mu[i, a], mu_s, tables.cosines[b])
+    return ray, i, a, mu_s, star_from_ray(tables.mu[i, a], mu_s, tables.cosines[b])
+
+
+@inlined
+def radiance_once(index, sizes, tables, first_point, shares, strengths, reflections, depths):
+    """Radiance of a ray by light that is scattered or reflected once. [sr⁻¹]
+
+    Texels (radius, direction, sun, azimuth).
+    """
+    ray, i, a, mu_s, nu = ray_and_star(index, sizes, tables)
     first = int(tables.start[i, a])
     points = int(tables.start[i, a + 1]) - first
     phases = room_of_lanes(MOST_CONSTITUENTS)
@@ -95,12 +115,7 @@ def radiance_again(index, sizes, tables, first_point, shares, rows, reflections,
 
     Texels (radius, direction, sun, azimuth).
     """
-    b = index % sizes.turns
-    j = index // sizes.turns % sizes.suns
-    ray = index // (sizes.turns * sizes.suns)
-    i, a = ray // sizes.angles, ray % sizes.angles
-    mu_s = tables.sun_cosines[j]
-    nu = star_from_ray(tables.mu[i, a], mu_s, tables.cosines[b])
+    ray, i, a, mu_s, nu = ray_and_star(index, sizes, tables)
     first = int(tables.start[i, a])
     points = int(tables.start[i, a + 1]) - first
     radiance = load(shares, LANES * ray) * gathered(
