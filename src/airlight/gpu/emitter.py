@@ -67,6 +67,11 @@ class Emitter:
             In the shader; by default the function's own, numbered where it is emitted for several
             types.
 
+        Returns
+        -------
+        Emitted
+            From the last call with these types, if there was one.
+
         Raises
         ------
         SubsetError
@@ -103,7 +108,13 @@ class Emitter:
         return made
 
     def tuple_type(self, items: Sequence[Scalar]) -> Several:
-        """The struct that stands for a tuple."""
+        """The struct that stands for a tuple.
+
+        Parameters
+        ----------
+        items : sequence of Scalar
+            Types of its members.
+        """
         several = Several(tuple(items))
         return self.tuples.setdefault(several.name, several)
 

@@ -71,6 +71,11 @@ class FunctionBody:
         The function; ``write`` fills in its result and text.
     tree : ast.FunctionDef
         Its source.
+
+    Raises
+    ------
+    SubsetError
+        From its methods: with file and line, where a statement leaves the subset.
     """
 
     def __init__(self, emitter: Functions, made: Emitted, tree: ast.FunctionDef) -> None:

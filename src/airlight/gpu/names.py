@@ -100,6 +100,12 @@ class Names:
         Plain Python: its module gives the constants.
     names : dict from str to Value
         What is known of the parameters; variables are added as they are met.
+
+    Raises
+    ------
+    SubsetError
+        From the methods of this class and of those that add to it: with file and line, where an
+        expression leaves the subset.
     """
 
     def __init__(

@@ -58,6 +58,11 @@ def solve_planet(
 
 
 def fits(medium: Medium) -> bool:
-    """Whether the shaders have room for a medium: one more constituent where light is bent."""
+    """Whether the shaders have room for a medium: one more constituent where light is bent.
+
+    Parameters
+    ----------
+    medium : Medium
+    """
     constituents = len(medium.names) + bool(medium.refractivity.any())
     return medium.wavelengths.size <= WAVELENGTHS and constituents <= MOST_CONSTITUENTS

@@ -16,7 +16,18 @@ from airlight.solvers.moments.packing import floor_below, ratio_scale
 
 @inlined
 def largest_of(index, sizes, count, values):
-    """Largest mean radiance, or irradiance, of so many radii under one star. [1]"""
+    """Largest mean radiance, or irradiance, of so many radii under one star. [1]
+
+    Parameters
+    ----------
+    index : int
+        Number (mean radiance or irradiance, sun, lane).
+    sizes : Sizes
+    count : int
+        Radii.
+    values : array
+        Moments (radius, sun, moment, lane), and after them irradiances. [1]
+    """
     lane = index % WAVELENGTHS
     j = index // WAVELENGTHS % sizes.suns
     step = sizes.terms * WAVELENGTHS
@@ -61,7 +72,21 @@ def floor(index, sizes, heights):
 
 @inlined
 def light_number(values, start, step, i, part, dark):
-    """A number of a light at a radius; the first of them, a mean radiance, is positive. [1]"""
+    """A number of a light at a radius; the first of them, a mean radiance, is positive. [1]
+
+    Parameters
+    ----------
+    values : array
+        As in ``largest_of``. [1]
+    start, step : int
+        Place of the number at radius 0, and from radius to radius.
+    i : int
+        The radius.
+    part : int
+        Moment; 0 for mean radiances and irradiances.
+    dark : float
+        What counts as dark. [1]
+    """
     value = values[start + i * step]
     if part == 0:
         return max(value, dark)
@@ -73,6 +98,19 @@ def four_levels(values, start, step, i, part, dark, radii):
     """A number of a light at two radii, the one below and the one above them. [1]
 
     The level beyond each end continues the parabola through the last three.
+
+    Parameters
+    ----------
+    values, start, step, part, dark :
+        As in ``light_number``.
+    i : int
+        The first of the two radii.
+    radii : int
+        How many there are, three at least.
+
+    Returns
+    -------
+    below, near, far, above : float
     """
     near = light_number(values, start, step, i, part, dark)
     far = light_number(values, start, step, i + 1, part, dark)

@@ -170,7 +170,13 @@ def _weights_reader(spectral: bool) -> str:
 
 @cache
 def shader(name: str) -> str:
-    """The WGSL of a pass: bindings, emitted functions, entry point ``fill``."""
+    """The WGSL of a pass: bindings, emitted functions, entry point ``fill``.
+
+    Parameters
+    ----------
+    name : str
+        One of ``PASSES``.
+    """
     one = PASSES[name]
     readers: list[str] = []
     textures: list[str] = []

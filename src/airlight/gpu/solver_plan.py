@@ -119,7 +119,14 @@ class SolverPlan:
         }
 
     def texels(self, one: SolverPass, span: Span | None = None) -> tuple[int, int, int]:
-        """First and last texel, past the end, of a pass; and the first point of its rays."""
+        """First and last texel, past the end, of a pass; and the first point of its rays.
+
+        Parameters
+        ----------
+        one : SolverPass
+        span : Span, optional
+            For a spanned pass.
+        """
         if span is None:
             target = IMAGES[0] if one.target == "image" else one.target
             return 0, self.textures[target], 0
@@ -133,7 +140,17 @@ class SolverPlan:
         return 0, span.points * n["suns"] * (n["degree"] + 2), span.first_point
 
     def runs(self, passes: tuple[SolverPass, ...]) -> list[tuple[SolverPass, tuple[int, int, int]]]:
-        """Passes in the order in which they run, spanned ones span by span, with their texels."""
+        """Passes in the order in which they run, spanned ones span by span, with their texels.
+
+        Parameters
+        ----------
+        passes : tuple of SolverPass
+
+        Returns
+        -------
+        list of (SolverPass, (int, int, int))
+            Texels as from ``texels``.
+        """
         listed: list[tuple[SolverPass, tuple[int, int, int]]] = []
         at = 0
         while at < len(passes):

@@ -6,6 +6,10 @@ leave the rest to the functions of ``solvers.moments`` that the CPU's loops call
 restricted Python, for the GPU and for Numba. A function that gives four wavelengths fills a texel,
 its index counts texels; one that gives a number fills a quarter of one, its index counts numbers.
 ``LANES`` is 1 on the GPU.
+
+``index`` is what is counted, ``sizes`` and ``tables`` are those of ``solver_tables``,
+``first_point`` is the first point of the span of radii at hand; every other argument is a flat
+texture that an earlier pass has filled, see ``solver_passes``.
 """
 
 from __future__ import annotations

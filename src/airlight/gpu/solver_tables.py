@@ -133,7 +133,13 @@ def tables_in_shader() -> Bundle:
 
 
 def table_reader(name: str) -> str:
-    """The functions ``read_`` and ``size_`` of one of ``Tables``, in WGSL."""
+    """The functions ``read_`` and ``size_`` of one of ``Tables``, in WGSL.
+
+    Parameters
+    ----------
+    name : str
+        One of ``SCALARS`` or ``SPECTRA``.
+    """
     at = f"texel_place(index + i32(solve.{name}_start.x))"
     if name in SPECTRA:
         body = f"fn read_{name}(index: i32) -> vec4f {{ return textureLoad(spectra, {at}, 0); }}\n"
