@@ -21,7 +21,7 @@ from airlight.gpu.emitter import Emitter
 from airlight.gpu.flat import FLAT_WIDTH, empty_flat_texture, flat_texture, read_flat
 from airlight.gpu.fragment_pass import FragmentPass
 from airlight.gpu.march import march_line
-from airlight.gpu.pictures import Pictures, _scene_numbers
+from airlight.gpu.pictures import Pictures, scene_numbers
 from airlight.gpu.shader_types import F32, VEC4, Room
 from airlight.gpu.shaders import TEXTURES, assembled, light
 from airlight.gpu.shown import MOST_CONSTITUENTS
@@ -132,7 +132,7 @@ fn number(index: i32) -> f32 {{ return textureLoad(given, vec2i(index & 2047, in
     def run(rows: np.ndarray) -> np.ndarray:
         textures = pictures._textures
         assert textures is not None
-        numbers: dict[str, Any] = {**_scene_numbers(Scene(), pictures._shown()), **textures.numbers}
+        numbers: dict[str, Any] = {**scene_numbers(Scene(), pictures._shown()), **textures.numbers}
         use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
         values = packed({**numbers, "first_peak": -1.0, "second_peak": -1.0}, textures.places)
         uniforms = device.device.create_buffer(size=values.nbytes, usage=use)
