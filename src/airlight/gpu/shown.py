@@ -105,7 +105,17 @@ FIELD_TABLES: Final = ("field", "sky")
 
 
 def quadratures(counts: tuple[int, ...]) -> FloatArray:
-    """The rules of the march one after another, see ``Shown.rules``."""
+    """The rules of the march one after another, see ``Shown.rules``.
+
+    Parameters
+    ----------
+    counts : tuple of int
+        Points of each rule.
+
+    Returns
+    -------
+    array, shape (n,)
+    """
     parts = []
     starts = []
     at = len(counts)
@@ -124,6 +134,15 @@ def peaked_constituents(solution: MomentsSolution) -> tuple[int, ...]:
 
     Those that scatter most of all with a peak: within 10° of straight on an even phase function
     has 0.8 % of its light, a Rayleigh one 1.1 %.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+
+    Returns
+    -------
+    tuple of int
+        Places in ``medium.names``, what scatters most first.
     """
     medium = solution.paths.medium
     u = np.linspace(0.0, np.sin(np.radians(5.0)), 201)
@@ -224,6 +243,13 @@ def shown_solution(
 
 def as_texels(values: Float32Array, wavelengths: int) -> Float32Array:
     """A spectral table of eight lanes as texels of four wavelengths, shape (n, 4).
+
+    Parameters
+    ----------
+    values : array of float32, size n·8
+        Eight lanes an element.
+    wavelengths : int
+        How many of the lanes count.
 
     Raises
     ------

@@ -72,7 +72,15 @@ def star_from(across, up, radius, cos_azimuth, sun_x, sun_z):
 
 @kernel
 def half_sine_between(x, y, z, sun_x, sun_z):
-    """sin(θ/2) of the angle between a direction and the star, from the vectors' difference. [1]"""
+    """sin(θ/2) of the angle between a direction and the star, from the vectors' difference. [1]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Direction in the observer's frame, a unit vector. [1]
+    sun_x, sun_z : float
+        As in ``Observer``. [1]
+    """
     across = (x - sun_x) * (x - sun_x) + y * y
     return min(0.5 * sqrt(across + (z - sun_z) * (z - sun_z)), 1.0)
 
@@ -141,7 +149,18 @@ def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phas
 
 @inlined
 def phases_towards(half_sine, keeps_peaks, light, phase):
-    """Phase functions of all constituents; 0 for the peaked ones unless these are kept. [sr⁻¹]"""
+    """Phase functions of all constituents; 0 for the peaked ones unless these are kept. [sr⁻¹]
+
+    Parameters
+    ----------
+    half_sine : float
+        sin(θ/2). [1]
+    keeps_peaks : bool
+    light : Shown
+        The solution.
+    phase : array, shape (c·w,)
+        Written.
+    """
     read_phase(half_sine, light.phase, light.phase_nodes, LANES * light.constituents, phase)
     if not keeps_peaks:
         if light.first_peak >= 0:
