@@ -71,12 +71,15 @@ def test_without_a_display_one_line_says_so(
     assert "there is no display to open a window on: is DISPLAY set?" in error_line(capsys)
 
 
-def test_a_screenshot_shows_panel_and_planet(tmp_path: Path, device: Any) -> None:
+def test_a_screenshot_shows_panel_and_planet(
+    tmp_path: Path, device: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
     # From 400 km, looking at the horizon: dark space above, the lit planet below, panel at left.
     pytest.importorskip("imgui_bundle")
     file = tmp_path / "window.png"
     words = ["view", "earth-atmosphere-plus", "--altitude", "400km", "--quality", "preview"]
     assert main([*words, "--size", "900x500", "--screenshot", str(file)]) == 0
+    assert capsys.readouterr().out.startswith(f"{file}  900x500  ")
     pixels = np.asarray(Image.open(file).convert("RGB")).astype(float)
     assert pixels.shape == (500, 900, 3)
     space, planet, panel = pixels[20:60, 500:], pixels[380:460, 500:], pixels[100:450, 20:360]

@@ -20,6 +20,7 @@ from airlight.color.encoding import ENCODINGS
 from airlight.color.floating import physical_light
 from airlight.color.tone_maps import TONE_MAPS
 from airlight.geometry import bending, path, shell, sun_disc
+from airlight.gpu import sky_table, star_disc
 from airlight.gpu.shader_types import Constant, Table
 from airlight.mappings import sky_view, transmittance
 from airlight.optics import phase_functions
@@ -30,6 +31,7 @@ from airlight.scene.projections.equirectangular import panorama_ray
 from airlight.scene.projections.fisheye import fisheye_ray
 from airlight.scene.projections.perspective import perspective_ray
 from airlight.scene.projections.projected import projected_ray
+from airlight.solvers.moments import convergence, harmonics, levels, packing, sweep
 
 EPS = 2.0**-23
 COUNT = 3000
@@ -206,10 +208,47 @@ GROUND = [
          atol=16 * EPS),
 ]  # fmt: skip
 
+#: Lights and scales of a solver: positive.
+POSITIVE = np.geomspace(1e-6, 10.0, COUNT)
+OTHER = uniform(0.1, 10.0, 40)
+STEPS = [
+    Case(harmonics.climbed, (MU, UNIT, MU_S, UNIT, MU), atol=4 * EPS),
+    Case(harmonics.degree_of, (np.arange(COUNT) % 325,)),
+    Case(packing.floor_below, (POSITIVE,)),
+    # A power of a quotient: WGSL's log₂ and 2ˣ, as POWER; under a root.
+    Case(packing.ratio_scale, (POSITIVE, OTHER, UNIT), rtol=2 * POWER),
+    Case(levels.cubic_bend, (UNIT, OTHER, POSITIVE, UNIT, OTHER), atol=80 * EPS),
+    Case(levels.is_smooth, (UNIT, OTHER, POSITIVE, MU)),
+    # The ratio is taken off again: differences of numbers up to 10.
+    Case(
+        levels.between_levels,
+        (UNIT, OTHER, POSITIVE, MU, OTHER, POSITIVE, UNIT),
+        rtol=16 * EPS,
+        atol=80 * EPS,
+    ),
+    Case(convergence.is_near, (OTHER, POSITIVE, 10.0)),
+    # Over the sines, whose product is at least 0.02 here; 1 - μ² from cosines good to EPS.
+    Case(sweep.azimuth_cosine, (0.99 * MU, 0.99 * MU_S, UNIT), atol=ANGLE / 0.02),
+    Case(sweep.star_from_ray, (MU, MU_S, 2.0 * UNIT - 1.0), atol=ANGLE),
+    Case(sky_table.row_coordinate, (np.arange(COUNT) % 32, 16, UNIT < 0.5)),
+    Case(sky_table.star_from, (R * SINE, R * MU, R, MU_S, SINE, MU), atol=ANGLE),
+    Case(
+        sky_table.half_sine_between,
+        (SINE * MU_S, SINE * np.sqrt(1.0 - MU_S**2), MU, 0.6, 0.8),
+        atol=ANGLE,
+    ),
+    # An angle less a radius, over the pixel.
+    Case(star_disc.covered, (0.01 * UNIT, 0.00465, 1e-3), atol=16 * EPS),
+    Case(star_disc.covered, (0.01 * UNIT, 0.00465, 1e-2), atol=16 * EPS),
+    Case(
+        star_disc.shared_out, (0.01 * MU, 0.01 * MU_S, 0.00465, 0.01, 0.002, 0.008), atol=16 * EPS
+    ),
+]
+
 
 @pytest.mark.parametrize(
     "case",
-    [*GEOMETRY, *MAPPINGS, *PHASES, *COLORS, *RAYS, *GROUND],
+    [*GEOMETRY, *MAPPINGS, *PHASES, *COLORS, *RAYS, *GROUND, *STEPS],
     ids=lambda case: case.function.__name__,
 )
 def test_a_formula_on_the_gpu_is_the_processor_s(on_gpu: Callable[..., Any], case: Case) -> None:

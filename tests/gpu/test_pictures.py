@@ -8,6 +8,7 @@ pixel to the next. What they get in all is compared instead.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 
 import numpy as np
@@ -157,11 +158,16 @@ def solid_angles(camera: Camera) -> np.ndarray:
 
 @pytest.mark.parametrize(("name", "scene"), CASES)
 def test_a_marched_picture_has_the_processor_s_radiance(
-    name: str, scene: str, lit: Lit, shows: Shows, tell: Callable[[str], None]
-) -> None:
-    # 1 %, of the pixel's brightest channel: the others may be differences of larger numbers.
-    # Single precision makes 1e-4, of lines that graze the ground 2e-3. Light below 1e-4 of the
-    # picture's is nobody's.
+    name: str, scene: str, lit: Lit, shows: Shows, tell: Callable[[str], None],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    # The processor marches with the points of its finest quality: those of its own preview err by
+    # 1 % at low haze by day. 1 %, of the pixel's brightest channel: the others may be differences
+    # of larger numbers.
+    # Single precision makes 1e-4, of lines that graze the ground 2e-3, fewer points 5e-3. Light
+    # below 1e-4 of the picture's is nobody's.
+    renderer = sys.modules["airlight.render.render"]
+    monkeypatch.setitem(renderer.MARCHES, "preview", renderer._FINE)
     solution, seen = lit(name), scene_of(PLANETS[name](), scene)
     wanted = render(solution, seen).rgb.astype(float)
     rgb = shows(name).frame(seen, exact=True).rgb
@@ -349,6 +355,23 @@ def test_bands_draw_the_same_picture(device: Device, shows: Shows) -> None:
     shows().draw(seen, target.create_view(), "rgba32float")
     rgb = shows().frame(seen).rgb
     assert_allclose(read_texture(device, target)[..., :3], rgb, rtol=1e-4, atol=1e-6 * rgb.max())
+
+
+@pytest.mark.parametrize("tone_map", ["hable", "aces"])
+def test_what_is_drawn_is_exposed_and_tone_mapped(
+    tone_map: str, device: Device, shows: Shows
+) -> None:
+    # The array functions by name, in double precision, of the same linear light: half of 1/255 for
+    # rounding to 8 bits, each.
+    import wgpu
+
+    seen = scene_of(PLANETS["earth, with a map"](), "aloft")
+    use = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.COPY_SRC
+    target = device.device.create_texture(size=(96, 54, 1), format="rgba8unorm", usage=use)
+    shows().draw(seen, target.create_view(), "rgba8unorm", exposure=-2.0, tone_map=tone_map)
+    wanted = to_display(shows().frame(seen).rgb, -2.0, tone_map=tone_map)
+    shown = np.rint(255.0 * read_texture(device, target)[..., :3])
+    assert_allclose(shown, wanted, rtol=0.0, atol=1.0)
 
 
 def test_fewer_wavelengths_leave_the_others_dark(device: Device, lit: Lit) -> None:

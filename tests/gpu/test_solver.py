@@ -10,13 +10,13 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight import load_planet
 from airlight.errors import Cancelled, ParameterError
-from airlight.gpu import solver_plan
+from airlight.gpu import solver_planning
 from airlight.gpu.device import BROWSER_LIMITS
 from airlight.gpu.flat import FLAT_WIDTH, read_flat
 from airlight.gpu.fragment_pass import declared_bindings
 from airlight.gpu.solver import fields_on, solve_on
 from airlight.gpu.solver_passes import PASSES, shader
-from airlight.gpu.solver_plan import ThickAir, plan_for
+from airlight.gpu.solver_planning import ThickAir, plan_for
 from airlight.gpu.sweeper import borrowed_sweeper
 from airlight.planets import replace
 from airlight.planets.medium import Medium
@@ -117,7 +117,7 @@ def test_each_order_is_that_of_the_cpu(device, name, changes):
     # cosines and look-ups; 3e-4 of the mean radiance, where that is above 1e-4 of the largest.
     paths = LightPaths.of(medium_of(name, **changes))
     plan, cpu, air = cpu_sweeper(paths, PREVIEW)
-    depth = solver_plan.scattering_depth(paths.medium, plan.degree)
+    depth = solver_planning.scattering_depth(paths.medium, plan.degree)
     first, first_sky = cpu.gather(
         first_order_radius, air, mean_density_ratios(plan.table), paths.lift
     )
@@ -206,7 +206,7 @@ def test_spans_of_radii_do_not_change_the_result(device, monkeypatch):
     # How the work is cut must not matter: the same texels by the same functions, bit for bit.
     medium = medium_of("earth")
     whole = solve_on(device, medium, PREVIEW)
-    monkeypatch.setattr(solver_plan, "_SPAN", 1 << 15)
+    monkeypatch.setattr(solver_planning, "_SPAN", 1 << 15)
     assert len(plan_for(LightPaths.of(medium), PREVIEW).spans) > 3
     cut = solve_on(device, medium, PREVIEW)
     assert_array_equal(cut.moments.field, whole.moments.field)

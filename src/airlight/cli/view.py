@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -90,8 +91,9 @@ def view(
 ) -> None:
     """Open a window on a planet: fly, turn the sun, edit every parameter and read the light.
 
-    F1 in the window says what mouse and keys do.
+    F1 in the window says what mouse and keys do. The first start compiles for about a minute.
     """
+    started = time.perf_counter()
     from airlight.viewer.start import Start, show
 
     width, height = options.picture_size(size, "perspective")
@@ -135,3 +137,7 @@ def view(
             screenshot=screenshot,
         )
     )
+    if screenshot is not None:
+        size_kb = screenshot.stat().st_size / 1e3
+        seconds = time.perf_counter() - started
+        print(f"{screenshot}  {width}x{height}  {size_kb:.0f} kB  {seconds:.1f} s")

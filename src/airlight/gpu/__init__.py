@@ -1,1 +1,20 @@
-"""Pictures and solutions on the GPU, from the same formulas as on the CPU."""
+"""Pictures and solutions on the GPU, from the same formulas as on the CPU.
+
+``pictures.Pictures`` draws what ``airlight.render`` renders, of solutions of at most four
+wavelengths::
+
+    from airlight import Scene, load_planet, solve
+    from airlight.color.four_wavelengths import four_wavelengths
+    from airlight.gpu.device import open_device
+    from airlight.gpu.pictures import Pictures
+
+    planet = load_planet("earth")
+    wavelengths, weights = four_wavelengths(planet.star.irradiances)
+    pictures = Pictures(open_device())
+    pictures.show(solve(planet, wavelengths), weights)
+    frame = pictures.frame(Scene(), exact=True)
+
+``exact`` marches every pixel, as the processor does; without it pixels read a table of the sky that
+is drawn first, for pictures many times a second. ``open_device`` raises ``NoDevice``, which says in
+one line what is missing.
+"""

@@ -14,117 +14,22 @@ from __future__ import annotations
 import ast
 import inspect
 import textwrap
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Final
 
-from airlight.gpu.expressions import Expressions, SubsetError
-from airlight.gpu.shader_types import (
-    BOOL,
-    I32,
-    STATIC,
-    Bundle,
-    Constant,
-    Room,
-    Scalar,
-    Several,
-    Table,
-    Uniform,
-    Value,
-    joined,
-    run_time,
-)
+from airlight.gpu.fragment_pass import wgsl
+from airlight.gpu.function_body import Emitted, FunctionBody
+from airlight.gpu.names import SubsetError
+from airlight.gpu.shader_types import Scalar, Several, Uniform, Value
 
-__all__ = ["Emitter", "SubsetError"]
+__all__ = ["Emitted", "Emitter", "SubsetError"]
 
 #: Quotients of whole numbers that are rounded down, as Python's are; WGSL's go towards 0.
 #: Angles and their functions, good to 1e-7 and 3e-7: WGSL's own sine may err by 5e-4, its arc
 #: tangent by 4096 units of the last place; a driver in use errs by 4e-4 in asin. The polynomials
 #: of sine, cosine and arc tangent are those of Moshier's Cephes library in single precision.
-PRELUDE: Final = """\
-fn squared(x: f32) -> f32 { return x * x; }
-fn cubed(x: f32) -> f32 { return x * x * x; }
-fn whole_quotient(a: i32, b: i32) -> i32 {
-  let towards_zero = a / b;
-  return select(towards_zero, towards_zero - 1, towards_zero * b != a && (a < 0) != (b < 0));
-}
-fn whole_rest(a: i32, b: i32) -> i32 { return a - b * whole_quotient(a, b); }
-fn sine_of_quarter(x: f32) -> f32 {
-  let y = x * x;
-  return x + x * y * (-1.6666654611e-1 + y * (8.3321608736e-3 - 1.9515295891e-4 * y));
-}
-fn cosine_of_quarter(x: f32) -> f32 {
-  let y = x * x;
-  let tail = y * y * (4.166664568298827e-2 + y * (-1.388731625493765e-3
-    + 2.443315711809948e-5 * y));
-  return 1.0 - 0.5 * y + tail;
-}
-fn rest_of_quarter(x: f32, turns: f32) -> f32 {
-  return ((x - turns * 1.5703125) - turns * 4.837512969970703e-4) - turns * 7.549789948768648e-8;
-}
-fn sine(x: f32) -> f32 {
-  let turns = round(x * 0.63661977236758);
-  let rest = rest_of_quarter(x, turns);
-  let quarter = i32(turns) & 3;
-  let value = select(sine_of_quarter(rest), cosine_of_quarter(rest), (quarter & 1) == 1);
-  return select(value, -value, quarter >= 2);
-}
-fn cosine(x: f32) -> f32 {
-  let turns = round(x * 0.63661977236758);
-  let rest = rest_of_quarter(x, turns);
-  let quarter = i32(turns) & 3;
-  let value = select(cosine_of_quarter(rest), sine_of_quarter(rest), (quarter & 1) == 1);
-  return select(value, -value, quarter == 1 || quarter == 2);
-}
-fn angle_of(y: f32, x: f32) -> f32 {
-  let a = abs(x);
-  let b = abs(y);
-  let slope = min(a, b) / max(max(a, b), 1e-37);
-  let steep = slope > 0.41421356;
-  let t = select(slope, (slope - 1.0) / (slope + 1.0), steep);
-  let z = t * t;
-  let tail = -3.33329491539e-1 + z * (1.99777106478e-1 + z * (-1.38776856032e-1
-    + z * 8.05374449538e-2));
-  let part = select(0.0, 0.785398163397448, steep) + (t + t * z * tail);
-  let quarter = select(part, 1.570796326794897 - part, b > a);
-  let half = select(quarter, 3.141592653589793 - quarter, x < 0.0);
-  return select(half, -half, y < 0.0);
-}
-fn arc_tangent(x: f32) -> f32 { return angle_of(x, 1.0); }
-fn arc_cosine(x: f32) -> f32 { return angle_of(sqrt(max((1.0 - x) * (1.0 + x), 0.0)), x); }
-fn arc_sine(x: f32) -> f32 { return angle_of(x, sqrt(max((1.0 - x) * (1.0 + x), 0.0))); }
-"""
-
-
-#: Calls that a loop may have inside and still be written out.
-_SHORT: Final = frozenset(
-    {"load", "store", "splat", "float32", "between", "min", "max", "abs", "int"}
-)
-
-
-@dataclass
-class Emitted:
-    """A function as it stands in the shader.
-
-    Attributes
-    ----------
-    name : str
-        In the shader.
-    function : callable
-        The Python that it was emitted from.
-    parameters : tuple of (str, Value)
-        All of them, the bound ones too.
-    result : Scalar, Several or None
-        None if it only fills rooms.
-    text : str
-        WGSL.
-    """
-
-    name: str
-    function: Callable[..., Any]
-    parameters: tuple[tuple[str, Value], ...]
-    result: Scalar | Several | None = None
-    text: str = ""
+PRELUDE: Final = wgsl("prelude")
 
 
 @dataclass
@@ -162,6 +67,11 @@ class Emitter:
             In the shader; by default the function's own, numbered where it is emitted for several
             types.
 
+        Returns
+        -------
+        Emitted
+            From the last call with these types, if there was one.
+
         Raises
         ------
         SubsetError
@@ -192,13 +102,19 @@ class Emitter:
             name, copy = f"{wanted}_{copy}", copy + 1
         self.taken.add(name)
         made = Emitted(name, plain, tuple(zip(parameters, bound, strict=True)))
-        _Body(self, made, tree).write()
+        FunctionBody(self, made, tree).write()
         self._in_progress.discard(plain)
         self.emitted[key] = made
         return made
 
     def tuple_type(self, items: Sequence[Scalar]) -> Several:
-        """The struct that stands for a tuple."""
+        """The struct that stands for a tuple.
+
+        Parameters
+        ----------
+        items : sequence of Scalar
+            Types of its members.
+        """
         several = Several(tuple(items))
         return self.tuples.setdefault(several.name, several)
 
@@ -220,321 +136,3 @@ class Emitter:
 def _handed_over(value: Value) -> Value:
     """How a value arrives in the function called: a uniform as a plain number."""
     return value.scalar if isinstance(value, Uniform) else value
-
-
-class _Body:
-    """Writes the statements of one function."""
-
-    def __init__(self, emitter: Emitter, made: Emitted, tree: ast.FunctionDef) -> None:
-        self.made, self.tree = made, tree
-        self.expressions = Expressions(emitter, made.function, dict(made.parameters))
-        self.names = self.expressions.names
-        self.lines: list[str] = []
-        self.loops = 0
-        self.temporaries = 0
-
-    def write(self) -> None:
-        """Twice: what the first pass learns of the variables' types, the second writes."""
-        parameters = {name for name, _ in self.made.parameters}
-        for _ in range(3):
-            before = dict(self.names)
-            self.lines, self.temporaries = [], 0
-            self.block(self.tree.body, 1)
-            if self.names == before:
-                break
-        spell = self.expressions.spelled
-        heads, copies = [], []
-        changed = _assigned(self.tree)
-        for name, value in self.made.parameters:
-            if isinstance(value, STATIC):
-                continue
-            kind = run_time(value)
-            if isinstance(kind, Room):
-                heads.append(f"{spell(name)}: ptr<function, {kind.name}>")
-            elif name in changed:
-                heads.append(f"{spell(name)}_given: {kind.name}")
-                now = self.names[name]
-                assert isinstance(now, Scalar)
-                given = f"{spell(name)}_given"
-                if now != kind:
-                    given = f"{now.name}({given})"
-                copies.append(f"  var {spell(name)} = {given};")
-            else:
-                heads.append(f"{spell(name)}: {kind.name}")
-        for name, value in self.names.items():
-            if name not in parameters and isinstance(value, (Scalar, Room)):
-                copies.append(f"  var {spell(name)}: {value.name};")
-        result = f" -> {self.made.result.name}" if self.made.result is not None else ""
-        self.made.text = "\n".join(
-            [f"fn {self.made.name}({', '.join(heads)}){result} {{", *copies, *self.lines, "}\n"]
-        )
-
-    def refuse(self, node: ast.AST, why: str) -> SubsetError:
-        return self.expressions.refuse(node, why)
-
-    def block(self, body: Sequence[ast.stmt], depth: int) -> bool:
-        """Statements up to the first that always returns; whether there is one."""
-        for statement in body:
-            if isinstance(statement, ast.If):
-                known = self.expressions.known(statement.test)
-                if known is not None:
-                    if self.block(statement.body if known else statement.orelse, depth):
-                        return True
-                    continue
-            self.statement(statement, depth)
-            if isinstance(statement, ast.Return):
-                return True
-        return False
-
-    def put(self, depth: int, text: str) -> None:
-        self.lines.append("  " * depth + text)
-
-    def statement(self, node: ast.stmt, depth: int) -> None:
-        match node:
-            case ast.Expr(value=ast.Constant()) | ast.Pass():
-                return
-            case ast.Expr(value=ast.Call() as call):
-                text, value = self.expressions.write(call)
-                unused = "" if value is None else "_ = "
-                self.put(depth, f"{unused}{text};")
-            case ast.Assign(targets=[ast.Tuple() as target], value=value):
-                self.unpack(target, value, depth)
-            case ast.Assign(targets=[target], value=value):
-                self.assign(target, value, depth)
-            case ast.AugAssign(target=target, op=op, value=value):
-                reading = ast.copy_location(_as_read(target), node)
-                total = ast.copy_location(ast.BinOp(left=reading, op=op, right=value), node)
-                self.assign(target, total, depth)
-            case ast.If():
-                self.branch(node, depth)
-            case ast.While(test=test, body=body, orelse=[]):
-                self.put(depth, f"while ({self.condition(test)}) {{")
-                self.block(body, depth + 1)
-                self.put(depth, "}")
-            case ast.For():
-                self.loop(node, depth)
-            case ast.Break():
-                self.put(depth, "break;")
-            case ast.Continue():
-                self.put(depth, "continue;")
-            case ast.Return():
-                self.give_back(node, depth)
-            case _:
-                raise self.refuse(node, f"{type(node).__name__} has no WGSL")
-
-    def condition(self, test: ast.expr) -> str:
-        text, value = self.expressions.write(test)
-        if value is None or not isinstance(value, (Scalar, Uniform, Constant)):
-            raise self.refuse(test, "is no condition")
-        return text if run_time(value) == BOOL else f"{text} != 0"
-
-    def branch(self, node: ast.If, depth: int) -> None:
-        self.put(depth, f"if ({self.condition(node.test)}) {{")
-        self.block(node.body, depth + 1)
-        if node.orelse:
-            self.put(depth, "} else {")
-            self.block(node.orelse, depth + 1)
-        self.put(depth, "}")
-
-    def loop(self, node: ast.For, depth: int) -> None:
-        call, target = node.iter, node.target
-        plain = (
-            isinstance(call, ast.Call)
-            and isinstance(call.func, ast.Name)
-            and call.func.id == "range"
-            and isinstance(target, ast.Name)
-            and not node.orelse
-        )
-        if not plain:
-            raise self.refuse(node, "a loop runs over range(…)")
-        assert isinstance(call, ast.Call)
-        assert isinstance(target, ast.Name)
-        ends = [self.expressions.as_scalar(one, I32) for one in call.args]
-        first, last = ("0", ends[0]) if len(ends) == 1 else (ends[0], ends[1])
-        step = ends[2] if len(ends) == 3 else "1"
-        sign = "<"
-        if len(ends) == 3 and isinstance(call.args[2], ast.UnaryOp):
-            sign = ">"
-        self.expressions.learn(node, target.id, I32)
-        name = self.expressions.spelled(target.id)
-        if len(ends) < 3 and not _turns_inside(node):
-            self.unrolled(node, name, first, last, depth)
-            return
-        self.put(
-            depth, f"for ({name} = {first}; {name} {sign} {last}; {name} = {name} + {step}) {{"
-        )
-        self.block(node.body, depth + 1)
-        self.put(depth, "}")
-
-    def unrolled(self, node: ast.For, name: str, first: str, last: str, depth: int) -> None:
-        """An innermost loop, four turns at a time and then one by one.
-
-        Mesa's software renderer ends all loops of a shader after 65 535 turns, counted together.
-        """
-        self.temporaries += 1
-        end = f"end_{self.temporaries}"
-        self.put(depth, f"let {end} = {last};")
-        self.put(depth, f"for ({name} = {first}; {name} + 3 < {end}; {name} = {name} + 1) {{")
-        for turn in range(4):
-            if turn:
-                self.put(depth + 1, f"{name} = {name} + 1;")
-            self.block(node.body, depth + 1)
-        self.put(depth, "}")
-        self.put(depth, f"for (; {name} < {end}; {name} = {name} + 1) {{")
-        self.block(node.body, depth + 1)
-        self.put(depth, "}")
-
-    def give_back(self, node: ast.Return, depth: int) -> None:
-        if node.value is None:
-            self.put(depth, "return;")
-            return
-        if isinstance(node.value, ast.Tuple):
-            written = [self.expressions.write(one) for one in node.value.elts]
-            items = [self.scalar_of(node, value) for _, value in written]
-            before = self.made.result
-            if isinstance(before, Several) and len(before.items) == len(items):
-                items = [joined(a, b) for a, b in zip(before.items, items, strict=True)]
-            several = self.expressions.emitter.tuple_type(items)
-            parts = [
-                self.expressions.cast(text, value, item)
-                for (text, value), item in zip(written, several.items, strict=True)
-            ]
-            self.made.result = several
-            self.put(depth, f"return {several.name}({', '.join(parts)});")
-            return
-        text, value = self.expressions.write(node.value)
-        if isinstance(value, Several):
-            self.made.result = value
-            self.put(depth, f"return {text};")
-            return
-        kind = self.scalar_of(node, value)
-        if isinstance(self.made.result, Scalar):
-            kind = joined(self.made.result, kind) if kind != BOOL else kind
-        self.made.result = kind
-        self.put(depth, f"return {self.expressions.cast(text, value, kind)};")
-
-    def scalar_of(self, node: ast.AST, value: Value | None) -> Scalar:
-        if value is not None and not isinstance(value, (Table, Bundle)):
-            kind = run_time(value)
-            if isinstance(kind, Scalar):
-                return kind
-        raise self.refuse(node, "is no number")
-
-    def assign(self, target: ast.expr, value: ast.expr, depth: int) -> None:
-        if isinstance(target, ast.Subscript):
-            place, kind = self.expressions.place(target)
-            self.put(depth, f"{place} = {self.expressions.as_scalar(value, kind)};")
-            return
-        if not isinstance(target, ast.Name):
-            raise self.refuse(target, "cannot be assigned to")
-        text, found = self.expressions.write(value)
-        self.keep(target, text, found, depth)
-
-    def keep(self, target: ast.Name, text: str, found: Value | None, depth: int) -> None:
-        """Assign what an expression gave to a name: at run time, or for the emitter alone."""
-        if found is None:
-            raise self.refuse(target, "nothing to assign")
-        if isinstance(found, (Table, Bundle)):
-            self.expressions.learn(target, target.id, found)
-            return
-        kind = run_time(found)
-        if isinstance(kind, Several):
-            raise self.refuse(target, "a tuple is taken apart where it is made")
-        if isinstance(kind, Room):
-            self.expressions.learn(target, target.id, kind)
-            return
-        self.expressions.learn(target, target.id, kind)
-        now = self.names[target.id]
-        assert isinstance(now, Scalar)
-        spelled = self.expressions.spelled(target.id)
-        self.put(depth, f"{spelled} = {self.expressions.cast(text, found, now)};")
-
-    def unpack(self, target: ast.Tuple, value: ast.expr, depth: int) -> None:
-        if isinstance(value, ast.Tuple):
-            if len(value.elts) != len(target.elts):
-                raise self.refuse(target, "another number of values")
-            written = [self.expressions.write(one) for one in value.elts]
-            fixed: list[tuple[str, Value | None]] = []
-            for text, found in written:
-                if found is None or isinstance(found, (Table, Bundle, Room)):
-                    fixed.append((text, found))
-                    continue
-                self.temporaries += 1
-                self.put(depth, f"let now_{self.temporaries} = {text};")
-                kind = run_time(found)
-                fixed.append((f"now_{self.temporaries}", kind))
-            for one, (text, found) in zip(target.elts, fixed, strict=True):
-                self.one_of_several(one, text, found, depth)
-            return
-        text, found = self.expressions.write(value)
-        if isinstance(found, Bundle):
-            if len(found.fields) != len(target.elts):
-                raise self.refuse(target, f"{len(found.fields)} fields")
-            for one, member in zip(target.elts, found.fields.values(), strict=True):
-                written_member = member.text if isinstance(member, Uniform) else ""
-                if isinstance(member, Constant):
-                    written_member = self.expressions.literal(one, member.value)
-                self.one_of_several(one, written_member, member, depth)
-            return
-        if not isinstance(found, Several) or len(found.items) != len(target.elts):
-            raise self.refuse(target, "another number of values")
-        self.temporaries += 1
-        several = f"several_{self.temporaries}"
-        self.put(depth, f"let {several} = {text};")
-        for i, (one, kind) in enumerate(zip(target.elts, found.items, strict=True)):
-            self.one_of_several(one, f"{several}.v{i}", kind, depth)
-
-    def one_of_several(self, target: ast.expr, text: str, found: Value | None, depth: int) -> None:
-        if isinstance(target, ast.Name):
-            if target.id != "_":
-                self.keep(target, text, found, depth)
-            return
-        if isinstance(target, ast.Subscript):
-            place, kind = self.expressions.place(target)
-            self.put(depth, f"{place} = {self.expressions.cast(text, found, kind)};")
-            return
-        raise self.refuse(target, "cannot be assigned to")
-
-
-def _turns_inside(node: ast.For) -> bool:
-    """Whether a loop has loops or long calls inside, or ways out of it."""
-    parts = [inside for statement in node.body for inside in ast.walk(statement)]
-    ways_out = (ast.For, ast.While, ast.Break, ast.Continue, ast.Return)
-    return any(isinstance(one, ways_out) or _is_long_call(one) for one in parts)
-
-
-def _is_long_call(node: ast.AST) -> bool:
-    """Whether it calls another function than one of numbers, lanes or four nodes of a field."""
-    if not isinstance(node, ast.Call):
-        return False
-    called = node.func
-    name = called.attr if isinstance(called, ast.Attribute) else getattr(called, "id", "")
-    return name not in _SHORT
-
-
-def _assigned(tree: ast.FunctionDef) -> set[str]:
-    """Names that a function assigns to."""
-    return {
-        node.id
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
-    }
-
-
-def _as_read(target: ast.expr) -> ast.expr:
-    """An assignment's target as the value that it had."""
-    copied = ast.parse(ast.unparse(target), mode="eval").body
-    for node in ast.walk(copied):
-        node.lineno = target.lineno  # type: ignore[attr-defined]
-    return copied
-
-
-def emitted_names(bindings: Mapping[str, Value]) -> list[str]:
-    """Names of the tables among bindings, bundles opened."""
-    names: list[str] = []
-    for value in bindings.values():
-        if isinstance(value, Table):
-            names.append(value.name)
-        elif isinstance(value, Bundle):
-            names += emitted_names(value.fields)
-    return names

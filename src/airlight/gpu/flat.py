@@ -34,7 +34,13 @@ _CHANNELS: Final = {
 
 
 def flat_rows(count: int) -> int:
-    """Rows of a flat texture that holds ``count`` texels; at least one."""
+    """Rows of a flat texture that holds ``count`` texels; at least one.
+
+    Parameters
+    ----------
+    count : int
+        Texels.
+    """
     return max(1, -(-count // FLAT_WIDTH))
 
 
@@ -70,6 +76,20 @@ def flat_texture(device: Device, array: ArrayLike, label: str = "") -> Any:
 
 def empty_flat_texture(device: Device, count: int, channels: int, label: str = "") -> Any:
     """A flat texture of zeros for ``count`` texels of one channel or four.
+
+    Parameters
+    ----------
+    device : Device
+        From ``open_device``.
+    count, channels : int
+        Texels; numbers of each.
+    label : str
+        For the device's messages.
+
+    Returns
+    -------
+    wgpu.GPUTexture
+        ``r32float`` or ``rgba32float``.
 
     Raises
     ------
@@ -175,7 +195,17 @@ def read_texture(device: Device, texture: Any) -> Float32Array:
 
 
 def read_flat(device: Device, texture: Any, count: int) -> Float32Array:
-    """The first ``count`` texels of a flat texture, shape (count,) or (count, 4)."""
+    """The first ``count`` texels of a flat texture, shape (count,) or (count, 4).
+
+    Parameters
+    ----------
+    device : Device
+        That made the texture.
+    texture : wgpu.GPUTexture
+        From ``flat_texture``.
+    count : int
+        Texels.
+    """
     values = read_texture(device, texture)
     texels = values.reshape(-1, values.shape[2])[:count]
     return texels[:, 0] if texels.shape[1] == 1 else texels

@@ -61,6 +61,13 @@ def declared_bindings(source: str, label: str = "shader") -> tuple[Binding, ...]
     Uniforms, samplers and sampled textures are taken: what WebGL2 has too. Textures of f32 are
     taken to be read by ``textureLoad``; if the source declares a sampler they may be filtered.
 
+    Parameters
+    ----------
+    source : str
+        WGSL.
+    label : str
+        What errors call it.
+
     Raises
     ------
     ShaderError
@@ -93,6 +100,19 @@ def _layout(found: re.Match[str], filtered: bool, source: str, label: str) -> di
 
 def compiled(device: Device, source: str, label: str) -> Any:
     """The module of a WGSL source.
+
+    Parameters
+    ----------
+    device : Device
+        From ``open_device``.
+    source : str
+        WGSL.
+    label : str
+        What errors call it.
+
+    Returns
+    -------
+    wgpu.GPUShaderModule
 
     Raises
     ------
@@ -243,6 +263,11 @@ class FragmentPass:
         timestamps : mapping, optional
             ``query_set`` and indices of ``beginning_of_pass_write_index`` and
             ``end_of_pass_write_index``, for a device that ``measures_time``.
+
+        Raises
+        ------
+        ParameterError
+            If there is not one view for each target.
         """
         if len(views) != len(self.targets):
             raise ParameterError("views", len(views), f"{len(self.targets)} targets")
@@ -268,7 +293,20 @@ class FragmentPass:
         begun.end()
 
     def draw(self, resources: Mapping[str, Any], views: Sequence[Any]) -> None:
-        """Bind, run and submit at once: for a pass that runs a single time."""
+        """Bind, run and submit at once: for a pass that runs a single time.
+
+        Parameters
+        ----------
+        resources : mapping
+            As in ``bind``.
+        views : sequence
+            As in ``run``.
+
+        Raises
+        ------
+        ParameterError
+            As ``bind`` and ``run``.
+        """
         encoder = self.device.device.create_command_encoder(label=self.label)
         self.run(encoder, self.bind(resources), views)
         self.device.device.queue.submit([encoder.finish()])
@@ -296,7 +334,13 @@ def _without_frame(report: str) -> str:
 
 @cache
 def wgsl(name: str) -> str:
-    """The text of a file in ``airlight/gpu/wgsl``, named without its ending."""
+    """The text of a file in ``airlight/gpu/wgsl``, named without its ending.
+
+    Parameters
+    ----------
+    name : str
+        Of the file.
+    """
     return resources.files("airlight.gpu").joinpath("wgsl", f"{name}.wgsl").read_text("utf-8")
 
 

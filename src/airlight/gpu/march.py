@@ -58,6 +58,19 @@ def panel_columns(rule, light, amounts, before, columns):
     """Columns up to each point of a panel, and over all of it: added to ``before``. [m]
 
     ``amounts`` holds density times weight of each point, constituent by constituent.
+
+    Parameters
+    ----------
+    rule : int
+        Where the quadrature begins in ``light.rules``.
+    light : Shown
+        The solution.
+    amounts : array, shape (c·p,)
+        Density times weight. [m]
+    before : array, shape (c,)
+        Columns up to the panel; becomes those up to its end. [m]
+    columns : array, shape (c·p,)
+        Written. [m]
     """
     n = int(light.rules[rule])
     for c in range(light.constituents):
@@ -73,7 +86,21 @@ def panel_columns(rule, light, amounts, before, columns):
 
 @inlined
 def place_panel(r, mu, start, end, length, rule, light, distance, radius, weight, density):
-    """Points of a panel: where they are [m], their weight [m] and the densities there. [1]"""
+    """Points of a panel: where they are [m], their weight [m] and the densities there. [1]
+
+    Parameters
+    ----------
+    r, mu : float
+        Radius of the line's start [m]; cosine of its zenith angle there. [1]
+    start, end, length : float
+        Of the panel, and the line's length; from the line's start. [m]
+    rule, light : int, Shown
+        As in ``panel_columns``.
+    distance, radius, weight : array, shape (p,)
+        Written: from the line's start, from the planet's centre, of a point. [m]
+    density : array, shape (c·p,)
+        Written. [1]
+    """
     n = int(light.rules[rule])
     descending, low, beside, first, last = panel_leg(r, mu, start, end, length)
     for k in range(n):
@@ -92,6 +119,20 @@ def place_panel(r, mu, start, end, length, rule, light, distance, radius, weight
 @inlined
 def columns_along(r, mu, edges, count, rule, light, totals, cuts):
     """Columns of a whole line, and where it reaches optical depths of 0.5, 3 and 12. [m]
+
+    Parameters
+    ----------
+    r, mu : float
+        As in ``place_panel``.
+    edges : array, shape (MAX_EDGES,)
+        Ends of the panels, of which the first ``count`` are used. [m]
+    count : int
+    rule, light : int, Shown
+        As in ``panel_columns``.
+    totals : array, shape (c,)
+        Written: the columns. [m]
+    cuts : array, shape (3,)
+        Written: distances from the line's start; 0 for a depth that is not reached. [m]
 
     Returns
     -------

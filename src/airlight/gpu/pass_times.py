@@ -53,7 +53,18 @@ class PassTimes:
         )
 
     def __call__(self, name: str) -> dict[str, Any]:
-        """The next pass's ``timestamps`` for ``FragmentPass.run``, also for compute passes."""
+        """The next pass's ``timestamps`` for ``FragmentPass.run``, also for compute passes.
+
+        Parameters
+        ----------
+        name : str
+            Passes of one name are added.
+
+        Raises
+        ------
+        ParameterError
+            If there are more passes in the submission than ``most``.
+        """
         if len(self._names) == self.most:
             raise ParameterError("name", name, f"at most {self.most} passes in one submission")
         self._names.append(name)
@@ -65,7 +76,13 @@ class PassTimes:
         }
 
     def resolve(self, encoder: Any) -> None:
-        """Record, after all passes, that the clocks are put where they can be read."""
+        """Record, after all passes, that the clocks are put where they can be read.
+
+        Parameters
+        ----------
+        encoder : wgpu.GPUCommandEncoder
+            That of the passes, not yet finished.
+        """
         if self._names:
             encoder.resolve_query_set(self._set, 0, 2 * len(self._names), self._buffer, 0)
 

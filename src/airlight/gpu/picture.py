@@ -80,7 +80,19 @@ class Display(NamedTuple):
 
 @inlined
 def displayed(red, green, blue, display):
-    """What a display shows of linear light: exposed, tone-mapped and encoded. [1]"""
+    """What a display shows of linear light: exposed, tone-mapped and encoded. [1]
+
+    Parameters
+    ----------
+    red, green, blue : float
+        Linear sRGB. [W m⁻² sr⁻¹]
+    display : Display
+
+    Returns
+    -------
+    red, green, blue : float
+        [1]
+    """
     red, green, blue = tone_mapped(
         display.tone_map, red * display.exposure, green * display.exposure, blue * display.exposure
     )
@@ -131,7 +143,16 @@ def between_texels(table, columns, rows, row, sky, azimuth):
 
 @inlined
 def phase_of(half_sine, constituent, light):
-    """Phase function of one constituent, from the table of all. [sr⁻¹]"""
+    """Phase function of one constituent, from the table of all. [sr⁻¹]
+
+    Parameters
+    ----------
+    half_sine : float
+        sin(θ/2). [1]
+    constituent : int
+    light : Shown
+        The solution.
+    """
     u = half_sine * (light.phase_nodes - 1)
     node = min(int(u), light.phase_nodes - 2)
     f = np.float32(u - node)

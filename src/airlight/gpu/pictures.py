@@ -4,25 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
-from math import sqrt
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.encoding import ENCODINGS
-from airlight.color.exposure import exposure_factor
 from airlight.color.four_wavelengths import picture_weights
-from airlight.color.tone_maps import TONE_MAPS
 from airlight.color.upsampling import reflectance_basis
 from airlight.errors import Cancelled, ParameterError
-from airlight.geometry.bending import seen_star
 from airlight.gpu.bands import Band, bands
 from airlight.gpu.device import Device
 from airlight.gpu.flat import FLAT_WIDTH, empty_flat_texture, read_texture, update_flat
 from airlight.gpu.fragment_pass import FragmentPass
+from airlight.gpu.picture_numbers import (
+    CHOICES,
+    NOT_THE_SKYS,
+    display_numbers,
+    order_number,
+    scene_numbers,
+)
 from airlight.gpu.shaders import Fixed, Shader, picture_shader, sky_air_shader, sky_peaks_shader
-from airlight.gpu.shown import EVEN_POINTS, POINTS, WAVELENGTHS, Shown, shown_solution
+from airlight.gpu.shown import POINTS, WAVELENGTHS, Shown, shown_solution
 from airlight.gpu.sky_by_processor import filled_sky
 from airlight.gpu.sky_table import Observer
 from airlight.gpu.solution_textures import SolutionTextures
@@ -30,7 +32,6 @@ from airlight.gpu.uniforms import SWITCHES, packed
 from airlight.kernel.threads import Cancel, Progress
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
-from airlight.scene.projections import PROJECTIONS
 from airlight.solvers.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
@@ -44,8 +45,6 @@ QUICK_SKY_SHAPE: Final = (64, 64)
 _PIXELS_AT_ONCE: Final = (1 << 22, 1 << 20, 1 << 16)
 #: Of a picture that is read back.
 _LINEAR: Final = "rgba32float"
-#: What ``orders`` may be, as the shaders count them.
-ORDERS: Final = {"all": 2, "single": 1, "multiple": 0}
 
 
 class Pictures:
@@ -131,7 +130,7 @@ class Pictures:
             weights = picture_weights(nm, spectrum)
         if np.shape(weights) != (nm.size, 3):
             raise ParameterError("weights", np.shape(weights), f"an array of shape ({nm.size}, 3)")
-        points = EVEN_POINTS if self.device.software else POINTS
+        points = None if self.device.software else POINTS
         self._shown_tables = shown_solution(solution, reflectance_basis(nm), points=points)
         self._textures = SolutionTextures.of(
             self.device, solution, self._shown_tables, self._textures
@@ -159,7 +158,7 @@ class Pictures:
         """What a software device should not have to choose for every pixel anew."""
         return tuple(
             (name, bool(numbers[name]) if name in SWITCHES else int(numbers.get(name, 0)))
-            for name in _CHOICES
+            for name in CHOICES
         )
 
     def _bound(self, one: FragmentPass) -> list[Any]:
@@ -281,7 +280,7 @@ class Pictures:
         width, height = size or (scene.camera.width, scene.camera.height)
         numbers = self._numbers(scene, (width, height), exact, orders, disc)
         if exposure is not None:
-            numbers |= _display_numbers(exposure, tone_map, encoding)
+            numbers |= display_numbers(exposure, tone_map, encoding)
         entry = "linear_picture" if exposure is None else "shown_picture"
         if not exact:
             self._draw_sky(numbers)
@@ -311,12 +310,12 @@ class Pictures:
         """The uniforms of a picture, but for its display."""
         solution = self._shown()
         assert self._textures is not None
-        numbers = _scene_numbers(scene, solution) | self._textures.numbers
+        numbers = scene_numbers(scene, solution) | self._textures.numbers
         peaks = 0.0 if exact else float(numbers["first_peak"] >= 0)
         numbers |= {
             "width": size[0],
             "height": size[1],
-            "orders": _order_number(orders),
+            "orders": order_number(orders),
             "exact": float(exact),
             "draws_disc": float(
                 disc and orders == "all" and solution.medium.star_angular_radius > 0.0
@@ -362,7 +361,7 @@ class Pictures:
 
     def _draw_sky(self, numbers: Mapping[str, float]) -> None:
         """Draw the table of the sky, unless it is there for this observer and star."""
-        seen = packed({**numbers, **dict.fromkeys(_NOT_THE_SKYS, 0.0)}, self._places()).tobytes()
+        seen = packed({**numbers, **dict.fromkeys(NOT_THE_SKYS, 0.0)}, self._places()).tobytes()
         if seen == self._seen:
             return
         if self._by_processor:
@@ -406,71 +405,3 @@ class Pictures:
         if self._solution is None:
             raise ParameterError("solution", None, "one, taken up by show()")
         return self._solution
-
-
-#: Choices that are made for a whole picture.
-_CHOICES: Final = (
-    "projection", "tone_map", "encoding", "outside", "mapped", "draws_disc", "first_peak",
-    "second_peak",
-)  # fmt: skip
-#: What may change without a new table of the sky.
-_NOT_THE_SKYS: Final = (
-    "width", "height", "field_of_view", "projection", "pixel_angle", "disc", "exact", "mapped",
-    "map_levels", "draws_disc", "exposure", "tone_map", "encoding", "first_row", "divider",
-    *(f"{axis}_{c}" for axis in ("right", "up", "forward") for c in "xyz"),
-    *(f"{a}{b}" for a in "xyz" for b in "xyz"),
-    *(f"{channel}_{i}" for channel in ("red", "green", "blue") for i in range(4)),
-)  # fmt: skip
-
-
-def _scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
-    """The uniforms of observer, star and camera."""
-    camera, medium = scene.camera, solution.paths.medium
-    true_r = solution.medium.bottom_radius + scene.altitude
-    r = float(solution.paths.optical_radius(np.array(true_r)))
-    outside = scene.altitude >= solution.medium.thickness
-    bottom = medium.bottom_radius
-    sun = scene.sun_direction
-    seen, lift = sun[2], solution.paths
-    if lift.shell is not None and not outside:
-        seen = float(seen_star(r, sun[2], lift.shell.bottom, lift.shell.top, lift.lift)[0])
-    axes = camera.axes
-    assert camera.field_of_view is not None
-    alpha = solution.medium.star_angular_radius
-    numbers = {
-        "r": r,
-        "outside": float(outside),
-        "horizon_mu": -sqrt(max((r - bottom) * (r + bottom), 0.0)) / r,
-        "horizon_sine": bottom / r,
-        "sun_x": float(np.hypot(sun[0], sun[1])),
-        "sun_z": float(sun[2]),
-        "seen_x": sqrt(max((1.0 - seen) * (1.0 + seen), 0.0)),
-        "seen_z": seen,
-        "field_of_view": np.radians(camera.field_of_view),
-        "projection": list(PROJECTIONS).index(camera.projection),
-        "pixel_angle": camera.pixel_angle,
-        "disc": 1.0 / (4.0 * np.pi * np.sin(0.5 * alpha) ** 2) if alpha > 0.0 else 0.0,
-    }
-    for name, axis in zip(("right", "up", "forward"), axes, strict=True):
-        numbers |= {f"{name}_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
-    for name, row in zip("xyz", scene.ground_frame, strict=True):
-        numbers |= {f"{name}{c}": float(value) for c, value in zip("xyz", row, strict=True)}
-    return numbers
-
-
-def _display_numbers(exposure: float, tone_map: str, encoding: str | None) -> dict[str, float]:
-    if tone_map not in TONE_MAPS:
-        raise ParameterError("tone_map", tone_map, ", ".join(TONE_MAPS))
-    if encoding is not None and encoding not in ENCODINGS:
-        raise ParameterError("encoding", encoding, ", ".join(ENCODINGS))
-    return {
-        "exposure": exposure_factor(exposure),
-        "tone_map": list(TONE_MAPS).index(tone_map),
-        "encoding": -1.0 if encoding is None else list(ENCODINGS).index(encoding),
-    }
-
-
-def _order_number(orders: str) -> float:
-    if orders not in ORDERS:
-        raise ParameterError("orders", orders, ", ".join(ORDERS))
-    return float(ORDERS[orders])

@@ -130,7 +130,17 @@ STATIC: Final = (Constant, Table, Bundle)
 
 
 def run_time(value: Value) -> Scalar | Room | Several:
-    """The type that a value has in the shader."""
+    """The type that a value has in the shader.
+
+    Parameters
+    ----------
+    value : Value
+
+    Raises
+    ------
+    TypeError
+        If it is a table or a bundle.
+    """
     if isinstance(value, Uniform):
         return value.scalar
     if isinstance(value, Constant):
@@ -143,7 +153,13 @@ def run_time(value: Value) -> Scalar | Room | Several:
 
 
 def joined(first: Scalar, second: Scalar) -> Scalar:
-    """The type of a sum of two numbers."""
+    """The type of a sum of two numbers.
+
+    Parameters
+    ----------
+    first, second : Scalar
+        Not bool.
+    """
     if VEC4 in (first, second):
         return VEC4
     if F32 in (first, second):

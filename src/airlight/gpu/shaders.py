@@ -80,32 +80,68 @@ def _bundle(kind: Any, fixed: Fixed = ()) -> Bundle:
 
 @cache
 def light(fixed: Fixed = ()) -> Bundle:
-    """The solution, for the emitter."""
+    """The solution, for the emitter.
+
+    Parameters
+    ----------
+    fixed : tuple
+        Names and numbers that are bound when the shader is written.
+    """
     return _bundle(Shown, fixed)
 
 
 @cache
 def observer(fixed: Fixed = ()) -> Bundle:
-    """Who looks, for the emitter."""
+    """Who looks, for the emitter.
+
+    Parameters
+    ----------
+    fixed : tuple
+        As in ``light``.
+    """
     return _bundle(Observer, fixed)
 
 
 @cache
 def screen(fixed: Fixed = ()) -> Bundle:
-    """The camera, for the emitter."""
+    """The camera, for the emitter.
+
+    Parameters
+    ----------
+    fixed : tuple
+        As in ``light``.
+    """
     return _bundle(Screen, fixed)
 
 
 @cache
 def display(fixed: Fixed = ()) -> Bundle:
-    """Tone map and encoding, for the emitter."""
+    """Tone map and encoding, for the emitter.
+
+    Parameters
+    ----------
+    fixed : tuple
+        As in ``light``.
+    """
     return _bundle(Display, fixed)
 
 
 def assembled(
     name: str, entries: tuple[str, ...], textures: tuple[str, ...], emitter: Emitter
 ) -> Shader:
-    """A shader of a file of entry points and the functions that were emitted for it."""
+    """A shader of a file of entry points and the functions that were emitted for it.
+
+    Parameters
+    ----------
+    name : str
+        Of the file in ``gpu/wgsl``.
+    entries : tuple of str
+        Its entry points.
+    textures : tuple of str
+        What the shader reads, in the order of its bindings.
+    emitter : Emitter
+        With the functions that the entry points call.
+    """
     lines = [struct_text()]
     for i, texture in enumerate(textures):
         lines.append(f"@group(0) @binding({i + 1}) var {texture}: texture_2d<f32>;\n")

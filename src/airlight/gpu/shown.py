@@ -22,9 +22,10 @@ WAVELENGTHS: Final = 4
 MOST_CONSTITUENTS: Final = 8
 #: Points of a panel: for steep stretches by day, for most, for those that graze the ground.
 POINTS: Final = (8, 12, 24)
-#: The same where neighbouring lines must have equally many: Mesa's software renderer ends the
-#: loops of all as soon as those with the fewest points are done.
-EVEN_POINTS: Final = (16, 16, 16)
+#: Numbers of points that all kinds may have, and the turns of loops that Mesa's software renderer
+#: allows a shader, less some for what is not a march.
+_EVEN: Final = (24, 20, 16, 12, 8)
+_MOST_TURNS: Final = 60_000
 #: A constituent of which more of a scattering goes within 10° of straight on is peaked.
 _PEAKED: Final = 0.08
 #: Constituents whose peaks can be kept out of the table of the sky.
@@ -104,7 +105,17 @@ FIELD_TABLES: Final = ("field", "sky")
 
 
 def quadratures(counts: tuple[int, ...]) -> FloatArray:
-    """The rules of the march one after another, see ``Shown.rules``."""
+    """The rules of the march one after another, see ``Shown.rules``.
+
+    Parameters
+    ----------
+    counts : tuple of int
+        Points of each rule.
+
+    Returns
+    -------
+    array, shape (n,)
+    """
     parts = []
     starts = []
     at = len(counts)
@@ -123,6 +134,15 @@ def peaked_constituents(solution: MomentsSolution) -> tuple[int, ...]:
 
     Those that scatter most of all with a peak: within 10° of straight on an even phase function
     has 0.8 % of its light, a Rayleigh one 1.1 %.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+
+    Returns
+    -------
+    tuple of int
+        Places in ``medium.names``, what scatters most first.
     """
     medium = solution.paths.medium
     u = np.linspace(0.0, np.sin(np.radians(5.0)), 201)
@@ -139,12 +159,28 @@ def peaked_constituents(solution: MomentsSolution) -> tuple[int, ...]:
     return tuple(order[:MOST_PEAKS])
 
 
+def even_points(solution: MomentsSolution) -> tuple[int, int, int]:
+    """Points of a panel, the same for all lines, for every device.
+
+    Mesa's software renderer ends the loops of neighbouring lines as soon as those with the fewest
+    points are done, and all loops of a shader after 65 535 turns.
+    """
+    light, degree = solution.light, solution.moments.degree
+    constituents = len(solution.paths.medium.names)
+    panels = 2 * (light.ends.size + 1) + 2
+    terms = sum((l + 1) // 4 + (l + 1) % 4 for l in range(degree + 1))
+    point = (degree + 1) * (constituents + 2) + 2 * terms + 12 * constituents
+    fitting = [n for n in _EVEN if n * panels * (point + n * constituents // 4) <= _MOST_TURNS]
+    chosen = fitting[0] if fitting else _EVEN[-1]
+    return chosen, chosen, chosen
+
+
 def shown_solution(
     solution: MomentsSolution,
     basis: FloatArray,
     *,
     peaks: bool = True,
-    points: tuple[int, int, int] = EVEN_POINTS,
+    points: tuple[int, int, int] | None = None,
 ) -> Shown:
     """The tables of a solution.
 
@@ -157,7 +193,7 @@ def shown_solution(
     peaks : bool
         Whether peaked constituents are kept apart.
     points : tuple of int
-        Of a panel: ``POINTS`` or ``EVEN_POINTS``.
+        Of a panel: ``POINTS``, or ``even_points`` without it.
 
     Raises
     ------
@@ -193,7 +229,7 @@ def shown_solution(
         start=expansion.start,
         ahead=expansion.ahead,
         back=expansion.back,
-        rules=quadratures(points),
+        rules=quadratures(even_points(solution) if points is None else points),
         extinction=light.air.extinction,
         scattering=light.scattering,
         moments=light.air.moments,
@@ -207,6 +243,13 @@ def shown_solution(
 
 def as_texels(values: Float32Array, wavelengths: int) -> Float32Array:
     """A spectral table of eight lanes as texels of four wavelengths, shape (n, 4).
+
+    Parameters
+    ----------
+    values : array of float32, size n·8
+        Eight lanes an element.
+    wavelengths : int
+        How many of the lanes count.
 
     Raises
     ------

@@ -1,6 +1,6 @@
 """The table of the sky filled by the processor, for devices that are the processor anyway.
 
-Software devices run the shader's march some fifty times slower than the compiled one runs: they
+Software devices run the shader's march some fifteen times slower than the compiled one runs: they
 get the table from here, and draw pictures from it.
 """
 
@@ -17,7 +17,13 @@ from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_meeting
 from airlight.gpu.march import MOST_POINTS
 from airlight.gpu.shown import POINTS, Shown
-from airlight.gpu.sky_table import Observer, half_sine_between, phases_towards, star_from
+from airlight.gpu.sky_table import (
+    Observer,
+    half_sine_between,
+    phases_towards,
+    row_coordinate,
+    star_from,
+)
 from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import INVERSE_PI
 from airlight.kernel.threads import run_blocks
@@ -44,7 +50,7 @@ def _aim(column, row, columns, rows, observer, shown, p, packet):
         sin(θ/2) of the angle to where the star is seen. [1]
     """
     sky = row < rows
-    at = (row if sky else row - rows) / (rows - 1)
+    at = row_coordinate(row, rows, observer.outside)
     cos_azimuth = cos(pi * column / (columns - 1))
     side = sqrt(max((1.0 - cos_azimuth) * (1.0 + cos_azimuth), 0.0))
     r, mu_s = observer.r, observer.sun_z

@@ -20,6 +20,9 @@ from airlight.kernel.lanes import LANES, fourth_root, load, room_of_lanes, splat
 from airlight.mappings.sky_view import direction_from_row, impact_from_row
 from airlight.solvers.moments.source import read_phase, reflected
 
+#: Where the last row of the sky stands, seen from outside: rows inside the top.
+INSIDE = 0.1
+
 
 class Observer(NamedTuple):
     """Where the observer is, and where the star.
@@ -69,7 +72,15 @@ def star_from(across, up, radius, cos_azimuth, sun_x, sun_z):
 
 @kernel
 def half_sine_between(x, y, z, sun_x, sun_z):
-    """sin(θ/2) of the angle between a direction and the star, from the vectors' difference. [1]"""
+    """sin(θ/2) of the angle between a direction and the star, from the vectors' difference. [1]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Direction in the observer's frame, a unit vector. [1]
+    sun_x, sun_z : float
+        As in ``Observer``. [1]
+    """
     across = (x - sun_x) * (x - sun_x) + y * y
     return min(0.5 * sqrt(across + (z - sun_z) * (z - sun_z)), 1.0)
 
@@ -138,13 +149,49 @@ def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phas
 
 @inlined
 def phases_towards(half_sine, keeps_peaks, light, phase):
-    """Phase functions of all constituents; 0 for the peaked ones unless these are kept. [sr⁻¹]"""
+    """Phase functions of all constituents; 0 for the peaked ones unless these are kept. [sr⁻¹]
+
+    Parameters
+    ----------
+    half_sine : float
+        sin(θ/2). [1]
+    keeps_peaks : bool
+    light : Shown
+        The solution.
+    phase : array, shape (c·w,)
+        Written.
+    """
     read_phase(half_sine, light.phase, light.phase_nodes, LANES * light.constituents, phase)
     if not keeps_peaks:
         if light.first_peak >= 0:
             store(phase, LANES * light.first_peak, splat(0.0))
         if light.second_peak >= 0:
             store(phase, LANES * light.second_peak, splat(0.0))
+
+
+@kernel
+def row_coordinate(row, rows, outside):
+    """Coordinate of a row of the table in its half. [1]
+
+    From outside the last row of the sky stands a little inside the top of the shell: at the top
+    itself a line has no length, and fourth roots fall too steeply towards nothing.
+
+    Parameters
+    ----------
+    row, rows : int
+        As in ``sky_texel``.
+    outside : bool
+        Whether the observer is.
+
+    Examples
+    --------
+    >>> row_coordinate(8, 9, False), row_coordinate(8, 9, True), row_coordinate(17, 9, True)
+    (1.0, 0.9875, 1.0)
+    """
+    if row >= rows:
+        return (row - rows) / (rows - 1)
+    inside = INSIDE if outside else 0.0
+    return min(row, rows - 1.0 - inside) / (rows - 1)
 
 
 @inlined
@@ -163,7 +210,7 @@ def sky_texel(column, row, columns, rows, gathers, peaks, observer, light, resul
     phase = room_of_lanes(MOST_CONSTITUENTS)
     found = room_of_lanes(4)
     sky = row < rows
-    at = (row if sky else row - rows) / (rows - 1)
+    at = row_coordinate(row, rows, observer.outside)
     azimuth = pi * column / (columns - 1)
     cos_azimuth = cos(azimuth)
     if observer.outside:

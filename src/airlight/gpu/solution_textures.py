@@ -83,6 +83,13 @@ class SolutionTables:
     def of(cls, solution: MomentsSolution, shown: Shown | None = None) -> SolutionTables:
         """The tables of a solution of at most four wavelengths; ``shown`` if it is known already.
 
+        Parameters
+        ----------
+        solution : MomentsSolution
+            Of at most four wavelengths.
+        shown : Shown, optional
+            The same for a march.
+
         Raises
         ------
         ParameterError
@@ -132,7 +139,22 @@ class SolutionTextures:
         shown: Shown | None = None,
         before: SolutionTextures | None = None,
     ) -> SolutionTextures:
-        """Upload a solution; the map of the ground stays where it is if it is the same."""
+        """Upload a solution; the map of the ground stays where it is if it is the same.
+
+        Parameters
+        ----------
+        device : Device
+            From ``open_device``.
+        solution, shown : MomentsSolution, Shown
+            As in ``SolutionTables.of``.
+        before : SolutionTextures, optional
+            What was shown before, for its map.
+
+        Raises
+        ------
+        ParameterError
+            As ``SolutionTables.of``.
+        """
         made = SolutionTables.of(solution, shown)
         textures = {
             "scalars": flat_texture(device, _uneven(made.scalars), "scalars"),

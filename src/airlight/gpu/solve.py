@@ -8,7 +8,7 @@ from airlight.errors import ConvergenceError
 from airlight.gpu.device import Device
 from airlight.gpu.shown import MOST_CONSTITUENTS, WAVELENGTHS
 from airlight.gpu.solver import solve_on
-from airlight.gpu.solver_plan import ThickAir
+from airlight.gpu.solver_planning import ThickAir
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
@@ -58,6 +58,11 @@ def solve_planet(
 
 
 def fits(medium: Medium) -> bool:
-    """Whether the shaders have room for a medium: one more constituent where light is bent."""
+    """Whether the shaders have room for a medium: one more constituent where light is bent.
+
+    Parameters
+    ----------
+    medium : Medium
+    """
     constituents = len(medium.names) + bool(medium.refractivity.any())
     return medium.wavelengths.size <= WAVELENGTHS and constituents <= MOST_CONSTITUENTS

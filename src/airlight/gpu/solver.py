@@ -23,7 +23,7 @@ from airlight.errors import Cancelled, ConvergenceError
 from airlight.gpu.device import Device
 from airlight.gpu.shown import WAVELENGTHS
 from airlight.gpu.solver_passes import IMAGES
-from airlight.gpu.solver_plan import plan_for
+from airlight.gpu.solver_planning import plan_for
 from airlight.gpu.sweeper import GpuSweeper, borrowed_sweeper
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium

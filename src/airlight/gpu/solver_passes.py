@@ -1,8 +1,8 @@
 """The passes of the solver as data, and their shaders.
 
-A pass fills one flat texture with the texels of one function of ``solver_texels``. What it reads
-is named here; a host, in Python or in a browser, needs the list of passes, the shaders and the
-numbers of ``solver_plan``, and no physics.
+A pass fills one flat texture with the texels of one function of ``solver_rays``, ``solver_light``,
+``solver_packing`` or ``solver_mixing``. What it reads is named here; a host, in Python or in a
+browser, needs the list of passes, the shaders and the numbers of ``solver_plan``, and no physics.
 """
 
 from __future__ import annotations
@@ -11,29 +11,27 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any, Final, Literal
 
-from airlight.gpu import solver_texels as texels
+from airlight.gpu import solver_light as light
+from airlight.gpu import solver_mixing as mixing
+from airlight.gpu import solver_packing as packing
+from airlight.gpu import solver_rays as rays
 from airlight.gpu.emitter import Emitter
 from airlight.gpu.fragment_pass import wgsl
-from airlight.gpu.shader_types import F32, I32, VEC4, Bundle, Table, Uniform, Value
+from airlight.gpu.shader_types import I32, VEC4, Bundle, Table, Value
+from airlight.gpu.solver_tables import (
+    SCALARS,
+    SPECTRA,
+    sizes_in_shader,
+    table_reader,
+    tables_in_shader,
+    uniform_fields,
+)
 
 #: How a texture is read: four wavelengths a texel, or number by number.
 View = Literal["lanes", "numbers"]
 
-#: Tables of numbers and of four wavelengths that the host uploads, with their ranks.
-SCALARS: Final = {
-    "mu": 2, "weight": 2, "flux": 2, "start": 2, "total": 1, "end": 3, "radius": 1, "mu_along": 1,
-    "turn": 2, "amount": 2, "column": 1, "sun_cosines": 1, "row": 1, "place": 1, "cosines": 1,
-    "multiples": 2, "harmonic": 1, "ahead": 1, "back": 1, "ratios": 4, "lift": 3, "level": 1,
-}  # fmt: skip
-SPECTRA: Final = ("extinction", "moments", "albedo")
-#: ``Sizes`` in the uniform, four to a vector.
-COUNTS: Final = (
-    "radii", "angles", "suns", "turns", "degree", "terms", "constituents", "directions", "levels",
-    "parts",
-)  # fmt: skip
-MEASURES: Final = ("bottom", "top", "star_radius")
 #: Images of the light, the last first.
-IMAGES: Final = tuple(f"image_{i}" for i in range(texels.IMAGES))
+IMAGES: Final = tuple(f"image_{i}" for i in range(mixing.IMAGES))
 
 
 @dataclass(frozen=True)
@@ -64,7 +62,7 @@ class SolverPass:
     name : str
         Also of its shader.
     function : callable
-        Of ``solver_texels``; its arguments are ``index``, those of ``givens``, then the readings.
+        Its arguments are ``index``, those of ``givens``, then the readings.
     target : str
         The texture that it fills.
     givens : tuple of str
@@ -87,105 +85,72 @@ _ALONG: Final = ("sizes", "tables", "first_point")
 
 #: Once for a solve: what does not change from order to order, and the first order.
 ONCE: Final = (
-    SolverPass("strength", texels.strength, "strengths"),
-    SolverPass("factor", texels.factor, "factors"),
-    SolverPass("share", texels.share, "shares"),
-    SolverPass("reflection", texels.reflection, "reflections"),
-    SolverPass("projection", texels.projection, "projections"),
-    SolverPass("depth", texels.depth, "depths", _ALONG, spanned=True),
+    SolverPass("strength", rays.strength, "strengths"),
+    SolverPass("factor", rays.factor, "factors"),
+    SolverPass("share", rays.share, "shares"),
+    SolverPass("reflection", rays.reflection, "reflections"),
+    SolverPass("projection", rays.projection, "projections"),
+    SolverPass("depth", rays.depth, "depths", _ALONG, spanned=True),
     SolverPass(
-        "radiance_once", texels.radiance_once, "radiances", _ALONG,
+        "radiance_once", light.radiance_once, "radiances", _ALONG,
         (Reading("shares"), Reading("strengths"), Reading("reflections"), Reading("depths")),
         spanned=True,
     ),
-    SolverPass("azimuthal", texels.azimuthal, "azimuthals", readings=(Reading("radiances"),)),
+    SolverPass("azimuthal", light.azimuthal, "azimuthals", readings=(Reading("radiances"),)),
     SolverPass(
-        "gathered_moment", texels.gathered_moment, "first", ("sizes",),
+        "gathered_moment", light.gathered_moment, "first", ("sizes",),
         (Reading("projections", "numbers"), Reading("azimuthals")),
     ),
 )  # fmt: skip
 #: A light as the next sweep and a march read it.
 PACK: Final = (
-    SolverPass("highest", texels.highest, "heights", ("sizes",), (Reading("light", "numbers"),)),
-    SolverPass("floor", texels.floor, "floors", ("sizes",), (Reading("heights", "numbers"),)),
+    SolverPass("highest", packing.highest, "heights", ("sizes",), (Reading("light", "numbers"),)),
+    SolverPass("floor", packing.floor, "floors", ("sizes",), (Reading("heights", "numbers"),)),
     SolverPass(
-        "refined", texels.refined, "fine",
+        "refined", packing.refined, "fine",
         readings=(Reading("light", "numbers"), Reading("floors", "numbers")),
     ),
     SolverPass(
-        "highest_level", texels.highest_level, "level_heights", ("sizes",),
+        "highest_level", packing.highest_level, "level_heights", ("sizes",),
         (Reading("fine", "numbers"),),
     ),
     SolverPass(
-        "node_scale", texels.node_scale, "scales",
+        "node_scale", packing.node_scale, "scales",
         readings=(Reading("fine", "numbers"), Reading("level_heights", "numbers")),
     ),
-    SolverPass("packed", texels.packed, "packed", ("sizes",), (Reading("fine"), Reading("scales"))),
+    SolverPass(
+        "packed", packing.packed, "packed", ("sizes",), (Reading("fine"), Reading("scales"))
+    ),
 )  # fmt: skip
 #: One more order: from the packed light to its image.
 SWEEP: Final = (
     SolverPass(
-        "row", texels.row, "rows", _ALONG, (Reading("factors"), Reading("packed")), spanned=True
+        "row", light.row, "rows", _ALONG, (Reading("factors"), Reading("packed")), spanned=True
     ),
     SolverPass(
-        "radiance_again", texels.radiance_again, "radiances", _ALONG,
+        "radiance_again", light.radiance_again, "radiances", _ALONG,
         (
             Reading("shares"), Reading("rows"), Reading("reflections"),
             Reading("packed", from_sky=True),
         ),
         spanned=True,
     ),
-    SolverPass("azimuthal", texels.azimuthal, "azimuthals", readings=(Reading("radiances"),)),
+    SolverPass("azimuthal", light.azimuthal, "azimuthals", readings=(Reading("radiances"),)),
     SolverPass(
-        "gathered_onto", texels.gathered_onto, "image", ("sizes",),
+        "gathered_onto", light.gathered_onto, "image", ("sizes",),
         (Reading("projections", "numbers"), Reading("azimuthals"), Reading("first")),
     ),
-    SolverPass("mean", texels.mean, "means", ("sizes",), (Reading("image"), Reading("light"))),
+    SolverPass("mean", mixing.mean, "means", ("sizes",), (Reading("image"), Reading("light"))),
 )  # fmt: skip
 #: The next guess, from the last images and the host's weights.
 MIX: Final = (
-    SolverPass("sound", texels.sound, "sounds", ("sizes", "weights", "images:numbers")),
+    SolverPass("sound", mixing.sound, "sounds", ("sizes", "weights", "images:numbers")),
     SolverPass(
-        "next_guess", texels.next_guess, "light", ("sizes", "weights", "images:lanes"),
+        "next_guess", mixing.next_guess, "light", ("sizes", "weights", "images:lanes"),
         (Reading("sounds"),),
     ),
 )  # fmt: skip
 PASSES: Final = {one.name: one for one in (*ONCE, *PACK, *SWEEP, *MIX)}
-
-
-def uniform_fields() -> tuple[str, ...]:
-    """Names of the vectors of the uniform ``solve``, in their order."""
-    tables = [*SCALARS, *SPECTRA]
-    return (
-        "counts", "more_counts", "most_counts", "measures",
-        *(f"{name}_{part}" for name in tables for part in ("shape", "start")),
-    )  # fmt: skip
-
-
-def _sizes() -> Bundle:
-    fields: dict[str, Value] = {}
-    for at, name in enumerate(COUNTS):
-        vector = ("counts", "more_counts", "most_counts")[at // 4]
-        fields[name] = Uniform(f"i32(solve.{vector}[{at % 4}])", I32)
-    for at, name in enumerate(MEASURES):
-        fields[name] = Uniform(f"solve.measures[{at}]", F32)
-    return Bundle(fields)
-
-
-def _tables() -> Bundle:
-    fields: dict[str, Value] = {name: Table(name, rank) for name, rank in SCALARS.items()}
-    fields |= {name: Table(name, 1, True) for name in SPECTRA}
-    return Bundle(fields)
-
-
-def _table_reader(name: str) -> str:
-    at = f"texel_place(index + i32(solve.{name}_start.x))"
-    if name in SPECTRA:
-        body = f"fn read_{name}(index: i32) -> vec4f {{ return textureLoad(spectra, {at}, 0); }}\n"
-    else:
-        body = f"fn read_{name}(index: i32) -> f32 {{ return textureLoad(scalars, {at}, 0).x; }}\n"
-    size = f"fn size_{name}(axis: i32) -> i32 {{ return i32(solve.{name}_shape[axis]); }}\n"
-    return body + size
 
 
 def _reader(name: str, texture: str, view: View, from_sky: bool = False) -> str:
@@ -205,7 +170,13 @@ def _weights_reader(spectral: bool) -> str:
 
 @cache
 def shader(name: str) -> str:
-    """The WGSL of a pass: bindings, emitted functions, entry point ``fill``."""
+    """The WGSL of a pass: bindings, emitted functions, entry point ``fill``.
+
+    Parameters
+    ----------
+    name : str
+        One of ``PASSES``.
+    """
     one = PASSES[name]
     readers: list[str] = []
     textures: list[str] = []
@@ -215,9 +186,9 @@ def shader(name: str) -> str:
     for given in one.givens:
         kind, _, view = given.partition(":")
         if kind == "sizes":
-            arguments.append(_sizes())
+            arguments.append(sizes_in_shader())
         elif kind == "tables":
-            arguments.append(_tables())
+            arguments.append(tables_in_shader())
         elif kind == "first_point":
             arguments.append(I32)
             handed.append("i32(span.texels.z)")
@@ -255,7 +226,7 @@ def shader(name: str) -> str:
         "@group(0) @binding(1) var<uniform> span: Span;",
     ]
     if uses_mix:
-        lines.append(f"struct Mix {{ weights: array<vec4f, {texels.IMAGES + 2}> }}")
+        lines.append(f"struct Mix {{ weights: array<vec4f, {mixing.IMAGES + 2}> }}")
         lines.append("@group(0) @binding(2) var<uniform> mix: Mix;")
     lines += [
         f"@group(0) @binding({number}) var {texture}: texture_2d<f32>;"
@@ -264,7 +235,7 @@ def shader(name: str) -> str:
     lines.append(
         "fn texel_place(index: i32) -> vec2i { return vec2i(index & 2047, index >> 11u); }"
     )
-    lines += [_table_reader(table) for table in used] + readers
+    lines += [table_reader(table) for table in used] + readers
     rest = "".join(f", {one}" for one in handed)
     if made.result == VEC4:
         filled = f"{made.name}(index{rest})"

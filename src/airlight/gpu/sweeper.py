@@ -33,7 +33,13 @@ _idle: dict[Device, list[GpuSweeper]] = {}
 
 @contextmanager
 def borrowed_sweeper(device: Device) -> Iterator[GpuSweeper]:
-    """A sweeper that nobody else uses meanwhile; its textures serve the next solve again."""
+    """A sweeper that nobody else uses meanwhile; its textures serve the next solve again.
+
+    Parameters
+    ----------
+    device : Device
+        From ``open_device``.
+    """
     with _lock:
         idle = _idle.setdefault(device, [])
         sweeper = idle.pop() if idle else GpuSweeper(device)
@@ -77,7 +83,18 @@ class GpuSweeper:
         self._groups: dict[tuple[str, tuple[int, int, int], str], list[Any]] = {}
 
     def load(self, plan: SolverPlan) -> None:
-        """Take up a plan: its tables are uploaded, its textures made if those at hand are small."""
+        """Take up a plan: its tables are uploaded, its textures made if those at hand are small.
+
+        Parameters
+        ----------
+        plan : SolverPlan
+            From ``plan_for``.
+
+        Raises
+        ------
+        ParameterError
+            If a texture would be larger than browsers allow.
+        """
         self.plan = plan
         for name, values in (("scalars", plan.scalars), ("spectra", plan.spectra)):
             self._make(name, values.shape[0], 4 if values.ndim == 2 else 1)
@@ -198,7 +215,17 @@ class GpuSweeper:
         self.run(MIX)
 
     def texture(self, name: str) -> Any:
-        """A texture by its name in the plan; ``image`` is the one of the last sweep."""
+        """A texture by its name in the plan; ``image`` is the one of the last sweep.
+
+        Parameters
+        ----------
+        name : str
+            One of ``plan.textures``, or ``image``.
+
+        Returns
+        -------
+        wgpu.GPUTexture
+        """
         return self._textures[self._images[0] if name == "image" else name]
 
     def light(self) -> tuple[Float32Array, Float32Array]:

@@ -49,7 +49,13 @@ _PLACES: Final = {
 
 
 def uniform(name: str) -> Uniform:
-    """A number of the struct, for the emitter."""
+    """A number of the struct, for the emitter.
+
+    Parameters
+    ----------
+    name : str
+        One of those in ``MEMBERS``.
+    """
     member, component = _PLACES[name]
     text = f"frame.{member}.{component}"
     if name in WHOLE:
@@ -71,7 +77,20 @@ def struct_text() -> str:
 
 
 def table_text(table: Table, texture: str) -> str:
-    """The functions by which a shader reads a table: see ``Table``."""
+    """The functions by which a shader reads a table: see ``Table``.
+
+    Parameters
+    ----------
+    table : Table
+        One of ``TABLES``.
+    texture : str
+        In which it stands.
+
+    Returns
+    -------
+    str
+        WGSL.
+    """
     name = f"frame.table_{table.name}"
     lengths = f"i32({name}[axis + 1])"
     if table.rank == 4:  # the innermost axis of the only such table is two long
@@ -137,5 +156,11 @@ def packed(
 
 
 def scalar_of(name: str) -> Scalar:
-    """The type of a number of the struct."""
+    """The type of a number of the struct.
+
+    Parameters
+    ----------
+    name : str
+        One of those in ``MEMBERS``.
+    """
     return uniform(name).scalar

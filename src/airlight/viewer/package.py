@@ -17,7 +17,8 @@ from airlight.color.four_wavelengths import few_wavelengths, picture_weights
 from airlight.color.tone_maps import TONE_MAPS, tone_map_named
 from airlight.color.xyz import luminance, rgb_to_xyz
 from airlight.constants import LUMINOUS_EFFICACY
-from airlight.gpu.pictures import ORDERS, QUICK_SKY_SHAPE, SKY_SHAPE
+from airlight.gpu.picture_numbers import ORDERS
+from airlight.gpu.pictures import QUICK_SKY_SHAPE, SKY_SHAPE
 from airlight.gpu.shaders import Shader, picture_shader, sky_air_shader, sky_peaks_shader
 from airlight.gpu.shown import WAVELENGTHS
 from airlight.gpu.solution_textures import SolutionTables

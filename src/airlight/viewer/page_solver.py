@@ -17,8 +17,9 @@ from numpy.typing import NDArray
 
 from airlight.gpu.shown import WAVELENGTHS
 from airlight.gpu.solver import MOST_SWEEPS, NIGHT, STRICTER
-from airlight.gpu.solver_passes import SCALARS
-from airlight.gpu.solver_plan import THICKEST, SolverPlan, ThickAir, plan_for
+from airlight.gpu.solver_plan import SolverPlan
+from airlight.gpu.solver_planning import THICKEST, ThickAir, plan_for
+from airlight.gpu.solver_tables import SCALARS
 from airlight.planets.medium import BENDING
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments import air, convergence

@@ -13,6 +13,7 @@ from airlight.exports.picture import picture_suffix, write_picture
 from airlight.render import render
 from airlight.scene import Scene
 from airlight.viewer import window_style as style
+from airlight.viewer.failure import one_line
 from airlight.viewer.picture_source import Picture, Request
 from airlight.viewer.view_parameters import fitting
 
@@ -96,10 +97,8 @@ class Saving:
             )
             size = f"{scene.camera.width}×{scene.camera.height}"
             self.message = f"saved {written.path}  {size}  {written.size / 1e3:.0f} kB"
-        except AirlightError as error:
-            self.message, self.error = "", str(error)
-        except Exception as error:
-            self.message, self.error = "", f"{type(error).__name__}: {error}"
+        except Exception as failure:
+            self.message, self.error = "", one_line(failure)
         self._wake()
 
     def _progress(self, done: int, total: int, message: str) -> None:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 
-from airlight.errors import AirlightError, Cancelled
+from airlight.errors import Cancelled
+from airlight.viewer.failure import one_line
 from airlight.viewer.picture_source import Painter, Picture, Request
 
 
@@ -75,11 +76,9 @@ class PictureThread:
                 self._paint(request)
             except Cancelled:
                 pass
-            except AirlightError as known:
-                error = str(known)
-            except Exception as unknown:
+            except Exception as failure:
                 # Whatever goes wrong with one picture, the next must find the thread alive.
-                error = f"{type(unknown).__name__}: {' '.join(str(unknown).split())}"
+                error = one_line(failure)
             last = request
             with self._news:
                 self._error = error

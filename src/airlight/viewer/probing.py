@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from airlight.color.spectral import default_wavelengths
-from airlight.errors import AirlightError, Cancelled
+from airlight.errors import Cancelled
 from airlight.solvers import solve
+from airlight.viewer.failure import one_line
 from airlight.viewer.picture_source import Request
 from airlight.viewer.probe import Probe, probe_pixel
 
@@ -101,10 +102,8 @@ class Probing:
                 self.error = ""
             except Cancelled:
                 pass
-            except AirlightError as error:
-                self.error = str(error)
-            except Exception as error:
-                self.error = f"{type(error).__name__}: {error}"
+            except Exception as failure:
+                self.error = one_line(failure)
             with self._news:
                 if self._asked is served:
                     self.working = ""

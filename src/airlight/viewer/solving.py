@@ -17,10 +17,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.color.spectral import default_wavelengths, rgb_weights
-from airlight.errors import AirlightError, Cancelled
+from airlight.errors import Cancelled
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.planet import Planet
 from airlight.planets.reader import read_planet
+from airlight.viewer.failure import one_line
 from airlight.viewer.switches import switched
 from airlight.viewer.wanted import Versions, Wanted
 
@@ -243,11 +244,9 @@ class Solving:
                 if self._closed or self._wanted is not wanted:
                     continue
                 error = str(stopped)
-            except AirlightError as known:
-                error = str(known)
-            except Exception as unknown:
+            except Exception as failure:
                 # Whatever goes wrong with one planet, the next edit must find the thread alive.
-                error = f"{type(unknown).__name__}: {' '.join(str(unknown).split())}"
+                error = one_line(failure)
             with self._condition:
                 self._status = Status(version=wanted.version, error=error)
                 self._served = wanted

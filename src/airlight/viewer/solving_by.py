@@ -58,7 +58,7 @@ def solver_by(choice: Literal["auto", "gpu", "cpu"], device: Device) -> Solver:
         cancel: Cancel,
     ) -> MomentsSolution:
         from airlight.gpu.solver import solve_on
-        from airlight.gpu.solver_plan import ThickAir
+        from airlight.gpu.solver_planning import ThickAir
 
         medium = Medium.from_planet(planet, wavelengths, progress=progress, cancel=cancel)
         try:

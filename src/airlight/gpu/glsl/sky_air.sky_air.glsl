@@ -1,5 +1,5 @@
 #version 300 es
-// of sky_air.wgsl d4fc92db1ca016ac, by naga-wasm@30.1.0
+// of sky_air.wgsl a44a2754030829fa, by naga-wasm@30.1.0
 precision highp float;
 precision highp int;
 
@@ -473,14 +473,24 @@ float arc_sine(float x_10) {
     return _e9;
 }
 
-float impact_from_row(float row, bool sky, float bottom_radius, float top_radius) {
-    if (sky) {
-        return (bottom_radius + ((row * row) * (top_radius - bottom_radius)));
+float row_coordinate(int row, int rows, bool outside) {
+    float inside = 0.0;
+    if ((row >= rows)) {
+        return (float((row - rows)) / float((rows - 1)));
     }
-    return (bottom_radius * (1.0 - (row * row)));
+    inside = (outside ? 0.1 : 0.0);
+    float _e18 = inside;
+    return (min(float(row), ((float(rows) - 1.0) - _e18)) / float((rows - 1)));
 }
 
-Several_f32_f32_ direction_from_row(float row_1, bool sky_1, float horizon_mu, float horizon_sine) {
+float impact_from_row(float row_1, bool sky, float bottom_radius, float top_radius) {
+    if (sky) {
+        return (bottom_radius + ((row_1 * row_1) * (top_radius - bottom_radius)));
+    }
+    return (bottom_radius * (1.0 - (row_1 * row_1)));
+}
+
+Several_f32_f32_ direction_from_row(float row_2, bool sky_1, float horizon_mu, float horizon_sine) {
     float highest = 0.0;
     float angle = 0.0;
     float turn = 0.0;
@@ -489,7 +499,7 @@ Several_f32_f32_ direction_from_row(float row_1, bool sky_1, float horizon_mu, f
     highest = _e8;
     float _e10 = highest;
     float _e13 = highest;
-    angle = ((row_1 * row_1) * (sky_1 ? _e13 : (_e10 - 3.1415927)));
+    angle = ((row_2 * row_2) * (sky_1 ? _e13 : (_e10 - 3.1415927)));
     float _e16 = angle;
     float _e17 = sine(_e16);
     float _e18 = angle;
@@ -760,7 +770,7 @@ Several_f32_f32_f32_ seen_star(float x_14, float mu_s_3, float bottom, float top
     float horizon = 0.0;
     float tangent_1 = 0.0;
     float at_1 = 0.0;
-    int row_2 = 0;
+    int row_3 = 0;
     float f = 0.0;
     float true_horizon = 0.0;
     float above = 0.0;
@@ -787,17 +797,17 @@ Several_f32_f32_f32_ seen_star(float x_14, float mu_s_3, float bottom, float top
     at_1 = ((sqrt(max(((x_14 - bottom) * (x_14 + bottom)), 0.0)) / _e40) * float((_e43 - 1)));
     float _e48 = at_1;
     int _e51 = size_lift(0);
-    row_2 = min(int(_e48), (_e51 - 2));
+    row_3 = min(int(_e48), (_e51 - 2));
     float _e55 = at_1;
-    int _e56 = row_2;
+    int _e56 = row_3;
     f = (_e55 - float(_e56));
     float _e59 = horizon;
-    int _e60 = row_2;
+    int _e60 = row_3;
     int _e62 = size_lift(1);
     int _e67 = size_lift(2);
     float _e71 = read_lift(((((_e60 * _e62) + 0) * _e67) + 0));
     float _e72 = f;
-    int _e76 = row_2;
+    int _e76 = row_3;
     int _e80 = size_lift(1);
     int _e85 = size_lift(2);
     float _e89 = read_lift((((((_e76 + 1) * _e80) + 0) * _e85) + 0));
@@ -832,50 +842,50 @@ Several_f32_f32_f32_ seen_star(float x_14, float mu_s_3, float bottom, float top
     w10_ = now_3_;
     w11_ = now_4_;
     float _e143 = w00_;
-    int _e144 = row_2;
+    int _e144 = row_3;
     int _e146 = size_lift(1);
     int _e148 = column_1;
     int _e151 = size_lift(2);
     float _e155 = read_lift(((((_e144 * _e146) + _e148) * _e151) + 0));
     float _e157 = w01_;
-    int _e158 = row_2;
+    int _e158 = row_3;
     int _e160 = size_lift(1);
     int _e162 = column_1;
     int _e167 = size_lift(2);
     float _e171 = read_lift(((((_e158 * _e160) + (_e162 + 1)) * _e167) + 0));
     float _e174 = w10_;
-    int _e175 = row_2;
+    int _e175 = row_3;
     int _e179 = size_lift(1);
     int _e181 = column_1;
     int _e184 = size_lift(2);
     float _e188 = read_lift((((((_e175 + 1) * _e179) + _e181) * _e184) + 0));
     float _e191 = w11_;
-    int _e192 = row_2;
+    int _e192 = row_3;
     int _e196 = size_lift(1);
     int _e198 = column_1;
     int _e203 = size_lift(2);
     float _e207 = read_lift((((((_e192 + 1) * _e196) + (_e198 + 1)) * _e203) + 0));
     raised = ((((_e143 * _e155) + (_e157 * _e171)) + (_e174 * _e188)) + (_e191 * _e207));
     float _e210 = w00_;
-    int _e211 = row_2;
+    int _e211 = row_3;
     int _e213 = size_lift(1);
     int _e215 = column_1;
     int _e218 = size_lift(2);
     float _e222 = read_lift(((((_e211 * _e213) + _e215) * _e218) + 1));
     float _e224 = w01_;
-    int _e225 = row_2;
+    int _e225 = row_3;
     int _e227 = size_lift(1);
     int _e229 = column_1;
     int _e234 = size_lift(2);
     float _e238 = read_lift(((((_e225 * _e227) + (_e229 + 1)) * _e234) + 1));
     float _e241 = w10_;
-    int _e242 = row_2;
+    int _e242 = row_3;
     int _e246 = size_lift(1);
     int _e248 = column_1;
     int _e251 = size_lift(2);
     float _e255 = read_lift((((((_e242 + 1) * _e246) + _e248) * _e251) + 1));
     float _e258 = w11_;
-    int _e259 = row_2;
+    int _e259 = row_3;
     int _e263 = size_lift(1);
     int _e265 = column_1;
     int _e270 = size_lift(2);
@@ -2486,7 +2496,7 @@ vec4 through_columns_1_(int constituents) {
 
 void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
     float x_22 = 0.0;
-    int row_3 = 0;
+    int row_4 = 0;
     float f_2 = 0.0;
     int place_2 = 0;
     float e_2 = 0.0;
@@ -2503,9 +2513,9 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
     x_22 = (_e17 * float((_e19 - 1)));
     float _e24 = x_22;
     int _e27 = size_columns(0);
-    row_3 = min(int(_e24), (_e27 - 2));
+    row_4 = min(int(_e24), (_e27 - 2));
     float _e31 = x_22;
-    int _e32 = row_3;
+    int _e32 = row_4;
     f_2 = (_e31 - float(_e32));
     float _e35 = direction_coordinate(r_15, mu_14, bottom_4, top_4);
     int _e37 = size_columns(1);
@@ -2550,7 +2560,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
         }
         {
             float _e81 = w00_2;
-            int _e82 = row_3;
+            int _e82 = row_4;
             int _e84 = size_columns(1);
             int _e86 = place_2;
             int _e89 = size_columns(2);
@@ -2558,7 +2568,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e94 = size_columns(3);
             float _e98 = read_columns(((((((_e82 * _e84) + _e86) * _e89) + _e91) * _e94) + 0));
             float _e100 = w01_2;
-            int _e101 = row_3;
+            int _e101 = row_4;
             int _e103 = size_columns(1);
             int _e105 = place_2;
             int _e110 = size_columns(2);
@@ -2566,7 +2576,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e115 = size_columns(3);
             float _e119 = read_columns(((((((_e101 * _e103) + (_e105 + 1)) * _e110) + _e112) * _e115) + 0));
             float _e122 = w10_2;
-            int _e123 = row_3;
+            int _e123 = row_4;
             int _e127 = size_columns(1);
             int _e129 = place_2;
             int _e132 = size_columns(2);
@@ -2574,7 +2584,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e137 = size_columns(3);
             float _e141 = read_columns((((((((_e123 + 1) * _e127) + _e129) * _e132) + _e134) * _e137) + 0));
             float _e144 = w11_2;
-            int _e145 = row_3;
+            int _e145 = row_4;
             int _e149 = size_columns(1);
             int _e151 = place_2;
             int _e156 = size_columns(2);
@@ -2583,7 +2593,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             float _e165 = read_columns((((((((_e145 + 1) * _e149) + (_e151 + 1)) * _e156) + _e158) * _e161) + 0));
             scale = ((((_e81 * _e98) + (_e100 * _e119)) + (_e122 * _e141)) + (_e144 * _e165));
             float _e168 = w00_2;
-            int _e169 = row_3;
+            int _e169 = row_4;
             int _e171 = size_columns(1);
             int _e173 = place_2;
             int _e176 = size_columns(2);
@@ -2591,7 +2601,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e181 = size_columns(3);
             float _e185 = read_columns(((((((_e169 * _e171) + _e173) * _e176) + _e178) * _e181) + 1));
             float _e187 = w01_2;
-            int _e188 = row_3;
+            int _e188 = row_4;
             int _e190 = size_columns(1);
             int _e192 = place_2;
             int _e197 = size_columns(2);
@@ -2599,7 +2609,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e202 = size_columns(3);
             float _e206 = read_columns(((((((_e188 * _e190) + (_e192 + 1)) * _e197) + _e199) * _e202) + 1));
             float _e209 = w10_2;
-            int _e210 = row_3;
+            int _e210 = row_4;
             int _e214 = size_columns(1);
             int _e216 = place_2;
             int _e219 = size_columns(2);
@@ -2607,7 +2617,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e224 = size_columns(3);
             float _e228 = read_columns((((((((_e210 + 1) * _e214) + _e216) * _e219) + _e221) * _e224) + 1));
             float _e231 = w11_2;
-            int _e232 = row_3;
+            int _e232 = row_4;
             int _e236 = size_columns(1);
             int _e238 = place_2;
             int _e243 = size_columns(2);
@@ -2623,7 +2633,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e263 = c_6;
             c_6 = (_e263 + 1);
             float _e266 = w00_2;
-            int _e267 = row_3;
+            int _e267 = row_4;
             int _e269 = size_columns(1);
             int _e271 = place_2;
             int _e274 = size_columns(2);
@@ -2631,7 +2641,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e279 = size_columns(3);
             float _e283 = read_columns(((((((_e267 * _e269) + _e271) * _e274) + _e276) * _e279) + 0));
             float _e285 = w01_2;
-            int _e286 = row_3;
+            int _e286 = row_4;
             int _e288 = size_columns(1);
             int _e290 = place_2;
             int _e295 = size_columns(2);
@@ -2639,7 +2649,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e300 = size_columns(3);
             float _e304 = read_columns(((((((_e286 * _e288) + (_e290 + 1)) * _e295) + _e297) * _e300) + 0));
             float _e307 = w10_2;
-            int _e308 = row_3;
+            int _e308 = row_4;
             int _e312 = size_columns(1);
             int _e314 = place_2;
             int _e317 = size_columns(2);
@@ -2647,7 +2657,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e322 = size_columns(3);
             float _e326 = read_columns((((((((_e308 + 1) * _e312) + _e314) * _e317) + _e319) * _e322) + 0));
             float _e329 = w11_2;
-            int _e330 = row_3;
+            int _e330 = row_4;
             int _e334 = size_columns(1);
             int _e336 = place_2;
             int _e341 = size_columns(2);
@@ -2656,7 +2666,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             float _e350 = read_columns((((((((_e330 + 1) * _e334) + (_e336 + 1)) * _e341) + _e343) * _e346) + 0));
             scale = ((((_e266 * _e283) + (_e285 * _e304)) + (_e307 * _e326)) + (_e329 * _e350));
             float _e353 = w00_2;
-            int _e354 = row_3;
+            int _e354 = row_4;
             int _e356 = size_columns(1);
             int _e358 = place_2;
             int _e361 = size_columns(2);
@@ -2664,7 +2674,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e366 = size_columns(3);
             float _e370 = read_columns(((((((_e354 * _e356) + _e358) * _e361) + _e363) * _e366) + 1));
             float _e372 = w01_2;
-            int _e373 = row_3;
+            int _e373 = row_4;
             int _e375 = size_columns(1);
             int _e377 = place_2;
             int _e382 = size_columns(2);
@@ -2672,7 +2682,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e387 = size_columns(3);
             float _e391 = read_columns(((((((_e373 * _e375) + (_e377 + 1)) * _e382) + _e384) * _e387) + 1));
             float _e394 = w10_2;
-            int _e395 = row_3;
+            int _e395 = row_4;
             int _e399 = size_columns(1);
             int _e401 = place_2;
             int _e404 = size_columns(2);
@@ -2680,7 +2690,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e409 = size_columns(3);
             float _e413 = read_columns((((((((_e395 + 1) * _e399) + _e401) * _e404) + _e406) * _e409) + 1));
             float _e416 = w11_2;
-            int _e417 = row_3;
+            int _e417 = row_4;
             int _e421 = size_columns(1);
             int _e423 = place_2;
             int _e428 = size_columns(2);
@@ -2696,7 +2706,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e448 = c_6;
             c_6 = (_e448 + 1);
             float _e451 = w00_2;
-            int _e452 = row_3;
+            int _e452 = row_4;
             int _e454 = size_columns(1);
             int _e456 = place_2;
             int _e459 = size_columns(2);
@@ -2704,7 +2714,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e464 = size_columns(3);
             float _e468 = read_columns(((((((_e452 * _e454) + _e456) * _e459) + _e461) * _e464) + 0));
             float _e470 = w01_2;
-            int _e471 = row_3;
+            int _e471 = row_4;
             int _e473 = size_columns(1);
             int _e475 = place_2;
             int _e480 = size_columns(2);
@@ -2712,7 +2722,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e485 = size_columns(3);
             float _e489 = read_columns(((((((_e471 * _e473) + (_e475 + 1)) * _e480) + _e482) * _e485) + 0));
             float _e492 = w10_2;
-            int _e493 = row_3;
+            int _e493 = row_4;
             int _e497 = size_columns(1);
             int _e499 = place_2;
             int _e502 = size_columns(2);
@@ -2720,7 +2730,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e507 = size_columns(3);
             float _e511 = read_columns((((((((_e493 + 1) * _e497) + _e499) * _e502) + _e504) * _e507) + 0));
             float _e514 = w11_2;
-            int _e515 = row_3;
+            int _e515 = row_4;
             int _e519 = size_columns(1);
             int _e521 = place_2;
             int _e526 = size_columns(2);
@@ -2729,7 +2739,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             float _e535 = read_columns((((((((_e515 + 1) * _e519) + (_e521 + 1)) * _e526) + _e528) * _e531) + 0));
             scale = ((((_e451 * _e468) + (_e470 * _e489)) + (_e492 * _e511)) + (_e514 * _e535));
             float _e538 = w00_2;
-            int _e539 = row_3;
+            int _e539 = row_4;
             int _e541 = size_columns(1);
             int _e543 = place_2;
             int _e546 = size_columns(2);
@@ -2737,7 +2747,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e551 = size_columns(3);
             float _e555 = read_columns(((((((_e539 * _e541) + _e543) * _e546) + _e548) * _e551) + 1));
             float _e557 = w01_2;
-            int _e558 = row_3;
+            int _e558 = row_4;
             int _e560 = size_columns(1);
             int _e562 = place_2;
             int _e567 = size_columns(2);
@@ -2745,7 +2755,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e572 = size_columns(3);
             float _e576 = read_columns(((((((_e558 * _e560) + (_e562 + 1)) * _e567) + _e569) * _e572) + 1));
             float _e579 = w10_2;
-            int _e580 = row_3;
+            int _e580 = row_4;
             int _e584 = size_columns(1);
             int _e586 = place_2;
             int _e589 = size_columns(2);
@@ -2753,7 +2763,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e594 = size_columns(3);
             float _e598 = read_columns((((((((_e580 + 1) * _e584) + _e586) * _e589) + _e591) * _e594) + 1));
             float _e601 = w11_2;
-            int _e602 = row_3;
+            int _e602 = row_4;
             int _e606 = size_columns(1);
             int _e608 = place_2;
             int _e613 = size_columns(2);
@@ -2769,7 +2779,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e633 = c_6;
             c_6 = (_e633 + 1);
             float _e636 = w00_2;
-            int _e637 = row_3;
+            int _e637 = row_4;
             int _e639 = size_columns(1);
             int _e641 = place_2;
             int _e644 = size_columns(2);
@@ -2777,7 +2787,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e649 = size_columns(3);
             float _e653 = read_columns(((((((_e637 * _e639) + _e641) * _e644) + _e646) * _e649) + 0));
             float _e655 = w01_2;
-            int _e656 = row_3;
+            int _e656 = row_4;
             int _e658 = size_columns(1);
             int _e660 = place_2;
             int _e665 = size_columns(2);
@@ -2785,7 +2795,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e670 = size_columns(3);
             float _e674 = read_columns(((((((_e656 * _e658) + (_e660 + 1)) * _e665) + _e667) * _e670) + 0));
             float _e677 = w10_2;
-            int _e678 = row_3;
+            int _e678 = row_4;
             int _e682 = size_columns(1);
             int _e684 = place_2;
             int _e687 = size_columns(2);
@@ -2793,7 +2803,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e692 = size_columns(3);
             float _e696 = read_columns((((((((_e678 + 1) * _e682) + _e684) * _e687) + _e689) * _e692) + 0));
             float _e699 = w11_2;
-            int _e700 = row_3;
+            int _e700 = row_4;
             int _e704 = size_columns(1);
             int _e706 = place_2;
             int _e711 = size_columns(2);
@@ -2802,7 +2812,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             float _e720 = read_columns((((((((_e700 + 1) * _e704) + (_e706 + 1)) * _e711) + _e713) * _e716) + 0));
             scale = ((((_e636 * _e653) + (_e655 * _e674)) + (_e677 * _e696)) + (_e699 * _e720));
             float _e723 = w00_2;
-            int _e724 = row_3;
+            int _e724 = row_4;
             int _e726 = size_columns(1);
             int _e728 = place_2;
             int _e731 = size_columns(2);
@@ -2810,7 +2820,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e736 = size_columns(3);
             float _e740 = read_columns(((((((_e724 * _e726) + _e728) * _e731) + _e733) * _e736) + 1));
             float _e742 = w01_2;
-            int _e743 = row_3;
+            int _e743 = row_4;
             int _e745 = size_columns(1);
             int _e747 = place_2;
             int _e752 = size_columns(2);
@@ -2818,7 +2828,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e757 = size_columns(3);
             float _e761 = read_columns(((((((_e743 * _e745) + (_e747 + 1)) * _e752) + _e754) * _e757) + 1));
             float _e764 = w10_2;
-            int _e765 = row_3;
+            int _e765 = row_4;
             int _e769 = size_columns(1);
             int _e771 = place_2;
             int _e774 = size_columns(2);
@@ -2826,7 +2836,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e779 = size_columns(3);
             float _e783 = read_columns((((((((_e765 + 1) * _e769) + _e771) * _e774) + _e776) * _e779) + 1));
             float _e786 = w11_2;
-            int _e787 = row_3;
+            int _e787 = row_4;
             int _e791 = size_columns(1);
             int _e793 = place_2;
             int _e798 = size_columns(2);
@@ -2855,7 +2865,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
         }
         {
             float _e823 = w00_2;
-            int _e824 = row_3;
+            int _e824 = row_4;
             int _e826 = size_columns(1);
             int _e828 = place_2;
             int _e831 = size_columns(2);
@@ -2863,7 +2873,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e836 = size_columns(3);
             float _e840 = read_columns(((((((_e824 * _e826) + _e828) * _e831) + _e833) * _e836) + 0));
             float _e842 = w01_2;
-            int _e843 = row_3;
+            int _e843 = row_4;
             int _e845 = size_columns(1);
             int _e847 = place_2;
             int _e852 = size_columns(2);
@@ -2871,7 +2881,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e857 = size_columns(3);
             float _e861 = read_columns(((((((_e843 * _e845) + (_e847 + 1)) * _e852) + _e854) * _e857) + 0));
             float _e864 = w10_2;
-            int _e865 = row_3;
+            int _e865 = row_4;
             int _e869 = size_columns(1);
             int _e871 = place_2;
             int _e874 = size_columns(2);
@@ -2879,7 +2889,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e879 = size_columns(3);
             float _e883 = read_columns((((((((_e865 + 1) * _e869) + _e871) * _e874) + _e876) * _e879) + 0));
             float _e886 = w11_2;
-            int _e887 = row_3;
+            int _e887 = row_4;
             int _e891 = size_columns(1);
             int _e893 = place_2;
             int _e898 = size_columns(2);
@@ -2888,7 +2898,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             float _e907 = read_columns((((((((_e887 + 1) * _e891) + (_e893 + 1)) * _e898) + _e900) * _e903) + 0));
             scale = ((((_e823 * _e840) + (_e842 * _e861)) + (_e864 * _e883)) + (_e886 * _e907));
             float _e910 = w00_2;
-            int _e911 = row_3;
+            int _e911 = row_4;
             int _e913 = size_columns(1);
             int _e915 = place_2;
             int _e918 = size_columns(2);
@@ -2896,7 +2906,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e923 = size_columns(3);
             float _e927 = read_columns(((((((_e911 * _e913) + _e915) * _e918) + _e920) * _e923) + 1));
             float _e929 = w01_2;
-            int _e930 = row_3;
+            int _e930 = row_4;
             int _e932 = size_columns(1);
             int _e934 = place_2;
             int _e939 = size_columns(2);
@@ -2904,7 +2914,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e944 = size_columns(3);
             float _e948 = read_columns(((((((_e930 * _e932) + (_e934 + 1)) * _e939) + _e941) * _e944) + 1));
             float _e951 = w10_2;
-            int _e952 = row_3;
+            int _e952 = row_4;
             int _e956 = size_columns(1);
             int _e958 = place_2;
             int _e961 = size_columns(2);
@@ -2912,7 +2922,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
             int _e966 = size_columns(3);
             float _e970 = read_columns((((((((_e952 + 1) * _e956) + _e958) * _e961) + _e963) * _e966) + 1));
             float _e973 = w11_2;
-            int _e974 = row_3;
+            int _e974 = row_4;
             int _e978 = size_columns(1);
             int _e980 = place_2;
             int _e985 = size_columns(2);
@@ -2932,7 +2942,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_4, float top_4) {
 
 void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
     float x_23 = 0.0;
-    int row_4 = 0;
+    int row_5 = 0;
     float f_3 = 0.0;
     int place_3 = 0;
     float e_3 = 0.0;
@@ -2949,9 +2959,9 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
     x_23 = (_e17 * float((_e19 - 1)));
     float _e24 = x_23;
     int _e27 = size_columns(0);
-    row_4 = min(int(_e24), (_e27 - 2));
+    row_5 = min(int(_e24), (_e27 - 2));
     float _e31 = x_23;
-    int _e32 = row_4;
+    int _e32 = row_5;
     f_3 = (_e31 - float(_e32));
     float _e35 = direction_coordinate(r_16, mu_15, bottom_5, top_5);
     int _e37 = size_columns(1);
@@ -2996,7 +3006,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
         }
         {
             float _e81 = w00_3;
-            int _e82 = row_4;
+            int _e82 = row_5;
             int _e84 = size_columns(1);
             int _e86 = place_3;
             int _e89 = size_columns(2);
@@ -3004,7 +3014,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e94 = size_columns(3);
             float _e98 = read_columns(((((((_e82 * _e84) + _e86) * _e89) + _e91) * _e94) + 0));
             float _e100 = w01_3;
-            int _e101 = row_4;
+            int _e101 = row_5;
             int _e103 = size_columns(1);
             int _e105 = place_3;
             int _e110 = size_columns(2);
@@ -3012,7 +3022,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e115 = size_columns(3);
             float _e119 = read_columns(((((((_e101 * _e103) + (_e105 + 1)) * _e110) + _e112) * _e115) + 0));
             float _e122 = w10_3;
-            int _e123 = row_4;
+            int _e123 = row_5;
             int _e127 = size_columns(1);
             int _e129 = place_3;
             int _e132 = size_columns(2);
@@ -3020,7 +3030,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e137 = size_columns(3);
             float _e141 = read_columns((((((((_e123 + 1) * _e127) + _e129) * _e132) + _e134) * _e137) + 0));
             float _e144 = w11_3;
-            int _e145 = row_4;
+            int _e145 = row_5;
             int _e149 = size_columns(1);
             int _e151 = place_3;
             int _e156 = size_columns(2);
@@ -3029,7 +3039,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             float _e165 = read_columns((((((((_e145 + 1) * _e149) + (_e151 + 1)) * _e156) + _e158) * _e161) + 0));
             scale_1 = ((((_e81 * _e98) + (_e100 * _e119)) + (_e122 * _e141)) + (_e144 * _e165));
             float _e168 = w00_3;
-            int _e169 = row_4;
+            int _e169 = row_5;
             int _e171 = size_columns(1);
             int _e173 = place_3;
             int _e176 = size_columns(2);
@@ -3037,7 +3047,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e181 = size_columns(3);
             float _e185 = read_columns(((((((_e169 * _e171) + _e173) * _e176) + _e178) * _e181) + 1));
             float _e187 = w01_3;
-            int _e188 = row_4;
+            int _e188 = row_5;
             int _e190 = size_columns(1);
             int _e192 = place_3;
             int _e197 = size_columns(2);
@@ -3045,7 +3055,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e202 = size_columns(3);
             float _e206 = read_columns(((((((_e188 * _e190) + (_e192 + 1)) * _e197) + _e199) * _e202) + 1));
             float _e209 = w10_3;
-            int _e210 = row_4;
+            int _e210 = row_5;
             int _e214 = size_columns(1);
             int _e216 = place_3;
             int _e219 = size_columns(2);
@@ -3053,7 +3063,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e224 = size_columns(3);
             float _e228 = read_columns((((((((_e210 + 1) * _e214) + _e216) * _e219) + _e221) * _e224) + 1));
             float _e231 = w11_3;
-            int _e232 = row_4;
+            int _e232 = row_5;
             int _e236 = size_columns(1);
             int _e238 = place_3;
             int _e243 = size_columns(2);
@@ -3069,7 +3079,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e263 = c_7;
             c_7 = (_e263 + 1);
             float _e266 = w00_3;
-            int _e267 = row_4;
+            int _e267 = row_5;
             int _e269 = size_columns(1);
             int _e271 = place_3;
             int _e274 = size_columns(2);
@@ -3077,7 +3087,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e279 = size_columns(3);
             float _e283 = read_columns(((((((_e267 * _e269) + _e271) * _e274) + _e276) * _e279) + 0));
             float _e285 = w01_3;
-            int _e286 = row_4;
+            int _e286 = row_5;
             int _e288 = size_columns(1);
             int _e290 = place_3;
             int _e295 = size_columns(2);
@@ -3085,7 +3095,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e300 = size_columns(3);
             float _e304 = read_columns(((((((_e286 * _e288) + (_e290 + 1)) * _e295) + _e297) * _e300) + 0));
             float _e307 = w10_3;
-            int _e308 = row_4;
+            int _e308 = row_5;
             int _e312 = size_columns(1);
             int _e314 = place_3;
             int _e317 = size_columns(2);
@@ -3093,7 +3103,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e322 = size_columns(3);
             float _e326 = read_columns((((((((_e308 + 1) * _e312) + _e314) * _e317) + _e319) * _e322) + 0));
             float _e329 = w11_3;
-            int _e330 = row_4;
+            int _e330 = row_5;
             int _e334 = size_columns(1);
             int _e336 = place_3;
             int _e341 = size_columns(2);
@@ -3102,7 +3112,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             float _e350 = read_columns((((((((_e330 + 1) * _e334) + (_e336 + 1)) * _e341) + _e343) * _e346) + 0));
             scale_1 = ((((_e266 * _e283) + (_e285 * _e304)) + (_e307 * _e326)) + (_e329 * _e350));
             float _e353 = w00_3;
-            int _e354 = row_4;
+            int _e354 = row_5;
             int _e356 = size_columns(1);
             int _e358 = place_3;
             int _e361 = size_columns(2);
@@ -3110,7 +3120,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e366 = size_columns(3);
             float _e370 = read_columns(((((((_e354 * _e356) + _e358) * _e361) + _e363) * _e366) + 1));
             float _e372 = w01_3;
-            int _e373 = row_4;
+            int _e373 = row_5;
             int _e375 = size_columns(1);
             int _e377 = place_3;
             int _e382 = size_columns(2);
@@ -3118,7 +3128,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e387 = size_columns(3);
             float _e391 = read_columns(((((((_e373 * _e375) + (_e377 + 1)) * _e382) + _e384) * _e387) + 1));
             float _e394 = w10_3;
-            int _e395 = row_4;
+            int _e395 = row_5;
             int _e399 = size_columns(1);
             int _e401 = place_3;
             int _e404 = size_columns(2);
@@ -3126,7 +3136,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e409 = size_columns(3);
             float _e413 = read_columns((((((((_e395 + 1) * _e399) + _e401) * _e404) + _e406) * _e409) + 1));
             float _e416 = w11_3;
-            int _e417 = row_4;
+            int _e417 = row_5;
             int _e421 = size_columns(1);
             int _e423 = place_3;
             int _e428 = size_columns(2);
@@ -3142,7 +3152,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e448 = c_7;
             c_7 = (_e448 + 1);
             float _e451 = w00_3;
-            int _e452 = row_4;
+            int _e452 = row_5;
             int _e454 = size_columns(1);
             int _e456 = place_3;
             int _e459 = size_columns(2);
@@ -3150,7 +3160,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e464 = size_columns(3);
             float _e468 = read_columns(((((((_e452 * _e454) + _e456) * _e459) + _e461) * _e464) + 0));
             float _e470 = w01_3;
-            int _e471 = row_4;
+            int _e471 = row_5;
             int _e473 = size_columns(1);
             int _e475 = place_3;
             int _e480 = size_columns(2);
@@ -3158,7 +3168,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e485 = size_columns(3);
             float _e489 = read_columns(((((((_e471 * _e473) + (_e475 + 1)) * _e480) + _e482) * _e485) + 0));
             float _e492 = w10_3;
-            int _e493 = row_4;
+            int _e493 = row_5;
             int _e497 = size_columns(1);
             int _e499 = place_3;
             int _e502 = size_columns(2);
@@ -3166,7 +3176,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e507 = size_columns(3);
             float _e511 = read_columns((((((((_e493 + 1) * _e497) + _e499) * _e502) + _e504) * _e507) + 0));
             float _e514 = w11_3;
-            int _e515 = row_4;
+            int _e515 = row_5;
             int _e519 = size_columns(1);
             int _e521 = place_3;
             int _e526 = size_columns(2);
@@ -3175,7 +3185,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             float _e535 = read_columns((((((((_e515 + 1) * _e519) + (_e521 + 1)) * _e526) + _e528) * _e531) + 0));
             scale_1 = ((((_e451 * _e468) + (_e470 * _e489)) + (_e492 * _e511)) + (_e514 * _e535));
             float _e538 = w00_3;
-            int _e539 = row_4;
+            int _e539 = row_5;
             int _e541 = size_columns(1);
             int _e543 = place_3;
             int _e546 = size_columns(2);
@@ -3183,7 +3193,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e551 = size_columns(3);
             float _e555 = read_columns(((((((_e539 * _e541) + _e543) * _e546) + _e548) * _e551) + 1));
             float _e557 = w01_3;
-            int _e558 = row_4;
+            int _e558 = row_5;
             int _e560 = size_columns(1);
             int _e562 = place_3;
             int _e567 = size_columns(2);
@@ -3191,7 +3201,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e572 = size_columns(3);
             float _e576 = read_columns(((((((_e558 * _e560) + (_e562 + 1)) * _e567) + _e569) * _e572) + 1));
             float _e579 = w10_3;
-            int _e580 = row_4;
+            int _e580 = row_5;
             int _e584 = size_columns(1);
             int _e586 = place_3;
             int _e589 = size_columns(2);
@@ -3199,7 +3209,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e594 = size_columns(3);
             float _e598 = read_columns((((((((_e580 + 1) * _e584) + _e586) * _e589) + _e591) * _e594) + 1));
             float _e601 = w11_3;
-            int _e602 = row_4;
+            int _e602 = row_5;
             int _e606 = size_columns(1);
             int _e608 = place_3;
             int _e613 = size_columns(2);
@@ -3215,7 +3225,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e633 = c_7;
             c_7 = (_e633 + 1);
             float _e636 = w00_3;
-            int _e637 = row_4;
+            int _e637 = row_5;
             int _e639 = size_columns(1);
             int _e641 = place_3;
             int _e644 = size_columns(2);
@@ -3223,7 +3233,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e649 = size_columns(3);
             float _e653 = read_columns(((((((_e637 * _e639) + _e641) * _e644) + _e646) * _e649) + 0));
             float _e655 = w01_3;
-            int _e656 = row_4;
+            int _e656 = row_5;
             int _e658 = size_columns(1);
             int _e660 = place_3;
             int _e665 = size_columns(2);
@@ -3231,7 +3241,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e670 = size_columns(3);
             float _e674 = read_columns(((((((_e656 * _e658) + (_e660 + 1)) * _e665) + _e667) * _e670) + 0));
             float _e677 = w10_3;
-            int _e678 = row_4;
+            int _e678 = row_5;
             int _e682 = size_columns(1);
             int _e684 = place_3;
             int _e687 = size_columns(2);
@@ -3239,7 +3249,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e692 = size_columns(3);
             float _e696 = read_columns((((((((_e678 + 1) * _e682) + _e684) * _e687) + _e689) * _e692) + 0));
             float _e699 = w11_3;
-            int _e700 = row_4;
+            int _e700 = row_5;
             int _e704 = size_columns(1);
             int _e706 = place_3;
             int _e711 = size_columns(2);
@@ -3248,7 +3258,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             float _e720 = read_columns((((((((_e700 + 1) * _e704) + (_e706 + 1)) * _e711) + _e713) * _e716) + 0));
             scale_1 = ((((_e636 * _e653) + (_e655 * _e674)) + (_e677 * _e696)) + (_e699 * _e720));
             float _e723 = w00_3;
-            int _e724 = row_4;
+            int _e724 = row_5;
             int _e726 = size_columns(1);
             int _e728 = place_3;
             int _e731 = size_columns(2);
@@ -3256,7 +3266,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e736 = size_columns(3);
             float _e740 = read_columns(((((((_e724 * _e726) + _e728) * _e731) + _e733) * _e736) + 1));
             float _e742 = w01_3;
-            int _e743 = row_4;
+            int _e743 = row_5;
             int _e745 = size_columns(1);
             int _e747 = place_3;
             int _e752 = size_columns(2);
@@ -3264,7 +3274,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e757 = size_columns(3);
             float _e761 = read_columns(((((((_e743 * _e745) + (_e747 + 1)) * _e752) + _e754) * _e757) + 1));
             float _e764 = w10_3;
-            int _e765 = row_4;
+            int _e765 = row_5;
             int _e769 = size_columns(1);
             int _e771 = place_3;
             int _e774 = size_columns(2);
@@ -3272,7 +3282,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e779 = size_columns(3);
             float _e783 = read_columns((((((((_e765 + 1) * _e769) + _e771) * _e774) + _e776) * _e779) + 1));
             float _e786 = w11_3;
-            int _e787 = row_4;
+            int _e787 = row_5;
             int _e791 = size_columns(1);
             int _e793 = place_3;
             int _e798 = size_columns(2);
@@ -3301,7 +3311,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
         }
         {
             float _e823 = w00_3;
-            int _e824 = row_4;
+            int _e824 = row_5;
             int _e826 = size_columns(1);
             int _e828 = place_3;
             int _e831 = size_columns(2);
@@ -3309,7 +3319,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e836 = size_columns(3);
             float _e840 = read_columns(((((((_e824 * _e826) + _e828) * _e831) + _e833) * _e836) + 0));
             float _e842 = w01_3;
-            int _e843 = row_4;
+            int _e843 = row_5;
             int _e845 = size_columns(1);
             int _e847 = place_3;
             int _e852 = size_columns(2);
@@ -3317,7 +3327,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e857 = size_columns(3);
             float _e861 = read_columns(((((((_e843 * _e845) + (_e847 + 1)) * _e852) + _e854) * _e857) + 0));
             float _e864 = w10_3;
-            int _e865 = row_4;
+            int _e865 = row_5;
             int _e869 = size_columns(1);
             int _e871 = place_3;
             int _e874 = size_columns(2);
@@ -3325,7 +3335,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e879 = size_columns(3);
             float _e883 = read_columns((((((((_e865 + 1) * _e869) + _e871) * _e874) + _e876) * _e879) + 0));
             float _e886 = w11_3;
-            int _e887 = row_4;
+            int _e887 = row_5;
             int _e891 = size_columns(1);
             int _e893 = place_3;
             int _e898 = size_columns(2);
@@ -3334,7 +3344,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             float _e907 = read_columns((((((((_e887 + 1) * _e891) + (_e893 + 1)) * _e898) + _e900) * _e903) + 0));
             scale_1 = ((((_e823 * _e840) + (_e842 * _e861)) + (_e864 * _e883)) + (_e886 * _e907));
             float _e910 = w00_3;
-            int _e911 = row_4;
+            int _e911 = row_5;
             int _e913 = size_columns(1);
             int _e915 = place_3;
             int _e918 = size_columns(2);
@@ -3342,7 +3352,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e923 = size_columns(3);
             float _e927 = read_columns(((((((_e911 * _e913) + _e915) * _e918) + _e920) * _e923) + 1));
             float _e929 = w01_3;
-            int _e930 = row_4;
+            int _e930 = row_5;
             int _e932 = size_columns(1);
             int _e934 = place_3;
             int _e939 = size_columns(2);
@@ -3350,7 +3360,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e944 = size_columns(3);
             float _e948 = read_columns(((((((_e930 * _e932) + (_e934 + 1)) * _e939) + _e941) * _e944) + 1));
             float _e951 = w10_3;
-            int _e952 = row_4;
+            int _e952 = row_5;
             int _e956 = size_columns(1);
             int _e958 = place_3;
             int _e961 = size_columns(2);
@@ -3358,7 +3368,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_5, float top_5) {
             int _e966 = size_columns(3);
             float _e970 = read_columns((((((((_e952 + 1) * _e956) + _e958) * _e961) + _e963) * _e966) + 1));
             float _e973 = w11_3;
-            int _e974 = row_4;
+            int _e974 = row_5;
             int _e978 = size_columns(1);
             int _e980 = place_3;
             int _e985 = size_columns(2);
@@ -4124,7 +4134,7 @@ void march_line_1_(float r_17, float mu_17, float mu_s_7, float nu_2, float leng
     float spread_1 = 0.0;
     float step_1_ = 0.0;
     float x_24 = 0.0;
-    int row_5 = 0;
+    int row_6 = 0;
     float f_4 = 0.0;
     int place_4 = 0;
     float e_4 = 0.0;
@@ -4696,9 +4706,9 @@ void march_line_1_(float r_17, float mu_17, float mu_s_7, float nu_2, float leng
                         x_24 = _e793;
                         float _e794 = x_24;
                         float _e799 = _group_0_binding_0_fs.counts.z;
-                        row_5 = min(int(_e794), (int(_e799) - 2));
+                        row_6 = min(int(_e794), (int(_e799) - 2));
                         float _e804 = x_24;
-                        int _e805 = row_5;
+                        int _e805 = row_6;
                         f_4 = (_e804 - float(_e805));
                         float _e808 = mu_sq;
                         float _e809 = place_of(_e808);
@@ -4713,7 +4723,7 @@ void march_line_1_(float r_17, float mu_17, float mu_s_7, float nu_2, float leng
                         g_1 = (1.0 - _e824);
                         float _e827 = e_4;
                         h = (1.0 - _e827);
-                        int _e830 = row_5;
+                        int _e830 = row_6;
                         float _e834 = _group_0_binding_0_fs.counts.w;
                         int _e837 = place_4;
                         int _e839 = block_2;
@@ -4815,7 +4825,7 @@ void march_line_1_(float r_17, float mu_17, float mu_s_7, float nu_2, float leng
 
 void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
     float x_25 = 0.0;
-    int row_6 = 0;
+    int row_7 = 0;
     float f_5 = 0.0;
     int place_5 = 0;
     float e_5 = 0.0;
@@ -4832,9 +4842,9 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
     x_25 = (_e17 * float((_e19 - 1)));
     float _e24 = x_25;
     int _e27 = size_columns(0);
-    row_6 = min(int(_e24), (_e27 - 2));
+    row_7 = min(int(_e24), (_e27 - 2));
     float _e31 = x_25;
-    int _e32 = row_6;
+    int _e32 = row_7;
     f_5 = (_e31 - float(_e32));
     float _e35 = direction_coordinate(r_18, mu_18, bottom_7, top_7);
     int _e37 = size_columns(1);
@@ -4879,7 +4889,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
         }
         {
             float _e81 = w00_5;
-            int _e82 = row_6;
+            int _e82 = row_7;
             int _e84 = size_columns(1);
             int _e86 = place_5;
             int _e89 = size_columns(2);
@@ -4887,7 +4897,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e94 = size_columns(3);
             float _e98 = read_columns(((((((_e82 * _e84) + _e86) * _e89) + _e91) * _e94) + 0));
             float _e100 = w01_5;
-            int _e101 = row_6;
+            int _e101 = row_7;
             int _e103 = size_columns(1);
             int _e105 = place_5;
             int _e110 = size_columns(2);
@@ -4895,7 +4905,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e115 = size_columns(3);
             float _e119 = read_columns(((((((_e101 * _e103) + (_e105 + 1)) * _e110) + _e112) * _e115) + 0));
             float _e122 = w10_5;
-            int _e123 = row_6;
+            int _e123 = row_7;
             int _e127 = size_columns(1);
             int _e129 = place_5;
             int _e132 = size_columns(2);
@@ -4903,7 +4913,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e137 = size_columns(3);
             float _e141 = read_columns((((((((_e123 + 1) * _e127) + _e129) * _e132) + _e134) * _e137) + 0));
             float _e144 = w11_5;
-            int _e145 = row_6;
+            int _e145 = row_7;
             int _e149 = size_columns(1);
             int _e151 = place_5;
             int _e156 = size_columns(2);
@@ -4912,7 +4922,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             float _e165 = read_columns((((((((_e145 + 1) * _e149) + (_e151 + 1)) * _e156) + _e158) * _e161) + 0));
             scale_3 = ((((_e81 * _e98) + (_e100 * _e119)) + (_e122 * _e141)) + (_e144 * _e165));
             float _e168 = w00_5;
-            int _e169 = row_6;
+            int _e169 = row_7;
             int _e171 = size_columns(1);
             int _e173 = place_5;
             int _e176 = size_columns(2);
@@ -4920,7 +4930,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e181 = size_columns(3);
             float _e185 = read_columns(((((((_e169 * _e171) + _e173) * _e176) + _e178) * _e181) + 1));
             float _e187 = w01_5;
-            int _e188 = row_6;
+            int _e188 = row_7;
             int _e190 = size_columns(1);
             int _e192 = place_5;
             int _e197 = size_columns(2);
@@ -4928,7 +4938,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e202 = size_columns(3);
             float _e206 = read_columns(((((((_e188 * _e190) + (_e192 + 1)) * _e197) + _e199) * _e202) + 1));
             float _e209 = w10_5;
-            int _e210 = row_6;
+            int _e210 = row_7;
             int _e214 = size_columns(1);
             int _e216 = place_5;
             int _e219 = size_columns(2);
@@ -4936,7 +4946,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e224 = size_columns(3);
             float _e228 = read_columns((((((((_e210 + 1) * _e214) + _e216) * _e219) + _e221) * _e224) + 1));
             float _e231 = w11_5;
-            int _e232 = row_6;
+            int _e232 = row_7;
             int _e236 = size_columns(1);
             int _e238 = place_5;
             int _e243 = size_columns(2);
@@ -4952,7 +4962,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e263 = c_14;
             c_14 = (_e263 + 1);
             float _e266 = w00_5;
-            int _e267 = row_6;
+            int _e267 = row_7;
             int _e269 = size_columns(1);
             int _e271 = place_5;
             int _e274 = size_columns(2);
@@ -4960,7 +4970,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e279 = size_columns(3);
             float _e283 = read_columns(((((((_e267 * _e269) + _e271) * _e274) + _e276) * _e279) + 0));
             float _e285 = w01_5;
-            int _e286 = row_6;
+            int _e286 = row_7;
             int _e288 = size_columns(1);
             int _e290 = place_5;
             int _e295 = size_columns(2);
@@ -4968,7 +4978,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e300 = size_columns(3);
             float _e304 = read_columns(((((((_e286 * _e288) + (_e290 + 1)) * _e295) + _e297) * _e300) + 0));
             float _e307 = w10_5;
-            int _e308 = row_6;
+            int _e308 = row_7;
             int _e312 = size_columns(1);
             int _e314 = place_5;
             int _e317 = size_columns(2);
@@ -4976,7 +4986,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e322 = size_columns(3);
             float _e326 = read_columns((((((((_e308 + 1) * _e312) + _e314) * _e317) + _e319) * _e322) + 0));
             float _e329 = w11_5;
-            int _e330 = row_6;
+            int _e330 = row_7;
             int _e334 = size_columns(1);
             int _e336 = place_5;
             int _e341 = size_columns(2);
@@ -4985,7 +4995,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             float _e350 = read_columns((((((((_e330 + 1) * _e334) + (_e336 + 1)) * _e341) + _e343) * _e346) + 0));
             scale_3 = ((((_e266 * _e283) + (_e285 * _e304)) + (_e307 * _e326)) + (_e329 * _e350));
             float _e353 = w00_5;
-            int _e354 = row_6;
+            int _e354 = row_7;
             int _e356 = size_columns(1);
             int _e358 = place_5;
             int _e361 = size_columns(2);
@@ -4993,7 +5003,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e366 = size_columns(3);
             float _e370 = read_columns(((((((_e354 * _e356) + _e358) * _e361) + _e363) * _e366) + 1));
             float _e372 = w01_5;
-            int _e373 = row_6;
+            int _e373 = row_7;
             int _e375 = size_columns(1);
             int _e377 = place_5;
             int _e382 = size_columns(2);
@@ -5001,7 +5011,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e387 = size_columns(3);
             float _e391 = read_columns(((((((_e373 * _e375) + (_e377 + 1)) * _e382) + _e384) * _e387) + 1));
             float _e394 = w10_5;
-            int _e395 = row_6;
+            int _e395 = row_7;
             int _e399 = size_columns(1);
             int _e401 = place_5;
             int _e404 = size_columns(2);
@@ -5009,7 +5019,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e409 = size_columns(3);
             float _e413 = read_columns((((((((_e395 + 1) * _e399) + _e401) * _e404) + _e406) * _e409) + 1));
             float _e416 = w11_5;
-            int _e417 = row_6;
+            int _e417 = row_7;
             int _e421 = size_columns(1);
             int _e423 = place_5;
             int _e428 = size_columns(2);
@@ -5025,7 +5035,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e448 = c_14;
             c_14 = (_e448 + 1);
             float _e451 = w00_5;
-            int _e452 = row_6;
+            int _e452 = row_7;
             int _e454 = size_columns(1);
             int _e456 = place_5;
             int _e459 = size_columns(2);
@@ -5033,7 +5043,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e464 = size_columns(3);
             float _e468 = read_columns(((((((_e452 * _e454) + _e456) * _e459) + _e461) * _e464) + 0));
             float _e470 = w01_5;
-            int _e471 = row_6;
+            int _e471 = row_7;
             int _e473 = size_columns(1);
             int _e475 = place_5;
             int _e480 = size_columns(2);
@@ -5041,7 +5051,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e485 = size_columns(3);
             float _e489 = read_columns(((((((_e471 * _e473) + (_e475 + 1)) * _e480) + _e482) * _e485) + 0));
             float _e492 = w10_5;
-            int _e493 = row_6;
+            int _e493 = row_7;
             int _e497 = size_columns(1);
             int _e499 = place_5;
             int _e502 = size_columns(2);
@@ -5049,7 +5059,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e507 = size_columns(3);
             float _e511 = read_columns((((((((_e493 + 1) * _e497) + _e499) * _e502) + _e504) * _e507) + 0));
             float _e514 = w11_5;
-            int _e515 = row_6;
+            int _e515 = row_7;
             int _e519 = size_columns(1);
             int _e521 = place_5;
             int _e526 = size_columns(2);
@@ -5058,7 +5068,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             float _e535 = read_columns((((((((_e515 + 1) * _e519) + (_e521 + 1)) * _e526) + _e528) * _e531) + 0));
             scale_3 = ((((_e451 * _e468) + (_e470 * _e489)) + (_e492 * _e511)) + (_e514 * _e535));
             float _e538 = w00_5;
-            int _e539 = row_6;
+            int _e539 = row_7;
             int _e541 = size_columns(1);
             int _e543 = place_5;
             int _e546 = size_columns(2);
@@ -5066,7 +5076,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e551 = size_columns(3);
             float _e555 = read_columns(((((((_e539 * _e541) + _e543) * _e546) + _e548) * _e551) + 1));
             float _e557 = w01_5;
-            int _e558 = row_6;
+            int _e558 = row_7;
             int _e560 = size_columns(1);
             int _e562 = place_5;
             int _e567 = size_columns(2);
@@ -5074,7 +5084,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e572 = size_columns(3);
             float _e576 = read_columns(((((((_e558 * _e560) + (_e562 + 1)) * _e567) + _e569) * _e572) + 1));
             float _e579 = w10_5;
-            int _e580 = row_6;
+            int _e580 = row_7;
             int _e584 = size_columns(1);
             int _e586 = place_5;
             int _e589 = size_columns(2);
@@ -5082,7 +5092,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e594 = size_columns(3);
             float _e598 = read_columns((((((((_e580 + 1) * _e584) + _e586) * _e589) + _e591) * _e594) + 1));
             float _e601 = w11_5;
-            int _e602 = row_6;
+            int _e602 = row_7;
             int _e606 = size_columns(1);
             int _e608 = place_5;
             int _e613 = size_columns(2);
@@ -5098,7 +5108,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e633 = c_14;
             c_14 = (_e633 + 1);
             float _e636 = w00_5;
-            int _e637 = row_6;
+            int _e637 = row_7;
             int _e639 = size_columns(1);
             int _e641 = place_5;
             int _e644 = size_columns(2);
@@ -5106,7 +5116,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e649 = size_columns(3);
             float _e653 = read_columns(((((((_e637 * _e639) + _e641) * _e644) + _e646) * _e649) + 0));
             float _e655 = w01_5;
-            int _e656 = row_6;
+            int _e656 = row_7;
             int _e658 = size_columns(1);
             int _e660 = place_5;
             int _e665 = size_columns(2);
@@ -5114,7 +5124,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e670 = size_columns(3);
             float _e674 = read_columns(((((((_e656 * _e658) + (_e660 + 1)) * _e665) + _e667) * _e670) + 0));
             float _e677 = w10_5;
-            int _e678 = row_6;
+            int _e678 = row_7;
             int _e682 = size_columns(1);
             int _e684 = place_5;
             int _e687 = size_columns(2);
@@ -5122,7 +5132,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e692 = size_columns(3);
             float _e696 = read_columns((((((((_e678 + 1) * _e682) + _e684) * _e687) + _e689) * _e692) + 0));
             float _e699 = w11_5;
-            int _e700 = row_6;
+            int _e700 = row_7;
             int _e704 = size_columns(1);
             int _e706 = place_5;
             int _e711 = size_columns(2);
@@ -5131,7 +5141,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             float _e720 = read_columns((((((((_e700 + 1) * _e704) + (_e706 + 1)) * _e711) + _e713) * _e716) + 0));
             scale_3 = ((((_e636 * _e653) + (_e655 * _e674)) + (_e677 * _e696)) + (_e699 * _e720));
             float _e723 = w00_5;
-            int _e724 = row_6;
+            int _e724 = row_7;
             int _e726 = size_columns(1);
             int _e728 = place_5;
             int _e731 = size_columns(2);
@@ -5139,7 +5149,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e736 = size_columns(3);
             float _e740 = read_columns(((((((_e724 * _e726) + _e728) * _e731) + _e733) * _e736) + 1));
             float _e742 = w01_5;
-            int _e743 = row_6;
+            int _e743 = row_7;
             int _e745 = size_columns(1);
             int _e747 = place_5;
             int _e752 = size_columns(2);
@@ -5147,7 +5157,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e757 = size_columns(3);
             float _e761 = read_columns(((((((_e743 * _e745) + (_e747 + 1)) * _e752) + _e754) * _e757) + 1));
             float _e764 = w10_5;
-            int _e765 = row_6;
+            int _e765 = row_7;
             int _e769 = size_columns(1);
             int _e771 = place_5;
             int _e774 = size_columns(2);
@@ -5155,7 +5165,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e779 = size_columns(3);
             float _e783 = read_columns((((((((_e765 + 1) * _e769) + _e771) * _e774) + _e776) * _e779) + 1));
             float _e786 = w11_5;
-            int _e787 = row_6;
+            int _e787 = row_7;
             int _e791 = size_columns(1);
             int _e793 = place_5;
             int _e798 = size_columns(2);
@@ -5184,7 +5194,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
         }
         {
             float _e823 = w00_5;
-            int _e824 = row_6;
+            int _e824 = row_7;
             int _e826 = size_columns(1);
             int _e828 = place_5;
             int _e831 = size_columns(2);
@@ -5192,7 +5202,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e836 = size_columns(3);
             float _e840 = read_columns(((((((_e824 * _e826) + _e828) * _e831) + _e833) * _e836) + 0));
             float _e842 = w01_5;
-            int _e843 = row_6;
+            int _e843 = row_7;
             int _e845 = size_columns(1);
             int _e847 = place_5;
             int _e852 = size_columns(2);
@@ -5200,7 +5210,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e857 = size_columns(3);
             float _e861 = read_columns(((((((_e843 * _e845) + (_e847 + 1)) * _e852) + _e854) * _e857) + 0));
             float _e864 = w10_5;
-            int _e865 = row_6;
+            int _e865 = row_7;
             int _e869 = size_columns(1);
             int _e871 = place_5;
             int _e874 = size_columns(2);
@@ -5208,7 +5218,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e879 = size_columns(3);
             float _e883 = read_columns((((((((_e865 + 1) * _e869) + _e871) * _e874) + _e876) * _e879) + 0));
             float _e886 = w11_5;
-            int _e887 = row_6;
+            int _e887 = row_7;
             int _e891 = size_columns(1);
             int _e893 = place_5;
             int _e898 = size_columns(2);
@@ -5217,7 +5227,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             float _e907 = read_columns((((((((_e887 + 1) * _e891) + (_e893 + 1)) * _e898) + _e900) * _e903) + 0));
             scale_3 = ((((_e823 * _e840) + (_e842 * _e861)) + (_e864 * _e883)) + (_e886 * _e907));
             float _e910 = w00_5;
-            int _e911 = row_6;
+            int _e911 = row_7;
             int _e913 = size_columns(1);
             int _e915 = place_5;
             int _e918 = size_columns(2);
@@ -5225,7 +5235,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e923 = size_columns(3);
             float _e927 = read_columns(((((((_e911 * _e913) + _e915) * _e918) + _e920) * _e923) + 1));
             float _e929 = w01_5;
-            int _e930 = row_6;
+            int _e930 = row_7;
             int _e932 = size_columns(1);
             int _e934 = place_5;
             int _e939 = size_columns(2);
@@ -5233,7 +5243,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e944 = size_columns(3);
             float _e948 = read_columns(((((((_e930 * _e932) + (_e934 + 1)) * _e939) + _e941) * _e944) + 1));
             float _e951 = w10_5;
-            int _e952 = row_6;
+            int _e952 = row_7;
             int _e956 = size_columns(1);
             int _e958 = place_5;
             int _e961 = size_columns(2);
@@ -5241,7 +5251,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
             int _e966 = size_columns(3);
             float _e970 = read_columns((((((((_e952 + 1) * _e956) + _e958) * _e961) + _e963) * _e966) + 1));
             float _e973 = w11_5;
-            int _e974 = row_6;
+            int _e974 = row_7;
             int _e978 = size_columns(1);
             int _e980 = place_5;
             int _e985 = size_columns(2);
@@ -5261,7 +5271,7 @@ void columns_to_top_3_(float r_18, float mu_18, float bottom_7, float top_7) {
 
 void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
     float x_26 = 0.0;
-    int row_7 = 0;
+    int row_8 = 0;
     float f_6 = 0.0;
     int place_6 = 0;
     float e_6 = 0.0;
@@ -5278,9 +5288,9 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
     x_26 = (_e17 * float((_e19 - 1)));
     float _e24 = x_26;
     int _e27 = size_columns(0);
-    row_7 = min(int(_e24), (_e27 - 2));
+    row_8 = min(int(_e24), (_e27 - 2));
     float _e31 = x_26;
-    int _e32 = row_7;
+    int _e32 = row_8;
     f_6 = (_e31 - float(_e32));
     float _e35 = direction_coordinate(r_19, mu_19, bottom_8, top_8);
     int _e37 = size_columns(1);
@@ -5325,7 +5335,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
         }
         {
             float _e81 = w00_6;
-            int _e82 = row_7;
+            int _e82 = row_8;
             int _e84 = size_columns(1);
             int _e86 = place_6;
             int _e89 = size_columns(2);
@@ -5333,7 +5343,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e94 = size_columns(3);
             float _e98 = read_columns(((((((_e82 * _e84) + _e86) * _e89) + _e91) * _e94) + 0));
             float _e100 = w01_6;
-            int _e101 = row_7;
+            int _e101 = row_8;
             int _e103 = size_columns(1);
             int _e105 = place_6;
             int _e110 = size_columns(2);
@@ -5341,7 +5351,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e115 = size_columns(3);
             float _e119 = read_columns(((((((_e101 * _e103) + (_e105 + 1)) * _e110) + _e112) * _e115) + 0));
             float _e122 = w10_6;
-            int _e123 = row_7;
+            int _e123 = row_8;
             int _e127 = size_columns(1);
             int _e129 = place_6;
             int _e132 = size_columns(2);
@@ -5349,7 +5359,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e137 = size_columns(3);
             float _e141 = read_columns((((((((_e123 + 1) * _e127) + _e129) * _e132) + _e134) * _e137) + 0));
             float _e144 = w11_6;
-            int _e145 = row_7;
+            int _e145 = row_8;
             int _e149 = size_columns(1);
             int _e151 = place_6;
             int _e156 = size_columns(2);
@@ -5358,7 +5368,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             float _e165 = read_columns((((((((_e145 + 1) * _e149) + (_e151 + 1)) * _e156) + _e158) * _e161) + 0));
             scale_4 = ((((_e81 * _e98) + (_e100 * _e119)) + (_e122 * _e141)) + (_e144 * _e165));
             float _e168 = w00_6;
-            int _e169 = row_7;
+            int _e169 = row_8;
             int _e171 = size_columns(1);
             int _e173 = place_6;
             int _e176 = size_columns(2);
@@ -5366,7 +5376,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e181 = size_columns(3);
             float _e185 = read_columns(((((((_e169 * _e171) + _e173) * _e176) + _e178) * _e181) + 1));
             float _e187 = w01_6;
-            int _e188 = row_7;
+            int _e188 = row_8;
             int _e190 = size_columns(1);
             int _e192 = place_6;
             int _e197 = size_columns(2);
@@ -5374,7 +5384,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e202 = size_columns(3);
             float _e206 = read_columns(((((((_e188 * _e190) + (_e192 + 1)) * _e197) + _e199) * _e202) + 1));
             float _e209 = w10_6;
-            int _e210 = row_7;
+            int _e210 = row_8;
             int _e214 = size_columns(1);
             int _e216 = place_6;
             int _e219 = size_columns(2);
@@ -5382,7 +5392,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e224 = size_columns(3);
             float _e228 = read_columns((((((((_e210 + 1) * _e214) + _e216) * _e219) + _e221) * _e224) + 1));
             float _e231 = w11_6;
-            int _e232 = row_7;
+            int _e232 = row_8;
             int _e236 = size_columns(1);
             int _e238 = place_6;
             int _e243 = size_columns(2);
@@ -5398,7 +5408,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e263 = c_15;
             c_15 = (_e263 + 1);
             float _e266 = w00_6;
-            int _e267 = row_7;
+            int _e267 = row_8;
             int _e269 = size_columns(1);
             int _e271 = place_6;
             int _e274 = size_columns(2);
@@ -5406,7 +5416,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e279 = size_columns(3);
             float _e283 = read_columns(((((((_e267 * _e269) + _e271) * _e274) + _e276) * _e279) + 0));
             float _e285 = w01_6;
-            int _e286 = row_7;
+            int _e286 = row_8;
             int _e288 = size_columns(1);
             int _e290 = place_6;
             int _e295 = size_columns(2);
@@ -5414,7 +5424,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e300 = size_columns(3);
             float _e304 = read_columns(((((((_e286 * _e288) + (_e290 + 1)) * _e295) + _e297) * _e300) + 0));
             float _e307 = w10_6;
-            int _e308 = row_7;
+            int _e308 = row_8;
             int _e312 = size_columns(1);
             int _e314 = place_6;
             int _e317 = size_columns(2);
@@ -5422,7 +5432,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e322 = size_columns(3);
             float _e326 = read_columns((((((((_e308 + 1) * _e312) + _e314) * _e317) + _e319) * _e322) + 0));
             float _e329 = w11_6;
-            int _e330 = row_7;
+            int _e330 = row_8;
             int _e334 = size_columns(1);
             int _e336 = place_6;
             int _e341 = size_columns(2);
@@ -5431,7 +5441,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             float _e350 = read_columns((((((((_e330 + 1) * _e334) + (_e336 + 1)) * _e341) + _e343) * _e346) + 0));
             scale_4 = ((((_e266 * _e283) + (_e285 * _e304)) + (_e307 * _e326)) + (_e329 * _e350));
             float _e353 = w00_6;
-            int _e354 = row_7;
+            int _e354 = row_8;
             int _e356 = size_columns(1);
             int _e358 = place_6;
             int _e361 = size_columns(2);
@@ -5439,7 +5449,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e366 = size_columns(3);
             float _e370 = read_columns(((((((_e354 * _e356) + _e358) * _e361) + _e363) * _e366) + 1));
             float _e372 = w01_6;
-            int _e373 = row_7;
+            int _e373 = row_8;
             int _e375 = size_columns(1);
             int _e377 = place_6;
             int _e382 = size_columns(2);
@@ -5447,7 +5457,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e387 = size_columns(3);
             float _e391 = read_columns(((((((_e373 * _e375) + (_e377 + 1)) * _e382) + _e384) * _e387) + 1));
             float _e394 = w10_6;
-            int _e395 = row_7;
+            int _e395 = row_8;
             int _e399 = size_columns(1);
             int _e401 = place_6;
             int _e404 = size_columns(2);
@@ -5455,7 +5465,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e409 = size_columns(3);
             float _e413 = read_columns((((((((_e395 + 1) * _e399) + _e401) * _e404) + _e406) * _e409) + 1));
             float _e416 = w11_6;
-            int _e417 = row_7;
+            int _e417 = row_8;
             int _e421 = size_columns(1);
             int _e423 = place_6;
             int _e428 = size_columns(2);
@@ -5471,7 +5481,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e448 = c_15;
             c_15 = (_e448 + 1);
             float _e451 = w00_6;
-            int _e452 = row_7;
+            int _e452 = row_8;
             int _e454 = size_columns(1);
             int _e456 = place_6;
             int _e459 = size_columns(2);
@@ -5479,7 +5489,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e464 = size_columns(3);
             float _e468 = read_columns(((((((_e452 * _e454) + _e456) * _e459) + _e461) * _e464) + 0));
             float _e470 = w01_6;
-            int _e471 = row_7;
+            int _e471 = row_8;
             int _e473 = size_columns(1);
             int _e475 = place_6;
             int _e480 = size_columns(2);
@@ -5487,7 +5497,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e485 = size_columns(3);
             float _e489 = read_columns(((((((_e471 * _e473) + (_e475 + 1)) * _e480) + _e482) * _e485) + 0));
             float _e492 = w10_6;
-            int _e493 = row_7;
+            int _e493 = row_8;
             int _e497 = size_columns(1);
             int _e499 = place_6;
             int _e502 = size_columns(2);
@@ -5495,7 +5505,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e507 = size_columns(3);
             float _e511 = read_columns((((((((_e493 + 1) * _e497) + _e499) * _e502) + _e504) * _e507) + 0));
             float _e514 = w11_6;
-            int _e515 = row_7;
+            int _e515 = row_8;
             int _e519 = size_columns(1);
             int _e521 = place_6;
             int _e526 = size_columns(2);
@@ -5504,7 +5514,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             float _e535 = read_columns((((((((_e515 + 1) * _e519) + (_e521 + 1)) * _e526) + _e528) * _e531) + 0));
             scale_4 = ((((_e451 * _e468) + (_e470 * _e489)) + (_e492 * _e511)) + (_e514 * _e535));
             float _e538 = w00_6;
-            int _e539 = row_7;
+            int _e539 = row_8;
             int _e541 = size_columns(1);
             int _e543 = place_6;
             int _e546 = size_columns(2);
@@ -5512,7 +5522,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e551 = size_columns(3);
             float _e555 = read_columns(((((((_e539 * _e541) + _e543) * _e546) + _e548) * _e551) + 1));
             float _e557 = w01_6;
-            int _e558 = row_7;
+            int _e558 = row_8;
             int _e560 = size_columns(1);
             int _e562 = place_6;
             int _e567 = size_columns(2);
@@ -5520,7 +5530,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e572 = size_columns(3);
             float _e576 = read_columns(((((((_e558 * _e560) + (_e562 + 1)) * _e567) + _e569) * _e572) + 1));
             float _e579 = w10_6;
-            int _e580 = row_7;
+            int _e580 = row_8;
             int _e584 = size_columns(1);
             int _e586 = place_6;
             int _e589 = size_columns(2);
@@ -5528,7 +5538,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e594 = size_columns(3);
             float _e598 = read_columns((((((((_e580 + 1) * _e584) + _e586) * _e589) + _e591) * _e594) + 1));
             float _e601 = w11_6;
-            int _e602 = row_7;
+            int _e602 = row_8;
             int _e606 = size_columns(1);
             int _e608 = place_6;
             int _e613 = size_columns(2);
@@ -5544,7 +5554,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e633 = c_15;
             c_15 = (_e633 + 1);
             float _e636 = w00_6;
-            int _e637 = row_7;
+            int _e637 = row_8;
             int _e639 = size_columns(1);
             int _e641 = place_6;
             int _e644 = size_columns(2);
@@ -5552,7 +5562,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e649 = size_columns(3);
             float _e653 = read_columns(((((((_e637 * _e639) + _e641) * _e644) + _e646) * _e649) + 0));
             float _e655 = w01_6;
-            int _e656 = row_7;
+            int _e656 = row_8;
             int _e658 = size_columns(1);
             int _e660 = place_6;
             int _e665 = size_columns(2);
@@ -5560,7 +5570,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e670 = size_columns(3);
             float _e674 = read_columns(((((((_e656 * _e658) + (_e660 + 1)) * _e665) + _e667) * _e670) + 0));
             float _e677 = w10_6;
-            int _e678 = row_7;
+            int _e678 = row_8;
             int _e682 = size_columns(1);
             int _e684 = place_6;
             int _e687 = size_columns(2);
@@ -5568,7 +5578,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e692 = size_columns(3);
             float _e696 = read_columns((((((((_e678 + 1) * _e682) + _e684) * _e687) + _e689) * _e692) + 0));
             float _e699 = w11_6;
-            int _e700 = row_7;
+            int _e700 = row_8;
             int _e704 = size_columns(1);
             int _e706 = place_6;
             int _e711 = size_columns(2);
@@ -5577,7 +5587,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             float _e720 = read_columns((((((((_e700 + 1) * _e704) + (_e706 + 1)) * _e711) + _e713) * _e716) + 0));
             scale_4 = ((((_e636 * _e653) + (_e655 * _e674)) + (_e677 * _e696)) + (_e699 * _e720));
             float _e723 = w00_6;
-            int _e724 = row_7;
+            int _e724 = row_8;
             int _e726 = size_columns(1);
             int _e728 = place_6;
             int _e731 = size_columns(2);
@@ -5585,7 +5595,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e736 = size_columns(3);
             float _e740 = read_columns(((((((_e724 * _e726) + _e728) * _e731) + _e733) * _e736) + 1));
             float _e742 = w01_6;
-            int _e743 = row_7;
+            int _e743 = row_8;
             int _e745 = size_columns(1);
             int _e747 = place_6;
             int _e752 = size_columns(2);
@@ -5593,7 +5603,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e757 = size_columns(3);
             float _e761 = read_columns(((((((_e743 * _e745) + (_e747 + 1)) * _e752) + _e754) * _e757) + 1));
             float _e764 = w10_6;
-            int _e765 = row_7;
+            int _e765 = row_8;
             int _e769 = size_columns(1);
             int _e771 = place_6;
             int _e774 = size_columns(2);
@@ -5601,7 +5611,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e779 = size_columns(3);
             float _e783 = read_columns((((((((_e765 + 1) * _e769) + _e771) * _e774) + _e776) * _e779) + 1));
             float _e786 = w11_6;
-            int _e787 = row_7;
+            int _e787 = row_8;
             int _e791 = size_columns(1);
             int _e793 = place_6;
             int _e798 = size_columns(2);
@@ -5630,7 +5640,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
         }
         {
             float _e823 = w00_6;
-            int _e824 = row_7;
+            int _e824 = row_8;
             int _e826 = size_columns(1);
             int _e828 = place_6;
             int _e831 = size_columns(2);
@@ -5638,7 +5648,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e836 = size_columns(3);
             float _e840 = read_columns(((((((_e824 * _e826) + _e828) * _e831) + _e833) * _e836) + 0));
             float _e842 = w01_6;
-            int _e843 = row_7;
+            int _e843 = row_8;
             int _e845 = size_columns(1);
             int _e847 = place_6;
             int _e852 = size_columns(2);
@@ -5646,7 +5656,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e857 = size_columns(3);
             float _e861 = read_columns(((((((_e843 * _e845) + (_e847 + 1)) * _e852) + _e854) * _e857) + 0));
             float _e864 = w10_6;
-            int _e865 = row_7;
+            int _e865 = row_8;
             int _e869 = size_columns(1);
             int _e871 = place_6;
             int _e874 = size_columns(2);
@@ -5654,7 +5664,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e879 = size_columns(3);
             float _e883 = read_columns((((((((_e865 + 1) * _e869) + _e871) * _e874) + _e876) * _e879) + 0));
             float _e886 = w11_6;
-            int _e887 = row_7;
+            int _e887 = row_8;
             int _e891 = size_columns(1);
             int _e893 = place_6;
             int _e898 = size_columns(2);
@@ -5663,7 +5673,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             float _e907 = read_columns((((((((_e887 + 1) * _e891) + (_e893 + 1)) * _e898) + _e900) * _e903) + 0));
             scale_4 = ((((_e823 * _e840) + (_e842 * _e861)) + (_e864 * _e883)) + (_e886 * _e907));
             float _e910 = w00_6;
-            int _e911 = row_7;
+            int _e911 = row_8;
             int _e913 = size_columns(1);
             int _e915 = place_6;
             int _e918 = size_columns(2);
@@ -5671,7 +5681,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e923 = size_columns(3);
             float _e927 = read_columns(((((((_e911 * _e913) + _e915) * _e918) + _e920) * _e923) + 1));
             float _e929 = w01_6;
-            int _e930 = row_7;
+            int _e930 = row_8;
             int _e932 = size_columns(1);
             int _e934 = place_6;
             int _e939 = size_columns(2);
@@ -5679,7 +5689,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e944 = size_columns(3);
             float _e948 = read_columns(((((((_e930 * _e932) + (_e934 + 1)) * _e939) + _e941) * _e944) + 1));
             float _e951 = w10_6;
-            int _e952 = row_7;
+            int _e952 = row_8;
             int _e956 = size_columns(1);
             int _e958 = place_6;
             int _e961 = size_columns(2);
@@ -5687,7 +5697,7 @@ void columns_to_top_4_(float r_19, float mu_19, float bottom_8, float top_8) {
             int _e966 = size_columns(3);
             float _e970 = read_columns((((((((_e952 + 1) * _e956) + _e958) * _e961) + _e963) * _e966) + 1));
             float _e973 = w11_6;
-            int _e974 = row_7;
+            int _e974 = row_8;
             int _e978 = size_columns(1);
             int _e980 = place_6;
             int _e985 = size_columns(2);
@@ -6062,7 +6072,7 @@ float look_1_(float mu_20, float sine_1_5, float cos_azimuth_1, bool to_ground) 
     return _e243;
 }
 
-void air_texel_1_(int column_2, int row_8, int columns, int rows) {
+void air_texel_1_(int column_2, int row_9, int columns, int rows_1) {
     bool sky_2 = false;
     float at_5 = 0.0;
     float azimuth = 0.0;
@@ -6072,71 +6082,72 @@ void air_texel_1_(int column_2, int row_8, int columns, int rows) {
     float side = 0.0;
     float half_sine_2 = 0.0;
     int layer = 0;
-    sky_2 = (row_8 < rows);
-    bool _e15 = sky_2;
-    at_5 = (float((_e15 ? row_8 : (row_8 - rows))) / float((rows - 1)));
+    sky_2 = (row_9 < rows_1);
+    float _e17 = _group_0_binding_0_fs.observer.y;
+    float _e20 = row_coordinate(row_9, rows_1, (_e17 > 0.5));
+    at_5 = _e20;
     azimuth = ((3.1415927 * float(column_2)) / float((columns - 1)));
-    float _e29 = azimuth;
-    float _e30 = cosine(_e29);
-    cos_azimuth_2 = _e30;
-    float _e34 = _group_0_binding_0_fs.observer.y;
-    if ((_e34 > 0.5)) {
-        float _e37 = at_5;
-        bool _e38 = sky_2;
-        float _e42 = _group_0_binding_0_fs.shell.x;
-        float _e46 = _group_0_binding_0_fs.shell.y;
-        float _e47 = impact_from_row(_e37, _e38, _e42, _e46);
-        float _e51 = _group_0_binding_0_fs.observer.x;
-        sine_1_6 = (_e47 / _e51);
-        float _e53 = sine_1_6;
-        float _e56 = sine_1_6;
-        mu_21 = -(sqrt(max(((1.0 - _e53) * (1.0 + _e56)), 0.0)));
+    float _e28 = azimuth;
+    float _e29 = cosine(_e28);
+    cos_azimuth_2 = _e29;
+    float _e33 = _group_0_binding_0_fs.observer.y;
+    if ((_e33 > 0.5)) {
+        float _e36 = at_5;
+        bool _e37 = sky_2;
+        float _e41 = _group_0_binding_0_fs.shell.x;
+        float _e45 = _group_0_binding_0_fs.shell.y;
+        float _e46 = impact_from_row(_e36, _e37, _e41, _e45);
+        float _e50 = _group_0_binding_0_fs.observer.x;
+        sine_1_6 = (_e46 / _e50);
+        float _e52 = sine_1_6;
+        float _e55 = sine_1_6;
+        mu_21 = -(sqrt(max(((1.0 - _e52) * (1.0 + _e55)), 0.0)));
     } else {
-        float _e64 = at_5;
-        bool _e65 = sky_2;
-        float _e69 = _group_0_binding_0_fs.observer.z;
-        float _e73 = _group_0_binding_0_fs.observer.w;
-        Several_f32_f32_ _e74 = direction_from_row(_e64, _e65, _e69, _e73);
-        mu_21 = _e74.v0_;
-        sine_1_6 = _e74.v1_;
+        float _e63 = at_5;
+        bool _e64 = sky_2;
+        float _e68 = _group_0_binding_0_fs.observer.z;
+        float _e72 = _group_0_binding_0_fs.observer.w;
+        Several_f32_f32_ _e73 = direction_from_row(_e63, _e64, _e68, _e72);
+        mu_21 = _e73.v0_;
+        sine_1_6 = _e73.v1_;
     }
-    float _e77 = cos_azimuth_2;
-    float _e80 = cos_azimuth_2;
-    side = sqrt(max(((1.0 - _e77) * (1.0 + _e80)), 0.0));
-    float _e87 = sine_1_6;
-    float _e88 = cos_azimuth_2;
-    float _e90 = sine_1_6;
-    float _e91 = side;
-    float _e93 = mu_21;
-    float _e97 = _group_0_binding_0_fs.star.z;
-    float _e101 = _group_0_binding_0_fs.star.w;
-    float _e102 = half_sine_between((_e87 * _e88), (_e90 * _e91), _e93, _e97, _e101);
-    half_sine_2 = _e102;
-    float _e103 = half_sine_2;
-    phases_towards_1_(_e103);
-    float _e104 = mu_21;
-    float _e105 = sine_1_6;
-    float _e106 = cos_azimuth_2;
-    bool _e107 = sky_2;
-    float _e109 = look_1_(_e104, _e105, _e106, !(_e107));
+    float _e76 = cos_azimuth_2;
+    float _e79 = cos_azimuth_2;
+    side = sqrt(max(((1.0 - _e76) * (1.0 + _e79)), 0.0));
+    float _e86 = sine_1_6;
+    float _e87 = cos_azimuth_2;
+    float _e89 = sine_1_6;
+    float _e90 = side;
+    float _e92 = mu_21;
+    float _e96 = _group_0_binding_0_fs.star.z;
+    float _e100 = _group_0_binding_0_fs.star.w;
+    float _e101 = half_sine_between((_e86 * _e87), (_e89 * _e90), _e92, _e96, _e100);
+    half_sine_2 = _e101;
+    float _e102 = half_sine_2;
+    phases_towards_1_(_e102);
+    float _e103 = mu_21;
+    float _e104 = sine_1_6;
+    float _e105 = cos_azimuth_2;
+    bool _e106 = sky_2;
+    float _e108 = look_1_(_e103, _e104, _e105, !(_e106));
     layer = 0;
     bool loop_init_67 = true;
     while(true) {
         if (!loop_init_67) {
-            int _e130 = layer;
-            layer = (_e130 + 1);
+            int _e129 = layer;
+            layer = (_e129 + 1);
         }
         loop_init_67 = false;
-        int _e111 = layer;
-        if ((_e111 < 4)) {
+        int _e110 = layer;
+        if ((_e110 < 4)) {
         } else {
             break;
         }
         {
-            int _e115 = layer;
-            int _e120 = layer;
-            vec4 _e124 = air_texel_1_found[(1 * _e120)];
-            sky_air_found[(1 * _e115)] = sqrt(sqrt(max(_e124, vec4(0.0))));
+            int _e114 = layer;
+            int _e119 = layer;
+            vec4 _e123 = air_texel_1_found[(1 * _e119)];
+            sky_air_found[(1 * _e114)] = sqrt(sqrt(max(_e123, vec4(0.0))));
         }
     }
     return;

@@ -1,5 +1,5 @@
 #version 300 es
-// of sky_peaks.wgsl efbdd6a2bdc4c519, by naga-wasm@30.1.0
+// of sky_peaks.wgsl c06c0abcb382e085, by naga-wasm@30.1.0
 precision highp float;
 precision highp int;
 
@@ -443,14 +443,24 @@ float arc_sine(float x_10) {
     return _e9;
 }
 
-float impact_from_row(float row, bool sky, float bottom_radius, float top_radius) {
-    if (sky) {
-        return (bottom_radius + ((row * row) * (top_radius - bottom_radius)));
+float row_coordinate(int row, int rows, bool outside) {
+    float inside = 0.0;
+    if ((row >= rows)) {
+        return (float((row - rows)) / float((rows - 1)));
     }
-    return (bottom_radius * (1.0 - (row * row)));
+    inside = (outside ? 0.1 : 0.0);
+    float _e18 = inside;
+    return (min(float(row), ((float(rows) - 1.0) - _e18)) / float((rows - 1)));
 }
 
-Several_f32_f32_ direction_from_row(float row_1, bool sky_1, float horizon_mu, float horizon_sine) {
+float impact_from_row(float row_1, bool sky, float bottom_radius, float top_radius) {
+    if (sky) {
+        return (bottom_radius + ((row_1 * row_1) * (top_radius - bottom_radius)));
+    }
+    return (bottom_radius * (1.0 - (row_1 * row_1)));
+}
+
+Several_f32_f32_ direction_from_row(float row_2, bool sky_1, float horizon_mu, float horizon_sine) {
     float highest = 0.0;
     float angle = 0.0;
     float turn = 0.0;
@@ -459,7 +469,7 @@ Several_f32_f32_ direction_from_row(float row_1, bool sky_1, float horizon_mu, f
     highest = _e8;
     float _e10 = highest;
     float _e13 = highest;
-    angle = ((row_1 * row_1) * (sky_1 ? _e13 : (_e10 - 3.1415927)));
+    angle = ((row_2 * row_2) * (sky_1 ? _e13 : (_e10 - 3.1415927)));
     float _e16 = angle;
     float _e17 = sine(_e16);
     float _e18 = angle;
@@ -730,7 +740,7 @@ Several_f32_f32_f32_ seen_star(float x_14, float mu_s_3, float bottom, float top
     float horizon = 0.0;
     float tangent_1 = 0.0;
     float at_1 = 0.0;
-    int row_2 = 0;
+    int row_3 = 0;
     float f = 0.0;
     float true_horizon = 0.0;
     float above = 0.0;
@@ -757,17 +767,17 @@ Several_f32_f32_f32_ seen_star(float x_14, float mu_s_3, float bottom, float top
     at_1 = ((sqrt(max(((x_14 - bottom) * (x_14 + bottom)), 0.0)) / _e40) * float((_e43 - 1)));
     float _e48 = at_1;
     int _e51 = size_lift(0);
-    row_2 = min(int(_e48), (_e51 - 2));
+    row_3 = min(int(_e48), (_e51 - 2));
     float _e55 = at_1;
-    int _e56 = row_2;
+    int _e56 = row_3;
     f = (_e55 - float(_e56));
     float _e59 = horizon;
-    int _e60 = row_2;
+    int _e60 = row_3;
     int _e62 = size_lift(1);
     int _e67 = size_lift(2);
     float _e71 = read_lift(((((_e60 * _e62) + 0) * _e67) + 0));
     float _e72 = f;
-    int _e76 = row_2;
+    int _e76 = row_3;
     int _e80 = size_lift(1);
     int _e85 = size_lift(2);
     float _e89 = read_lift((((((_e76 + 1) * _e80) + 0) * _e85) + 0));
@@ -802,50 +812,50 @@ Several_f32_f32_f32_ seen_star(float x_14, float mu_s_3, float bottom, float top
     w10_ = now_3_;
     w11_ = now_4_;
     float _e143 = w00_;
-    int _e144 = row_2;
+    int _e144 = row_3;
     int _e146 = size_lift(1);
     int _e148 = column_1;
     int _e151 = size_lift(2);
     float _e155 = read_lift(((((_e144 * _e146) + _e148) * _e151) + 0));
     float _e157 = w01_;
-    int _e158 = row_2;
+    int _e158 = row_3;
     int _e160 = size_lift(1);
     int _e162 = column_1;
     int _e167 = size_lift(2);
     float _e171 = read_lift(((((_e158 * _e160) + (_e162 + 1)) * _e167) + 0));
     float _e174 = w10_;
-    int _e175 = row_2;
+    int _e175 = row_3;
     int _e179 = size_lift(1);
     int _e181 = column_1;
     int _e184 = size_lift(2);
     float _e188 = read_lift((((((_e175 + 1) * _e179) + _e181) * _e184) + 0));
     float _e191 = w11_;
-    int _e192 = row_2;
+    int _e192 = row_3;
     int _e196 = size_lift(1);
     int _e198 = column_1;
     int _e203 = size_lift(2);
     float _e207 = read_lift((((((_e192 + 1) * _e196) + (_e198 + 1)) * _e203) + 0));
     raised = ((((_e143 * _e155) + (_e157 * _e171)) + (_e174 * _e188)) + (_e191 * _e207));
     float _e210 = w00_;
-    int _e211 = row_2;
+    int _e211 = row_3;
     int _e213 = size_lift(1);
     int _e215 = column_1;
     int _e218 = size_lift(2);
     float _e222 = read_lift(((((_e211 * _e213) + _e215) * _e218) + 1));
     float _e224 = w01_;
-    int _e225 = row_2;
+    int _e225 = row_3;
     int _e227 = size_lift(1);
     int _e229 = column_1;
     int _e234 = size_lift(2);
     float _e238 = read_lift(((((_e225 * _e227) + (_e229 + 1)) * _e234) + 1));
     float _e241 = w10_;
-    int _e242 = row_2;
+    int _e242 = row_3;
     int _e246 = size_lift(1);
     int _e248 = column_1;
     int _e251 = size_lift(2);
     float _e255 = read_lift((((((_e242 + 1) * _e246) + _e248) * _e251) + 1));
     float _e258 = w11_;
-    int _e259 = row_2;
+    int _e259 = row_3;
     int _e263 = size_lift(1);
     int _e265 = column_1;
     int _e270 = size_lift(2);
@@ -2354,7 +2364,7 @@ vec4 through_columns_1_(int constituents) {
 
 void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
     float x_19 = 0.0;
-    int row_3 = 0;
+    int row_4 = 0;
     float f_2 = 0.0;
     int place_1 = 0;
     float e_1 = 0.0;
@@ -2371,9 +2381,9 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
     x_19 = (_e17 * float((_e19 - 1)));
     float _e24 = x_19;
     int _e27 = size_columns(0);
-    row_3 = min(int(_e24), (_e27 - 2));
+    row_4 = min(int(_e24), (_e27 - 2));
     float _e31 = x_19;
-    int _e32 = row_3;
+    int _e32 = row_4;
     f_2 = (_e31 - float(_e32));
     float _e35 = direction_coordinate(r_15, mu_14, bottom_2, top_2);
     int _e37 = size_columns(1);
@@ -2418,7 +2428,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
         }
         {
             float _e81 = w00_1;
-            int _e82 = row_3;
+            int _e82 = row_4;
             int _e84 = size_columns(1);
             int _e86 = place_1;
             int _e89 = size_columns(2);
@@ -2426,7 +2436,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e94 = size_columns(3);
             float _e98 = read_columns(((((((_e82 * _e84) + _e86) * _e89) + _e91) * _e94) + 0));
             float _e100 = w01_1;
-            int _e101 = row_3;
+            int _e101 = row_4;
             int _e103 = size_columns(1);
             int _e105 = place_1;
             int _e110 = size_columns(2);
@@ -2434,7 +2444,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e115 = size_columns(3);
             float _e119 = read_columns(((((((_e101 * _e103) + (_e105 + 1)) * _e110) + _e112) * _e115) + 0));
             float _e122 = w10_1;
-            int _e123 = row_3;
+            int _e123 = row_4;
             int _e127 = size_columns(1);
             int _e129 = place_1;
             int _e132 = size_columns(2);
@@ -2442,7 +2452,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e137 = size_columns(3);
             float _e141 = read_columns((((((((_e123 + 1) * _e127) + _e129) * _e132) + _e134) * _e137) + 0));
             float _e144 = w11_1;
-            int _e145 = row_3;
+            int _e145 = row_4;
             int _e149 = size_columns(1);
             int _e151 = place_1;
             int _e156 = size_columns(2);
@@ -2451,7 +2461,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             float _e165 = read_columns((((((((_e145 + 1) * _e149) + (_e151 + 1)) * _e156) + _e158) * _e161) + 0));
             scale = ((((_e81 * _e98) + (_e100 * _e119)) + (_e122 * _e141)) + (_e144 * _e165));
             float _e168 = w00_1;
-            int _e169 = row_3;
+            int _e169 = row_4;
             int _e171 = size_columns(1);
             int _e173 = place_1;
             int _e176 = size_columns(2);
@@ -2459,7 +2469,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e181 = size_columns(3);
             float _e185 = read_columns(((((((_e169 * _e171) + _e173) * _e176) + _e178) * _e181) + 1));
             float _e187 = w01_1;
-            int _e188 = row_3;
+            int _e188 = row_4;
             int _e190 = size_columns(1);
             int _e192 = place_1;
             int _e197 = size_columns(2);
@@ -2467,7 +2477,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e202 = size_columns(3);
             float _e206 = read_columns(((((((_e188 * _e190) + (_e192 + 1)) * _e197) + _e199) * _e202) + 1));
             float _e209 = w10_1;
-            int _e210 = row_3;
+            int _e210 = row_4;
             int _e214 = size_columns(1);
             int _e216 = place_1;
             int _e219 = size_columns(2);
@@ -2475,7 +2485,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e224 = size_columns(3);
             float _e228 = read_columns((((((((_e210 + 1) * _e214) + _e216) * _e219) + _e221) * _e224) + 1));
             float _e231 = w11_1;
-            int _e232 = row_3;
+            int _e232 = row_4;
             int _e236 = size_columns(1);
             int _e238 = place_1;
             int _e243 = size_columns(2);
@@ -2491,7 +2501,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e263 = c_6;
             c_6 = (_e263 + 1);
             float _e266 = w00_1;
-            int _e267 = row_3;
+            int _e267 = row_4;
             int _e269 = size_columns(1);
             int _e271 = place_1;
             int _e274 = size_columns(2);
@@ -2499,7 +2509,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e279 = size_columns(3);
             float _e283 = read_columns(((((((_e267 * _e269) + _e271) * _e274) + _e276) * _e279) + 0));
             float _e285 = w01_1;
-            int _e286 = row_3;
+            int _e286 = row_4;
             int _e288 = size_columns(1);
             int _e290 = place_1;
             int _e295 = size_columns(2);
@@ -2507,7 +2517,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e300 = size_columns(3);
             float _e304 = read_columns(((((((_e286 * _e288) + (_e290 + 1)) * _e295) + _e297) * _e300) + 0));
             float _e307 = w10_1;
-            int _e308 = row_3;
+            int _e308 = row_4;
             int _e312 = size_columns(1);
             int _e314 = place_1;
             int _e317 = size_columns(2);
@@ -2515,7 +2525,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e322 = size_columns(3);
             float _e326 = read_columns((((((((_e308 + 1) * _e312) + _e314) * _e317) + _e319) * _e322) + 0));
             float _e329 = w11_1;
-            int _e330 = row_3;
+            int _e330 = row_4;
             int _e334 = size_columns(1);
             int _e336 = place_1;
             int _e341 = size_columns(2);
@@ -2524,7 +2534,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             float _e350 = read_columns((((((((_e330 + 1) * _e334) + (_e336 + 1)) * _e341) + _e343) * _e346) + 0));
             scale = ((((_e266 * _e283) + (_e285 * _e304)) + (_e307 * _e326)) + (_e329 * _e350));
             float _e353 = w00_1;
-            int _e354 = row_3;
+            int _e354 = row_4;
             int _e356 = size_columns(1);
             int _e358 = place_1;
             int _e361 = size_columns(2);
@@ -2532,7 +2542,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e366 = size_columns(3);
             float _e370 = read_columns(((((((_e354 * _e356) + _e358) * _e361) + _e363) * _e366) + 1));
             float _e372 = w01_1;
-            int _e373 = row_3;
+            int _e373 = row_4;
             int _e375 = size_columns(1);
             int _e377 = place_1;
             int _e382 = size_columns(2);
@@ -2540,7 +2550,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e387 = size_columns(3);
             float _e391 = read_columns(((((((_e373 * _e375) + (_e377 + 1)) * _e382) + _e384) * _e387) + 1));
             float _e394 = w10_1;
-            int _e395 = row_3;
+            int _e395 = row_4;
             int _e399 = size_columns(1);
             int _e401 = place_1;
             int _e404 = size_columns(2);
@@ -2548,7 +2558,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e409 = size_columns(3);
             float _e413 = read_columns((((((((_e395 + 1) * _e399) + _e401) * _e404) + _e406) * _e409) + 1));
             float _e416 = w11_1;
-            int _e417 = row_3;
+            int _e417 = row_4;
             int _e421 = size_columns(1);
             int _e423 = place_1;
             int _e428 = size_columns(2);
@@ -2564,7 +2574,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e448 = c_6;
             c_6 = (_e448 + 1);
             float _e451 = w00_1;
-            int _e452 = row_3;
+            int _e452 = row_4;
             int _e454 = size_columns(1);
             int _e456 = place_1;
             int _e459 = size_columns(2);
@@ -2572,7 +2582,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e464 = size_columns(3);
             float _e468 = read_columns(((((((_e452 * _e454) + _e456) * _e459) + _e461) * _e464) + 0));
             float _e470 = w01_1;
-            int _e471 = row_3;
+            int _e471 = row_4;
             int _e473 = size_columns(1);
             int _e475 = place_1;
             int _e480 = size_columns(2);
@@ -2580,7 +2590,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e485 = size_columns(3);
             float _e489 = read_columns(((((((_e471 * _e473) + (_e475 + 1)) * _e480) + _e482) * _e485) + 0));
             float _e492 = w10_1;
-            int _e493 = row_3;
+            int _e493 = row_4;
             int _e497 = size_columns(1);
             int _e499 = place_1;
             int _e502 = size_columns(2);
@@ -2588,7 +2598,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e507 = size_columns(3);
             float _e511 = read_columns((((((((_e493 + 1) * _e497) + _e499) * _e502) + _e504) * _e507) + 0));
             float _e514 = w11_1;
-            int _e515 = row_3;
+            int _e515 = row_4;
             int _e519 = size_columns(1);
             int _e521 = place_1;
             int _e526 = size_columns(2);
@@ -2597,7 +2607,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             float _e535 = read_columns((((((((_e515 + 1) * _e519) + (_e521 + 1)) * _e526) + _e528) * _e531) + 0));
             scale = ((((_e451 * _e468) + (_e470 * _e489)) + (_e492 * _e511)) + (_e514 * _e535));
             float _e538 = w00_1;
-            int _e539 = row_3;
+            int _e539 = row_4;
             int _e541 = size_columns(1);
             int _e543 = place_1;
             int _e546 = size_columns(2);
@@ -2605,7 +2615,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e551 = size_columns(3);
             float _e555 = read_columns(((((((_e539 * _e541) + _e543) * _e546) + _e548) * _e551) + 1));
             float _e557 = w01_1;
-            int _e558 = row_3;
+            int _e558 = row_4;
             int _e560 = size_columns(1);
             int _e562 = place_1;
             int _e567 = size_columns(2);
@@ -2613,7 +2623,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e572 = size_columns(3);
             float _e576 = read_columns(((((((_e558 * _e560) + (_e562 + 1)) * _e567) + _e569) * _e572) + 1));
             float _e579 = w10_1;
-            int _e580 = row_3;
+            int _e580 = row_4;
             int _e584 = size_columns(1);
             int _e586 = place_1;
             int _e589 = size_columns(2);
@@ -2621,7 +2631,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e594 = size_columns(3);
             float _e598 = read_columns((((((((_e580 + 1) * _e584) + _e586) * _e589) + _e591) * _e594) + 1));
             float _e601 = w11_1;
-            int _e602 = row_3;
+            int _e602 = row_4;
             int _e606 = size_columns(1);
             int _e608 = place_1;
             int _e613 = size_columns(2);
@@ -2637,7 +2647,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e633 = c_6;
             c_6 = (_e633 + 1);
             float _e636 = w00_1;
-            int _e637 = row_3;
+            int _e637 = row_4;
             int _e639 = size_columns(1);
             int _e641 = place_1;
             int _e644 = size_columns(2);
@@ -2645,7 +2655,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e649 = size_columns(3);
             float _e653 = read_columns(((((((_e637 * _e639) + _e641) * _e644) + _e646) * _e649) + 0));
             float _e655 = w01_1;
-            int _e656 = row_3;
+            int _e656 = row_4;
             int _e658 = size_columns(1);
             int _e660 = place_1;
             int _e665 = size_columns(2);
@@ -2653,7 +2663,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e670 = size_columns(3);
             float _e674 = read_columns(((((((_e656 * _e658) + (_e660 + 1)) * _e665) + _e667) * _e670) + 0));
             float _e677 = w10_1;
-            int _e678 = row_3;
+            int _e678 = row_4;
             int _e682 = size_columns(1);
             int _e684 = place_1;
             int _e687 = size_columns(2);
@@ -2661,7 +2671,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e692 = size_columns(3);
             float _e696 = read_columns((((((((_e678 + 1) * _e682) + _e684) * _e687) + _e689) * _e692) + 0));
             float _e699 = w11_1;
-            int _e700 = row_3;
+            int _e700 = row_4;
             int _e704 = size_columns(1);
             int _e706 = place_1;
             int _e711 = size_columns(2);
@@ -2670,7 +2680,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             float _e720 = read_columns((((((((_e700 + 1) * _e704) + (_e706 + 1)) * _e711) + _e713) * _e716) + 0));
             scale = ((((_e636 * _e653) + (_e655 * _e674)) + (_e677 * _e696)) + (_e699 * _e720));
             float _e723 = w00_1;
-            int _e724 = row_3;
+            int _e724 = row_4;
             int _e726 = size_columns(1);
             int _e728 = place_1;
             int _e731 = size_columns(2);
@@ -2678,7 +2688,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e736 = size_columns(3);
             float _e740 = read_columns(((((((_e724 * _e726) + _e728) * _e731) + _e733) * _e736) + 1));
             float _e742 = w01_1;
-            int _e743 = row_3;
+            int _e743 = row_4;
             int _e745 = size_columns(1);
             int _e747 = place_1;
             int _e752 = size_columns(2);
@@ -2686,7 +2696,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e757 = size_columns(3);
             float _e761 = read_columns(((((((_e743 * _e745) + (_e747 + 1)) * _e752) + _e754) * _e757) + 1));
             float _e764 = w10_1;
-            int _e765 = row_3;
+            int _e765 = row_4;
             int _e769 = size_columns(1);
             int _e771 = place_1;
             int _e774 = size_columns(2);
@@ -2694,7 +2704,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e779 = size_columns(3);
             float _e783 = read_columns((((((((_e765 + 1) * _e769) + _e771) * _e774) + _e776) * _e779) + 1));
             float _e786 = w11_1;
-            int _e787 = row_3;
+            int _e787 = row_4;
             int _e791 = size_columns(1);
             int _e793 = place_1;
             int _e798 = size_columns(2);
@@ -2723,7 +2733,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
         }
         {
             float _e823 = w00_1;
-            int _e824 = row_3;
+            int _e824 = row_4;
             int _e826 = size_columns(1);
             int _e828 = place_1;
             int _e831 = size_columns(2);
@@ -2731,7 +2741,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e836 = size_columns(3);
             float _e840 = read_columns(((((((_e824 * _e826) + _e828) * _e831) + _e833) * _e836) + 0));
             float _e842 = w01_1;
-            int _e843 = row_3;
+            int _e843 = row_4;
             int _e845 = size_columns(1);
             int _e847 = place_1;
             int _e852 = size_columns(2);
@@ -2739,7 +2749,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e857 = size_columns(3);
             float _e861 = read_columns(((((((_e843 * _e845) + (_e847 + 1)) * _e852) + _e854) * _e857) + 0));
             float _e864 = w10_1;
-            int _e865 = row_3;
+            int _e865 = row_4;
             int _e869 = size_columns(1);
             int _e871 = place_1;
             int _e874 = size_columns(2);
@@ -2747,7 +2757,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e879 = size_columns(3);
             float _e883 = read_columns((((((((_e865 + 1) * _e869) + _e871) * _e874) + _e876) * _e879) + 0));
             float _e886 = w11_1;
-            int _e887 = row_3;
+            int _e887 = row_4;
             int _e891 = size_columns(1);
             int _e893 = place_1;
             int _e898 = size_columns(2);
@@ -2756,7 +2766,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             float _e907 = read_columns((((((((_e887 + 1) * _e891) + (_e893 + 1)) * _e898) + _e900) * _e903) + 0));
             scale = ((((_e823 * _e840) + (_e842 * _e861)) + (_e864 * _e883)) + (_e886 * _e907));
             float _e910 = w00_1;
-            int _e911 = row_3;
+            int _e911 = row_4;
             int _e913 = size_columns(1);
             int _e915 = place_1;
             int _e918 = size_columns(2);
@@ -2764,7 +2774,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e923 = size_columns(3);
             float _e927 = read_columns(((((((_e911 * _e913) + _e915) * _e918) + _e920) * _e923) + 1));
             float _e929 = w01_1;
-            int _e930 = row_3;
+            int _e930 = row_4;
             int _e932 = size_columns(1);
             int _e934 = place_1;
             int _e939 = size_columns(2);
@@ -2772,7 +2782,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e944 = size_columns(3);
             float _e948 = read_columns(((((((_e930 * _e932) + (_e934 + 1)) * _e939) + _e941) * _e944) + 1));
             float _e951 = w10_1;
-            int _e952 = row_3;
+            int _e952 = row_4;
             int _e956 = size_columns(1);
             int _e958 = place_1;
             int _e961 = size_columns(2);
@@ -2780,7 +2790,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
             int _e966 = size_columns(3);
             float _e970 = read_columns((((((((_e952 + 1) * _e956) + _e958) * _e961) + _e963) * _e966) + 1));
             float _e973 = w11_1;
-            int _e974 = row_3;
+            int _e974 = row_4;
             int _e978 = size_columns(1);
             int _e980 = place_1;
             int _e985 = size_columns(2);
@@ -2800,7 +2810,7 @@ void columns_to_top_1_(float r_15, float mu_14, float bottom_2, float top_2) {
 
 void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
     float x_20 = 0.0;
-    int row_4 = 0;
+    int row_5 = 0;
     float f_3 = 0.0;
     int place_2 = 0;
     float e_2 = 0.0;
@@ -2817,9 +2827,9 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
     x_20 = (_e17 * float((_e19 - 1)));
     float _e24 = x_20;
     int _e27 = size_columns(0);
-    row_4 = min(int(_e24), (_e27 - 2));
+    row_5 = min(int(_e24), (_e27 - 2));
     float _e31 = x_20;
-    int _e32 = row_4;
+    int _e32 = row_5;
     f_3 = (_e31 - float(_e32));
     float _e35 = direction_coordinate(r_16, mu_15, bottom_3, top_3);
     int _e37 = size_columns(1);
@@ -2864,7 +2874,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
         }
         {
             float _e81 = w00_2;
-            int _e82 = row_4;
+            int _e82 = row_5;
             int _e84 = size_columns(1);
             int _e86 = place_2;
             int _e89 = size_columns(2);
@@ -2872,7 +2882,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e94 = size_columns(3);
             float _e98 = read_columns(((((((_e82 * _e84) + _e86) * _e89) + _e91) * _e94) + 0));
             float _e100 = w01_2;
-            int _e101 = row_4;
+            int _e101 = row_5;
             int _e103 = size_columns(1);
             int _e105 = place_2;
             int _e110 = size_columns(2);
@@ -2880,7 +2890,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e115 = size_columns(3);
             float _e119 = read_columns(((((((_e101 * _e103) + (_e105 + 1)) * _e110) + _e112) * _e115) + 0));
             float _e122 = w10_2;
-            int _e123 = row_4;
+            int _e123 = row_5;
             int _e127 = size_columns(1);
             int _e129 = place_2;
             int _e132 = size_columns(2);
@@ -2888,7 +2898,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e137 = size_columns(3);
             float _e141 = read_columns((((((((_e123 + 1) * _e127) + _e129) * _e132) + _e134) * _e137) + 0));
             float _e144 = w11_2;
-            int _e145 = row_4;
+            int _e145 = row_5;
             int _e149 = size_columns(1);
             int _e151 = place_2;
             int _e156 = size_columns(2);
@@ -2897,7 +2907,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             float _e165 = read_columns((((((((_e145 + 1) * _e149) + (_e151 + 1)) * _e156) + _e158) * _e161) + 0));
             scale_1 = ((((_e81 * _e98) + (_e100 * _e119)) + (_e122 * _e141)) + (_e144 * _e165));
             float _e168 = w00_2;
-            int _e169 = row_4;
+            int _e169 = row_5;
             int _e171 = size_columns(1);
             int _e173 = place_2;
             int _e176 = size_columns(2);
@@ -2905,7 +2915,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e181 = size_columns(3);
             float _e185 = read_columns(((((((_e169 * _e171) + _e173) * _e176) + _e178) * _e181) + 1));
             float _e187 = w01_2;
-            int _e188 = row_4;
+            int _e188 = row_5;
             int _e190 = size_columns(1);
             int _e192 = place_2;
             int _e197 = size_columns(2);
@@ -2913,7 +2923,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e202 = size_columns(3);
             float _e206 = read_columns(((((((_e188 * _e190) + (_e192 + 1)) * _e197) + _e199) * _e202) + 1));
             float _e209 = w10_2;
-            int _e210 = row_4;
+            int _e210 = row_5;
             int _e214 = size_columns(1);
             int _e216 = place_2;
             int _e219 = size_columns(2);
@@ -2921,7 +2931,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e224 = size_columns(3);
             float _e228 = read_columns((((((((_e210 + 1) * _e214) + _e216) * _e219) + _e221) * _e224) + 1));
             float _e231 = w11_2;
-            int _e232 = row_4;
+            int _e232 = row_5;
             int _e236 = size_columns(1);
             int _e238 = place_2;
             int _e243 = size_columns(2);
@@ -2937,7 +2947,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e263 = c_7;
             c_7 = (_e263 + 1);
             float _e266 = w00_2;
-            int _e267 = row_4;
+            int _e267 = row_5;
             int _e269 = size_columns(1);
             int _e271 = place_2;
             int _e274 = size_columns(2);
@@ -2945,7 +2955,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e279 = size_columns(3);
             float _e283 = read_columns(((((((_e267 * _e269) + _e271) * _e274) + _e276) * _e279) + 0));
             float _e285 = w01_2;
-            int _e286 = row_4;
+            int _e286 = row_5;
             int _e288 = size_columns(1);
             int _e290 = place_2;
             int _e295 = size_columns(2);
@@ -2953,7 +2963,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e300 = size_columns(3);
             float _e304 = read_columns(((((((_e286 * _e288) + (_e290 + 1)) * _e295) + _e297) * _e300) + 0));
             float _e307 = w10_2;
-            int _e308 = row_4;
+            int _e308 = row_5;
             int _e312 = size_columns(1);
             int _e314 = place_2;
             int _e317 = size_columns(2);
@@ -2961,7 +2971,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e322 = size_columns(3);
             float _e326 = read_columns((((((((_e308 + 1) * _e312) + _e314) * _e317) + _e319) * _e322) + 0));
             float _e329 = w11_2;
-            int _e330 = row_4;
+            int _e330 = row_5;
             int _e334 = size_columns(1);
             int _e336 = place_2;
             int _e341 = size_columns(2);
@@ -2970,7 +2980,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             float _e350 = read_columns((((((((_e330 + 1) * _e334) + (_e336 + 1)) * _e341) + _e343) * _e346) + 0));
             scale_1 = ((((_e266 * _e283) + (_e285 * _e304)) + (_e307 * _e326)) + (_e329 * _e350));
             float _e353 = w00_2;
-            int _e354 = row_4;
+            int _e354 = row_5;
             int _e356 = size_columns(1);
             int _e358 = place_2;
             int _e361 = size_columns(2);
@@ -2978,7 +2988,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e366 = size_columns(3);
             float _e370 = read_columns(((((((_e354 * _e356) + _e358) * _e361) + _e363) * _e366) + 1));
             float _e372 = w01_2;
-            int _e373 = row_4;
+            int _e373 = row_5;
             int _e375 = size_columns(1);
             int _e377 = place_2;
             int _e382 = size_columns(2);
@@ -2986,7 +2996,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e387 = size_columns(3);
             float _e391 = read_columns(((((((_e373 * _e375) + (_e377 + 1)) * _e382) + _e384) * _e387) + 1));
             float _e394 = w10_2;
-            int _e395 = row_4;
+            int _e395 = row_5;
             int _e399 = size_columns(1);
             int _e401 = place_2;
             int _e404 = size_columns(2);
@@ -2994,7 +3004,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e409 = size_columns(3);
             float _e413 = read_columns((((((((_e395 + 1) * _e399) + _e401) * _e404) + _e406) * _e409) + 1));
             float _e416 = w11_2;
-            int _e417 = row_4;
+            int _e417 = row_5;
             int _e421 = size_columns(1);
             int _e423 = place_2;
             int _e428 = size_columns(2);
@@ -3010,7 +3020,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e448 = c_7;
             c_7 = (_e448 + 1);
             float _e451 = w00_2;
-            int _e452 = row_4;
+            int _e452 = row_5;
             int _e454 = size_columns(1);
             int _e456 = place_2;
             int _e459 = size_columns(2);
@@ -3018,7 +3028,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e464 = size_columns(3);
             float _e468 = read_columns(((((((_e452 * _e454) + _e456) * _e459) + _e461) * _e464) + 0));
             float _e470 = w01_2;
-            int _e471 = row_4;
+            int _e471 = row_5;
             int _e473 = size_columns(1);
             int _e475 = place_2;
             int _e480 = size_columns(2);
@@ -3026,7 +3036,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e485 = size_columns(3);
             float _e489 = read_columns(((((((_e471 * _e473) + (_e475 + 1)) * _e480) + _e482) * _e485) + 0));
             float _e492 = w10_2;
-            int _e493 = row_4;
+            int _e493 = row_5;
             int _e497 = size_columns(1);
             int _e499 = place_2;
             int _e502 = size_columns(2);
@@ -3034,7 +3044,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e507 = size_columns(3);
             float _e511 = read_columns((((((((_e493 + 1) * _e497) + _e499) * _e502) + _e504) * _e507) + 0));
             float _e514 = w11_2;
-            int _e515 = row_4;
+            int _e515 = row_5;
             int _e519 = size_columns(1);
             int _e521 = place_2;
             int _e526 = size_columns(2);
@@ -3043,7 +3053,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             float _e535 = read_columns((((((((_e515 + 1) * _e519) + (_e521 + 1)) * _e526) + _e528) * _e531) + 0));
             scale_1 = ((((_e451 * _e468) + (_e470 * _e489)) + (_e492 * _e511)) + (_e514 * _e535));
             float _e538 = w00_2;
-            int _e539 = row_4;
+            int _e539 = row_5;
             int _e541 = size_columns(1);
             int _e543 = place_2;
             int _e546 = size_columns(2);
@@ -3051,7 +3061,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e551 = size_columns(3);
             float _e555 = read_columns(((((((_e539 * _e541) + _e543) * _e546) + _e548) * _e551) + 1));
             float _e557 = w01_2;
-            int _e558 = row_4;
+            int _e558 = row_5;
             int _e560 = size_columns(1);
             int _e562 = place_2;
             int _e567 = size_columns(2);
@@ -3059,7 +3069,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e572 = size_columns(3);
             float _e576 = read_columns(((((((_e558 * _e560) + (_e562 + 1)) * _e567) + _e569) * _e572) + 1));
             float _e579 = w10_2;
-            int _e580 = row_4;
+            int _e580 = row_5;
             int _e584 = size_columns(1);
             int _e586 = place_2;
             int _e589 = size_columns(2);
@@ -3067,7 +3077,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e594 = size_columns(3);
             float _e598 = read_columns((((((((_e580 + 1) * _e584) + _e586) * _e589) + _e591) * _e594) + 1));
             float _e601 = w11_2;
-            int _e602 = row_4;
+            int _e602 = row_5;
             int _e606 = size_columns(1);
             int _e608 = place_2;
             int _e613 = size_columns(2);
@@ -3083,7 +3093,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e633 = c_7;
             c_7 = (_e633 + 1);
             float _e636 = w00_2;
-            int _e637 = row_4;
+            int _e637 = row_5;
             int _e639 = size_columns(1);
             int _e641 = place_2;
             int _e644 = size_columns(2);
@@ -3091,7 +3101,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e649 = size_columns(3);
             float _e653 = read_columns(((((((_e637 * _e639) + _e641) * _e644) + _e646) * _e649) + 0));
             float _e655 = w01_2;
-            int _e656 = row_4;
+            int _e656 = row_5;
             int _e658 = size_columns(1);
             int _e660 = place_2;
             int _e665 = size_columns(2);
@@ -3099,7 +3109,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e670 = size_columns(3);
             float _e674 = read_columns(((((((_e656 * _e658) + (_e660 + 1)) * _e665) + _e667) * _e670) + 0));
             float _e677 = w10_2;
-            int _e678 = row_4;
+            int _e678 = row_5;
             int _e682 = size_columns(1);
             int _e684 = place_2;
             int _e687 = size_columns(2);
@@ -3107,7 +3117,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e692 = size_columns(3);
             float _e696 = read_columns((((((((_e678 + 1) * _e682) + _e684) * _e687) + _e689) * _e692) + 0));
             float _e699 = w11_2;
-            int _e700 = row_4;
+            int _e700 = row_5;
             int _e704 = size_columns(1);
             int _e706 = place_2;
             int _e711 = size_columns(2);
@@ -3116,7 +3126,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             float _e720 = read_columns((((((((_e700 + 1) * _e704) + (_e706 + 1)) * _e711) + _e713) * _e716) + 0));
             scale_1 = ((((_e636 * _e653) + (_e655 * _e674)) + (_e677 * _e696)) + (_e699 * _e720));
             float _e723 = w00_2;
-            int _e724 = row_4;
+            int _e724 = row_5;
             int _e726 = size_columns(1);
             int _e728 = place_2;
             int _e731 = size_columns(2);
@@ -3124,7 +3134,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e736 = size_columns(3);
             float _e740 = read_columns(((((((_e724 * _e726) + _e728) * _e731) + _e733) * _e736) + 1));
             float _e742 = w01_2;
-            int _e743 = row_4;
+            int _e743 = row_5;
             int _e745 = size_columns(1);
             int _e747 = place_2;
             int _e752 = size_columns(2);
@@ -3132,7 +3142,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e757 = size_columns(3);
             float _e761 = read_columns(((((((_e743 * _e745) + (_e747 + 1)) * _e752) + _e754) * _e757) + 1));
             float _e764 = w10_2;
-            int _e765 = row_4;
+            int _e765 = row_5;
             int _e769 = size_columns(1);
             int _e771 = place_2;
             int _e774 = size_columns(2);
@@ -3140,7 +3150,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e779 = size_columns(3);
             float _e783 = read_columns((((((((_e765 + 1) * _e769) + _e771) * _e774) + _e776) * _e779) + 1));
             float _e786 = w11_2;
-            int _e787 = row_4;
+            int _e787 = row_5;
             int _e791 = size_columns(1);
             int _e793 = place_2;
             int _e798 = size_columns(2);
@@ -3169,7 +3179,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
         }
         {
             float _e823 = w00_2;
-            int _e824 = row_4;
+            int _e824 = row_5;
             int _e826 = size_columns(1);
             int _e828 = place_2;
             int _e831 = size_columns(2);
@@ -3177,7 +3187,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e836 = size_columns(3);
             float _e840 = read_columns(((((((_e824 * _e826) + _e828) * _e831) + _e833) * _e836) + 0));
             float _e842 = w01_2;
-            int _e843 = row_4;
+            int _e843 = row_5;
             int _e845 = size_columns(1);
             int _e847 = place_2;
             int _e852 = size_columns(2);
@@ -3185,7 +3195,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e857 = size_columns(3);
             float _e861 = read_columns(((((((_e843 * _e845) + (_e847 + 1)) * _e852) + _e854) * _e857) + 0));
             float _e864 = w10_2;
-            int _e865 = row_4;
+            int _e865 = row_5;
             int _e869 = size_columns(1);
             int _e871 = place_2;
             int _e874 = size_columns(2);
@@ -3193,7 +3203,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e879 = size_columns(3);
             float _e883 = read_columns((((((((_e865 + 1) * _e869) + _e871) * _e874) + _e876) * _e879) + 0));
             float _e886 = w11_2;
-            int _e887 = row_4;
+            int _e887 = row_5;
             int _e891 = size_columns(1);
             int _e893 = place_2;
             int _e898 = size_columns(2);
@@ -3202,7 +3212,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             float _e907 = read_columns((((((((_e887 + 1) * _e891) + (_e893 + 1)) * _e898) + _e900) * _e903) + 0));
             scale_1 = ((((_e823 * _e840) + (_e842 * _e861)) + (_e864 * _e883)) + (_e886 * _e907));
             float _e910 = w00_2;
-            int _e911 = row_4;
+            int _e911 = row_5;
             int _e913 = size_columns(1);
             int _e915 = place_2;
             int _e918 = size_columns(2);
@@ -3210,7 +3220,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e923 = size_columns(3);
             float _e927 = read_columns(((((((_e911 * _e913) + _e915) * _e918) + _e920) * _e923) + 1));
             float _e929 = w01_2;
-            int _e930 = row_4;
+            int _e930 = row_5;
             int _e932 = size_columns(1);
             int _e934 = place_2;
             int _e939 = size_columns(2);
@@ -3218,7 +3228,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e944 = size_columns(3);
             float _e948 = read_columns(((((((_e930 * _e932) + (_e934 + 1)) * _e939) + _e941) * _e944) + 1));
             float _e951 = w10_2;
-            int _e952 = row_4;
+            int _e952 = row_5;
             int _e956 = size_columns(1);
             int _e958 = place_2;
             int _e961 = size_columns(2);
@@ -3226,7 +3236,7 @@ void columns_to_top_2_(float r_16, float mu_15, float bottom_3, float top_3) {
             int _e966 = size_columns(3);
             float _e970 = read_columns((((((((_e952 + 1) * _e956) + _e958) * _e961) + _e963) * _e966) + 1));
             float _e973 = w11_2;
-            int _e974 = row_4;
+            int _e974 = row_5;
             int _e978 = size_columns(1);
             int _e980 = place_2;
             int _e985 = size_columns(2);
@@ -4213,7 +4223,7 @@ float look_1_(float mu_17, float sine_1_4, float cos_azimuth_1, bool to_ground) 
     return _e148;
 }
 
-void peaks_texel_1_(int column_2, int row_5, int columns, int rows) {
+void peaks_texel_1_(int column_2, int row_6, int columns, int rows_1) {
     bool sky_2 = false;
     float at_5 = 0.0;
     float azimuth = 0.0;
@@ -4223,71 +4233,72 @@ void peaks_texel_1_(int column_2, int row_5, int columns, int rows) {
     float side = 0.0;
     float half_sine_2 = 0.0;
     int layer = 0;
-    sky_2 = (row_5 < rows);
-    bool _e15 = sky_2;
-    at_5 = (float((_e15 ? row_5 : (row_5 - rows))) / float((rows - 1)));
+    sky_2 = (row_6 < rows_1);
+    float _e17 = _group_0_binding_0_fs.observer.y;
+    float _e20 = row_coordinate(row_6, rows_1, (_e17 > 0.5));
+    at_5 = _e20;
     azimuth = ((3.1415927 * float(column_2)) / float((columns - 1)));
-    float _e29 = azimuth;
-    float _e30 = cosine(_e29);
-    cos_azimuth_2 = _e30;
-    float _e34 = _group_0_binding_0_fs.observer.y;
-    if ((_e34 > 0.5)) {
-        float _e37 = at_5;
-        bool _e38 = sky_2;
-        float _e42 = _group_0_binding_0_fs.shell.x;
-        float _e46 = _group_0_binding_0_fs.shell.y;
-        float _e47 = impact_from_row(_e37, _e38, _e42, _e46);
-        float _e51 = _group_0_binding_0_fs.observer.x;
-        sine_1_5 = (_e47 / _e51);
-        float _e53 = sine_1_5;
-        float _e56 = sine_1_5;
-        mu_18 = -(sqrt(max(((1.0 - _e53) * (1.0 + _e56)), 0.0)));
+    float _e28 = azimuth;
+    float _e29 = cosine(_e28);
+    cos_azimuth_2 = _e29;
+    float _e33 = _group_0_binding_0_fs.observer.y;
+    if ((_e33 > 0.5)) {
+        float _e36 = at_5;
+        bool _e37 = sky_2;
+        float _e41 = _group_0_binding_0_fs.shell.x;
+        float _e45 = _group_0_binding_0_fs.shell.y;
+        float _e46 = impact_from_row(_e36, _e37, _e41, _e45);
+        float _e50 = _group_0_binding_0_fs.observer.x;
+        sine_1_5 = (_e46 / _e50);
+        float _e52 = sine_1_5;
+        float _e55 = sine_1_5;
+        mu_18 = -(sqrt(max(((1.0 - _e52) * (1.0 + _e55)), 0.0)));
     } else {
-        float _e64 = at_5;
-        bool _e65 = sky_2;
-        float _e69 = _group_0_binding_0_fs.observer.z;
-        float _e73 = _group_0_binding_0_fs.observer.w;
-        Several_f32_f32_ _e74 = direction_from_row(_e64, _e65, _e69, _e73);
-        mu_18 = _e74.v0_;
-        sine_1_5 = _e74.v1_;
+        float _e63 = at_5;
+        bool _e64 = sky_2;
+        float _e68 = _group_0_binding_0_fs.observer.z;
+        float _e72 = _group_0_binding_0_fs.observer.w;
+        Several_f32_f32_ _e73 = direction_from_row(_e63, _e64, _e68, _e72);
+        mu_18 = _e73.v0_;
+        sine_1_5 = _e73.v1_;
     }
-    float _e77 = cos_azimuth_2;
-    float _e80 = cos_azimuth_2;
-    side = sqrt(max(((1.0 - _e77) * (1.0 + _e80)), 0.0));
-    float _e87 = sine_1_5;
-    float _e88 = cos_azimuth_2;
-    float _e90 = sine_1_5;
-    float _e91 = side;
-    float _e93 = mu_18;
-    float _e97 = _group_0_binding_0_fs.star.z;
-    float _e101 = _group_0_binding_0_fs.star.w;
-    float _e102 = half_sine_between((_e87 * _e88), (_e90 * _e91), _e93, _e97, _e101);
-    half_sine_2 = _e102;
-    float _e103 = half_sine_2;
-    phases_towards_1_(_e103);
-    float _e104 = mu_18;
-    float _e105 = sine_1_5;
-    float _e106 = cos_azimuth_2;
-    bool _e107 = sky_2;
-    float _e109 = look_1_(_e104, _e105, _e106, !(_e107));
+    float _e76 = cos_azimuth_2;
+    float _e79 = cos_azimuth_2;
+    side = sqrt(max(((1.0 - _e76) * (1.0 + _e79)), 0.0));
+    float _e86 = sine_1_5;
+    float _e87 = cos_azimuth_2;
+    float _e89 = sine_1_5;
+    float _e90 = side;
+    float _e92 = mu_18;
+    float _e96 = _group_0_binding_0_fs.star.z;
+    float _e100 = _group_0_binding_0_fs.star.w;
+    float _e101 = half_sine_between((_e86 * _e87), (_e89 * _e90), _e92, _e96, _e100);
+    half_sine_2 = _e101;
+    float _e102 = half_sine_2;
+    phases_towards_1_(_e102);
+    float _e103 = mu_18;
+    float _e104 = sine_1_5;
+    float _e105 = cos_azimuth_2;
+    bool _e106 = sky_2;
+    float _e108 = look_1_(_e103, _e104, _e105, !(_e106));
     layer = 0;
     bool loop_init_49 = true;
     while(true) {
         if (!loop_init_49) {
-            int _e130 = layer;
-            layer = (_e130 + 1);
+            int _e129 = layer;
+            layer = (_e129 + 1);
         }
         loop_init_49 = false;
-        int _e111 = layer;
-        if ((_e111 < 4)) {
+        int _e110 = layer;
+        if ((_e110 < 4)) {
         } else {
             break;
         }
         {
-            int _e115 = layer;
-            int _e120 = layer;
-            vec4 _e124 = peaks_texel_1_found[(1 * _e120)];
-            sky_peaks_found[(1 * _e115)] = sqrt(sqrt(max(_e124, vec4(0.0))));
+            int _e114 = layer;
+            int _e119 = layer;
+            vec4 _e123 = peaks_texel_1_found[(1 * _e119)];
+            sky_peaks_found[(1 * _e114)] = sqrt(sqrt(max(_e123, vec4(0.0))));
         }
     }
     return;

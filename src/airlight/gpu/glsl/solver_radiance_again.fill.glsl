@@ -1,5 +1,5 @@
 #version 300 es
-// of solver_radiance_again.wgsl 1018a1dbb2b776b9, by naga-wasm@30.1.0
+// of solver_radiance_again.wgsl 13eece6c7ebe5f85, by naga-wasm@30.1.0
 precision highp float;
 precision highp int;
 
@@ -61,6 +61,13 @@ struct Solve {
 };
 struct Span {
     vec4 texels;
+};
+struct Several_i32_i32_i32_f32_f32_ {
+    int v0_;
+    int v1_;
+    int v2_;
+    float v3_;
+    float v4_;
 };
 struct Several_f32_f32_ {
     float v0_;
@@ -275,15 +282,15 @@ float cosine(float x_6) {
 }
 
 float angle_of(float y, float x_7) {
-    float a_4 = abs(x_7);
+    float a_5 = abs(x_7);
     float b_3 = abs(y);
-    float slope = (min(a_4, b_3) / max(max(a_4, b_3), 1e-37));
+    float slope = (min(a_5, b_3) / max(max(a_5, b_3), 1e-37));
     bool steep = (slope > 0.41421357);
     float t = (steep ? ((slope - 1.0) / (slope + 1.0)) : slope);
     float z = (t * t);
     float tail_1 = (-0.3333295 + (z * (0.19977711 + (z * (-0.13877685 + (z * 0.080537446))))));
     float part = ((steep ? 0.7853982 : 0.0) + (t + ((t * z) * tail_1)));
-    float quarter_2 = ((b_3 > a_4) ? (1.5707964 - part) : part);
+    float quarter_2 = ((b_3 > a_5) ? (1.5707964 - part) : part);
     float half_ = ((x_7 < 0.0) ? (3.1415927 - quarter_2) : quarter_2);
     return ((y < 0.0) ? -(half_) : half_);
 }
@@ -310,26 +317,71 @@ float star_from_ray(float mu, float mu_s, float cosine_1_) {
     return min(max(((mu * mu_s) + (_e22 * cosine_1_)), -1.0), 1.0);
 }
 
-Several_f32_f32_ star_from_point(int point, float mu_s_1, float nu) {
+Several_i32_i32_i32_f32_f32_ ray_and_star(int index_13) {
+    int b_2 = 0;
+    int j = 0;
+    int ray = 0;
+    int i = 0;
+    int a_2 = 0;
+    float mu_s_1 = 0.0;
+    float _e10 = _group_0_binding_0_fs.counts.w;
+    int _e12 = whole_rest(index_13, int(_e10));
+    b_2 = _e12;
+    float _e16 = _group_0_binding_0_fs.counts.w;
+    int _e18 = whole_quotient(index_13, int(_e16));
+    float _e22 = _group_0_binding_0_fs.counts.z;
+    int _e24 = whole_rest(_e18, int(_e22));
+    j = _e24;
+    float _e28 = _group_0_binding_0_fs.counts.w;
+    float _e33 = _group_0_binding_0_fs.counts.z;
+    int _e36 = whole_quotient(index_13, (int(_e28) * int(_e33)));
+    ray = _e36;
+    int _e37 = ray;
+    float _e41 = _group_0_binding_0_fs.counts.y;
+    int _e43 = whole_quotient(_e37, int(_e41));
+    int _e44 = ray;
+    float _e48 = _group_0_binding_0_fs.counts.y;
+    int _e50 = whole_rest(_e44, int(_e48));
+    i = _e43;
+    a_2 = _e50;
+    int _e51 = j;
+    float _e52 = read_sun_cosines(_e51);
+    mu_s_1 = _e52;
+    int _e53 = ray;
+    int _e54 = i;
+    int _e55 = a_2;
+    float _e56 = mu_s_1;
+    int _e57 = i;
+    int _e59 = size_mu(1);
+    int _e61 = a_2;
+    float _e63 = read_mu(((_e57 * _e59) + _e61));
+    float _e64 = mu_s_1;
+    int _e65 = b_2;
+    float _e66 = read_cosines(_e65);
+    float _e67 = star_from_ray(_e63, _e64, _e66);
+    return Several_i32_i32_i32_f32_f32_(_e53, _e54, _e55, _e56, _e67);
+}
+
+Several_f32_f32_ star_from_point(int point, float mu_s_2, float nu) {
     float here = 0.0;
     int _e5 = size_turn(1);
     float _e9 = read_turn(((point * _e5) + 0));
     int _e12 = size_turn(1);
     float _e16 = read_turn(((point * _e12) + 1));
-    here = min(max(((_e9 * mu_s_1) + (_e16 * nu)), -1.0), 1.0);
+    here = min(max(((_e9 * mu_s_2) + (_e16 * nu)), -1.0), 1.0);
     float _e23 = here;
     int _e25 = size_turn(1);
     float _e29 = read_turn(((point * _e25) + 2));
     int _e32 = size_turn(1);
     float _e36 = read_turn(((point * _e32) + 3));
-    return Several_f32_f32_(_e23, ((_e29 * mu_s_1) + (_e36 * nu)));
+    return Several_f32_f32_(_e23, ((_e29 * mu_s_2) + (_e36 * nu)));
 }
 
-float place_of(float mu_s_2) {
+float place_of(float mu_s_3) {
     float x_11 = 0.0;
     int k = 0;
     int _e6 = size_place(0);
-    x_11 = ((mu_s_2 + 1.0) * (0.5 * float((_e6 - 1))));
+    x_11 = ((mu_s_3 + 1.0) * (0.5 * float((_e6 - 1))));
     float _e13 = x_11;
     int _e18 = size_place(0);
     k = min(max(int(_e13), 0), (_e18 - 2));
@@ -344,14 +396,14 @@ float place_of(float mu_s_2) {
     return (_e23 + ((_e27 - _e29) * (_e31 - float(_e32))));
 }
 
-float azimuth_cosine(float mu_1, float mu_s_3, float nu_1) {
+float azimuth_cosine(float mu_1, float mu_s_4, float nu_1) {
     float spread = 0.0;
-    spread = ((((1.0 - mu_1) * (1.0 + mu_1)) * (1.0 - mu_s_3)) * (1.0 + mu_s_3));
+    spread = ((((1.0 - mu_1) * (1.0 + mu_1)) * (1.0 - mu_s_4)) * (1.0 + mu_s_4));
     float _e17 = spread;
-    return min(max(((nu_1 - (mu_1 * mu_s_3)) / sqrt(max(_e17, 1e-24))), -1.0), 1.0);
+    return min(max(((nu_1 - (mu_1 * mu_s_4)) / sqrt(max(_e17, 1e-24))), -1.0), 1.0);
 }
 
-vec4 gathered(int first, int points, int local_3, float mu_s_4, float nu_2, int suns, int degree) {
+vec4 gathered(int first, int points, int local_3, float mu_s_5, float nu_2, int suns, int degree) {
     int block = 0;
     vec4 radiance = vec4(0.0);
     int k_1 = 0;
@@ -388,7 +440,7 @@ vec4 gathered(int first, int points, int local_3, float mu_s_4, float nu_2, int 
         }
         {
             int _e35 = k_1;
-            Several_f32_f32_ _e37 = star_from_point((first + _e35), mu_s_4, nu_2);
+            Several_f32_f32_ _e37 = star_from_point((first + _e35), mu_s_5, nu_2);
             mu_sk = _e37.v0_;
             nu_k = _e37.v1_;
             float _e40 = mu_sk;
@@ -584,23 +636,23 @@ vec4 gathered(int first, int points, int local_3, float mu_s_4, float nu_2, int 
     return _e281;
 }
 
-float star_at_end(int i, int a_2, float mu_s_5, float nu_3) {
+float star_at_end(int i_1, int a_3, float mu_s_6, float nu_3) {
     int _e5 = size_end(1);
     int _e9 = size_end(2);
-    float _e13 = read_end(((((i * _e5) + a_2) * _e9) + 0));
+    float _e13 = read_end(((((i_1 * _e5) + a_3) * _e9) + 0));
     int _e16 = size_end(1);
     int _e20 = size_end(2);
-    float _e24 = read_end(((((i * _e16) + a_2) * _e20) + 1));
-    return min(max(((_e13 * mu_s_5) + (_e24 * nu_3)), -1.0), 1.0);
+    float _e24 = read_end(((((i_1 * _e16) + a_3) * _e20) + 1));
+    return min(max(((_e13 * mu_s_6) + (_e24 * nu_3)), -1.0), 1.0);
 }
 
-vec4 sky_at(float mu_s_6, int suns_1) {
+vec4 sky_at(float mu_s_7, int suns_1) {
     float x_13 = 0.0;
     int column_1 = 0;
     float f_1 = 0.0;
     float g_1 = 0.0;
     int low_1 = 0;
-    float _e7 = place_of(mu_s_6);
+    float _e7 = place_of(mu_s_7);
     x_13 = _e7;
     float _e8 = x_13;
     column_1 = min(int(_e8), (suns_1 - 2));
@@ -626,111 +678,83 @@ vec4 sky_at(float mu_s_6, int suns_1) {
     return (((_e25 * _e29) + (_e31 * _e35)) / ((_e38 * _e40) + (_e42 * _e46)));
 }
 
-vec4 radiance_again(int index_13, int first_point) {
-    int b_2 = 0;
-    int j = 0;
-    int ray = 0;
-    int i_1 = 0;
-    int a_3 = 0;
-    float mu_s_7 = 0.0;
+vec4 radiance_again(int index_14, int first_point) {
+    int ray_1 = 0;
+    int i_2 = 0;
+    int a_4 = 0;
+    float mu_s_8 = 0.0;
     float nu_4 = 0.0;
     int first_1 = 0;
     int points_1 = 0;
     vec4 radiance_1 = vec4(0.0);
     float at_ground = 0.0;
-    float _e16 = _group_0_binding_0_fs.counts.w;
-    int _e18 = whole_rest(index_13, int(_e16));
-    b_2 = _e18;
-    float _e22 = _group_0_binding_0_fs.counts.w;
-    int _e24 = whole_quotient(index_13, int(_e22));
-    float _e28 = _group_0_binding_0_fs.counts.z;
-    int _e30 = whole_rest(_e24, int(_e28));
-    j = _e30;
-    float _e34 = _group_0_binding_0_fs.counts.w;
-    float _e39 = _group_0_binding_0_fs.counts.z;
-    int _e42 = whole_quotient(index_13, (int(_e34) * int(_e39)));
-    ray = _e42;
-    int _e43 = ray;
-    float _e47 = _group_0_binding_0_fs.counts.y;
-    int _e49 = whole_quotient(_e43, int(_e47));
-    int _e50 = ray;
-    float _e54 = _group_0_binding_0_fs.counts.y;
-    int _e56 = whole_rest(_e50, int(_e54));
-    i_1 = _e49;
-    a_3 = _e56;
-    int _e57 = j;
-    float _e58 = read_sun_cosines(_e57);
-    mu_s_7 = _e58;
-    int _e59 = i_1;
-    int _e61 = size_mu(1);
-    int _e63 = a_3;
-    float _e65 = read_mu(((_e59 * _e61) + _e63));
-    float _e66 = mu_s_7;
-    int _e67 = b_2;
-    float _e68 = read_cosines(_e67);
-    float _e69 = star_from_ray(_e65, _e66, _e68);
-    nu_4 = _e69;
-    int _e70 = i_1;
-    int _e72 = size_start(1);
-    int _e74 = a_3;
-    float _e76 = read_start(((_e70 * _e72) + _e74));
-    first_1 = int(_e76);
-    int _e78 = i_1;
-    int _e80 = size_start(1);
-    int _e82 = a_3;
-    float _e86 = read_start(((_e78 * _e80) + (_e82 + 1)));
-    int _e88 = first_1;
-    points_1 = (int(_e86) - _e88);
-    int _e90 = ray;
-    vec4 _e93 = read_shares_table((1 * _e90));
-    int _e94 = first_1;
-    int _e95 = points_1;
-    int _e96 = first_1;
-    float _e98 = mu_s_7;
-    float _e99 = nu_4;
-    float _e103 = _group_0_binding_0_fs.counts.z;
-    float _e108 = _group_0_binding_0_fs.more_counts.x;
-    vec4 _e110 = gathered(_e94, _e95, (_e96 - first_point), _e98, _e99, int(_e103), int(_e108));
-    radiance_1 = (_e93 * _e110);
-    int _e112 = a_3;
-    float _e116 = _group_0_binding_0_fs.counts.y;
-    int _e119 = whole_quotient(int(_e116), 2);
-    if ((_e112 < _e119)) {
-        int _e121 = i_1;
-        int _e122 = a_3;
-        float _e123 = mu_s_7;
-        float _e124 = nu_4;
-        float _e125 = star_at_end(_e121, _e122, _e123, _e124);
-        at_ground = _e125;
-        vec4 _e126 = radiance_1;
-        int _e127 = ray;
-        vec4 _e130 = read_reflections_table((1 * _e127));
-        float _e131 = at_ground;
-        float _e135 = _group_0_binding_0_fs.counts.z;
-        vec4 _e137 = sky_at(_e131, int(_e135));
-        radiance_1 = (_e126 + (_e130 * _e137));
+    Several_i32_i32_i32_f32_f32_ _e11 = ray_and_star(index_14);
+    ray_1 = _e11.v0_;
+    i_2 = _e11.v1_;
+    a_4 = _e11.v2_;
+    mu_s_8 = _e11.v3_;
+    nu_4 = _e11.v4_;
+    int _e17 = i_2;
+    int _e19 = size_start(1);
+    int _e21 = a_4;
+    float _e23 = read_start(((_e17 * _e19) + _e21));
+    first_1 = int(_e23);
+    int _e25 = i_2;
+    int _e27 = size_start(1);
+    int _e29 = a_4;
+    float _e33 = read_start(((_e25 * _e27) + (_e29 + 1)));
+    int _e35 = first_1;
+    points_1 = (int(_e33) - _e35);
+    int _e37 = ray_1;
+    vec4 _e40 = read_shares_table((1 * _e37));
+    int _e41 = first_1;
+    int _e42 = points_1;
+    int _e43 = first_1;
+    float _e45 = mu_s_8;
+    float _e46 = nu_4;
+    float _e50 = _group_0_binding_0_fs.counts.z;
+    float _e55 = _group_0_binding_0_fs.more_counts.x;
+    vec4 _e57 = gathered(_e41, _e42, (_e43 - first_point), _e45, _e46, int(_e50), int(_e55));
+    radiance_1 = (_e40 * _e57);
+    int _e59 = a_4;
+    float _e63 = _group_0_binding_0_fs.counts.y;
+    int _e66 = whole_quotient(int(_e63), 2);
+    if ((_e59 < _e66)) {
+        int _e68 = i_2;
+        int _e69 = a_4;
+        float _e70 = mu_s_8;
+        float _e71 = nu_4;
+        float _e72 = star_at_end(_e68, _e69, _e70, _e71);
+        at_ground = _e72;
+        vec4 _e73 = radiance_1;
+        int _e74 = ray_1;
+        vec4 _e77 = read_reflections_table((1 * _e74));
+        float _e78 = at_ground;
+        float _e82 = _group_0_binding_0_fs.counts.z;
+        vec4 _e84 = sky_at(_e78, int(_e82));
+        radiance_1 = (_e73 + (_e77 * _e84));
     }
-    vec4 _e140 = radiance_1;
-    return _e140;
+    vec4 _e87 = radiance_1;
+    return _e87;
 }
 
-vec4 texel(int index_14) {
+vec4 texel(int index_15) {
     float _e4 = _group_0_binding_1_fs.texels.z;
-    vec4 _e6 = radiance_again(index_14, int(_e4));
+    vec4 _e6 = radiance_again(index_15, int(_e4));
     return _e6;
 }
 
 void main() {
     vec4 position = gl_FragCoord;
     bool local = false;
-    int index_15 = ((int(position.y) * 2048) + int(position.x));
+    int index_16 = ((int(position.y) * 2048) + int(position.x));
     float _e11 = _group_0_binding_1_fs.texels.x;
     int first_2 = int(_e11);
     float _e16 = _group_0_binding_1_fs.texels.y;
     int last = (int(_e16) - 1);
-    vec4 _e21 = texel(min(max(index_15, first_2), last));
-    if (!((index_15 < first_2))) {
-        local = (index_15 > last);
+    vec4 _e21 = texel(min(max(index_16, first_2), last));
+    if (!((index_16 < first_2))) {
+        local = (index_16 > last);
     } else {
         local = true;
     }

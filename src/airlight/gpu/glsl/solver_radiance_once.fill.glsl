@@ -1,5 +1,5 @@
 #version 300 es
-// of solver_radiance_once.wgsl 2e5ef3f13160569a, by naga-wasm@30.1.0
+// of solver_radiance_once.wgsl 517f099e4e3ee59e, by naga-wasm@30.1.0
 precision highp float;
 precision highp int;
 
@@ -61,6 +61,13 @@ struct Solve {
 };
 struct Span {
     vec4 texels;
+};
+struct Several_i32_i32_i32_f32_f32_ {
+    int v0_;
+    int v1_;
+    int v2_;
+    float v3_;
+    float v4_;
 };
 struct Several_f32_f32_ {
     float v0_;
@@ -313,15 +320,15 @@ float cosine(float x_6) {
 }
 
 float angle_of(float y, float x_7) {
-    float a_4 = abs(x_7);
+    float a_5 = abs(x_7);
     float b_3 = abs(y);
-    float slope = (min(a_4, b_3) / max(max(a_4, b_3), 1e-37));
+    float slope = (min(a_5, b_3) / max(max(a_5, b_3), 1e-37));
     bool steep = (slope > 0.41421357);
     float t = (steep ? ((slope - 1.0) / (slope + 1.0)) : slope);
     float z = (t * t);
     float tail_1 = (-0.3333295 + (z * (0.19977711 + (z * (-0.13877685 + (z * 0.080537446))))));
     float part = ((steep ? 0.7853982 : 0.0) + (t + ((t * z) * tail_1)));
-    float quarter_2 = ((b_3 > a_4) ? (1.5707964 - part) : part);
+    float quarter_2 = ((b_3 > a_5) ? (1.5707964 - part) : part);
     float half_ = ((x_7 < 0.0) ? (3.1415927 - quarter_2) : quarter_2);
     return ((y < 0.0) ? -(half_) : half_);
 }
@@ -348,34 +355,79 @@ float star_from_ray(float mu, float mu_s, float cosine_1_) {
     return min(max(((mu * mu_s) + (_e22 * cosine_1_)), -1.0), 1.0);
 }
 
-Several_f32_f32_ star_from_point(int point, float mu_s_1, float nu) {
+Several_i32_i32_i32_f32_f32_ ray_and_star(int index_15) {
+    int b_2 = 0;
+    int j = 0;
+    int ray = 0;
+    int i = 0;
+    int a_2 = 0;
+    float mu_s_1 = 0.0;
+    float _e10 = _group_0_binding_0_fs.counts.w;
+    int _e12 = whole_rest(index_15, int(_e10));
+    b_2 = _e12;
+    float _e16 = _group_0_binding_0_fs.counts.w;
+    int _e18 = whole_quotient(index_15, int(_e16));
+    float _e22 = _group_0_binding_0_fs.counts.z;
+    int _e24 = whole_rest(_e18, int(_e22));
+    j = _e24;
+    float _e28 = _group_0_binding_0_fs.counts.w;
+    float _e33 = _group_0_binding_0_fs.counts.z;
+    int _e36 = whole_quotient(index_15, (int(_e28) * int(_e33)));
+    ray = _e36;
+    int _e37 = ray;
+    float _e41 = _group_0_binding_0_fs.counts.y;
+    int _e43 = whole_quotient(_e37, int(_e41));
+    int _e44 = ray;
+    float _e48 = _group_0_binding_0_fs.counts.y;
+    int _e50 = whole_rest(_e44, int(_e48));
+    i = _e43;
+    a_2 = _e50;
+    int _e51 = j;
+    float _e52 = read_sun_cosines(_e51);
+    mu_s_1 = _e52;
+    int _e53 = ray;
+    int _e54 = i;
+    int _e55 = a_2;
+    float _e56 = mu_s_1;
+    int _e57 = i;
+    int _e59 = size_mu(1);
+    int _e61 = a_2;
+    float _e63 = read_mu(((_e57 * _e59) + _e61));
+    float _e64 = mu_s_1;
+    int _e65 = b_2;
+    float _e66 = read_cosines(_e65);
+    float _e67 = star_from_ray(_e63, _e64, _e66);
+    return Several_i32_i32_i32_f32_f32_(_e53, _e54, _e55, _e56, _e67);
+}
+
+Several_f32_f32_ star_from_point(int point, float mu_s_2, float nu) {
     float here = 0.0;
     int _e5 = size_turn(1);
     float _e9 = read_turn(((point * _e5) + 0));
     int _e12 = size_turn(1);
     float _e16 = read_turn(((point * _e12) + 1));
-    here = min(max(((_e9 * mu_s_1) + (_e16 * nu)), -1.0), 1.0);
+    here = min(max(((_e9 * mu_s_2) + (_e16 * nu)), -1.0), 1.0);
     float _e23 = here;
     int _e25 = size_turn(1);
     float _e29 = read_turn(((point * _e25) + 2));
     int _e32 = size_turn(1);
     float _e36 = read_turn(((point * _e32) + 3));
-    return Several_f32_f32_(_e23, ((_e29 * mu_s_1) + (_e36 * nu)));
+    return Several_f32_f32_(_e23, ((_e29 * mu_s_2) + (_e36 * nu)));
 }
 
 float horizon_cosine(float r, float bottom_radius) {
     return (-(sqrt(max(((r - bottom_radius) * (r + bottom_radius)), 0.0))) / r);
 }
 
-float sun_elevation(float r_1, float mu_s_2, float bottom_radius_1) {
+float sun_elevation(float r_1, float mu_s_3, float bottom_radius_1) {
     float sine_1_ = 0.0;
     sine_1_ = (bottom_radius_1 / r_1);
     float _e5 = horizon_cosine(r_1, bottom_radius_1);
     float _e7 = sine_1_;
-    return ((mu_s_2 - _e5) / _e7);
+    return ((mu_s_3 - _e5) / _e7);
 }
 
-Several_f32_f32_f32_ seen_star(float x_11, float mu_s_3, float bottom, float top) {
+Several_f32_f32_f32_ seen_star(float x_11, float mu_s_4, float bottom, float top) {
     float sine_1_1 = 0.0;
     float horizon = 0.0;
     float tangent = 0.0;
@@ -395,8 +447,8 @@ Several_f32_f32_f32_ seen_star(float x_11, float mu_s_3, float bottom, float top
     float squeeze = 0.0;
     int _e22 = size_lift(0);
     if ((_e22 == 0)) {
-        float _e25 = sun_elevation(x_11, mu_s_3, bottom);
-        return Several_f32_f32_f32_(mu_s_3, 1.0, _e25);
+        float _e25 = sun_elevation(x_11, mu_s_4, bottom);
+        return Several_f32_f32_f32_(mu_s_4, 1.0, _e25);
     }
     sine_1_1 = (bottom / x_11);
     float _e29 = horizon_cosine(x_11, bottom);
@@ -424,7 +476,7 @@ Several_f32_f32_f32_ seen_star(float x_11, float mu_s_3, float bottom, float top
     float _e90 = f;
     true_horizon = (_e59 - ((_e71 * (1.0 - _e72)) + (_e89 * _e90)));
     float _e94 = true_horizon;
-    above = (mu_s_3 - _e94);
+    above = (mu_s_4 - _e94);
     float _e96 = above;
     float _e99 = true_horizon;
     int _e107 = size_lift(1);
@@ -505,7 +557,7 @@ Several_f32_f32_f32_ seen_star(float x_11, float mu_s_3, float bottom, float top
     float _e281 = squeeze;
     float _e282 = above;
     float _e283 = sine_1_1;
-    return Several_f32_f32_f32_(min((mu_s_3 + _e277), 1.0), _e281, (_e282 / _e283));
+    return Several_f32_f32_f32_(min((mu_s_4 + _e277), 1.0), _e281, (_e282 / _e283));
 }
 
 float visible_fraction(float elevation, float angular_radius) {
@@ -576,7 +628,7 @@ Several_f32_f32_ visible_spread(float elevation_1, float angular_radius_1) {
     return Several_f32_f32_((elevation_1 + (angular_radius_1 * _e77)), (angular_radius_1 * _e80));
 }
 
-Several_f32_f32_f32_ star_points(float x_14, float mu_s_4, float bottom_1, float top_1, float star_radius) {
+Several_f32_f32_f32_ star_points(float x_14, float mu_s_5, float bottom_1, float top_1, float star_radius) {
     float seen = 0.0;
     float squeeze_1 = 0.0;
     float elevation_2 = 0.0;
@@ -588,7 +640,7 @@ Several_f32_f32_f32_ star_points(float x_14, float mu_s_4, float bottom_1, float
     float lowest = 0.0;
     bool local_3 = false;
     bool local_4 = false;
-    Several_f32_f32_f32_ _e14 = seen_star(x_14, mu_s_4, bottom_1, top_1);
+    Several_f32_f32_f32_ _e14 = seen_star(x_14, mu_s_5, bottom_1, top_1);
     seen = _e14.v0_;
     squeeze_1 = _e14.v1_;
     elevation_2 = _e14.v2_;
@@ -681,21 +733,21 @@ vec4 through_row(int local_5, float x_15, int directions) {
     return exp((vec4(0.0) - (((1.0 - _e18) * _e22) + (_e24 * _e28))));
 }
 
-float star_at_end(int i, int a_2, float mu_s_5, float nu_1) {
+float star_at_end(int i_1, int a_3, float mu_s_6, float nu_1) {
     int _e5 = size_end(1);
     int _e9 = size_end(2);
-    float _e13 = read_end(((((i * _e5) + a_2) * _e9) + 0));
+    float _e13 = read_end(((((i_1 * _e5) + a_3) * _e9) + 0));
     int _e16 = size_end(1);
     int _e20 = size_end(2);
-    float _e24 = read_end(((((i * _e16) + a_2) * _e20) + 1));
-    return min(max(((_e13 * mu_s_5) + (_e24 * nu_1)), -1.0), 1.0);
+    float _e24 = read_end(((((i_1 * _e16) + a_3) * _e20) + 1));
+    return min(max(((_e13 * mu_s_6) + (_e24 * nu_1)), -1.0), 1.0);
 }
 
-Several_f32_f32_f32_f32_ level_light(float x_16, float mu_s_6, float bottom_2, float top_2, float star_radius_1) {
+Several_f32_f32_f32_f32_ level_light(float x_16, float mu_s_7, float bottom_2, float top_2, float star_radius_1) {
     float received_1 = 0.0;
     float low = 0.0;
     float high = 0.0;
-    Several_f32_f32_f32_ _e8 = star_points(x_16, mu_s_6, bottom_2, top_2, star_radius_1);
+    Several_f32_f32_f32_ _e8 = star_points(x_16, mu_s_7, bottom_2, top_2, star_radius_1);
     received_1 = _e8.v0_;
     low = _e8.v1_;
     high = _e8.v2_;
@@ -732,14 +784,14 @@ vec4 through_row_2_(float x_17, int directions_1) {
     return exp((vec4(0.0) - (((1.0 - _e18) * _e22) + (_e24 * _e28))));
 }
 
-vec4 direct_light(float mu_s_7, float bottom_3, float top_3, float star_radius_2, int directions_2) {
+vec4 direct_light(float mu_s_8, float bottom_3, float top_3, float star_radius_2, int directions_2) {
     float from_low = 0.0;
     float from_high = 0.0;
     float low_1 = 0.0;
     float high_1 = 0.0;
     float x_18 = 0.0;
     vec4 light = vec4(0.0);
-    Several_f32_f32_f32_f32_ _e11 = level_light(bottom_3, mu_s_7, bottom_3, top_3, star_radius_2);
+    Several_f32_f32_f32_f32_ _e11 = level_light(bottom_3, mu_s_8, bottom_3, top_3, star_radius_2);
     from_low = _e11.v0_;
     from_high = _e11.v1_;
     low_1 = _e11.v2_;
@@ -916,7 +968,7 @@ void fill_phases_1_(float nu_2, int degree, int constituents) {
     return;
 }
 
-vec4 scattered_once_1_(int first, int points, int strong, int constituents_1, int deep, int directions_3, float mu_s_8, float nu_3, float bottom_4, float top_4, float star_radius_3) {
+vec4 scattered_once_1_(int first, int points, int strong, int constituents_1, int deep, int directions_3, float mu_s_9, float nu_3, float bottom_4, float top_4, float star_radius_3) {
     vec4 radiance = vec4(0.0);
     int k = 0;
     float q = 0.0;
@@ -947,7 +999,7 @@ vec4 scattered_once_1_(int first, int points, int strong, int constituents_1, in
             float _e29 = read_radius((first + _e27));
             q = _e29;
             int _e30 = k;
-            Several_f32_f32_ _e32 = star_from_point((first + _e30), mu_s_8, nu_3);
+            Several_f32_f32_ _e32 = star_from_point((first + _e30), mu_s_9, nu_3);
             mu_sk = _e32.v0_;
             float _e34 = q;
             float _e35 = mu_sk;
@@ -1066,122 +1118,94 @@ vec4 scattered_once_1_(int first, int points, int strong, int constituents_1, in
     return _e192;
 }
 
-vec4 radiance_once(int index_15, int first_point) {
-    int b_2 = 0;
-    int j = 0;
-    int ray = 0;
-    int i_1 = 0;
-    int a_3 = 0;
-    float mu_s_9 = 0.0;
+vec4 radiance_once(int index_16, int first_point) {
+    int ray_1 = 0;
+    int i_2 = 0;
+    int a_4 = 0;
+    float mu_s_10 = 0.0;
     float nu_4 = 0.0;
     int first_1 = 0;
     int points_1 = 0;
     vec4 radiance_1 = vec4(0.0);
     float at_ground = 0.0;
-    float _e16 = _group_0_binding_0_fs.counts.w;
-    int _e18 = whole_rest(index_15, int(_e16));
-    b_2 = _e18;
-    float _e22 = _group_0_binding_0_fs.counts.w;
-    int _e24 = whole_quotient(index_15, int(_e22));
-    float _e28 = _group_0_binding_0_fs.counts.z;
-    int _e30 = whole_rest(_e24, int(_e28));
-    j = _e30;
-    float _e34 = _group_0_binding_0_fs.counts.w;
-    float _e39 = _group_0_binding_0_fs.counts.z;
-    int _e42 = whole_quotient(index_15, (int(_e34) * int(_e39)));
-    ray = _e42;
-    int _e43 = ray;
-    float _e47 = _group_0_binding_0_fs.counts.y;
-    int _e49 = whole_quotient(_e43, int(_e47));
-    int _e50 = ray;
-    float _e54 = _group_0_binding_0_fs.counts.y;
-    int _e56 = whole_rest(_e50, int(_e54));
-    i_1 = _e49;
-    a_3 = _e56;
-    int _e57 = j;
-    float _e58 = read_sun_cosines(_e57);
-    mu_s_9 = _e58;
-    int _e59 = i_1;
-    int _e61 = size_mu(1);
-    int _e63 = a_3;
-    float _e65 = read_mu(((_e59 * _e61) + _e63));
-    float _e66 = mu_s_9;
-    int _e67 = b_2;
-    float _e68 = read_cosines(_e67);
-    float _e69 = star_from_ray(_e65, _e66, _e68);
-    nu_4 = _e69;
-    int _e70 = i_1;
-    int _e72 = size_start(1);
-    int _e74 = a_3;
-    float _e76 = read_start(((_e70 * _e72) + _e74));
-    first_1 = int(_e76);
-    int _e78 = i_1;
-    int _e80 = size_start(1);
-    int _e82 = a_3;
-    float _e86 = read_start(((_e78 * _e80) + (_e82 + 1)));
-    int _e88 = first_1;
-    points_1 = (int(_e86) - _e88);
-    float _e90 = nu_4;
-    float _e94 = _group_0_binding_0_fs.more_counts.x;
-    float _e99 = _group_0_binding_0_fs.more_counts.z;
-    fill_phases_1_(_e90, int(_e94), int(_e99));
-    int _e101 = ray;
-    vec4 _e104 = read_shares_table((1 * _e101));
-    int _e105 = first_1;
-    int _e106 = points_1;
-    int _e107 = first_1;
-    float _e111 = _group_0_binding_0_fs.more_counts.z;
-    int _e113 = first_1;
-    float _e120 = _group_0_binding_0_fs.more_counts.w;
-    float _e122 = mu_s_9;
-    float _e123 = nu_4;
-    float _e127 = _group_0_binding_0_fs.measures.x;
-    float _e131 = _group_0_binding_0_fs.measures.y;
-    float _e135 = _group_0_binding_0_fs.measures.z;
-    vec4 _e136 = scattered_once_1_(_e105, _e106, _e107, int(_e111), ((1 + _e113) - first_point), int(_e120), _e122, _e123, _e127, _e131, _e135);
-    radiance_1 = (_e104 * _e136);
-    int _e138 = a_3;
-    float _e142 = _group_0_binding_0_fs.counts.y;
-    int _e145 = whole_quotient(int(_e142), 2);
-    if ((_e138 < _e145)) {
-        int _e147 = i_1;
-        int _e148 = a_3;
-        float _e149 = mu_s_9;
-        float _e150 = nu_4;
-        float _e151 = star_at_end(_e147, _e148, _e149, _e150);
-        at_ground = _e151;
-        vec4 _e152 = radiance_1;
-        int _e153 = ray;
-        vec4 _e156 = read_reflections_table((1 * _e153));
-        float _e157 = at_ground;
-        float _e161 = _group_0_binding_0_fs.measures.x;
-        float _e165 = _group_0_binding_0_fs.measures.y;
-        float _e169 = _group_0_binding_0_fs.measures.z;
-        float _e173 = _group_0_binding_0_fs.more_counts.w;
-        vec4 _e175 = direct_light(_e157, _e161, _e165, _e169, int(_e173));
-        radiance_1 = (_e152 + (_e156 * _e175));
+    Several_i32_i32_i32_f32_f32_ _e11 = ray_and_star(index_16);
+    ray_1 = _e11.v0_;
+    i_2 = _e11.v1_;
+    a_4 = _e11.v2_;
+    mu_s_10 = _e11.v3_;
+    nu_4 = _e11.v4_;
+    int _e17 = i_2;
+    int _e19 = size_start(1);
+    int _e21 = a_4;
+    float _e23 = read_start(((_e17 * _e19) + _e21));
+    first_1 = int(_e23);
+    int _e25 = i_2;
+    int _e27 = size_start(1);
+    int _e29 = a_4;
+    float _e33 = read_start(((_e25 * _e27) + (_e29 + 1)));
+    int _e35 = first_1;
+    points_1 = (int(_e33) - _e35);
+    float _e37 = nu_4;
+    float _e41 = _group_0_binding_0_fs.more_counts.x;
+    float _e46 = _group_0_binding_0_fs.more_counts.z;
+    fill_phases_1_(_e37, int(_e41), int(_e46));
+    int _e48 = ray_1;
+    vec4 _e51 = read_shares_table((1 * _e48));
+    int _e52 = first_1;
+    int _e53 = points_1;
+    int _e54 = first_1;
+    float _e58 = _group_0_binding_0_fs.more_counts.z;
+    int _e60 = first_1;
+    float _e67 = _group_0_binding_0_fs.more_counts.w;
+    float _e69 = mu_s_10;
+    float _e70 = nu_4;
+    float _e74 = _group_0_binding_0_fs.measures.x;
+    float _e78 = _group_0_binding_0_fs.measures.y;
+    float _e82 = _group_0_binding_0_fs.measures.z;
+    vec4 _e83 = scattered_once_1_(_e52, _e53, _e54, int(_e58), ((1 + _e60) - first_point), int(_e67), _e69, _e70, _e74, _e78, _e82);
+    radiance_1 = (_e51 * _e83);
+    int _e85 = a_4;
+    float _e89 = _group_0_binding_0_fs.counts.y;
+    int _e92 = whole_quotient(int(_e89), 2);
+    if ((_e85 < _e92)) {
+        int _e94 = i_2;
+        int _e95 = a_4;
+        float _e96 = mu_s_10;
+        float _e97 = nu_4;
+        float _e98 = star_at_end(_e94, _e95, _e96, _e97);
+        at_ground = _e98;
+        vec4 _e99 = radiance_1;
+        int _e100 = ray_1;
+        vec4 _e103 = read_reflections_table((1 * _e100));
+        float _e104 = at_ground;
+        float _e108 = _group_0_binding_0_fs.measures.x;
+        float _e112 = _group_0_binding_0_fs.measures.y;
+        float _e116 = _group_0_binding_0_fs.measures.z;
+        float _e120 = _group_0_binding_0_fs.more_counts.w;
+        vec4 _e122 = direct_light(_e104, _e108, _e112, _e116, int(_e120));
+        radiance_1 = (_e99 + (_e103 * _e122));
     }
-    vec4 _e178 = radiance_1;
-    return _e178;
+    vec4 _e125 = radiance_1;
+    return _e125;
 }
 
-vec4 texel(int index_16) {
+vec4 texel(int index_17) {
     float _e4 = _group_0_binding_1_fs.texels.z;
-    vec4 _e6 = radiance_once(index_16, int(_e4));
+    vec4 _e6 = radiance_once(index_17, int(_e4));
     return _e6;
 }
 
 void main() {
     vec4 position = gl_FragCoord;
     bool local = false;
-    int index_17 = ((int(position.y) * 2048) + int(position.x));
+    int index_18 = ((int(position.y) * 2048) + int(position.x));
     float _e11 = _group_0_binding_1_fs.texels.x;
     int first_2 = int(_e11);
     float _e16 = _group_0_binding_1_fs.texels.y;
     int last = (int(_e16) - 1);
-    vec4 _e21 = texel(min(max(index_17, first_2), last));
-    if (!((index_17 < first_2))) {
-        local = (index_17 > last);
+    vec4 _e21 = texel(min(max(index_18, first_2), last));
+    if (!((index_18 < first_2))) {
+        local = (index_18 > last);
     } else {
         local = true;
     }

@@ -1,0 +1,88 @@
+"""The numbers that the shaders get of a scene, a display and the orders of scattering."""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import Final
+
+import numpy as np
+
+from airlight.color.encoding import ENCODINGS
+from airlight.color.exposure import exposure_factor
+from airlight.color.tone_maps import TONE_MAPS
+from airlight.errors import ParameterError
+from airlight.geometry.bending import seen_star
+from airlight.scene import Scene
+from airlight.scene.projections import PROJECTIONS
+from airlight.solvers.moments.solution import MomentsSolution
+
+#: What ``orders`` may be, as the shaders count them.
+ORDERS: Final = {"all": 2, "single": 1, "multiple": 0}
+#: Choices that are made for a whole picture.
+CHOICES: Final = (
+    "projection", "tone_map", "encoding", "outside", "mapped", "draws_disc", "first_peak",
+    "second_peak",
+)  # fmt: skip
+#: What may change without a new table of the sky.
+NOT_THE_SKYS: Final = (
+    "width", "height", "field_of_view", "projection", "pixel_angle", "disc", "exact", "mapped",
+    "map_levels", "draws_disc", "exposure", "tone_map", "encoding", "first_row", "divider",
+    *(f"{axis}_{c}" for axis in ("right", "up", "forward") for c in "xyz"),
+    *(f"{a}{b}" for a in "xyz" for b in "xyz"),
+    *(f"{channel}_{i}" for channel in ("red", "green", "blue") for i in range(4)),
+)  # fmt: skip
+
+
+def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
+    """The uniforms of observer, star and camera."""
+    camera, medium = scene.camera, solution.paths.medium
+    true_r = solution.medium.bottom_radius + scene.altitude
+    r = float(solution.paths.optical_radius(np.array(true_r)))
+    outside = scene.altitude >= solution.medium.thickness
+    bottom = medium.bottom_radius
+    sun = scene.sun_direction
+    seen, lift = sun[2], solution.paths
+    if lift.shell is not None and not outside:
+        seen = float(seen_star(r, sun[2], lift.shell.bottom, lift.shell.top, lift.lift)[0])
+    axes = camera.axes
+    assert camera.field_of_view is not None
+    alpha = solution.medium.star_angular_radius
+    numbers = {
+        "r": r,
+        "outside": float(outside),
+        "horizon_mu": -sqrt(max((r - bottom) * (r + bottom), 0.0)) / r,
+        "horizon_sine": bottom / r,
+        "sun_x": float(np.hypot(sun[0], sun[1])),
+        "sun_z": float(sun[2]),
+        "seen_x": sqrt(max((1.0 - seen) * (1.0 + seen), 0.0)),
+        "seen_z": seen,
+        "field_of_view": np.radians(camera.field_of_view),
+        "projection": list(PROJECTIONS).index(camera.projection),
+        "pixel_angle": camera.pixel_angle,
+        "disc": 1.0 / (4.0 * np.pi * np.sin(0.5 * alpha) ** 2) if alpha > 0.0 else 0.0,
+    }
+    for name, axis in zip(("right", "up", "forward"), axes, strict=True):
+        numbers |= {f"{name}_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
+    for name, row in zip("xyz", scene.ground_frame, strict=True):
+        numbers |= {f"{name}{c}": float(value) for c, value in zip("xyz", row, strict=True)}
+    return numbers
+
+
+def display_numbers(exposure: float, tone_map: str, encoding: str | None) -> dict[str, float]:
+    """The uniforms of exposure [EV], tone map and encoding; None for a target that encodes."""
+    if tone_map not in TONE_MAPS:
+        raise ParameterError("tone_map", tone_map, ", ".join(TONE_MAPS))
+    if encoding is not None and encoding not in ENCODINGS:
+        raise ParameterError("encoding", encoding, ", ".join(ENCODINGS))
+    return {
+        "exposure": exposure_factor(exposure),
+        "tone_map": list(TONE_MAPS).index(tone_map),
+        "encoding": -1.0 if encoding is None else list(ENCODINGS).index(encoding),
+    }
+
+
+def order_number(orders: str) -> float:
+    """The orders of scattering, as the shaders count them."""
+    if orders not in ORDERS:
+        raise ParameterError("orders", orders, ", ".join(ORDERS))
+    return float(ORDERS[orders])

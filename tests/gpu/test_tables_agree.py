@@ -1,0 +1,450 @@
+"""Formulas that read tables, on the GPU and on the processor; and that no formula is left out.
+
+Reference: Numba, which compiles the same functions for the same tables, in double precision where
+they are of plain numbers. Four wavelengths of the GPU are the first four of the processor's eight
+lanes, both in single precision. EPS is the unit of its rounding.
+"""
+
+from __future__ import annotations
+
+import runpy
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numba
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight.geometry import bending, path
+from airlight.gpu import picture, solver_passes
+from airlight.gpu.emitter import Emitter
+from airlight.gpu.shader_types import Table
+from airlight.gpu.shaders import all_shaders
+from airlight.kernel.lanes import LANES, load, room_of_lanes, splat, store
+from airlight.solvers.moments import block_rays, first_order, grid, harmonics, source, sweep
+from airlight.tables import column_ratios, columns
+
+EPS = 2.0**-23
+COUNT = 400
+BOTTOM, TOP = 6360e3, 6460e3
+#: Rounding of lengths of the planet's size. [m]
+METRES = 4.0 * EPS * TOP
+#: Sizes of the tables here: constituents, degree of harmonics, nodes.
+THREE = 3
+DEGREE = 4
+TERMS = 15
+NODES = 9
+EDGES = 64
+STAR = 0.00465
+
+RNG = np.random.default_rng(7)
+
+
+def uniform(low: float, high: float) -> np.ndarray:
+    return RNG.uniform(low, high, COUNT)
+
+
+def lanes(*shape: int, low: float = 0.0, high: float = 1.0) -> np.ndarray:
+    """A table of four wavelengths."""
+    return RNG.uniform(low, high, (int(np.prod(shape)), 4)).astype(np.float32)
+
+
+# --- what is compared: each with its numbers first, then its tables, then its spectral tables ----
+
+
+def through_three(a, b, c, extinction):
+    here = np.empty(THREE)
+    here[0], here[1], here[2] = a, b, c
+    return source.through_columns(here, extinction, THREE, LANES, 0)
+
+
+def star_of_two(seen, a, b, c, spread, extinction):
+    here, there = np.empty(THREE), np.empty(THREE)
+    here[0], here[1], here[2] = a, b, c
+    there[0], there[1], there[2] = c, a, b
+    return source.star_at(seen, here, there, spread, extinction, THREE, LANES, 0)
+
+
+def scattered_by_three(a, b, c, scattering, phase):
+    here = np.empty(THREE, np.float32)
+    here[0], here[1], here[2] = np.float32(a), np.float32(b), np.float32(c)
+    return source.scattered_star(here, scattering, phase, THREE, LANES, 0)
+
+
+def level_by_two(a, b, c, low, high, extinction):
+    here, there = np.empty(THREE), np.empty(THREE)
+    here[0], here[1], here[2] = a, b, c
+    there[0], there[1], there[2] = c, a, b
+    return source.level_star(here, there, low, high, extinction, THREE, LANES, 0)
+
+
+def level_under_sky(place, share, sky):
+    return source.level_sky(sky, place, share, LANES, 0)
+
+
+def white(a, albedo):
+    return source.reflected(splat(a), load(albedo, 0))
+
+
+def third_phase(half_sine, table):
+    out = room_of_lanes(THREE)
+    source.read_phase(half_sine, table, NODES, LANES * THREE, out)
+    return load(out, LANES * 2)
+
+
+def some_harmonics(mu, start, ahead, back):
+    out = np.empty(TERMS, np.float32)
+    harmonics.legendre_functions(mu, (DEGREE, start, ahead, back), out)
+    return out[0], out[2], out[7], out[10], out[14]
+
+
+def one_harmonic(mu, l, m, start, ahead, back):
+    return harmonics.legendre_function(mu, l, m, start, ahead, back)
+
+
+def some_directed(mu, cosine, start, ahead, back):
+    out = np.empty(TERMS, np.float32)
+    harmonics.directed_functions(mu, cosine, (DEGREE, start, ahead, back), out)
+    return out[0], out[2], out[7], out[10], out[14]
+
+
+def gathered_of_four(a, b, c, mu, f, e, start, ahead, back, moments, field):
+    here = np.empty(THREE, np.float32)
+    here[0], here[1], here[2] = np.float32(a), np.float32(b), np.float32(c)
+    out = np.empty(TERMS, np.float32)
+    harmonics.legendre_functions(mu, (DEGREE, start, ahead, back), out)
+    block = LANES * (1 + TERMS)
+    g, h = np.float32(1.0 - f), np.float32(1.0 - e)
+    f, e = np.float32(f), np.float32(e)
+    return source.gathered_light(
+        here, moments, field, out, 0, 2 * block, block, g * h, g * e, f * h, f * e, DEGREE, THREE,
+        LANES, 0,
+    )  # fmt: skip
+
+
+def between_four(a, b, c, d, field):
+    return source.between(
+        field, 0, 2 * LANES, LANES, np.float32(a), np.float32(b), np.float32(c), np.float32(d)
+    )
+
+
+def row_in_grid(q, row):
+    return grid.row_of(q, BOTTOM, TOP, row)
+
+
+def place_in_grid(mu_s, place):
+    return sweep.place_of(mu_s, place)
+
+
+def place_of_density(radius):
+    node, share = columns.density_place(radius, BOTTOM, TOP - BOTTOM, 512)
+    return node + share
+
+
+def three_columns(r, mu, ratios):
+    here = np.empty(THREE)
+    column_ratios.columns_to_top(r, mu, BOTTOM, TOP, ratios, here)
+    return here[0], here[1], here[2]
+
+
+def corners_cut(r, mu, count, ends):
+    edges = np.empty(EDGES)
+    edges[0], edges[1] = 0.0, 1e7
+    count = columns.cut_at_corners(r, mu, BOTTOM, ends, edges, count)
+    return count, edges[1], edges[2], edges[3]
+
+
+def edges_placed(r, mu, length):
+    edges = np.empty(EDGES)
+    count = path.place_edges(r, mu, length, 2, 0.31 * length, 0.63 * length, edges)
+    return count, edges[0], edges[1], edges[2], edges[3], edges[4]
+
+
+def edge_inserted(cut):
+    edges = np.empty(EDGES)
+    edges[0], edges[1], edges[2] = 0.0, 0.5, 1.0
+    count = path.insert_edge(edges, 3, cut)
+    return count, edges[1], edges[2]
+
+
+def star_lifted(x, mu_s, lift):
+    return bending.seen_star(x, mu_s, BOTTOM, TOP, lift)
+
+
+def star_in_two(x, mu_s, lift):
+    return bending.star_points(x, mu_s, BOTTOM, TOP, STAR, lift)
+
+
+def star_on_level(x, mu_s, lift):
+    return bending.level_light(x, mu_s, BOTTOM, TOP, STAR, lift)
+
+
+def sky_between(row, sky, azimuth, table):
+    return picture.between_texels(table, 8, 6, row, sky, azimuth)
+
+
+def depth_of_row(first, column, extinction):
+    return sweep.optical_depth(column, first, extinction, THREE)
+
+
+def star_at_point(point, mu_s, nu, turn):
+    return sweep.star_from_point(turn, point, mu_s, nu)
+
+
+def star_at_ground(i, a, mu_s, nu, end):
+    return sweep.star_at_end(end, i, a, mu_s, nu)
+
+
+def strength_of_point(point, l, amount, moments):
+    return sweep.strength_of(moments, amount, point, l, DEGREE, THREE)
+
+
+def share_of_ground(first, total, albedo, extinction):
+    return sweep.reflected_share(albedo, extinction, total, first, THREE)
+
+
+def sky_on_ground(mu_s, place, ground):
+    return sweep.sky_at(ground, mu_s, place, NODES)
+
+
+def emitted_by(a, scale):
+    return block_rays.emitted(load(scale, 0) * np.float32(a))
+
+
+def through_a_row(local, x, depths):
+    return first_order.through_row(depths, local, x, NODES)
+
+
+def depth_above(row, f, place, distance, ratios, extinction):
+    return first_order.depth_towards(ratios, row, f, place, distance, extinction, THREE)
+
+
+def phases_from_moments(nu, moments):
+    out = room_of_lanes(THREE)
+    first_order.fill_phases(moments, nu, DEGREE, THREE, out)
+    return load(out, LANES)
+
+
+class Case(NamedTuple):
+    """A function of these, its numbers and tables, and how far single precision may take it."""
+
+    function: Any
+    of: tuple[Any, ...]
+    inputs: tuple[Any, ...]
+    tables: Mapping[str, np.ndarray] = {}
+    spectra: Mapping[str, np.ndarray] = {}
+    rtol: float = 16.0 * EPS
+    atol: float = 0.0
+
+
+RECURRENCES = harmonics.harmonics(DEGREE)
+HARMONICS = {"start": RECURRENCES.start, "ahead": RECURRENCES.ahead, "back": RECURRENCES.back}
+AMOUNTS = (uniform(0.0, 3.0), uniform(0.0, 3.0), uniform(0.0, 3.0))
+MU, UNIT = uniform(-1.0, 1.0), uniform(0.0, 1.0)
+R = uniform(BOTTOM + 1e3, TOP)
+#: Exponentials of up to -9, and sums of three before.
+DEPTH = 64.0 * EPS
+SPECTRA = {"extinction": lanes(THREE)}
+GRID = np.sort(RNG.uniform(0.0, 40.0, 33))
+RATIOS = 1.0 + RNG.uniform(0.0, 0.2, (8, 16, THREE, 2))
+LIFT = np.stack([RNG.uniform(0.0, 0.01, (8, 12)), RNG.uniform(0.8, 1.0, (8, 12))], -1)
+FIELD = np.concatenate(
+    [lanes(4, 1, low=0.5).reshape(4, 1, 4), lanes(4, TERMS).reshape(4, TERMS, 4)], axis=1
+).reshape(-1, 4)
+
+CASES = [
+    Case(through_three, (source.through_columns,), AMOUNTS, {}, SPECTRA, DEPTH),
+    Case(star_of_two, (source.star_at,), (UNIT, *AMOUNTS, UNIT > 0.5), {}, SPECTRA, DEPTH),
+    Case(scattered_by_three, (source.scattered_star,), AMOUNTS, {},
+         {"scattering": lanes(THREE), "phase": lanes(THREE)}),
+    Case(level_by_two, (source.level_star,), (*AMOUNTS, UNIT, 1.0 - UNIT), {}, SPECTRA, DEPTH),
+    Case(level_under_sky, (source.level_sky,), (RNG.integers(0, NODES - 1, COUNT), UNIT), {},
+         {"sky": lanes(2 * NODES, low=0.1)}),
+    Case(white, (source.reflected,), (UNIT,), {}, {"albedo": lanes(1)}),
+    # The place in the table is good to EPS of its length, its slope is the table's step.
+    Case(third_phase, (source.read_phase,), (UNIT,), {}, {"table": lanes(NODES * THREE)},
+         atol=16 * NODES * EPS),
+    # Four steps of the recurrence, each a difference of terms of order 2.
+    Case(some_harmonics, (harmonics.legendre_functions,), (MU,), HARMONICS, atol=64 * EPS),
+    Case(one_harmonic, (harmonics.legendre_function,),
+         (MU, RNG.integers(2, DEGREE + 1, COUNT), RNG.integers(0, 3, COUNT)), HARMONICS,
+         atol=64 * EPS),
+    Case(some_directed, (harmonics.directed_functions,), (MU, 2.0 * UNIT - 1.0), HARMONICS,
+         atol=64 * EPS),
+    Case(between_four, (source.between,), (UNIT, UNIT, *AMOUNTS[:2]), {}, {"field": lanes(4)}),
+    # Sums of 15 harmonics of either sign, over a scale of at least a half.
+    Case(gathered_of_four, (source.gathered_light,), (*AMOUNTS, MU, UNIT, 1.0 - UNIT), HARMONICS,
+         {"moments": lanes(THREE * (DEGREE + 1)), "field": FIELD}, rtol=64 * EPS, atol=2048 * EPS),
+    # r - R is good to EPS of R, which is 1e-5 of the shell's 100 km; steps of the table: 40.
+    Case(row_in_grid, (grid.row_of,), (R,), {"row": GRID}, atol=40 * 33 * METRES / 1e5),
+    Case(place_in_grid, (sweep.place_of,), (MU,), {"place": GRID}, atol=40 * 33 * 4 * EPS),
+    # As the grid's: 512 nodes, over twice the root of the lowest height, 1 km of 100.
+    Case(place_of_density, (columns.density_place,), (R,), atol=512 * METRES / 1e5 / 0.2),
+    # Places in the table as in test_kernels_agree, its steps a fifth; a way of up to 1000 km.
+    Case(three_columns, (column_ratios.columns_to_top,), (R, uniform(0.05, 1.0)),
+         {"ratios": RATIOS}, rtol=1e-4, atol=4 * METRES),
+    Case(corners_cut, (columns.cut_at_corners,), (uniform(BOTTOM, BOTTOM + 15e3),
+         uniform(0.2, 0.9), np.full(COUNT, 2)), {"ends": np.array([20e3, 60e3])},
+         atol=4 * METRES / 0.2),
+    # Where the way is cut evenly in the root of its height.
+    Case(edges_placed, (path.place_edges,), (R, uniform(0.2, 0.9), uniform(1e4, 1e5)),
+         atol=8 * METRES / 0.2),
+    Case(edge_inserted, (path.insert_edge,), (uniform(-0.5, 1.5),)),
+    # A root of the height above the horizon, at least 0.02 there, over 8 or 12 steps of 0.01.
+    Case(star_lifted, (bending.seen_star,), (R, uniform(0.02, 1.0)), {"lift": LIFT},
+         atol=16 * 12 * EPS),
+    # As visible_spread in test_kernels_agree.
+    Case(star_in_two, (bending.star_points,), (R, uniform(0.02, 0.2)), {"lift": LIFT},
+         atol=32 * 12 * EPS),
+    Case(star_on_level, (bending.level_light,), (R, uniform(0.02, 0.2)), {"lift": LIFT},
+         atol=32 * 12 * EPS),
+    # A fourth power of what stands between texels.
+    Case(sky_between, (picture.between_texels,), (UNIT, uniform(0.0, 1.0) < 0.5,
+         uniform(0.0, 1.0)), {}, {"table": lanes(8 * 12)}, atol=4 * 16 * 8 * EPS),
+    Case(depth_of_row, (sweep.optical_depth,), (RNG.integers(0, 20, COUNT),),
+         {"column": RNG.uniform(0.0, 2.0, 24)}, SPECTRA),
+    Case(star_at_point, (sweep.star_from_point,), (RNG.integers(0, 5, COUNT), MU, UNIT),
+         {"turn": RNG.uniform(-1.0, 1.0, (5, 4))}, atol=4 * EPS),
+    Case(star_at_ground, (sweep.star_at_end,), (RNG.integers(0, 5, COUNT),
+         RNG.integers(0, 3, COUNT), MU, UNIT), {"end": RNG.uniform(-1.0, 1.0, (5, 3, 2))},
+         atol=4 * EPS),
+    Case(strength_of_point, (sweep.strength_of,), (RNG.integers(0, 5, COUNT),
+         RNG.integers(0, DEGREE + 1, COUNT)), {"amount": RNG.uniform(0.0, 1.0, (5, THREE))},
+         {"moments": lanes(THREE * (DEGREE + 1))}),
+    Case(share_of_ground, (sweep.reflected_share,), (RNG.integers(0, 20, COUNT),),
+         {"total": RNG.uniform(0.0, 2.0, 24)}, {"albedo": lanes(1), **SPECTRA}, DEPTH),
+    Case(sky_on_ground, (sweep.sky_at,), (MU,), {"place": np.linspace(0.0, NODES - 1.0, 33)},
+         {"ground": lanes(2 * NODES, low=0.1)}, rtol=32 * NODES * 4 * EPS),
+    # 1 - e^-τ from its series and the rest: exact where τ is small, to EPS of 1 elsewhere.
+    Case(emitted_by, (block_rays.emitted,), (np.geomspace(1e-6, 20.0, COUNT),), {},
+         {"scale": lanes(1, low=0.5)}, rtol=DEPTH),
+    Case(through_a_row, (first_order.through_row,), (RNG.integers(0, 3, COUNT),
+         uniform(0.0, NODES - 1.0)), {}, {"depths": lanes(3 * NODES)}, DEPTH),
+    Case(depth_above, (first_order.depth_towards,), (RNG.integers(0, 7, COUNT), UNIT,
+         RNG.integers(0, 16, COUNT), uniform(0.0, 3.0)), {"ratios": RATIOS}, SPECTRA),
+    Case(phases_from_moments, (first_order.fill_phases,), (MU,), {},
+         {"moments": lanes(THREE * (DEGREE + 1))}, atol=256 * EPS),
+]  # fmt: skip
+
+
+def by_processor(case: Case) -> list[np.ndarray]:
+    """Each result for all inputs; the inputs and tables as single precision holds them."""
+    inner = numba.njit(case.function)
+
+    @numba.njit
+    def kept(out, *arguments):
+        store(out, 0, inner(*arguments))
+
+    tables = [table.astype(np.float32).astype(np.float64) for table in case.tables.values()]
+    spectra = []
+    for table in case.spectra.values():
+        wide = np.zeros((len(table), 8), np.float32)
+        wide[:, :4] = table
+        spectra.append(wide.ravel())
+    rows = []
+    given = [
+        one.astype(np.float32).astype(np.float64) if one.dtype.kind == "f" else one
+        for one in case.inputs
+    ]
+    for numbers in zip(*(one.tolist() for one in given), strict=True):
+        if case.spectra:
+            out = np.zeros(8, np.float32)
+            kept(out, *numbers, *tables, *spectra)
+            rows.append((out[:4].astype(float),))
+        else:
+            found = inner(*numbers, *tables)
+            rows.append(found if isinstance(found, tuple) else (found,))
+    return [np.array(one) for one in zip(*rows, strict=True)]
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.function.__name__)
+def test_a_formula_with_tables_on_the_gpu_is_the_processor_s(
+    on_gpu: Callable[..., Any], case: Case
+) -> None:
+    # A second compiler for the same source.
+    values = [Table(name, table.ndim) for name, table in case.tables.items()]
+    values += [Table(name, 1, True) for name in case.spectra]
+    seen = on_gpu(
+        case.function, *case.inputs, *values, tables=dict(case.tables), spectra=dict(case.spectra)
+    )
+    seen = seen if isinstance(seen, tuple) else (seen,)
+    wanted = by_processor(case)
+    assert len(seen) == len(wanted)
+    for one, expected in zip(seen, wanted, strict=True):
+        assert_allclose(one, expected, rtol=case.rtol, atol=case.atol)
+
+
+#: What is compared as a whole, because it is one pixel, one texel or one line of sight, with
+#: another way of the processor to the same light: the test, and the functions.
+WHOLE = {
+    "test_pictures.py::test_a_marched_picture_has_the_processor_s_radiance": (
+        "pixel_light", "reflectance", "look", "phases_towards", "march_line", "place_panel",
+        "panel_columns", "columns_along", "ground_received", "camera_direction",
+    ),
+    "test_pictures.py::test_a_picture_from_the_table_is_shown_as_the_processor_s": ("phase_of",),
+    "test_pictures.py::test_the_shader_fills_the_table_as_the_processor_does": ("sky_texel",),
+    "test_pictures.py::test_the_disc_s_light_does_not_depend_on_how_it_is_shared_out": (
+        "star_disc", "leaving_air", "_point_like",
+    ),
+    "test_pictures.py::test_what_is_drawn_is_exposed_and_tone_mapped": ("displayed",),
+    "test_kernels_agree.py::test_an_encoding_s_number_is_its_place": ("encoded",),
+    "test_kernels_agree.py::test_a_tone_map_s_number_is_its_place": ("tone_mapped",),
+    "test_kernels_agree.py::test_a_projection_s_number_is_its_place": ("projected_ray",),
+    "test_kernels_agree.py::test_the_leg_of_a_panel_is_the_processor_s": ("panel_leg",),
+    "test_kernels_agree.py::test_the_map_of_the_ground_is_read_as_on_the_processor": (
+        "map_color",
+    ),
+    "test_solver.py::test_a_preview_agrees_with_the_cpu": (
+        "azimuthal", "depth", "factor", "floor", "four_levels", "gathered_moment", "gathered_onto",
+        "highest", "highest_level", "largest_of", "light_number", "mean", "mixed", "next_guess",
+        "node_scale", "packed", "projection", "radiance_again", "radiance_once", "refined",
+        "reflection", "row", "share", "sound", "strength", "ray_share", "depth_in_row",
+        "direct_light", "scattered_once", "contracted", "gathered",
+    ),
+}  # fmt: skip
+
+
+def emitted_functions() -> dict[str, Any]:
+    """Every function in a shader of the pictures or of the solver, by module and name."""
+    emitters = [shader.emitter for shader in all_shaders()]
+    add = Emitter.add
+
+    def noted(self: Emitter, *arguments: Any, **options: Any) -> Any:
+        if not any(self is one for one in emitters):
+            emitters.append(self)
+        return add(self, *arguments, **options)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Emitter, "add", noted)
+        for name in solver_passes.PASSES:
+            solver_passes.shader.__wrapped__(name)
+    return {
+        f"{one.function.__module__}.{one.function.__name__}": one.function
+        for emitter in emitters
+        for one in emitter.emitted.values()
+    }
+
+
+def test_every_function_of_every_shader_is_compared() -> None:
+    # A function that is new in a shader must come with its case.
+    every = emitted_functions()
+    assert len(every) > 100
+    file = Path(__file__).with_name("test_kernels_agree.py")
+    plain = runpy.run_path(str(file))
+    groups = ("GEOMETRY", "MAPPINGS", "PHASES", "COLORS", "RAYS", "GROUND", "STEPS")
+    compared = {case.function.py_func for group in groups for case in plain[group]}
+    compared |= {one.py_func for case in CASES for one in case.of}
+    whole = {name for functions in WHOLE.values() for name in functions}
+    missing = [
+        name for name, one in every.items() if one not in compared and one.__name__ not in whole
+    ]
+    assert missing == []
+    assert whole <= {one.__name__ for one in every.values()}  # nor is one named that is gone
+
+
+@pytest.mark.parametrize("test", WHOLE)
+def test_what_is_compared_as_a_whole_has_that_test(test: str) -> None:
+    file, name = test.split("::")
+    assert f"\ndef {name}(" in Path(__file__).with_name(file).read_text(encoding="utf-8")
