@@ -143,3 +143,31 @@ def test_an_edit_that_is_refused_says_so_and_leaves_the_picture(
     assert page.evaluate("airlight.state.get('air.amounts[1]')") == 10.0
     assert page.evaluate("decodeURI(airlight.state.asFragment())") == fragment[1:].replace(".0", "")
     assert page.evaluate("airlight.picture.solutions") == 1
+
+
+def test_the_newest_edit_wins_and_none_is_the_planet_as_it_was(
+    plain: Callable[[str], MomentsSolution], opened: Callable[..., Any], tmp_path: Path
+) -> None:
+    # the first edit is stale before its first order: the picture takes the second one only
+    data = page_data(plain("mars"), "mars", "mars", {**DEFAULTS, **FIXED}, "three")
+    file = tmp_path / "page.html"
+    file.write_text(page_text("mars", json.loads(json.dumps(data))), encoding="utf-8")
+    page = opened(file, "?device=webgl2")
+    page.evaluate("airlight.ready")
+    took = page.evaluate(
+        """async () => {
+          for (const amount of [2, 0.3]) airlight.state.set({ "air.amounts[1]": amount });
+          await airlight.edits.settled();
+          return [airlight.picture.solutions, airlight.edits.shown.amounts];
+        }"""
+    )
+    assert took == [2, [1, 0.3]]
+    assert "orders in" in page.evaluate("airlight.edits.status()")
+    undone = page.evaluate(
+        """async () => {
+          airlight.state.reset();
+          await airlight.edits.settled();
+          return [airlight.picture.solutions, airlight.edits.status()];
+        }"""
+    )
+    assert undone == [3, ""]
