@@ -17,7 +17,7 @@ from typing import Any
 
 from airlight.gpu.translated import entry_points, file_name, with_head
 from airlight.gpu.uniforms import struct_text
-from airlight.viewer.web_shaders import web_texts
+from airlight.viewer.web_shaders import solver_texts, web_texts
 from private_rooms import with_private_rooms
 
 #: Variables of the module: naga sets them to zero first, at which compilers work longest.
@@ -32,9 +32,10 @@ def sources() -> list[tuple[Path, str, str, list[tuple[str, str]]]]:
     folder, package = ROOT / "tests" / "web" / "shaders", ROOT / "src" / "airlight" / "gpu" / "glsl"
     texts = {file.stem: file.read_text(encoding="utf-8") for file in sorted(folder.glob("*.wgsl"))}
     tests = {name: text.replace("//UNIFORMS\n", struct_text()) for name, text in texts.items()}
+    ours = {**web_texts(), **solver_texts()}
     return [
         *((folder, name, text, entry_points(text)) for name, text in tests.items()),
-        *((package, name, text, entry_points(text)) for name, text in web_texts().items()),
+        *((package, name, text, entry_points(text)) for name, text in ours.items()),
     ]
 
 

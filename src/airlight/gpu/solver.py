@@ -38,9 +38,9 @@ FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 #: By so much the tolerance is smaller in thick air.
-_STRICTER: Final = 0.9
+STRICTER: Final = 0.9
 #: Part of the thickness by which a change in the night counts less.
-_NIGHT: Final = 0.25
+NIGHT: Final = 0.25
 #: The GPU gives up after so many sweeps: then the air is one for the CPU.
 MOST_SWEEPS: Final = 60
 
@@ -132,7 +132,7 @@ def _iterate(
 ) -> tuple[int, FloatArray]:
     """Sweeps until nothing changes: how many, and what is still to come."""
     # Where many orders follow, what one more changes says less of what is still to come.
-    tolerance = settings.tolerance * (1.0 - _STRICTER * float(sweeper.plan.thick.max()))
+    tolerance = settings.tolerance * (1.0 - STRICTER * float(sweeper.plan.thick.max()))
     sweeper.begin()
     residuals: deque[FloatArray] = deque(maxlen=len(IMAGES))
     largest = np.full(WAVELENGTHS, np.inf)
@@ -147,7 +147,7 @@ def _iterate(
         thick = sweeper.plan.thick
         residuals.append((change * counts(mean, thick)).reshape(-1, WAVELENGTHS))
         # Nothing but more orders brings light into the night: there it counts for more.
-        change *= counts(mean, _NIGHT * thick)
+        change *= counts(mean, NIGHT * thick)
         largest = np.abs(change).max(axis=(0, 1)) * what_follows(residuals)
         sweeper.combine(_weights(residuals, mean, sky))
         if progress is not None:

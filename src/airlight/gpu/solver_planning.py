@@ -49,7 +49,7 @@ _SPAN: Final = 4 << 20
 #: Tables of columns that are kept: they depend on the profiles alone.
 _KEPT: Final = 4
 #: Vertical depth, each scattering counted by 1 - g, beyond which the air is left to the CPU. [1]
-_THICKEST: Final = 2.5
+THICKEST: Final = 2.5
 
 _tables: OrderedDict[tuple[Any, ...], tuple[ColumnTable, FloatArray]] = OrderedDict()
 
@@ -88,7 +88,7 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
             "constituents", constituents, f"at most {MOST_CONSTITUENTS} on the GPU"
         )
     degree = choose_degree(medium, settings)
-    if transport_depth(medium).max() > _THICKEST:
+    if transport_depth(medium).max() > THICKEST:
         raise ThickAir
     grid, parts = grid_for(medium, settings)
     gathering = grid._replace(radii=grid.radii[::parts])

@@ -17,19 +17,23 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.planets import load_planet
 from airlight.solvers import solve
 from airlight.viewer.package import planet_tables, program, wavelengths_for
+from airlight.viewer.page_solver import amount_parameters, solver_data
 from airlight.viewer.page_text import page_text
 from airlight.viewer.parameter import Parameter, Value
 from airlight.viewer.session import Session
-from airlight.viewer.tables_text import as_text, deflated, rounded
+from airlight.viewer.tables_text import DIGITS, as_text, deflated, rounded
 from airlight.viewer.view_parameters import view_parameters
 from airlight.viewer.wanted import SOLVED
 
 #: A page larger than this is refused. [byte]
 LARGEST: Final = 3_000_000
-#: Binary digits that are kept of light and of columns: 1e-4, a tenth of what a display shows.
-_DIGITS: Final = 12
 #: What the page says about the planet's own parameters.
 NOTE: Final = "The planet is as it was solved; the desktop viewer edits it: airlight view {name}"
+
+#: The same where the page solves for itself.
+EDITED: Final = (
+    "Amounts and the ground are edited here; the desktop viewer edits all: airlight view {name}"
+)
 
 
 @dataclass(frozen=True)
@@ -72,15 +76,21 @@ def page_data(
         ``three`` or ``four``: how many wavelengths were solved.
     """
     numbers, tables = planet_tables(solution)
+    solver = solver_data(solution)
+    edited = () if solver is None else amount_parameters(solution)
     parameters = page_parameters()
     fixed = program()
     return {
         "title": title,
         "planet": name,
-        "note": NOTE.format(name=name),
-        "parameters": [one.as_json() for one in parameters],
-        "values": {one.path: values[one.path] for one in parameters},
+        "note": (EDITED if edited else NOTE).format(name=name),
+        "parameters": [one.as_json() for one in (*edited, *parameters)],
+        "values": {
+            **{one.path: values[one.path] for one in parameters},
+            **{one.path: 1.0 for one in edited},
+        },
         "solution": f"{count} wavelengths, solved at the quality {solution.settings.as_text()}",
+        "solver": solver,
         "picture": {
             **fixed,
             "shaders": deflated(json.dumps(fixed["shaders"])),
@@ -100,13 +110,13 @@ def _table_text(key: str, table: NDArray[np.float32], uniforms: Mapping[str, Any
         start, *shape = (int(n) for n in uniforms["table_columns"])
         columns = slice(start, start + int(np.prod(shape)) * 2)
         table = table.copy()
-        table[columns] = rounded(table[columns], _DIGITS)
+        table[columns] = rounded(table[columns], DIGITS)
         return as_text(table, 2 * constituents)
     if key == "fields":
         degree, suns = int(uniforms["degree"]), int(uniforms["suns"])
         texels = suns * (1 + (degree + 1) * (degree + 2) // 2)
-        return as_text(rounded(table, _DIGITS), 4 * texels)
-    return as_text(rounded(table, _DIGITS), 4 * constituents)
+        return as_text(rounded(table, DIGITS), 4 * texels)
+    return as_text(rounded(table, DIGITS), 4 * constituents)
 
 
 def export_page(

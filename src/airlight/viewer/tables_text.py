@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import base64
 import zlib
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 Float32Array = NDArray[np.float32]
+
+#: Binary digits that are kept of light and of columns: 1e-4, a tenth of what a display shows.
+DIGITS: Final = 12
 
 
 def as_text(values: Float32Array, stride: int = 1) -> str:

@@ -30,13 +30,15 @@ from airlight.tables.columns import density_table
 FloatArray = NDArray[np.float64]
 
 #: Vertical scattering optical depth about which forward peaks begin to be cut off. [1]
-_THIN: Final = 0.1
+THIN: Final = 0.1
 #: Optical depth between rows of the table of columns that layers aloft may have, and how many
 #: times the rows of clear air there are at most.
 _ROW_DEPTH: Final = 0.15
 _MORE_ROWS: Final = 8
 #: Legendre moments below this count as none.
-_NONE: Final = 1e-6
+NEGLIGIBLE: Final = 1e-6
+#: Largest part of a scattering that counts as none. [1]
+MOST_PEAK: Final = 0.98
 
 
 def peak_weight(medium: Medium, degree: int) -> FloatArray:
@@ -49,16 +51,16 @@ def peak_weight(medium: Medium, degree: int) -> FloatArray:
     degree : int
         Of the harmonics.
     """
-    peaked = np.abs(medium.phase_moments(degree + 1)[..., degree + 1]) > _NONE
+    peaked = np.abs(medium.phase_moments(degree + 1)[..., degree + 1]) > NEGLIGIBLE
     depth = (medium.scattering * medium.columns[:, None] * peaked).sum(axis=0)
-    return np.asarray(1.0 - np.exp(-((depth / _THIN) ** 2)))
+    return np.asarray(1.0 - np.exp(-((depth / THIN) ** 2)))
 
 
 def choose_degree(medium: Medium, settings: Settings) -> int:
     """The harmonics' degree: no higher than the phase functions need, higher for thick dust."""
     highest = settings.thick_degree
     moments = medium.phase_moments(highest)
-    strong = np.abs(moments).max(axis=(0, 1)) > _NONE
+    strong = np.abs(moments).max(axis=(0, 1)) > NEGLIGIBLE
     needed = int(np.flatnonzero(strong).max()) if strong.any() else 0
     thick = bool((peak_weight(medium, settings.degree) > 0.9).any())
     return max(2, min(needed, highest if thick else settings.degree))
@@ -74,8 +76,8 @@ def forward_peaks(medium: Medium, degree: int) -> FloatArray:
         Of the harmonics.
     """
     beyond = medium.phase_moments(degree + 1)[..., degree + 1]
-    peak = np.clip(beyond, 0.0, 0.98) * peak_weight(medium, degree)
-    return np.where(np.abs(beyond) > _NONE, peak, 0.0)
+    peak = np.clip(beyond, 0.0, MOST_PEAK) * peak_weight(medium, degree)
+    return np.where(np.abs(beyond) > NEGLIGIBLE, peak, 0.0)
 
 
 def scattering_depth(medium: Medium, degree: int) -> FloatArray:

@@ -21,15 +21,15 @@ Float32Array = NDArray[np.float32]
 Light = tuple[Float32Array, Float32Array]
 
 #: Mean radiance below this part of its largest value is dark: it neither steers nor stops.
-_DARK: Final = 1e-6
+DARK: Final = 1e-6
 #: In thick air the tolerance is relative for mean radiances above this part of the largest one,
 #: and absolute below.
-_DIM: Final = 5e-2
+DIM: Final = 5e-2
 #: Finished light below this part of the swept one is none.
 _LEAST: Final = 0.1
 #: The shrinkage of a sweep is taken to be no better than this.
-_SHRINKAGE: Final = 0.3
-_STALLED: Final = 0.75
+SHRINKAGE: Final = 0.3
+STALLED: Final = 0.75
 
 
 def trust(mean: Float32Array, sidelit: FloatArray) -> Float32Array:
@@ -45,7 +45,7 @@ def trust(mean: Float32Array, sidelit: FloatArray) -> Float32Array:
 
 def counts(mean: Float32Array, thick: FloatArray) -> FloatArray:
     """How much a relative change counts, shape (r, s, 8): less in the night of thick air."""
-    bright = np.maximum(mean / (_DIM * mean.max(axis=(0, 1))), 1e-30).astype(float)
+    bright = np.maximum(mean / (DIM * mean.max(axis=(0, 1))), 1e-30).astype(float)
     return np.asarray(np.minimum(bright, 1.0) ** thick)
 
 
@@ -61,7 +61,7 @@ def or_at_least(
 def relative_change(before: Float32Array, after: Float32Array) -> FloatArray:
     """Relative change of the mean radiance where it is not dark, else 0; shape (r, s, 8)."""
     old, new = before.astype(float), after.astype(float)
-    bright = new > _DARK * new.max(axis=(0, 1))
+    bright = new > DARK * new.max(axis=(0, 1))
     return np.asarray(np.where(bright, (new - old) / np.where(bright, new, 1.0), 0.0))
 
 
@@ -76,7 +76,7 @@ def what_follows(residuals: deque[FloatArray]) -> FloatArray:
     ratio = np.divide(sizes[-1], before, out=np.full_like(sizes[-1], 0.5), where=before > 0.0)
     if len(sizes) == 1:
         ratio[:] = 0.5
-    ratio = np.clip(ratio ** (1.0 / steps), _SHRINKAGE, _STALLED)
+    ratio = np.clip(ratio ** (1.0 / steps), SHRINKAGE, STALLED)
     return np.asarray(ratio / (1.0 - ratio))
 
 
@@ -113,7 +113,7 @@ def is_near(mixed, computed, brightest):
     brightest : float
         The largest computed one at any node.
     """
-    lit = computed > _DARK * brightest
+    lit = computed > DARK * brightest
     return lit and mixed > 0.5 * computed and mixed < 2.0 * computed
 
 

@@ -7,11 +7,12 @@
  * - `target(format, width, height)` — a texture that a pass draws into and later ones read;
  * - `pipeline(shader, formats)` — a promise of a compiled pass; the shader has `wgsl`, `glsl` with
  *   `vertex` and `fragment`, the names `vertex` and `entry` of its functions, the slot `uniforms`
- *   ("group/binding") and the slots `reads`; `formats` are those of its targets, `"screen"` alone
- *   for the canvas;
- * - `run(pipeline, uniforms, reads, targets, area)` — one pass; `reads` maps "group/binding" to
- *   textures, `targets` are textures, or none for the canvas; with an area (left, top, width,
- *   height) only its texels are filled, and the others stay;
+ *   ("group/binding"; or several by the names of their variables) and the slots `reads`; `formats`
+ *   are those of its targets, `"screen"` alone for the canvas;
+ * - `run(pipeline, uniforms, reads, targets, area)` — one pass; `uniforms` are the numbers of the
+ *   struct, or of several by slot; `reads` maps "group/binding" to textures, `targets` are textures,
+ *   or none for the canvas; with an area (left, top, width, height) only its texels are filled, and
+ *   the others stay;
  * - `read(texture, area)` — a promise of its numbers, or of an area's, row 0 first;
  * - `resize(width, height)` — of the canvas;
  * - `finished()` — a promise that the work handed over so far is done;

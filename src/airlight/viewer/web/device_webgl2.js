@@ -86,18 +86,33 @@ export class WebGl2Device {
       throw new Error(`shader ${shader.entry}: ${logs.filter(Boolean).join(" ").trim()}`);
     }
     for (const part of parts) gl.deleteShader(part);
-    // The translator names a block after its struct, and puts the stage behind it.
+    return { program, formats, buffers: this.buffers(program, shader), places: new Map() };
+  }
+
+  /** A buffer for each uniform struct that the shader has left, with its slot. */
+  buffers(program, { uniforms }) {
+    const { gl } = this;
+    const found = [];
     const blocks = gl.getProgramParameter(program, gl.ACTIVE_UNIFORM_BLOCKS);
-    for (let block = 0; block < blocks; block++) gl.uniformBlockBinding(program, block, 0);
-    return { program, formats, buffer: gl.createBuffer(), places: new Map() };
+    for (let block = 0; block < blocks; block++) {
+      // The translator names a block after its struct, and puts the stage behind it.
+      const name = gl.getActiveUniformBlockName(program, block).toLowerCase();
+      const named = Object.entries(uniforms ?? {}).find(([one]) => name.startsWith(`${one}_`));
+      gl.uniformBlockBinding(program, block, block);
+      found.push({ slot: named?.[1], buffer: gl.createBuffer() });
+    }
+    return found;
   }
 
   run(compiled, uniforms, reads, targets, area = null) {
     const { gl } = this;
     gl.useProgram(compiled.program);
-    gl.bindBuffer(gl.UNIFORM_BUFFER, compiled.buffer);
-    gl.bufferData(gl.UNIFORM_BUFFER, uniforms, gl.DYNAMIC_DRAW);
-    gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, compiled.buffer);
+    compiled.buffers.forEach(({ slot, buffer }, block) => {
+      const numbers = uniforms instanceof Float32Array ? uniforms : uniforms[slot];
+      gl.bindBuffer(gl.UNIFORM_BUFFER, buffer);
+      gl.bufferData(gl.UNIFORM_BUFFER, numbers, gl.DYNAMIC_DRAW);
+      gl.bindBufferBase(gl.UNIFORM_BUFFER, block, buffer);
+    });
     Object.entries(reads).forEach(([slot, texture], unit) => {
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(gl.TEXTURE_2D, texture.texture);

@@ -69,8 +69,8 @@ export class WebGpuDevice {
       vertex: { module, entryPoint: shader.vertex },
       fragment: { module, entryPoint: shader.entry, targets },
     });
-    const { uniforms } = shader;
-    return { pipeline, layout, uniforms, buffer: null, groups: null, bound: null };
+    const buffers = new Map(slotsOf(shader).map((slot) => [slot, null]));
+    return { pipeline, layout, buffers, groups: null, bound: null };
   }
 
   /** Layouts of bind groups, spelled out: an automatic one lacks what an entry does not use. */
@@ -81,7 +81,7 @@ export class WebGpuDevice {
       const [group, binding] = slot.split("/").map(Number);
       (groups[group] ??= []).push({ binding, visibility, ...kind });
     };
-    if (shader.uniforms) add(shader.uniforms, { buffer: { type: "uniform" } });
+    for (const slot of slotsOf(shader)) add(slot, { buffer: { type: "uniform" } });
     for (const slot of shader.reads) add(slot, { texture: { sampleType: "unfilterable-float" } });
     return Array.from(groups, (entries) =>
       this.device.createBindGroupLayout({ entries: entries ?? [] }),
@@ -90,11 +90,15 @@ export class WebGpuDevice {
 
   run(compiled, uniforms, reads, targets, area = null) {
     const { device } = this;
-    if (!compiled.buffer) {
-      const usage = GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST;
-      compiled.buffer = device.createBuffer({ size: uniforms.byteLength, usage });
+    const usage = GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST;
+    for (const [slot, buffer] of compiled.buffers) {
+      const numbers = uniforms instanceof Float32Array ? uniforms : uniforms[slot];
+      if (!buffer) {
+        const made = device.createBuffer({ size: numbers.byteLength, usage });
+        compiled.buffers.set(slot, made);
+      }
+      device.queue.writeBuffer(compiled.buffers.get(slot), 0, numbers);
     }
-    device.queue.writeBuffer(compiled.buffer, 0, uniforms);
     this.bind(compiled, reads);
     const views = targets
       ? targets.map((target) => target.view)
@@ -125,7 +129,7 @@ export class WebGpuDevice {
       const [group, binding] = slot.split("/").map(Number);
       (groups[group] ??= []).push({ binding, resource });
     };
-    if (compiled.uniforms) add(compiled.uniforms, { buffer: compiled.buffer });
+    for (const [slot, buffer] of compiled.buffers) add(slot, { buffer });
     for (const [slot, texture] of Object.entries(reads)) add(slot, texture.view);
     compiled.groups = Array.from(groups, (entries, index) =>
       this.device.createBindGroup({
@@ -179,6 +183,12 @@ export class WebGpuDevice {
     this.context.unconfigure();
     this.device.destroy();
   }
+}
+
+/** Slots of the uniform structs of a shader: one, several by name, or none. */
+function slotsOf({ uniforms }) {
+  if (!uniforms) return [];
+  return typeof uniforms === "string" ? [uniforms] : Object.values(uniforms);
 }
 
 function wrapped(texture, format, width, height) {

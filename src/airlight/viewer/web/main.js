@@ -1,4 +1,5 @@
 /** The page in one file: reads what is in it, and keeps the address in step with the state. */
+import { Edits } from "./edits.js";
 import { textOf } from "./package.js";
 import { Picture } from "./picture.js";
 import { Viewer } from "./viewer.js";
@@ -21,6 +22,7 @@ const viewer = new Viewer(place, {
     const shaders = JSON.parse(await textOf(data.picture.shaders));
     return Picture.make(device, { ...data.picture, shaders });
   },
+  edits: (shown) => data.solver && new Edits(shown, data.solver, data.picture),
 });
 viewer.state.planet = data.planet;
 

@@ -5,7 +5,7 @@
  * `shaders` (see program.js), `sky` (shapes of the table of the sky), `glance` (side of the picture
  * that the exposure is found from), `projections` with their fields of view, `tone_maps` with the
  * luminance that each shows as middle grey, `encodings`, `orders` and `luminance` — and what belongs
- * to a solution: `uniforms`, `tables` (`{format, data}` by name), `ground` (see ground.js), `radius`,
+ * to a solution: `uniforms`, `tables` (`{format, data}` by name, or a `texture` that is given away), `ground` (see ground.js), `radius`,
  * `thickness`, `star` and `paths` (see shown_view.js).
  */
 import { automaticExposure } from "./exposure.js";
@@ -51,11 +51,14 @@ export class Picture {
 
   /** Another solution, as after an edit. */
   async take(solution) {
-    const names = Object.keys(solution.tables);
+    const names = Object.keys(solution.tables).filter((n) => !solution.tables[n].texture);
     const numbers = await Promise.all(names.map((n) => numbersOf(solution.tables[n].data)));
     const image = solution.ground?.image ?? null;
     const ground = this.map === image ? null : await groundTable(solution.ground);
     names.forEach((n, i) => this.program.setTable(n, solution.tables[n].format, numbers[i]));
+    for (const [name, { texture }] of Object.entries(solution.tables)) {
+      if (texture) this.program.takeTexture(name, texture);
+    }
     for (const [name, value] of Object.entries(solution.uniforms)) this.program.set(name, value);
     if (ground) {
       this.map = image;

@@ -73,6 +73,13 @@ export class Program {
     if (before) this.device.release(before);
   }
 
+  /** Let passes read a texture that is on the device already by this name; it is kept here. */
+  takeTexture(name, texture) {
+    const before = this.textures.get(name);
+    this.textures.set(name, texture);
+    if (before && before !== texture) this.device.release(before);
+  }
+
   /** Run passes by their names, in this order. */
   run(...names) {
     for (const name of names) this.runIn(name, null);

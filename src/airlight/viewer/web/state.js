@@ -7,6 +7,8 @@ import { checked } from "./parameters.js";
 const MOST_STEPS = 500;
 /** Paths of the view's own parameters, and of the constituents' switches. */
 const VIEW = /^(view|display|light)\./;
+/** Those of the planet that a page solves for itself. */
+const AIR = /^air\./;
 const SWITCH = /^light\.constituents\[(\d+)\]$/;
 
 export class State {
@@ -149,7 +151,8 @@ export class State {
   /**
    * What differs from the beginning, as the part of an address behind `#`.
    *
-   * It is the JSON of viewer/saved_state.py: `planet`, and by path `view` and `set`, `off` by place.
+   * It is the JSON of viewer/saved_state.py: `planet`, and by path `view` and `set`, `off` by place;
+   * and `air`, the amounts of a page that solves for itself.
    */
   asFragment() {
     const changes = this.changes();
@@ -158,6 +161,7 @@ export class State {
     for (const [path, value] of changes) {
       const place = SWITCH.exec(path);
       if (place) (found.off ??= []).push(Number(place[1]));
+      else if (AIR.test(path)) (found.air ??= {})[path] = value;
       else if (VIEW.test(path)) (found.view ??= {})[path] = value;
       else (found.set ??= {})[path] = this.inFile(path, value);
     }
@@ -190,9 +194,9 @@ export class State {
     };
     try {
       const found = JSON.parse(decodeURIComponent(fragment.replace(/^#/, "")));
-      const { planet, view = {}, set = {}, off = [] } = found;
+      const { planet, view = {}, air = {}, set = {}, off = [] } = found;
       if (planet !== this.planet) throw new RangeError(`it shows ${planet}, this is ${this.planet}`);
-      for (const [path, value] of Object.entries(view)) take(path, value);
+      for (const [path, value] of Object.entries({ ...view, ...air })) take(path, value);
       for (const [path, value] of Object.entries(set)) take(path, this.fromFile(path, value));
       for (const place of off) take(`light.constituents[${place}]`, false);
     } catch (error) {

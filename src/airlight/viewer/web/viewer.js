@@ -6,6 +6,7 @@
  * - `title`;
  * - `parameters` and `values`, as declared and as they begin, or a `state` that has them;
  * - `picture(device)` — a promise of what draws them: see picture.js;
+ * - `edits(viewer)` — what solves the planet after edits, see edits.js, or none;
  * - `radius()` — of the planet; [m]
  * - `status()` — a few words about the solution, or none;
  * - `note` — a line about what cannot be edited here, or none;
@@ -51,6 +52,7 @@ export class Viewer {
     );
     this.device = null;
     this.picture = null;
+    this.edits = null;
     this.share = 1;
     this.lastChange = -Infinity;
     this.milliseconds = 0;
@@ -138,6 +140,7 @@ export class Viewer {
         if (!this.closed) this.say(`the graphics device went away (${reason}): reload`);
       });
       this.picture = await this.source.picture(this.device);
+      this.edits = this.source.edits?.(this) ?? null;
       if (this.picture.probe) this.probe = new Probe(this.parts.canvas, this.parts.probe, this);
       this.request();
     } catch (error) {
@@ -245,6 +248,7 @@ export class Viewer {
   /** A promise that the picture shows the state, whole. */
   async settled() {
     await this.ready;
+    await this.edits?.settled();
     await this.loop.settled();
   }
 
@@ -283,7 +287,7 @@ export class Viewer {
     if (!this.drawn) return;
     const [width, height] = this.drawn;
     const frame = `${width}×${height}, ${this.milliseconds.toFixed(0)} ms`;
-    const more = this.source.status?.() ?? "";
+    const more = this.edits?.status() ?? this.source.status?.() ?? "";
     this.parts.status.textContent = [more, frame, this.device.kind].filter(Boolean).join(" · ");
     this.parts.status.title = this.device.name;
   }
@@ -294,6 +298,7 @@ export class Viewer {
     this.flight.close();
     this.controls.close();
     this.probe?.close();
+    this.edits?.close();
     this.sizes.disconnect();
     this.device?.close();
     this.parts.root.remove();

@@ -1,0 +1,331 @@
+#version 300 es
+// of solver_sound.wgsl 68d39832025f2ab0, by naga-wasm@30.1.0
+precision highp float;
+precision highp int;
+
+struct Solve {
+    vec4 counts;
+    vec4 more_counts;
+    vec4 most_counts;
+    vec4 measures;
+    vec4 mu_shape;
+    vec4 mu_start;
+    vec4 weight_shape;
+    vec4 weight_start;
+    vec4 flux_shape;
+    vec4 flux_start;
+    vec4 start_shape;
+    vec4 start_start;
+    vec4 total_shape;
+    vec4 total_start;
+    vec4 end_shape;
+    vec4 end_start;
+    vec4 radius_shape;
+    vec4 radius_start;
+    vec4 mu_along_shape;
+    vec4 mu_along_start;
+    vec4 turn_shape;
+    vec4 turn_start;
+    vec4 amount_shape;
+    vec4 amount_start;
+    vec4 column_shape;
+    vec4 column_start;
+    vec4 sun_cosines_shape;
+    vec4 sun_cosines_start;
+    vec4 row_shape;
+    vec4 row_start;
+    vec4 place_shape;
+    vec4 place_start;
+    vec4 cosines_shape;
+    vec4 cosines_start;
+    vec4 multiples_shape;
+    vec4 multiples_start;
+    vec4 harmonic_shape;
+    vec4 harmonic_start;
+    vec4 ahead_shape;
+    vec4 ahead_start;
+    vec4 back_shape;
+    vec4 back_start;
+    vec4 ratios_shape;
+    vec4 ratios_start;
+    vec4 lift_shape;
+    vec4 lift_start;
+    vec4 level_shape;
+    vec4 level_start;
+    vec4 extinction_shape;
+    vec4 extinction_start;
+    vec4 moments_shape;
+    vec4 moments_start;
+    vec4 albedo_shape;
+    vec4 albedo_start;
+};
+struct Span {
+    vec4 texels;
+};
+struct Mix {
+    vec4 weights[7];
+};
+layout(std140) uniform Solve_block_0Fragment { Solve _group_0_binding_0_fs; };
+
+layout(std140) uniform Span_block_1Fragment { Span _group_0_binding_1_fs; };
+
+layout(std140) uniform Mix_block_2Fragment { Mix _group_0_binding_2_fs; };
+
+uniform highp sampler2D _group_0_binding_3_fs;
+
+uniform highp sampler2D _group_0_binding_4_fs;
+
+uniform highp sampler2D _group_0_binding_5_fs;
+
+uniform highp sampler2D _group_0_binding_6_fs;
+
+uniform highp sampler2D _group_0_binding_7_fs;
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+ivec2 texel_place(int index) {
+    return ivec2((index & 2047), (index >> 11u));
+}
+
+float read_weights(int index_1) {
+    float _e9 = _group_0_binding_2_fs.weights[(index_1 >> 2u)][(index_1 & 3)];
+    return _e9;
+}
+
+float read_image_0_(int index_2) {
+    ivec2 _e4 = texel_place((index_2 >> 2u));
+    vec4 _e6 = texelFetch(_group_0_binding_3_fs, _e4, 0);
+    return _e6[(index_2 & 3)];
+}
+
+float read_image_1_(int index_3) {
+    ivec2 _e4 = texel_place((index_3 >> 2u));
+    vec4 _e6 = texelFetch(_group_0_binding_4_fs, _e4, 0);
+    return _e6[(index_3 & 3)];
+}
+
+float read_image_2_(int index_4) {
+    ivec2 _e4 = texel_place((index_4 >> 2u));
+    vec4 _e6 = texelFetch(_group_0_binding_5_fs, _e4, 0);
+    return _e6[(index_4 & 3)];
+}
+
+float read_image_3_(int index_5) {
+    ivec2 _e4 = texel_place((index_5 >> 2u));
+    vec4 _e6 = texelFetch(_group_0_binding_6_fs, _e4, 0);
+    return _e6[(index_5 & 3)];
+}
+
+float read_image_4_(int index_6) {
+    ivec2 _e4 = texel_place((index_6 >> 2u));
+    vec4 _e6 = texelFetch(_group_0_binding_7_fs, _e4, 0);
+    return _e6[(index_6 & 3)];
+}
+
+float squared(float x) {
+    return (x * x);
+}
+
+float cubed(float x_1) {
+    return ((x_1 * x_1) * x_1);
+}
+
+int whole_quotient(int a, int b) {
+    bool local_1 = false;
+    int towards_zero = (a / b);
+    if (((towards_zero * b) != a)) {
+        local_1 = ((a < 0) != (b < 0));
+    } else {
+        local_1 = false;
+    }
+    bool _e15 = local_1;
+    return (_e15 ? (towards_zero - 1) : towards_zero);
+}
+
+int whole_rest(int a_1, int b_1) {
+    int _e2 = whole_quotient(a_1, b_1);
+    return (a_1 - (b_1 * _e2));
+}
+
+float sine_of_quarter(float x_2) {
+    float y_1 = (x_2 * x_2);
+    return (x_2 + ((x_2 * y_1) * (-0.16666655 + (y_1 * (0.008332161 - (0.00019515296 * y_1))))));
+}
+
+float cosine_of_quarter(float x_3) {
+    float y_2 = (x_3 * x_3);
+    float tail = ((y_2 * y_2) * (0.041666646 + (y_2 * (-0.0013887316 + (2.4433157e-5 * y_2)))));
+    return ((1.0 - (0.5 * y_2)) + tail);
+}
+
+float rest_of_quarter(float x_4, float turns) {
+    return (((x_4 - (turns * 1.5703125)) - (turns * 0.0004837513)) - (turns * 7.54979e-8));
+}
+
+float sine(float x_5) {
+    float turns_1 = roundEven((x_5 * 0.63661975));
+    float _e4 = rest_of_quarter(x_5, turns_1);
+    int quarter = (int(turns_1) & 3);
+    float _e8 = sine_of_quarter(_e4);
+    float _e9 = cosine_of_quarter(_e4);
+    float value = (((quarter & 1) == 1) ? _e9 : _e8);
+    return ((quarter >= 2) ? -(value) : value);
+}
+
+float cosine(float x_6) {
+    bool local_2 = false;
+    float turns_2 = roundEven((x_6 * 0.63661975));
+    float _e4 = rest_of_quarter(x_6, turns_2);
+    int quarter_1 = (int(turns_2) & 3);
+    float _e8 = cosine_of_quarter(_e4);
+    float _e9 = sine_of_quarter(_e4);
+    float value_1 = (((quarter_1 & 1) == 1) ? _e9 : _e8);
+    if (!((quarter_1 == 1))) {
+        local_2 = (quarter_1 == 2);
+    } else {
+        local_2 = true;
+    }
+    bool _e24 = local_2;
+    return (_e24 ? -(value_1) : value_1);
+}
+
+float angle_of(float y, float x_7) {
+    float a_2 = abs(x_7);
+    float b_2 = abs(y);
+    float slope = (min(a_2, b_2) / max(max(a_2, b_2), 1e-37));
+    bool steep = (slope > 0.41421357);
+    float t = (steep ? ((slope - 1.0) / (slope + 1.0)) : slope);
+    float z = (t * t);
+    float tail_1 = (-0.3333295 + (z * (0.19977711 + (z * (-0.13877685 + (z * 0.080537446))))));
+    float part = ((steep ? 0.7853982 : 0.0) + (t + ((t * z) * tail_1)));
+    float quarter_2 = ((b_2 > a_2) ? (1.5707964 - part) : part);
+    float half_ = ((x_7 < 0.0) ? (3.1415927 - quarter_2) : quarter_2);
+    return ((y < 0.0) ? -(half_) : half_);
+}
+
+float arc_tangent(float x_8) {
+    float _e2 = angle_of(x_8, 1.0);
+    return _e2;
+}
+
+float arc_cosine(float x_9) {
+    float _e9 = angle_of(sqrt(max(((1.0 - x_9) * (1.0 + x_9)), 0.0)), x_9);
+    return _e9;
+}
+
+float arc_sine(float x_10) {
+    float _e9 = angle_of(x_10, sqrt(max(((1.0 - x_10) * (1.0 + x_10)), 0.0)));
+    return _e9;
+}
+
+float mixed(int index_7) {
+    int lane = 0;
+    int _e3 = whole_rest(index_7, 4);
+    lane = _e3;
+    int _e4 = lane;
+    float _e5 = read_weights(_e4);
+    float _e6 = read_image_0_(index_7);
+    int _e8 = lane;
+    float _e11 = read_weights((4 + _e8));
+    float _e12 = read_image_1_(index_7);
+    int _e15 = lane;
+    float _e18 = read_weights((8 + _e15));
+    float _e19 = read_image_2_(index_7);
+    int _e22 = lane;
+    float _e25 = read_weights((12 + _e22));
+    float _e26 = read_image_3_(index_7);
+    int _e29 = lane;
+    float _e32 = read_weights((16 + _e29));
+    float _e33 = read_image_4_(index_7);
+    return (((((_e5 * _e6) + (_e11 * _e12)) + (_e18 * _e19)) + (_e25 * _e26)) + (_e32 * _e33));
+}
+
+bool is_near(float mixed_1_, float computed, float brightest) {
+    bool lit = false;
+    bool local_3 = false;
+    bool local_4 = false;
+    lit = (computed > (1e-6 * brightest));
+    bool _e7 = lit;
+    if (_e7) {
+        local_3 = (mixed_1_ > (0.5 * computed));
+    } else {
+        local_3 = false;
+    }
+    bool _e14 = local_3;
+    if (_e14) {
+        local_4 = (mixed_1_ < (2.0 * computed));
+    } else {
+        local_4 = false;
+    }
+    bool _e21 = local_4;
+    return _e21;
+}
+
+float sound(int index_8) {
+    int numbers = 0;
+    int lane_1 = 0;
+    float brightest_1 = 0.0;
+    int at = 0;
+    bool near = false;
+    float _e9 = _group_0_binding_0_fs.counts.x;
+    float _e14 = _group_0_binding_0_fs.counts.z;
+    numbers = ((int(_e9) * int(_e14)) * 4);
+    int _e20 = whole_rest(index_8, 4);
+    lane_1 = _e20;
+    int _e21 = lane_1;
+    float _e24 = read_weights((20 + _e21));
+    brightest_1 = _e24;
+    int _e26 = whole_quotient(index_8, 4);
+    float _e30 = _group_0_binding_0_fs.more_counts.y;
+    int _e35 = lane_1;
+    at = (((_e26 * int(_e30)) * 4) + _e35);
+    int _e37 = numbers;
+    if ((index_8 >= _e37)) {
+        int _e39 = lane_1;
+        float _e42 = read_weights((24 + _e39));
+        brightest_1 = _e42;
+        int _e43 = numbers;
+        float _e47 = _group_0_binding_0_fs.more_counts.y;
+        int _e51 = numbers;
+        at = (((_e43 * int(_e47)) + index_8) - _e51);
+    }
+    int _e53 = at;
+    float _e54 = mixed(_e53);
+    int _e55 = at;
+    float _e56 = read_image_0_(_e55);
+    float _e57 = brightest_1;
+    bool _e58 = is_near(_e54, _e56, _e57);
+    near = _e58;
+    bool _e59 = near;
+    return (_e59 ? 1.0 : 0.0);
+}
+
+vec4 texel(int index_9) {
+    float _e5 = sound(((4 * index_9) + 0));
+    float _e10 = sound(((4 * index_9) + 1));
+    float _e15 = sound(((4 * index_9) + 2));
+    float _e20 = sound(((4 * index_9) + 3));
+    return vec4(_e5, _e10, _e15, _e20);
+}
+
+void main() {
+    vec4 position = gl_FragCoord;
+    bool local = false;
+    int index_10 = ((int(position.y) * 2048) + int(position.x));
+    float _e11 = _group_0_binding_1_fs.texels.x;
+    int first = int(_e11);
+    float _e16 = _group_0_binding_1_fs.texels.y;
+    int last = (int(_e16) - 1);
+    vec4 _e21 = texel(min(max(index_10, first), last));
+    if (!((index_10 < first))) {
+        local = (index_10 > last);
+    } else {
+        local = true;
+    }
+    bool _e28 = local;
+    if (_e28) {
+        discard;
+    }
+    _fs2p_location0 = _e21;
+    return;
+}

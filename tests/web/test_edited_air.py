@@ -1,0 +1,153 @@
+"""What the browser computes before and between the solver's passes: the same as Python's."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections import deque
+from collections.abc import Callable
+from math import acos
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight.planets import load_planet
+from airlight.planets.medium import Medium
+from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.moments.acceleration import mixing_weights
+from airlight.solvers.moments.air import make_air, scattering_depth
+from airlight.solvers.moments.convergence import counts, relative_change, what_follows
+from airlight.solvers.moments.packing import level_weights, thickness
+from airlight.solvers.moments.settings import QUALITIES
+from airlight.solvers.moments.solution import solve
+from airlight.viewer.page_solver import amount_parameters, solver_data
+
+WAVELENGTHS = (680.0, 550.0, 440.0)
+#: Planet, factors of its constituents: thin, thick and no dust; air that bends light.
+AMOUNTS = {
+    "mars": (1.0, 0.1), "mars, a storm": (0.5, 4.0), "mars, clean": (2.0, 0.0),
+    "earth": (0.7, 3.0, 2.0),
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def pages() -> Callable[[str], tuple[Any, dict[str, Any]]]:
+    """A solution of a planet and what a page carries of it."""
+    kept: dict[str, Any] = {}
+
+    def of(name: str) -> tuple[Any, dict[str, Any]]:
+        if name not in kept:
+            medium = Medium.from_planet(load_planet(name), WAVELENGTHS)
+            solution = solve(medium, QUALITIES["preview"])
+            kept[name] = solution, solver_data(solution)
+        return kept[name]
+
+    return of
+
+
+@pytest.mark.parametrize("case", AMOUNTS)
+def test_edited_air_is_that_of_an_edited_medium(
+    case: str,
+    pages: Callable[[str], tuple[Any, dict[str, Any]]],
+    modules: Callable[..., Any],
+) -> None:
+    # a second method: the medium with other coefficients, by the solver's own Python
+    amounts, ground = AMOUNTS[case], 1.7
+    solution, data = pages(case.partition(",")[0])
+    page = modules(edited_air=("editedAir",))
+    got = page.evaluate(
+        """([air, edit]) => Object.fromEntries(
+          Object.entries(editedAir(air, edit)).map(([name, table]) => [name, [...table]]))""",
+        [data["air"], {"amounts": amounts, "ground": ground}],
+    )
+    factors = np.array(amounts)[:, None]
+    medium = dataclasses.replace(
+        solution.medium,
+        scattering=factors * solution.medium.scattering,
+        absorption=factors * solution.medium.absorption,
+        ground_albedo=ground * solution.medium.ground_albedo,
+    )
+    paths = LightPaths.of(medium)
+    degree = int(data["plan"]["sizes"]["degree"])
+    air = make_air(paths.medium, degree, slice(None))
+    depth = scattering_depth(paths.medium, degree)
+    grid = solution.moments.grid  # suns are the same at every degree
+    dip = acos(grid.bottom_radius / grid.top_radius)
+    # float32, to which both are rounded, after other orders of additions
+    for name in ("extinction", "moments", "albedo"):
+        wanted = getattr(air, name).reshape(-1, 8)[:, :4].reshape(-1)
+        assert_allclose(got[name], wanted, rtol=1e-5, atol=1e-6 * abs(wanted).max(), err_msg=name)
+    wanted = level_weights(grid.sun_cosines, dip, depth)
+    assert_allclose(np.reshape(got["level"], (-1, 4))[:, :3], wanted, rtol=1e-6, atol=1e-7)
+    assert_allclose(got["thick"][:3], thickness(depth), rtol=1e-6)
+    assert_allclose(got["strongest"], paths.medium.extinction.max(axis=1), rtol=1e-6)
+    assert_allclose(got["brightest"], paths.medium.scattering.max(axis=1), rtol=1e-6)
+
+
+def test_air_that_is_too_thick_is_refused_in_one_line(
+    pages: Callable[[str], tuple[Any, dict[str, Any]]], modules: Callable[..., Any]
+) -> None:
+    # ten times Earth's air has a vertical depth of 2.4 at 440 nm, ten times its aerosol 0.2 more
+    page = modules(edited_air=("editedAir",))
+    got = page.evaluate(
+        """([air, edit]) => {
+          try { editedAir(air, edit); return null; } catch (error) { return error.message; }
+        }""",
+        [pages("earth")[1]["air"], {"amounts": [10.0, 10.0, 10.0], "ground": 1.0}],
+    )
+    assert got == "so much air is too thick to be solved here; the desktop viewer solves it"
+
+
+def test_thick_air_has_no_solver_in_the_page() -> None:
+    # Venus: light wanders in its clouds for hundreds of orders
+    medium = Medium.from_planet(load_planet("venus"), WAVELENGTHS)
+
+    assert solver_data(SimpleNamespace(medium=medium)) is None  # type: ignore[arg-type]
+
+
+def test_a_page_declares_one_amount_for_each_constituent(
+    pages: Callable[[str], tuple[Any, dict[str, Any]]],
+) -> None:
+    # bending, which a solution adds, neither scatters nor absorbs
+    parameters = amount_parameters(pages("earth")[0])
+    assert [one.group for one in parameters] == ["air", "aerosol", "ozone", "ground"]
+    assert all(one.checked(1.0) == 1.0 for one in parameters)
+
+
+def test_the_next_guess_is_weighed_as_on_the_processor(modules: Callable[..., Any]) -> None:
+    # a second method: the solver's own Python, with its eight lanes
+    rng = np.random.default_rng(4)
+    shape = (3, 5, 4)
+    means = np.exp(rng.normal(scale=4.0, size=(2, *shape))).astype(np.float32)
+    thick = np.array([0.0, 0.2, 0.7, 1.0])
+    shrinking = 0.4 ** np.arange(4)[:, None, None] * rng.normal(size=(4, 15, 4))
+    page = modules(
+        convergence=("relativeChange", "counts", "whatFollows", "mixingWeights", "brightest")
+    )
+    got = page.evaluate(
+        """([before, mean, thick, residuals]) => ({
+          change: [...relativeChange(before, mean, 1e-6)],
+          counted: [...counts(mean, thick, 5e-2)],
+          follows: whatFollows(residuals.map((one) => Float64Array.from(one)), [0.3, 0.75]),
+          first: whatFollows([Float64Array.from(residuals[0])], [0.3, 0.75]),
+          weights: [0, 1, 2, 3].map((lane) =>
+            mixingWeights(residuals.map((one) => Float64Array.from(one)), lane)),
+          brightest: [...brightest(mean)],
+        })""",
+        [
+            means[0].ravel().tolist(),
+            means[1].ravel().tolist(),
+            thick.tolist(),
+            [one.ravel().tolist() for one in shrinking],
+        ],
+    )
+    # roundings of float64
+    assert_allclose(got["change"], relative_change(*means).ravel(), rtol=1e-12)
+    assert_allclose(got["counted"], counts(means[1], thick).ravel(), rtol=1e-6)
+    assert_allclose(got["follows"], what_follows(deque(shrinking)), rtol=1e-12)
+    assert_allclose(got["first"], what_follows(deque(shrinking[:1])), rtol=1e-12)
+    for lane in range(4):
+        assert_allclose(got["weights"][lane], mixing_weights(shrinking[..., lane]), rtol=1e-8)
+    assert_allclose(got["brightest"], means[1].max(axis=(0, 1)))

@@ -1,0 +1,145 @@
+"""Edits of a planet in its page: solved in the browser, against what is solved without one."""
+
+from __future__ import annotations
+
+import base64
+import dataclasses
+import io
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from PIL import Image
+from test_pictures import FIXED, HEIGHT, SKY, WAVELENGTHS, WIDTH, drawn
+
+from airlight.gpu.pictures import Pictures
+from airlight.planets import load_planet
+from airlight.planets.medium import Medium
+from airlight.solvers.moments.settings import QUALITIES
+from airlight.solvers.moments.solution import MomentsSolution, solve
+from airlight.viewer.page import page_data
+from airlight.viewer.page_solver import page_settings
+from airlight.viewer.page_text import page_text
+from airlight.viewer.view_parameters import DEFAULTS
+
+GROUND = {"view.altitude": 2.0, "view.look_zenith": 80.0, "display.exposure": -2.5}
+SPACE = {"view.altitude": 2e6, "view.look_zenith": 150.0, "view.sun_zenith": 80.0,
+         "display.exposure": -2.5}  # fmt: skip
+#: Planet, factors of its constituents and of its ground, view.
+EDITS = {
+    "three times the aerosol": ("earth", {1: 3.0}, 1.0, GROUND),
+    "half the air and a brighter ground": ("earth", {0: 0.5}, 2.5, SPACE),
+    "half the dust": ("mars", {1: 0.5}, 0.5, GROUND),
+}
+
+
+def solution_of(name: str, amounts: dict[int, float], ground: float, settings: Any) -> Any:
+    """A planet without a picture of its ground, with more or less of its air."""
+    planet = load_planet(name)
+    medium = Medium.from_planet(planet, WAVELENGTHS)
+    factors = np.array([amounts.get(c, 1.0) for c in range(len(medium.names))])[:, None]
+    edited = dataclasses.replace(
+        medium,
+        scattering=factors * medium.scattering,
+        absorption=factors * medium.absorption,
+        ground_albedo=ground * medium.ground_albedo,
+        ground_map=None,
+    )
+    solution = solve(edited, settings, cache=False)
+    solution.planet = planet
+    return solution
+
+
+@pytest.fixture(scope="module")
+def native(gpu: Any) -> Pictures:
+    """Pictures drawn without a browser."""
+    return Pictures(gpu, SKY)
+
+
+@pytest.fixture(scope="module")
+def plain() -> Callable[[str], MomentsSolution]:
+    """Solutions of planets as they are."""
+    kept: dict[str, MomentsSolution] = {}
+
+    def of(name: str) -> MomentsSolution:
+        if name not in kept:
+            kept[name] = solution_of(name, {}, 1.0, QUALITIES["preview"])
+        return kept[name]
+
+    return of
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("device", ["webgpu", "webgl2"])
+@pytest.mark.parametrize("edit", EDITS)
+def test_an_edit_in_the_page_shows_what_is_solved_without_a_browser(
+    edit: str,
+    device: str,
+    plain: Callable[[str], MomentsSolution],
+    native: Pictures,
+    opened: Callable[..., Any],
+    tmp_path: Path,
+    tell: Callable[[str], None],
+) -> None:
+    # the same passes as the CPU's sweeps, to the same tolerance; the rays' points, which follow the
+    # air's extinction, are those of the planet as it is
+    name, amounts, ground, view = EDITS[edit]
+    values = {**DEFAULTS, **FIXED, **view}
+    native.show(solution_of(name, amounts, ground, page_settings()))
+    wanted = drawn(native, values)
+    native.show(plain(name))
+    assert np.abs(drawn(native, values) - wanted).max() > 10.0  # the edit is seen
+    data = page_data(plain(name), name, name, values, "three")
+    data["picture"]["sky"]["full"] = list(SKY)
+    file = tmp_path / "page.html"
+    file.write_text(page_text(name, json.loads(json.dumps(data))), encoding="utf-8")
+    page = opened(file, f"?device={device}")
+    changes = {f"air.amounts[{c}]": factor for c, factor in amounts.items()}
+    if ground != 1.0:
+        changes["air.ground"] = ground
+    url, took, words = page.evaluate(
+        """async ([changes, width, height]) => {
+          await airlight.ready;
+          const began = performance.now();
+          airlight.state.set(changes);
+          await airlight.edits.settled();
+          const took = performance.now() - began;
+          const blob = await airlight.png(width, height);
+          const reader = new FileReader();
+          await new Promise((resolve) => { reader.onload = resolve; reader.readAsDataURL(blob); });
+          const words = [airlight.edits.status(), airlight.parts.message.textContent];
+          return [reader.result, took, words.filter(Boolean).join(", ")];
+        }""",
+        [changes, WIDTH, HEIGHT],
+    )
+    assert page.evaluate("airlight.device.kind") == device
+    image = Image.open(io.BytesIO(base64.b64decode(url.partition(",")[2])))
+    got = np.asarray(image.convert("RGB"), np.float64)
+    off = np.abs(got - wanted)
+    tell(
+        f"{edit}, {device}: {took / 1e3:.1f} s ({words}), at most {off.max():.1f}/255, "
+        f"in the mean {off.mean():.3f}/255"
+    )
+    assert_allclose(off, 0.0, atol=2.0)
+
+
+def test_an_edit_that_is_refused_says_so_and_leaves_the_picture(
+    plain: Callable[[str], MomentsSolution], opened: Callable[..., Any], tmp_path: Path
+) -> None:
+    # the air's depth is beyond what the passes solve; the address carries the edit all the same
+    data = page_data(plain("earth"), "earth", "earth", {**DEFAULTS, **FIXED}, "three")
+    file = tmp_path / "page.html"
+    file.write_text(page_text("earth", json.loads(json.dumps(data))), encoding="utf-8")
+    edit = {"air.amounts[0]": 10.0, "air.amounts[1]": 10.0}
+    fragment = "#" + json.dumps({"planet": "earth", "air": edit}, separators=(",", ":"))
+    page = opened(file, f"?device=webgl2{fragment}")
+    page.evaluate("airlight.settled()")
+    said = page.evaluate("airlight.parts.message.textContent")
+    assert said == "so much air is too thick to be solved here; the desktop viewer solves it"
+    assert page.evaluate("airlight.state.get('air.amounts[1]')") == 10.0
+    assert page.evaluate("decodeURI(airlight.state.asFragment())") == fragment[1:].replace(".0", "")
+    assert page.evaluate("airlight.picture.solutions") == 1
