@@ -19,7 +19,7 @@ from airlight.gpu.device import NoDevice, open_device
 from airlight.gpu.pass_times import PassTimes
 from airlight.gpu.solver import solve_on
 from airlight.gpu.solver_passes import MIX, ONCE, PACK, SWEEP
-from airlight.gpu.solver_plan import plan_for
+from airlight.gpu.solver_planning import plan_for
 from airlight.gpu.sweeper import borrowed_sweeper
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
