@@ -399,8 +399,8 @@ WHOLE = {
     "test_solver.py::test_a_preview_agrees_with_the_cpu": (
         "azimuthal", "depth", "factor", "floor", "four_levels", "gathered_moment", "gathered_onto",
         "highest", "highest_level", "largest_of", "light_number", "mean", "mixed", "next_guess",
-        "node_scale", "packed", "projection", "radiance_again", "radiance_once", "ray_and_star", "refined",
-        "reflection", "row", "share", "sound", "strength", "ray_share", "depth_in_row",
+        "node_scale", "packed", "projection", "radiance_again", "radiance_once", "ray_and_star",
+        "refined", "reflection", "row", "share", "sound", "strength", "ray_share", "depth_in_row",
         "direct_light", "scattered_once", "contracted", "gathered",
     ),
 }  # fmt: skip
