@@ -26,6 +26,7 @@ from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.solvers.moments.grid import row_of
 from airlight.solvers.moments.harmonics import directed_functions
+from airlight.solvers.moments.march import FAINT, FULL_DAY, GRAZING, STEEP
 from airlight.solvers.moments.source import (
     gathered_light,
     level_sky,
@@ -36,18 +37,12 @@ from airlight.solvers.moments.source import (
 )
 from airlight.solvers.moments.sweep import place_of
 from airlight.tables.column_ratios import columns_to_top
-from airlight.tables.columns import cut_at_corners, density_place
+from airlight.tables.columns import THICK, cut_at_corners, density_place
 
 #: Points of a panel at most, and harmonics of degree 24.
 MOST_POINTS = 24
 MOST_TERMS = 325
 _ROOM = MOST_CONSTITUENTS * MOST_POINTS
-#: As in ``solvers.moments.march`` and ``tables.columns``.
-STEEP = 4.0
-GRAZING = 9.0
-FAINT = 5e-4
-FULL_DAY = 0.1
-THICK = 15.0
 #: Lines that are cut so often need fewer points a panel.
 SOME_EDGES = 6
 MANY_EDGES = 10

@@ -26,7 +26,7 @@ CHOICES: Final = (
 #: What may change without a new table of the sky.
 NOT_THE_SKYS: Final = (
     "width", "height", "field_of_view", "projection", "pixel_angle", "disc", "exact", "mapped",
-    "map_levels", "draws_disc", "exposure", "tone_map", "encoding", "first_row", "divider",
+    "map_levels", "draws_disc", "exposure", "tone_map", "encoding", "first_row",
     *(f"{axis}_{c}" for axis in ("right", "up", "forward") for c in "xyz"),
     *(f"{a}{b}" for a in "xyz" for b in "xyz"),
     *(f"{channel}_{i}" for channel in ("red", "green", "blue") for i in range(4)),

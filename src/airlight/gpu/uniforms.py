@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.gpu.shader_types import BOOL, F32, I32, Scalar, Table, Uniform
+from airlight.gpu.shader_types import BOOL, F32, I32, Table, Uniform
 from airlight.gpu.shown import FIELD_TABLES, SCALAR_TABLES, SPECTRAL_TABLES
 
 #: Members of the struct, each a vec4f, and what its four numbers are called.
@@ -30,7 +30,7 @@ MEMBERS: Final[dict[str, tuple[str, ...]]] = {
     "green": ("green_0", "green_1", "green_2", "green_3"),
     "blue": ("blue_0", "blue_1", "blue_2", "blue_3"),
     "display": ("exposure", "tone_map", "encoding", "first_row"),
-    "sky": ("sky_columns", "sky_rows", "keeps_peaks", "divider"),
+    "sky": ("sky_columns", "sky_rows", "keeps_peaks"),
 }
 #: Numbers that are whole, and those that are switches.
 WHOLE: Final = frozenset(
@@ -153,14 +153,3 @@ def packed(
         wrong = next(name for name, i in where["numbers"].items() if not np.isfinite(out[i]))
         raise ParameterError(wrong, values[wrong], "a number of single precision")
     return out
-
-
-def scalar_of(name: str) -> Scalar:
-    """The type of a number of the struct.
-
-    Parameters
-    ----------
-    name : str
-        One of those in ``MEMBERS``.
-    """
-    return uniform(name).scalar

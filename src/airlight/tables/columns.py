@@ -31,7 +31,7 @@ FloatArray = NDArray[np.float64]
 #: Shape of the table for look-ups: radii, directions.
 TABLE_SHAPE = (160, 288)
 #: A ray of a larger optical depth gets more panels where it begins. [1]
-_THICK = 15.0
+THICK = 15.0
 #: Nodes of the density table that marches read.
 DENSITY_NODES = 4097
 
@@ -174,7 +174,7 @@ def trace_resolved(
         tau = 0.0
         for i in range(strongest.size):
             tau += strongest[i] * path[5][i]
-        if tau <= _THICK:
+        if tau <= THICK:
             return count
         cuts = (
             _distance_at_depth(0.5, count, strongest, path),

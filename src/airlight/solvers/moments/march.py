@@ -36,13 +36,13 @@ PACKET: Final = 16
 
 #: A stretch is steep if it is so much shorter, of the shell's thickness; and in full daylight if
 #: the star's zenith cosine is larger at both ends. Eight points then err by less than 1e-3.
-_STEEP: Final = 4.0
+STEEP: Final = 4.0
 #: A stretch so many times longer than the shell is thick grazes the densest air.
-_GRAZING: Final = 9.0
+GRAZING: Final = 9.0
 #: By day, points that scatter less than this part of their stretch are not asked for the light
 #: scattered before: at most a dozen of them, in the thinnest air.
-_FAINT: Final = 5e-4
-_FULL_DAY: Final = 0.1
+FAINT: Final = 5e-4
+FULL_DAY: Final = 0.1
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -235,9 +235,9 @@ def march(packet, rays, orders, panels, rules, light, work):
         path = (distance[p], radius[p], weight[p], density[p], column[p], total[p], work.scratch)
         end = min(mu_s, (r * mu_s + lengths[p] * nu) / radius_along(r, mu, lengths[p]))
         slant = lengths[p] / (top - bottom)
-        day = end > _FULL_DAY
-        rule = rules[1] if slant < _GRAZING else rules[2]
-        if day and slant < _STEEP:
+        day = end > FULL_DAY
+        rule = rules[1] if slant < GRAZING else rules[2]
+        if day and slant < STEEP:
             rule = rules[0]
         counts[p] = trace_resolved(
             r, mu, edges, edge_count, rule, bottom, top - bottom, table, strongest, path
@@ -246,7 +246,7 @@ def march(packet, rays, orders, panels, rules, light, work):
         depth = 0.0
         for c in range(constituents):
             depth += brightest[c] * total[p, c]
-        faint[p] = _FAINT * min(depth, 1.0) if day else 0.0
+        faint[p] = FAINT * min(depth, 1.0) if day else 0.0
         for at in range(0, lanes, LANES):
             store(radiance[p], at, splat(0.0))
             store(through[p], at, through_columns(total[p], extinction, constituents, lanes, at))
