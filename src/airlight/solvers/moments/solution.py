@@ -17,8 +17,8 @@ from airlight.kernel.lanes import LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
-from airlight.solvers.moments.air import make_air, panel_ends, scattering_depth
 from airlight.solvers.moments.harmonics import coefficient_count, harmonics
+from airlight.solvers.moments.irradiance import direct_irradiance, ground_light, sky_irradiance
 from airlight.solvers.moments.iterate import Moments, grid_for, solve_moments, weights_of_levels
 from airlight.solvers.moments.march import (
     Light,
@@ -28,7 +28,7 @@ from airlight.solvers.moments.march import (
     new_workspace,
 )
 from airlight.solvers.moments.packing import filled, pack, pack_light
-from airlight.solvers.moments.received import direct_irradiance, ground_light, sky_irradiance
+from airlight.solvers.moments.reduced_optics import make_air, panel_ends, scattering_depth
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.source import reflected
 from airlight.solvers.sight import Sight
