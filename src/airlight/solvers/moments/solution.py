@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
+from pathlib import Path
 from time import perf_counter
 from typing import Any
 
@@ -12,7 +13,8 @@ from numpy.typing import NDArray
 
 from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.quadrature import gauss_legendre
-from airlight.kernel import compiled_loop, disk, source_fingerprint
+from airlight.kernel import compiled_loop, disk
+from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.lanes import LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.medium import Medium
@@ -284,7 +286,7 @@ def solve(
 def _key(medium: Medium, settings: Settings) -> str:
     import hashlib
 
-    text = f"moments {source_fingerprint()} {settings.as_text()} {medium.fingerprint()}"
+    text = f"moments {fingerprint(Path(__file__))} {settings.as_text()} {medium.fingerprint()}"
     return hashlib.sha256(text.encode()).hexdigest()[:40]
 
 
