@@ -95,12 +95,12 @@ def solve_on(
         field, sky = sweeper.light()
         fields = sweeper.packed_copy()
     moments = Moments(
-        degree=plan.degree,
-        grid=plan.grid,
-        parts=plan.sizes["parts"],
+        degree=plan.setup.degree,
+        grid=plan.setup.grid,
+        parts=plan.setup.parts,
         field=np.ascontiguousarray(field[..., :count]),
         sky=np.ascontiguousarray(sky[..., :count]),
-        columns=plan.table.values,
+        columns=plan.setup.table.values,
         sweeps=sweeps,
         residual=residual[:count],
     )

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
-from math import acos
 from typing import Any, Final
 
 import numpy as np
@@ -25,7 +24,7 @@ from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments import convergence
 from airlight.solvers.moments import reduced_optics as air
 from airlight.solvers.moments.levels import THICK
-from airlight.solvers.moments.packing import filled, level_weights
+from airlight.solvers.moments.packing import filled
 from airlight.solvers.moments.settings import QUALITIES, Settings
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.viewer.browser.tables_text import DIGITS, as_text, deflated, rounded
@@ -97,7 +96,6 @@ def solver_data(
     made = plan.as_dict()
     del made["shaders"]
     drawn = paths.medium
-    dip = acos(plan.grid.bottom_radius / plan.grid.top_radius)
     return {
         "plan": made,
         "uniforms": [float(x) for x in plan.solve.reshape(-1)],
@@ -114,13 +112,10 @@ def solver_data(
             "names": [name for name in drawn.names if name != BENDING],
             "scattering": _four(drawn.scattering),
             "absorption": _four(drawn.absorption),
-            "phases": _four(np.moveaxis(drawn.phase_moments(plan.degree + 1), 2, 1)),
+            "phases": _four(np.moveaxis(drawn.phase_moments(plan.setup.degree + 1), 2, 1)),
             "columns": [float(x) for x in drawn.columns],
             "albedo": _four(drawn.ground_albedo),
-            "day": [
-                float(x)
-                for x in level_weights(plan.grid.sun_cosines, dip, np.array([np.inf]))[:, 0]
-            ],
+            "day": [float(x) for x in plan.setup.daylight],
             "thin": air.THIN,
             "negligible": air.NEGLIGIBLE,
             "most_peak": air.MOST_PEAK,
@@ -129,7 +124,7 @@ def solver_data(
         },
         "picture": {
             "shared": SHARED,
-            "ends": [float(x) for x in air.panel_ends(drawn, plan.grid, plan.sizes["parts"])],
+            "ends": [float(x) for x in plan.setup.ends],
             "levels": int(plan.sizes["levels"]),
         },
     }
