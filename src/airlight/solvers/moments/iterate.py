@@ -5,38 +5,26 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import log
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import ConvergenceError
 from airlight.kernel.lanes import LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solvers.light_paths import LightPaths
-from airlight.solvers.moments.convergence import (
-    Light,
-    counts,
-    mix,
-    or_at_least,
-    relative_change,
-    trust,
-    what_follows,
-)
+from airlight.solvers.moments.convergence import Light, mix, or_at_least, trust
 from airlight.solvers.moments.first_order import first_order_radius
 from airlight.solvers.moments.grid import Grid
 from airlight.solvers.moments.packing import pack_light
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.setup import Block, Setup
+from airlight.solvers.moments.stopping import Iteration, Stopping
 from airlight.solvers.moments.sweep import sweep_radius
 from airlight.solvers.moments.vertical_coupling import Wandering
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
-
-#: How many images the acceleration combines.
-_MEMORY: Final = 7
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -99,8 +87,7 @@ def solve_moments(
         If ``cancel`` said so.
     """
     setup = Setup(paths=paths, settings=settings)
-    medium = paths.medium
-    count = medium.wavelengths.size
+    count = setup.medium.wavelengths.size
     radii = setup.gathering.radii.size
     field = np.empty((radii, settings.suns, setup.terms, count), np.float32)
     sky = np.empty((radii, settings.suns, count), np.float32)
@@ -108,8 +95,8 @@ def solve_moments(
     most = 0
     for first in range(0, count, LANES):
         which = slice(first, min(first + LANES, count))
-        watch = _Watch(progress, settings.tolerance, which, medium.wavelengths)
-        result = _iterate(setup.block(which), watch, cancel)
+        block = setup.block(which)
+        result = _iterate(block, _Watch(progress, block), cancel)
         field[..., which], sky[..., which], residual[which], sweeps = result
         most = max(most, sweeps)
     return Moments(
@@ -158,24 +145,20 @@ class _Watch:
     """Tells how far the iteration of one block of wavelengths has come."""
 
     progress: Progress | None
-    tolerance: float
-    block: slice
-    wavelengths: FloatArray
+    block: Block
 
-    def report(self, change: float) -> None:
-        """Progress runs from 0 at a change of 1 to 100 at the tolerance, by its logarithm."""
+    def report(self, iteration: Iteration | None = None) -> None:
+        """Progress of all wavelengths; nothing of these is done without an iteration."""
         if self.progress is None:
             return
-        share = 1.0
-        if change > self.tolerance:
-            share = log(min(change, 1.0)) / log(self.tolerance)
-        count = self.wavelengths.size
-        nm = self.wavelengths[self.block]
-        width = self.block.stop - self.block.start
+        which, wavelengths = self.block.which, self.block.setup.medium.wavelengths
+        nm = wavelengths[which]
+        share = 0.0 if iteration is None else iteration.share
+        still = 1.0 if iteration is None else float(iteration.to_come.max())
         self.progress(
-            round(100 * (self.block.start + share * width)),
-            100 * count,
-            f"orders of scattering, {nm[0]:g} to {nm[-1]:g} nm: still to come {change:.1e}",
+            round(100 * (which.start + share * nm.size)),
+            100 * wavelengths.size,
+            f"orders of scattering, {nm[0]:g} to {nm[-1]:g} nm: still to come {still:.1e}",
         )
 
 
@@ -184,8 +167,7 @@ def _iterate(
 ) -> tuple[Float32Array, Float32Array, FloatArray, int]:
     """One block of wavelengths: the sum of all orders, its residual and the number of sweeps."""
     setup, used = block.setup, block.used
-    settings = setup.settings
-    watch.report(1.0)
+    watch.report()
     first_field, first_sky = gather(
         block, first_order_radius, setup.ratios, setup.paths.lift, cancel=cancel
     )
@@ -194,9 +176,9 @@ def _iterate(
     wandering = Wandering(block, cancel)
     field, sky = wandering.finish(first_field, first_sky)
     field, sky = or_at_least(field, sky, first_field, first_sky)
-    images: deque[Light] = deque(maxlen=_MEMORY)
-    residuals: deque[FloatArray] = deque(maxlen=_MEMORY)
-    for sweep in range(1, settings.max_sweeps + 1):
+    iteration = Iteration(Stopping.of_sweeps(setup.settings), block.thick, used)
+    images: deque[Light] = deque(maxlen=iteration.stopping.images)
+    while iteration.goes_on():
         packed = pack_light(field, sky[:1], block.level, setup.parts)
         swept_field, swept_sky = gather(block, sweep_radius, *packed, cancel=cancel)
         swept_field += first_field
@@ -205,17 +187,8 @@ def _iterate(
         trusted = trust(swept_field[:, :, 0], block.sidelit)
         more_field = swept_field - field + trusted[:, :, None] * (more_field - swept_field + field)
         more_sky = swept_sky - sky + trusted * (more_sky - swept_sky + sky)
-        new_field, new_sky = or_at_least(field + more_field, sky + more_sky, swept_field, swept_sky)
-        change = relative_change(field[:, :, 0], new_field[:, :, 0])
-        change *= counts(new_field[:, :, 0], block.thick)
-        images.append((new_field, new_sky))
-        residuals.append(change.reshape(-1, LANES))
-        largest = np.abs(change).max(axis=(0, 1))[:used] * what_follows(residuals)[:used]
-        watch.report(float(largest.max()))
-        field, sky = mix(images, residuals, used, trusted)
-        if largest.max() <= settings.tolerance and sweep > 1:
-            return field[..., :used], sky[..., :used], largest, sweep
-    raise ConvergenceError(
-        f"after {settings.max_sweeps} sweeps the last still changed the light by "
-        f"{largest.max():.1e}, more than the tolerance {settings.tolerance:g}"
-    )
+        images.append(or_at_least(field + more_field, sky + more_sky, swept_field, swept_sky))
+        iteration.judge(field[:, :, 0], images[-1][0][:, :, 0])
+        watch.report(iteration)
+        field, sky = mix(images, iteration.weights().astype(np.float32), trusted)
+    return field[..., :used], sky[..., :used], iteration.to_come, iteration.sweeps

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from airlight.gpu.solver.plan import SolverPlan
 from airlight.gpu.solver.planning import THICKEST, ThickAir, plan_for
-from airlight.gpu.solver.solver import MOST_SWEEPS, NIGHT, STRICTER
 from airlight.gpu.solver.tables import SCALARS
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.planets.medium import BENDING
@@ -27,6 +26,7 @@ from airlight.solvers.moments.levels import THICK
 from airlight.solvers.moments.packing import filled
 from airlight.solvers.moments.settings import QUALITIES, Settings
 from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solvers.moments.stopping import Stopping
 from airlight.viewer.browser.tables_text import DIGITS, as_text, deflated, rounded
 from airlight.viewer.browser.web_shaders import solver_shaders
 from airlight.viewer.parameters.parameter import Parameter
@@ -94,6 +94,7 @@ def solver_data(
     except ThickAir:
         return None
     made = plan.as_dict()
+    stopping = Stopping.of_passes(chosen)
     del made["shaders"]
     drawn = paths.medium
     return {
@@ -101,10 +102,10 @@ def solver_data(
         "uniforms": [float(x) for x in plan.solve.reshape(-1)],
         "scalars": _tables(plan, made["tables"]),
         "shaders": deflated(json.dumps(solver_shaders())),
-        "tolerance": chosen.tolerance,
-        "most_sweeps": min(chosen.max_sweeps, MOST_SWEEPS),
-        "stricter": STRICTER,
-        "night": NIGHT,
+        "tolerance": stopping.tolerance,
+        "most_sweeps": stopping.most_sweeps,
+        "stricter": stopping.stricter,
+        "night": stopping.night,
         "dark": convergence.DARK,
         "dim": convergence.DIM,
         "shrinkage": [convergence.SHRINKAGE, convergence.STALLED],
