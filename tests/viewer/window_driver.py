@@ -40,10 +40,20 @@ class Answers:
         return self.window.session.value(path)
 
     def place_of(self, path: str) -> list[float]:
-        return list(self.window.panel.planet_rows.places[path])
+        panel = self.window.panel
+        return list({**panel.places, **panel.planet_rows.places}[path])
 
     def knows(self, path: str) -> bool:
         return path in self.window.panel.planet_rows.places
+
+    def lists(self) -> bool:
+        return self.window.surface.asks
+
+    def search(self) -> str:
+        return self.window.panel.planet_rows.search
+
+    def source(self) -> str:
+        return self.window.session.planet.source
 
     def typing(self) -> bool:
         return self.window.surface.typing
@@ -61,6 +71,7 @@ class Answers:
             "height": shown.height,
             "finished": shown.finished,
             "depth": float(np.sum(solution.medium.vertical_optical_depth)),
+            "planet": solution.planet.name,
             "altitude": shown.request.scene.altitude,
         }
 
