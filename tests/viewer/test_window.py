@@ -301,6 +301,28 @@ def test_another_planet_is_opened_undone_and_redone_while_rows_are_shown(window:
     assert "Traceback" not in window.log.read_text()
 
 
+def test_a_panel_that_fails_ends_neither_window_nor_picture(window: Driven) -> None:
+    window.mouse("key", "x")
+    window.until(lambda: window.ask("value", "display.automatic") is False)
+    assert window.ask("settled", 60.0), window.ask("error")
+    window.ask("break_rows")
+    window.mouse("mousemove", 600, 210, "sleep", 0.2)
+    window.until(lambda: window.ask("error") == "side panel: KeyError: 'no such row'")
+    # pictures still come to the display: two stops are less than half of what a pixel had
+    before, frames = window.picture_pixels().mean(), window.ask("frames")
+    assert before > 30.0
+    window.mouse("key", "--repeat", 6, "--delay", 100, "minus")
+    window.until(lambda: window.picture_pixels().mean() < 0.7 * before)
+    assert window.ask("settled", 60.0)
+    assert window.picture_pixels().mean() > 0.1 * before
+    assert window.ask("frames") > frames
+    assert window.log.read_text().count("Traceback") == 1  # of many frames that failed
+    # the next frame tries again
+    window.ask("mend_rows")
+    window.mouse("key", "x")
+    window.until(lambda: window.ask("error") == "")
+
+
 def test_an_idle_window_costs_no_processor_time(
     window: Driven, tell: Callable[[str], None]
 ) -> None:

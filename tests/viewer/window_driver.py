@@ -16,6 +16,8 @@ from typing import Any
 import numpy as np
 
 from airlight.gpu.device import open_device
+from airlight.viewer import panel_parameters
+from airlight.viewer.panel_row import parameter_row
 from airlight.viewer.start import Start, opened, painter_by
 from airlight.viewer.window import Window
 from airlight.viewer.window_canvas import DesktopPlace
@@ -74,6 +76,17 @@ class Answers:
             "planet": solution.planet.name,
             "altitude": shown.request.scene.altitude,
         }
+
+    def break_rows(self) -> None:
+        """From now on the rows fail amid a frame, with much that is begun and not ended."""
+
+        def fail(*_: Any, **__: Any) -> Any:
+            raise KeyError("no such row")
+
+        panel_parameters.parameter_row = fail
+
+    def mend_rows(self) -> None:
+        panel_parameters.parameter_row = parameter_row
 
     def frames(self) -> int:
         return self.window.frames
