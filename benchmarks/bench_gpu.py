@@ -20,11 +20,11 @@ import pytest
 
 from airlight import Camera, Scene, solve
 from airlight.color.four_wavelengths import few_wavelengths
-from airlight.gpu.device import Device, NoDevice, open_device
-from airlight.gpu.flat import flat_texture, read_texture, update_flat
-from airlight.gpu.fragment_pass import FragmentPass
-from airlight.gpu.pass_times import PassTimes
-from airlight.gpu.pictures import QUICK_SKY_SHAPE, SKY_SHAPE, Pictures
+from airlight.gpu.device.device import Device, NoDevice, open_device
+from airlight.gpu.device.flat import flat_texture, read_texture, update_flat
+from airlight.gpu.device.fragment_pass import FragmentPass
+from airlight.gpu.device.pass_times import PassTimes
+from airlight.gpu.picture.pictures import QUICK_SKY_SHAPE, SKY_SHAPE, Pictures
 
 SIZES = [(960, 540), (1920, 1080)]
 FORMAT = "rgba8unorm"

@@ -15,12 +15,12 @@ from typing import Any
 import pytest
 
 from airlight import load_planet
-from airlight.gpu.device import NoDevice, open_device
-from airlight.gpu.pass_times import PassTimes
-from airlight.gpu.solver import solve_on
-from airlight.gpu.solver_passes import MIX, ONCE, PACK, SWEEP
-from airlight.gpu.solver_planning import plan_for
-from airlight.gpu.sweeper import borrowed_sweeper
+from airlight.gpu.device.device import NoDevice, open_device
+from airlight.gpu.device.pass_times import PassTimes
+from airlight.gpu.solver.passes import MIX, ONCE, PACK, SWEEP
+from airlight.gpu.solver.planning import plan_for
+from airlight.gpu.solver.solver import solve_on
+from airlight.gpu.solver.sweeper import borrowed_sweeper
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.settings import settings_for

@@ -17,8 +17,8 @@ import pytest
 from airlight import solve
 from airlight.color.spectral import default_wavelengths
 from airlight.planets import Constituent
-from airlight.planets.phases import HenyeyGreenstein
-from airlight.planets.profiles import Exponential, Tent
+from airlight.planets.matter.phases import HenyeyGreenstein
+from airlight.planets.matter.profiles import Exponential, Tent
 from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
 
 RGB = (680.0, 550.0, 440.0)

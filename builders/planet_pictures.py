@@ -21,8 +21,8 @@ from airlight import Camera, Constituent, Planet, Scene, load_planet, replace, s
 from airlight.color.display import resolve_exposure
 from airlight.color.spectral import default_wavelengths
 from airlight.errors import ConvergenceError
-from airlight.planets.phases import Rayleigh
-from airlight.planets.profiles import Exponential
+from airlight.planets.matter.phases import Rayleigh
+from airlight.planets.matter.profiles import Exponential
 from airlight.planets.spectral import PerWavelength
 from airlight.render import render
 from airlight.solvers.moments.solution import MomentsSolution

@@ -15,9 +15,9 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from airlight.gpu.translated import entry_points, file_name, with_head
-from airlight.gpu.uniforms import struct_text
-from airlight.viewer.web_shaders import solver_texts, web_texts
+from airlight.gpu.emit.translated import entry_points, file_name, with_head
+from airlight.gpu.picture.uniforms import struct_text
+from airlight.viewer.browser.web_shaders import solver_texts, web_texts
 from private_rooms import with_private_rooms
 
 #: Variables of the module: naga sets them to zero first, at which compilers work longest.

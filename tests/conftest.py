@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import pytest
 
 if TYPE_CHECKING:
-    from airlight.gpu.device import Device
+    from airlight.gpu.device.device import Device
     from airlight.planets import Planet
     from airlight.solvers.moments.solution import MomentsSolution
 
@@ -64,7 +64,7 @@ def lacking() -> Callable[[str], NoReturn]:
 @pytest.fixture(scope="session")
 def device(lacking: Callable[[str], NoReturn]) -> Device:
     """A GPU, or one in software."""
-    from airlight.gpu.device import NoDevice, open_device
+    from airlight.gpu.device.device import NoDevice, open_device
 
     try:
         return open_device()

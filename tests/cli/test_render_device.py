@@ -10,7 +10,7 @@ from numpy.testing import assert_array_equal
 
 from airlight.cli import main
 from airlight.exports.exr import read_exr
-from airlight.gpu.device import Device
+from airlight.gpu.device.device import Device
 
 PLANET = "earth-atmosphere-plus"
 VIEW = ["--altitude", "35km", "--size", "32x18", "--quality", "preview"]

@@ -16,9 +16,9 @@ from airlight.exports.table_errors import random_places
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import vectorized
 from airlight.planets import Constituent, Ground, Planet, Star, load_planet
+from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
+from airlight.planets.matter.profiles import Exponential
 from airlight.planets.medium import Medium
-from airlight.planets.phases import HenyeyGreenstein, Rayleigh
-from airlight.planets.profiles import Exponential
 from airlight.solvers.sight import Sight
 from airlight.solvers.single_scattering import single_scattering
 from airlight.solvers.solution import Report, Solution

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike, NDArray
 
-from airlight.gpu.device import Device
-from airlight.gpu.emitter import Emitter
-from airlight.gpu.flat import FLAT_WIDTH, empty_flat_texture, flat_texture, read_flat
-from airlight.gpu.fragment_pass import FragmentPass
-from airlight.gpu.shader_types import (
+from airlight.gpu.device.device import Device
+from airlight.gpu.device.flat import FLAT_WIDTH, empty_flat_texture, flat_texture, read_flat
+from airlight.gpu.device.fragment_pass import FragmentPass
+from airlight.gpu.emit.emitter import Emitter
+from airlight.gpu.emit.shader_types import (
     BOOL,
     F32,
     I32,

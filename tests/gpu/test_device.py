@@ -10,10 +10,10 @@ from time import perf_counter
 import pytest
 
 from airlight.errors import AirlightError
-from airlight.gpu.device import BROWSER_LIMITS, NoDevice, open_device
-from airlight.gpu.flat import empty_flat_texture
-from airlight.gpu.fragment_pass import FragmentPass
-from airlight.gpu.pass_times import PassTimes
+from airlight.gpu.device.device import BROWSER_LIMITS, NoDevice, open_device
+from airlight.gpu.device.flat import empty_flat_texture
+from airlight.gpu.device.fragment_pass import FragmentPass
+from airlight.gpu.device.pass_times import PassTimes
 
 LONG = """
 @fragment fn long(@builtin(position) at: vec4f) -> @location(0) vec4f {
@@ -85,8 +85,8 @@ def test_without_wgpu_one_line_names_the_extra(monkeypatch):
 def test_importing_airlight_and_its_gpu_modules_imports_no_wgpu():
     # A fresh interpreter knows; the modules say so themselves.
     program = (
-        "import sys, airlight, airlight.cli, airlight.gpu.device, airlight.gpu.flat, "
-        "airlight.gpu.fragment_pass; "
+        "import sys, airlight, airlight.cli, airlight.gpu.device.device, airlight.gpu.device.flat, "
+        "airlight.gpu.device.fragment_pass; "
         "sys.exit(any(name.split('.')[0] in ('wgpu', 'rendercanvas') for name in sys.modules))"
     )
     subprocess.run([sys.executable, "-c", program], check=True)

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from airlight.gpu.emitter import Emitter, SubsetError
-from airlight.gpu.shader_types import (
+from airlight.gpu.emit.emitter import Emitter, SubsetError
+from airlight.gpu.emit.shader_types import (
     F32,
     I32,
     VEC4,

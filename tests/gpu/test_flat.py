@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_array_equal
 
 from airlight.errors import ParameterError
-from airlight.gpu.flat import (
+from airlight.gpu.device.flat import (
     FLAT_WIDTH,
     empty_flat_texture,
     flat_texture,
@@ -15,7 +15,7 @@ from airlight.gpu.flat import (
     read_texture,
     update_flat,
 )
-from airlight.gpu.fragment_pass import FragmentPass
+from airlight.gpu.device.fragment_pass import FragmentPass
 
 
 def numbers(count, channels):

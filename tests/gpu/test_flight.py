@@ -16,18 +16,18 @@ from numpy.testing import assert_allclose
 
 from airlight import Camera, Scene, load_planet, look_at, render
 from airlight.color.xyz import rgb_to_xyz
-from airlight.gpu.device import Device
-from airlight.gpu.emitter import Emitter
-from airlight.gpu.flat import FLAT_WIDTH, empty_flat_texture, flat_texture, read_flat
-from airlight.gpu.fragment_pass import FragmentPass
-from airlight.gpu.march import march_line
-from airlight.gpu.pictures import Pictures, scene_numbers
-from airlight.gpu.shader_types import F32, VEC4, Room
-from airlight.gpu.shaders import TEXTURES, assembled, light
-from airlight.gpu.shown import MOST_CONSTITUENTS
-from airlight.gpu.sky_table import phases_towards
-from airlight.gpu.uniforms import packed
+from airlight.gpu.device.device import Device
+from airlight.gpu.device.flat import FLAT_WIDTH, empty_flat_texture, flat_texture, read_flat
+from airlight.gpu.device.fragment_pass import FragmentPass
+from airlight.gpu.emit.emitter import Emitter
+from airlight.gpu.emit.shader_types import F32, VEC4, Room
+from airlight.gpu.picture.pictures import Pictures, scene_numbers
+from airlight.gpu.picture.shaders import TEXTURES, assembled, light
+from airlight.gpu.picture.uniforms import packed
 from airlight.kernel.lanes import room_of_lanes
+from airlight.pixels.march import march_line
+from airlight.pixels.shown import MOST_CONSTITUENTS
+from airlight.pixels.sky_table import phases_towards
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.sight import Sight
 

@@ -7,8 +7,8 @@ import pytest
 from numpy.testing import assert_array_equal
 
 from airlight.errors import ParameterError
-from airlight.gpu.flat import empty_flat_texture, flat_texture, read_flat, read_texture
-from airlight.gpu.fragment_pass import FragmentPass, ShaderError, declared_bindings
+from airlight.gpu.device.flat import empty_flat_texture, flat_texture, read_flat, read_texture
+from airlight.gpu.device.fragment_pass import FragmentPass, ShaderError, declared_bindings
 
 SUM = """
 struct Numbers { scale: vec4f }

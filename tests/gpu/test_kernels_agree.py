@@ -20,10 +20,10 @@ from airlight.color.encoding import ENCODINGS
 from airlight.color.floating import physical_light
 from airlight.color.tone_maps import TONE_MAPS
 from airlight.geometry import bending, path, shell, sun_disc
-from airlight.gpu import sky_table, star_disc
-from airlight.gpu.shader_types import Constant, Table
+from airlight.gpu.emit.shader_types import Constant, Table
 from airlight.mappings import sky_view, transmittance
 from airlight.optics import phase_functions
+from airlight.pixels import sky_table, star_disc
 from airlight.scene import ground_place
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.projections.cubemap import cube_ray

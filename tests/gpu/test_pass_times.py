@@ -7,9 +7,9 @@ from time import perf_counter
 import pytest
 
 from airlight.errors import ParameterError
-from airlight.gpu.flat import empty_flat_texture
-from airlight.gpu.fragment_pass import FragmentPass
-from airlight.gpu.pass_times import PassTimes
+from airlight.gpu.device.flat import empty_flat_texture
+from airlight.gpu.device.fragment_pass import FragmentPass
+from airlight.gpu.device.pass_times import PassTimes
 
 LONG = """
 @fragment fn long(@builtin(position) at: vec4f) -> @location(0) vec4f {

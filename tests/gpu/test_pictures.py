@@ -30,11 +30,11 @@ from airlight import (
 from airlight.color.display import to_display
 from airlight.color.exposure import automatic_exposure
 from airlight.color.four_wavelengths import four_wavelengths
-from airlight.gpu import pictures as pictures_module
-from airlight.gpu.device import Device
-from airlight.gpu.flat import read_texture
-from airlight.gpu.pictures import Pictures
-from airlight.gpu.solution_textures import fitting_levels
+from airlight.gpu.device.device import Device
+from airlight.gpu.device.flat import read_texture
+from airlight.gpu.picture import pictures as pictures_module
+from airlight.gpu.picture.pictures import Pictures
+from airlight.gpu.picture.solution_textures import fitting_levels
 from airlight.planets import Constituent
 from airlight.render.render import color_weights
 from airlight.render.sun_disc import add_sun_disc, leaving_direction

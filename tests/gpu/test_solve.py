@@ -9,8 +9,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import load_planet
-from airlight.gpu.solve import solve_planet
-from airlight.gpu.solver import fields_on
+from airlight.gpu.solver.solve import solve_planet
+from airlight.gpu.solver.solver import fields_on
 
 NM = [450.0, 530.0, 600.0, 680.0]
 

@@ -10,19 +10,17 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight import load_planet
 from airlight.errors import Cancelled, ParameterError
-from airlight.gpu import solver_planning
-from airlight.gpu.device import BROWSER_LIMITS
-from airlight.gpu.flat import FLAT_WIDTH, read_flat
-from airlight.gpu.fragment_pass import declared_bindings
-from airlight.gpu.solver import fields_on, solve_on
-from airlight.gpu.solver_passes import PASSES, shader
-from airlight.gpu.solver_planning import ThickAir, plan_for
-from airlight.gpu.sweeper import borrowed_sweeper
+from airlight.gpu.device.device import BROWSER_LIMITS
+from airlight.gpu.device.flat import FLAT_WIDTH, read_flat
+from airlight.gpu.device.fragment_pass import declared_bindings
+from airlight.gpu.solver import planning as solver_planning
+from airlight.gpu.solver.passes import PASSES, shader
+from airlight.gpu.solver.planning import ThickAir, plan_for
+from airlight.gpu.solver.solver import fields_on, solve_on
+from airlight.gpu.solver.sweeper import borrowed_sweeper
 from airlight.planets import replace
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
-from airlight.solvers.moments.air import make_air, panel_ends
-from airlight.solvers.moments.block_rays import rays_in_sight
 from airlight.solvers.moments.first_order import first_order_radius
 from airlight.solvers.moments.harmonics import harmonics
 from airlight.solvers.moments.iterate import (
@@ -34,9 +32,11 @@ from airlight.solvers.moments.iterate import (
 )
 from airlight.solvers.moments.packing import filled, pack_light
 from airlight.solvers.moments.rays import trace_rays
+from airlight.solvers.moments.reduced_optics import make_air, panel_ends
 from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.moments.solution import MomentsSolution, solve
 from airlight.solvers.moments.sweep import sweep_radius
+from airlight.solvers.moments.visible_rays import rays_in_sight
 from airlight.tables.column_ratios import mean_density_ratios
 
 WAVELENGTHS = [450.0, 530.0, 600.0, 680.0]

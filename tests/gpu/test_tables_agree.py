@@ -18,12 +18,14 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.geometry import bending, path
-from airlight.gpu import picture, solver_passes
-from airlight.gpu.emitter import Emitter
-from airlight.gpu.shader_types import Table
-from airlight.gpu.shaders import all_shaders
+from airlight.gpu.emit.emitter import Emitter
+from airlight.gpu.emit.shader_types import Table
+from airlight.gpu.picture.shaders import all_shaders
+from airlight.gpu.solver import passes as solver_passes
 from airlight.kernel.lanes import LANES, load, room_of_lanes, splat, store
-from airlight.solvers.moments import block_rays, first_order, grid, harmonics, source, sweep
+from airlight.pixels import pixel as picture
+from airlight.solvers.moments import first_order, grid, harmonics, source, sweep
+from airlight.solvers.moments import visible_rays as block_rays
 from airlight.tables import column_ratios, columns
 
 EPS = 2.0**-23

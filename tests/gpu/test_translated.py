@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from airlight.errors import FileError
-from airlight.gpu.translated import file_name, translated, with_head
+from airlight.gpu.emit.translated import file_name, translated, with_head
 
 
 def test_translation_of_another_text_is_refused(tmp_path: Path) -> None:

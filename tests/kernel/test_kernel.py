@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import os
-import re
 import subprocess
 import sys
 from pathlib import Path
@@ -13,13 +12,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_array_equal
 
-import airlight
 from airlight.kernel import (
-    WITHOUT_KERNELS,
     cache_folder,
     compiled_loop,
     kernel,
-    source_fingerprint,
     vectorized,
 )
 
@@ -85,19 +81,3 @@ def test_formulas_work_where_nothing_can_be_kept() -> None:
 def test_the_environment_names_the_cache_folder(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("AIRLIGHT_CACHE", "/somewhere/else")
     assert cache_folder() == Path("/somewhere/else")
-
-
-def test_the_fingerprint_is_short_and_stable() -> None:
-    assert source_fingerprint() == source_fingerprint()
-    assert len(source_fingerprint()) == 16
-    assert int(source_fingerprint(), 16) >= 0
-
-
-def test_rooms_outside_the_fingerprint_compile_nothing() -> None:
-    # Compiled code there would survive a change of its source on disk.
-    root = Path(airlight.__file__).parent
-    for room in WITHOUT_KERNELS:
-        for file in (root / room).rglob("*.py"):
-            text = file.read_text()
-            for name in ("kernel", "compiled_loop", "inlined", "numba"):
-                assert not re.search(rf"(^|\n)(@{name}\b|import {name}\b)", text), file

@@ -10,14 +10,14 @@ from airlight.constants import DOBSON_UNIT
 from airlight.errors import ParameterError
 from airlight.optics.gas_absorption import small_particle_absorption
 from airlight.planets import Constituent, Medium
-from airlight.planets.absorbers import (
+from airlight.planets.ground_and_star import Star
+from airlight.planets.matter.absorbers import (
     CrossSectionAbsorption,
     OzoneAbsorption,
     SmallParticleAbsorption,
 )
-from airlight.planets.ground_and_star import Star
+from airlight.planets.matter.profiles import Exponential, Tent
 from airlight.planets.planet import Planet
-from airlight.planets.profiles import Exponential, Tent
 from airlight.planets.spectral import PerWavelength
 
 NM = np.array([680.0, 550.0, 440.0])

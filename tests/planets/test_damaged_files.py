@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from airlight.errors import AirlightError
 from airlight.planets import Medium, load_planet, planet_names
-from airlight.planets.reader import read_planet
+from airlight.planets.reading.reader import read_planet
 
 TEXTS = tuple(
     (resources.files("airlight.planets") / "presets" / f"{name}.toml").read_text(encoding="utf-8")

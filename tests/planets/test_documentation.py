@@ -10,8 +10,8 @@ from numpy.testing import assert_allclose
 from airlight.optics.index_table import index_names, read_index
 from airlight.optics.molecules import MOLECULES
 from airlight.planets import Medium
-from airlight.planets.gases import GasScattering
-from airlight.planets.reader import read_planet
+from airlight.planets.matter.gases import GasScattering
+from airlight.planets.reading.reader import read_planet
 
 PAGE = (Path(__file__).parents[2] / "docs" / "planet-files.md").read_text(encoding="utf-8")
 
@@ -69,14 +69,14 @@ def test_the_page_names_every_index_with_its_limits():
 
 
 def test_the_page_names_every_absorber():
-    from airlight.planets.absorption_reader import _KINDS
+    from airlight.planets.reading.absorption_reader import _KINDS
 
     for kind in _KINDS:
         assert f"`{kind}" in PAGE
 
 
 def test_the_page_names_every_kind():
-    from airlight.planets.constituent_reader import _PHASES, _PROFILES
+    from airlight.planets.reading.constituent_reader import _PHASES, _PROFILES
 
     for kind in (*_PHASES, *_PROFILES):
         assert f'`"{kind}"`' in PAGE

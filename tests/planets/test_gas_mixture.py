@@ -13,10 +13,10 @@ from airlight.errors import ParameterError
 from airlight.optics import rayleigh
 from airlight.optics.molecules import MOLECULES
 from airlight.planets import Constituent, replace
-from airlight.planets.gas_mixture import GasMixture
-from airlight.planets.gases import GasScattering, RefractiveScattering
-from airlight.planets.phases import HenyeyGreenstein
-from airlight.planets.profiles import Exponential, Uniform
+from airlight.planets.matter.gas_mixture import GasMixture
+from airlight.planets.matter.gases import GasScattering, RefractiveScattering
+from airlight.planets.matter.phases import HenyeyGreenstein
+from airlight.planets.matter.profiles import Exponential, Uniform
 from airlight.planets.spectral import PerWavelength
 
 NM = np.array([680.0, 550.0, 440.0])

@@ -11,8 +11,8 @@ from numpy.testing import assert_allclose
 
 from airlight.errors import ParameterError
 from airlight.planets import Medium, load_planet, planet_names
-from airlight.planets.overrides import overridden, parsed
-from airlight.planets.reader import read_planet
+from airlight.planets.reading.overrides import overridden, parsed
+from airlight.planets.reading.reader import read_planet
 
 FILE = """
 name = "Test"

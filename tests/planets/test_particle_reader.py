@@ -3,13 +3,13 @@ from numpy.testing import assert_allclose
 
 from airlight.errors import FileError, ParameterError
 from airlight.planets import load_planet
+from airlight.planets.matter.particle_index import GivenIndex, MixedIndex, TableIndex
+from airlight.planets.matter.particle_sizes import GammaSizes, LogNormalSizes, SingleSize
+from airlight.planets.matter.particles import Particles
+from airlight.planets.matter.turbidity import LiteralTurbidity, Turbidity
 from airlight.planets.medium import Medium
-from airlight.planets.particle_index import GivenIndex, MixedIndex, TableIndex
-from airlight.planets.particle_sizes import GammaSizes, LogNormalSizes, SingleSize
-from airlight.planets.particles import Particles
-from airlight.planets.reader import read_planet
+from airlight.planets.reading.reader import read_planet
 from airlight.planets.spectral import PerWavelength
-from airlight.planets.turbidity import LiteralTurbidity, Turbidity
 
 TOP = """
 name = "Dusty"

@@ -6,14 +6,14 @@ from airlight.errors import Cancelled, ParameterError
 from airlight.kernel import disk
 from airlight.optics import mie
 from airlight.optics.size_distribution import single_size
-from airlight.planets import mie_nodes, particles
+from airlight.planets.matter import mie_nodes, particles
+from airlight.planets.matter.particle_index import GivenIndex, MixedIndex, TableIndex
+from airlight.planets.matter.particle_sizes import GammaSizes, LogNormalSizes, SingleSize
+from airlight.planets.matter.particles import Particles
+from airlight.planets.matter.phases import HenyeyGreenstein
+from airlight.planets.matter.profiles import Exponential
 from airlight.planets.medium import Medium
-from airlight.planets.particle_index import GivenIndex, MixedIndex, TableIndex
-from airlight.planets.particle_sizes import GammaSizes, LogNormalSizes, SingleSize
-from airlight.planets.particles import Particles
-from airlight.planets.phases import HenyeyGreenstein
 from airlight.planets.planet import Constituent, Planet
-from airlight.planets.profiles import Exponential
 from airlight.planets.spectral import PerWavelength
 
 RGB = (680.0, 550.0, 440.0)

@@ -12,16 +12,16 @@ from numpy.testing import assert_allclose
 from airlight.constants import ASTRONOMICAL_UNIT, SOLAR_RADIUS
 from airlight.errors import ParameterError
 from airlight.planets import Constituent, Ground, Medium, Planet, Star, load_planet, replace
-from airlight.planets.absorbers import OzoneAbsorption
-from airlight.planets.gases import GasScattering, RefractiveScattering
-from airlight.planets.phases import (
+from airlight.planets.matter.absorbers import OzoneAbsorption
+from airlight.planets.matter.gases import GasScattering, RefractiveScattering
+from airlight.planets.matter.phases import (
     CornetteShanks,
     DoubleHenyeyGreenstein,
     HenyeyGreenstein,
     Rayleigh,
     TabulatedPhase,
 )
-from airlight.planets.profiles import Exponential, Layer, Layered, Tabulated, Tent, Uniform
+from airlight.planets.matter.profiles import Exponential, Layer, Layered, Tabulated, Tent, Uniform
 from airlight.planets.spectral import PerWavelength
 
 AIR = Constituent(

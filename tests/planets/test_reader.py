@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 
 from airlight.errors import AirlightError, FileError, ParameterError
 from airlight.planets import Medium, load_planet
-from airlight.planets.reader import read_planet
+from airlight.planets.reading.reader import read_planet
 
 NM = (680.0, 550.0, 440.0)
 AIR = """wavelengths = "680, 550, 440 nm"

@@ -3,7 +3,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.errors import ParameterError
-from airlight.planets.turbidity import LiteralTurbidity, Turbidity
+from airlight.planets.matter.turbidity import LiteralTurbidity, Turbidity
 
 
 def test_turbidity_is_an_optical_depth_over_the_gas():

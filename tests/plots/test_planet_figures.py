@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from airlight import load_planet
 from airlight.errors import ParameterError
 from airlight.planets import Constituent, Medium, Planet, Star, replace
-from airlight.planets.profiles import Exponential
+from airlight.planets.matter.profiles import Exponential
 from airlight.plots.density import density
 from airlight.plots.mapping_regions import TEXELS, mapping_regions, regions
 from airlight.plots.optical_depth import optical_depth

@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 
 from airlight import Camera, Constituent, Planet, Scene, load_planet, replace, solve
 from airlight.geometry.bending import seen_star
-from airlight.planets.profiles import Tabulated
+from airlight.planets.matter.profiles import Tabulated
 from airlight.render import render
 from airlight.solvers.moments.solution import MomentsSolution
 

@@ -10,8 +10,8 @@ from numpy.testing import assert_allclose
 from airlight import Camera, Constituent, Planet, Scene, load_planet, replace
 from airlight.optics.density_profile import DensitySegments, exponential, tent
 from airlight.optics.layer_edges import layer_edges
-from airlight.planets.phases import HenyeyGreenstein
-from airlight.planets.profiles import Tent
+from airlight.planets.matter.phases import HenyeyGreenstein
+from airlight.planets.matter.profiles import Tent
 from airlight.render import render
 from airlight.render.render import color_weights
 from airlight.solvers.moments.solution import MomentsSolution

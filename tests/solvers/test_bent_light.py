@@ -14,9 +14,9 @@ from scipy.optimize import brentq
 from airlight import load_planet, solve
 from airlight.errors import ParameterError
 from airlight.planets import Constituent, Ground, Planet, Star, replace
-from airlight.planets.gases import RefractiveScattering
-from airlight.planets.phases import HenyeyGreenstein, Rayleigh
-from airlight.planets.profiles import Exponential
+from airlight.planets.matter.gases import RefractiveScattering
+from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
+from airlight.planets.matter.profiles import Exponential
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.star_light import direct_irradiance
 

@@ -12,8 +12,8 @@ from numpy.testing import assert_allclose
 
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.planets import Constituent, Ground, Planet, Star
-from airlight.planets.phases import HenyeyGreenstein, Rayleigh
-from airlight.planets.profiles import Exponential
+from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
+from airlight.planets.matter.profiles import Exponential
 from airlight.solvers.moments.solution import MomentsSolution
 
 BOTTOM, TOP = 6360e3, 6460e3
@@ -153,7 +153,7 @@ def test_direct_irradiance_is_transmittance_times_cosine(
 
 def vast_cloud(depth: float, albedo: float = 0.0) -> Planet:
     """A uniform cloud that absorbs nothing, 1 km thick on a planet so vast that it is flat."""
-    from airlight.planets.profiles import Uniform
+    from airlight.planets.matter.profiles import Uniform
 
     return Planet(
         name="cloud",

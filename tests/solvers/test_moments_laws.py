@@ -11,8 +11,8 @@ from numpy.testing import assert_allclose, assert_array_equal
 from airlight import load_planet, planet_names, replace, solve
 from airlight.errors import ConvergenceError
 from airlight.planets import Constituent, Ground, Planet, Star
-from airlight.planets.phases import HenyeyGreenstein, Rayleigh
-from airlight.planets.profiles import Exponential, Uniform
+from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
+from airlight.planets.matter.profiles import Exponential, Uniform
 from airlight.solvers.moments.settings import QUALITIES
 from airlight.solvers.moments.solution import MomentsSolution
 

@@ -14,8 +14,8 @@ from airlight.geometry.path import ray_length
 from airlight.geometry.shell import meets_ground
 from airlight.geometry.sun_disc import star_elevation
 from airlight.planets import Constituent, Ground, Medium, Planet, Star
-from airlight.planets.phases import HenyeyGreenstein
-from airlight.planets.profiles import Uniform
+from airlight.planets.matter.phases import HenyeyGreenstein
+from airlight.planets.matter.profiles import Uniform
 from airlight.solvers.sight import Sight, enter_shell
 from airlight.solvers.single_scattering import reflected_once, single_scattering
 from airlight.solvers.star_light import direct_irradiance

@@ -13,8 +13,8 @@ from numpy.testing import assert_allclose
 
 from airlight.cli import main
 from airlight.errors import ParameterError
-from airlight.validation.errata import errata, markdown
-from airlight.validation.erratum import SOURCES, Erratum
+from airlight.validation.errata.errata import errata, markdown
+from airlight.validation.errata.erratum import SOURCES, Erratum
 
 
 @cache

@@ -13,9 +13,10 @@ from numpy.testing import assert_allclose, assert_array_equal
 from airlight.errors import Cancelled, FileError
 from airlight.planets.medium import Medium
 from airlight.spectra.sun import solar_irradiance
-from airlight.validation import kider_planets, kider_scans
-from airlight.validation.kider_fits import fit_load, fit_pointing
-from airlight.validation.kider_planets import (
+from airlight.validation.kider import planets as kider_planets
+from airlight.validation.kider import scans as kider_scans
+from airlight.validation.kider.fits import fit_load, fit_pointing
+from airlight.validation.kider.planets import (
     AERONET_LOAD,
     BEST,
     EVERYBODYS,
@@ -26,8 +27,8 @@ from airlight.validation.kider_planets import (
     read_aeronet_phase,
     steps,
 )
-from airlight.validation.kider_rows import compute
-from airlight.validation.kider_scans import (
+from airlight.validation.kider.rows import compute
+from airlight.validation.kider.scans import (
     Scans,
     best_factor,
     read_scans,

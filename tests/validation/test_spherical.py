@@ -9,8 +9,8 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.errors import FileError
-from airlight.validation.spherical import judge, spherical
-from airlight.validation.spherical_data import Scene, read_bruneton, read_scenes
+from airlight.validation.spherical.data import Scene, read_bruneton, read_scenes
+from airlight.validation.spherical.radiances import judge, spherical
 
 HEADER = (
     "scene,ground_albedo,altitude_m,sun_zenith_deg,view_zenith_deg,azimuth_deg,radiance_680nm,"

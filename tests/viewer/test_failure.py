@@ -11,15 +11,19 @@ import pytest
 from numpy.testing import assert_array_equal
 
 from airlight.errors import AirlightError, ParameterError
-from airlight.gpu.device import Device
-from airlight.viewer import overlay_help, panel_parameters, panel_probe, panel_side, panel_status
-from airlight.viewer.panel_save import SaveDialog
-from airlight.viewer.picture_source import Picture, Request
-from airlight.viewer.probe import Part, Probe
-from airlight.viewer.probing import Reading
-from airlight.viewer.session import Session
-from airlight.viewer.window import Window
-from airlight.viewer.window_canvas import OffscreenPlace
+from airlight.gpu.device.device import Device
+from airlight.viewer.painting.picture_source import Picture, Request
+from airlight.viewer.painting.probe import Part, Probe
+from airlight.viewer.painting.probing import Reading
+from airlight.viewer.session.session import Session
+from airlight.viewer.window import overlay_help
+from airlight.viewer.window.canvas import OffscreenPlace
+from airlight.viewer.window.panels import parameters as panel_parameters
+from airlight.viewer.window.panels import probe as panel_probe
+from airlight.viewer.window.panels import side as panel_side
+from airlight.viewer.window.panels import status as panel_status
+from airlight.viewer.window.panels.save import SaveDialog
+from airlight.viewer.window.window import Window
 
 SIZE = (1280, 720)
 STATUS = 690  # the line with times, different in each frame, begins below

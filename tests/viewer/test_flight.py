@@ -10,9 +10,17 @@ from numpy.testing import assert_allclose
 
 from airlight.scene.directions import direction
 from airlight.scene.observer import planet_frame
-from airlight.viewer.flight import Flight, flown, looked, risen, sun_at, sun_dragged, time_of
-from airlight.viewer.session import Session
-from airlight.viewer.view_parameters import DEFAULTS
+from airlight.viewer.navigation.flight import (
+    Flight,
+    flown,
+    looked,
+    risen,
+    sun_at,
+    sun_dragged,
+    time_of,
+)
+from airlight.viewer.parameters.view_parameters import DEFAULTS
+from airlight.viewer.session.session import Session
 
 RADIUS = 6.371e6
 

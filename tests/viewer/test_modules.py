@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from airlight.errors import FileError
-from airlight.viewer.modules import join_modules
+from airlight.viewer.browser.modules import join_modules
 
 
 def test_each_module_stands_once_before_those_that_need_it() -> None:

@@ -13,8 +13,8 @@ from numpy.testing import assert_array_equal
 
 from airlight import solve
 from airlight.planets import load_planet
-from airlight.viewer.session import Session
-from airlight.viewer.solving import Solving
+from airlight.viewer.background.solving import Solving
+from airlight.viewer.session.session import Session
 
 pytest.importorskip("anywidget")
 
@@ -28,7 +28,7 @@ def solution() -> Any:
 @pytest.fixture
 def viewer(solution: Any) -> Iterator[Any]:
     """A viewer whose planet is solved at once."""
-    from airlight.viewer.notebook import Viewer
+    from airlight.viewer.browser.notebook import Viewer
 
     def solving(session: Session, **more: Any) -> Solving:
         return Solving(session, **{**more, "solver": lambda *a, **k: solution})
@@ -83,7 +83,7 @@ def test_solution_arrives_as_tables(viewer: Any, solution: Any) -> None:
 
 
 def test_closing_ends_the_thread(solution: Any) -> None:
-    from airlight.viewer.notebook import Viewer
+    from airlight.viewer.browser.notebook import Viewer
 
     before = threading.active_count()
     viewer = Viewer("mars")

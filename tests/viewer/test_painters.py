@@ -12,12 +12,12 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import Camera, Scene, load_planet
-from airlight.gpu.device import Device
+from airlight.gpu.device.device import Device
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.viewer.picture_cpu import CpuPainter
-from airlight.viewer.picture_gpu import GpuPainter
-from airlight.viewer.picture_source import Picture, Request
-from airlight.viewer.solving_by import shown_wavelengths, solver_by
+from airlight.viewer.background.solving_by import shown_wavelengths, solver_by
+from airlight.viewer.painting.picture_cpu import CpuPainter
+from airlight.viewer.painting.picture_gpu import GpuPainter
+from airlight.viewer.painting.picture_source import Picture, Request
 
 Solved = Callable[..., MomentsSolution]
 

@@ -15,8 +15,8 @@ from airlight import Camera, Scene, load_planet
 from airlight.color.display import to_display
 from airlight.render import render
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.viewer.panel_save import Saving
-from airlight.viewer.picture_source import Picture, Request
+from airlight.viewer.painting.picture_source import Picture, Request
+from airlight.viewer.window.panels.save import Saving
 
 
 @pytest.fixture

@@ -10,12 +10,12 @@ from numpy.testing import assert_allclose
 
 from airlight.errors import ParameterError
 from airlight.planets import load_planet, planet_names
-from airlight.planets.reader import planet_tables, planet_text
-from airlight.viewer.parameter import KINDS, Parameter
-from airlight.viewer.parameter_list import parameters_of, spelled_out, value_at
-from airlight.viewer.planet_keys import TABLES
-from airlight.viewer.planet_tables import Tables
-from airlight.viewer.view_parameters import DEFAULTS, scene_of, view_parameters
+from airlight.planets.reading.reader import planet_tables, planet_text
+from airlight.viewer.parameters.nested_tables import Tables
+from airlight.viewer.parameters.parameter import KINDS, Parameter
+from airlight.viewer.parameters.parameter_list import parameters_of, spelled_out, value_at
+from airlight.viewer.parameters.planet_keys import TABLES
+from airlight.viewer.parameters.view_parameters import DEFAULTS, scene_of, view_parameters
 
 
 def tables_of(name: str) -> Tables:

@@ -11,8 +11,8 @@ import pytest
 
 from airlight.errors import Cancelled, ParameterError
 from airlight.scene import Camera, Scene
-from airlight.viewer.picture_source import Picture, Request, scaled
-from airlight.viewer.picture_thread import PictureThread
+from airlight.viewer.painting.picture_source import Picture, Request, scaled
+from airlight.viewer.painting.picture_thread import PictureThread
 
 
 class Slow:

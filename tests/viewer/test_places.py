@@ -7,8 +7,8 @@ import math
 import pytest
 
 from airlight.scene.observer import horizon_zenith
-from airlight.viewer.places import PLACES, view_of
-from airlight.viewer.session import Session
+from airlight.viewer.navigation.viewpoints import PLACES, view_of
+from airlight.viewer.session.session import Session
 
 
 @pytest.mark.parametrize("name", ["earth-atmosphere-plus", "mars-openspace"])

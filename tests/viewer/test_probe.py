@@ -18,9 +18,9 @@ from airlight.render import render
 from airlight.scene import Camera, Scene
 from airlight.scene.directions import direction
 from airlight.solvers import solve
-from airlight.solvers.moments.parts import radiance_parts
+from airlight.solvers.moments.radiance_parts import radiance_parts
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.viewer.probe import GROUND_SKY, GROUND_STAR, MORE, STAR, probe, probe_pixel
+from airlight.viewer.painting.probe import GROUND_SKY, GROUND_STAR, MORE, STAR, probe, probe_pixel
 
 NM = (440.0, 510.0, 550.0, 680.0)
 

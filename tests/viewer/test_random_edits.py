@@ -18,9 +18,9 @@ from airlight.planets.medium import Medium
 from airlight.render import render
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.solution import solve
-from airlight.viewer.parameter import Parameter, Value
-from airlight.viewer.session import Session
-from airlight.viewer.solving import Solving
+from airlight.viewer.background.solving import Solving
+from airlight.viewer.parameters.parameter import Parameter, Value
+from airlight.viewer.session.session import Session
 
 #: Standard and advanced forms: coefficients, layers, gases, columns, turbidity, a black body, dust
 #: by coefficients. Exact Mie takes seconds an edit and has a test of its own below.

@@ -14,8 +14,8 @@ from numpy.testing import assert_allclose
 from airlight.errors import FileError, ParameterError
 from airlight.planets import load_planet, planet_names
 from airlight.planets.medium import Medium
-from airlight.viewer.saved_state import from_fragment, to_fragment
-from airlight.viewer.session import Session
+from airlight.viewer.session.saved_state import from_fragment, to_fragment
+from airlight.viewer.session.session import Session
 
 PLANET = "earth-atmosphere-plus"
 

@@ -13,8 +13,8 @@ import pytest
 
 from airlight.errors import Cancelled
 from airlight.planets import Planet, load_planet
-from airlight.viewer.session import Session
-from airlight.viewer.solving import Solving
+from airlight.viewer.background.solving import Solving
+from airlight.viewer.session.session import Session
 
 PLANET = "earth-atmosphere-plus"
 #: Longer than anything here takes, on a busy machine. [s]
@@ -106,7 +106,7 @@ def test_a_preview_that_takes_too_long_is_given_up_for_a_newer_edit(
     fake: Fake, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # The gate stays shut: only patience ends the preview of the first planet.
-    monkeypatch.setattr("airlight.viewer.solving.PATIENCE", 0.05)
+    monkeypatch.setattr("airlight.viewer.background.solving.PATIENCE", 0.05)
     fake.held = ("preview",)
     session = Session(PLANET)
     with Solving(session, solver=fake) as solving:

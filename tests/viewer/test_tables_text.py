@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from airlight.viewer.tables_text import as_text, from_text, rounded
+from airlight.viewer.browser.tables_text import as_text, from_text, rounded
 
 
 @pytest.mark.parametrize("stride", [1, 4, 7, 9000])

@@ -15,12 +15,12 @@ from typing import Any
 
 import numpy as np
 
-from airlight.gpu.device import open_device
-from airlight.viewer import panel_parameters
-from airlight.viewer.panel_row import parameter_row
-from airlight.viewer.start import Start, opened, painter_by
-from airlight.viewer.window import Window
-from airlight.viewer.window_canvas import DesktopPlace
+from airlight.gpu.device.device import open_device
+from airlight.viewer.window.canvas import DesktopPlace
+from airlight.viewer.window.panels import parameters as panel_parameters
+from airlight.viewer.window.panels.row import parameter_row
+from airlight.viewer.window.start import Start, opened, painter_by
+from airlight.viewer.window.window import Window
 
 
 class Answers:

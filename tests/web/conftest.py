@@ -73,7 +73,7 @@ def opened(chromium: Any, tmp_path: Path) -> Iterator[Callable[..., Any]]:
 @pytest.fixture
 def modules(opened: Callable[..., Any], tmp_path: Path) -> Callable[..., Any]:
     """Opens an empty page in which files of the viewer's web folder are at hand as objects."""
-    from airlight.viewer.modules import join_modules, web_file
+    from airlight.viewer.browser.modules import join_modules, web_file
 
     def open_modules(**names: tuple[str, ...]) -> Any:
         lines = [f'import {{ {", ".join(n)} }} from "./{f}.js";' for f, n in names.items()]
@@ -94,7 +94,7 @@ def modules(opened: Callable[..., Any], tmp_path: Path) -> Callable[..., Any]:
 @pytest.fixture(scope="session")
 def gpu() -> Any:
     """A device without a browser, in software too."""
-    from airlight.gpu.device import NoDevice, open_device
+    from airlight.gpu.device.device import NoDevice, open_device
 
     try:
         return open_device()

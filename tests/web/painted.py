@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.gpu.translated import entry_points, translated
-from airlight.gpu.uniforms import layout, struct_text
-from airlight.viewer.tables_text import as_text, deflated
+from airlight.gpu.emit.translated import entry_points, translated
+from airlight.gpu.picture.uniforms import layout, struct_text
+from airlight.viewer.browser.tables_text import as_text, deflated
 
 SHADERS = Path(__file__).parent / "shaders"
 #: Columns of the table of the sky.

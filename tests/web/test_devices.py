@@ -11,7 +11,7 @@ import painted
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.gpu.translated import entry_points, translated
+from airlight.gpu.emit.translated import entry_points, translated
 
 SHADERS = Path(__file__).parent / "shaders"
 BACK_ENDS = ("webgpu", "webgl2")

@@ -17,12 +17,12 @@ from airlight.planets import load_planet
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.acceleration import mixing_weights
-from airlight.solvers.moments.air import make_air, scattering_depth
 from airlight.solvers.moments.convergence import counts, relative_change, what_follows
 from airlight.solvers.moments.packing import level_weights, thickness
+from airlight.solvers.moments.reduced_optics import make_air, scattering_depth
 from airlight.solvers.moments.settings import QUALITIES
 from airlight.solvers.moments.solution import solve
-from airlight.viewer.page_solver import amount_parameters, solver_data
+from airlight.viewer.browser.page_solver import amount_parameters, solver_data
 
 WAVELENGTHS = (680.0, 550.0, 440.0)
 #: Planet, factors of its constituents: thin, thick and no dust; air that bends light.

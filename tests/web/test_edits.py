@@ -16,15 +16,15 @@ from numpy.testing import assert_allclose
 from PIL import Image
 from test_pictures import FIXED, HEIGHT, SKY, WAVELENGTHS, WIDTH, drawn
 
-from airlight.gpu.pictures import Pictures
+from airlight.gpu.picture.pictures import Pictures
 from airlight.planets import load_planet
 from airlight.planets.medium import Medium
 from airlight.solvers.moments.settings import QUALITIES
 from airlight.solvers.moments.solution import MomentsSolution, solve
-from airlight.viewer.page import page_data
-from airlight.viewer.page_solver import page_settings
-from airlight.viewer.page_text import page_text
-from airlight.viewer.view_parameters import DEFAULTS
+from airlight.viewer.browser.page import page_data
+from airlight.viewer.browser.page_solver import page_settings
+from airlight.viewer.browser.page_text import page_text
+from airlight.viewer.parameters.view_parameters import DEFAULTS
 
 GROUND = {"view.altitude": 2.0, "view.look_zenith": 80.0, "display.exposure": -2.5}
 SPACE = {"view.altitude": 2e6, "view.look_zenith": 150.0, "view.sun_zenith": 80.0,

@@ -23,8 +23,8 @@ pytest.importorskip("jupyterlab")
 pytest.importorskip("anywidget")
 
 _CELLS = (
-    """from airlight.viewer.notebook import Viewer
-from airlight.viewer.session import Session
+    """from airlight.viewer.browser.notebook import Viewer
+from airlight.viewer.session.session import Session
 session = Session("mars")
 session.set("light.quality", "preview")
 session.set("light.wavelengths", "three")

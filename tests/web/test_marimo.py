@@ -25,8 +25,8 @@ app = marimo.App()
 @app.cell
 def _():
     import marimo as mo
-    from airlight.viewer.notebook import Viewer
-    from airlight.viewer.session import Session
+    from airlight.viewer.browser.notebook import Viewer
+    from airlight.viewer.session.session import Session
 
     session = Session("mars")
     session.set("light.quality", "preview")

@@ -15,12 +15,12 @@ from numpy.testing import assert_allclose
 from PIL import Image
 
 from airlight import solve
-from airlight.gpu.flat import read_texture
-from airlight.gpu.pictures import Pictures
+from airlight.gpu.device.flat import read_texture
+from airlight.gpu.picture.pictures import Pictures
 from airlight.planets import load_planet
-from airlight.viewer.page import page_data
-from airlight.viewer.page_text import page_text
-from airlight.viewer.view_parameters import DEFAULTS, scene_of
+from airlight.viewer.browser.page import page_data
+from airlight.viewer.browser.page_text import page_text
+from airlight.viewer.parameters.view_parameters import DEFAULTS, scene_of
 
 WIDTH, HEIGHT = 240, 135
 #: Coarser than usual, on both sides: software draws it in a second.

@@ -12,7 +12,7 @@ from airlight.cli.progress import shown_progress
 from airlight.errors import FileError, ParameterError
 
 if TYPE_CHECKING:
-    from airlight.validation.erratum import Erratum
+    from airlight.validation.errata.erratum import Erratum
 
 EPILOG = examples(
     "airlight errata",
@@ -44,8 +44,8 @@ def errata(
     run compiles a solver, which takes half a minute.
     """
     from airlight.exports.whole_file import check_target, whole_file
-    from airlight.validation.errata import errata as table
-    from airlight.validation.errata import markdown
+    from airlight.validation.errata.errata import errata as table
+    from airlight.validation.errata.errata import markdown
 
     if output is not None:
         if output.suffix.lower() != ".md":

@@ -46,8 +46,8 @@ def export_page(
     It draws with WebGPU, or WebGL2 where there is none, and asks for nothing from a network.
     """
     started = time.perf_counter()
-    from airlight.planets.overrides import parsed
-    from airlight.viewer.page import export_page as export
+    from airlight.planets.reading.overrides import parsed
+    from airlight.viewer.browser.page import export_page as export
 
     if output.suffix.lower() not in (".html", ".htm"):
         raise ParameterError("--output", str(output), "a name that ends with .html")
@@ -70,7 +70,7 @@ def export_page(
 
 def _view_value(text: str) -> tuple[str, float | str | bool]:
     """The path and the value of one ``--view``."""
-    from airlight.viewer.page import page_parameters
+    from airlight.viewer.browser.page import page_parameters
 
     name, equals, word = text.partition("=")
     found = {one.path: one for one in page_parameters()}

@@ -55,7 +55,7 @@ def planet(name: str, changes: list[str] | None = None) -> Planet:
     """
     from airlight.cli.progress import shown_progress
     from airlight.planets import load_planet
-    from airlight.planets.overrides import FIELD, parsed
+    from airlight.planets.reading.overrides import FIELD, parsed
 
     try:
         paths = dict(parsed(change) for change in changes or [])

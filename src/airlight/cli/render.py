@@ -181,7 +181,7 @@ def render(
             world, wavelengths=nm, quality=quality, cache=not no_cache, progress=report
         )
         if gpu is not None:
-            from airlight.gpu.pictures import Pictures
+            from airlight.gpu.picture.pictures import Pictures
 
             pictures = Pictures(gpu)
             pictures.show(solution, weights)

@@ -6,7 +6,7 @@ import sys
 from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
-    from airlight.gpu.device import Device
+    from airlight.gpu.device.device import Device
     from airlight.planets.planet import Planet
 
 #: What ``--device`` takes.
@@ -33,7 +33,7 @@ def device_for(choice: Choice, planet: Planet, count: int, width: int) -> Device
     if choice == "cpu":
         return None
     from airlight.errors import ParameterError
-    from airlight.gpu.device import NoDevice, open_device
+    from airlight.gpu.device.device import NoDevice, open_device
 
     try:
         _check_room(planet, count)
@@ -51,7 +51,7 @@ def device_for(choice: Choice, planet: Planet, count: int, width: int) -> Device
 def _check_room(planet: Planet, count: int) -> None:
     """Refuse what the shaders have no room for, before anything is solved."""
     from airlight.errors import ParameterError
-    from airlight.gpu.shown import MOST_CONSTITUENTS, WAVELENGTHS
+    from airlight.pixels.shown import MOST_CONSTITUENTS, WAVELENGTHS
 
     if count > WAVELENGTHS:
         raise ParameterError("--wavelengths", count, f"at most {WAVELENGTHS} on the GPU")

@@ -94,7 +94,7 @@ def view(
     F1 in the window says what mouse and keys do. The first start compiles for about a minute.
     """
     started = time.perf_counter()
-    from airlight.viewer.start import Start, show
+    from airlight.viewer.window.start import Start, show
 
     width, height = options.picture_size(size, "perspective")
     if not all(_SMALLEST <= side <= _LARGEST for side in (width, height)):

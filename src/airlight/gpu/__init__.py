@@ -5,8 +5,8 @@ wavelengths::
 
     from airlight import Scene, load_planet, solve
     from airlight.color.four_wavelengths import four_wavelengths
-    from airlight.gpu.device import open_device
-    from airlight.gpu.pictures import Pictures
+    from airlight.gpu.device.device import open_device
+    from airlight.gpu.picture.pictures import Pictures
 
     planet = load_planet("earth")
     wavelengths, weights = four_wavelengths(planet.star.irradiances)

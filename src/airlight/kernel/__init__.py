@@ -1,14 +1,12 @@
 """The ``@kernel`` decorator: a scalar formula, compiled once for solvers, renderer and NumPy.
 
-Compiled code is cached on disk under a folder whose name is a fingerprint of the package's own
-sources, because Numba watches only the file of the outermost function: a formula changed in
-another file would otherwise go unnoticed.
+Compiled code is cached on disk in a folder named for the ``fingerprint`` of its source file and of
+all that this imports.
 """
 
 from __future__ import annotations
 
 import contextlib
-import hashlib
 import os
 import shutil
 import warnings
@@ -20,11 +18,13 @@ from typing import Any, Final
 import numba
 import platformdirs
 
+from airlight.kernel.fingerprints import fingerprint
+
 #: Fast-math flags that keep the meaning of NaN and infinity; inputs are checked at the door.
 FAST: Final = frozenset({"contract", "reassoc", "nsz", "arcp", "afn"})
 
-#: How many fingerprints of compiled code stay on disk.
-_KEPT_FINGERPRINTS: Final = 4
+#: How many fingerprints of a source file's compiled code stay on disk.
+_KEPT_FINGERPRINTS: Final = 8
 
 
 def cache_folder() -> Path:
@@ -36,29 +36,13 @@ def cache_folder() -> Path:
     return Path(named) if named else Path(platformdirs.user_cache_dir("airlight", appauthor=False))
 
 
-#: Rooms above the renderer: nothing below may import them, and they hold no compiled code.
-WITHOUT_KERNELS: Final = ("exports", "plots", "validation", "viewer", "cli")
-
-
 @cache
-def source_fingerprint() -> str:
-    """A short hash of every source file that compiled code can depend on, and of the compiler."""
-    digest = hashlib.sha256(f"{numba.__version__}".encode())
-    root = Path(__file__).parent.parent
-    for file in sorted(root.rglob("*.py")):
-        if file.relative_to(root).parts[0] in WITHOUT_KERNELS:
-            continue
-        digest.update(file.relative_to(root).as_posix().encode())
-        digest.update(file.read_bytes())
-    return digest.hexdigest()[:16]
-
-
-@cache
-def _compiled_folder() -> Path | None:
-    """Where compiled code goes, or None if nothing can be written there."""
-    kernels = cache_folder() / "kernels"
-    folder = kernels / source_fingerprint()
+def _compiled_folder(source: str) -> Path | None:
+    """Where the code compiled from a source file goes, or None if nothing can be written there."""
     try:
+        key = fingerprint(Path(source))
+        kernels = cache_folder() / "kernels" / Path(source).stem
+        folder = kernels / key
         folder.mkdir(parents=True, exist_ok=True)
         folder.touch()
         if not os.access(folder, os.W_OK):
@@ -85,7 +69,7 @@ def _numba_cache(folder: Path) -> Iterator[None]:
 def _declare(
     make: Callable[..., Any], function: Callable[..., Any], room: str, **options: Any
 ) -> Any:
-    folder = _compiled_folder()
+    folder = _compiled_folder(function.__code__.co_filename)
     if folder is None:
         return make(**options)(function)
     # A ufunc and a function of one name would share Numba's cache entry, and a process that finds

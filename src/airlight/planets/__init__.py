@@ -6,7 +6,7 @@ from airlight.planets.ground_and_star import Ground, Star
 from airlight.planets.medium import Medium
 from airlight.planets.parameters import replace
 from airlight.planets.planet import Constituent, Planet
-from airlight.planets.reader import load_planet, planet_names
+from airlight.planets.reading.reader import load_planet, planet_names
 
 __all__ = [
     "Constituent",

@@ -18,9 +18,9 @@ from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.optics.bent_density import BentShell
 from airlight.optics.density_profile import DensitySegments, Row
-from airlight.planets.phases import INTEGRAL_TOLERANCE
+from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
+from airlight.planets.matter.profiles import Uniform
 from airlight.planets.planet import Constituent, Planet
-from airlight.planets.profiles import Uniform
 from airlight.planets.spectral import check_wavelength_list
 
 FloatArray = npt.NDArray[np.float64]

@@ -80,7 +80,7 @@ def replace(instance: Instance, **changes: Any) -> Instance:
 
     Examples
     --------
-    >>> from airlight.planets.profiles import Exponential
+    >>> from airlight.planets.matter.profiles import Exponential
     >>> replace(Exponential(scale_height=8000.0), scale_height=8500.0)
     Exponential(scale_height=8500.0)
     """

@@ -9,10 +9,19 @@ import numpy.typing as npt
 
 from airlight.errors import ParameterError
 from airlight.optics.legendre import legendre_moments
-from airlight.planets.gas_mixture import GasMixture
-from airlight.planets.gases import GasScattering, RefractiveScattering
 from airlight.planets.ground_and_star import Ground, Star
-from airlight.planets.matter import Absorber, Matter
+from airlight.planets.matter.gas_mixture import GasMixture
+from airlight.planets.matter.gases import GasScattering, RefractiveScattering
+from airlight.planets.matter.matter import Absorber, Matter
+from airlight.planets.matter.phases import (
+    CornetteShanks,
+    DoubleHenyeyGreenstein,
+    HenyeyGreenstein,
+    PhaseFunction,
+    Rayleigh,
+    TabulatedPhase,
+)
+from airlight.planets.matter.profiles import Exponential, Layered, Profile, Tabulated, Tent, Uniform
 from airlight.planets.parameters import (
     MISSING,
     all_between,
@@ -21,15 +30,6 @@ from airlight.planets.parameters import (
     one_of,
     parameters,
 )
-from airlight.planets.phases import (
-    CornetteShanks,
-    DoubleHenyeyGreenstein,
-    HenyeyGreenstein,
-    PhaseFunction,
-    Rayleigh,
-    TabulatedPhase,
-)
-from airlight.planets.profiles import Exponential, Layered, Profile, Tabulated, Tent, Uniform
 from airlight.planets.spectral import (
     LONGEST,
     SHORTEST,

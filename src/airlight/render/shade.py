@@ -17,8 +17,8 @@ from airlight.geometry.shell import meets_ground, way_to_shell
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, load, maximum, minimum, splat, store
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
+from airlight.solvers.moments.irradiance import ground_light
 from airlight.solvers.moments.march import march
-from airlight.solvers.moments.received import ground_light
 from airlight.solvers.moments.source import read_phase, reflected
 
 FloatArray = NDArray[np.float64]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Final
 
 from airlight.planets import Constituent, Ground, Planet, Star, replace
-from airlight.planets.phases import HenyeyGreenstein, Rayleigh
-from airlight.planets.profiles import Exponential
+from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
+from airlight.planets.matter.profiles import Exponential
 from airlight.planets.spectral import PerWavelength
 from airlight.validation.reference_earth import (
     CORRECTED_ABSORPTION,

@@ -8,14 +8,14 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.validation.kider_pictures import domes, error_curves
-from airlight.validation.kider_planets import (
+from airlight.validation.kider.pictures import domes, error_curves
+from airlight.validation.kider.planets import (
     AERONET_LOAD,
     CLEAN_ALBEDO,
     Load,
 )
-from airlight.validation.kider_rows import Rows, compute
-from airlight.validation.kider_scans import best_factor, rmse_per_scan, symmetric_part
+from airlight.validation.kider.rows import Rows, compute
+from airlight.validation.kider.scans import best_factor, rmse_per_scan, symmetric_part
 from airlight.validation.suite import Bar, Cancel, Mark, Progress, Suite, Table
 
 FloatArray = NDArray[np.float64]

@@ -8,8 +8,8 @@ from __future__ import annotations
 from typing import Final, Literal
 
 from airlight.planets import Constituent, Ground, Planet, Star
-from airlight.planets.phases import CornetteShanks, HenyeyGreenstein, Rayleigh
-from airlight.planets.profiles import Exponential, Tent
+from airlight.planets.matter.phases import CornetteShanks, HenyeyGreenstein, Rayleigh
+from airlight.planets.matter.profiles import Exponential, Tent
 from airlight.planets.spectral import PerWavelength
 
 #: The wavelengths of all of them. [nm]

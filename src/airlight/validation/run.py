@@ -50,7 +50,7 @@ def _solvers(data: Path | None, *, progress: Progress | None, cancel: Cancel | N
 
 
 def _spherical(data: Path | None, *, progress: Progress | None, cancel: Cancel | None) -> Suite:
-    from airlight.validation.spherical import spherical
+    from airlight.validation.spherical.radiances import spherical
 
     assert data is not None
     return spherical(data, progress=progress, cancel=cancel)

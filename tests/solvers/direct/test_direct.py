@@ -11,8 +11,8 @@ from numpy.testing import assert_allclose
 
 from airlight import Cancelled, ConvergenceError, Medium, ParameterError, Planet, solve
 from airlight.planets import Constituent, Ground, Star
-from airlight.planets.phases import Rayleigh
-from airlight.planets.profiles import Exponential, Uniform
+from airlight.planets.matter.phases import Rayleigh
+from airlight.planets.matter.profiles import Exponential, Uniform
 from airlight.solvers.direct.settings import ATMOSPHERE_PLUS, QUALITIES, Settings
 from airlight.solvers.direct.solution import DirectSolution, alone
 from airlight.solvers.direct.solution import solve as solve_medium

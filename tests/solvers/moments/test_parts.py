@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.planets import load_planet
 from airlight.solvers import solve
-from airlight.solvers.moments.parts import Parts, radiance_parts
+from airlight.solvers.moments.radiance_parts import Parts, radiance_parts
 from airlight.solvers.moments.solution import MomentsSolution
 
 LOOKS = [0.0, 40.0, 85.0, 89.9, 95.0, 120.0, 180.0]

@@ -8,16 +8,16 @@ from numpy.testing import assert_allclose, assert_array_less
 from airlight import load_planet, solve
 from airlight.kernel.lanes import LANES
 from airlight.planets import Constituent, Ground, Planet, Star, replace
+from airlight.planets.matter.phases import HenyeyGreenstein
+from airlight.planets.matter.profiles import Exponential, Tent
 from airlight.planets.medium import Medium
-from airlight.planets.phases import HenyeyGreenstein
-from airlight.planets.profiles import Exponential, Tent
-from airlight.solvers.moments.air import make_air
-from airlight.solvers.moments.block_rays import rays_in_sight
-from airlight.solvers.moments.coupling import sideways
 from airlight.solvers.moments.elimination import factorise, substitute
 from airlight.solvers.moments.grid import make_grid
 from airlight.solvers.moments.levels import Depths, finer, finer_weights, place_levels
 from airlight.solvers.moments.rays import trace_rays
+from airlight.solvers.moments.reduced_optics import make_air
+from airlight.solvers.moments.vertical_coupling import sideways
+from airlight.solvers.moments.visible_rays import rays_in_sight
 
 
 def exponential_air(depth: float) -> Depths:

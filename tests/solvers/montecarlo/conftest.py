@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from airlight.planets import Constituent, Ground, Planet, Star
-from airlight.planets.phases import Rayleigh
-from airlight.planets.profiles import Exponential
+from airlight.planets.matter.phases import Rayleigh
+from airlight.planets.matter.profiles import Exponential
 
 
 @pytest.fixture(scope="session")

@@ -11,8 +11,8 @@ from numpy.testing import assert_allclose, assert_array_equal, assert_array_less
 from airlight import solve
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.planets import Planet
-from airlight.planets.phases import HenyeyGreenstein, Rayleigh
-from airlight.planets.profiles import Exponential, Tent, Uniform
+from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
+from airlight.planets.matter.profiles import Exponential, Tent, Uniform
 from airlight.solvers.montecarlo.settings import Settings
 
 SAMPLED = Settings(relative_error=0.004, exact_first_order=False)

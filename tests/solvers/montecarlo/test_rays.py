@@ -14,7 +14,7 @@ from airlight.geometry.path import ray_length
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop
 from airlight.planets import Medium, Planet, load_planet
-from airlight.planets.profiles import Exponential, Layer, Layered, Tabulated, Tent, Uniform
+from airlight.planets.matter.profiles import Exponential, Layer, Layered, Tabulated, Tent, Uniform
 from airlight.solvers.montecarlo.air import Air, jump_altitudes, make_air
 from airlight.solvers.montecarlo.lit_air import (
     density_in_light,

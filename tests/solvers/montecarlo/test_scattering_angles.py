@@ -13,7 +13,7 @@ from scipy.stats import chisquare
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel import compiled_loop
 from airlight.planets import Medium, Planet
-from airlight.planets.phases import (
+from airlight.planets.matter.phases import (
     CornetteShanks,
     DoubleHenyeyGreenstein,
     HenyeyGreenstein,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from dataclasses import replace
+from pathlib import Path
 from time import perf_counter
 from typing import Any
 
@@ -11,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.path import shadow_edges
-from airlight.kernel import compiled_loop, disk, source_fingerprint
+from airlight.kernel import compiled_loop, disk
+from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.density_profile import DensitySegments
 from airlight.planets.medium import Medium
@@ -235,7 +237,7 @@ def solve(
 
 
 def _key(medium: Medium, settings: Settings) -> str:
-    text = f"direct {source_fingerprint()} {settings.as_text()} {medium.fingerprint()}"
+    text = f"direct {fingerprint(Path(__file__))} {settings.as_text()} {medium.fingerprint()}"
     return hashlib.sha256(text.encode()).hexdigest()[:40]
 
 

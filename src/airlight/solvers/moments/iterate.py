@@ -16,16 +16,6 @@ from airlight.kernel.lanes import LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
-from airlight.solvers.moments.air import (
-    choose_degree,
-    column_rows,
-    make_air,
-    optical_depths,
-    panel_ends,
-    scattering_depth,
-    transport_depth,
-)
-from airlight.solvers.moments.block_rays import rays_in_sight
 from airlight.solvers.moments.convergence import (
     Light,
     counts,
@@ -35,15 +25,25 @@ from airlight.solvers.moments.convergence import (
     trust,
     what_follows,
 )
-from airlight.solvers.moments.coupling import Wandering
 from airlight.solvers.moments.first_order import first_order_radius
 from airlight.solvers.moments.grid import Grid, make_grid
 from airlight.solvers.moments.harmonics import Harmonics, coefficient_count, harmonics
 from airlight.solvers.moments.levels import FEW_NODES
 from airlight.solvers.moments.packing import filled, level_weights, pack_light, thickness
 from airlight.solvers.moments.rays import Rays, trace_rays
+from airlight.solvers.moments.reduced_optics import (
+    choose_degree,
+    column_rows,
+    make_air,
+    optical_depths,
+    panel_ends,
+    scattering_depth,
+    transport_depth,
+)
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.sweep import Air, Azimuths, sweep_radius
+from airlight.solvers.moments.vertical_coupling import Wandering
+from airlight.solvers.moments.visible_rays import rays_in_sight
 from airlight.tables.column_ratios import mean_density_ratios
 from airlight.tables.columns import ColumnTable
 

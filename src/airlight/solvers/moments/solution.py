@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
+from pathlib import Path
 from time import perf_counter
 from typing import Any
 
@@ -12,13 +13,14 @@ from numpy.typing import NDArray
 
 from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.quadrature import gauss_legendre
-from airlight.kernel import compiled_loop, disk, source_fingerprint
+from airlight.kernel import compiled_loop, disk
+from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.lanes import LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
-from airlight.solvers.moments.air import make_air, panel_ends, scattering_depth
 from airlight.solvers.moments.harmonics import coefficient_count, harmonics
+from airlight.solvers.moments.irradiance import direct_irradiance, ground_light, sky_irradiance
 from airlight.solvers.moments.iterate import Moments, grid_for, solve_moments, weights_of_levels
 from airlight.solvers.moments.march import (
     Light,
@@ -28,7 +30,7 @@ from airlight.solvers.moments.march import (
     new_workspace,
 )
 from airlight.solvers.moments.packing import filled, pack, pack_light
-from airlight.solvers.moments.received import direct_irradiance, ground_light, sky_irradiance
+from airlight.solvers.moments.reduced_optics import make_air, panel_ends, scattering_depth
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.source import reflected
 from airlight.solvers.sight import Sight
@@ -284,7 +286,7 @@ def solve(
 def _key(medium: Medium, settings: Settings) -> str:
     import hashlib
 
-    text = f"moments {source_fingerprint()} {settings.as_text()} {medium.fingerprint()}"
+    text = f"moments {fingerprint(Path(__file__))} {settings.as_text()} {medium.fingerprint()}"
     return hashlib.sha256(text.encode()).hexdigest()[:40]
 
 

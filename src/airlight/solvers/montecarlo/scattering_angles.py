@@ -16,14 +16,14 @@ from numpy.typing import NDArray
 from airlight.kernel import compiled_loop, inlined, kernel
 from airlight.optics.phase_functions import cornette_shanks, henyey_greenstein, rayleigh
 from airlight.optics.phase_table import SMALLEST_LOGARITHMIC
-from airlight.planets.medium import Medium
-from airlight.planets.phases import (
+from airlight.planets.matter.phases import (
     CornetteShanks,
     DoubleHenyeyGreenstein,
     HenyeyGreenstein,
     Rayleigh,
     TabulatedPhase,
 )
+from airlight.planets.medium import Medium
 from airlight.planets.spectral import spectral_at
 from airlight.solvers.montecarlo.streams import uniform
 

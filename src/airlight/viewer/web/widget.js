@@ -1,4 +1,4 @@
-/** The viewer in a notebook: the front end of `airlight.viewer.notebook.Viewer`. */
+/** The viewer in a notebook: the front end of `airlight.viewer.browser.notebook.Viewer`. */
 import { Picture } from "./picture.js";
 import { RemoteState } from "./remote_state.js";
 import { Viewer } from "./viewer.js";

@@ -1,0 +1,220 @@
+"""Flat textures: long arrays laid in rows of 2048 texels, read by ``textureLoad`` only."""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from airlight.errors import ParameterError
+from airlight.gpu.device.device import Device
+
+Float32Array = NDArray[np.float32]
+
+#: Texels in a row: texel i stands at (i & 2047, i >> 11).
+FLAT_WIDTH: Final = 2048
+#: Rows that every browser allows.
+MOST_ROWS: Final = 8192
+#: Format of a flat texture by the channels of a texel.
+_FORMATS: Final = {1: "r32float", 4: "rgba32float"}
+#: Type and number of the channels of the formats that can be read back.
+_CHANNELS: Final = {
+    "r32float": (np.float32, 1),
+    "rg32float": (np.float32, 2),
+    "rgba32float": (np.float32, 4),
+    "r16float": (np.float16, 1),
+    "rgba16float": (np.float16, 4),
+    "r8unorm": (np.uint8, 1),
+    "rgba8unorm": (np.uint8, 4),
+    "rgba8unorm-srgb": (np.uint8, 4),
+    "bgra8unorm": (np.uint8, 4),
+    "bgra8unorm-srgb": (np.uint8, 4),
+}
+
+
+def flat_rows(count: int) -> int:
+    """Rows of a flat texture that holds ``count`` texels; at least one.
+
+    Parameters
+    ----------
+    count : int
+        Texels.
+    """
+    return max(1, -(-count // FLAT_WIDTH))
+
+
+def flat_texture(device: Device, array: ArrayLike, label: str = "") -> Any:
+    """A flat texture with an array in it; what is left of its last row is 0.
+
+    It can be read by a shader, rendered to, updated by ``update_flat`` and read back.
+
+    Parameters
+    ----------
+    device : Device
+        From ``open_device``.
+    array : array, shape (n,) or (n, 4)
+        Stored as float32: one channel, or four.
+    label : str
+        Shown in messages of the device.
+
+    Returns
+    -------
+    wgpu.GPUTexture
+        ``r32float`` or ``rgba32float``, 2048 wide.
+
+    Raises
+    ------
+    ParameterError
+        If the shape is another, or the array has more texels than a texture holds (16.8 million).
+    """
+    values = _texels(array)
+    texture = empty_flat_texture(device, values.shape[0], values.shape[1], label)
+    update_flat(device, texture, 0, values)
+    return texture
+
+
+def empty_flat_texture(device: Device, count: int, channels: int, label: str = "") -> Any:
+    """A flat texture of zeros for ``count`` texels of one channel or four.
+
+    Parameters
+    ----------
+    device : Device
+        From ``open_device``.
+    count, channels : int
+        Texels; numbers of each.
+    label : str
+        For the device's messages.
+
+    Returns
+    -------
+    wgpu.GPUTexture
+        ``r32float`` or ``rgba32float``.
+
+    Raises
+    ------
+    ParameterError
+        If there are more texels than a texture holds, or the channels are not 1 or 4.
+    """
+    import wgpu
+
+    if channels not in _FORMATS:
+        raise ParameterError("channels", channels, "1 or 4")
+    if not 0 <= count <= FLAT_WIDTH * MOST_ROWS:
+        raise ParameterError("count", count, f"at most {FLAT_WIDTH * MOST_ROWS} texels")
+    use = wgpu.TextureUsage
+    return device.device.create_texture(
+        label=label,
+        size=(FLAT_WIDTH, flat_rows(count), 1),
+        format=_FORMATS[channels],
+        usage=use.TEXTURE_BINDING | use.COPY_DST | use.COPY_SRC | use.RENDER_ATTACHMENT,
+    )
+
+
+def update_flat(device: Device, texture: Any, start: int, array: ArrayLike) -> None:
+    """Overwrite texels of a flat texture, from number ``start`` on; the others stay.
+
+    Parameters
+    ----------
+    device : Device
+        That made the texture.
+    texture : wgpu.GPUTexture
+        From ``flat_texture``.
+    start : int
+        Number of the first texel; need not begin a row.
+    array : array, shape (n,) or (n, 4)
+        As many channels as the texture has.
+
+    Raises
+    ------
+    ParameterError
+        If the array does not fit.
+    """
+    values = _texels(array)
+    width, height = texture.size[:2]
+    if _FORMATS[values.shape[1]] != texture.format:
+        raise ParameterError("array.shape", values.shape, f"texels of format {texture.format}")
+    if not 0 <= start <= width * height - values.shape[0]:
+        raise ParameterError(
+            "start", start, f"0 to {width * height - values.shape[0]}: {values.shape[0]} texels "
+            f"into {width * height}",
+        )  # fmt: skip
+    done, end = start, start + values.shape[0]
+    while done < end:  # the rest of a begun row, whole rows, the beginning of the last row
+        row, column = divmod(done, width)
+        whole = (end - done) // width if column == 0 else 0
+        take = whole * width if whole else min(width - column, end - done)
+        block = values[done - start : done - start + take]
+        shape = (width, whole, 1) if whole else (take, 1, 1)
+        device.device.queue.write_texture(
+            {"texture": texture, "origin": (column, row, 0)},
+            block,
+            {"bytes_per_row": shape[0] * 4 * values.shape[1], "rows_per_image": shape[1]},
+            shape,
+        )
+        done += take
+
+
+def read_texture(device: Device, texture: Any) -> Float32Array:
+    """What a two-dimensional texture holds.
+
+    Parameters
+    ----------
+    device : Device
+        That made the texture.
+    texture : wgpu.GPUTexture
+        Made with ``COPY_SRC``; floats of 16 or 32 bits, or 8-bit values.
+
+    Returns
+    -------
+    array, shape (height, width, channels)
+        8-bit values are divided by 255 and stay encoded; red comes first, always.
+
+    Raises
+    ------
+    ParameterError
+        If the format is another.
+    """
+    if texture.format not in _CHANNELS:
+        raise ParameterError("texture.format", texture.format, ", ".join(_CHANNELS))
+    kind, channels = _CHANNELS[texture.format]
+    width, height = texture.size[:2]
+    row_bytes = width * channels * np.dtype(kind).itemsize
+    # The queue pads rows to the 256 bytes that a copy needs and takes the padding off again.
+    read = device.device.queue.read_texture(
+        {"texture": texture},
+        {"bytes_per_row": row_bytes, "rows_per_image": height},
+        (width, height, 1),
+    )
+    values = np.frombuffer(read, kind).reshape(height, width, channels)
+    if kind is np.uint8:
+        values = (values / np.float32(255.0)).astype(np.float32)
+        if texture.format.startswith("bgra"):
+            values = values[..., [2, 1, 0, 3]]
+    return np.ascontiguousarray(values, np.float32)
+
+
+def read_flat(device: Device, texture: Any, count: int) -> Float32Array:
+    """The first ``count`` texels of a flat texture, shape (count,) or (count, 4).
+
+    Parameters
+    ----------
+    device : Device
+        That made the texture.
+    texture : wgpu.GPUTexture
+        From ``flat_texture``.
+    count : int
+        Texels.
+    """
+    values = read_texture(device, texture)
+    texels = values.reshape(-1, values.shape[2])[:count]
+    return texels[:, 0] if texels.shape[1] == 1 else texels
+
+
+def _texels(array: ArrayLike) -> Float32Array:
+    values = np.ascontiguousarray(array, np.float32)
+    if values.ndim == 1:
+        values = values[:, None]
+    if values.ndim != 2 or values.shape[1] not in _FORMATS:
+        raise ParameterError("array.shape", np.shape(array), "(n,) or (n, 4)")
+    return values

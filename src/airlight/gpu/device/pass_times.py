@@ -1,0 +1,110 @@
+"""How long passes take on the device itself, by its own clock."""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import numpy as np
+
+from airlight.errors import ParameterError
+from airlight.gpu.device.device import Device
+
+#: Two points in time a pass, 8 bytes each; a set has at most 4096 (W3C WebGPU, "GPUQuerySet").
+_MOST_PASSES: Final = 2048
+_BYTES: Final = 8
+
+
+class PassTimes:
+    """Clocks of passes: name them while recording, read them after the submission.
+
+    Parameters
+    ----------
+    device : Device
+        One that ``measures_time``.
+    most : int
+        Passes that can be timed in one submission.
+
+    Raises
+    ------
+    ParameterError
+        If the device cannot, or there are more passes than 2048.
+
+    Examples
+    --------
+    ``times = PassTimes(device)``, then ``one.run(encoder, groups, views, timestamps=times("sky"))``
+    for each pass, ``times.resolve(encoder)`` before ``encoder.finish()``, and after the submission
+    ``times.read()``.
+    """
+
+    def __init__(self, device: Device, most: int = 64) -> None:
+        import wgpu
+
+        if not device.measures_time:
+            raise ParameterError("device", device.name, "a device with clocks for passes")
+        if not 0 < most <= _MOST_PASSES:
+            raise ParameterError("most", most, f"1 to {_MOST_PASSES}")
+        self.device = device
+        self.most = most
+        self._names: list[str] = []
+        self._set = device.device.create_query_set(type="timestamp", count=2 * most)
+        self._buffer = device.device.create_buffer(
+            size=2 * _BYTES * most,
+            usage=wgpu.BufferUsage.QUERY_RESOLVE | wgpu.BufferUsage.COPY_SRC,
+        )
+
+    def __call__(self, name: str) -> dict[str, Any]:
+        """The next pass's ``timestamps`` for ``FragmentPass.run``, also for compute passes.
+
+        Parameters
+        ----------
+        name : str
+            Passes of one name are added.
+
+        Raises
+        ------
+        ParameterError
+            If there are more passes in the submission than ``most``.
+        """
+        if len(self._names) == self.most:
+            raise ParameterError("name", name, f"at most {self.most} passes in one submission")
+        self._names.append(name)
+        last = 2 * len(self._names) - 1
+        return {
+            "query_set": self._set,
+            "beginning_of_pass_write_index": last - 1,
+            "end_of_pass_write_index": last,
+        }
+
+    def resolve(self, encoder: Any) -> None:
+        """Record, after all passes, that the clocks are put where they can be read.
+
+        Parameters
+        ----------
+        encoder : wgpu.GPUCommandEncoder
+            That of the passes, not yet finished.
+        """
+        if self._names:
+            encoder.resolve_query_set(self._set, 0, 2 * len(self._names), self._buffer, 0)
+
+    def read(self) -> dict[str, float]:
+        """Seconds by name since the last reading; passes of one name are added. [s]
+
+        Waits until the device has done the submission. Starts anew.
+        """
+        names, self._names = self._names, []
+        if not names:
+            return {}
+        size = 2 * _BYTES * len(names)
+        ticks = np.frombuffer(self.device.device.queue.read_buffer(self._buffer, 0, size), "u8")
+        begin, end = ticks.astype(np.float64).reshape(-1, 2).T
+        seconds: dict[str, float] = dict.fromkeys(names, 0.0)
+        for name, one in zip(names, 1e-9 * _tick(self.device) * (end - begin), strict=True):
+            seconds[name] += float(one)
+        return seconds
+
+
+def _tick(device: Device) -> float:
+    """Length of a tick of the device's clock; browsers count nanoseconds, natives do not. [ns]"""
+    from wgpu.backends.wgpu_native import lib
+
+    return float(lib.wgpuQueueGetTimestampPeriod(device.device.queue._internal))

@@ -1,0 +1,1 @@
+"""From functions in restricted Python to shaders: scope, types, expressions, statements."""

@@ -1,0 +1,188 @@
+"""Calls in restricted Python as WGSL: of mathematics, of lanes, of other kernels."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import math
+from abc import ABC, abstractmethod
+from typing import Any, Final
+
+import numpy as np
+
+from airlight.gpu.emit.scope import Names, SubsetError
+from airlight.gpu.emit.shader_types import (
+    F32,
+    I32,
+    VEC4,
+    Bundle,
+    Constant,
+    Room,
+    Scalar,
+    Table,
+    Uniform,
+    Value,
+    joined,
+    run_time,
+)
+from airlight.kernel import lanes as lane_module
+
+#: Python's mathematics in WGSL; those that the prelude brings are good to float32.
+_MATH: Final[dict[Any, str]] = {
+    math.sqrt: "sqrt", math.exp: "exp", math.log: "log", math.log2: "log2",
+    math.sin: "sine", math.cos: "cosine", math.tan: "tan",
+    math.acos: "arc_cosine", math.asin: "arc_sine", math.atan: "arc_tangent",
+    math.atan2: "angle_of",
+}  # fmt: skip
+#: What ``airlight.kernel.lanes`` offers to a shader.
+_LANE_CALLS: Final = (
+    "load", "store", "splat", "exponential", "maximum", "minimum", "fourth_root",
+)  # fmt: skip
+
+
+class Calls(Names, ABC):
+    """Writes the calls of one function; see ``Names`` for the parameters."""
+
+    @abstractmethod
+    def write(self, node: ast.expr) -> tuple[str, Value | None]:
+        """An expression and its type; None for a call that gives nothing."""
+
+    def as_scalar(self, node: ast.expr, wanted: Scalar) -> str:
+        """An expression as a number of a type."""
+        text, found = self.write(node)
+        try:
+            return self.cast(text, found, wanted)
+        except SubsetError:
+            raise self.refuse(node, f"is no {wanted.name}") from None
+
+    def number(self, node: ast.AST, found: Value | None) -> Scalar:
+        """The type of an expression that must be a number."""
+        if found is not None and not isinstance(found, (Table, Bundle)):
+            kind = run_time(found)
+            if isinstance(kind, Scalar):
+                return kind
+        raise self.refuse(node, "is no number")
+
+    def room(self, node: ast.Name) -> str:
+        """A room as it stands before its index: a caller's is a pointer."""
+        spelled = self.spelled(node.id)
+        return (
+            f"(*{spelled})"
+            if node.id in self.function.__code__.co_varnames[: self.function.__code__.co_argcount]
+            else spelled
+        )
+
+    def call(self, node: ast.Call) -> tuple[str, Value | None]:
+        """A call of mathematics, of lanes or of another function."""
+        called = self.bound(node.func)
+        if node.keywords:
+            raise self.refuse(node, "takes no names for arguments")
+        if called is min or called is max:
+            return self.extreme(node, "min" if called is min else "max")
+        if called is abs:
+            text, found = self.write(node.args[0])
+            return f"abs({text})", self.number(node.args[0], found)
+        if called is math.floor:
+            return f"i32(floor({self.as_scalar(node.args[0], F32)}))", I32
+        if called is int:
+            return f"i32({self.as_scalar(node.args[0], F32)})", I32
+        if called in (float, np.float32, np.float64):
+            return self.as_scalar(node.args[0], F32), F32
+        if called is np.empty:
+            size = self.fold(node.args[0])
+            if not isinstance(size, int):
+                raise self.refuse(node, "the size of a room is a constant")
+            return "", Room(size)
+        if called is lane_module.room_of_lanes:
+            size = self.fold(node.args[0])
+            if not isinstance(size, int):
+                raise self.refuse(node, "the size of a room is a constant")
+            return "", Room(size, VEC4)
+        if _is(called, _MATH):
+            arguments = ", ".join(self.as_scalar(one, F32) for one in node.args)
+            return f"{_MATH[called]}({arguments})", F32
+        for name in _LANE_CALLS:
+            if called is getattr(lane_module, name):
+                return self.lane_call(node, name)
+        if inspect.isfunction(getattr(called, "py_func", called)):
+            return self.kernel_call(node, called)
+        raise self.refuse(node, "is not known here")
+
+    def extreme(self, node: ast.Call, name: str) -> tuple[str, Value]:
+        """``min`` or ``max`` of two or more numbers."""
+        written = [self.write(one) for one in node.args]
+        kinds = [self.number(node, found) for _, found in written]
+        wanted = kinds[0]
+        for kind in kinds[1:]:
+            wanted = joined(wanted, kind)
+        texts = [self.cast(text, found, wanted) for text, found in written]
+        total = texts[0]
+        for text in texts[1:]:
+            total = f"{name}({total}, {text})"
+        return total, wanted
+
+    def lane_call(self, node: ast.Call, name: str) -> tuple[str, Value | None]:
+        """A call of ``airlight.kernel.lanes``."""
+        if name == "splat":
+            return self.as_scalar(node.args[0], VEC4), VEC4
+        if name == "exponential":
+            return f"exp({self.as_scalar(node.args[0], VEC4)})", VEC4
+        if name == "fourth_root":
+            return f"sqrt(sqrt(max({self.as_scalar(node.args[0], VEC4)}, vec4f(0.0))))", VEC4
+        if name in ("maximum", "minimum"):
+            texts = [self.as_scalar(one, VEC4) for one in node.args]
+            return f"{name[:3]}({', '.join(texts)})", VEC4
+        if name in ("load", "store"):
+            owner = self.bound(node.args[0])
+            index = self.as_scalar(node.args[1], I32)
+            if isinstance(owner, Table) and owner.spectral and name == "load":
+                return f"read_{owner.name}({index})", VEC4
+            if isinstance(owner, Room) and owner.element == VEC4:
+                assert isinstance(node.args[0], ast.Name)
+                place = f"{self.room(node.args[0])}[{index}]"
+                if name == "load":
+                    return place, VEC4
+                return f"{place} = {self.as_scalar(node.args[2], VEC4)}", None
+        raise self.refuse(node, "lanes have no such thing on the GPU")
+
+    def kernel_call(self, node: ast.Call, called: Any) -> tuple[str, Value | None]:
+        """A call of another function, which is emitted for these arguments."""
+        texts: list[str] = []
+        values: list[Value] = []
+        for one in node.args:
+            if isinstance(one, ast.Tuple):
+                members = [self.bound(item) for item in one.elts]
+                if not all(isinstance(item, (Table, Uniform, Constant)) for item in members):
+                    raise self.refuse(one, "a tuple handed over holds tables and uniforms")
+                values.append(Bundle({str(i): item for i, item in enumerate(members)}))
+                texts.append("")
+                continue
+            folded = self.fold(one)
+            if folded is not None:
+                # Whole numbers and switches are bound, which unrolls what depends on them.
+                values.append(Constant(folded) if isinstance(folded, (bool, int)) else F32)
+                texts.append(self.literal(one, folded))
+                continue
+            text, found = self.write(one)
+            if found is None:
+                raise self.refuse(one, "is nothing")
+            if isinstance(found, Room):
+                assert isinstance(one, ast.Name)
+                pointer = self.room(one).startswith("(*")
+                text = self.spelled(one.id) if pointer else f"&{text}"
+            values.append(found)
+            texts.append(text)
+        made = self.emitter.add(called, *values)
+        handed = [
+            text
+            for text, (_, value) in zip(texts, made.parameters, strict=True)
+            if not isinstance(value, (Table, Bundle, Constant))
+        ]
+        return f"{made.name}({', '.join(handed)})", made.result
+
+
+def _is(called: Any, table: dict[Any, str]) -> bool:
+    try:
+        return called in table
+    except TypeError:
+        return False

@@ -1,0 +1,173 @@
+"""Expressions of restricted Python as WGSL text, with their types."""
+
+from __future__ import annotations
+
+import ast
+from typing import Final
+
+from airlight.gpu.emit.calls import Calls
+from airlight.gpu.emit.scope import COMPARISONS
+from airlight.gpu.emit.shader_types import (
+    BOOL,
+    F32,
+    I32,
+    VEC4,
+    Bundle,
+    Constant,
+    Room,
+    Scalar,
+    Several,
+    Table,
+    Uniform,
+    Value,
+    joined,
+)
+
+_OPERATORS: Final[dict[type[ast.operator], str]] = {
+    ast.Add: "+",
+    ast.Sub: "-",
+    ast.Mult: "*",
+    ast.Div: "/",
+}
+
+
+class Expressions(Calls):
+    """Writes the expressions of one function; see ``Names`` for the parameters."""
+
+    def write(self, node: ast.expr) -> tuple[str, Value | None]:
+        """An expression and its type; None for a call that gives nothing."""
+        folded = self.fold(node)
+        if folded is not None:
+            return self.literal(node, folded), Constant(folded)
+        match node:
+            case ast.Name() | ast.Attribute():
+                return self.name(node)
+            case ast.BinOp():
+                return self.operation(node)
+            case ast.UnaryOp(op=ast.USub(), operand=operand):
+                text, found = self.write(operand)
+                return f"(-{text})", self.number(operand, found)
+            case ast.UnaryOp(op=ast.Not(), operand=operand):
+                return f"(!{self.as_scalar(operand, BOOL)})", BOOL
+            case ast.Compare():
+                return self.comparison(node)
+            case ast.BoolOp(op=op, values=values):
+                sign = " && " if isinstance(op, ast.And) else " || "
+                return f"({sign.join(self.as_scalar(one, BOOL) for one in values)})", BOOL
+            case ast.IfExp(test=test, body=body, orelse=orelse):
+                return self.choice(test, body, orelse)
+            case ast.Subscript():
+                return self.element(node)
+            case ast.Call():
+                return self.call(node)
+        raise self.refuse(node, f"{type(node).__name__} has no WGSL")
+
+    def name(self, node: ast.Name | ast.Attribute) -> tuple[str, Value]:
+        """A variable, a parameter, or a field of a bundle."""
+        if isinstance(node, ast.Attribute) and node.attr == "size":
+            owner = self.bound(node.value)
+            if isinstance(owner, Table) and owner.rank == 1:
+                return f"size_{owner.name}(0)", I32
+        found = self.bound(node)
+        if isinstance(found, Uniform):
+            return found.text, found.scalar
+        if isinstance(found, (Table, Bundle)):
+            return "", found
+        if isinstance(found, (Scalar, Room, Several)):
+            assert isinstance(node, ast.Name)
+            return self.spelled(node.id), found
+        raise self.refuse(node, "is not known here")
+
+    def operation(self, node: ast.BinOp) -> tuple[str, Value]:
+        """A sum, difference, product, quotient or power."""
+        if isinstance(node.op, ast.Pow):
+            return self.power(node)
+        left, left_type = self.write(node.left)
+        right, right_type = self.write(node.right)
+        first, second = self.number(node.left, left_type), self.number(node.right, right_type)
+        if isinstance(node.op, (ast.FloorDiv, ast.Mod)):
+            if (first, second) != (I32, I32):
+                raise self.refuse(node, "is for whole numbers only")
+            name = "whole_quotient" if isinstance(node.op, ast.FloorDiv) else "whole_rest"
+            return f"{name}({left}, {right})", I32
+        sign = _OPERATORS.get(type(node.op))
+        if sign is None:
+            raise self.refuse(node, "has no WGSL")
+        kind = joined(first, second)
+        if kind == I32 and sign == "/":
+            kind = F32
+        if kind != I32:  # a vector takes plain numbers of single precision beside it
+            left = self.cast(left, left_type, F32) if first != VEC4 else left
+            right = self.cast(right, right_type, F32) if second != VEC4 else right
+        return f"({left} {sign} {right})", kind
+
+    def power(self, node: ast.BinOp) -> tuple[str, Value]:
+        """Small whole powers by products, which take negative bases too."""
+        base = self.as_scalar(node.left, F32)
+        exponent = self.fold(node.right)
+        if exponent in (2, 3):
+            return f"{'squared' if exponent == 2 else 'cubed'}({base})", F32
+        return f"pow({base}, {self.as_scalar(node.right, F32)})", F32
+
+    def comparison(self, node: ast.Compare) -> tuple[str, Value]:
+        """One comparison or a chain of them."""
+        parts = []
+        left = node.left
+        for op, right in zip(node.ops, node.comparators, strict=True):
+            sign = COMPARISONS.get(type(op))
+            if sign is None:
+                raise self.refuse(node, "has no WGSL")
+            first, first_type = self.write(left)
+            second, second_type = self.write(right)
+            kinds = self.number(left, first_type), self.number(right, second_type)
+            wanted = BOOL if BOOL in kinds else joined(*kinds)
+            first = self.cast(first, first_type, wanted)
+            second = self.cast(second, second_type, wanted)
+            parts.append(f"({first} {sign} {second})")
+            left = right
+        return (parts[0] if len(parts) == 1 else f"({' && '.join(parts)})"), BOOL
+
+    def choice(self, test: ast.expr, body: ast.expr, orelse: ast.expr) -> tuple[str, Value | None]:
+        """``x if c else y``: both are worked out, one is taken."""
+        known = self.known(test)
+        if known is not None:
+            return self.write(body if known else orelse)
+        yes, yes_type = self.write(body)
+        no, no_type = self.write(orelse)
+        kinds = self.number(body, yes_type), self.number(orelse, no_type)
+        wanted = BOOL if BOOL in kinds else joined(*kinds)
+        yes, no = self.cast(yes, yes_type, wanted), self.cast(no, no_type, wanted)
+        return f"select({no}, {yes}, {self.as_scalar(test, BOOL)})", wanted
+
+    def element(self, node: ast.Subscript) -> tuple[str, Value]:
+        """An element of a table or of a room, or the length of an axis."""
+        if isinstance(node.value, ast.Attribute) and node.value.attr == "shape":
+            owner = self.bound(node.value.value)
+            axis = self.fold(node.slice)
+            if isinstance(owner, Table) and isinstance(axis, int) and axis < owner.rank:
+                return f"size_{owner.name}({axis})", I32
+            if isinstance(owner, Room) and axis == 0:
+                return str(owner.size), Constant(owner.size)
+        owner = self.bound(node.value)
+        if isinstance(owner, Table):
+            if owner.spectral:
+                raise self.refuse(node, "is read with load()")
+            return f"read_{owner.name}({self.flat_index(node, owner)})", F32
+        return self.place(node)
+
+    def flat_index(self, node: ast.Subscript, table: Table) -> str:
+        """The place of a table's element in its texture."""
+        indices = node.slice.elts if isinstance(node.slice, ast.Tuple) else [node.slice]
+        if len(indices) != table.rank:
+            raise self.refuse(node, f"needs {table.rank} indices")
+        flat = self.as_scalar(indices[0], I32)
+        for axis, one in enumerate(indices[1:], start=1):
+            flat = f"({flat} * size_{table.name}({axis}) + {self.as_scalar(one, I32)})"
+        return flat
+
+    def place(self, node: ast.Subscript) -> tuple[str, Scalar]:
+        """An element of a room, to read or to write."""
+        owner = self.bound(node.value)
+        if not isinstance(owner, Room) or not isinstance(node.value, ast.Name):
+            raise self.refuse(node, "is neither a table nor a room")
+        return f"{self.room(node.value)}[{self.as_scalar(node.slice, I32)}]", owner.element

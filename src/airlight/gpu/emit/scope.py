@@ -1,0 +1,253 @@
+"""What the names of a function in restricted Python stand for, and what is known before it runs.
+
+Parameters and variables have types; constants of the module, tables, bundles and switches have
+values when the shader is written, and conditions of such values are decided there.
+"""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import math
+import re
+from collections.abc import Callable, Sequence
+from typing import Any, Final, Protocol
+
+import numpy as np
+
+from airlight.errors import AirlightError
+from airlight.gpu.emit.shader_types import (
+    BOOL,
+    F32,
+    I32,
+    VEC4,
+    Bundle,
+    Constant,
+    Room,
+    Scalar,
+    Several,
+    Table,
+    Uniform,
+    Value,
+    joined,
+    run_time,
+)
+from airlight.kernel import lanes as lane_module
+
+#: Python's comparisons in WGSL.
+COMPARISONS: Final[dict[type[ast.cmpop], str]] = {
+    ast.Lt: "<",
+    ast.LtE: "<=",
+    ast.Gt: ">",
+    ast.GtE: ">=",
+    ast.Eq: "==",
+    ast.NotEq: "!=",
+}
+#: Names that WGSL or GLSL keep for themselves, or that the shader calls.
+_TAKEN: Final = frozenset(
+    re.findall(
+        r"\w+",
+        """
+    abs acos all angle_of any arc_cosine arc_sine arc_tangent array asin atan atan2 bool break
+    case ceil clamp const continue cos cosine
+    cross cubed default degrees discard distance do dot else enum exp exp2 f16 f32 false field
+    floor fn for fract i32 if in inout input int float inverse inverseSqrt layout length let log
+    log2 loop main max min mix mod normalize out output override pow precision radians reflect
+    refract return round sample sampler select shared sign sin sine smooth sqrt squared step
+    struct switch tan texture trunc true u32 uniform var vec4f while active centroid common
+    whole_quotient whole_rest
+    filter half fixed image interface packed partition public static superp target template this
+    union unsigned using volatile highp lowp mediump flat buffer texel
+    """,
+    )
+)
+
+
+class SubsetError(AirlightError):
+    """A function that has no WGSL: names file, line and reason."""
+
+
+class Callee(Protocol):
+    """A function as it stands in the shader; see ``function_body.Emitted``."""
+
+    name: str
+    parameters: tuple[tuple[str, Value], ...]
+    result: Scalar | Several | None
+
+
+class Functions(Protocol):
+    """Emits what is called; see ``emitter.Emitter``."""
+
+    @property
+    def taken(self) -> set[str]:
+        """Names of functions."""
+
+    def add(self, function: Callable[..., Any], *arguments: Value) -> Callee:
+        """Emit a function."""
+
+    def tuple_type(self, items: Sequence[Scalar]) -> Several:
+        """The struct that stands for a tuple."""
+
+
+class Names:
+    """What is known of one function when the shader is written.
+
+    Parameters
+    ----------
+    emitter : Functions
+        Emits what is called.
+    function : callable
+        Plain Python: its module gives the constants.
+    names : dict from str to Value
+        What is known of the parameters; variables are added as they are met.
+
+    Raises
+    ------
+    SubsetError
+        From the methods of this class and of those that add to it: with file and line, where an
+        expression leaves the subset.
+    """
+
+    def __init__(
+        self, emitter: Functions, function: Callable[..., Any], names: dict[str, Value]
+    ) -> None:
+        self.emitter, self.function, self.names = emitter, function, names
+        closure = inspect.getclosurevars(function)
+        self.globals = {**function.__globals__, **closure.nonlocals}
+        self.first_line = function.__code__.co_firstlineno
+
+    def refuse(self, node: ast.AST, why: str) -> SubsetError:
+        """The error for a node: file, line, what stands there, and why it cannot be."""
+        line = self.first_line + getattr(node, "lineno", 1) - 1
+        text = " ".join(ast.unparse(node).split())[:80]
+        return SubsetError(f"{self.function.__code__.co_filename}:{line}: {text!r}: {why}")
+
+    def spelled(self, name: str) -> str:
+        """A Python name as it may stand in WGSL."""
+        return f"{name}_1" if name in _TAKEN or name in self.emitter.taken else name.lstrip("_")
+
+    def learn(self, node: ast.AST, name: str, found: Value) -> None:
+        """A name was assigned to: remember its type, the wider one of two."""
+        before = self.names.get(name)
+        if isinstance(before, Uniform):
+            before = before.scalar
+        if isinstance(before, Constant):
+            before = run_time(before)
+        if before is None or before == found:
+            self.names[name] = found
+        elif (
+            isinstance(before, Scalar)
+            and isinstance(found, Scalar)
+            and BOOL
+            not in (
+                before,
+                found,
+            )
+        ):
+            self.names[name] = joined(before, found)
+        else:
+            raise self.refuse(node, f"{name} was {before} and would be {found}")
+
+    def literal(self, node: ast.AST, value: float | int | bool) -> str:
+        """A number in WGSL."""
+        if isinstance(value, (bool, np.bool_)):
+            return "true" if value else "false"
+        if isinstance(value, (int, np.integer)):
+            return str(int(value))
+        if not math.isfinite(value) or abs(value) > 3.4e38:
+            raise self.refuse(node, "is no number of single precision")
+        if 0.0 < abs(value) < 1.2e-38:
+            return "0.0"
+        text = repr(float(value))
+        return text if any(mark in text for mark in ".en") else f"{text}.0"
+
+    def cast(self, text: str, found: Value | None, wanted: Scalar) -> str:
+        """Text of a type as another one, where Python would do so by itself."""
+        if found is None or isinstance(found, (Table, Bundle, Room, Several)):
+            raise SubsetError(f"{self.function.__qualname__}: {text} is no number")
+        kind = run_time(found)
+        if kind == wanted:
+            return text
+        if wanted == F32 and kind in (I32, BOOL):
+            if isinstance(found, Constant):
+                return f"{float(found.value)!r}"
+            return f"f32({text})"
+        if wanted == VEC4 and kind in (F32, I32):
+            return f"vec4f({self.cast(text, found, F32)})"
+        raise SubsetError(f"{self.function.__qualname__}: {text} is {kind}, not {wanted}")
+
+    def known(self, node: ast.expr) -> bool | None:
+        """What a condition is, if the emitter can tell."""
+        value = self.fold(node)
+        return None if value is None else bool(value)
+
+    def fold(self, node: ast.expr) -> float | int | bool | None:
+        """The value of an expression of constants, or None."""
+        match node:
+            case ast.Constant(value=bool() | int() | float() as value):
+                return value
+            case ast.Name() | ast.Attribute():
+                found = self.bound(node)
+                return found.value if isinstance(found, Constant) else None
+            case ast.UnaryOp(op=op, operand=operand):
+                inside = self.fold(operand)
+                if inside is None:
+                    return None
+                return -inside if isinstance(op, ast.USub) else not inside
+            case ast.BinOp(left=left, op=op, right=right):
+                first, second = self.fold(left), self.fold(right)
+                if first is None or second is None:
+                    return None
+                operation = {
+                    ast.Add: lambda a, b: a + b, ast.Sub: lambda a, b: a - b,
+                    ast.Mult: lambda a, b: a * b, ast.Div: lambda a, b: a / b,
+                    ast.FloorDiv: lambda a, b: a // b, ast.Mod: lambda a, b: a % b,
+                    ast.Pow: lambda a, b: a**b,
+                }.get(type(op))  # fmt: skip
+                return None if operation is None else operation(first, second)
+            case ast.Compare(left=left, ops=[op], comparators=[right]):
+                first, second = self.fold(left), self.fold(right)
+                if first is None or second is None:
+                    return None
+                sign = COMPARISONS.get(type(op))
+                return {
+                    "<": first < second, "<=": first <= second, ">": first > second,
+                    ">=": first >= second, "==": first == second, "!=": first != second,
+                }.get(sign or "")  # fmt: skip
+            case ast.BoolOp(op=op, values=values):
+                folded = [self.fold(one) for one in values]
+                decided = isinstance(op, ast.Or)
+                if any(one is not None and bool(one) == decided for one in folded):
+                    return decided
+                return None if None in folded else not decided
+        return None
+
+    def bound(self, node: ast.expr) -> Any:
+        """What a name or attribute stands for: a Value, a function, a module; None if unknown."""
+        if isinstance(node, ast.Name):
+            if node.id in self.names:
+                return self.names[node.id]
+            if node.id == "LANES" and self.globals.get("LANES") == lane_module.LANES:
+                return Constant(1)
+            found = self.globals.get(node.id, _builtin(node.id))
+            if isinstance(found, (bool, int, float, np.floating, np.integer)):
+                return Constant(found.item() if isinstance(found, np.generic) else found)
+            return found
+        if isinstance(node, ast.Attribute):
+            owner = self.bound(node.value)
+            if isinstance(owner, Bundle):
+                return owner.fields.get(node.attr)
+            if isinstance(owner, Room) and node.attr == "size":
+                return Constant(owner.size)
+            if inspect.ismodule(owner):
+                found = getattr(owner, node.attr, None)
+                if isinstance(found, float):
+                    return Constant(found)
+                return found
+        return None
+
+
+def _builtin(name: str) -> Any:
+    return {"min": min, "max": max, "abs": abs, "int": int, "float": float, "range": range}.get(
+        name
+    )

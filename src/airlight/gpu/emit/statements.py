@@ -1,0 +1,385 @@
+"""The statements of one function of restricted Python as WGSL: its body, its head, its variables.
+
+Every variable is declared at the top of the function, with the widest type that any assignment
+gives it; so a body is written until its types no longer change.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+from airlight.gpu.emit.expressions import Expressions
+from airlight.gpu.emit.scope import Functions, SubsetError
+from airlight.gpu.emit.shader_types import (
+    BOOL,
+    I32,
+    STATIC,
+    Bundle,
+    Constant,
+    Room,
+    Scalar,
+    Several,
+    Table,
+    Uniform,
+    Value,
+    joined,
+    run_time,
+)
+
+#: Calls that a loop may have inside and still be written out.
+_SHORT: Final = frozenset(
+    {"load", "store", "splat", "float32", "between", "min", "max", "abs", "int"}
+)
+
+
+@dataclass
+class Emitted:
+    """A function as it stands in the shader.
+
+    Attributes
+    ----------
+    name : str
+        In the shader.
+    function : callable
+        The Python that it was emitted from.
+    parameters : tuple of (str, Value)
+        All of them, the bound ones too.
+    result : Scalar, Several or None
+        None if it only fills rooms.
+    text : str
+        WGSL.
+    """
+
+    name: str
+    function: Callable[..., Any]
+    parameters: tuple[tuple[str, Value], ...]
+    result: Scalar | Several | None = None
+    text: str = ""
+
+
+class FunctionBody:
+    """Writes the statements of one function.
+
+    Parameters
+    ----------
+    emitter : Functions
+        Emits what is called.
+    made : Emitted
+        The function; ``write`` fills in its result and text.
+    tree : ast.FunctionDef
+        Its source.
+
+    Raises
+    ------
+    SubsetError
+        From its methods: with file and line, where a statement leaves the subset.
+    """
+
+    def __init__(self, emitter: Functions, made: Emitted, tree: ast.FunctionDef) -> None:
+        self.made, self.tree = made, tree
+        self.expressions = Expressions(emitter, made.function, dict(made.parameters))
+        self.names = self.expressions.names
+        self.lines: list[str] = []
+        self.loops = 0
+        self.temporaries = 0
+
+    def write(self) -> None:
+        """At most three times: what a pass learns of the variables' types, the next writes."""
+        parameters = {name for name, _ in self.made.parameters}
+        for _ in range(3):
+            before = dict(self.names)
+            self.lines, self.temporaries = [], 0
+            self.block(self.tree.body, 1)
+            if self.names == before:
+                break
+        spell = self.expressions.spelled
+        heads, copies = [], []
+        changed = _assigned(self.tree)
+        for name, value in self.made.parameters:
+            if isinstance(value, STATIC):
+                continue
+            kind = run_time(value)
+            if isinstance(kind, Room):
+                heads.append(f"{spell(name)}: ptr<function, {kind.name}>")
+            elif name in changed:
+                heads.append(f"{spell(name)}_given: {kind.name}")
+                now = self.names[name]
+                assert isinstance(now, Scalar)
+                given = f"{spell(name)}_given"
+                if now != kind:
+                    given = f"{now.name}({given})"
+                copies.append(f"  var {spell(name)} = {given};")
+            else:
+                heads.append(f"{spell(name)}: {kind.name}")
+        for name, value in self.names.items():
+            if name not in parameters and isinstance(value, (Scalar, Room)):
+                copies.append(f"  var {spell(name)}: {value.name};")
+        result = f" -> {self.made.result.name}" if self.made.result is not None else ""
+        self.made.text = "\n".join(
+            [f"fn {self.made.name}({', '.join(heads)}){result} {{", *copies, *self.lines, "}\n"]
+        )
+
+    def refuse(self, node: ast.AST, why: str) -> SubsetError:
+        """The error for a node; see ``Expressions.refuse``."""
+        return self.expressions.refuse(node, why)
+
+    def block(self, body: Sequence[ast.stmt], depth: int) -> bool:
+        """Statements up to the first that always returns; whether there is one."""
+        for statement in body:
+            if isinstance(statement, ast.If):
+                known = self.expressions.known(statement.test)
+                if known is not None:
+                    if self.block(statement.body if known else statement.orelse, depth):
+                        return True
+                    continue
+            self.statement(statement, depth)
+            if isinstance(statement, ast.Return):
+                return True
+        return False
+
+    def put(self, depth: int, text: str) -> None:
+        """Add a line, so many levels of braces deep."""
+        self.lines.append("  " * depth + text)
+
+    def statement(self, node: ast.stmt, depth: int) -> None:
+        """Write one statement, whatever it is."""
+        match node:
+            case ast.Expr(value=ast.Constant()) | ast.Pass():
+                return
+            case ast.Expr(value=ast.Call() as call):
+                text, value = self.expressions.write(call)
+                unused = "" if value is None else "_ = "
+                self.put(depth, f"{unused}{text};")
+            case ast.Assign(targets=[ast.Tuple() as target], value=value):
+                self.unpack(target, value, depth)
+            case ast.Assign(targets=[target], value=value):
+                self.assign(target, value, depth)
+            case ast.AugAssign(target=target, op=op, value=value):
+                reading = ast.copy_location(_as_read(target), node)
+                total = ast.copy_location(ast.BinOp(left=reading, op=op, right=value), node)
+                self.assign(target, total, depth)
+            case ast.If():
+                self.branch(node, depth)
+            case ast.While(test=test, body=body, orelse=[]):
+                self.put(depth, f"while ({self.condition(test)}) {{")
+                self.block(body, depth + 1)
+                self.put(depth, "}")
+            case ast.For():
+                self.loop(node, depth)
+            case ast.Break():
+                self.put(depth, "break;")
+            case ast.Continue():
+                self.put(depth, "continue;")
+            case ast.Return():
+                self.give_back(node, depth)
+            case _:
+                raise self.refuse(node, f"{type(node).__name__} has no WGSL")
+
+    def condition(self, test: ast.expr) -> str:
+        """What stands between the brackets of ``if`` and ``while``."""
+        text, value = self.expressions.write(test)
+        if value is None or not isinstance(value, (Scalar, Uniform, Constant)):
+            raise self.refuse(test, "is no condition")
+        return text if run_time(value) == BOOL else f"{text} != 0"
+
+    def branch(self, node: ast.If, depth: int) -> None:
+        """``if`` and ``else``, where only the run decides."""
+        self.put(depth, f"if ({self.condition(node.test)}) {{")
+        self.block(node.body, depth + 1)
+        if node.orelse:
+            self.put(depth, "} else {")
+            self.block(node.orelse, depth + 1)
+        self.put(depth, "}")
+
+    def loop(self, node: ast.For, depth: int) -> None:
+        """``for … in range(…)``."""
+        call, target = node.iter, node.target
+        plain = (
+            isinstance(call, ast.Call)
+            and isinstance(call.func, ast.Name)
+            and call.func.id == "range"
+            and isinstance(target, ast.Name)
+            and not node.orelse
+        )
+        if not plain:
+            raise self.refuse(node, "a loop runs over range(…)")
+        assert isinstance(call, ast.Call)
+        assert isinstance(target, ast.Name)
+        ends = [self.expressions.as_scalar(one, I32) for one in call.args]
+        first, last = ("0", ends[0]) if len(ends) == 1 else (ends[0], ends[1])
+        step = ends[2] if len(ends) == 3 else "1"
+        sign = "<"
+        if len(ends) == 3 and isinstance(call.args[2], ast.UnaryOp):
+            sign = ">"
+        self.expressions.learn(node, target.id, I32)
+        name = self.expressions.spelled(target.id)
+        if len(ends) < 3 and not _turns_inside(node):
+            self.unrolled(node, name, first, last, depth)
+            return
+        self.put(
+            depth, f"for ({name} = {first}; {name} {sign} {last}; {name} = {name} + {step}) {{"
+        )
+        self.block(node.body, depth + 1)
+        self.put(depth, "}")
+
+    def unrolled(self, node: ast.For, name: str, first: str, last: str, depth: int) -> None:
+        """An innermost loop, four turns at a time and then one by one.
+
+        Mesa's software renderer ends all loops of a shader after 65 535 turns, counted together.
+        """
+        self.temporaries += 1
+        end = f"end_{self.temporaries}"
+        self.put(depth, f"let {end} = {last};")
+        self.put(depth, f"for ({name} = {first}; {name} + 3 < {end}; {name} = {name} + 1) {{")
+        for turn in range(4):
+            if turn:
+                self.put(depth + 1, f"{name} = {name} + 1;")
+            self.block(node.body, depth + 1)
+        self.put(depth, "}")
+        self.put(depth, f"for (; {name} < {end}; {name} = {name} + 1) {{")
+        self.block(node.body, depth + 1)
+        self.put(depth, "}")
+
+    def give_back(self, node: ast.Return, depth: int) -> None:
+        """``return``: of nothing, a number or a tuple, which is a struct in WGSL."""
+        if node.value is None:
+            self.put(depth, "return;")
+            return
+        if isinstance(node.value, ast.Tuple):
+            written = [self.expressions.write(one) for one in node.value.elts]
+            items = [self.expressions.number(node, value) for _, value in written]
+            before = self.made.result
+            if isinstance(before, Several) and len(before.items) == len(items):
+                items = [joined(a, b) for a, b in zip(before.items, items, strict=True)]
+            several = self.expressions.emitter.tuple_type(items)
+            parts = [
+                self.expressions.cast(text, value, item)
+                for (text, value), item in zip(written, several.items, strict=True)
+            ]
+            self.made.result = several
+            self.put(depth, f"return {several.name}({', '.join(parts)});")
+            return
+        text, value = self.expressions.write(node.value)
+        if isinstance(value, Several):
+            self.made.result = value
+            self.put(depth, f"return {text};")
+            return
+        kind = self.expressions.number(node, value)
+        if isinstance(self.made.result, Scalar):
+            kind = joined(self.made.result, kind) if kind != BOOL else kind
+        self.made.result = kind
+        self.put(depth, f"return {self.expressions.cast(text, value, kind)};")
+
+    def assign(self, target: ast.expr, value: ast.expr, depth: int) -> None:
+        """Give a value to a name or to an element of a room."""
+        if isinstance(target, ast.Subscript):
+            place, kind = self.expressions.place(target)
+            self.put(depth, f"{place} = {self.expressions.as_scalar(value, kind)};")
+            return
+        if not isinstance(target, ast.Name):
+            raise self.refuse(target, "cannot be assigned to")
+        text, found = self.expressions.write(value)
+        self.keep(target, text, found, depth)
+
+    def keep(self, target: ast.Name, text: str, found: Value | None, depth: int) -> None:
+        """Assign what an expression gave to a name: at run time, or for the emitter alone."""
+        if found is None:
+            raise self.refuse(target, "nothing to assign")
+        if isinstance(found, (Table, Bundle)):
+            self.expressions.learn(target, target.id, found)
+            return
+        kind = run_time(found)
+        if isinstance(kind, Several):
+            raise self.refuse(target, "a tuple is taken apart where it is made")
+        if isinstance(kind, Room):
+            self.expressions.learn(target, target.id, kind)
+            return
+        self.expressions.learn(target, target.id, kind)
+        now = self.names[target.id]
+        assert isinstance(now, Scalar)
+        spelled = self.expressions.spelled(target.id)
+        self.put(depth, f"{spelled} = {self.expressions.cast(text, found, now)};")
+
+    def unpack(self, target: ast.Tuple, value: ast.expr, depth: int) -> None:
+        """Take a tuple, a bundle or a result of several numbers apart."""
+        if isinstance(value, ast.Tuple):
+            if len(value.elts) != len(target.elts):
+                raise self.refuse(target, "another number of values")
+            written = [self.expressions.write(one) for one in value.elts]
+            fixed: list[tuple[str, Value | None]] = []
+            for text, found in written:
+                if found is None or isinstance(found, (Table, Bundle, Room)):
+                    fixed.append((text, found))
+                    continue
+                self.temporaries += 1
+                self.put(depth, f"let now_{self.temporaries} = {text};")
+                kind = run_time(found)
+                fixed.append((f"now_{self.temporaries}", kind))
+            for one, (text, found) in zip(target.elts, fixed, strict=True):
+                self.one_of_several(one, text, found, depth)
+            return
+        text, found = self.expressions.write(value)
+        if isinstance(found, Bundle):
+            if len(found.fields) != len(target.elts):
+                raise self.refuse(target, f"{len(found.fields)} fields")
+            for one, member in zip(target.elts, found.fields.values(), strict=True):
+                written_member = member.text if isinstance(member, Uniform) else ""
+                if isinstance(member, Constant):
+                    written_member = self.expressions.literal(one, member.value)
+                self.one_of_several(one, written_member, member, depth)
+            return
+        if not isinstance(found, Several) or len(found.items) != len(target.elts):
+            raise self.refuse(target, "another number of values")
+        self.temporaries += 1
+        several = f"several_{self.temporaries}"
+        self.put(depth, f"let {several} = {text};")
+        for i, (one, kind) in enumerate(zip(target.elts, found.items, strict=True)):
+            self.one_of_several(one, f"{several}.v{i}", kind, depth)
+
+    def one_of_several(self, target: ast.expr, text: str, found: Value | None, depth: int) -> None:
+        """Give one part of a tuple to a name or to an element of a room."""
+        if isinstance(target, ast.Name):
+            if target.id != "_":
+                self.keep(target, text, found, depth)
+            return
+        if isinstance(target, ast.Subscript):
+            place, kind = self.expressions.place(target)
+            self.put(depth, f"{place} = {self.expressions.cast(text, found, kind)};")
+            return
+        raise self.refuse(target, "cannot be assigned to")
+
+
+def _turns_inside(node: ast.For) -> bool:
+    """Whether a loop has loops or long calls inside, or ways out of it."""
+    parts = [inside for statement in node.body for inside in ast.walk(statement)]
+    ways_out = (ast.For, ast.While, ast.Break, ast.Continue, ast.Return)
+    return any(isinstance(one, ways_out) or _is_long_call(one) for one in parts)
+
+
+def _is_long_call(node: ast.AST) -> bool:
+    """Whether it calls another function than one of numbers, lanes or four nodes of a field."""
+    if not isinstance(node, ast.Call):
+        return False
+    called = node.func
+    name = called.attr if isinstance(called, ast.Attribute) else getattr(called, "id", "")
+    return name not in _SHORT
+
+
+def _assigned(tree: ast.FunctionDef) -> set[str]:
+    """Names that a function assigns to."""
+    return {
+        node.id
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
+    }
+
+
+def _as_read(target: ast.expr) -> ast.expr:
+    """An assignment's target as the value that it had."""
+    copied = ast.parse(ast.unparse(target), mode="eval").body
+    for node in ast.walk(copied):
+        node.lineno = target.lineno  # type: ignore[attr-defined]
+    return copied

@@ -1,0 +1,413 @@
+"""``Pictures``: what a camera sees of a solution, drawn by the GPU."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.color.four_wavelengths import picture_weights
+from airlight.color.upsampling import reflectance_basis
+from airlight.errors import Cancelled, ParameterError
+from airlight.gpu.device.device import Device
+from airlight.gpu.device.flat import FLAT_WIDTH, empty_flat_texture, read_texture, update_flat
+from airlight.gpu.device.fragment_pass import FragmentPass
+from airlight.gpu.picture.bands import Band, bands
+from airlight.gpu.picture.shaders import (
+    Fixed,
+    Shader,
+    picture_shader,
+    sky_air_shader,
+    sky_peaks_shader,
+)
+from airlight.gpu.picture.solution_textures import SolutionTextures
+from airlight.gpu.picture.uniforms import SWITCHES, packed
+from airlight.kernel.threads import Cancel, Progress
+from airlight.pixels.picture_numbers import (
+    CHOICES,
+    NOT_THE_SKYS,
+    display_numbers,
+    order_number,
+    scene_numbers,
+)
+from airlight.pixels.shown import POINTS, WAVELENGTHS, Shown, shown_solution
+from airlight.pixels.sky_by_processor import filled_sky
+from airlight.pixels.sky_table import Observer
+from airlight.scene import Scene
+from airlight.scene.frame import Frame
+from airlight.solvers.moments.solution import MomentsSolution
+
+FloatArray = NDArray[np.float64]
+
+#: Azimuths over half a turn, and rows of each half, of the table of the sky.
+SKY_SHAPE: Final = (256, 128)
+#: The same where a processor does the work of a GPU, while something moves.
+QUICK_SKY_SHAPE: Final = (64, 64)
+#: Pixels drawn at once, read from a table, marched, and marched in software: no driver then thinks
+#: that the device hangs, and a strip of a picture that is read back takes 64 MiB at most.
+_PIXELS_AT_ONCE: Final = (1 << 22, 1 << 20, 1 << 16)
+#: Of a picture that is read back.
+_LINEAR: Final = "rgba32float"
+
+
+class Pictures:
+    """Draws one solution at a time, for any scene.
+
+    Parameters
+    ----------
+    device : Device
+        From ``open_device``.
+    sky_shape : (int, int)
+        Azimuths and rows of the table of the sky; together a multiple of 2048.
+    sky_by_processor : bool, optional
+        Whether the processor fills that table; by default where it does the work of a GPU.
+
+    Examples
+    --------
+    >>> from airlight.gpu.device.device import open_device  # doctest: +SKIP
+    >>> pictures = Pictures(open_device())  # doctest: +SKIP
+    >>> pictures.show(solution)  # doctest: +SKIP
+    >>> frame = pictures.frame(Scene())  # doctest: +SKIP
+    """
+
+    def __init__(
+        self,
+        device: Device,
+        sky_shape: tuple[int, int] = SKY_SHAPE,
+        *,
+        sky_by_processor: bool | None = None,
+    ) -> None:
+        self.device = device
+        self._by_processor = device.software if sky_by_processor is None else sky_by_processor
+        self._passes: dict[tuple[Shader, str, tuple[str, ...]], FragmentPass] = {}
+        self._solution: MomentsSolution | None = None
+        self._textures: SolutionTextures | None = None
+        self._shown_tables: Shown | None = None
+        self._weights: FloatArray = np.zeros((0, 3))
+        self._groups: dict[Any, list[Any]] = {}
+        self._seen: bytes = b""
+        self.sky_shape = sky_shape
+
+    @property
+    def sky_shape(self) -> tuple[int, int]:
+        """Azimuths and rows of each half of the table of the sky."""
+        return self._sky_shape
+
+    @sky_shape.setter
+    def sky_shape(self, shape: tuple[int, int]) -> None:
+        columns, rows = shape
+        whole = columns >= 2 and rows >= 2 and 2 * columns * rows % FLAT_WIDTH == 0
+        if not whole or 2 * columns * rows > FLAT_WIDTH * 4096:
+            raise ParameterError("sky_shape", shape, "columns and rows whose product fills rows")
+        self._sky_shape = (columns, rows)
+        count = 2 * columns * rows
+        self._layers = {
+            name: empty_flat_texture(self.device, count, 4, name)
+            for name in ("air", "behind", "first", "second")
+        }
+        self._groups.clear()
+        self._seen = b""
+
+    def show(self, solution: MomentsSolution, weights: FloatArray | None = None) -> None:
+        """Take up a solution; pictures are of it from now on.
+
+        Parameters
+        ----------
+        solution : MomentsSolution
+            Of four wavelengths at most; of one or two only with weights.
+        weights : array, shape (nl, 3), optional
+            Linear sRGB per radiance; by default those of ``picture_weights``.
+
+        Raises
+        ------
+        ParameterError
+            If there are more wavelengths or constituents than the shaders have room for.
+        """
+        if not isinstance(solution, MomentsSolution):
+            raise ParameterError("solution", type(solution), "a solution of the moments solver")
+        nm = solution.wavelengths
+        if nm.size > WAVELENGTHS:
+            raise ParameterError("wavelengths", nm.size, f"at most {WAVELENGTHS} on the GPU")
+        if weights is None:
+            spectrum = solution.planet.star.irradiances if solution.planet is not None else None
+            weights = picture_weights(nm, spectrum)
+        if np.shape(weights) != (nm.size, 3):
+            raise ParameterError("weights", np.shape(weights), f"an array of shape ({nm.size}, 3)")
+        points = None if self.device.software else POINTS
+        self._shown_tables = shown_solution(solution, reflectance_basis(nm), points=points)
+        self._textures = SolutionTextures.of(
+            self.device, solution, self._shown_tables, self._textures
+        )
+        self._solution = solution
+        self._weights = np.zeros((WAVELENGTHS, 3))
+        self._weights[: nm.size] = np.asarray(weights) * solution.medium.solar_irradiance[:, None]
+        self._groups.clear()
+        self._seen = b""
+
+    @cached_property
+    def _uniforms(self) -> Any:
+        import wgpu
+
+        use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
+        return self.device.device.create_buffer(size=packed({}, {}).nbytes, usage=use)
+
+    def _pass(self, shader: Shader, entry: str, targets: tuple[str, ...]) -> FragmentPass:
+        key = (shader, entry, targets)
+        if key not in self._passes:
+            self._passes[key] = FragmentPass(self.device, shader.text, entry, targets, entry)
+        return self._passes[key]
+
+    def _fixed(self, numbers: Mapping[str, float]) -> Fixed:
+        """What a software device should not have to choose for every pixel anew."""
+        return tuple(
+            (name, bool(numbers[name]) if name in SWITCHES else int(numbers.get(name, 0)))
+            for name in CHOICES
+        )
+
+    def _bound(self, one: FragmentPass) -> list[Any]:
+        if one not in self._groups:
+            assert self._textures is not None
+            resources = {"frame": self._uniforms, **self._textures.textures, **self._layers}
+            self._groups[one] = one.bind(resources)
+        return self._groups[one]
+
+    def frame(
+        self,
+        scene: Scene,
+        *,
+        exact: bool = False,
+        orders: str = "all",
+        disc: bool = True,
+        progress: Progress | None = None,
+        cancel: Cancel | None = None,
+    ) -> Frame:
+        """A picture as linear light, strip by strip.
+
+        Parameters
+        ----------
+        scene : Scene
+            Observer, star and camera.
+        exact : bool
+            Whether each pixel has a march of its own; else it reads the table of the sky.
+        orders : str
+            ``all``, ``single`` or ``multiple``.
+        disc : bool
+            Whether the star's disc is drawn.
+        progress, cancel : callable, optional
+            See ``airlight.kernel.threads``.
+
+        Returns
+        -------
+        Frame
+            Linear sRGB radiance. [W m⁻² sr⁻¹]
+
+        Raises
+        ------
+        ParameterError
+            If nothing has been shown yet, or the picture is wider than a texture may be.
+        Cancelled
+            If ``cancel`` said so.
+        """
+        import wgpu
+
+        solution = self._shown()
+        width, height = scene.camera.width, scene.camera.height
+        limit = self.device.device.limits["max-texture-dimension-2d"]
+        if width > limit:
+            raise ParameterError("camera.width", width, f"at most {limit} pixels on the GPU")
+        numbers = self._numbers(scene, (width, height), exact, orders, disc)
+        one = self._pass(picture_shader(exact), "linear_picture", (_LINEAR,))
+        rows = self._rows_at_once(width, height, exact)
+        use = wgpu.TextureUsage
+        target = self.device.device.create_texture(
+            size=(width, rows, 1), format=_LINEAR, usage=use.RENDER_ATTACHMENT | use.COPY_SRC
+        )
+        view = target.create_view()
+        rgb = np.empty((height, width, 3), np.float32)
+        if not exact:
+            self._draw_sky(numbers)
+        try:
+            for first in range(0, height, rows):
+                if cancel is not None and cancel():
+                    raise Cancelled
+                count = min(rows, height - first)
+                self._draw_strip(one, {**numbers, "first_row": first}, view, (0, 0, width, count))
+                rgb[first : first + count] = read_texture(self.device, target)[:count, :, :3]
+                if progress is not None:
+                    progress(first + count, height, "rendering")
+        finally:
+            target.destroy()
+        return Frame(
+            rgb=rgb,
+            metadata={
+                "solver": str(solution.report),
+                "wavelengths": ", ".join(f"{nm:g}" for nm in solution.wavelengths) + " nm",
+                "unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931",
+                "device": self.device.name,
+            },
+        )
+
+    def draw(
+        self,
+        scene: Scene,
+        view: Any,
+        target_format: str,
+        *,
+        exact: bool = False,
+        orders: str = "all",
+        disc: bool = True,
+        exposure: float | None = None,
+        tone_map: str = "hable",
+        encoding: str | None = "srgb",
+        size: tuple[int, int] | None = None,
+    ) -> None:
+        """Draw into a texture.
+
+        Parameters
+        ----------
+        scene, exact, orders, disc :
+            As for ``frame``.
+        view : wgpu.GPUTextureView
+            What is drawn to.
+        target_format : str
+            Its format.
+        exposure : float, optional
+            Without it linear light is written. [EV]
+        tone_map : str
+            One of ``TONE_MAPS``.
+        encoding : str or None
+            One of ``ENCODINGS``; None for a target that encodes by itself.
+        size : (int, int), optional
+            Of the target, where it is not the camera's. [pixel]
+        """
+        width, height = size or (scene.camera.width, scene.camera.height)
+        numbers = self._numbers(scene, (width, height), exact, orders, disc)
+        if exposure is not None:
+            numbers |= display_numbers(exposure, tone_map, encoding)
+        entry = "linear_picture" if exposure is None else "shown_picture"
+        if not exact:
+            self._draw_sky(numbers)
+        if self.device.software and not exact:
+            # Such a device works out all sides of every choice: each band has a shader that has
+            # no more choices than it needs.
+            for band in self._bands(scene, numbers):
+                seen = {
+                    **numbers,
+                    "mapped": numbers["mapped"] * band.ground,
+                    "draws_disc": numbers["draws_disc"] * band.star,
+                }
+                shader = picture_shader(exact, self._fixed(seen))
+                one = self._pass(shader, entry, (target_format,))
+                area = (0, band.first, width, band.rows)
+                self._draw_strip(one, numbers, view, area, band.first > 0)
+            return
+        one = self._pass(picture_shader(exact), entry, (target_format,))
+        rows = self._rows_at_once(width, height, exact)
+        for first in range(0, height, rows):
+            area = (0, first, width, min(rows, height - first))
+            self._draw_strip(one, numbers, view, area, first > 0)
+
+    def _numbers(
+        self, scene: Scene, size: tuple[int, int], exact: bool, orders: str, disc: bool
+    ) -> dict[str, float]:
+        """The uniforms of a picture, but for its display."""
+        solution = self._shown()
+        assert self._textures is not None
+        numbers = scene_numbers(scene, solution) | self._textures.numbers
+        peaks = 0.0 if exact else float(numbers["first_peak"] >= 0)
+        numbers |= {
+            "width": size[0],
+            "height": size[1],
+            "orders": order_number(orders),
+            "exact": float(exact),
+            "draws_disc": float(
+                disc and orders == "all" and solution.medium.star_angular_radius > 0.0
+            ),
+            "sky_columns": self._sky_shape[0],
+            "sky_rows": self._sky_shape[1],
+            "keeps_peaks": peaks,
+        }
+        if exact:
+            numbers |= {"first_peak": -1.0, "second_peak": -1.0}
+        for channel, column in zip(("red", "green", "blue"), self._weights.T, strict=True):
+            numbers |= {f"{channel}_{i}": float(value) for i, value in enumerate(column)}
+        return numbers
+
+    def _rows_at_once(self, width: int, height: int, exact: bool) -> int:
+        """Rows of one strip."""
+        pixels = _PIXELS_AT_ONCE[(2 if self.device.software else 1) if exact else 0]
+        return min(max(1, pixels // width), height)
+
+    def _draw_strip(
+        self,
+        one: FragmentPass,
+        numbers: Mapping[str, float],
+        view: Any,
+        area: tuple[int, int, int, int],
+        keep: bool = False,
+    ) -> None:
+        """Draw into a part of a target; the rest becomes black or is kept."""
+        self._write(numbers)
+        encoder = self.device.device.create_command_encoder()
+        one.run(encoder, self._bound(one), [view], area, keep)
+        self.device.device.queue.submit([encoder.finish()])
+
+    def _bands(self, scene: Scene, numbers: Mapping[str, float]) -> list[Band]:
+        """Rows of the target by what is seen in them."""
+        width, height = int(numbers["width"]), int(numbers["height"])
+        if (width, height) != (scene.camera.width, scene.camera.height):
+            return [Band(0, height, True, True)]
+        solution = self._shown()
+        star = (numbers["seen_x"], 0.0, numbers["seen_z"])
+        reach = 2.0 * solution.medium.star_angular_radius + 3.0 * numbers["pixel_angle"]
+        return bands(scene, numbers["horizon_mu"], star, reach + solution.paths.largest_bend)
+
+    def _draw_sky(self, numbers: Mapping[str, float]) -> None:
+        """Draw the table of the sky, unless it is there for this observer and star."""
+        seen = packed({**numbers, **dict.fromkeys(NOT_THE_SKYS, 0.0)}, self._places()).tobytes()
+        if seen == self._seen:
+            return
+        if self._by_processor:
+            self._upload_sky(numbers)
+            self._seen = seen
+            return
+        self._write(numbers)
+        encoder = self.device.device.create_command_encoder()
+        passes = [(sky_air_shader(), ("air", "behind"))]
+        if numbers["keeps_peaks"]:
+            passes.append((sky_peaks_shader(), ("first", "second")))
+        for shader, layers in passes:
+            one = self._pass(shader, shader.entries[0], (_LINEAR, _LINEAR))
+            one.run(encoder, self._bound(one), [self._layers[name] for name in layers])
+        self.device.device.queue.submit([encoder.finish()])
+        self._seen = seen
+
+    def _upload_sky(self, numbers: Mapping[str, float]) -> None:
+        """The table of the sky from the processor's own march."""
+        values: dict[str, Any] = {name: float(numbers[name]) for name in Observer._fields}
+        values["outside"] = bool(values["outside"])
+        values["orders"] = int(values["orders"])
+        observer = Observer(**values)
+        assert self._shown_tables is not None
+        layers = filled_sky(self._shown(), self._shown_tables, observer, self._sky_shape)
+        names = ("air", "behind", "first", "second")[: 4 if numbers["keeps_peaks"] else 2]
+        for name, layer in zip(names, layers, strict=False):
+            update_flat(self.device, self._layers[name], 0, layer)
+
+    def _places(self) -> dict[str, tuple[int, ...]]:
+        assert self._textures is not None
+        return self._textures.places
+
+    def _write(self, numbers: Mapping[str, float]) -> None:
+        # Above the ground as the shader has it: its radii are good to half a metre.
+        r = float(np.float32(numbers["bottom"])) + (numbers["r"] - numbers["bottom"])
+        values = packed({**numbers, "r": r}, self._places())
+        self.device.device.queue.write_buffer(self._uniforms, 0, values)
+
+    def _shown(self) -> MomentsSolution:
+        if self._solution is None:
+            raise ParameterError("solution", None, "one, taken up by show()")
+        return self._solution

@@ -1,0 +1,247 @@
+"""A solution's tables in textures, and where each stands."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import sqrt
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.color.upsampling import reflectance_basis
+from airlight.gpu.device.device import Device
+from airlight.gpu.device.flat import FLAT_WIDTH, MOST_ROWS, flat_rows, flat_texture
+from airlight.gpu.solver.solver import fields_on
+from airlight.pixels.shown import (
+    FIELD_TABLES,
+    SCALAR_TABLES,
+    SPECTRAL_TABLES,
+    Shown,
+    as_texels,
+    shown_solution,
+)
+from airlight.scene.surface_map import surface_map
+from airlight.solvers.moments.solution import MomentsSolution
+
+Shape = tuple[int, ...]
+Levels = Sequence[NDArray[np.float32]]
+
+#: Numbers of a map of the ground, its halvings too, that leave room for their sizes.
+_MAP_NUMBERS: Final = FLAT_WIDTH * (MOST_ROWS - 1)
+
+
+def laid_out(
+    arrays: dict[str, NDArray[Any]], width: int
+) -> tuple[NDArray[np.float32], dict[str, Shape]]:
+    """Arrays one after another, texels of so many numbers; with start and axes of each.
+
+    Parameters
+    ----------
+    arrays : dict
+        Of numbers, any shape, or of texels, shape (n, 4).
+    width : int
+        1 or 4 numbers a texel.
+
+    Returns
+    -------
+    texels : array, shape (n, width)
+    places : dict
+        (start, lengths of the axes …) by name.
+    """
+    parts, places, at = [], {}, 0
+    for name, array in arrays.items():
+        places[name] = (at, *(array.shape if width == 1 else array.shape[:1]))
+        part = np.ascontiguousarray(array, np.float32).reshape(-1, width)
+        parts.append(part)
+        at += part.shape[0]
+    return np.concatenate(parts), places
+
+
+@dataclass(frozen=True)
+class SolutionTables:
+    """A solution as the shaders read it, still in memory.
+
+    Attributes
+    ----------
+    numbers : dict
+        What stands in the uniforms.
+    scalars, spectra, fields : array, shapes (n, 1), (n, 4), (n, 4)
+        One after another.
+    places : dict
+        Start and axes of each table.
+    """
+
+    numbers: dict[str, float]
+    scalars: NDArray[np.float32]
+    spectra: NDArray[np.float32]
+    fields: NDArray[np.float32]
+    places: dict[str, Shape]
+
+    @classmethod
+    def of(cls, solution: MomentsSolution, shown: Shown | None = None) -> SolutionTables:
+        """The tables of a solution of at most four wavelengths; ``shown`` if it is known already.
+
+        Parameters
+        ----------
+        solution : MomentsSolution
+            Of at most four wavelengths.
+        shown : Shown, optional
+            The same for a march.
+
+        Raises
+        ------
+        ParameterError
+            If there are more wavelengths or constituents than the shaders have room for.
+        """
+        nm = solution.wavelengths
+        if shown is None:
+            shown = shown_solution(solution, reflectance_basis(nm))
+        scalars, places = laid_out(
+            {name: np.asarray(getattr(shown, name), float) for name in SCALAR_TABLES}, 1
+        )
+        spectra, more = laid_out(
+            {name: as_texels(getattr(shown, name), nm.size) for name in SPECTRAL_TABLES}, 4
+        )
+        fields, most = laid_out(
+            {name: as_texels(getattr(shown, name), nm.size) for name in FIELD_TABLES}, 4
+        )
+        numbers = {
+            name: float(getattr(shown, name))
+            for name in Shown._fields
+            if name not in (*SCALAR_TABLES, *SPECTRAL_TABLES, *FIELD_TABLES)
+        }
+        return cls(numbers, scalars, spectra, fields, places | more | most)
+
+
+@dataclass(frozen=True)
+class SolutionTextures:
+    """The same on a device, with the ground's map.
+
+    Attributes
+    ----------
+    numbers, places : dict
+        As in ``SolutionTables``, those of the map too.
+    textures : dict
+        By the names of ``gpu.shaders.TEXTURES``.
+    """
+
+    numbers: dict[str, float]
+    places: dict[str, Shape]
+    textures: dict[str, Any]
+
+    @classmethod
+    def of(
+        cls,
+        device: Device,
+        solution: MomentsSolution,
+        shown: Shown | None = None,
+        before: SolutionTextures | None = None,
+    ) -> SolutionTextures:
+        """Upload a solution; the map of the ground stays where it is if it is the same.
+
+        Parameters
+        ----------
+        device : Device
+            From ``open_device``.
+        solution, shown : MomentsSolution, Shown
+            As in ``SolutionTables.of``.
+        before : SolutionTextures, optional
+            What was shown before, for its map.
+
+        Raises
+        ------
+        ParameterError
+            As ``SolutionTables.of``.
+        """
+        made = SolutionTables.of(solution, shown)
+        textures = {
+            "scalars": flat_texture(device, _uneven(made.scalars), "scalars"),
+            "spectra": flat_texture(device, _uneven(made.spectra), "spectra"),
+            "fields": fields_on(device, solution)
+            or flat_texture(device, _uneven(made.fields), "fields"),
+        }
+        name = solution.medium.ground_map
+        if before is not None and before.textures.get("map of") == name:
+            textures["ground"] = before.textures["ground"]
+            places = {one: before.places[one] for one in ("levels", "texels")}
+        else:
+            texels, places = _map_texels(name)
+            textures["ground"] = flat_texture(device, _uneven(texels), "ground")
+        textures["map of"] = name
+        numbers = made.numbers | {
+            "mapped": float(name is not None),
+            "map_levels": float(places["levels"][1]),
+        }
+        return cls(numbers, made.places | places, textures)
+
+
+def _uneven(texels: NDArray[np.float32]) -> NDArray[np.float32]:
+    """The same with another row where the rows are a power of two.
+
+    Software devices compile a shader anew, which takes them seconds to minutes, where a texture's
+    height becomes a power of two or ceases to be one: so none is.
+    """
+    rows = flat_rows(len(texels))
+    if rows & (rows - 1) or rows == MOST_ROWS:
+        return texels
+    more = FLAT_WIDTH * (rows + (2 if rows == 1 else 1)) - len(texels)
+    return np.pad(texels, ((0, more), (0, 0)))
+
+
+def _map_texels(name: str | None) -> tuple[NDArray[np.float32], dict[str, Shape]]:
+    """A map of the ground and its halvings; without one a single black pixel."""
+    levels: Levels = (np.zeros((1, 1, 3), np.float32),)
+    if name is not None:
+        levels = fitting_levels(surface_map(name).levels, _MAP_NUMBERS)
+    starts = np.cumsum([0, *(one.size for one in levels[:-1])])
+    shapes = np.array(
+        [(start, *one.shape[:2]) for start, one in zip(starts, levels, strict=True)], np.float32
+    )
+    return laid_out(
+        {"levels": shapes, "texels": np.concatenate([one.reshape(-1) for one in levels])}, 1
+    )
+
+
+def fitting_levels(levels: Levels, room: int) -> Levels:
+    """The halvings of a map of which all together have no more numbers than there is room for.
+
+    The finest are left out. A map that cannot be halved is taken down to a size that fits: its new
+    pixels are means of the old ones whose middles they cover.
+
+    Parameters
+    ----------
+    levels : tuple of array, each shape (h, w, 3)
+        The full map first.
+    room : int
+        Numbers.
+
+    Examples
+    --------
+    >>> halvings = [np.zeros((h, 2 * h, 3), np.float32) for h in (4, 2, 1)]
+    >>> [one.shape[0] for one in fitting_levels(halvings, 32)]
+    [2, 1]
+    >>> fitting_levels([np.ones((3, 9, 3), np.float32)], 60)[0].shape
+    (2, 7, 3)
+    """
+    kept = list(levels)
+    while len(kept) > 1 and sum(one.size for one in kept) > room:
+        kept.pop(0)
+    if kept[0].size > room:
+        height, width = kept[0].shape[:2]
+        scale = sqrt(room / kept[0].size)
+        kept[0] = _taken_down(kept[0], max(1, int(height * scale)), max(1, int(width * scale)))
+    return tuple(kept)
+
+
+def _taken_down(map_: NDArray[np.float32], height: int, width: int) -> NDArray[np.float32]:
+    """A map with fewer pixels, each the mean of whole old ones."""
+    values = map_.astype(np.float64)
+    for axis, count in enumerate((height, width)):
+        edges = np.rint(np.linspace(0.0, values.shape[axis], count + 1)).astype(np.intp)
+        sums = np.add.reduceat(values, edges[:-1], axis=axis)
+        shape = [1, 1, 1]
+        shape[axis] = count
+        values = sums / np.diff(edges).reshape(shape)
+    return np.ascontiguousarray(values, np.float32)

@@ -1,0 +1,1 @@
+"""The moments solver as passes of fragments."""

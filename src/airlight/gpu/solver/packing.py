@@ -1,0 +1,198 @@
+"""Texels of the solver's passes that pack a light: at all levels, and as ratios.
+
+For how a texel and its index go together see ``solver_rays``.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+from airlight.kernel import inlined
+from airlight.kernel.lanes import LANES, load
+from airlight.pixels.shown import WAVELENGTHS
+from airlight.solvers.moments.levels import between_levels, cubic_bend, is_smooth
+from airlight.solvers.moments.packing import floor_below, ratio_scale
+
+
+@inlined
+def largest_of(index, sizes, count, values):
+    """Largest mean radiance, or irradiance, of so many radii under one star. [1]
+
+    Parameters
+    ----------
+    index : int
+        Number (mean radiance or irradiance, sun, lane).
+    sizes : Sizes
+    count : int
+        Radii.
+    values : array
+        Moments (radius, sun, moment, lane), and after them irradiances. [1]
+    """
+    lane = index % WAVELENGTHS
+    j = index // WAVELENGTHS % sizes.suns
+    step = sizes.terms * WAVELENGTHS
+    start = 0
+    if index >= sizes.suns * WAVELENGTHS:
+        start = count * sizes.suns * step
+        step = WAVELENGTHS
+    largest = 0.0
+    for i in range(count):
+        largest = max(largest, values[start + (i * sizes.suns + j) * step + lane])
+    return largest
+
+
+@inlined
+def highest(index, sizes, light):
+    """Largest mean radiance, or irradiance, of all radii under one star. [1]
+
+    Numbers (mean radiance or irradiance, sun, lane).
+    """
+    return largest_of(index, sizes, sizes.radii, light)
+
+
+@inlined
+def highest_level(index, sizes, fine):
+    """The same of all levels, from ``refined``. [1]"""
+    return largest_of(index, sizes, sizes.levels, fine)
+
+
+@inlined
+def floor(index, sizes, heights):
+    """What counts as dark, from ``highest``. [1]
+
+    Numbers (mean radiance or irradiance, lane).
+    """
+    lane = index % WAVELENGTHS
+    first = index // WAVELENGTHS * sizes.suns
+    brightest = 0.0
+    for j in range(sizes.suns):
+        brightest = max(brightest, heights[(first + j) * WAVELENGTHS + lane])
+    return floor_below(brightest)
+
+
+@inlined
+def light_number(values, start, step, i, part, dark):
+    """A number of a light at a radius; the first of them, a mean radiance, is positive. [1]
+
+    Parameters
+    ----------
+    values : array
+        As in ``largest_of``. [1]
+    start, step : int
+        Place of the number at radius 0, and from radius to radius.
+    i : int
+        The radius.
+    part : int
+        Moment; 0 for mean radiances and irradiances.
+    dark : float
+        What counts as dark. [1]
+    """
+    value = values[start + i * step]
+    if part == 0:
+        return max(value, dark)
+    return value
+
+
+@inlined
+def four_levels(values, start, step, i, part, dark, radii):
+    """A number of a light at two radii, the one below and the one above them. [1]
+
+    The level beyond each end continues the parabola through the last three.
+
+    Parameters
+    ----------
+    values, start, step, part, dark :
+        As in ``light_number``.
+    i : int
+        The first of the two radii.
+    radii : int
+        How many there are, three at least.
+
+    Returns
+    -------
+    below, near, far, above : float
+    """
+    near = light_number(values, start, step, i, part, dark)
+    far = light_number(values, start, step, i + 1, part, dark)
+    below = light_number(values, start, step, max(i - 1, 0), part, dark)
+    above = light_number(values, start, step, min(i + 2, radii - 1), part, dark)
+    if i == 0:
+        below = 3.0 * (near - far) + above
+    if i == radii - 2:
+        above = 3.0 * (far - near) + below
+    return below, near, far, above
+
+
+@inlined
+def refined(index, sizes, tables, light, floors):
+    """A light at all levels from the radii that gather it; see ``levels.finer``. [1]
+
+    Numbers (level, sun, moment, lane), and after them irradiances (level, sun, lane).
+    """
+    lane = index % WAVELENGTHS
+    number = index // WAVELENGTHS
+    width, start, dark = sizes.terms, 0, floors[lane]
+    if number >= sizes.levels * sizes.suns * sizes.terms:
+        number = number - sizes.levels * sizes.suns * sizes.terms
+        width = 1
+        start = sizes.radii * sizes.suns * sizes.terms * WAVELENGTHS
+        dark = floors[WAVELENGTHS + lane]
+    part = number % width
+    j = number // width % sizes.suns
+    level = number // (width * sizes.suns)
+    i = level // sizes.parts
+    step = sizes.suns * width * WAVELENGTHS
+    mean_at = start + j * width * WAVELENGTHS + lane
+    here = mean_at + part * WAVELENGTHS
+    if level % sizes.parts == 0:
+        return light_number(light, here, step, i, part, dark)
+    x = float(level % sizes.parts) / float(sizes.parts)
+    below, near, far, above = four_levels(light, mean_at, step, i, 0, dark, sizes.radii)
+    near_scale, far_scale = 1.0 / sqrt(near), 1.0 / sqrt(far)
+    smooth = is_smooth(x, near, far, cubic_bend(x, below, near, far, above))
+    below, near, far, above = four_levels(light, here, step, i, part, dark, sizes.radii)
+    bend = cubic_bend(x, below, near, far, above)
+    if not smooth:
+        bend = 0.0
+    weight = tables.level[j * WAVELENGTHS + lane]
+    return between_levels(x, near, far, bend, near_scale, far_scale, weight)
+
+
+@inlined
+def node_scale(index, sizes, tables, fine, heights):
+    """The s of a node. [1]
+
+    Numbers (mean radiance or irradiance, level, sun, lane); ``heights`` from ``highest_level``.
+    """
+    lane = index % WAVELENGTHS
+    node = index // WAVELENGTHS
+    nodes = sizes.levels * sizes.suns
+    if node >= nodes:
+        received = fine[(nodes * sizes.terms + node - nodes) * WAVELENGTHS + lane]
+        return ratio_scale(received, received, 0.0)
+    j = node % sizes.suns
+    value = fine[node * sizes.terms * WAVELENGTHS + lane]
+    above = max(heights[j * WAVELENGTHS + lane], value)
+    return ratio_scale(value, above, tables.level[j * WAVELENGTHS + lane])
+
+
+@inlined
+def packed(index, sizes, fine, scales):
+    """Moments and irradiances as ratios: what a march and the next sweep read.
+
+    Texels (level, sun, 1 + moments): s, then the moments times s; after them (level, sun, 2):
+    s, then the irradiance times s.
+    """
+    nodes = sizes.levels * sizes.suns
+    moments = nodes * (1 + sizes.terms)
+    if index >= moments:
+        node = (index - moments) // 2
+        scale = load(scales, LANES * (nodes + node))
+        if (index - moments) % 2 == 0:
+            return scale
+        return load(fine, LANES * (nodes * sizes.terms + node)) * scale
+    node, part = index // (1 + sizes.terms), index % (1 + sizes.terms)
+    scale = load(scales, LANES * node)
+    if part == 0:
+        return scale
+    return load(fine, LANES * (node * sizes.terms + part - 1)) * scale

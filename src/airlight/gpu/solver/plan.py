@@ -1,0 +1,218 @@
+"""The plan of a solve on the GPU: what a host needs to run the passes, in Python or elsewhere."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.gpu.solver.passes import (
+    IMAGES,
+    MIX,
+    ONCE,
+    PACK,
+    PASSES,
+    SWEEP,
+    SolverPass,
+    shader,
+)
+from airlight.gpu.solver.tables import SCALARS, SPECTRA, uniform_fields
+from airlight.pixels.shown import WAVELENGTHS
+from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.moments.grid import Grid
+from airlight.tables.columns import ColumnTable
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Span:
+    """Neighbouring radii whose rays are worked on together.
+
+    Attributes
+    ----------
+    first_point, points : int
+        Of their rays.
+    first_ray, rays : int
+    """
+
+    first_point: int
+    points: int
+    first_ray: int
+    rays: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class SolverPlan:
+    """What a host needs to run ``solver_passes``.
+
+    Attributes
+    ----------
+    paths : LightPaths
+        Of the medium.
+    degree : int
+        Of the harmonics.
+    grid : Grid
+        The nodes.
+    table : ColumnTable
+        Columns towards the star.
+    sizes : dict
+        ``Sizes`` by name.
+    solve : array, shape (n, 4)
+        The uniform ``solve``.
+    scalars, spectra : array, shapes (n,), (n, 4)
+        The two textures of tables.
+    spans : tuple of Span
+    thick : array, shape (4,)
+        From ``thickness``: how much the night counts. [1]
+    """
+
+    paths: LightPaths
+    degree: int
+    grid: Grid
+    table: ColumnTable
+    sizes: dict[str, Any]
+    solve: Float32Array
+    scalars: Float32Array
+    spectra: Float32Array
+    spans: tuple[Span, ...]
+    thick: FloatArray
+
+    @property
+    def nodes(self) -> int:
+        """Radii times suns."""
+        return int(self.sizes["radii"] * self.sizes["suns"])
+
+    @property
+    def textures(self) -> dict[str, int]:
+        """Texels of each texture that passes fill."""
+        n = self.sizes
+        rays = n["radii"] * n["angles"]
+        points = self.spans[-1].first_point + self.spans[-1].points
+        most = max(span.points for span in self.spans)
+        field = self.nodes * (n["terms"] + 1)
+        levels = n["levels"] * n["suns"]
+        return {
+            "strengths": points * n["constituents"],
+            "factors": points * n["terms"],
+            "shares": rays,
+            "reflections": rays,
+            "projections": -(-rays * (n["terms"] + 1) // WAVELENGTHS),
+            "depths": (1 + most) * n["directions"],
+            "rows": most * n["suns"] * (n["degree"] + 2),
+            "radiances": rays * n["suns"] * n["turns"],
+            "azimuthals": rays * n["suns"] * (n["degree"] + 1),
+            "first": field,
+            "light": field,
+            "heights": 2 * n["suns"],
+            "floors": 2,
+            "fine": levels * (n["terms"] + 1),
+            "level_heights": 2 * n["suns"],
+            "scales": 2 * levels,
+            "packed": levels * (n["terms"] + 3),
+            "means": 4 * self.nodes,
+            "sounds": 2 * self.nodes,
+            **dict.fromkeys(IMAGES, field),
+        }
+
+    def texels(self, one: SolverPass, span: Span | None = None) -> tuple[int, int, int]:
+        """First and last texel, past the end, of a pass; and the first point of its rays.
+
+        Parameters
+        ----------
+        one : SolverPass
+        span : Span, optional
+            For a spanned pass.
+        """
+        if span is None:
+            target = IMAGES[0] if one.target == "image" else one.target
+            return 0, self.textures[target], 0
+        n = self.sizes
+        if one.target == "radiances":
+            each = n["suns"] * n["turns"]
+            begin = span.first_ray * each
+            return begin, begin + span.rays * each, span.first_point
+        if one.target == "depths":
+            return 0, (1 + span.points) * n["directions"], span.first_point
+        return 0, span.points * n["suns"] * (n["degree"] + 2), span.first_point
+
+    def runs(self, passes: tuple[SolverPass, ...]) -> list[tuple[SolverPass, tuple[int, int, int]]]:
+        """Passes in the order in which they run, spanned ones span by span, with their texels.
+
+        Parameters
+        ----------
+        passes : tuple of SolverPass
+
+        Returns
+        -------
+        list of (SolverPass, (int, int, int))
+            Texels as from ``texels``.
+        """
+        listed: list[tuple[SolverPass, tuple[int, int, int]]] = []
+        at = 0
+        while at < len(passes):
+            end = at
+            while end < len(passes) and passes[end].spanned:
+                end += 1
+            if end == at:
+                listed.append((passes[at], self.texels(passes[at])))
+                at += 1
+                continue
+            listed += [
+                (one, self.texels(one, span)) for span in self.spans for one in passes[at:end]
+            ]
+            at = end
+        return listed
+
+    def as_dict(self) -> dict[str, Any]:
+        """The plan for a host in another language, but for three arrays: JSON can hold it.
+
+        The arrays are the uniform ``solve``, and ``scalars`` and ``spectra``, which fill flat
+        textures of these names, ``r32float`` and ``rgba32float``. Every other texture is a flat
+        ``rgba32float`` with the texels that ``textures`` says, and every shader has the entry
+        ``fill``, which leaves out texels beyond its span. A host
+
+        1. runs ``once`` and copies ``first`` to ``light``;
+        2. for each order: turns the ring of ``images`` by one, so that the oldest is ``image_0``
+           and ``image``; runs ``pack`` and ``sweep``; reads ``means`` (mean radiance and
+           irradiance of the image, then of the light before); writes the uniform ``mix``, a
+           vec4f for the weight of each image, the last first, one for the largest mean radiance
+           and one for the largest irradiance; and runs ``mix``, which makes the next ``light``;
+        3. runs ``pack`` at the end: ``packed`` is what a march reads.
+
+        A change of coefficients alone is a change of ``extinction``, ``moments``, ``albedo`` and
+        ``level`` in their textures, at the places in ``tables``.
+        """
+
+        def written(passes: tuple[SolverPass, ...]) -> list[dict[str, Any]]:
+            return [
+                {"shader": one.name, "target": one.target, "span": [*texels, 0]}
+                for one, texels in self.runs(passes)
+            ]
+
+        fields = uniform_fields()
+        tables = {
+            name: {
+                "texture": "scalars" if name in SCALARS else "spectra",
+                "start": int(self.solve[fields.index(f"{name}_start")][0]),
+                "shape": [int(n) for n in self.solve[fields.index(f"{name}_shape")] if n > 0],
+            }
+            for name in (*SCALARS, *SPECTRA)
+        }
+        return {
+            "sizes": {name: float(value) for name, value in self.sizes.items()},
+            "uniform": list(fields),
+            "tables": tables,
+            "textures": self.textures,
+            "images": list(IMAGES),
+            "passes": {
+                "once": written(ONCE),
+                "pack": written(PACK),
+                "sweep": written(SWEEP),
+                "mix": written(MIX),
+            },
+            "shaders": {name: shader(name) for name in sorted(PASSES)},
+        }

@@ -1,0 +1,137 @@
+"""Texels of the solver's passes that no order of scattering changes: what the rays carry.
+
+A pass fills a flat texture; the functions here, in ``solver_light``, ``solver_packing`` and
+``solver_mixing`` find out from an index which radius, ray, star or moment a texel belongs to, and
+leave the rest to the functions of ``solvers.moments`` that the CPU's loops call too: they are
+restricted Python, for the GPU and for Numba. A function that gives four wavelengths fills a texel,
+its index counts texels; one that gives a number fills a quarter of one, its index counts numbers.
+``LANES`` is 1 on the GPU.
+
+``index`` is what is counted, ``sizes`` and ``tables`` are those of ``solver_tables``,
+``first_point`` is the first point of the span of radii at hand; every other argument is a flat
+texture that an earlier pass has filled, see ``solver_passes``.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from airlight.kernel import inlined
+from airlight.kernel.lanes import exponential, splat
+from airlight.solvers.moments.first_order import depth_in_row
+from airlight.solvers.moments.harmonics import degree_of, legendre_function
+from airlight.solvers.moments.sweep import optical_depth, reflected_share, strength_of
+from airlight.solvers.moments.visible_rays import ray_share
+
+
+@inlined
+def strength(index, sizes, tables):
+    """Amount of a constituent at a point of a ray times the transmittance from there. [m]
+
+    Texels (point, constituent).
+    """
+    point, c = index // sizes.constituents, index % sizes.constituents
+    depth = optical_depth(
+        tables.column, point * sizes.constituents, tables.extinction, sizes.constituents
+    )
+    return exponential(0.0 - depth) * np.float32(tables.amount[point, c])
+
+
+@inlined
+def factor(index, sizes, tables):
+    """What a point sends along its ray of one moment. [1]
+
+    Texels (point, moment).
+    """
+    point, term = index // sizes.terms, index % sizes.terms
+    l = degree_of(term)
+    m = term - l * (l + 1) // 2
+    depth = optical_depth(
+        tables.column, point * sizes.constituents, tables.extinction, sizes.constituents
+    )
+    scattered = strength_of(
+        tables.moments, tables.amount, point, l, sizes.degree, sizes.constituents
+    )
+    function = legendre_function(
+        tables.mu_along[point], l, m, tables.harmonic, tables.ahead, tables.back
+    )
+    return exponential(0.0 - depth) * scattered * np.float32(function)
+
+
+@inlined
+def share(index, sizes, tables):
+    """What makes the sum over the points of a ray exact. [1]
+
+    Texels (radius, direction).
+    """
+    i, a = index // sizes.angles, index % sizes.angles
+    first = int(tables.start[i, a])
+    total = optical_depth(
+        tables.total, index * sizes.constituents, tables.extinction, sizes.constituents
+    )
+    return ray_share(
+        first,
+        int(tables.start[i, a + 1]) - first,
+        tables.column,
+        tables.amount,
+        total,
+        tables.extinction,
+        sizes.constituents,
+    )
+
+
+@inlined
+def reflection(index, sizes, tables):
+    """Radiance at the start of a ray per irradiance of the ground at its end. [sr⁻¹]
+
+    Texels (radius, direction); nothing for rays that miss the ground.
+    """
+    if index % sizes.angles >= sizes.angles // 2:
+        return splat(0.0)
+    return reflected_share(
+        tables.albedo,
+        tables.extinction,
+        tables.total,
+        index * sizes.constituents,
+        sizes.constituents,
+    )
+
+
+@inlined
+def projection(index, sizes, tables):
+    """Weight of a direction in one moment. [1]
+
+    Numbers (radius, direction, moment), and after them (radius, direction): weight in the
+    irradiance from above.
+    """
+    rays = sizes.radii * sizes.angles
+    if index >= rays * sizes.terms:
+        ray = index - rays * sizes.terms
+        return tables.flux[ray // sizes.angles, ray % sizes.angles]
+    ray, term = index // sizes.terms, index % sizes.terms
+    i, a = ray // sizes.angles, ray % sizes.angles
+    l = degree_of(term)
+    m = term - l * (l + 1) // 2
+    function = legendre_function(tables.mu[i, a], l, m, tables.harmonic, tables.ahead, tables.back)
+    return tables.weight[i, a] * function
+
+
+@inlined
+def depth(index, sizes, tables, first_point):
+    """Optical depth from a point of a ray to the top of the shell. [1]
+
+    Texels (point, direction); the points of one span of radii, the ground before them.
+    """
+    local, place = index // sizes.directions, index % sizes.directions
+    q = sizes.bottom
+    if local > 0:
+        q = tables.radius[first_point + local - 1]
+    return depth_in_row(
+        tables.ratios,
+        q,
+        place,
+        sizes.bottom,
+        sizes.top,
+        tables.extinction,
+        sizes.constituents,
+    )

@@ -1,0 +1,254 @@
+"""The solver's passes on a device, with their textures, kept from solve to solve."""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import Cancelled
+from airlight.gpu.device.device import Device
+from airlight.gpu.device.flat import (
+    FLAT_WIDTH,
+    empty_flat_texture,
+    flat_rows,
+    read_flat,
+    update_flat,
+)
+from airlight.gpu.device.fragment_pass import FragmentPass
+from airlight.gpu.device.pass_times import PassTimes
+from airlight.gpu.solver.passes import IMAGES, MIX, ONCE, PACK, SWEEP, SolverPass, shader
+from airlight.gpu.solver.plan import SolverPlan
+from airlight.pixels.shown import WAVELENGTHS
+
+Float32Array = NDArray[np.float32]
+
+_FORMAT: Final = "rgba32float"
+#: Spans whose uniforms and bind groups are kept.
+_KEPT_SPANS: Final = 64
+
+_lock = threading.Lock()
+_passes: dict[tuple[Device, str], FragmentPass] = {}
+_idle: dict[Device, list[GpuSweeper]] = {}
+
+
+@contextmanager
+def borrowed_sweeper(device: Device) -> Iterator[GpuSweeper]:
+    """A sweeper that nobody else uses meanwhile; its textures serve the next solve again.
+
+    Parameters
+    ----------
+    device : Device
+        From ``open_device``.
+    """
+    with _lock:
+        idle = _idle.setdefault(device, [])
+        sweeper = idle.pop() if idle else GpuSweeper(device)
+    sound = False
+    try:
+        yield sweeper
+        sound = True
+    except Cancelled:
+        sound = True
+        raise
+    finally:  # what went wrong may have left images that are no numbers
+        with _lock:
+            if sound and not idle:
+                idle.append(sweeper)
+
+
+class GpuSweeper:
+    """The passes of one solve after another.
+
+    Parameters
+    ----------
+    device : Device
+        From ``open_device``.
+
+    Attributes
+    ----------
+    plan : SolverPlan
+        Of the solve at hand, from ``load`` on.
+    """
+
+    plan: SolverPlan
+
+    def __init__(self, device: Device) -> None:
+        self.device = device
+        self._textures: dict[str, Any] = {}
+        self._views: dict[str, Any] = {}
+        self._images: deque[str] = deque(IMAGES)
+        self._mix = self._uniform(np.zeros((len(IMAGES) + 2, 4), np.float32))
+        self._solve: Any = None
+        self._spans: dict[tuple[int, int, int], Any] = {}
+        self._groups: dict[tuple[str, tuple[int, int, int], str], list[Any]] = {}
+
+    def load(self, plan: SolverPlan) -> None:
+        """Take up a plan: its tables are uploaded, its textures made if those at hand are small.
+
+        Parameters
+        ----------
+        plan : SolverPlan
+            From ``plan_for``.
+
+        Raises
+        ------
+        ParameterError
+            If a texture would be larger than browsers allow.
+        """
+        self.plan = plan
+        for name, values in (("scalars", plan.scalars), ("spectra", plan.spectra)):
+            self._make(name, values.shape[0], 4 if values.ndim == 2 else 1)
+            update_flat(self.device, self._textures[name], 0, values)
+        for name, texels in plan.textures.items():
+            self._make(name, texels, 4)
+        if self._solve is None:
+            self._solve = self._uniform(plan.solve)
+        else:
+            self.device.device.queue.write_buffer(self._solve, 0, plan.solve)
+        if len(self._spans) > _KEPT_SPANS:
+            self._spans.clear()
+            self._groups.clear()
+
+    def _make(self, name: str, texels: int, channels: int) -> None:
+        at_hand = self._textures.get(name)
+        if at_hand is None or at_hand.size[1] < flat_rows(texels):
+            self._textures[name] = empty_flat_texture(self.device, texels, channels, name)
+            self._views[name] = self._textures[name].create_view()
+            self._groups.clear()
+
+    def _uniform(self, values: Float32Array) -> Any:
+        import wgpu
+
+        use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
+        return self.device.device.create_buffer_with_data(data=values, usage=use)
+
+    def run(self, passes: tuple[SolverPass, ...], *, times: PassTimes | None = None) -> None:
+        """Run passes, span by span where they are spanned.
+
+        Parameters
+        ----------
+        passes : tuple of SolverPass
+        times : PassTimes, optional
+            Times each pass on the device.
+        """
+        encoder = self.device.device.create_command_encoder()
+        for one, texels in self.plan.runs(passes):
+            ready = self._pass(one)
+            target = self._images[0] if one.target == "image" else one.target
+            top, bottom = texels[0] // FLAT_WIDTH, flat_rows(texels[1])
+            ready.run(
+                encoder,
+                self._bound(ready, one, texels),
+                [self._views[target]],
+                (0, top, FLAT_WIDTH, bottom - top),
+                keep=True,
+                timestamps=None if times is None else times(one.name),
+            )
+        if times is not None:
+            times.resolve(encoder)
+        self.device.device.queue.submit([encoder.finish()])
+
+    def _pass(self, one: SolverPass) -> FragmentPass:
+        """A pass on the device, compiled at its first use."""
+        key = (self.device, one.name)
+        if key not in _passes:
+            _passes[key] = FragmentPass(self.device, shader(one.name), "fill", (_FORMAT,), one.name)
+        return _passes[key]
+
+    def _bound(
+        self, ready: FragmentPass, one: SolverPass, texels: tuple[int, int, int]
+    ) -> list[Any]:
+        key = (one.name, texels, self._images[0])
+        if key not in self._groups:
+            if texels not in self._spans:
+                self._spans[texels] = self._uniform(np.array([*texels, 0], np.float32))
+            images = {name: self._views[at] for name, at in zip(IMAGES, self._images, strict=True)}
+            resources = {
+                **self._views,
+                **images,
+                "image": self._views[self._images[0]],
+                "solve": self._solve,
+                "span": self._spans[texels],
+                "mix": self._mix,
+            }
+            self._groups[key] = ready.bind(resources)
+        return self._groups[key]
+
+    def begin(self) -> None:
+        """All that is computed once, and the first order as the first guess."""
+        self.run(ONCE)
+        self._copy("first", self._textures["light"], self.plan.textures["light"])
+
+    def _copy(self, name: str, target: Any, texels: int) -> None:
+        encoder = self.device.device.create_command_encoder()
+        encoder.copy_texture_to_texture(
+            {"texture": self._textures[name]},
+            {"texture": target},
+            (FLAT_WIDTH, flat_rows(texels), 1),
+        )
+        self.device.device.queue.submit([encoder.finish()])
+
+    def sweep(self) -> tuple[Float32Array, Float32Array, Float32Array]:
+        """One more order, into a new image.
+
+        Returns
+        -------
+        mean, sky, before : array, shape (r, s, 4)
+            Mean radiance and irradiance of the image, and mean radiance of the guess.
+        """
+        self._images.rotate(1)
+        self.run((*PACK, *SWEEP))
+        n = self.plan.sizes
+        means = read_flat(self.device, self._textures["means"], 4 * self.plan.nodes)
+        means = means.reshape(4, n["radii"], n["suns"], WAVELENGTHS)
+        return means[0], means[1], means[2]
+
+    def combine(self, weights: Float32Array) -> None:
+        """The next guess from the last images.
+
+        Parameters
+        ----------
+        weights : array, shape (7, 4)
+            Of the images, the last first; then the largest mean radiance and irradiance.
+        """
+        self.device.device.queue.write_buffer(self._mix, 0, np.ascontiguousarray(weights))
+        self.run(MIX)
+
+    def texture(self, name: str) -> Any:
+        """A texture by its name in the plan; ``image`` is the one of the last sweep.
+
+        Parameters
+        ----------
+        name : str
+            One of ``plan.textures``, or ``image``.
+
+        Returns
+        -------
+        wgpu.GPUTexture
+        """
+        return self._textures[self._images[0] if name == "image" else name]
+
+    def light(self) -> tuple[Float32Array, Float32Array]:
+        """Moments (r, s, k, 4) and irradiances (r, s, 4) of the guess; packed on the device too."""
+        self.run(PACK)
+        n = self.plan.sizes
+        moments = self.plan.nodes * n["terms"]
+        flat = read_flat(self.device, self._textures["light"], moments + self.plan.nodes)
+        shape = (n["radii"], n["suns"])
+        return (
+            flat[:moments].reshape(*shape, n["terms"], WAVELENGTHS),
+            flat[moments:].reshape(*shape, WAVELENGTHS),
+        )
+
+    def packed_copy(self) -> Any:
+        """A texture of its own with the packed light, after ``light``."""
+        texels = self.plan.textures["packed"]
+        copy = empty_flat_texture(self.device, texels, 4, "fields")
+        self._copy("packed", copy, texels)
+        return copy

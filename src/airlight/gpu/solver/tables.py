@@ -1,0 +1,149 @@
+"""What the host gives to the passes of the solver: lengths of axes, and tables; and their places.
+
+Numbers are in the uniform ``solve``, tables of numbers in the flat texture ``scalars``, those of
+four wavelengths in ``spectra``.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Final, NamedTuple
+
+from airlight.gpu.emit.shader_types import F32, I32, Bundle, Table, Uniform, Value
+
+#: Tables of numbers and of four wavelengths that the host uploads, with their ranks.
+SCALARS: Final = {
+    "mu": 2, "weight": 2, "flux": 2, "start": 2, "total": 1, "end": 3, "radius": 1, "mu_along": 1,
+    "turn": 2, "amount": 2, "column": 1, "sun_cosines": 1, "row": 1, "place": 1, "cosines": 1,
+    "multiples": 2, "harmonic": 1, "ahead": 1, "back": 1, "ratios": 4, "lift": 3, "level": 1,
+}  # fmt: skip
+SPECTRA: Final = ("extinction", "moments", "albedo")
+#: ``Sizes`` in the uniform, four to a vector.
+COUNTS: Final = (
+    "radii", "angles", "suns", "turns", "degree", "terms", "constituents", "directions", "levels",
+    "parts",
+)  # fmt: skip
+MEASURES: Final = ("bottom", "top", "star_radius")
+
+
+class Sizes(NamedTuple):
+    """How long the axes are.
+
+    Attributes
+    ----------
+    radii, angles, suns, turns : int
+        Radii that gather light; directions in zenith angle; nodes in sun elevation; azimuths.
+    degree, terms, constituents, directions : int
+        Of the harmonics; how many of them; of the air; of the table of columns.
+    levels, parts : int
+        Radii of the grid; light is gathered at one of so many of them.
+    bottom, top, star_radius : float
+        Radii of the ground and the top [m]; angular radius of the star [rad].
+    """
+
+    radii: Any
+    angles: Any
+    suns: Any
+    turns: Any
+    degree: Any
+    terms: Any
+    constituents: Any
+    directions: Any
+    levels: Any
+    parts: Any
+    bottom: Any
+    top: Any
+    star_radius: Any
+
+
+class Tables(NamedTuple):
+    """What the host gives to the passes; shapes and units as in ``Grid``, ``Rays``, ``Air`` ….
+
+    Attributes
+    ----------
+    mu, weight, flux, start, total, end, radius, mu_along, turn, amount, column :
+        Of ``Rays``; total and column flat.
+    sun_cosines, row, place :
+        Of ``Grid``.
+    cosines, multiples :
+        Of ``Azimuths``.
+    harmonic, ahead, back :
+        Of ``Harmonics``.
+    ratios :
+        From ``mean_density_ratios``.
+    lift :
+        From ``star_lift``.
+    level : array, shape (s·4,)
+        From ``level_weights``, of four wavelengths.
+    extinction, moments, albedo :
+        Of ``Air``; four wavelengths a texel.
+    """
+
+    mu: Any
+    weight: Any
+    flux: Any
+    start: Any
+    total: Any
+    end: Any
+    radius: Any
+    mu_along: Any
+    turn: Any
+    amount: Any
+    column: Any
+    sun_cosines: Any
+    row: Any
+    place: Any
+    cosines: Any
+    multiples: Any
+    harmonic: Any
+    ahead: Any
+    back: Any
+    ratios: Any
+    lift: Any
+    level: Any
+    extinction: Any
+    moments: Any
+    albedo: Any
+
+
+def uniform_fields() -> tuple[str, ...]:
+    """Names of the vectors of the uniform ``solve``, in their order."""
+    tables = [*SCALARS, *SPECTRA]
+    return (
+        "counts", "more_counts", "most_counts", "measures",
+        *(f"{name}_{part}" for name in tables for part in ("shape", "start")),
+    )  # fmt: skip
+
+
+def sizes_in_shader() -> Bundle:
+    """``Sizes`` as a shader reads them: from its uniform ``solve``."""
+    fields: dict[str, Value] = {}
+    for at, name in enumerate(COUNTS):
+        vector = ("counts", "more_counts", "most_counts")[at // 4]
+        fields[name] = Uniform(f"i32(solve.{vector}[{at % 4}])", I32)
+    for at, name in enumerate(MEASURES):
+        fields[name] = Uniform(f"solve.measures[{at}]", F32)
+    return Bundle(Sizes(**fields)._asdict())
+
+
+def tables_in_shader() -> Bundle:
+    """``Tables`` as a shader reads them: from textures."""
+    fields: dict[str, Value] = {name: Table(name, rank) for name, rank in SCALARS.items()}
+    fields |= {name: Table(name, 1, True) for name in SPECTRA}
+    return Bundle(Tables(**fields)._asdict())
+
+
+def table_reader(name: str) -> str:
+    """The functions ``read_`` and ``size_`` of one of ``Tables``, in WGSL.
+
+    Parameters
+    ----------
+    name : str
+        One of ``SCALARS`` or ``SPECTRA``.
+    """
+    at = f"texel_place(index + i32(solve.{name}_start.x))"
+    if name in SPECTRA:
+        body = f"fn read_{name}(index: i32) -> vec4f {{ return textureLoad(spectra, {at}, 0); }}\n"
+    else:
+        body = f"fn read_{name}(index: i32) -> f32 {{ return textureLoad(scalars, {at}, 0).x; }}\n"
+    size = f"fn size_{name}(axis: i32) -> i32 {{ return i32(solve.{name}_shape[axis]); }}\n"
+    return body + size

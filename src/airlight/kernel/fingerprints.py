@@ -1,0 +1,79 @@
+"""Fingerprints of source files and of all that they import: keys of what is kept on disk.
+
+Numba watches only the file of the outermost function, so a formula changed in another file would
+go unnoticed. A file's fingerprint covers every file of the package that its imports lead to, and no
+other: a change of the renderer does not recompile the solver.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from functools import cache
+from pathlib import Path
+from typing import Final
+
+import numba
+
+_PACKAGE: Final = Path(__file__).parent.parent
+_IMPORTS: Final = re.compile(
+    rb"^[ \t]*(?:from[ \t]+(airlight[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n]*)"
+    rb"|import[ \t]+(airlight[\w.]*))",
+    re.MULTILINE,
+)
+
+
+@cache
+def fingerprint(file: Path) -> str:
+    """Hash of a source file, of all files of the package that it leads to, and of the compiler.
+
+    Parameters
+    ----------
+    file : Path
+        Python source, of the package or not.
+
+    Returns
+    -------
+    str
+        Sixteen hexadecimal digits.
+
+    Raises
+    ------
+    OSError
+        If the file cannot be read.
+    """
+    digest = hashlib.sha256(numba.__version__.encode())
+    for one in sorted(_reached(file)):
+        digest.update(one.name.encode() + _read(one)[0])
+    return digest.hexdigest()[:16]
+
+
+def _reached(file: Path) -> set[Path]:
+    """The file and all files of the package that its imports lead to."""
+    found = {file}
+    waiting = [file]
+    while waiting:
+        fresh = _read(waiting.pop())[1] - found
+        found |= fresh
+        waiting += fresh
+    return found
+
+
+@cache
+def _read(file: Path) -> tuple[bytes, frozenset[Path]]:
+    """Hash of one file, and the files of the package that it imports."""
+    text = file.read_bytes()
+    found: set[Path] = set()
+    for module, names, plain in _IMPORTS.findall(text):
+        found |= _files(module or plain)
+        for name in re.findall(rb"\w+", names):
+            found |= _files(module + b"." + name)
+    return hashlib.sha256(text).digest(), frozenset(found)
+
+
+@cache
+def _files(module: bytes) -> frozenset[Path]:
+    """The file of a module of the package; none for a name that is not a module."""
+    path = _PACKAGE.joinpath(*module.decode().split(".")[1:])
+    files = (path.with_suffix(".py"), path / "__init__.py")
+    return frozenset(file for file in files if path != _PACKAGE and file.is_file())

@@ -1,0 +1,228 @@
+"""The table of what one observer sees around himself: one line of sight a texel.
+
+A texel holds fourth roots, so that what falls e-fold from one texel to the next is still read
+to a per cent between them, and nothing is negative.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi, sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from airlight.geometry.bending import bend_angle, turned
+from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_meeting
+from airlight.kernel import inlined, kernel
+from airlight.kernel.lanes import LANES, fourth_root, load, room_of_lanes, splat, store
+from airlight.mappings.sky_view import direction_from_row, impact_from_row
+from airlight.pixels.march import ground_received, march_line
+from airlight.pixels.shown import MOST_CONSTITUENTS
+from airlight.solvers.moments.source import read_phase, reflected
+
+#: Where the last row of the sky stands, seen from outside: rows inside the top.
+INSIDE = 0.1
+
+
+class Observer(NamedTuple):
+    """Where the observer is, and where the star.
+
+    Attributes
+    ----------
+    r : float
+        Distance from the centre, as optical radius inside the shell. [m]
+    outside : bool
+        Whether above the top of the shell.
+    horizon_mu, horizon_sine : float
+        Cosine and sine of the horizon's zenith angle. [1]
+    sun_x, sun_z : float
+        Towards the star: level and up; its vertical plane is the frame's first. [1]
+    seen_x, seen_z : float
+        Towards where it is seen. [1]
+    orders : int
+        1: light scattered once; 0: all the rest; 2: both.
+    """
+
+    r: float
+    outside: bool
+    horizon_mu: float
+    horizon_sine: float
+    sun_x: float
+    sun_z: float
+    seen_x: float
+    seen_z: float
+    orders: int
+
+
+@kernel
+def star_from(across, up, radius, cos_azimuth, sun_x, sun_z):
+    """Cosine of the star's zenith angle at a point of a line of sight. [1]
+
+    Parameters
+    ----------
+    across, up, radius : float
+        From ``first_meeting``. [m]
+    cos_azimuth : float
+        Of the line, from the star's vertical plane. [1]
+    sun_x, sun_z : float
+        As in ``Observer``. [1]
+    """
+    return min(max((across * cos_azimuth * sun_x + up * sun_z) / radius, -1.0), 1.0)
+
+
+@kernel
+def half_sine_between(x, y, z, sun_x, sun_z):
+    """sin(θ/2) of the angle between a direction and the star, from the vectors' difference. [1]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Direction in the observer's frame, a unit vector. [1]
+    sun_x, sun_z : float
+        As in ``Observer``. [1]
+    """
+    across = (x - sun_x) * (x - sun_x) + y * y
+    return min(0.5 * sqrt(across + (z - sun_z) * (z - sun_z)), 1.0)
+
+
+@inlined
+def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phase, result):
+    """Light along one line of sight, and that of a ground behind the air.
+
+    Parameters
+    ----------
+    mu, sine, cos_azimuth : float
+        Direction: cosine and sine of the zenith angle, cosine of the azimuth. [1]
+    to_ground : bool
+        Whether the line ends on the ground.
+    gathers, peaks : bool
+        Constants, as in ``march_line``.
+    observer, light : Observer, Shown
+        Who looks, and the solution.
+    phase : array, shape (nc·w,)
+        Phase functions, as in ``march_line``. [sr⁻¹]
+    result : array, shape (4·w,)
+        Receives the air's radiance, that of an albedo of 1 behind it [sr⁻¹], and what the two
+        peaked constituents scatter [1].
+
+    Returns
+    -------
+    float
+        Angle by which a line that ends on the ground has been bent. [rad]
+    """
+    totals = np.empty(MOST_CONSTITUENTS)
+    received = room_of_lanes(1)
+    along = room_of_lanes(4)
+    nu = min(max(sine * cos_azimuth * observer.sun_x + mu * observer.sun_z, -1.0), 1.0)
+    r, start_mu, start_mu_s = observer.r, mu, observer.sun_z
+    impact = observer.r * sine
+    if observer.outside:
+        r = light.top
+        across, up = first_meeting(min(impact, light.top), sine, light.top)
+        start_mu = -sqrt(max((light.top - impact) * (light.top + impact), 0.0)) / light.top
+        start_mu_s = star_from(across, up, light.top, cos_azimuth, observer.sun_x, observer.sun_z)
+    length = distance_to_top(r, start_mu, light.top)
+    if to_ground:
+        length = distance_to_bottom(r, start_mu, light.bottom)
+    march_line(
+        r, start_mu, start_mu_s, nu, length, observer.orders, gathers, peaks, phase, light, totals,
+        along,
+    )  # fmt: skip
+    ground = splat(0.0)
+    angle = 0.0
+    if gathers and to_ground:
+        across, up = first_meeting(min(impact, light.bottom), sine, light.bottom)
+        mu_s = star_from(across, up, light.bottom, cos_azimuth, observer.sun_x, observer.sun_z)
+        if light.bend > 0.0:
+            angle = bend_angle(r, start_mu, light.bend, totals[light.constituents - 1])
+            slant = (r * start_mu + length) / light.bottom
+            mu_s, _ = turned(slant, mu_s, nu, angle)
+            mu_s = min(max(mu_s, -1.0), 1.0)
+        ground_received(mu_s, observer.orders, light, received)
+        ground = reflected(load(received, 0), splat(1.0)) * load(along, LANES)
+    store(result, 0, load(along, 0))
+    store(result, LANES, ground)
+    store(result, 2 * LANES, load(along, 2 * LANES))
+    store(result, 3 * LANES, load(along, 3 * LANES))
+    return angle
+
+
+@inlined
+def phases_towards(half_sine, keeps_peaks, light, phase):
+    """Phase functions of all constituents; 0 for the peaked ones unless these are kept. [sr⁻¹]
+
+    Parameters
+    ----------
+    half_sine : float
+        sin(θ/2). [1]
+    keeps_peaks : bool
+    light : Shown
+        The solution.
+    phase : array, shape (c·w,)
+        Written.
+    """
+    read_phase(half_sine, light.phase, light.phase_nodes, LANES * light.constituents, phase)
+    if not keeps_peaks:
+        if light.first_peak >= 0:
+            store(phase, LANES * light.first_peak, splat(0.0))
+        if light.second_peak >= 0:
+            store(phase, LANES * light.second_peak, splat(0.0))
+
+
+@kernel
+def row_coordinate(row, rows, outside):
+    """Coordinate of a row of the table in its half. [1]
+
+    From outside the last row of the sky stands a little inside the top of the shell: at the top
+    itself a line has no length, and fourth roots fall too steeply towards nothing.
+
+    Parameters
+    ----------
+    row, rows : int
+        As in ``sky_texel``.
+    outside : bool
+        Whether the observer is.
+
+    Examples
+    --------
+    >>> row_coordinate(8, 9, False), row_coordinate(8, 9, True), row_coordinate(17, 9, True)
+    (1.0, 0.9875, 1.0)
+    """
+    if row >= rows:
+        return (row - rows) / (rows - 1)
+    inside = INSIDE if outside else 0.0
+    return min(row, rows - 1.0 - inside) / (rows - 1)
+
+
+@inlined
+def sky_texel(column, row, columns, rows, gathers, peaks, observer, light, result):
+    """A texel of the table: fourth roots of what ``look`` finds.
+
+    Parameters
+    ----------
+    column, row : int
+        The first ``rows`` of 2·rows are the sky's, from the horizon up, the others the ground's.
+    columns, rows : int
+        Azimuths from 0 to π, ends included; rows of one half.
+    gathers, peaks, observer, light, result :
+        As in ``look``.
+    """
+    phase = room_of_lanes(MOST_CONSTITUENTS)
+    found = room_of_lanes(4)
+    sky = row < rows
+    at = row_coordinate(row, rows, observer.outside)
+    azimuth = pi * column / (columns - 1)
+    cos_azimuth = cos(azimuth)
+    if observer.outside:
+        sine = impact_from_row(at, sky, light.bottom, light.top) / observer.r
+        mu = -sqrt(max((1.0 - sine) * (1.0 + sine), 0.0))
+    else:
+        mu, sine = direction_from_row(at, sky, observer.horizon_mu, observer.horizon_sine)
+    side = sqrt(max((1.0 - cos_azimuth) * (1.0 + cos_azimuth), 0.0))
+    half_sine = half_sine_between(
+        sine * cos_azimuth, sine * side, mu, observer.seen_x, observer.seen_z
+    )
+    phases_towards(half_sine, False, light, phase)
+    look(mu, sine, cos_azimuth, not sky, gathers, peaks, observer, light, phase, found)
+    for layer in range(4):
+        store(result, LANES * layer, fourth_root(load(found, LANES * layer)))

@@ -1,0 +1,214 @@
+"""The star's own disc in a pixel: its light through the air, however small it is.
+
+A disc of several pixels is smooth at its rim; a smaller one is a few points, each of them shared
+out between the four pixels around it. Either way no light is lost or made.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi, sin, sqrt
+
+import numpy as np
+
+from airlight.geometry.bending import bend_angle
+from airlight.kernel import inlined, kernel
+from airlight.kernel.lanes import LANES, splat
+from airlight.mappings.sky_view import angle_above_horizon
+from airlight.pixels.shown import MOST_CONSTITUENTS
+from airlight.pixels.sky_table import half_sine_between
+from airlight.scene.projections.projected import projected_ray
+from airlight.solvers.moments.source import through_columns
+from airlight.tables.column_ratios import columns_to_top
+
+#: A disc of fewer pixels' radius is shown as points.
+SMALL = 1.5
+#: Points of it, on so many rings and spokes.
+RINGS = 3
+SPOKES = 8
+#: A pixel and its neighbours: right, below, left, above.
+_PLACES = 5
+_NUMBERS = 15
+#: Neighbours farther away than so many pixels are on another part of the picture.
+_APART = 3.0
+#: Pixels that are flatter than this share of a square, as at the poles of a panorama, lie too
+#: close for points.
+_FLAT = 0.3
+
+
+@kernel
+def camera_direction(px, py, screen):
+    """Where a place of the picture looks in the observer's frame; zero where it shows nothing.
+
+    Parameters
+    ----------
+    px, py : float
+        From the picture's left and top edge. [pixel]
+    screen : Screen
+        The camera.
+    """
+    right, above, ahead = projected_ray(
+        screen.projection, px, py, screen.width, screen.height, screen.field_of_view
+    )
+    x = right * screen.right_x + above * screen.up_x + ahead * screen.forward_x
+    y = right * screen.right_y + above * screen.up_y + ahead * screen.forward_y
+    z = right * screen.right_z + above * screen.up_z + ahead * screen.forward_z
+    return x, y, z
+
+
+@inlined
+def leaving_air(x, y, z, observer, light, columns):
+    """Where a line of sight leads once it has left the air.
+
+    Parameters
+    ----------
+    x, y, z : float
+        Direction. [1]
+    observer, light : Observer, Shown
+    columns : array, shape (nc,)
+        Receives those of the whole way. [m]
+
+    Returns
+    -------
+    x, y, z : float
+        Lower than it was by what the line is bent. [1]
+    free : bool
+        Whether it misses the ground.
+    """
+    level = sqrt(x * x + y * y)
+    impact = observer.r * level
+    start_r, start_mu = observer.r, z
+    inside, free = True, True
+    if observer.outside:
+        inside = z < 0.0 and impact < light.top
+        free = not (inside and impact < light.bottom)
+        start_r = light.top
+        start_mu = -sqrt(max((light.top - impact) * (light.top + impact), 0.0)) / light.top
+    else:
+        free = angle_above_horizon(z, level, observer.horizon_mu, observer.horizon_sine) >= 0.0
+    for c in range(light.constituents):
+        columns[c] = 0.0
+    if inside and free:
+        columns_to_top(start_r, start_mu, light.bottom, light.top, light.columns, columns)
+        if light.bend > 0.0:
+            angle = bend_angle(start_r, start_mu, light.bend, columns[light.constituents - 1])
+            turn, keep = sin(angle), cos(angle)
+            scale = (level * keep + z * turn) / max(level, 1e-30)
+            return x * scale, y * scale, z * keep - level * turn, free
+    return x, y, z, free
+
+
+@kernel
+def shared_out(across, down, radius, right_x, below_x, below_y):
+    """The part of a disc that falls to a pixel, of points between the pixels' middles. [1]
+
+    Parameters
+    ----------
+    across, down : float
+        From the pixel's middle to the disc's: along the step to the right neighbour, and at right
+        angles to it. [rad]
+    radius : float
+        Of the disc. [rad]
+    right_x, below_x, below_y : float
+        The steps to the neighbours on the right, (right_x, 0), and below, (below_x, below_y).
+        [rad]
+
+    Examples
+    --------
+    >>> shared_out(0.25, 0.0, 0.0, 1.0, 0.0, 1.0)  # a point: three quarters are here
+    0.75
+    """
+    total = 0.0
+    for ring in range(RINGS):
+        reach = radius * sqrt((ring + 0.5) / RINGS)
+        for spoke in range(SPOKES):
+            turn = (spoke + 0.5) * (2.0 * pi / SPOKES)
+            b = (down + reach * sin(turn)) / below_y
+            a = (across + reach * cos(turn) - b * below_x) / right_x
+            total += max(1.0 - abs(a), 0.0) * max(1.0 - abs(b), 0.0)
+    return total / (RINGS * SPOKES)
+
+
+@kernel
+def covered(apart, radius, pixel):
+    """The part of a pixel that lies within a disc, falling from 1 to 0 across its rim. [1]
+
+    Over all directions it sums to the disc's solid angle; that of a disc smaller than a pixel is
+    spread over one.
+
+    Parameters
+    ----------
+    apart : float
+        Angle between the pixel and the disc's middle. [rad]
+    radius, pixel : float
+        Of the disc; the angle that a pixel spans. [rad]
+    """
+    # ∫ over a rim of width p about w: π (w² + p²/12)
+    rim = pixel * pixel / 12.0
+    wide = max(sqrt(max(radius * radius - rim, 0.0)), 0.75 * pixel)
+    share = radius * radius / (wide * wide + rim)
+    return share * min(max((wide - apart) / pixel + 0.5, 0.0), 1.0)
+
+
+@inlined
+def star_disc(px, py, observer, screen, light):
+    """Radiance of the star's disc through the air, per irradiance. [sr⁻¹]
+
+    Parameters
+    ----------
+    px, py : float
+        The pixel. [pixel]
+    observer, screen, light : Observer, Screen, Shown
+    """
+    columns = np.empty(MOST_CONSTITUENTS)
+    x, y, z = camera_direction(px, py, screen)
+    lx, ly, lz, free = leaving_air(x, y, z, observer, light, columns)
+    apart = 2.0 * half_sine_between(lx, ly, lz, observer.sun_x, observer.sun_z)
+    pixel = screen.pixel_angle
+    # Two pixels' diagonals: farther no point of a disc is shared out.
+    if not free or apart > light.star_radius + 3.0 * pixel:
+        return splat(0.0)
+    part = covered(apart, light.star_radius, pixel) * screen.disc
+    if light.star_radius < SMALL * pixel:
+        part = _point_like(px, py, part, observer, screen, light)
+    through = through_columns(columns, light.extinction, light.constituents, LANES, 0)
+    return through * np.float32(part)
+
+
+@inlined
+def _point_like(px, py, otherwise, observer, screen, light):
+    """Radiance of a small disc in a pixel, per irradiance outside the air. [sr⁻¹]"""
+    steps = np.empty(_NUMBERS)
+    fits = np.empty(_PLACES)
+    columns = np.empty(MOST_CONSTITUENTS)
+    for place in range(_PLACES):
+        aside = 1.0 if place == 1 else (-1.0 if place == 3 else 0.0)
+        below = 1.0 if place == 2 else (-1.0 if place == 4 else 0.0)
+        x, y, z = camera_direction(px + aside, py + below, screen)
+        nx, ny, nz, free = leaving_air(x, y, z, observer, light, columns)
+        if place > 0:
+            nx, ny, nz = nx - steps[0], ny - steps[1], nz - steps[2]
+        steps[3 * place] = nx
+        steps[3 * place + 1] = ny
+        steps[3 * place + 2] = nz
+        near = nx * nx + ny * ny + nz * nz < (_APART * screen.pixel_angle) ** 2
+        fits[place] = 1.0 if free and near else 0.0
+    u = 3 if fits[1] > 0.5 else 9
+    v = 6 if fits[2] > 0.5 else 12
+    if fits[u // 3] < 0.5 or fits[v // 3] < 0.5:
+        return otherwise
+    ux, uy, uz = steps[u], steps[u + 1], steps[u + 2]
+    vx, vy, vz = steps[v], steps[v + 1], steps[v + 2]
+    right = sqrt(ux * ux + uy * uy + uz * uz)
+    if right == 0.0:
+        return otherwise
+    ux, uy, uz = ux / right, uy / right, uz / right
+    slant = ux * vx + uy * vy + uz * vz
+    vx, vy, vz = vx - slant * ux, vy - slant * uy, vz - slant * uz
+    upright = sqrt(vx * vx + vy * vy + vz * vz)
+    if right * upright < _FLAT * screen.pixel_angle * screen.pixel_angle:
+        return otherwise
+    dx, dy, dz = observer.sun_x - steps[0], -steps[1], observer.sun_z - steps[2]
+    across = dx * ux + dy * uy + dz * uz
+    down = (dx * vx + dy * vy + dz * vz) / upright
+    part = shared_out(across, down, light.star_radius, right, slant, upright)
+    return part / (right * upright)

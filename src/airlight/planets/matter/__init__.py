@@ -1,0 +1,1 @@
+"""What a constituent is made of: gases, particles, absorbers, profiles, phase functions."""

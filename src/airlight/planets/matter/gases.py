@@ -1,0 +1,241 @@
+"""Gases as parameter objects: Rayleigh scattering from their state."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Annotated, Any, Final, Literal, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.errors import ParameterError
+from airlight.optics import king_factor, rayleigh, refractive_index
+from airlight.optics.lorentz_lorenz import refractivity_at
+from airlight.planets.matter.phases import Rayleigh
+from airlight.planets.parameters import MISSING, between, parameters
+from airlight.planets.spectral import (
+    EVERYWHERE,
+    Limits,
+    PerWavelength,
+    Spectral,
+    spectral,
+    spectral_at,
+)
+
+FloatArray = npt.NDArray[np.float64]
+
+#: How far a number density and the temperature and pressure beside it may differ.
+STATE_TOLERANCE: Final = 0.01
+
+_NumberDensity = Annotated[float, between(1e10, 1e29, "/m^3")]
+_Temperature = Annotated[float, between(1.0, 1e5, "K")]
+_Pressure = Annotated[float, between(1e-9, 1e10, "Pa")]
+
+
+class _Gas(NamedTuple):
+    """What is known of a gas: refractivity at a state, King factor, fitted wavelengths."""
+
+    refractivity: Callable[[npt.ArrayLike], FloatArray]
+    temperature: float
+    king_factor: Callable[[npt.ArrayLike], FloatArray]
+    limits: Limits
+
+
+GASES: Final = {
+    "air": _Gas(
+        refractive_index.air_refractivity_peck1972,
+        refractive_index.AIR_TEMPERATURE,
+        king_factor.king_factor_air_bates1984,
+        refractive_index.AIR_RANGE,
+    ),
+    "co2": _Gas(
+        refractive_index.co2_refractivity_bideau_mehu1973,
+        refractive_index.CO2_TEMPERATURE,
+        king_factor.king_factor_co2_alms1975,
+        refractive_index.CO2_RANGE,
+    ),
+}
+
+
+def density_of_state(
+    density: float | None, temperature: float | None, pressure: float | None
+) -> float:
+    """The number density given or implied; refused if it is missing or said twice differently.
+
+    Parameters
+    ----------
+    density : float or None
+        [m⁻³]
+    temperature, pressure : float or None
+        Both or neither. [K], [Pa]
+
+    Returns
+    -------
+    float
+        [m⁻³]
+    """
+    if (temperature is None) != (pressure is None):
+        missing = "temperature" if temperature is None else "pressure"
+        raise ParameterError(missing, MISSING, "temperature and pressure, both or neither")
+    if temperature is None or pressure is None:
+        if density is None:
+            raise ParameterError(
+                "number_density", MISSING, "a number density, or a temperature and a pressure"
+            )
+        return density
+    implied = rayleigh.number_density(temperature, pressure)
+    if density is not None and abs(density / implied - 1.0) > STATE_TOLERANCE:
+        raise ParameterError(
+            "number_density",
+            density,
+            f"the same state as temperature and pressure: {implied:.6g} /m^3 within 1 %",
+        )
+    return implied if density is None else density
+
+
+def rayleigh_of(depolarisations: FloatArray, wavelengths: npt.ArrayLike) -> Rayleigh:
+    """Molecules with a depolarisation factor, shape (nl,), at each wavelength [nm]. [1]"""
+    nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+    values = tuple(np.broadcast_to(depolarisations, nm.shape).tolist())
+    return Rayleigh(depolarisation=PerWavelength(wavelengths=tuple(nm.tolist()), values=values))
+
+
+@parameters
+class GasScattering:
+    """Rayleigh scattering by a known gas.
+
+    Parameters
+    ----------
+    gas : str
+        ``"air"`` (Peck & Reeder 1972, Bates 1984) or ``"co2"`` (Bideau-Mehu 1973, Alms 1975).
+    number_density : float, optional
+        At relative density 1. [m⁻³]
+    temperature, pressure : float, optional
+        At relative density 1, instead of the number density. [K], [Pa]
+
+    Examples
+    --------
+    >>> air = GasScattering(gas="air", temperature=288.15, pressure=101325.0)
+    >>> (1e6 * air.coefficients([680.0, 550.0, 440.0])).round(3).tolist()
+    [4.848, 11.487, 28.71]
+    """
+
+    gas: Literal["air", "co2"]
+    number_density: _NumberDensity | None = None
+    temperature: _Temperature | None = None
+    pressure: _Pressure | None = None
+
+    def __post_init__(self) -> None:
+        density_of_state(self.number_density, self.temperature, self.pressure)
+
+    @property
+    def limits(self) -> Limits:
+        """The wavelengths at which it is known. [nm]"""
+        return GASES[self.gas].limits
+
+    def coefficients(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """Scattering coefficient at relative density 1, shape (nl,). [m⁻¹]"""
+        gas = GASES[self.gas]
+        measured = rayleigh.number_density(gas.temperature, refractive_index.STANDARD_PRESSURE)
+        sigma = rayleigh.cross_section(
+            wavelengths, gas.refractivity(wavelengths), measured, gas.king_factor(wavelengths)
+        )
+        return sigma * density_of_state(self.number_density, self.temperature, self.pressure)
+
+    def refractivities(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """n - 1 at relative density 1, shape (nl,). [1]"""
+        gas = GASES[self.gas]
+        measured = rayleigh.number_density(gas.temperature, refractive_index.STANDARD_PRESSURE)
+        density = density_of_state(self.number_density, self.temperature, self.pressure)
+        return refractivity_at(gas.refractivity(wavelengths), measured, density)
+
+    def phase_function(self, wavelengths: npt.ArrayLike) -> Rayleigh:
+        """Its phase function, known at these wavelengths [nm], shape (nl,)."""
+        return rayleigh_of(self.depolarisations(wavelengths), wavelengths)
+
+    def depolarisations(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """Depolarisation factor, shape (nl,). [1]"""
+        factor = GASES[self.gas].king_factor(wavelengths)
+        return rayleigh.depolarisation_from_king_factor(factor)
+
+
+@parameters
+class RefractiveScattering:
+    """Rayleigh scattering by any gas whose refractivity is known at some state.
+
+    Parameters
+    ----------
+    refractivity : float or PerWavelength
+        n - 1. Linear between wavelengths, constant beyond: the coefficients then follow λ⁻⁴. [1]
+    number_density : float, optional
+        Of the state that the refractivity belongs to. [m⁻³]
+    temperature, pressure : float, optional
+        Of that state, instead of the number density; beside it they must agree within 1 %.
+        [K], [Pa]
+    ground_number_density : float, optional
+        At relative density 1, where that is another state. [m⁻³]
+    king_factor : float or PerWavelength, optional
+        1 to 2; give it or the depolarisation. [1]
+    depolarisation : float or PerWavelength, optional
+        0 to 0.5. [1]
+
+    Examples
+    --------
+    >>> air = RefractiveScattering(refractivity=3e-4, number_density=2.545e25)
+    >>> (1e6 * air.coefficients([650.0, 510.0, 475.0])).round(1).tolist()
+    [6.6, 17.3, 23.0]
+    """
+
+    refractivity: Annotated[Spectral, spectral(0.0, 1.0)]
+    number_density: _NumberDensity | None = None
+    temperature: _Temperature | None = None
+    pressure: _Pressure | None = None
+    ground_number_density: _NumberDensity | None = None
+    king_factor: Annotated[Any, spectral(1.0, 2.0)] = 1.0
+    depolarisation: Annotated[Any, spectral(0.0, 0.5)] = 0.0
+
+    def __post_init__(self) -> None:
+        density_of_state(self.number_density, self.temperature, self.pressure)
+        if self.king_factor != 1.0 and self.depolarisation != 0.0:
+            raise ParameterError("king_factor", self.king_factor, "none beside a depolarisation")
+
+    @property
+    def limits(self) -> Limits:
+        """The wavelengths at which it is known. [nm]"""
+        return EVERYWHERE
+
+    @property
+    def _densities(self) -> tuple[float, float]:
+        """Number density of the refractivity's state, and where the relative density is 1. [m⁻³]"""
+        measured = density_of_state(self.number_density, self.temperature, self.pressure)
+        ground = self.ground_number_density
+        return measured, measured if ground is None else ground
+
+    def refractivities(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """n - 1 at relative density 1, shape (nl,). [1]"""
+        given = spectral_at(self.refractivity, wavelengths)
+        return refractivity_at(given, *self._densities)
+
+    def _king_factors(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        delta = spectral_at(self.depolarisation, wavelengths)
+        implied = rayleigh.king_factor_from_depolarisation(delta)
+        return implied * spectral_at(self.king_factor, wavelengths)
+
+    def coefficients(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """Scattering coefficient at relative density 1, shape (nl,). [m⁻¹]"""
+        measured, ground = self._densities
+        sigma = rayleigh.cross_section(
+            wavelengths,
+            spectral_at(self.refractivity, wavelengths),
+            measured,
+            self._king_factors(wavelengths),
+        )
+        return sigma * ground
+
+    def phase_function(self, wavelengths: npt.ArrayLike) -> Rayleigh:
+        """Its phase function, known at these wavelengths [nm], shape (nl,)."""
+        return rayleigh_of(self.depolarisations(wavelengths), wavelengths)
+
+    def depolarisations(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """Depolarisation factor, shape (nl,). [1]"""
+        return rayleigh.depolarisation_from_king_factor(self._king_factors(wavelengths))

@@ -1,0 +1,225 @@
+"""Exact particles at a few wavelengths: computed on all cores, kept in memory and on disk.
+
+Mie's theory over a size distribution takes a good part of a second for each wavelength, and a
+spectrum asks for hundreds; what a particle does to light changes slowly with wavelength, so it is
+computed at nodes and interpolated between them.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import itertools
+import math
+from collections.abc import Sequence
+from functools import cache
+from importlib import metadata
+from pathlib import Path
+from threading import Lock
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.errors import ParameterError
+from airlight.kernel import disk
+from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.optics import mie, phase_table, size_distribution
+from airlight.optics.mie import Scattering
+from airlight.planets.matter.particle_index import ParticleIndex
+from airlight.planets.matter.particle_sizes import ParticleSizes
+from airlight.planets.spectral import Limits
+
+FloatArray = npt.NDArray[np.float64]
+
+#: Wavelengths that nodes are placed from, so that red, green and blue are nodes. [nm]
+_ANCHORS: Final = (440.0, 550.0, 680.0)
+#: Nodes are at most this far apart, in ln λ: 25 nm in the green.
+SPACING: Final = 0.0475
+#: The same for particles of nearly one size, whose light ripples with wavelength.
+NARROW_SPACING: Final = 0.012
+#: Effective variance below which particles are of nearly one size.
+_NARROW: Final = 0.02
+#: Particles of a constant refractive index are known within these. [nm]
+WIDEST: Final[Limits] = (200.0, 2500.0)
+#: Wavelength that the angles of the phase function are chosen for. [nm]
+_ANGLES_FOR: Final = 400.0
+#: Fewest radii that stand for a distribution, and how many for each unit of the size parameter.
+_FEWEST_RADII: Final = 800
+_RADII_PER_SIZE: Final = 1.0
+#: How far from 1 the integral of a computed phase function may be.
+_INTEGRAL_TOLERANCE: Final = 1e-3
+#: The most nodes kept in memory.
+_MOST_KEPT: Final = 2000
+
+_kept: dict[str, Scattering] = {}
+_lock = Lock()
+
+
+@cache
+def node_wavelengths(
+    limits: Limits, own: tuple[float, ...], spacing: float = SPACING
+) -> tuple[float, ...]:
+    """The wavelengths at which particles are computed exactly, ascending.
+
+    Parameters
+    ----------
+    limits : (float, float)
+        Within which the refractive index is known; both are nodes. [nm]
+    own : tuple of float
+        Wavelengths that are nodes, if they lie within. [nm]
+    spacing : float
+        Of the others, in ln λ; those nearer than a quarter of it to one of these are left out. [1]
+
+    Examples
+    --------
+    >>> [round(nm) for nm in node_wavelengths((400.0, 700.0), ())]
+    [400, 420, 440, 460, 481, 503, 526, 550, 574, 599, 625, 652, 680, 700]
+    """
+    low, high = max(limits[0], WIDEST[0]), min(limits[1], WIDEST[1])
+    fixed = {low, high, *(nm for nm in own if low < nm < high)}
+    grid = set(_ANCHORS)
+    for a, b in itertools.pairwise(_ANCHORS):
+        count = math.ceil(math.log(b / a) / spacing)
+        grid.update(a * (b / a) ** (i / count) for i in range(1, count))
+    below, above = _ANCHORS[0], _ANCHORS[-1]
+    while below > low:
+        below *= math.exp(-spacing)
+        grid.add(below)
+    while above < high:
+        above *= math.exp(spacing)
+        grid.add(above)
+    near = 0.25 * spacing
+    inside = (nm for nm in grid if low < nm < high)
+    apart = {nm for nm in inside if all(abs(math.log(nm / one)) > near for one in fixed)}
+    return tuple(sorted(fixed | apart))
+
+
+@cache
+def nearly_one_size(sizes: ParticleSizes) -> bool:
+    """Whether the rings and ripples of single spheres show in the light of all."""
+    variance = sizes.moment(2.0) * sizes.moment(4.0) / sizes.moment(3.0) ** 2 - 1.0
+    return variance < _NARROW
+
+
+def bracketing(nodes: tuple[float, ...], wavelengths: npt.ArrayLike) -> tuple[float, ...]:
+    """The nodes that values at some wavelengths are interpolated from.
+
+    A wavelength that is a node needs no other.
+    """
+    known = np.asarray(nodes)
+    nm = np.clip(np.atleast_1d(np.asarray(wavelengths, dtype=np.float64)), known[0], known[-1])
+    above = np.searchsorted(known, nm, side="left")
+    below = np.where(known[above] == nm, above, above - 1)
+    return tuple(known[np.union1d(above, below)].tolist())
+
+
+@cache
+def phase_angles(sizes: ParticleSizes) -> FloatArray:
+    """Scattering angles of the phase functions of a size distribution. [deg]"""
+    finest = sizes.moment(8.0) / sizes.moment(7.0)
+    per_ripple = 32.0 if nearly_one_size(sizes) else 12.0
+    size_parameter = 2.0 * np.pi * finest / (1e-9 * _ANGLES_FOR)
+    angles = mie.scattering_angles(size_parameter, per_ripple)
+    angles.flags.writeable = False
+    return angles
+
+
+def mie_nodes(
+    index: ParticleIndex,
+    sizes: ParticleSizes,
+    wavelengths: Sequence[float],
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> list[Scattering]:
+    """The mean particle at some wavelengths, computed or from what was kept.
+
+    Parameters
+    ----------
+    index : GivenIndex, TableIndex or MixedIndex
+    sizes : GammaSizes, LogNormalSizes or SingleSize
+    wavelengths : sequence of float
+        [nm]
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Returns
+    -------
+    list of Scattering
+        One for each wavelength, at ``phase_angles(sizes)``; each phase function as it is joined
+        between those angles integrates to 1.
+
+    Raises
+    ------
+    ParameterError
+        If a radius is too large for a wavelength.
+    Cancelled
+        If ``cancel`` said so.
+    """
+    indices = [complex(value) for value in index.at(np.asarray(wavelengths))]
+    keys = [_key(sizes, m, nm) for m, nm in zip(indices, wavelengths, strict=True)]
+    missing = [i for i, key in enumerate(keys) if not _load(key)]
+
+    def one(block: int) -> None:
+        i = missing[block]
+        _keep(keys[i], _computed(sizes, indices[i], wavelengths[i]))
+
+    if missing:
+        run_blocks(one, len(missing), cancel=cancel, progress=progress, message="particles")
+    return [_kept[key] for key in keys]
+
+
+def _computed(sizes: ParticleSizes, index: complex, wavelength: float) -> Scattering:
+    few = sizes.sizes(_FEWEST_RADII)
+    mie.check_sizes(few, wavelength)
+    largest = 2.0 * np.pi * float(few.radii[-1]) / (1e-9 * wavelength)
+    nodes = few if largest <= _FEWEST_RADII else sizes.sizes(int(_RADII_PER_SIZE * largest))
+    angles = phase_angles(sizes)
+    found = mie.scattering(nodes, wavelength, index, angles)
+    integral = float(phase_table.moments(angles, found.phase[None], 0)[0, 0])
+    if not abs(integral - 1.0) <= _INTEGRAL_TOLERANCE:
+        raise ParameterError(
+            f"integral of the phase function at {wavelength:g} nm",
+            integral,
+            f"1 within {_INTEGRAL_TOLERANCE:g}: smaller particles, or fewer of one size",
+        )
+    # Divided so that no energy is made where the table joins the angles.
+    return Scattering(found.extinction, found.scattering, found.asymmetry, found.phase / integral)
+
+
+@cache
+def _maker() -> str:
+    """What the numbers depend on besides the particle: miepython, and the formulas here."""
+    digest = hashlib.sha256(metadata.version("miepython").encode())
+    for module in (mie.__file__, size_distribution.__file__, phase_table.__file__, __file__):
+        digest.update(Path(module).read_bytes())
+    return digest.hexdigest()
+
+
+def _key(sizes: ParticleSizes, index: complex, wavelength: float) -> str:
+    particle = f"{_maker()} {sizes!r} {index!r} {float(wavelength)!r}"
+    return "mie" + hashlib.sha256(particle.encode()).hexdigest()
+
+
+def _load(key: str) -> bool:
+    if key in _kept:
+        return True
+    arrays = disk.load(key)
+    if arrays is None or "phase" not in arrays or arrays.get("numbers", np.empty(0)).shape != (3,):
+        return False
+    extinction, scattering, asymmetry = arrays["numbers"].tolist()
+    _remember(key, Scattering(extinction, scattering, asymmetry, arrays["phase"]))
+    return True
+
+
+def _keep(key: str, found: Scattering) -> None:
+    _remember(key, found)
+    numbers = np.array([found.extinction, found.scattering, found.asymmetry])
+    disk.save(key, {"numbers": numbers, "phase": found.phase})
+
+
+def _remember(key: str, found: Scattering) -> None:
+    with _lock:
+        while len(_kept) >= _MOST_KEPT:
+            _kept.pop(next(iter(_kept)))
+        _kept[key] = found

@@ -1,0 +1,220 @@
+"""Particles by substance and size: exact Mie scattering, or anomalous diffraction."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Annotated, Final, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.errors import ParameterError
+from airlight.kernel.threads import Cancel, Progress
+from airlight.optics import anomalous_diffraction
+from airlight.planets.matter.matter import Matter
+from airlight.planets.matter.mie_nodes import (
+    NARROW_SPACING,
+    SPACING,
+    WIDEST,
+    bracketing,
+    mie_nodes,
+    nearly_one_size,
+    node_wavelengths,
+    phase_angles,
+)
+from airlight.planets.matter.particle_index import GivenIndex, MixedIndex, ParticleIndex, TableIndex
+from airlight.planets.matter.particle_sizes import (
+    GammaSizes,
+    LogNormalSizes,
+    ParticleSizes,
+    SingleSize,
+)
+from airlight.planets.matter.phases import TabulatedPhase
+from airlight.planets.parameters import MISSING, between, instance_of, parameters
+from airlight.planets.spectral import Limits, narrowest
+
+FloatArray = npt.NDArray[np.float64]
+
+#: Radii that stand for a distribution in anomalous diffraction.
+_RADII: Final = 400
+
+
+@parameters
+class Particles(Matter):
+    """Spheres of one substance with a distribution of sizes.
+
+    Parameters
+    ----------
+    index : GivenIndex, TableIndex or MixedIndex
+        Refractive index.
+    sizes : GammaSizes, LogNormalSizes or SingleSize
+    method : "mie" or "anomalous-diffraction"
+        The second has no phase function of its own, and is 9 to 13 % off in extinction for the
+        dust of Mars.
+    optical_depth : float, optional
+        Vertical, of extinction, at the wavelength ``at``, 0 to 1e4. [1]
+    at : float
+        [nm]
+    number_density : float, optional
+        At relative density 1, instead of the optical depth. [m⁻³]
+
+    Notes
+    -----
+    Exact at 440, 550 and 680 nm and at the wavelengths of a given index. Between nodes at most 5 %
+    apart (1.2 % for particles of nearly one size) the logarithms of the cross-sections are linear
+    in the logarithm of the wavelength, and the phase function is linear in the wavelength.
+
+    Examples
+    --------
+    >>> dust = Particles(
+    ...     index=GivenIndex(real=1.52, imaginary=0.006),
+    ...     sizes=SingleSize(radius=1.6e-6),
+    ...     number_density=1e6,
+    ... )
+    >>> sigma = dust.scattering_coefficients([550.0], 1.1e4) / 1e6
+    >>> f"{sigma[0] / (np.pi * 1.6e-6**2):.3f}"  # Q_sca
+    '1.863'
+    """
+
+    index: Annotated[ParticleIndex, instance_of(GivenIndex, TableIndex, MixedIndex)]
+    sizes: Annotated[ParticleSizes, instance_of(GammaSizes, LogNormalSizes, SingleSize)]
+    method: Literal["mie", "anomalous-diffraction"] = "mie"
+    optical_depth: Annotated[float, between(0.0, 1e4)] | None = None
+    at: Annotated[float, between(WIDEST[0], WIDEST[1], "nm")] = 550.0
+    number_density: Annotated[float, between(0.0, 1e25, "/m^3")] | None = None
+
+    def __post_init__(self) -> None:
+        if (self.optical_depth is None) == (self.number_density is None):
+            both = self.optical_depth is not None
+            raise ParameterError(
+                "optical_depth",
+                self.optical_depth if both else MISSING,
+                "either it or a number_density",
+            )
+        low, high = self.limits
+        if self.optical_depth is not None and not low <= self.at <= high:
+            raise ParameterError("at", self.at, f"{low:g} to {high:g} nm, as the index is known")
+
+    @property
+    def limits(self) -> Limits:
+        """The wavelengths at which it is known, lowest and highest. [nm]"""
+        return narrowest([self.index.limits, WIDEST])
+
+    def prepare(
+        self,
+        wavelengths: npt.ArrayLike,
+        *,
+        progress: Progress | None = None,
+        cancel: Cancel | None = None,
+    ) -> None:
+        """Compute what these wavelengths [nm] need; kept in memory and on disk."""
+        if self.method == "mie":
+            wanted = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+            if self.optical_depth is not None:
+                wanted = np.append(wanted, self.at)
+            needed = bracketing(self._nodes, wanted)
+            mie_nodes(self.index, self.sizes, needed, progress=progress, cancel=cancel)
+
+    @property
+    def _nodes(self) -> tuple[float, ...]:
+        spacing = NARROW_SPACING if nearly_one_size(self.sizes) else SPACING
+        return node_wavelengths(self.limits, self.index.own_wavelengths, spacing)
+
+    def cross_sections(self, wavelengths: npt.ArrayLike) -> tuple[FloatArray, FloatArray]:
+        """Extinction and scattering cross-section of the mean particle, each shape (nl,). [m²]
+
+        Parameters
+        ----------
+        wavelengths : array, shape (nl,)
+            [nm]
+        """
+        nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+        if self.method == "anomalous-diffraction":
+            sizes = self.sizes.sizes(_RADII)
+            pairs = [
+                anomalous_diffraction.cross_sections(sizes, float(one), complex(index))
+                for one, index in zip(nm, self.index.at(nm), strict=True)
+            ]
+            extinction, scattering = np.array(pairs).T
+            return extinction, scattering
+        nodes = bracketing(self._nodes, nm)
+        found = mie_nodes(self.index, self.sizes, nodes)
+        known, wanted = np.log(nodes), np.log(nm)
+        extinction, scattering = (
+            np.exp(np.interp(wanted, known, np.log([getattr(one, name) for one in found])))
+            for name in ("extinction", "scattering")
+        )
+        return extinction, scattering
+
+    def number_of(self, vertical_column: float) -> float:
+        """Particles per volume at relative density 1. [m⁻³]
+
+        Parameters
+        ----------
+        vertical_column : float
+            ∫ relative density dh over the shell. [m]
+        """
+        if self.number_density is not None:
+            return self.number_density
+        assert self.optical_depth is not None
+        extinction, _ = self.cross_sections([self.at])
+        return self.optical_depth / (vertical_column * float(extinction[0]))
+
+    def scattering_coefficients(
+        self, wavelengths: npt.ArrayLike, vertical_column: float
+    ) -> FloatArray:
+        """Scattering coefficient at relative density 1, shape (nl,). [m⁻¹]
+
+        Parameters
+        ----------
+        wavelengths : array, shape (nl,)
+            [nm]
+        vertical_column : float
+            ∫ relative density dh over the shell, by which an optical depth is divided. [m]
+        """
+        _, scattering = self.cross_sections(wavelengths)
+        return scattering * self.number_of(vertical_column)
+
+    def absorption_coefficients(
+        self, wavelengths: npt.ArrayLike, vertical_column: float
+    ) -> FloatArray:
+        """Absorption coefficient at relative density 1, shape (nl,). [m⁻¹]
+
+        Parameters
+        ----------
+        wavelengths, vertical_column
+            As for ``scattering_coefficients``. [nm], [m]
+        """
+        extinction, scattering = self.cross_sections(wavelengths)
+        return np.maximum(extinction - scattering, 0.0) * self.number_of(vertical_column)
+
+    def phase_function(self, wavelengths: npt.ArrayLike) -> TabulatedPhase:
+        """Its phase function, known at these wavelengths [nm], shape (nl,).
+
+        Raises
+        ------
+        ParameterError
+            If the method has none.
+        """
+        if self.method != "mie":
+            raise ParameterError(
+                "phase_function", MISSING, "one, since anomalous diffraction has none of its own"
+            )
+        return _phase(self.index, self.sizes, bracketing(self._nodes, wavelengths))
+
+    def asymmetries(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """Mean cosine of the scattering angle, shape (nl,). [1]"""
+        nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+        nodes = bracketing(self._nodes, nm)
+        found = mie_nodes(self.index, self.sizes, nodes)
+        return np.asarray(np.interp(nm, nodes, [one.asymmetry for one in found]))
+
+
+@lru_cache(maxsize=64)
+def _phase(index: ParticleIndex, sizes: ParticleSizes, nodes: tuple[float, ...]) -> TabulatedPhase:
+    found = mie_nodes(index, sizes, nodes)
+    return TabulatedPhase(
+        angles=tuple(phase_angles(sizes).tolist()),
+        rows=tuple(tuple(one.phase.tolist()) for one in found),
+        wavelengths=nodes,
+    )

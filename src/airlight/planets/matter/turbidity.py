@@ -1,0 +1,194 @@
+"""Haze by one number: turbidity or optical depth, and how it falls with wavelength."""
+
+from __future__ import annotations
+
+from typing import Annotated, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.errors import ParameterError
+from airlight.planets.matter.matter import Matter
+from airlight.planets.matter.phases import PhaseFunction
+from airlight.planets.parameters import MISSING, Fraction, between, parameters
+from airlight.planets.spectral import EVERYWHERE, Limits
+
+FloatArray = npt.NDArray[np.float64]
+
+#: The wavelength that turbidity and optical depth belong to. [nm]
+AT: Final = 550.0
+#: K of Costa et al., Table 1, at the wavelengths of red, green and blue. [nm], [1]
+_K_AT: Final = (440.0, 550.0, 680.0)
+_K: Final = (0.0089, 0.0092, 0.0096)
+#: Wavelengths within which K is held beyond its ends. [nm]
+_K_LIMITS: Final[Limits] = (360.0, 830.0)
+
+
+def _no_phase_function() -> ParameterError:
+    return ParameterError("phase_function", MISSING, "one, since turbidity has none of its own")
+
+
+@parameters
+class Turbidity(Matter):
+    """Haze whose scattering follows a power of the wavelength.
+
+    Parameters
+    ----------
+    turbidity : float, optional
+        T, optical depth of gas and haze over that of the gas alone at 550 nm, 1 to 100. [1]
+    rayleigh_optical_depth : float, optional
+        Of the gas at 550 nm, beside a turbidity. [1]
+    optical_depth : float, optional
+        Vertical, of extinction by the haze at 550 nm, instead of a turbidity. [1]
+    junge : float, optional
+        v, 2 to 6: N(r) ∝ r^-(v+1) scatters like λ^-(v-2). [1]
+    angstrom : float, optional
+        v - 2, instead of v, 0 to 4. [1]
+    single_scattering_albedo : float
+        The same at all wavelengths. [1]
+
+    References
+    ----------
+    Ångström (1929), Geografiska Annaler 11, 156; Junge (1963), Air Chemistry and Radioactivity.
+
+    Examples
+    --------
+    >>> haze = Turbidity(turbidity=2.0, rayleigh_optical_depth=0.0973, junge=4.0)
+    >>> (1e5 * haze.scattering_coefficients([550.0, 1100.0], 1200.0)).round(3).tolist()
+    [8.108, 2.027]
+    """
+
+    turbidity: Annotated[float, between(1.0, 100.0)] | None = None
+    rayleigh_optical_depth: Annotated[float, between(0.0, 1e3)] | None = None
+    optical_depth: Annotated[float, between(0.0, 1e4)] | None = None
+    junge: Annotated[float, between(2.0, 6.0)] | None = None
+    angstrom: Annotated[float, between(0.0, 4.0)] | None = None
+    single_scattering_albedo: Fraction = 1.0
+
+    def __post_init__(self) -> None:
+        if (self.turbidity is None) == (self.optical_depth is None):
+            given = MISSING if self.turbidity is None else self.turbidity
+            raise ParameterError("turbidity", given, "either it or an optical_depth")
+        if (self.turbidity is None) != (self.rayleigh_optical_depth is None):
+            depth = self.rayleigh_optical_depth
+            raise ParameterError(
+                "rayleigh_optical_depth",
+                MISSING if depth is None else depth,
+                "that of the gas beside a turbidity, none beside an optical_depth",
+            )
+        if (self.junge is None) == (self.angstrom is None):
+            given = MISSING if self.junge is None else self.junge
+            raise ParameterError("junge", given, "either it or angstrom, which is junge - 2")
+
+    @property
+    def limits(self) -> Limits:
+        """The wavelengths at which it is known: all. [nm]"""
+        return EVERYWHERE
+
+    def _extinction(self, wavelengths: npt.ArrayLike, vertical_column: float) -> FloatArray:
+        if self.optical_depth is not None:
+            depth = self.optical_depth
+        else:
+            assert self.turbidity is not None
+            assert self.rayleigh_optical_depth is not None
+            depth = (self.turbidity - 1.0) * self.rayleigh_optical_depth
+        exponent = self.angstrom if self.angstrom is not None else (self.junge or 2.0) - 2.0
+        ratio = np.asarray(wavelengths, dtype=np.float64) / AT
+        return np.asarray(depth / vertical_column * ratio**-exponent)
+
+    def scattering_coefficients(
+        self, wavelengths: npt.ArrayLike, vertical_column: float
+    ) -> FloatArray:
+        """Scattering coefficient at relative density 1, shape (nl,). [m⁻¹]
+
+        Parameters
+        ----------
+        wavelengths : array, shape (nl,)
+            [nm]
+        vertical_column : float
+            ∫ relative density dh over the shell: the scale height of the OpenSpace paper. [m]
+        """
+        return self.single_scattering_albedo * self._extinction(wavelengths, vertical_column)
+
+    def absorption_coefficients(
+        self, wavelengths: npt.ArrayLike, vertical_column: float
+    ) -> FloatArray:
+        """Absorption coefficient at relative density 1, shape (nl,). [m⁻¹]
+
+        Parameters
+        ----------
+        wavelengths, vertical_column
+            As for ``scattering_coefficients``. [nm], [m]
+        """
+        share = 1.0 - self.single_scattering_albedo
+        return share * self._extinction(wavelengths, vertical_column)
+
+    def phase_function(self, wavelengths: npt.ArrayLike) -> PhaseFunction:
+        """None of its own: the constituent gives one."""
+        raise _no_phase_function()
+
+
+@parameters
+class LiteralTurbidity(Matter):
+    r"""Eq. 17 of the OpenSpace paper as it is printed, for v = 4.
+
+    .. math:: \beta = 0.434\, C(T)\, \pi \left(\frac{2\pi}{\lambda}\right)^{v-2} K, \qquad
+              C = (0.65\,T - 0.65)\cdot 10^{-16}
+
+    Parameters
+    ----------
+    turbidity : float
+        T, 1 to 100. [1]
+    junge : float
+        4: with any other v the formula has other units. [1]
+
+    Notes
+    -----
+    λ in m; the result is read in m⁻¹. K is (0.0096, 0.0092, 0.0089) at 680, 550 and 440 nm, linear
+    between them. It does not absorb, and takes no account of how thick the haze is.
+
+    References
+    ----------
+    Costa et al., the OpenSpace paper, eq. 17 and Table 1.
+
+    Examples
+    --------
+    >>> haze = LiteralTurbidity(turbidity=2.0)
+    >>> f"{haze.scattering_coefficients([550.0], 1200.0)[0]:.3e}"
+    '1.064e-04'
+    """
+
+    turbidity: Annotated[float, between(1.0, 100.0)]
+    junge: Annotated[float, between(4.0, 4.0)] = 4.0
+
+    @property
+    def limits(self) -> Limits:
+        """The wavelengths at which K is taken as known. [nm]"""
+        return _K_LIMITS
+
+    def scattering_coefficients(
+        self, wavelengths: npt.ArrayLike, vertical_column: float
+    ) -> FloatArray:
+        """Scattering coefficient at relative density 1, shape (nl,). [m⁻¹]
+
+        Parameters
+        ----------
+        wavelengths : array, shape (nl,)
+            [nm]
+        vertical_column : float
+            Not used.
+        """
+        nm = np.asarray(wavelengths, dtype=np.float64)
+        concentration = (0.65 * self.turbidity - 0.65) * 1e-16
+        k = np.interp(nm, _K_AT, _K)
+        return np.asarray(0.434 * concentration * np.pi * (2.0 * np.pi / (1e-9 * nm)) ** 2 * k)
+
+    def absorption_coefficients(
+        self, wavelengths: npt.ArrayLike, vertical_column: float
+    ) -> FloatArray:
+        """None, shape (nl,). [m⁻¹]"""
+        return np.zeros(np.shape(wavelengths))
+
+    def phase_function(self, wavelengths: npt.ArrayLike) -> PhaseFunction:
+        """None of its own: the constituent gives one."""
+        raise _no_phase_function()

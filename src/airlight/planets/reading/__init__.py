@@ -1,0 +1,1 @@
+"""From a planet's text file to parameter objects."""

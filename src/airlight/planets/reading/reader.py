@@ -1,0 +1,284 @@
+"""Planet files: from TOML with units to a ``Planet``, every mistake in one line."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from functools import cache
+from importlib import resources
+from pathlib import Path
+from typing import Any, Final
+
+from airlight.errors import FileError, ParameterError
+from airlight.kernel.threads import Cancel, Progress
+from airlight.planets.ground_and_star import Ground, Star
+from airlight.planets.medium import Medium
+from airlight.planets.planet import Planet
+from airlight.planets.reading.constituent_reader import read_constituent
+from airlight.planets.reading.overrides import overridden, with_hint
+from airlight.planets.reading.toml_section import Section, suggestion
+
+#: The largest planet file. [byte]
+LARGEST_FILE: Final = 4_000_000
+
+
+@cache
+def planet_names() -> tuple[str, ...]:
+    """The planets that come with the package.
+
+    Examples
+    --------
+    >>> "earth" in planet_names()
+    True
+    """
+    folder = resources.files("airlight.planets") / "presets"
+    found = [entry.name for entry in folder.iterdir() if entry.name.endswith(".toml")]
+    return tuple(sorted(name.removesuffix(".toml") for name in found))
+
+
+def load_planet(
+    name_or_path: str | Path,
+    overrides: Mapping[str, Any] | None = None,
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Planet:
+    """A planet by the name of a preset, or from a planet file.
+
+    Parameters
+    ----------
+    name_or_path : str or Path
+        One of ``planet_names()``, or the path to a TOML file; ``docs/planet-files.md`` says
+        what stands in one.
+    overrides : mapping, optional
+        Keys of the file that are changed before it is read, from path to value: constituents by
+        name, values as the file would hold them, None to take a key away.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``: particles take seconds where they are met first.
+
+    Returns
+    -------
+    Planet
+
+    Raises
+    ------
+    FileError
+        If there is no such file, or it cannot be read, or it is not TOML.
+    ParameterError
+        If the name is unknown, or something in the file cannot be: names file, field, value
+        and what is allowed.
+
+    Examples
+    --------
+    >>> load_planet("earth-atmosphere-plus").top_radius
+    6460000.0
+    >>> load_planet("earth", {"ground.albedo": 0.3, "shell.top_radius": "6500 km"}).ground.albedo
+    0.3
+    """
+    text, file, folder = planet_text(name_or_path)
+    return read_planet(text, file, folder, overrides, progress=progress, cancel=cancel)
+
+
+def planet_text(name_or_path: str | Path) -> tuple[str, str, Path | None]:
+    """The text of a planet file, by the name of a preset or its path.
+
+    Parameters
+    ----------
+    name_or_path : str or Path
+        As for ``load_planet``.
+
+    Returns
+    -------
+    text : str
+        TOML, not read yet.
+    file : str
+        The name that errors show.
+    folder : Path or None
+        Where files that the text names are looked for; None for a preset.
+
+    Raises
+    ------
+    FileError
+        If there is no such file, or it cannot be read.
+    ParameterError
+        If the name is unknown.
+
+    Examples
+    --------
+    >>> planet_text("mars")[1]
+    'mars.toml'
+    """
+    if isinstance(name_or_path, str) and name_or_path in planet_names():
+        file = resources.files("airlight.planets") / "presets" / f"{name_or_path}.toml"
+        return file.read_text(encoding="utf-8"), f"{name_or_path}.toml", None
+    if not isinstance(name_or_path, (str, Path)) or not str(name_or_path):
+        raise ParameterError("planet", name_or_path, "a name, or the path to a TOML file")
+    path = Path(name_or_path)
+    try:
+        there = path.exists()
+    except (OSError, ValueError):
+        there = False
+    if isinstance(name_or_path, str) and not there and path.suffix != ".toml":
+        names = suggestion(name_or_path, planet_names())
+        raise ParameterError("planet", name_or_path, f"{names}; or the path to a TOML file")
+    return _text(path), str(path), path.parent
+
+
+def _text(path: Path) -> str:
+    try:
+        if path.is_dir():
+            raise FileError(path, "is a folder; allowed: a TOML file")
+        if path.exists() and not path.is_file():
+            raise FileError(path, "is no ordinary file; allowed: a TOML file")
+        with path.open("rb") as stream:
+            content = stream.read(LARGEST_FILE + 1)
+    except OSError as error:
+        raise FileError(path, (error.strerror or type(error).__name__).lower()) from None
+    except ValueError:  # a null character within the name
+        raise FileError(repr(str(path)), "is no file name") from None
+    if len(content) > LARGEST_FILE:
+        raise FileError(path, f"is larger than {LARGEST_FILE} bytes; allowed: a planet file")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise FileError(path, f"is not UTF-8 text at byte {error.start}") from None
+
+
+def read_planet(
+    text: str,
+    file: str,
+    folder: Path | None = None,
+    overrides: Mapping[str, Any] | None = None,
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Planet:
+    """A planet from the text of a planet file.
+
+    Parameters
+    ----------
+    text : str
+        TOML.
+    file : str
+        The name that errors show.
+    folder : Path, optional
+        Where files that the text names are looked for; without it, the working directory.
+    overrides : mapping, optional
+        As for ``load_planet``.
+    progress, cancel : callable, optional
+        As for ``load_planet``.
+
+    Returns
+    -------
+    Planet
+
+    Raises
+    ------
+    FileError
+        If the text is not TOML.
+    ParameterError
+        If something in it cannot be.
+    """
+    values = planet_tables(text, file)
+    try:
+        changed = overridden(values, overrides) if overrides is not None else values
+        planet = _planet(Section(changed, folder=folder))
+        # Refuse here, where the file is known.
+        Medium.from_planet(planet, planet.wavelengths, progress=progress, cancel=cancel)
+        return planet
+    except ParameterError as error:
+        if overrides:
+            error = with_hint(error, values, overrides)
+        raise error.in_file(file) from None
+
+
+def planet_tables(text: str, file: str) -> dict[str, Any]:
+    """The nested tables of a planet file, before anything in them is checked.
+
+    Parameters
+    ----------
+    text : str
+        TOML.
+    file : str
+        The name that errors show.
+
+    Raises
+    ------
+    FileError
+        If the text is not TOML.
+    """
+    try:
+        return tomllib.loads(text.replace("\r\n", "\n"))
+    except RecursionError:
+        raise FileError(file, "is not TOML: nested too deeply") from None
+    except ValueError as error:  # TOMLDecodeError, and integers of thousands of digits
+        raise FileError(file, f"is not TOML: {error}") from None
+
+
+def _planet(root: Section) -> Planet:
+    name = root.text("name", "the planet's name")
+    description = root.text("description", "a sentence", default="")
+    wavelengths = root.wavelengths()
+    refraction = root.text("refraction", "'none' or 'bouguer'", default="none")
+    shell = root.section("shell", "a table [shell] with bottom_radius and top_radius")
+    bottom = shell.number("bottom_radius", "m", "6360 km")
+    top = shell.number("top_radius", "m", "6460 km")
+    shell.finish()
+    _check_shell(bottom, top)
+    ground = _ground(root.section("ground", "a table [ground] with an albedo"))
+    star = _star(root.section("star", "a table [star] with a spectrum and an angular_radius"))
+    constituents = tuple(
+        read_constituent(section, top - bottom)
+        for section in root.sections("constituents", "a list of tables [[constituents]]")
+    )
+    root.finish()
+    return Planet(
+        name=name,
+        description=description,
+        bottom_radius=bottom,
+        top_radius=top,
+        ground=ground,
+        star=star,
+        constituents=constituents,
+        own_wavelengths=wavelengths,
+        refraction=refraction,
+    )
+
+
+def _check_shell(bottom: float, top: float) -> None:
+    """Refuse radii early: a column of gas is spread over the shell while the file is read."""
+    if not bottom > 0.0:
+        raise ParameterError("shell.bottom_radius", bottom, "more than 0 m")
+    if not bottom < top:
+        raise ParameterError("shell.top_radius", top, f"more than bottom_radius, {bottom:.10g} m")
+
+
+def _ground(section: Section) -> Ground:
+    wavelengths = section.wavelengths()
+    albedo = section.raw("albedo")
+    named = isinstance(albedo, str) and albedo[:1].isalpha()
+    values: dict[str, Any] = {
+        "albedo": albedo if named else section.spectral("albedo", "1", "0.1", wavelengths)
+    }
+    if "map" in section:
+        values["map"] = section.text("map", "the name of a map of the ground")
+    section.finish()
+    with section.blamed():
+        return Ground(**values)
+
+
+def _star(section: Section) -> Star:
+    wavelengths = section.wavelengths()
+    values: dict[str, Any] = {
+        "temperature": section.optional_number("temperature", "K"),
+        "distance": section.optional_number("distance", "m"),
+        "radius": section.optional_number("radius", "m"),
+        "angular_radius": section.optional_number("angular_radius", "deg"),
+    }
+    if "spectrum" in section:
+        values["spectrum"] = section.text("spectrum", "the name of a spectrum, 'astm-g173'")
+    if "irradiance" in section:
+        values["irradiance"] = section.spectral("irradiance", "W/m^2/nm", "1 W/m^2/nm", wavelengths)
+    section.finish()
+    with section.blamed():
+        return Star(**values)

@@ -1,0 +1,1 @@
+"""Fifteen measured skies: scans, planets, rows and pictures."""

@@ -1,0 +1,352 @@
+"""The air above Ithaca on 27 May 2013: the inputs of all published models, and better ones."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from airlight.constants import ASTRONOMICAL_UNIT
+from airlight.errors import FileError
+from airlight.optics.gas_absorption import column_from_dobson, ozone_profile_afgl1986
+from airlight.optics.legendre import phase_integral
+from airlight.planets import Constituent, Ground, Planet, Star
+from airlight.planets.matter.absorbers import OzoneAbsorption
+from airlight.planets.matter.gases import GasScattering, RefractiveScattering
+from airlight.planets.matter.phases import CornetteShanks, Rayleigh, TabulatedPhase
+from airlight.planets.matter.profiles import Exponential, Tabulated
+from airlight.planets.spectral import PerWavelength
+from airlight.spectra.sun import solar_irradiance
+from airlight.validation.kider.scans import Scans
+
+FloatArray = NDArray[np.float64]
+
+#: Phase function of the aerosol of that day, 500 km away; AERONET.
+FILE: Final = "aeronet-egbert-2013-05-27-phase-function.csv"
+#: What its integral over the sphere may be off from 4π. [1]
+_INTEGRAL_OFF: Final = 0.05
+
+#: Sea level, and 270 m above it, where the instrument stood. U.S. Standard Atmosphere 1976. [Pa]
+SEA_LEVEL: Final = 101_325.0
+SITE: Final = SEA_LEVEL * (1.0 - 2.255_77e-5 * 270.0) ** 5.255_88
+#: From the sun on that day: 1.00014 - 0.01671 cos g - 0.00014 cos 2g au with g = 140.3°; the
+#: Astronomical Almanac's low-precision formula. [m]
+SUN_DISTANCE: Final = 1.0133 * ASTRONOMICAL_UNIT
+#: Full width at half height of the spectrometer's bands: an ASD FieldSpec's at 700 nm. [nm]
+BAND_WIDTH: Final = 3.0
+#: Ozone of the profile that goes with it: Anderson et al. (1986), AFGL-TR-86-0110. [DU]
+OZONE: Final = 345.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Load:
+    """Ångström's law of the aerosol's optical depth, τ = β λ^-α with λ in µm.
+
+    Attributes
+    ----------
+    beta, alpha : float
+        [1]
+    """
+
+    beta: float
+    alpha: float
+
+    def optical_depth(self, wavelengths: ArrayLike) -> FloatArray:
+        """Vertical optical depth at wavelengths [nm], shape (...). [1]
+
+        Examples
+        --------
+        >>> f"{float(Load(beta=0.04, alpha=0.8).optical_depth(1000.0)):.3f}"
+        '0.040'
+        """
+        return np.asarray(self.beta * (np.asarray(wavelengths, dtype=float) / 1e3) ** -self.alpha)
+
+
+#: That of all published models: Bruneton (2017), section 3.
+EVERYBODYS_LOAD: Final = Load(beta=0.04, alpha=0.8)
+#: Measured 500 km away that morning: optical depth at 440 nm 0.1139, 0.1180, 0.1245, 0.1252,
+#: 0.1283 and Ångström exponent from 440 to 870 nm 1.175, 1.119, 0.999, 0.929, 0.862, the means of
+#: the five almucantars that the phase function is the mean of. AERONET, Egbert, level 1.5, version
+#: 2; PI: N. O'Neill, I. Abboud, V. Fioletov.
+AERONET_LOAD: Final = Load(beta=0.12199 * 0.44**1.0166, alpha=1.0166)
+#: Single-scattering albedo of all published models; AERONET retrieved none.
+EVERYBODYS_ALBEDO: Final = 0.8
+#: That of clean continental air: Hess, Koepke & Schult (1998), BAMS 79, 831, Table 4, at 550 nm.
+CLEAN_ALBEDO: Final = 0.972
+
+
+@dataclass(frozen=True, kw_only=True)
+class Inputs:
+    """What a planet is made of; without arguments, what all published models were given.
+
+    Attributes
+    ----------
+    measured_sun : bool
+        The sun's spectrum as the instrument's bands and the day's distance have it, rather than
+        means over the 11.75 nm above each wavelength at 1 au.
+    measured_air : bool
+        Refractivity of Peck & Reeder and King factor of Bates on a scale height of 8434 m, rather
+        than Penndorf's on 8 km.
+    pressure : float
+        At the ground. [Pa]
+    ozone : float
+        [DU]
+    load : Load
+        Of the aerosol.
+    single_scattering_albedo : float
+        Of the aerosol. [1]
+    aeronet_phase : bool
+        Its measured phase function, rather than Cornette and Shanks's with g = 0.7.
+    """
+
+    measured_sun: bool = False
+    measured_air: bool = False
+    pressure: float = SEA_LEVEL
+    ozone: float = 0.0
+    load: Load = EVERYBODYS_LOAD
+    single_scattering_albedo: float = EVERYBODYS_ALBEDO
+    aeronet_phase: bool = False
+
+
+#: What all published models were given.
+EVERYBODYS: Final = Inputs()
+#: All that is known of the day.
+BEST: Final = Inputs(
+    measured_sun=True,
+    measured_air=True,
+    pressure=SITE,
+    ozone=OZONE,
+    load=AERONET_LOAD,
+    aeronet_phase=True,
+)
+
+
+def steps() -> list[tuple[str, Inputs]]:
+    """From everybody's inputs to the best, one ingredient at a time, each with its name."""
+    told: tuple[tuple[str, dict[str, Any]], ...] = (
+        ("same inputs as everybody", {}),
+        ("sun: 3 nm bands at 1.0133 au for 11.75 nm means at 1 au", {"measured_sun": True}),
+        ("air: Peck & Reeder, Bates for Penndorf", {"measured_air": True}),
+        (f"air: {SITE / 100:.0f} hPa of the site for 1013", {"pressure": SITE}),
+        (f"ozone, {OZONE:g} DU", {"ozone": OZONE}),
+        ("aerosol: AERONET's phase function", {"aeronet_phase": True}),
+        ("aerosol: AERONET's optical depth and exponent", {"load": AERONET_LOAD}),
+    )
+    inputs, out = EVERYBODYS, []
+    for name, change in told:
+        inputs = replace(inputs, **change)
+        out.append((name, inputs))
+    return out
+
+
+def air_refractivity_edlen1953(wavelengths: ArrayLike) -> FloatArray:
+    r"""Refractivity of standard air at 15 °C and 101 325 Pa, as Penndorf's tables have it.
+
+    .. math:: n - 1 = 10^{-8} \left(6432.8 + \frac{2949810}{146 - \sigma^2}
+              + \frac{25540}{41 - \sigma^2}\right), \quad \sigma = 1/\lambda
+
+    Parameters
+    ----------
+    wavelengths : array, shape (...)
+        [nm]
+
+    Returns
+    -------
+    array, shape (...)
+        n - 1. [1]
+
+    References
+    ----------
+    Edlén (1953), JOSA 43, 339. doi:10.1364/JOSA.43.000339
+
+    Examples
+    --------
+    >>> from airlight.optics.refractive_index import air_refractivity_peck1972
+    >>> difference = air_refractivity_edlen1953(550.0) / air_refractivity_peck1972(550.0) - 1.0
+    >>> bool(abs(difference) < 1e-4)  # two measurements of the same air
+    True
+    """
+    squared = (1e3 / np.asarray(wavelengths, dtype=np.float64)) ** 2
+    return 1e-8 * (6432.8 + 2_949_810.0 / (146.0 - squared) + 25_540.0 / (41.0 - squared))
+
+
+def penndorf_scattering(wavelengths: ArrayLike) -> RefractiveScattering:
+    """Rayleigh scattering of Penndorf's tables, at 15 °C and sea level.
+
+    Parameters
+    ----------
+    wavelengths : array, shape (nl,)
+        [nm]
+
+    References
+    ----------
+    Penndorf (1957), JOSA 47, 176: refractivity of Edlén (1953), depolarisation 0.035, molecules
+    per volume 2.54743e25 m⁻³. doi:10.1364/JOSA.47.000176
+
+    Examples
+    --------
+    >>> beta = penndorf_scattering([360.0, 550.0, 700.0]).coefficients([360.0, 550.0, 700.0])
+    >>> (1e6 * beta * 288.16 / 273.16).round(2).tolist()  # Table III, 0 °C: 70.45, 12.26, 4.605
+    [70.41, 12.25, 4.6]
+    """
+    nm = np.asarray(wavelengths, dtype=np.float64)
+    return RefractiveScattering(
+        refractivity=_spectral(nm, air_refractivity_edlen1953(nm)),
+        number_density=2.547_43e25,
+        depolarisation=0.035,
+    )
+
+
+def band_irradiance(wavelengths: ArrayLike) -> FloatArray:
+    """The sun's irradiance in the instrument's bands, at the distance of the day.
+
+    Parameters
+    ----------
+    wavelengths : array, shape (nl,)
+        Centres of Gaussian bands. [nm]
+
+    Returns
+    -------
+    array, shape (nl,)
+        [W m⁻² nm⁻¹]
+    """
+    sigma = BAND_WIDTH / np.sqrt(8.0 * np.log(2.0))
+    away = np.linspace(-4.0 * sigma, 4.0 * sigma, 65)
+    weights = np.exp(-0.5 * np.square(away / sigma))
+    spectrum = solar_irradiance(np.asarray(wavelengths, dtype=np.float64)[:, None] + away)
+    return (
+        np.asarray(spectrum @ (weights / weights.sum())) * (ASTRONOMICAL_UNIT / SUN_DISTANCE) ** 2
+    )
+
+
+def read_aeronet_phase(folder: Path, wavelengths: ArrayLike) -> TabulatedPhase:
+    """The aerosol's phase function as AERONET retrieved it, at other wavelengths.
+
+    Between the four wavelengths, and beyond the first, log p is linear in log λ at each angle;
+    each row is divided by its integral. At 360 nm this goes 82 nm beyond what was measured.
+
+    Parameters
+    ----------
+    folder : Path
+        That of ``--data``.
+    wavelengths : array, shape (n,)
+        Ascending. [nm]
+
+    Raises
+    ------
+    FileError
+        If the file cannot be read, or is no table of a phase function normalised to 4π.
+    """
+    file = folder / FILE
+    try:
+        lines = [line for line in file.read_text(encoding="utf-8").splitlines() if line.strip()]
+        header, *body = [line for line in lines if not line.startswith("#")]
+        known = [
+            float(name.removeprefix("p_").removesuffix("nm")) for name in header.split(",")[1:]
+        ]
+        table = np.array([[float(x) for x in line.split(",")] for line in body])
+    except (OSError, UnicodeDecodeError) as error:
+        raise FileError(file, f"cannot be read: {error}") from error
+    except ValueError as error:
+        raise FileError(file, f"is no table of numbers by wavelength: {error}") from error
+    if table.ndim != 2 or table.shape[1] != len(known) + 1 or len(known) < 2:
+        raise FileError(file, f"has rows of other lengths than its {len(known)} wavelengths")
+    if not (table[:, 1:] > 0.0).all() or not min(known) > 0.0:
+        raise FileError(file, "holds a phase function that is not above 0")
+    angles, logs, x = table[:, 0], np.log(table[:, 1:]), np.log(known)
+    nm = np.asarray(wavelengths, dtype=np.float64)
+    k = np.clip(np.searchsorted(x, np.log(nm)) - 1, 0, len(x) - 2)
+    share = (np.log(nm) - x[k]) / (x[k + 1] - x[k])
+    log_rows = ((1.0 - share) * logs[:, k] + share * logs[:, k + 1]).T
+
+    def between(nu: FloatArray) -> FloatArray:
+        angle = np.degrees(np.arccos(np.clip(nu, -1.0, 1.0)))
+        return np.stack([np.exp(np.interp(angle, angles, row)) for row in log_rows])
+
+    integrals = phase_integral(between)
+    off = integrals / (4.0 * np.pi) - 1.0
+    if not (np.abs(off) <= _INTEGRAL_OFF).all():
+        worst = integrals[np.abs(off).argmax()]
+        raise FileError(file, f"integrates to {worst:.3f} over the sphere, not to 4π")
+    rows = np.exp(log_rows) / integrals[:, None]
+    return TabulatedPhase(
+        angles=tuple(angles.tolist()),
+        rows=tuple(tuple(row) for row in rows.tolist()),
+        wavelengths=tuple(nm.tolist()),
+    )
+
+
+def planet(inputs: Inputs, scans: Scans, data: Path) -> Planet:
+    """The planet of some inputs, known at the wavelengths of the scans.
+
+    Parameters
+    ----------
+    inputs : Inputs
+    scans : Scans
+        Gives the ground's albedo, and the sun's irradiance of all published models.
+    data : Path
+        Folder of the AERONET file, read if the inputs ask for it.
+
+    Raises
+    ------
+    FileError
+        If that file cannot be used.
+    """
+    nm = scans.wavelengths
+    if inputs.measured_air:
+        bottom, top = 6371e3, 6471e3
+        share = inputs.pressure / SEA_LEVEL
+        air = Constituent(
+            name="air",
+            profile=Exponential(scale_height=8434.0),
+            scattering=GasScattering(gas="air", temperature=288.15, pressure=share * SEA_LEVEL),
+        )
+    else:
+        bottom, top = 6360e3, 6420e3
+        air = Constituent(
+            name="air",
+            profile=Exponential(scale_height=8000.0),
+            scattering=penndorf_scattering(nm),
+            phase_function=Rayleigh(),
+        )
+    depth, albedo, height = inputs.load.optical_depth(nm), inputs.single_scattering_albedo, 1200.0
+    lobe = (
+        read_aeronet_phase(data, nm[::3]) if inputs.aeronet_phase else CornetteShanks(asymmetry=0.7)
+    )
+    parts = [
+        air,
+        Constituent(
+            name="aerosol",
+            profile=Exponential(scale_height=height),
+            scattering=_spectral(nm, albedo * depth / height),
+            absorption=_spectral(nm, (1.0 - albedo) * depth / height),
+            phase_function=lobe,
+        ),
+    ]
+    if inputs.ozone > 0.0:
+        altitudes, densities = ozone_profile_afgl1986()
+        parts.append(
+            Constituent(
+                name="ozone",
+                profile=Tabulated(
+                    altitudes=tuple(altitudes), densities=tuple(densities / densities.max())
+                ),
+                absorption=OzoneAbsorption(column=column_from_dobson(inputs.ozone)),
+            )
+        )
+    irradiance = band_irradiance(nm) if inputs.measured_sun else scans.solar_irradiance
+    return Planet(
+        name="Ithaca, 27 May 2013",
+        bottom_radius=bottom,
+        top_radius=top,
+        ground=Ground(albedo=_spectral(nm, scans.ground_albedo)),
+        star=Star(irradiance=_spectral(nm, irradiance), angular_radius=0.263),
+        constituents=tuple(parts),
+    )
+
+
+def _spectral(wavelengths: FloatArray, values: FloatArray) -> PerWavelength:
+    return PerWavelength(wavelengths=tuple(wavelengths.tolist()), values=tuple(values.tolist()))

@@ -1,0 +1,152 @@
+"""All that is computed of the measured skies: each ingredient, the fits, the floor."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import Cancelled
+from airlight.kernel.threads import Cancel, Progress
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solvers.solve import solve
+from airlight.validation.kider.fits import fit_load, fit_pointing
+from airlight.validation.kider.planets import (
+    AERONET_LOAD,
+    BEST,
+    CLEAN_ALBEDO,
+    Inputs,
+    Load,
+    planet,
+    steps,
+)
+from airlight.validation.kider.scans import (
+    MILLI,
+    Scans,
+    read_scans,
+    symmetric_part,
+    total_rmse,
+)
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Rows:
+    """What was computed of the measured skies.
+
+    Attributes
+    ----------
+    scans : Scans
+    floor : float
+        Score of the measured skies made symmetric. [mW m⁻² sr⁻¹ nm⁻¹]
+    ladder : list of (str, array)
+        Radiance after each ingredient, from everybody's inputs to the best. [W m⁻² sr⁻¹ nm⁻¹]
+    fitted : array, shape (ns, nd, nl)
+        Best physics with the fitted load.
+    load : Load
+        The fitted one.
+    clean : array
+        Best physics with the single-scattering albedo of clean continental air.
+    turns : array, shape (ns, 3)
+        How each scan is best turned. [deg]
+    turned : array
+        Best physics in the turned directions.
+    solution : MomentsSolution
+        Of the best physics.
+    """
+
+    scans: Scans
+    floor: float
+    ladder: list[tuple[str, FloatArray]]
+    fitted: FloatArray
+    load: Load
+    clean: FloatArray
+    turns: FloatArray
+    turned: FloatArray
+    solution: MomentsSolution
+
+    @property
+    def same(self) -> FloatArray:
+        """Everybody's inputs."""
+        return self.ladder[0][1]
+
+    @property
+    def known(self) -> FloatArray:
+        """Best physics, nothing fitted."""
+        return self.ladder[-1][1]
+
+    def score(self, got: FloatArray, only: NDArray[np.bool_] | None = None) -> float:
+        """RMSE of a model, or over some directions (ns, nd) alone. [mW m⁻² sr⁻¹ nm⁻¹]"""
+        if only is None:
+            return total_rmse(got, self.scans.radiance)
+        squares = np.square(got[only] - self.scans.radiance[only])
+        return float(MILLI * np.sqrt(squares.mean()))
+
+
+def compute(
+    data: Path, *, quality: str = "default", progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Rows:  # fmt: skip
+    """Solve for every row and every ingredient.
+
+    Parameters
+    ----------
+    data : Path
+        The folder that holds the skies and the aerosol's phase function.
+    quality : str
+        Of the moments solver.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Raises
+    ------
+    FileError
+        If a file of the two cannot be used.
+    Cancelled
+        If ``cancel`` said so.
+    """
+    scans = read_scans(data)
+    told = steps()
+    # One solution a step, four for the fit, one for the other albedo; then the pointing.
+    tasks, done = len(told) + 6, 0
+
+    def solution(inputs: Inputs, message: str) -> MomentsSolution:
+        nonlocal done
+        if cancel is not None and cancel():
+            raise Cancelled("cancelled")
+        if progress is not None:
+            progress(done, tasks, message)
+        done += 1
+        air = planet(inputs, scans, data)
+        return solve(air, scans.wavelengths, quality, cache=False, cancel=cancel)
+
+    def radiance(inputs: Inputs, message: str) -> FloatArray:
+        return scans.seen(solution(inputs, message))
+
+    ladder = [(name, radiance(inputs, name)) for name, inputs in told[:-1]]
+    known = solution(BEST, told[-1][0])
+    ladder.append((told[-1][0], scans.seen(known)))
+    load, fitted = fit_load(
+        lambda load: radiance(replace(BEST, load=load), "fit of the aerosol's load"),
+        scans.radiance,
+        AERONET_LOAD,
+        ladder[-1][1],
+    )
+    clean = radiance(replace(BEST, single_scattering_albedo=CLEAN_ALBEDO), "a brighter aerosol")
+    if progress is not None:
+        progress(done, tasks, "pointing of the scans")
+    turns, turned = fit_pointing(lambda z, a: scans.seen(known, z, a), scans)
+    return Rows(
+        scans=scans,
+        floor=total_rmse(symmetric_part(scans), scans.radiance),
+        ladder=ladder,
+        fitted=fitted,
+        load=load,
+        clean=clean,
+        turns=turns,
+        turned=turned,
+        solution=known,
+    )

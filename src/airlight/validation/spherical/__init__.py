@@ -1,0 +1,1 @@
+"""Radiances of an independent spherical Monte Carlo code."""

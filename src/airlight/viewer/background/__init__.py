@@ -1,0 +1,1 @@
+"""Solving behind the edits, on threads."""

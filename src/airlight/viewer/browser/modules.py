@@ -1,0 +1,116 @@
+"""The JavaScript of the viewer as one module: for a page in one file, and for a notebook.
+
+The files in ``web/`` are plain ES modules that import each other by relative names. A page opened
+from disk cannot load modules beside it, and a notebook wants one text: so they are joined, each in
+a function of its own, in the order in which they need each other.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from importlib import resources
+from typing import Final
+
+from airlight.errors import FileError
+
+#: ``import { a, b as c } from "./file.js";``, at the start of a line, over one or several lines.
+_IMPORT: Final = re.compile(r'^import \{([^}]*)\} from "\./([\w.]+)";\n', re.MULTILINE)
+#: ``export`` before a named declaration.
+_EXPORT: Final = re.compile(
+    r"^export (?=(?:const|let|class|function\*?|async function)\s+([\w$]+))", re.MULTILINE
+)
+#: Every other line that a module alone may have.
+_OTHER: Final = re.compile(r"^(?:import|export)\b.*$", re.MULTILINE)
+
+
+def web_file(name: str) -> str:
+    """The text of a file of the viewer that runs in a browser.
+
+    Parameters
+    ----------
+    name : str
+        In the folder ``web``.
+
+    Raises
+    ------
+    FileError
+        If there is none.
+    """
+    file = resources.files("airlight.viewer") / "web" / name
+    if not file.is_file():
+        raise FileError(name, "is no file of the viewer's web folder")
+    return file.read_text(encoding="utf-8")
+
+
+def join_modules(entry: str, read: Callable[[str], str] = web_file) -> str:
+    r"""One ES module that does what a module and all that it imports do.
+
+    Parameters
+    ----------
+    entry : str
+        The file's name; what it exports, the joined module exports.
+    read : callable
+        Gives the text of a file.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    FileError
+        If a file imports or exports in a form that is not known here, or files import each other
+        in a ring.
+
+    Examples
+    --------
+    >>> files = {"a.js": 'import { b } from "./b.js";\nb();', "b.js": "export function b() {}\n"}
+    >>> print(join_modules("a.js", files.__getitem__))
+    // b.js
+    const module_b = (() => {
+    function b() {}
+    return { b };
+    })();
+    // a.js
+    const { b } = module_b;
+    b();
+    """
+    done: list[str] = []
+    parts: list[str] = []
+
+    def add(name: str, above: tuple[str, ...]) -> None:
+        if name in above:
+            raise FileError(name, f"imports itself by way of {' and '.join(above)}")
+        if name in done:
+            return
+        text = read(name)
+        for needed in _IMPORT.findall(text):
+            add(needed[1], (*above, name))
+        body = _IMPORT.sub(_taken, text)
+        if name != entry:
+            body = _closed(name, body)
+        done.append(name)
+        parts.append(f"// {name}\n{body}")
+
+    add(entry, ())
+    return "\n".join(parts)
+
+
+def _taken(match: re.Match[str]) -> str:
+    names = [part.strip().replace(" as ", ": ") for part in match[1].split(",") if part.strip()]
+    return f"const {{ {', '.join(names)} }} = {_variable(match[2])};\n"
+
+
+def _variable(name: str) -> str:
+    return "module_" + re.sub(r"\W", "_", name.removesuffix(".js"))
+
+
+def _closed(name: str, text: str) -> str:
+    exported = _EXPORT.findall(text)
+    body = _EXPORT.sub("", text)
+    other = _OTHER.search(body)
+    if other is not None:
+        raise FileError(name, f"has a line that cannot be joined: {other[0]}")
+    names = ", ".join(exported)
+    return f"const {_variable(name)} = (() => {{\n{body.rstrip()}\nreturn {{ {names} }};\n}})();"

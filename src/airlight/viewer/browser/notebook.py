@@ -1,0 +1,234 @@
+"""The viewer in a notebook: JupyterLab, marimo, and whatever else shows anywidgets.
+
+The picture is drawn in the browser, by the same JavaScript as the page's; the planet is solved
+here. Needs the extra ``airlight[notebook]``.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any, Final
+
+from airlight.errors import AirlightError
+from airlight.gpu.device.device import NoDevice, open_device
+from airlight.viewer.background.solving import Solver, Solving, solve_on_cpu
+from airlight.viewer.background.solving_by import solver_by
+from airlight.viewer.browser.modules import join_modules, web_file
+from airlight.viewer.browser.package import planet_tables, program, wavelengths_for
+from airlight.viewer.parameters.parameter import Value
+from airlight.viewer.session.session import Session
+
+try:
+    import anywidget
+    import traitlets
+except ImportError as error:
+    raise ImportError("a viewer in a notebook needs pip install 'airlight[notebook]'") from error
+
+#: What the buttons of the viewer ask for.
+COMMANDS: Final = ("undo", "redo", "reset", "keep", "swap", "rest")
+
+
+def quickest_solver() -> Solver:
+    """The solver of this machine's GPU, or of its processor where there is none."""
+    try:
+        return solver_by("auto", open_device())
+    except NoDevice:
+        return solve_on_cpu
+
+
+class Viewer(anywidget.AnyWidget):
+    """A planet to fly around and to edit, as the last line of a cell.
+
+    ``viewer.values["view.altitude"]`` is what a slider says, and ``viewer.set("view.altitude",
+    1e5)`` moves it: parameters go both ways.
+
+    Parameters
+    ----------
+    planet : str, Path or Session
+        The name of a preset, a planet file, or a session that is shown elsewhere too.
+    height : int
+        Of the widget. [pixel]
+    device : str
+        ``auto``, or which the browser is to draw with: ``webgpu`` or ``webgl2``.
+    solving : callable, optional
+        Makes what follows the session, with the arguments of ``Solving``.
+
+    Attributes
+    ----------
+    session : Session
+        What is shown; changes to it are shown too.
+    values : dict
+        Every parameter's value by its path, in its unit; both ways.
+    status, message : str
+        A few words about the solution; one line about a fault, or nothing.
+
+    Examples
+    --------
+    >>> from airlight.viewer.browser.notebook import Viewer  # doctest: +SKIP
+    >>> viewer = Viewer("mars")  # doctest: +SKIP
+    >>> viewer  # doctest: +SKIP
+    """
+
+    _esm = join_modules("widget.js")
+    _css = web_file("style.css")
+
+    title = traitlets.Unicode().tag(sync=True)
+    parameters = traitlets.List().tag(sync=True)
+    values = traitlets.Dict().tag(sync=True)
+    program = traitlets.Dict().tag(sync=True)
+    picture = traitlets.Dict().tag(sync=True)
+    status = traitlets.Unicode().tag(sync=True)
+    message = traitlets.Unicode().tag(sync=True)
+    can = traitlets.Dict().tag(sync=True)
+    command = traitlets.Dict().tag(sync=True)
+    height = traitlets.Int(540).tag(sync=True)
+    device = traitlets.Unicode("auto").tag(sync=True)
+
+    _ending: tuple[Callable[[], None], ...] = ()
+    _solving: Any = None
+
+    def __init__(
+        self,
+        planet: str | Path | Session = "earth",
+        *,
+        height: int = 540,
+        device: str = "auto",
+        solving: Callable[..., Solving] = Solving,
+    ) -> None:
+        self.session = planet if isinstance(planet, Session) else Session(planet)
+        self._telling = False
+        self._shown: object = None
+        super().__init__(height=height, device=device, program=program(), **self._told())
+        try:
+            self._loop: asyncio.AbstractEventLoop | None = asyncio.get_running_loop()
+        except RuntimeError:
+            self._loop = None
+        unfollow = self.session.follow(lambda versions: self._tell())
+        self.observe(self._take_values, "values")
+        self.observe(self._take_command, "command")
+        self._solving = solving(
+            self.session,
+            solver=quickest_solver(),
+            wavelengths=wavelengths_for,
+            on_change=self._wake,
+        )
+        self._ending = (unfollow, self._solving.close)
+        self._follow_solution()
+
+    # --- from Python --------------------------------------------------------------------------
+
+    def set(self, path: str, value: Value) -> None:
+        """Give a parameter another value: see ``Session.set``."""
+        self.session.set(path, value)
+
+    def wait(self, timeout: float | None = None) -> bool:
+        """Wait until the planet is solved; False if that took longer. [s]"""
+        done = bool(self._solving.wait(timeout))
+        self._follow_solution()
+        return done
+
+    def close(self) -> None:
+        """End the solving, and take the widget away; once is enough."""
+        ending, self._ending = self._ending, ()
+        for end in ending:
+            end()
+        super().close()
+
+    # --- to the browser -----------------------------------------------------------------------
+
+    def _told(self) -> dict[str, Any]:
+        session = self.session
+        return {
+            "title": session.planet_name,
+            "parameters": [one.as_json() for one in session.parameters],
+            "values": dict(session.values),
+            "can": {
+                "undo": session.can_undo,
+                "redo": session.can_redo,
+                "swap": session.has_other,
+                "showing": session.showing,
+            },
+        }
+
+    def _tell(self) -> None:
+        """What the session holds, as far as the browser does not know it."""
+        self._telling = True
+        try:
+            with self.hold_sync():
+                for name, value in self._told().items():
+                    setattr(self, name, value)
+        finally:
+            self._telling = False
+
+    def _wake(self) -> None:
+        """Called on the thread that solves: what has come is shown by the notebook's own."""
+        if self._loop is None or self._loop.is_closed():
+            self._follow_solution()
+        else:
+            self._loop.call_soon_threadsafe(self._follow_solution)
+
+    def _follow_solution(self) -> None:
+        if self._solving is None:  # the thread may be quicker than the end of ``__init__``
+            return
+        solved, now = self._solving.latest, self._solving.status
+        self.message = now.error
+        if solved is not None and solved is not self._shown:
+            self._shown = solved
+            numbers, tables = planet_tables(solved.solution)
+            self.picture = numbers | {
+                "tables": {
+                    name: {"format": kind, "data": values.tobytes()}
+                    for name, (kind, values) in tables.items()
+                }
+            }
+        if now.busy:
+            self.status = now.doing
+        elif solved is not None:
+            self.status = f"{solved.quality}, {solved.seconds:.2f} s"
+
+    # --- from the browser ---------------------------------------------------------------------
+
+    def _take_values(self, change: Mapping[str, Any]) -> None:
+        if self._telling:
+            return
+        known = self.session.values
+        news = {
+            path: value
+            for path, value in change["new"].items()
+            if path in known and value != known[path]
+        }
+        self._try(lambda: self._edit(news))
+        # What could not be taken, or was taken as something else, goes back.
+        self._tell()
+
+    def _edit(self, news: Mapping[str, Value]) -> None:
+        view = {path: value for path, value in news.items() if path.startswith("view.")}
+        if len(view) > 1:
+            self.session.move(view)  # type: ignore[arg-type]
+            news = {path: value for path, value in news.items() if path not in view}
+        for path, value in news.items():
+            self.session.set(path, value)
+
+    def _take_command(self, change: Mapping[str, Any]) -> None:
+        session = self.session
+        acts: dict[str, Callable[[], object]] = {
+            "undo": session.undo,
+            "redo": session.redo,
+            "reset": session.reset,
+            "keep": session.store_b,
+            "swap": session.swap,
+            "rest": session.end_drag,
+        }
+        act = acts.get(change["new"].get("name", ""))
+        if act is not None:
+            self._try(act)
+            self._tell()
+
+    def _try(self, act: Callable[[], object]) -> None:
+        try:
+            act()
+            self.message = ""
+        except AirlightError as error:
+            self.message = str(error)

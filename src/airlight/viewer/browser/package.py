@@ -1,0 +1,180 @@
+"""What the viewer in a browser is given: the shaders, how they follow each other, and the tables.
+
+The plan and the shaders are the same for every planet; tables and uniforms belong to a solution.
+The names are those of ``gpu.uniforms`` and ``gpu.shaders``; ``web/picture.js`` reads all this.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.color.encoding import ENCODINGS
+from airlight.color.exposure import MIDDLE_GREY
+from airlight.color.four_wavelengths import few_wavelengths, picture_weights
+from airlight.color.tone_maps import TONE_MAPS, tone_map_named
+from airlight.color.xyz import luminance, rgb_to_xyz
+from airlight.constants import LUMINOUS_EFFICACY
+from airlight.gpu.picture.pictures import QUICK_SKY_SHAPE, SKY_SHAPE
+from airlight.gpu.picture.shaders import Shader, picture_shader, sky_air_shader, sky_peaks_shader
+from airlight.gpu.picture.solution_textures import SolutionTables
+from airlight.gpu.picture.uniforms import layout
+from airlight.pixels.picture_numbers import ORDERS
+from airlight.pixels.shown import WAVELENGTHS
+from airlight.planets.planet import Planet
+from airlight.scene.projections import PROJECTIONS
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.viewer.browser.ground_map import ground_map
+from airlight.viewer.browser.web_shaders import CORNERS, web_shaders
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+#: The side of the small picture that the exposure is found from. [pixel]
+GLANCE: Final = 64
+_FORMAT: Final = "rgba32float"
+_ROW: Final = 2048
+#: Altitudes at which the optical radius is told.
+_RADII: Final = 1024
+
+
+_AIR: Final = ("air", "behind")
+_PEAKS: Final = ("first", "second")
+
+
+def plan() -> dict[str, Any]:
+    """The passes of a picture, and where each uniform stands: see ``web/program.js``."""
+    columns, rows = SKY_SHAPE
+    where = layout()
+    places = {name: [start, 1] for name, start in where["numbers"].items()}
+    places |= {f"table_{name}": [start, 4] for name, start in where["tables"].items()}
+    height = 2 * columns * rows // _ROW
+    sky = {"format": _FORMAT, "width": _ROW, "height": height}
+    glance = {"name": "glance", "format": _FORMAT, "width": GLANCE, "height": GLANCE}
+
+    def one(name: str, shader: Shader, entry: str, targets: list[dict[str, Any]]) -> dict[str, Any]:
+        return {
+            "name": name,
+            "shader": shader.name,
+            "vertex": CORNERS,
+            "entry": entry,
+            "uniforms": "0/0",
+            "reads": {f"0/{i + 1}": texture for i, texture in enumerate(shader.textures)},
+            "targets": targets,
+        }
+
+    picture = picture_shader(False)
+    return {
+        "layout": places,
+        "size": where["floats"],
+        "passes": [
+            one("sky_air", sky_air_shader(), "sky_air", [{**sky, "name": n} for n in _AIR]),
+            one("sky_peaks", sky_peaks_shader(), "sky_peaks", [{**sky, "name": n} for n in _PEAKS]),
+            one("glance", picture, "linear_picture", [glance]),
+            one("picture", picture, "shown_picture", []),
+        ],
+    }
+
+
+def program() -> dict[str, Any]:
+    """What is the same for every planet, as JSON takes it."""
+    grey = np.full(3, MIDDLE_GREY)
+    return {
+        "plan": plan(),
+        "shaders": web_shaders(),
+        "sky": {
+            "full": list(SKY_SHAPE),
+            "medium": [SKY_SHAPE[0] // 2, SKY_SHAPE[1] // 2],
+            "quick": list(QUICK_SKY_SHAPE),
+        },
+        "glance": GLANCE,
+        "projections": {
+            name: list(form.field_of_view_limits) for name, form in PROJECTIONS.items()
+        },
+        "tone_maps": {
+            name: float(luminance(tone_map_named(name).inverse(grey))) for name in TONE_MAPS
+        },
+        "encodings": list(ENCODINGS),
+        "orders": ORDERS,
+        "luminance": [float(x) for x in luminance(np.eye(3))],
+        "xyz": [[float(x) for x in row] for row in rgb_to_xyz(np.eye(3))],
+        "efficacy": LUMINOUS_EFFICACY,
+    }
+
+
+def wavelengths_for(planet: Planet, count: str) -> FloatArray:
+    """Wavelengths that a browser draws with: three or four, the nearest to what is asked. [nm]
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> wavelengths_for(load_planet("mars-rayleigh"), "sixteen").size
+    4
+    """
+    return few_wavelengths(3 if count == "three" else 4, *planet.wavelength_limits)
+
+
+def planet_tables(
+    solution: MomentsSolution, weights: FloatArray | None = None
+) -> tuple[dict[str, Any], dict[str, tuple[str, Float32Array]]]:
+    """A solution as the browser takes it.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Of three or four wavelengths.
+    weights : array, shape (nl, 3), optional
+        Linear sRGB per radiance; by default ``picture_weights``.
+
+    Returns
+    -------
+    numbers : dict
+        As JSON takes them: ``uniforms`` by name, ``radius`` of the ground and ``thickness`` of the
+        shell [m], ``star`` (angular radius [rad]), ``paths`` of light where it is bent, and
+        ``ground``, its map.
+    tables : dict
+        Format and numbers of each texture.
+    """
+    made = SolutionTables.of(solution)
+    medium = solution.medium
+    uniforms: dict[str, Any] = dict(made.numbers)
+    for name, place in made.places.items():
+        uniforms[f"table_{name}"] = [*place, 0, 0, 0][:4]
+    if weights is None:
+        spectrum = None if solution.planet is None else solution.planet.star.irradiances
+        weights = picture_weights(solution.wavelengths, spectrum)
+    shown = np.zeros((WAVELENGTHS, 3))
+    shown[: len(weights)] = weights * medium.solar_irradiance[:, None]
+    for channel, column in zip(("red", "green", "blue"), shown.T, strict=True):
+        uniforms |= {f"{channel}_{i}": float(value) for i, value in enumerate(column)}
+    numbers = {
+        "uniforms": uniforms,
+        "radius": float(medium.bottom_radius),
+        "thickness": float(medium.thickness),
+        "star": float(medium.star_angular_radius),
+        "paths": light_paths(solution),
+        "ground": ground_map(medium.ground_map),
+    }
+    tables = {
+        "scalars": ("r32float", made.scalars),
+        "spectra": (_FORMAT, made.spectra),
+        "fields": (_FORMAT, made.fields),
+    }
+    return numbers, tables
+
+
+def light_paths(solution: MomentsSolution) -> dict[str, Any] | None:
+    """Optical radii and the lift of stars, where light is bent; None where it goes straight."""
+    paths, medium = solution.paths, solution.medium
+    if paths.shell is None:
+        return None
+    altitudes = np.linspace(0.0, medium.thickness, _RADII)
+    true = medium.bottom_radius + altitudes
+    return {
+        "excess": [float(f"{x:.9g}") for x in paths.optical_radius(true) - true],
+        "bottom": float(paths.shell.bottom),
+        "top": float(paths.shell.top),
+        "lift": [[float(f"{x:.7g}") for x in row] for row in paths.lift[:, :, 0]],
+    }

@@ -1,0 +1,1 @@
+"""Pictures and probes of a session, by processor or GPU."""

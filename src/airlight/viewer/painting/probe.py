@@ -1,0 +1,286 @@
+"""What is seen in one direction, in numbers: spectrum, luminance, colour, depths, parts.
+
+On the CPU, from the moments of the solution that is shown: some milliseconds a direction. Each part
+is marched for itself, and none is the difference of others.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.color.upsampling import reflectance_basis
+from airlight.color.xyz import chromaticity, luminance, rgb_to_xyz
+from airlight.constants import LUMINOUS_EFFICACY
+from airlight.errors import ParameterError
+from airlight.render.render import color_weights
+from airlight.render.sun_disc import leaving_direction, sun_solid_angle
+from airlight.scene import Scene
+from airlight.scene.camera import Camera
+from airlight.scene.surface_map import surface_map
+from airlight.solvers.moments.radiance_parts import radiance_parts
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solvers.sight import Sight
+from airlight.tables.columns import columns
+
+FloatArray = NDArray[np.float64]
+
+#: Parts that are not a constituent's.
+MORE: Final = "scattered more often"
+GROUND_STAR: Final = "ground, lit by the star"
+GROUND_SKY: Final = "ground, lit by the sky"
+STAR: Final = "the star itself"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Part:
+    """A part of the light in one direction.
+
+    Attributes
+    ----------
+    name : str
+        ``scattered once by …`` for each constituent, and the parts above.
+    radiance : tuple of float, length nl
+        [W m⁻² sr⁻¹ nm⁻¹]
+    luminance : float
+        A part whose colour lies outside what the wavelengths can show may be below 0. [cd m⁻²]
+    """
+
+    name: str
+    radiance: tuple[float, ...]
+    luminance: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Probe:
+    """What is seen in one direction.
+
+    Attributes
+    ----------
+    view_zenith, azimuth : float
+        Of the direction; the azimuth from the sun's side. [deg]
+    wavelengths : tuple of float, length nl
+        [nm]
+    radiance : tuple of float, length nl
+        The sum of the parts. [W m⁻² sr⁻¹ nm⁻¹]
+    luminance : float
+        [cd m⁻²]
+    chromaticity : tuple of float
+        CIE 1931 x and y; those of no light are 0. [1]
+    rgb : tuple of float
+        Linear sRGB, as a frame has it. [W m⁻² sr⁻¹]
+    names : tuple of str, length nc
+        Of the constituents.
+    optical_depth : array, shape (nc, nl)
+        From the observer to the ground or to space, of each constituent. [1]
+    transmittance : tuple of float, length nl
+        Of all of them, to the same end. [1]
+    distance : float
+        To the ground, straight; infinite if the direction leads past it. [m]
+    latitude, longitude : float or None
+        Of the ground that is seen. [deg]
+    parts : tuple of Part
+        They sum to ``radiance``.
+    """
+
+    view_zenith: float
+    azimuth: float
+    wavelengths: tuple[float, ...]
+    radiance: tuple[float, ...]
+    luminance: float
+    chromaticity: tuple[float, float]
+    rgb: tuple[float, float, float]
+    names: tuple[str, ...]
+    optical_depth: tuple[tuple[float, ...], ...]
+    transmittance: tuple[float, ...]
+    distance: float
+    latitude: float | None
+    longitude: float | None
+    parts: tuple[Part, ...]
+
+
+def probe_pixel(solution: Any, scene: Scene, x: float, y: float) -> Probe | None:
+    """What a pixel of the scene's picture shows; None outside a fisheye's circle.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+    scene : Scene
+    x, y : float
+        From the left and the top edge of the picture; the first pixel's centre is at 0.5. [pixel]
+
+    Raises
+    ------
+    ParameterError
+        If the place is outside the picture.
+    """
+    direction = pixel_direction(scene.camera, x, y)
+    return None if direction is None else probe(solution, scene, direction)
+
+
+def pixel_direction(camera: Camera, x: float, y: float) -> FloatArray | None:
+    """Unit vector that a place on the picture looks in, shape (3,); None where it shows nothing.
+
+    Parameters
+    ----------
+    camera : Camera
+    x, y : float
+        As for ``probe_pixel``. [pixel]
+    """
+    for field, value, most in (("x", x, camera.width), ("y", y, camera.height)):
+        if not 0.0 <= value <= most:
+            raise ParameterError(field, value, f"0 to {most} pixels")
+    column, row = min(int(x), camera.width - 1), min(int(y), camera.height - 1)
+    offset = (x - (column + 0.5), y - (row + 0.5))
+    found = camera.directions(slice(row, row + 1), offset=offset)[0, column]
+    return found if found.any() else None
+
+
+def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
+    """What an observer sees in a direction.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        As it is shown: with constituents switched off, if they are.
+    scene : Scene
+        Observer and star; its camera only says how sharply the map of the ground is read.
+    direction : array, shape (3,)
+        Unit vector in the observer's local frame.
+
+    Returns
+    -------
+    Probe
+
+    Raises
+    ------
+    ParameterError
+        If the solution is of another solver.
+
+    Notes
+    -----
+    Where light is bent, the place on the ground is that of a line as straight as the air allows,
+    off by up to the angle of bending, half a degree on Earth.
+    """
+    if not isinstance(solution, MomentsSolution):
+        raise ParameterError("solution", type(solution).__name__, "one of the moments solver")
+    medium = solution.medium
+    zenith = math.degrees(math.atan2(math.hypot(direction[0], direction[1]), direction[2]))
+    azimuth = math.degrees(math.atan2(-direction[1], direction[0]))
+    sight, _ = solution.lines_of_sight(
+        altitude=scene.altitude, sun_zenith=scene.sun_zenith, view_zenith=zenith, azimuth=azimuth
+    )
+    drawn = solution.paths.sight(sight)
+    depth = _depths(solution, drawn)
+    through = np.exp(-depth.sum(axis=0))
+    seen = _ground(solution, scene, direction, drawn)
+    star = _star(solution, scene, direction, through, bool(drawn.to_ground[0]))
+    spectra = _spectra(solution, sight, seen[3]) + ([(STAR, star)] if star.any() else [])
+    total = np.sum([values for _, values in spectra], axis=0)
+    weights = color_weights(solution) / medium.solar_irradiance[:, None]
+    rgb = total @ weights
+    xyz = rgb_to_xyz(rgb)
+    x, y = chromaticity(xyz) if xyz.sum() > 0.0 else (0.0, 0.0)
+    return Probe(
+        view_zenith=zenith,
+        azimuth=azimuth,
+        wavelengths=tuple(medium.wavelengths.tolist()),
+        radiance=tuple(total.tolist()),
+        luminance=LUMINOUS_EFFICACY * float(xyz[1]),
+        chromaticity=(float(x), float(y)),
+        rgb=(float(rgb[0]), float(rgb[1]), float(rgb[2])),
+        names=medium.names,
+        optical_depth=tuple(tuple(row) for row in depth.tolist()),
+        transmittance=tuple(through.tolist()),
+        distance=seen[0],
+        latitude=seen[1],
+        longitude=seen[2],
+        parts=tuple(
+            Part(
+                name=name,
+                radiance=tuple(values.tolist()),
+                luminance=LUMINOUS_EFFICACY * float(luminance(values @ weights)),
+            )
+            for name, values in spectra
+        ),
+    )
+
+
+def _spectra(
+    solution: MomentsSolution, sight: Sight, painted: FloatArray
+) -> list[tuple[str, FloatArray]]:
+    """Name and spectral radiance of each part but the star. [W m⁻² sr⁻¹ nm⁻¹]"""
+    parts = radiance_parts(solution, sight)
+    sun = solution.medium.solar_irradiance
+    once = [
+        (f"scattered once by {name}", parts.scattered_once[0, c] * sun)
+        for c, name in enumerate(solution.medium.names)
+        if parts.scattered_once[0, c].any()
+    ]
+    ground = [
+        (GROUND_STAR, parts.ground_star[0] * sun * painted),
+        (GROUND_SKY, parts.ground_sky[0] * sun * painted),
+    ]
+    more = (MORE, parts.scattered_more[0] * sun)
+    return [*once, more, *(ground if sight.to_ground[0] else [])]
+
+
+def _depths(solution: MomentsSolution, drawn: Sight) -> FloatArray:
+    """Optical depth of each constituent along a line of sight, shape (nc, nl). [1]"""
+    medium, air = solution.medium, solution.paths.medium
+    column = columns(drawn.r, drawn.mu, drawn.length, air.bottom_radius, air.density)[0]
+    return np.asarray(column[: len(medium.names), None] * medium.extinction)
+
+
+def _star(
+    solution: MomentsSolution,
+    scene: Scene,
+    direction: FloatArray,
+    through: FloatArray,
+    to_ground: bool,
+) -> FloatArray:
+    """Radiance of the star's own disc, 0 beside it, shape (nl,). [W m⁻² sr⁻¹ nm⁻¹]"""
+    medium = solution.medium
+    alpha = medium.star_angular_radius
+    nothing = np.zeros_like(through)
+    if alpha <= 0.0 or to_ground:
+        return nothing
+    outside = leaving_direction(direction[np.newaxis], solution, scene.altitude)[0]
+    if float(np.linalg.norm(outside - scene.sun_direction)) > 2.0 * math.sin(0.5 * alpha):
+        return nothing
+    return np.asarray(through * medium.solar_irradiance / sun_solid_angle(alpha))
+
+
+def _ground(
+    solution: MomentsSolution, scene: Scene, direction: FloatArray, drawn: Sight
+) -> tuple[float, float | None, float | None, FloatArray]:
+    """Distance [m], latitude and longitude [deg] of the ground, reflectance over albedo [1]."""
+    medium = solution.medium
+    plain = np.ones(medium.wavelengths.size)
+    if not drawn.to_ground[0]:
+        return math.inf, None, None, plain
+    bottom = medium.bottom_radius
+    r, mu = bottom + scene.altitude, float(direction[2])
+    sine = math.hypot(float(direction[0]), float(direction[1]))
+    # (h)(2R + h) keeps its digits near the ground, where r² - R² has none left.
+    power = scene.altitude * (2.0 * bottom + scene.altitude)
+    half = math.sqrt(max((bottom - r * sine) * (bottom + r * sine), 0.0))
+    distance = power / (half - r * mu) if half - r * mu > 0.0 else 0.0
+    place = distance * direction + np.array([0.0, 0.0, r])
+    spot = scene.ground_frame @ place
+    latitude = math.degrees(math.atan2(spot[2], math.hypot(spot[0], spot[1])))
+    longitude = math.degrees(math.atan2(spot[1], spot[0]))
+    if medium.ground_map is not None:
+        image = surface_map(medium.ground_map)
+        slant = max(-float(direction @ place) / bottom, 0.05)
+        footprint = scene.camera.pixel_angle * distance / (bottom * math.sqrt(slant))
+        level = math.log2(max(footprint * image.levels[0].shape[0] / math.pi, 1.0))
+        color = image.sample(latitude, longitude, level)
+        mapped = np.clip(reflectance_basis(medium.wavelengths) @ color, 0.0, 1.0)
+        albedo = medium.ground_albedo
+        plain = np.divide(mapped, albedo, out=np.zeros_like(mapped), where=albedo > 0.0)
+    return distance, latitude, longitude, plain

@@ -1,0 +1,149 @@
+"""Probes on a thread of their own: at once by what is shown, then with a finer spectrum."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Final
+
+from airlight.color.spectral import default_wavelengths
+from airlight.errors import Cancelled
+from airlight.solvers import solve
+from airlight.viewer.background.error_line import one_line
+from airlight.viewer.painting.picture_source import Request
+from airlight.viewer.painting.probe import Probe, probe_pixel
+
+#: Wavelengths of the finer spectrum, which is solved as finely as what is shown.
+FINER: Final = 16
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Reading:
+    """What a probe found.
+
+    Attributes
+    ----------
+    probe : Probe
+        By the solution that is shown.
+    spectrum : Probe
+        The same direction with as many wavelengths as are known by now.
+    quality : str
+        What is known of the second, in words.
+    place : (float, float)
+        On the picture, as shares of its width and height. [1]
+    """
+
+    probe: Probe
+    spectrum: Probe
+    quality: str
+    place: tuple[float, float]
+
+
+class Probing:
+    """Answers the newest question.
+
+    Parameters
+    ----------
+    wake : callable
+        Called from the thread when there is an answer.
+    """
+
+    def __init__(self, wake: Callable[[], None]) -> None:
+        self._wake = wake
+        self._news = threading.Condition()
+        self._asked: tuple[Request, tuple[float, float]] | None = None
+        self._closing = False
+        self._finer: tuple[Any, Any] = (None, None)  # what was shown, and its finer solution
+        self.reading: Reading | None = None
+        self.working = ""
+        self.error = ""
+        self._thread = threading.Thread(target=self._work, name="airlight-probing", daemon=True)
+        self._thread.start()
+
+    @property
+    def busy(self) -> bool:
+        """Whether an answer or a finer one will follow."""
+        return bool(self.working)
+
+    def ask(self, request: Request, place: tuple[float, float]) -> None:
+        """Ask for a point of a picture.
+
+        Parameters
+        ----------
+        request : Request
+            What the picture shows.
+        place : (float, float)
+            Shares of its width and height. [1]
+        """
+        with self._news:
+            self._asked = (request, place)
+            self.working = "reading …"
+            self._news.notify()
+
+    def close(self) -> None:
+        """End the thread."""
+        with self._news:
+            self._closing = True
+            self._news.notify()
+        self._thread.join()
+
+    def _work(self) -> None:
+        served: Any = None
+        while True:
+            with self._news:
+                while not self._closing and self._asked is served:
+                    self._news.wait()
+                if self._closing:
+                    return
+                served = self._asked
+            try:
+                self._answer(*served)
+                self.error = ""
+            except Cancelled:
+                pass
+            except Exception as failure:
+                self.error = one_line(failure)
+            with self._news:
+                if self._asked is served:
+                    self.working = ""
+            self._wake()
+
+    def _answer(self, request: Request, place: tuple[float, float]) -> None:
+        camera, shown = request.scene.camera, request.solution
+        x, y = place[0] * camera.width, place[1] * camera.height
+        found = probe_pixel(shown, request.scene, x, y)
+        if found is None:
+            self.reading = None
+            return
+        count = shown.wavelengths.size
+        words = f"{count} wavelengths, as shown"
+        known = self._finer[1] if self._finer[0] is shown else None
+        if known is None and count < FINER:
+            self.reading = Reading(probe=found, spectrum=found, quality=words, place=place)
+            self.working = f"{count} wavelengths as shown; {FINER} follow …"
+            self._wake()
+            known = self._solved(request)
+            self._finer = (shown, known)
+        if known is not None:
+            finer = probe_pixel(known, request.scene, x, y)
+            if finer is not None:
+                words = f"{FINER} wavelengths"
+                self.reading = Reading(probe=found, spectrum=finer, quality=words, place=place)
+                return
+        self.reading = Reading(probe=found, spectrum=found, quality=words, place=place)
+
+    def _solved(self, request: Request) -> Any:
+        """The planet that is shown, at more wavelengths; None if there is none."""
+        planet = request.solution.planet
+        if planet is None:
+            return None
+
+        def newer() -> bool:
+            asked = self._asked
+            return self._closing or (
+                asked is not None and asked[0].solution is not request.solution
+            )
+
+        nm = default_wavelengths(FINER, *planet.wavelength_limits)
+        return solve(planet, nm, request.solution.settings, cache=False, cancel=newer)

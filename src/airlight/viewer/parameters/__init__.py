@@ -1,0 +1,1 @@
+"""The declared parameters of a planet file and of a view."""

@@ -1,0 +1,199 @@
+"""The view's own parameters: camera, sun, display and light, declared as the planet's are.
+
+Angles on the planet are compass bearings. The scene's azimuth, counted from the sun's side, is the
+heading less the sun's bearing: see ``scene_of``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Final
+
+from airlight.color.exposure import DEFAULT_EXPOSURE
+from airlight.color.tone_maps import TONE_MAPS
+from airlight.scene.camera import Camera
+from airlight.scene.projections import PROJECTIONS
+from airlight.scene.scene import HIGHEST_ALTITUDE, Scene
+from airlight.viewer.parameters.parameter import Parameter, Value
+
+#: Groups of the view's own parameters.
+VIEW_GROUPS: Final = ("camera", "sun", "display", "light")
+#: Quality levels, from quick to exact, of the picture once the preview is there.
+QUALITIES: Final = ("preview", "default", "fine")
+#: Which light is shown.
+ORDERS: Final = ("all", "single", "multiple")
+#: How many wavelengths are solved.
+WAVELENGTHS: Final = ("three", "four", "eight", "sixteen")
+#: Lowest altitude that can be flown at. [m]
+LOWEST_ALTITUDE: Final = 1.0
+
+
+def _angle(path: str, label: str, group: str, text: str) -> Parameter:
+    return Parameter(path=path, label=label, group=group, help=text, unit="deg", low=0.0,
+                     high=360.0, least=0.0, most=360.0, step=1.0, wraps=True)  # fmt: skip
+
+
+def _choice(path: str, label: str, group: str, options: tuple[str, ...], text: str) -> Parameter:
+    return Parameter(path=path, label=label, group=group, help=text, kind="choice",
+                     options=options)  # fmt: skip
+
+
+_CAMERA: Final = (
+    Parameter(path="view.altitude", label="altitude", group="camera", unit="m",
+              low=LOWEST_ALTITUDE, high=1e9, least=0.0, most=HIGHEST_ALTITUDE, scale="log",
+              step=1.1, help="Of the observer above the ground."),
+    Parameter(path="view.latitude", label="latitude", group="camera", unit="deg", low=-90.0,
+              high=90.0, least=-90.0, most=90.0, step=1.0,
+              help="Of the point below the observer, north positive."),
+    Parameter(path="view.longitude", label="longitude", group="camera", unit="deg", low=-180.0,
+              high=180.0, least=-180.0, most=180.0, step=1.0, wraps=True,
+              help="Of the point below the observer, east positive."),
+    Parameter(path="view.look_zenith", label="look zenith", group="camera", unit="deg", low=0.0,
+              high=180.0, least=0.0, most=180.0, step=1.0,
+              help="Angle of the line of sight from the zenith: 90 is level."),
+    _angle("view.heading", "heading", "camera",
+           "Compass bearing that the camera looks in: 0 north, 90 east."),
+    Parameter(path="view.roll", label="roll", group="camera", unit="deg", low=-180.0, high=180.0,
+              least=-180.0, most=180.0, step=1.0, wraps=True,
+              help="Turns the camera clockwise about its line of sight."),
+    Parameter(path="view.field_of_view", label="field of view", group="camera", unit="deg",
+              low=1.0, high=170.0, least=1e-3, most=360.0, step=1.0,
+              help="Between the left and the right edge, up to 170; across a fisheye's circle."),
+    _choice("view.projection", "projection", "camera", tuple(PROJECTIONS),
+            "How directions are laid out on the picture."),
+)  # fmt: skip
+
+_SUN: Final = (
+    Parameter(path="view.sun_zenith", label="sun zenith", group="sun", unit="deg", low=0.0,
+              high=180.0, least=0.0, most=180.0, step=0.5,
+              help="Angle of the sun from the observer's zenith: beyond 90 it has set."),
+    _angle("view.sun_azimuth", "sun bearing", "sun", "Compass bearing of the sun: 180 south."),
+)  # fmt: skip
+
+_DISPLAY: Final = (
+    Parameter(path="display.automatic", label="automatic exposure", group="display",
+              kind="switch", help="Shows the picture's mean as middle grey."),
+    Parameter(path="display.exposure", label="exposure", group="display", unit="EV", low=-12.0,
+              high=20.0, least=-100.0, most=100.0, step=0.25,
+              help="Light is multiplied by 2 to this power; when automatic, on top of it."),
+    _choice("display.tone_map", "tone map", "display", tuple(TONE_MAPS),
+            "How bright light is fitted into what a display shows."),
+)  # fmt: skip
+
+_LIGHT: Final = (
+    _choice("light.orders", "orders of scattering", "light", ORDERS,
+            "All light, that scattered or reflected once, or that scattered more often."),
+    _choice("light.quality", "quality", "light", QUALITIES,
+            "Of the solution that follows the preview."),
+    _choice("light.wavelengths", "wavelengths", "light", WAVELENGTHS,
+            "How many are solved: more give truer colours; a graphics card takes up to four."),
+)  # fmt: skip
+
+#: What a view starts with.
+DEFAULTS: Final[Mapping[str, Value]] = {
+    "view.altitude": 2.0,
+    "view.latitude": 0.0,
+    "view.longitude": 0.0,
+    "view.look_zenith": 88.0,
+    "view.heading": 180.0,
+    "view.roll": 0.0,
+    "view.field_of_view": 60.0,
+    "view.projection": "perspective",
+    "view.sun_zenith": 60.0,
+    "view.sun_azimuth": 180.0,
+    "display.automatic": True,
+    "display.exposure": 0.0,
+    "display.tone_map": "hable",
+    "light.orders": "all",
+    "light.quality": "default",
+    "light.wavelengths": "four",
+}
+#: Exposure that suits the sunlit Earth, where it is not automatic. [EV]
+FIXED_EXPOSURE: Final = DEFAULT_EXPOSURE
+
+
+def view_parameters(constituents: tuple[str, ...] = ()) -> tuple[Parameter, ...]:
+    """The view's parameters, with one switch for each constituent.
+
+    Parameters
+    ----------
+    constituents : tuple of str
+        Their groups, in the planet's order.
+
+    Examples
+    --------
+    >>> [one.path for one in view_parameters(("air",)) if one.kind == "switch"]
+    ['display.automatic', 'light.constituents[0]']
+    """
+    switches = tuple(
+        Parameter(path=switch_path(index), label=name, group="light", kind="switch",
+                  help=f"Whether {name} scatters and absorbs.")
+        for index, name in enumerate(constituents)
+    )  # fmt: skip
+    return (*_CAMERA, *_SUN, *_DISPLAY, *_LIGHT, *switches)
+
+
+def switch_path(index: int) -> str:
+    """The path of a constituent's switch.
+
+    Examples
+    --------
+    >>> switch_path(2)
+    'light.constituents[2]'
+    """
+    return f"light.constituents[{index}]"
+
+
+def scene_of(view: Mapping[str, Any], width: int, height: int) -> Scene:
+    """The scene that a view shows.
+
+    Parameters
+    ----------
+    view : mapping
+        Values of the parameters ``view.…`` by path.
+    width, height : int
+        Of the window; a panorama and a cube strip take the largest size of their own shape that
+        fits into it. [pixel]
+
+    Examples
+    --------
+    >>> scene = scene_of(dict(DEFAULTS), 320, 180)
+    >>> scene.camera.look_azimuth, scene.sun_zenith
+    (0.0, 60.0)
+    """
+    projection = str(view["view.projection"])
+    width, height = fitting(projection, width, height)
+    low, high = PROJECTIONS[projection].field_of_view_limits
+    bearing = float(view["view.sun_azimuth"])
+    turn = (float(view["view.heading"]) - bearing) % 360.0
+    return Scene(
+        camera=Camera(
+            projection=projection,
+            width=width,
+            height=height,
+            field_of_view=min(max(float(view["view.field_of_view"]), low), high),
+            look_zenith=float(view["view.look_zenith"]),
+            look_azimuth=turn,
+            roll=float(view["view.roll"]),
+        ),
+        altitude=float(view["view.altitude"]),
+        sun_zenith=float(view["view.sun_zenith"]),
+        latitude=float(view["view.latitude"]),
+        longitude=float(view["view.longitude"]),
+        sun_azimuth=bearing,
+    )
+
+
+def fitting(projection: str, width: int, height: int) -> tuple[int, int]:
+    """The largest picture of a projection's shape within a window. [pixel]
+
+    Examples
+    --------
+    >>> fitting("equirectangular", 1280, 720), fitting("perspective", 1280, 720)
+    ((1280, 640), (1280, 720))
+    """
+    ratio = {"equirectangular": 2, "cubemap": 6}.get(projection)
+    if ratio is None:
+        return max(1, width), max(1, height)
+    side = max(1, min(height, width // ratio))
+    return ratio * side, side

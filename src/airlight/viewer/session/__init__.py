@@ -1,0 +1,1 @@
+"""Planet, view and display under edit, with undo, files and comparison. No window."""

@@ -1,0 +1,63 @@
+"""What differs between two edited planets, in the words of the declared list."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from airlight.viewer.parameters.parameter import Parameter, Value
+from airlight.viewer.parameters.parameter_list import value_at
+from airlight.viewer.session.planet_state import PlanetState
+
+
+@dataclass(frozen=True, kw_only=True)
+class Difference:
+    """One parameter that two sides do not share.
+
+    Attributes
+    ----------
+    path, label, unit : str
+        Of the parameter; the label with its group before it.
+    first, second : float, str, bool or None
+        Its values; None where a side does not have it. [unit]
+    """
+
+    path: str
+    label: str
+    unit: str
+    first: Value | None
+    second: Value | None
+
+
+def differing(first: PlanetState, second: PlanetState) -> Iterator[Difference]:
+    """Parameters of two planets that differ: constituents with the same name belong together.
+
+    Parameters
+    ----------
+    first, second : PlanetState
+    """
+    ones, others = _by_words(first), _by_words(second)
+    for words in (*ones, *(words for words in others if words not in ones)):
+        one, other = ones.get(words), others.get(words)
+        a = None if one is None else value_at(first.tables, one)
+        b = None if other is None else value_at(second.tables, other)
+        if a != b:
+            known = one or other
+            assert known is not None
+            label = f"{known.group}: {known.label}"
+            yield Difference(path=known.path, label=label, unit=known.unit, first=a, second=b)
+    for group in (*first.groups, *(one for one in second.groups if one not in first.groups)):
+        on = [None if group not in state.groups else state.groups.index(group) not in state.off
+              for state in (first, second)]  # fmt: skip
+        if None not in on and on[0] != on[1]:
+            yield Difference(path="light.constituents", label=f"{group}: on", unit="1",
+                             first=on[0], second=on[1])  # fmt: skip
+
+
+def _by_words(state: PlanetState) -> dict[tuple[str, str], Parameter]:
+    """Parameters by group and by the path within the constituent."""
+    found = {}
+    for one in state.parameters:
+        inside = one.path.partition("]")[2] if one.path.startswith("constituents[") else one.path
+        found[one.group, inside] = one
+    return found

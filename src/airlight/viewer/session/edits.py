@@ -1,0 +1,232 @@
+"""What an edit does to the tables of a planet: the value, and what has to go along with it."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final
+
+import numpy as np
+
+from airlight.constants import SOLAR_RADIUS
+from airlight.optics.phase_table import moments
+from airlight.planets.reading.constituent_reader import OZONE_TABLE
+from airlight.viewer.parameters.measures import number_in, text_of
+from airlight.viewer.parameters.nested_tables import Tables, get, put
+from airlight.viewer.parameters.parameter import Parameter, Value
+from airlight.viewer.parameters.parameter_list import key_at
+from airlight.viewer.parameters.planet_keys import BLACK_BODY
+
+#: Parts of the shell's thickness that a fresh profile gets.
+_FRESH_HEIGHT: Final = 0.08
+_FRESH_CENTER: Final = 0.25
+_FRESH_WIDTH: Final = 0.15
+#: IAU 2015 Resolution B3: nominal effective temperature of the sun.
+_SUN_TEMPERATURE: Final = "5772 K"
+#: Asymmetry of a fresh phase function of particles.
+_FRESH_ASYMMETRY: Final = 0.7
+#: Radius of fresh particles.
+_FRESH_RADIUS: Final = "0.5 um"
+
+
+def edited(tables: Tables, parameter: Parameter, value: Value) -> Tables:
+    """The tables with a parameter's new value.
+
+    A word that chooses another form (of a profile, of a phase function, of sizes) puts that form's
+    keys into the table; mole fractions make room for each other; the air moves with the ground;
+    a tabulated phase function keeps its integral.
+
+    Parameters
+    ----------
+    tables : dict
+        Not changed.
+    parameter : Parameter
+        Of ``parameters_of(tables)``.
+    value : float or str
+        As ``parameter.checked`` returns it. [parameter.unit]
+
+    Returns
+    -------
+    dict
+
+    Examples
+    --------
+    >>> tables = {"shell": {"bottom_radius": "6360 km", "top_radius": "6460 km"}}
+    >>> radius = Parameter(path="shell.bottom_radius", label="radius", group="shell", help="-")
+    >>> edited(tables, radius, 6000.0)["shell"]
+    {'bottom_radius': '6000 km', 'top_radius': '6100 km'}
+    """
+    path = parameter.path
+    key = key_at(tables, path)
+    if parameter.kind != "number":
+        table, _, last = path.rpartition(".")
+        if last == "kind":
+            return put(tables, table, _fresh(tables, table, str(value)))
+        if path == "star.spectrum":
+            return put(tables, "star", _star(tables["star"], str(value)))
+        if last == "method" and value != "mie":
+            tables = _with_phase(tables, table.rpartition(".")[0])
+        return put(tables, path, value)
+    assert isinstance(value, float)
+    if ".composition." in path:
+        return _mixed(tables, path, value)
+    if path == "shell.bottom_radius":
+        tables = _lifted(tables, value)
+    tables = put(tables, path, text_of(value, key.unit))
+    table, _, last = path.partition(".phase_function.")
+    if last.startswith(("values[", "angles[")):
+        return _normalised(tables, f"{table}.phase_function")
+    return tables
+
+
+def _normalised(tables: Tables, path: str) -> Tables:
+    """A tabulated phase function divided by its integral over the sphere, row by row.
+
+    One that has none, since its angles do not grow, is left for the reader to refuse.
+    """
+    table = get(tables, path)
+    angles = np.array([number_in(one, "deg", "deg", path) for one in table["angles"]])
+    values = table["values"]
+    rows = values if isinstance(values[0], list) else [values]
+    numbers = np.array([[number_in(one, "/sr", "1/sr", path) for one in row] for row in rows])
+    grows = angles.size >= 2 and bool((np.diff(angles) > 0.0).all())
+    if not grows or numbers.shape[1] != angles.size or not numbers.any(axis=1).all():
+        return tables
+    integrals = moments(angles, numbers, 0)
+    unit = [[float(f"{x:.9g}") for x in row] for row in (numbers / integrals).tolist()]
+    return put(tables, f"{path}.values", unit if rows is values else unit[0])
+
+
+def _mixed(tables: Tables, path: str, share: float) -> Tables:
+    """A mole fraction changed, the others in proportion, so that the sum stays."""
+    table, _, name = path.rpartition(".")
+    shares = {one: number_in(text, "1", "1", path) for one, text in get(tables, table).items()}
+    total = sum(shares.values())
+    rest = total - shares[name]
+    if len(shares) == 1:
+        return put(tables, path, 1.0)
+    share = min(share, total)
+    room = total - share
+    for one, old in shares.items():
+        if one != name:
+            shares[one] = old * room / rest if rest > 0.0 else room / (len(shares) - 1)
+    shares[name] = share
+    return put(tables, table, {one: float(f"{x:.9g}") for one, x in shares.items()})
+
+
+def _lifted(tables: Tables, bottom: float) -> Tables:
+    """The top of the air, moved with a ground at another radius. [km]"""
+    shell = tables["shell"]
+    old, top = (
+        number_in(shell[key], "km", "m", f"shell.{key}") for key in ("bottom_radius", "top_radius")
+    )
+    return put(tables, "shell.top_radius", text_of(float(f"{bottom + (top - old):.14g}"), "km"))
+
+
+def _thickness(tables: Tables) -> float:
+    """Of the shell. [km]"""
+    bottom, top = (
+        number_in(tables["shell"][key], "km", "m", f"shell.{key}")
+        for key in ("bottom_radius", "top_radius")
+    )
+    return max(top - bottom, 1e-3)
+
+
+def _with_phase(tables: Tables, constituent: str) -> Tables:
+    """The constituent with a phase function, if it has none yet."""
+    if get(tables, f"{constituent}.phase_function") is not None:
+        return tables
+    fresh = {"kind": "henyey-greenstein", "asymmetry": _FRESH_ASYMMETRY}
+    return put(tables, f"{constituent}.phase_function", fresh)
+
+
+def _star(old: Tables, spectrum: str) -> Tables:
+    """The sun, or a black body of its size and temperature, as far away as the star was."""
+    if spectrum != BLACK_BODY:
+        kept: Tables = {key: old[key] for key in ("distance", "angular_radius") if key in old}
+        return {"spectrum": spectrum, **kept}
+    sun: Tables = {"temperature": _SUN_TEMPERATURE, "radius": text_of(1e-3 * SOLAR_RADIUS, "km")}
+    return {**sun, "distance": old.get("distance", "1 au")}
+
+
+def _fresh(tables: Tables, path: str, kind: str) -> Tables:
+    """A table of another kind, filled with what is usual."""
+    old: Tables = get(tables, path)
+    last = path.rpartition(".")[2]
+    if last == "profile":
+        return {"kind": kind, **_fresh_profile(kind, _thickness(tables))}
+    if last == "sizes":
+        return {"kind": kind, **_fresh_sizes(kind, old)}
+    return {"kind": kind, **_fresh_phase(kind)}
+
+
+def _height(share: float, thickness: float) -> str:
+    return str(text_of(float(f"{share * thickness:.4g}"), "km"))
+
+
+def _fresh_profile(kind: str, thickness: float) -> Tables:
+    height = _height(_FRESH_HEIGHT, thickness)
+    if kind == "exponential":
+        return {"scale_height": height}
+    if kind == "tent":
+        center = _height(_FRESH_CENTER, thickness)
+        return {"center": center, "half_width": _height(_FRESH_WIDTH, thickness)}
+    if kind == "layered":
+        per_km = float(f"{-1.0 / (_FRESH_HEIGHT * thickness):.4g}")
+        return {"layers": [{"exp_term": 1.0, "exp_scale": text_of(per_km, "/km")}]}
+    if kind == "tabulated":
+        return {"table": OZONE_TABLE}
+    return {}
+
+
+def _fresh_sizes(kind: str, old: Tables) -> Tables:
+    radii = [value for key, value in old.items() if key.endswith("radius")]
+    radius: Any = radii[0] if radii else _FRESH_RADIUS
+    if kind == "gamma":
+        return {"effective_radius": radius, "effective_variance": 0.2}
+    if kind == "log-normal":
+        return {"median_radius": radius, "geometric_deviation": 1.5}
+    return {"radius": radius}
+
+
+def _fresh_phase(kind: str) -> Tables:
+    if kind == "rayleigh":
+        return {}
+    if kind == "double-henyey-greenstein":
+        return {"asymmetry_1": 0.85, "asymmetry_2": -0.2, "weight": 0.9}
+    if kind == "tabulated":
+        even = float(f"{0.25 / math.pi:.10g}")
+        return {"angles": ["0 deg", "90 deg", "180 deg"], "values": [even, even, even]}
+    return {"asymmetry": _FRESH_ASYMMETRY}
+
+
+def restored(tables: Tables, base: Tables, path: str) -> Tables:
+    """The tables with what stands at a path as it was at first.
+
+    What only makes sense together goes back together: a composition, the shell, the keys of a
+    profile that had another form.
+
+    Parameters
+    ----------
+    tables, base : dict
+        As they are, and as they were; not changed.
+    path : str
+
+    Returns
+    -------
+    dict
+    """
+    table, _, last = path.rpartition(".")
+    if path == "star.spectrum":
+        return put(tables, "star", get(base, "star"))
+    if table.endswith(".composition") or table == "shell" or last == "kind":
+        path, table = table, table.rpartition(".")[0]
+    old = get(base, path)
+    while table and old is None and get(base, table) is None:
+        path, table = table, table.rpartition(".")[0]
+        old = get(base, path)
+    if path.startswith("constituents[") and old is None and path.endswith("]"):
+        return tables  # a constituent that was not there at first
+    kind, old_kind = (get(one, f"{table}.kind") if table else None for one in (tables, base))
+    if kind != old_kind:
+        return put(tables, table, get(base, table))
+    return put(tables, path, old)

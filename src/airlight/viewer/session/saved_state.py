@@ -1,0 +1,161 @@
+"""A session as JSON, short enough for the address of a page: only what differs is kept."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import Any, Final
+from urllib.parse import quote, unquote
+
+from airlight.errors import ParameterError
+from airlight.planets.reading.overrides import overridden
+from airlight.viewer.parameters.parameter import Value
+from airlight.viewer.parameters.parameter_list import spelled_out
+from airlight.viewer.parameters.view_parameters import DEFAULTS, view_parameters
+from airlight.viewer.session.planet_state import PlanetState
+
+#: Letters that stay as they are in the address.
+_PLAIN: Final = ",:[]{}\"'!*()"
+#: Keys of a state.
+_KEYS: Final = ("planet", "set", "off", "view")
+
+
+def state_of(planet: PlanetState, view: Mapping[str, Value]) -> dict[str, Any]:
+    """Planet and view as JSON takes them.
+
+    Parameters
+    ----------
+    planet : PlanetState
+    view : mapping
+        Values by path.
+
+    Returns
+    -------
+    dict
+        ``planet``: name of the preset or path of the file; ``set``: overrides of it, as
+        ``load_planet`` takes them; ``off``: places of constituents; ``view``: values by path. Only
+        the first is always there.
+    """
+    state: dict[str, Any] = {"planet": planet.source}
+    changed = {path: value for path, _, value in planet.changes}
+    if changed:
+        state["set"] = changed
+    if planet.off:
+        state["off"] = list(planet.off)
+    moved = {path: value for path, value in view.items() if value != DEFAULTS[path]}
+    if moved:
+        state["view"] = {path: _short(value) for path, value in moved.items()}
+    return state
+
+
+def _short(value: Value) -> Value:
+    """A number with nine digits, which no picture tells apart from all of them."""
+    if isinstance(value, bool) or not isinstance(value, float):
+        return value
+    short = float(f"{value:.9g}")
+    return int(short) if short == int(short) and abs(short) < 1e9 else short
+
+
+def read_state(
+    state: Mapping[str, Any], current: PlanetState
+) -> tuple[PlanetState, dict[str, Value]]:
+    """Planet and view from what ``state_of`` made.
+
+    Parameters
+    ----------
+    state : mapping
+    current : PlanetState
+        Whose file is not read again, if it is the same planet.
+
+    Returns
+    -------
+    planet : PlanetState
+    view : dict
+
+    Raises
+    ------
+    ParameterError
+        If something in it cannot be: named.
+    """
+    if not isinstance(state, Mapping) or not isinstance(state.get("planet"), str):
+        raise ParameterError("state", state, "a table with the name of a planet")
+    for key in state:
+        if key not in _KEYS:
+            raise ParameterError("state", key, ", ".join(_KEYS))
+    name = state["planet"]
+    planet = current if name == current.source else PlanetState.opened(name)
+    changes = state.get("set", {})
+    tables = planet.base
+    if changes:
+        tables = spelled_out(overridden(planet.base, changes))
+    try:
+        planet = PlanetState(planet.source, planet.base, tables, _off(state, tables))
+        for one in planet.parameters:
+            one.checked(_checked_value(planet, one))
+    except (AttributeError, TypeError, KeyError):
+        raise ParameterError("state.set", changes, "keys of a planet file") from None
+    return planet, _view(state)
+
+
+def _checked_value(planet: PlanetState, parameter: Any) -> Value:
+    from airlight.viewer.parameters.parameter_list import value_at
+
+    return value_at(planet.tables, parameter)
+
+
+def _off(state: Mapping[str, Any], tables: Mapping[str, Any]) -> tuple[int, ...]:
+    off, count = state.get("off", []), len(tables["constituents"])
+    allowed = f"places of constituents, 0 to {count - 1}"
+    if not isinstance(off, list):
+        raise ParameterError("state.off", off, allowed)
+    for place in off:
+        if isinstance(place, bool) or not isinstance(place, int) or not 0 <= place < count:
+            raise ParameterError("state.off", place, allowed)
+    return tuple(sorted(set(off)))
+
+
+def _view(state: Mapping[str, Any]) -> dict[str, Value]:
+    given = state.get("view", {})
+    if not isinstance(given, Mapping):
+        raise ParameterError("state.view", given, "a table of values by path")
+    known = {one.path: one for one in view_parameters()}
+    view = dict(DEFAULTS)
+    for path, value in given.items():
+        if path not in known:
+            raise ParameterError("state.view", path, ", ".join(known))
+        view[path] = known[path].checked(value)
+    return view
+
+
+def to_fragment(state: Mapping[str, Any]) -> str:
+    """A state as the fragment of an address, without the ``#``.
+
+    Examples
+    --------
+    >>> to_fragment({"planet": "mars", "view": {"view.altitude": 2e5}})
+    '{"planet":"mars","view":{"view.altitude":200000.0}}'
+    """
+    text = json.dumps(state, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
+    return quote(text, safe=_PLAIN)
+
+
+def from_fragment(fragment: str) -> dict[str, Any]:
+    """The state of a fragment, with or without the ``#``.
+
+    Raises
+    ------
+    ParameterError
+        If it is none.
+
+    Examples
+    --------
+    >>> from_fragment("#%7B%22planet%22:%22titan%22%7D")
+    {'planet': 'titan'}
+    """
+    try:
+        state = json.loads(unquote(fragment.removeprefix("#")))
+    except (ValueError, RecursionError):
+        raise ParameterError("fragment", fragment[:60], "what to_fragment makes") from None
+    if not isinstance(state, dict):
+        raise ParameterError("fragment", fragment[:60], "what to_fragment makes")
+    return state

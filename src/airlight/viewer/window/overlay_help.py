@@ -1,0 +1,105 @@
+"""The help over the picture: what mouse and keys do."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from airlight.viewer.window import style
+
+#: Width of the whole, and of the column of keys. [logical pixel]
+_WIDTH: Final = 840.0
+_KEYS: Final = 112.0
+#: What can be done, in groups: heading, then keys and what they do.
+HELP: Final[tuple[tuple[str, tuple[tuple[str, str], ...]], ...]] = (
+    (
+        "Fly",
+        (
+            ("drag", "look around"),
+            ("W S", "forward, back"),
+            ("A D", "left, right"),
+            ("E Q", "up, down"),
+            ("wheel", "towards the ground, or away"),
+            ("Shift  Ctrl", "with these: four times as fast, as slow"),
+            ("1 … 5", "ground, 35 km, 400 km, whole planet, sunset"),
+        ),
+    ),
+    (
+        "Light",
+        (
+            ("right drag", "move the sun across the sky"),
+            ("T", "let time pass, or stop it"),
+            ("+ −", "brighter, darker by a third of a stop"),
+            ("X", "automatic exposure"),
+        ),
+    ),
+    (
+        "Read and compare",
+        (
+            ("P, click", "probe: spectrum and colour of a point"),
+            ("B", "keep this planet and view as B"),
+            ("C", "A and B side by side, with a line to drag"),
+            ("V", "change A and B over"),
+        ),
+    ),
+    (
+        "Edit",
+        (
+            ("Ctrl+click", "type a number into a slider"),
+            ("Ctrl+Z  Ctrl+Y", "undo, redo"),
+            ("Ctrl+S", "save the picture"),
+            ("Ctrl+Shift+S", "save the planet file"),
+            ("Tab", "hide or show the panels"),
+            ("F1 or H", "this help"),
+            ("Ctrl+Q", "close the window"),
+        ),
+    ),
+)
+
+
+def draw_help(width: float, height: float) -> bool:
+    """Draw the help in the middle of the window.
+
+    Parameters
+    ----------
+    width, height : float
+        Of the window. [logical pixel]
+
+    Returns
+    -------
+    bool
+        False once the user has closed it.
+    """
+    from imgui_bundle import imgui
+
+    center = imgui.ImVec2(0.5 * width, 0.5 * height)
+    imgui.set_next_window_pos(center, imgui.Cond_.always.value, imgui.ImVec2(0.5, 0.5))
+    imgui.set_next_window_size(imgui.ImVec2(min(_WIDTH, width), 0.0))
+    imgui.set_next_window_bg_alpha(0.96)
+    flags = (
+        imgui.WindowFlags_.no_title_bar.value
+        | imgui.WindowFlags_.no_resize.value
+        | imgui.WindowFlags_.no_move.value
+        | imgui.WindowFlags_.no_saved_settings.value
+    )
+    imgui.push_style_var(imgui.StyleVar_.window_padding, imgui.ImVec2(24.0, 18.0))
+    imgui.begin("help", None, flags)
+    imgui.pop_style_var()
+    if imgui.begin_table("columns", 2):
+        for index, (heading, rows) in enumerate(HELP):
+            if index % 2 == 0:
+                imgui.table_next_row()
+            imgui.table_next_column()
+            style.colored(heading, style.ACCENT)
+            for keys, meaning in rows:
+                left = imgui.get_cursor_pos_x()
+                imgui.text_unformatted(keys)
+                imgui.same_line()
+                imgui.set_cursor_pos_x(left + _KEYS)
+                imgui.text_colored(imgui.ImVec4(*style.QUIET), meaning)
+            imgui.dummy(imgui.ImVec2(0.0, 8.0))
+        imgui.end_table()
+    closed = imgui.button("close")
+    imgui.same_line()
+    imgui.text_colored(imgui.ImVec4(*style.QUIET), "Rest the pointer on a name for its meaning.")
+    imgui.end()
+    return not closed

@@ -1,0 +1,159 @@
+"""Parameters as rows under headings that fold, of the planet and of the view alike."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from itertools import groupby
+
+from airlight.viewer.parameters.parameter import Parameter, Value
+from airlight.viewer.window import style
+from airlight.viewer.window.panels.row import parameter_row, same_value
+
+#: Lists of more items than this are folded.
+_SHORT_LIST = 4
+
+
+class ParameterRows:
+    """Rows of parameters, with a search and a switch for the advanced ones.
+
+    Parameters
+    ----------
+    marks : bool
+        Whether changed parameters stand out.
+
+    Attributes
+    ----------
+    search : str
+        Only parameters with all these words in name, group or help are shown.
+    advanced : bool
+        Whether those of the composition are shown too.
+    places : dict
+        Where each row's control, and the ``search``, was drawn last: left, top, right,
+        bottom. [logical pixel]
+    """
+
+    def __init__(self, *, marks: bool = True) -> None:
+        self.marks = marks
+        self.search = ""
+        self.advanced = False
+        self.places: dict[str, tuple[float, float, float, float]] = {}
+
+    def draw_search(self, hidden: int) -> None:
+        """The line above the rows.
+
+        Parameters
+        ----------
+        hidden : int
+            How many advanced parameters there are.
+        """
+        from imgui_bundle import imgui
+
+        room = imgui.get_content_region_avail().x
+        imgui.set_next_item_width(room - 118.0)
+        _, self.search = imgui.input_text_with_hint("##search", "find a parameter", self.search)
+        self.places["search"] = style.item_place()
+        imgui.same_line(room - 92.0)
+        imgui.begin_disabled(hidden == 0)
+        _, self.advanced = imgui.checkbox("advanced", self.advanced)
+        imgui.end_disabled()
+        style.hint(
+            f"also the {hidden} parameters of composition: gases, particles, profiles"
+            if hidden
+            else "this planet's file has no parameters of composition"
+        )
+
+    def draw(
+        self,
+        parameters: Iterable[Parameter],
+        values: Callable[[Parameter], Value],
+        defaults: Callable[[Parameter], Value],
+        change: Callable[[str, Value], None],
+        reset: Callable[[str], None],
+        *,
+        closed: Iterable[str] = (),
+        under: Callable[[str], None] = lambda group: None,
+    ) -> None:
+        """Draw the rows of parameters.
+
+        Parameters
+        ----------
+        parameters : iterable of Parameter
+            In order; those of a group one after another.
+        values, defaults : callable
+            What a parameter is set to, and what it was.
+        change : callable
+            ``change(path, value)`` after each movement of a control.
+        reset : callable
+            ``reset(path)`` when a parameter shall be what it was.
+        closed : iterable of str
+            Groups that are folded at first.
+        under : callable
+            ``under(group)`` draws what stands below the rows of a group.
+        """
+        from imgui_bundle import imgui
+
+        parameters = list(parameters)
+        shown = [one for one in parameters if self._matches(one)]
+        hidden = [] if self.search else [one for one in parameters if one not in shown]
+        if not shown:
+            style.colored("nothing of that name", style.QUIET)
+        for group, members in groupby(shown, key=lambda one: one.group):
+            rows = list(members)
+            if self.search:
+                imgui.set_next_item_open(True)
+            else:
+                imgui.set_next_item_open(group not in set(closed), imgui.Cond_.once.value)
+            changed = sum(not same_value(values(one), defaults(one)) for one in rows)
+            title = f"{group}   · {changed} changed" if changed and self.marks else group
+            if imgui.collapsing_header(f"{title}###{group}"):
+                imgui.push_id(group)
+                self._group(rows, values, defaults, change, reset)
+                self._more(sum(one.group == group for one in hidden))
+                under(group)
+                imgui.pop_id()
+                imgui.dummy(imgui.ImVec2(0.0, 3.0))
+
+    def _group(
+        self,
+        rows: list[Parameter],
+        values: Callable[[Parameter], Value],
+        defaults: Callable[[Parameter], Value],
+        change: Callable[[str, Value], None],
+        reset: Callable[[str], None],
+    ) -> None:
+        from imgui_bundle import imgui
+
+        for part_of, members in groupby(rows, key=lambda one: one.part_of):
+            items = list(members)
+            folds = bool(part_of) and len(items) > _SHORT_LIST and not self.search
+            if folds:
+                name = re.sub(r" (at .*|\d+)$", "", items[0].label)
+                if not imgui.tree_node(f"{name}: {len(items)} values###{part_of}"):
+                    continue
+            for one in items:
+                answer = parameter_row(one, values(one), defaults(one), marks=self.marks)
+                self.places[one.path] = answer.place
+                if answer.reset:
+                    reset(one.path)
+                elif answer.value is not None:
+                    change(one.path, answer.value)
+            if folds:
+                imgui.tree_pop()
+
+    def _more(self, count: int) -> None:
+        """A line that says how many parameters of a group are not shown."""
+        from imgui_bundle import imgui
+
+        if count:
+            imgui.push_style_color(imgui.Col_.text, imgui.ImVec4(*style.QUIET))
+            if imgui.small_button(f"{count} more, advanced"):
+                self.advanced = True
+            imgui.pop_style_color()
+            style.hint("show the advanced parameters")
+
+    def _matches(self, parameter: Parameter) -> bool:
+        if parameter.mode == "advanced" and not (self.advanced or self.search):
+            return False
+        text = f"{parameter.label} {parameter.group} {parameter.path} {parameter.help}".lower()
+        return all(word in text for word in self.search.lower().split())

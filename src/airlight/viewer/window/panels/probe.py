@@ -1,0 +1,199 @@
+"""What the probe reads: numbers of one direction, its parts, its spectrum."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final
+
+import numpy as np
+
+from airlight.viewer.painting.probe import Probe
+from airlight.viewer.painting.probing import Reading
+from airlight.viewer.window import style
+from airlight.viewer.window.panels.status import fixed_window_flags
+from airlight.viewer.window.picture_area import Rectangle
+
+#: Height of the panel. [logical pixel]
+PROBE_HEIGHT: Final = 236.0
+#: Widths of the numbers and of the parts. [logical pixel]
+_NUMBERS: Final = 236.0
+_PARTS: Final = 292.0
+#: Narrower, a plot shows nothing. [logical pixel]
+_PLOT: Final = 200.0
+#: The wavelength that single numbers are given for: the nearest there is. [nm]
+_GREEN: Final = 550.0
+
+
+def draw_probe(reading: Reading | None, working: str, into: Rectangle) -> bool:
+    """Draw the panel.
+
+    Parameters
+    ----------
+    reading : Reading or None
+        None until a point has been chosen.
+    working : str
+        What is being computed; empty if nothing is.
+    into : Rectangle
+
+    Returns
+    -------
+    bool
+        False once the user has closed it.
+    """
+    from imgui_bundle import imgui
+
+    imgui.set_next_window_pos(imgui.ImVec2(into.left, into.top))
+    imgui.set_next_window_size(imgui.ImVec2(into.width, into.height))
+    imgui.begin("probe", None, fixed_window_flags())
+    style.colored("Probe", style.ACCENT)
+    imgui.same_line()
+    words = working or ("click a point of the picture" if reading is None else reading.quality)
+    imgui.text_colored(imgui.ImVec4(*(style.WARNING if working else style.QUIET)), words)
+    imgui.same_line(into.width - 34.0)
+    still_open = not imgui.small_button("×")
+    style.hint("close the probe (P)")
+    if reading is not None:
+        imgui.begin_child("numbers", imgui.ImVec2(_NUMBERS, 0.0))
+        for name, value in numbers_of(reading.spectrum):
+            imgui.text_colored(imgui.ImVec4(*style.QUIET), name)
+            imgui.same_line(96.0)
+            imgui.text_unformatted(value)
+        imgui.end_child()
+        imgui.same_line()
+        imgui.begin_child("parts", imgui.ImVec2(_PARTS, 0.0))
+        _parts(reading.spectrum)
+        imgui.end_child()
+        if into.width > _NUMBERS + _PARTS + _PLOT:
+            imgui.same_line()
+            _plot(reading.spectrum)
+    imgui.end()
+    return still_open
+
+
+def numbers_of(probe: Probe) -> tuple[tuple[str, str], ...]:
+    """Names and values with their units, for a reader."""
+    green = int(np.argmin(np.abs(np.asarray(probe.wavelengths) - _GREEN)))
+    nm = f"{probe.wavelengths[green]:.0f} nm"
+    depth = sum(row[green] for row in probe.optical_depth)
+    x, y = probe.chromaticity
+    rows = [
+        ("luminance", f"{probe.luminance:.4g} cd/m²"),
+        ("colour x, y", f"{x:.4f}, {y:.4f}"),
+        (f"at {nm}", f"{1e3 * probe.radiance[green]:.4g} mW/(m² sr nm)"),
+        ("depth τ", f"{depth:.4g} at {nm}"),
+        ("passes", f"{100.0 * probe.transmittance[green]:.3g} % at {nm}"),
+        ("direction", f"{probe.view_zenith:.2f}° zenith, {probe.azimuth % 360.0:.1f}°"),
+    ]
+    if math.isfinite(probe.distance):
+        metres = probe.distance
+        far = f"{metres:.4g} m" if metres < 1e3 else f"{metres / 1e3:.5g} km"
+        rows.append(("ground", f"{far} away"))
+        if probe.latitude is not None and probe.longitude is not None:
+            rows.append(("", _on_globe(probe.latitude, probe.longitude)))
+    return tuple(rows)
+
+
+def _on_globe(latitude: float, longitude: float) -> str:
+    """A place in words.
+
+    Examples
+    --------
+    >>> _on_globe(-4.074, 12.5)
+    '4.074° S, 12.500° E'
+    """
+    north, east = "S" if latitude < 0.0 else "N", "W" if longitude < 0.0 else "E"
+    return f"{abs(latitude):.3f}° {north}, {abs(longitude):.3f}° {east}"
+
+
+def _parts(probe: Probe) -> None:
+    """Luminance by part, in the colours of the plot; optical depth by constituent."""
+    from imgui_bundle import imgui, implot
+
+    green = int(np.argmin(np.abs(np.asarray(probe.wavelengths) - _GREEN)))
+    whole = sum(one.luminance for one in probe.parts)
+    flags = imgui.TableFlags_.row_bg.value | imgui.TableFlags_.sizing_fixed_fit.value
+    if imgui.begin_table("parts", 3, flags):
+        stretch = imgui.TableColumnFlags_.width_stretch.value
+        imgui.table_setup_column("part of the light", stretch)
+        imgui.table_setup_column("cd/m²")
+        imgui.table_setup_column("%")
+        imgui.table_headers_row()
+        for index, part in enumerate(probe.parts):
+            share = 100.0 * part.luminance / whole if whole > 0.0 else 0.0
+            color = implot.get_colormap_color(index + 1)  # the first line is their sum
+            _row(part.name, f"{part.luminance:.4g}", f"{share:.1f}", color=color)
+        imgui.end_table()
+    if imgui.begin_table("depths", 2, flags):
+        stretch = imgui.TableColumnFlags_.width_stretch.value
+        imgui.table_setup_column("optical depth on the way", stretch)
+        imgui.table_setup_column(f"{probe.wavelengths[green]:.0f} nm")
+        imgui.table_headers_row()
+        for name, row in zip(probe.names, probe.optical_depth, strict=True):
+            _row(name, f"{row[green]:.4g}")
+        imgui.end_table()
+
+
+def _row(*texts: str, color: Any = None) -> None:
+    from imgui_bundle import imgui
+
+    imgui.table_next_row()
+    for index, text in enumerate(texts):
+        imgui.table_next_column()
+        if index == 0 and color is not None:
+            flags = imgui.ColorEditFlags_.no_tooltip.value
+            imgui.color_button(f"##{text}", color, flags, imgui.ImVec2(9.0, 9.0))
+            imgui.same_line()
+        imgui.text_unformatted(text)
+        style.hint(text)
+
+
+def _plot(probe: Probe) -> None:
+    """The spectrum and its parts over the wavelength."""
+    from imgui_bundle import imgui, implot
+
+    order = np.argsort(probe.wavelengths)
+    nm = np.ascontiguousarray(np.asarray(probe.wavelengths)[order])
+    lines = {"all": np.asarray(probe.radiance)}
+    lines |= {one.name: np.asarray(one.radiance) for one in probe.parts}
+    top = max(float(np.max(one)) for one in lines.values())
+    scale, unit = scaled_unit(top)
+    flags = (
+        implot.Flags_.no_mouse_text.value
+        | implot.Flags_.no_menus.value
+        | implot.Flags_.no_legend.value
+    )
+    implot.push_style_var(implot.StyleVar_.plot_padding, imgui.ImVec2(6.0, 6.0))
+    is_drawn = implot.begin_plot("##spectrum", imgui.ImVec2(-1.0, -1.0), flags)
+    try:  # the surface balances what ImGui began, but knows nothing of plots
+        if is_drawn:
+            implot.setup_axes("wavelength [nm]", unit)
+            first, last = float(nm[0]), float(nm[-1])
+            always = imgui.Cond_.always.value
+            implot.setup_axis_limits(implot.ImAxis_.x1.value, first, max(last, first + 1.0), always)
+            highest = max(1.1 * top * scale, 1e-30)
+            implot.setup_axis_limits(implot.ImAxis_.y1.value, 0.0, highest, always)
+            for name, values in lines.items():
+                implot.plot_line(name, nm, np.ascontiguousarray(scale * values[order]))
+    finally:
+        if is_drawn:
+            implot.end_plot()
+        implot.pop_style_var()
+
+
+def scaled_unit(top: float) -> tuple[float, str]:
+    """A factor that makes the largest radiance 1 to 1000, and the unit it leads to.
+
+    Parameters
+    ----------
+    top : float
+        [W m⁻² sr⁻¹ nm⁻¹]
+
+    Examples
+    --------
+    >>> scaled_unit(0.02)
+    (1000.0, 'mW/(m² sr nm)')
+    """
+    for factor, prefix in ((1.0, ""), (1e3, "m"), (1e6, "µ"), (1e9, "n"), (1e12, "p")):
+        if top * factor >= 1.0:
+            return factor, f"{prefix}W/(m² sr nm)"
+    return 1.0, "W/(m² sr nm)"

@@ -1,0 +1,206 @@
+"""One parameter as a row of a panel: its name, a control with the unit, and a way back."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from airlight.viewer.parameters.parameter import Parameter, Value
+from airlight.viewer.window import style
+
+#: Width of the names, and of the way back. [logical pixel]
+NAME_WIDTH = 138.0
+RESET_WIDTH = 26.0
+
+
+class Answer(NamedTuple):
+    """What the user did to a row.
+
+    Attributes
+    ----------
+    value : float, str, bool or None
+        The new value, or None if it was left alone.
+    reset : bool
+        Whether it shall go back to the default.
+    place : (float, float, float, float)
+        Where the control is: left, top, right, bottom. [logical pixel]
+    """
+
+    value: Value | None
+    reset: bool
+    place: tuple[float, float, float, float]
+
+
+def parameter_row(
+    parameter: Parameter, value: Value, default: Value, *, marks: bool = True
+) -> Answer:
+    """Draw a row, and say what the user changed.
+
+    Parameters
+    ----------
+    parameter : Parameter
+        What it is.
+    value : float, str or bool
+        What it is set to.
+    default : float, str or bool
+        What the way back leads to.
+    marks : bool
+        Whether the name of a changed parameter has another colour.
+
+    Returns
+    -------
+    Answer
+    """
+    from imgui_bundle import imgui
+
+    imgui.push_id(parameter.path)
+    changed: Value | None = None
+    imgui.align_text_to_frame_padding()
+    left = imgui.get_cursor_pos_x()
+    differs = not same_value(value, default)
+    _name(parameter.label, style.ACCENT if differs and marks else None)
+    style.hint(_explained(parameter, default))
+    imgui.same_line(left + NAME_WIDTH)
+    right = imgui.get_content_region_avail().x
+    imgui.set_next_item_width(right - RESET_WIDTH)
+    moved, new = _control(parameter, value)
+    style.hint(_explained(parameter, default))
+    if moved:
+        changed = new
+    place, reset = style.item_place(), False
+    if differs:
+        imgui.same_line(0.0, 3.0)
+        imgui.push_style_color(imgui.Col_.button, imgui.ImVec4(0.0, 0.0, 0.0, 0.0))
+        if imgui.button(style.RESET, imgui.ImVec2(RESET_WIDTH - 3.0, 0.0)):
+            reset = True
+        imgui.pop_style_color()
+        style.hint(f"back to {shown(parameter, default)}")
+    imgui.pop_id()
+    return Answer(changed, reset, place)
+
+
+def same_value(one: Value, other: Value) -> bool:
+    """Whether two values are the same but for rounding of the last digits.
+
+    Examples
+    --------
+    >>> same_value(0.1 + 0.2, 0.3), same_value(0.3, 0.31), same_value("hable", "aces")
+    (True, False, False)
+    """
+    if isinstance(one, (bool, str)) or isinstance(other, (bool, str)):
+        return one == other
+    return math.isclose(one, other, rel_tol=1e-6, abs_tol=1e-300)
+
+
+def shown(parameter: Parameter, value: Value) -> str:
+    """A value with its unit, as text.
+
+    Examples
+    --------
+    >>> shown(Parameter(path="a", label="a", group="b", help="-", unit="km"), 8.5)
+    '8.5 km'
+    """
+    if isinstance(value, bool):
+        return "on" if value else "off"
+    if isinstance(value, str):
+        return value or "nothing"
+    return with_unit(f"{value:.6g}", parameter.unit)
+
+
+def unit_text(unit: str) -> str:
+    """A unit as it is written on a panel: powers raised, none for pure numbers.
+
+    Examples
+    --------
+    >>> unit_text("W/m^2/nm"), unit_text("/m"), unit_text("deg"), unit_text("1")
+    ('W/(m² nm)', '/m', '°', '')
+    """
+    if unit in ("1", ""):
+        return ""
+    if unit in ("deg", "degree"):
+        return "°"
+    above, *below = unit.replace("**", "^").split("/")
+    words = [_raised(one) for one in below if one]
+    under = words[0] if len(words) == 1 else f"({' '.join(words)})"
+    over = "" if above == "1" else _raised(above)
+    return f"{over}/{under}" if words else over
+
+
+def with_unit(number: str, unit: str) -> str:
+    """A number and its unit, with a space between them where there is one.
+
+    Examples
+    --------
+    >>> with_unit("8.5", "km"), with_unit("60", "deg"), with_unit("0.3", "1")
+    ('8.5 km', '60°', '0.3')
+    """
+    text = unit_text(unit)
+    return number + text if text == "°" else f"{number} {text}".rstrip()
+
+
+def _raised(unit: str) -> str:
+    name, _, power = unit.partition("^")
+    name = "µm" if name == "um" else name
+    return name + power.translate(str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹"))
+
+
+def _name(label: str, color: tuple[float, float, float, float] | None) -> None:
+    from imgui_bundle import imgui
+
+    text = label
+    room = NAME_WIDTH - 8.0
+    while len(text) > 4 and imgui.calc_text_size(text).x > room:
+        text = text.removesuffix("…")[:-1].rstrip() + "…"
+    if color is None:
+        imgui.text_unformatted(text)
+    else:
+        imgui.text_colored(imgui.ImVec4(*color), text)
+
+
+def _explained(parameter: Parameter, default: Value) -> str:
+    """What a row is about, for a reader who rests the pointer on it."""
+    lines = [parameter.label, parameter.help]
+    if parameter.kind == "number":
+        low, high = (max(parameter.least, -1e300), min(parameter.most, 1e300))
+        unit = parameter.unit
+        if abs(low) < 1e300 and high < 1e300:
+            lines.append(f"{low:.6g} to {with_unit(f'{high:.6g}', unit)}")
+        else:
+            high = parameter.high
+            lines.append(f"slider: {parameter.low:.6g} to {with_unit(f'{high:.6g}', unit)}")
+    lines.append(f"as it was: {shown(parameter, default)}")
+    if parameter.kind == "number":
+        lines.append("Ctrl+click to type a number")
+    return "\n".join(lines)
+
+
+def _control(parameter: Parameter, value: Any) -> tuple[bool, Any]:
+    from imgui_bundle import imgui
+
+    if parameter.kind == "switch":
+        return imgui.checkbox("##value", bool(value))
+    if parameter.kind == "choice":
+        return _choice(parameter, str(value))
+    if parameter.kind == "text":
+        _, text = imgui.input_text("##value", str(value))
+        return imgui.is_item_deactivated_after_edit(), text
+    flags = imgui.SliderFlags_.no_round_to_format.value
+    if parameter.scale == "log":
+        flags |= imgui.SliderFlags_.logarithmic.value
+    unit = unit_text(parameter.unit).replace("%", "%%")
+    digits = "%.7g" if unit == "m" else "%.5g"
+    form = f"{digits}{'' if unit == '°' else ' '}{unit}".rstrip()
+    number = float(value)
+    moved, new = imgui.slider_float(
+        "##value", number, float(parameter.low), float(parameter.high), form, flags
+    )
+    return moved, float(f"{new:.7g}")  # the slider is of single precision
+
+
+def _choice(parameter: Parameter, value: str) -> tuple[bool, str]:
+    from imgui_bundle import imgui
+
+    options = list(parameter.options)
+    at = options.index(value) if value in options else -1
+    moved, at = imgui.combo("##value", at, options)
+    return moved, options[at] if at >= 0 else value

@@ -1,0 +1,181 @@
+"""Saving from the window: the picture as PNG or EXR, the planet as a file."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Final
+
+from airlight.errors import AirlightError
+from airlight.exports.picture import picture_suffix, write_picture
+from airlight.render import render
+from airlight.scene import Scene
+from airlight.viewer.background.error_line import one_line
+from airlight.viewer.painting.picture_source import Picture, Request
+from airlight.viewer.parameters.view_parameters import fitting
+from airlight.viewer.window import style
+
+#: Sizes that a picture can be saved in, by name; the window's own comes first. [pixel]
+SIZES: Final[tuple[tuple[str, tuple[int, int] | None], ...]] = (
+    ("as in the window", None),
+    ("1280 × 720", (1280, 720)),
+    ("1920 × 1080", (1920, 1080)),
+    ("3840 × 2160", (3840, 2160)),
+    ("2048 × 2048", (2048, 2048)),
+    ("4096 × 2048", (4096, 2048)),
+    ("8192 × 4096", (8192, 4096)),
+)
+
+
+class Saving:
+    """Writes pictures on a thread of its own.
+
+    Parameters
+    ----------
+    wake : callable
+        Called from the thread when there is something new to say.
+    """
+
+    def __init__(self, wake: Callable[[], None]) -> None:
+        self._wake = wake
+        self._thread: threading.Thread | None = None
+        self._cancelled = False
+        self.message = ""
+        self.error = ""
+
+    @property
+    def busy(self) -> bool:
+        """Whether a picture is being made."""
+        return self._thread is not None and self._thread.is_alive()
+
+    def save(self, path: str, picture: Picture, size: tuple[int, int] | None) -> None:
+        """Begin to render and write what a picture shows.
+
+        Parameters
+        ----------
+        path : str
+            Ends in ``.png`` or ``.exr``.
+        picture : Picture
+            Its exposure is used.
+        size : (int, int), optional
+            A panorama and a cube strip take the largest of their shape that fits. [pixel]
+        """
+        if self.busy:
+            return
+        self.message, self.error = "", ""
+        try:
+            picture_suffix(path)
+        except AirlightError as error:
+            self.error = str(error)
+            return
+        request, scene = picture.request, picture.request.scene
+        if size is not None:
+            width, height = fitting(scene.camera.projection, *size)
+            scene = replace(scene, camera=replace(scene.camera, width=width, height=height))
+        self.message = f"saving {path}"
+        self._thread = threading.Thread(
+            target=self._write,
+            args=(path, request, scene, picture.exposure),
+            name="airlight-saving",
+            daemon=True,
+        )
+        self._thread.start()
+
+    def _write(self, path: str, request: Request, scene: Scene, exposure: float) -> None:
+        try:
+            frame = render(
+                request.solution, scene, orders=request.orders, cancel=lambda: self._cancelled,
+                progress=self._progress,
+            )  # fmt: skip
+            planet = request.solution.planet
+            metadata = {"planet": planet.name if planet else "", **scene.metadata()}
+            metadata |= {"orders": request.orders, **frame.metadata}
+            written = write_picture(
+                path, frame.rgb, metadata, exposure=exposure, tone_map=request.tone_map
+            )
+            size = f"{scene.camera.width}×{scene.camera.height}"
+            self.message = f"saved {written.path}  {size}  {written.size / 1e3:.0f} kB"
+        except Exception as failure:
+            self.message, self.error = "", one_line(failure)
+        self._wake()
+
+    def _progress(self, done: int, total: int, message: str) -> None:
+        self.message = f"saving: {100.0 * done / max(total, 1):.0f} %"
+        self._wake()
+
+    def close(self) -> None:
+        """Stop, and wait until the thread has ended."""
+        self._cancelled = True
+        if self._thread is not None:
+            self._thread.join()
+
+
+class SaveDialog:
+    """The question where to save, over the picture."""
+
+    def __init__(self) -> None:
+        self.asks = ""  # picture, planet, or nothing
+        self.picture_path = "airlight.png"
+        self.planet_path = "my-planet.toml"
+        self._size = 0
+        self._fresh = False
+
+    def ask(self, what: str) -> None:
+        """Open the question: ``picture`` or ``planet``."""
+        self.asks, self._fresh = what, True
+
+    def draw(
+        self,
+        width: float,
+        height: float,
+        save_picture: Callable[[str, tuple[int, int] | None], object],
+        save_planet: Callable[[str], object],
+    ) -> None:
+        """Draw the question, and act on the answer."""
+        from imgui_bundle import imgui
+
+        if not self.asks:
+            return
+        center = imgui.ImVec2(0.5 * width, 0.45 * height)
+        imgui.set_next_window_pos(center, imgui.Cond_.always.value, imgui.ImVec2(0.5, 0.5))
+        imgui.set_next_window_size(imgui.ImVec2(460.0, 0.0))
+        flags = (
+            imgui.WindowFlags_.no_collapse.value
+            | imgui.WindowFlags_.no_resize.value
+            | imgui.WindowFlags_.no_title_bar.value
+            | imgui.WindowFlags_.no_saved_settings.value
+        )
+        imgui.begin("save", None, flags)
+        is_picture = self.asks == "picture"
+        style.colored(f"Save the {self.asks}", style.ACCENT)
+        imgui.set_next_item_width(-1.0)
+        if self._fresh:
+            imgui.set_keyboard_focus_here()
+            self._fresh = False
+        path = self.picture_path if is_picture else self.planet_path
+        entered, path = imgui.input_text(
+            "##path", path, imgui.InputTextFlags_.enter_returns_true.value
+        )
+        if is_picture:
+            self.picture_path = path
+            imgui.set_next_item_width(200.0)
+            _, self._size = imgui.combo("size", self._size, [name for name, _ in SIZES])
+            style.colored(".png: as it is shown.  .exr: linear light, untouched.", style.QUIET)
+        else:
+            self.planet_path = path
+            style.colored("A .toml that airlight reads like its own planets.", style.QUIET)
+        folder = Path(path).expanduser().parent.resolve()
+        style.colored(f"in {folder}", style.QUIET)
+        if imgui.button("save") or entered:
+            self.asks = ""
+            target = str(Path(path).expanduser())
+            if is_picture:
+                save_picture(target, SIZES[self._size][1])
+            else:
+                save_planet(target)
+        imgui.same_line()
+        if imgui.button("cancel") or imgui.is_key_pressed(imgui.Key.escape):
+            self.asks = ""
+        imgui.end()

@@ -1,0 +1,76 @@
+"""What the rows of the panels show: parameters, values and defaults, read once a change."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from airlight.errors import AirlightError
+from airlight.viewer.parameters.parameter import Parameter, Value
+from airlight.viewer.parameters.parameter_list import value_at
+from airlight.viewer.parameters.view_parameters import DEFAULTS
+from airlight.viewer.session.session import Session, Versions
+
+
+class PanelValues:
+    """Parameters of a session as they were at the last ``refresh``, all of one moment.
+
+    A row may edit the session while the others are drawn: they go on with what they began with.
+
+    Parameters
+    ----------
+    session : Session
+
+    Attributes
+    ----------
+    parameters : tuple of Parameter
+        All of them.
+    of_planet : tuple of Parameter
+        Those of the planet's file.
+    """
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+        self._versions: Versions | None = None
+        self._planet = session.planet
+        self._values: Mapping[str, Value] = {}
+        self._defaults: dict[str, Value] = {}
+        self.parameters: tuple[Parameter, ...] = ()
+        self.of_planet: tuple[Parameter, ...] = ()
+
+    def refresh(self) -> None:
+        """Read what changed since the last call; if that fails, the next call tries again."""
+        session = self._session
+        planet = session.planet
+        if self._versions == session.versions and self._planet is planet:
+            return
+        parameters, of_planet, values = session.parameters, planet.parameters, session.values
+        if self._planet.base is not planet.base or self.of_planet is not of_planet:
+            self._defaults = {}
+        self._planet = planet
+        self.parameters, self.of_planet, self._values = parameters, of_planet, values
+        self._versions = session.versions
+
+    @property
+    def of_view(self) -> tuple[Parameter, ...]:
+        """Those of camera, sun, display and light."""
+        return tuple(
+            one for one in self.parameters if one.path.startswith(("view.", "display.", "light."))
+        )
+
+    def value(self, parameter: Parameter) -> Value:
+        """What a parameter is set to."""
+        return self._values[parameter.path]
+
+    def default(self, parameter: Parameter) -> Value:
+        """What it came with; its own value if it came without."""
+        path = parameter.path
+        if path in DEFAULTS:
+            return DEFAULTS[path]
+        if path.startswith("light."):
+            return True
+        if path not in self._defaults:
+            try:
+                self._defaults[path] = value_at(self._planet.base, parameter)
+            except (AirlightError, AttributeError, TypeError, KeyError, IndexError):
+                return self.value(parameter)
+        return self._defaults[path]

@@ -1,0 +1,140 @@
+"""The sides of the comparison, each with a solver and a painter on threads of their own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import cast
+
+from airlight.planets.planet import Planet
+from airlight.viewer.background.solving import Solved, Solver, Solving, Status
+from airlight.viewer.background.solving_by import shown_wavelengths
+from airlight.viewer.painting.picture_source import Orders, Painter, Picture, Request
+from airlight.viewer.painting.picture_thread import PictureThread
+from airlight.viewer.parameters.view_parameters import scene_of
+from airlight.viewer.session.compared_side import SessionSide
+from airlight.viewer.session.session import Session
+
+
+class Sides:
+    """What is solved and painted of a session's one or two sides.
+
+    Parameters
+    ----------
+    session : Session
+    painter : callable
+        Makes a painter; called once for each side.
+    solver : Solver
+        Called on threads of ``Solving``.
+    wake : callable
+        Called from any thread when there is something new.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        painter: Callable[[], Painter],
+        solver: Solver,
+        wake: Callable[[], None],
+    ) -> None:
+        self._session = session
+        self._make_painter = painter
+        self._solver = solver
+        self._wake = wake
+        self._solvings: dict[str, Solving] = {}
+        self._threads: dict[str, PictureThread] = {}
+        self._pictures: dict[str, Picture] = {}
+        self._wanted: tuple[str, ...] = ()
+
+    def follow(self, *, both: bool) -> None:
+        """Say what is wanted now, of the side that is edited or of both."""
+        shown = self._session.showing
+        other = "A" if shown == "B" else "B"
+        sides = (shown, other) if both else (shown,)
+        for side in sides:
+            self._want(side)
+        self._wanted = sides
+
+    def _want(self, side: str) -> None:
+        if side not in self._solvings:
+            self._threads[side] = PictureThread(self._make_painter(), self._wake)
+            self._solvings[side] = Solving(
+                SessionSide(self._session, side),
+                solver=self._solver,
+                wavelengths=shown_wavelengths,
+                on_change=self._wake,
+            )
+        solved = self._solvings[side].latest
+        if solved is not None:
+            self._threads[side].want(self._request(side, solved))
+        newest = self._threads[side].picture
+        if newest is not None:
+            self._pictures[side] = newest
+
+    def _request(self, side: str, solved: Solved) -> Request:
+        """The picture that is wanted of a side."""
+        session = self._session
+        view = session.view if side == session.showing else session.view_other or session.view
+        return Request(
+            solution=solved.solution,
+            scene=scene_of(view, *session.size),
+            exposure=float(view["display.exposure"]),
+            automatic=bool(view["display.automatic"]),
+            tone_map=str(view["display.tone_map"]),
+            orders=cast(Orders, view["light.orders"]),
+        )
+
+    def picture(self, side: str = "") -> Picture | None:
+        """What is shown of a side; of the one that is edited if left out."""
+        return self._pictures.get(side or self._session.showing)
+
+    def solved(self, side: str = "") -> Solved | None:
+        """The newest solution of a side."""
+        solving = self._solvings.get(side or self._session.showing)
+        return None if solving is None else solving.latest
+
+    @property
+    def status(self) -> Status:
+        """What the solver of the side that is edited does now."""
+        solving = self._solvings.get(self._session.showing)
+        return Status() if solving is None else solving.status
+
+    @property
+    def planet(self) -> Planet | None:
+        """What the reader made of the planet that is edited, if nothing of it is switched off."""
+        solved = self.solved()
+        if solved is None or solved.version != self._session.versions.planet:
+            return None
+        return None if self._session.planet.off else solved.planet
+
+    @property
+    def settled(self) -> bool:
+        """Whether all that is wanted is shown, in full quality."""
+        return bool(self._wanted) and all(self._is_settled(side) for side in self._wanted)
+
+    def _is_settled(self, side: str) -> bool:
+        solved, shown = self._solvings[side].latest, self._pictures.get(side)
+        return (
+            self._solvings[side].idle
+            and not self._threads[side].busy
+            and solved is not None
+            and shown is not None
+            and shown.finished
+            and shown.request.same(self._request(side, solved))
+        )
+
+    @property
+    def error(self) -> str:
+        """Why what is wanted cannot be shown, in one line; empty if it can."""
+        errors = [self._solvings[side].status.error for side in self._wanted]
+        errors += [self._threads[side].error for side in self._wanted]
+        return next((one for one in errors if one), "")
+
+    def close(self) -> None:
+        """End all threads."""
+        for solving in self._solvings.values():
+            solving.close()
+        for thread in self._threads.values():
+            thread.close()
+        self._solvings.clear()
+        self._threads.clear()
+        self._wanted = ()

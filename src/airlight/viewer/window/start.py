@@ -1,0 +1,180 @@
+"""From what was asked for to an open window: session, device, canvas."""
+
+from __future__ import annotations
+
+import time
+import warnings
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Final, Literal
+
+import numpy as np
+
+from airlight.errors import FileError
+from airlight.exports.whole_file import check_target
+from airlight.gpu.device.device import Device, NoDevice, open_device
+from airlight.scene import look_at
+from airlight.viewer.background.solving_by import solver_by
+from airlight.viewer.navigation.viewpoints import PLACES, view_of
+from airlight.viewer.painting.picture_cpu import CpuPainter
+from airlight.viewer.painting.picture_source import Painter
+from airlight.viewer.parameters.parameter import Value
+from airlight.viewer.session.session import Session
+from airlight.viewer.window.canvas import DesktopPlace, OffscreenPlace, WindowError
+from airlight.viewer.window.window import Window
+
+#: Where the camera looks from a given altitude if nobody says: across the sunlight. [deg]
+_ACROSS: Final = -75.0
+#: Whoever gives one of these has a view of his own.
+_PLACED: Final = frozenset(
+    {"view.altitude", "view.sun_zenith", "view.field_of_view", "view.projection"}
+)
+#: The longest wait for a picture of the window. [s]
+_PATIENCE: Final = 300.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Start:
+    """What a window shows first.
+
+    Parameters
+    ----------
+    planet : str
+        Name of a preset, or the path of a planet file.
+    other : str, optional
+        A planet to compare it with.
+    changes : tuple of str
+        ``PATH=VALUE``, as ``airlight render --set`` takes them.
+    view : mapping
+        Values of the view's parameters by path.
+    look : (float, float), optional
+        Zenith angle, and azimuth from the sun's side. [deg]
+    look_at : str, optional
+        Instead: ``horizon``, ``nadir``, ``zenith`` or ``sun``.
+    size : (int, int)
+        Of the window. [logical pixel]
+    device : str
+        ``auto``, ``gpu`` or ``cpu``.
+    screenshot : Path, optional
+        Open no window; write what it would show.
+    """
+
+    planet: str = "earth"
+    other: str | None = None
+    changes: tuple[str, ...] = ()
+    view: Mapping[str, Value] = field(default_factory=dict)
+    look: tuple[float, float] | None = None
+    look_at: str | None = None
+    size: tuple[int, int] = (1280, 720)
+    device: Literal["auto", "gpu", "cpu"] = "auto"
+    screenshot: Path | None = None
+
+
+def show(start: Start) -> None:
+    """Open a window and run it until it is closed, or write a picture of it.
+
+    Raises
+    ------
+    WindowError
+        If there can be no window: without the packages, a display or a graphics device.
+    ParameterError, FileError
+        If the planet or a value is not allowed.
+    """
+    if start.screenshot is not None:
+        if start.screenshot.suffix.lower() != ".png":
+            raise FileError(start.screenshot, "the name of a screenshot ends in .png")
+        check_target(start.screenshot)
+    # Two sides may compile a function at the same time; the second finds it done, and says so.
+    warnings.filterwarnings("ignore", message="Compilation requested for previously compiled")
+    session = opened(start)
+    place: DesktopPlace | OffscreenPlace
+    if start.screenshot is not None:
+        place = OffscreenPlace(start.size)
+    else:
+        place = DesktopPlace(start.size, f"airlight · {session.planet_name}")
+    try:
+        device = open_device()
+    except NoDevice as error:
+        place.close()
+        raise WindowError(f"the window needs a graphics device: {error.reason}") from error
+    painter, solver = painter_by(start.device, device), solver_by(start.device, device)
+    window = Window(session, place, device.device, painter, solver)
+    if start.other is not None:
+        window.panel.compare_with(start.other)
+    if start.screenshot is None or isinstance(place, DesktopPlace):
+        window.run()
+        return
+    try:
+        _photograph(window, place, start.screenshot)
+    finally:
+        window.close()
+
+
+def opened(start: Start) -> Session:
+    """A session as it was asked for, with nothing to undo."""
+    session = Session(start.planet)
+    if start.changes:
+        from airlight.planets.reading.overrides import overridden, parsed
+
+        changed = overridden(session.planet.tables, dict(parsed(one) for one in start.changes))
+        session.replace_tables("--set", changed)
+    for path, value in start.view.items():
+        session.set(path, value)
+    if start.look is None and start.look_at is None and not set(start.view) & _PLACED:
+        session.move(_first_view(session))
+    view = session.view
+    target, word, aside = start.look, start.look_at, 0.0
+    if target is None and word is None and "view.altitude" in start.view:
+        word, aside = "horizon", _ACROSS
+    if word is not None:
+        target = look_at(
+            word,
+            altitude=float(view["view.altitude"]),
+            sun_zenith=float(view["view.sun_zenith"]),
+            bottom_radius=1e3 * float(session.value("shell.bottom_radius")),
+        )
+    if target is not None:
+        bearing = float(view["view.sun_azimuth"])
+        heading = (bearing + target[1] + aside) % 360.0
+        session.move({"view.look_zenith": target[0], "view.heading": heading})
+    return session
+
+
+def _first_view(session: Session) -> Mapping[str, float]:
+    """The sky from the ground, a little aside from the sun."""
+    bottom, top = (1e3 * float(session.value(f"shell.{end}_radius")) for end in ("bottom", "top"))
+    bearing = float(session.view["view.sun_azimuth"])
+    return view_of(PLACES[0], bottom_radius=bottom, top_radius=top, bearing=bearing)
+
+
+def painter_by(choice: Literal["auto", "gpu", "cpu"], device: Device) -> Callable[[], Painter]:
+    """What makes painters: by the graphics device, or by the processor."""
+
+    def make() -> Painter:
+        if choice == "cpu":
+            return CpuPainter(device.device)
+        from airlight.viewer.painting.picture_gpu import GpuPainter
+
+        return GpuPainter(device)
+
+    return make
+
+
+def _photograph(window: Window, place: OffscreenPlace, path: Path) -> None:
+    """Draw until everything wanted is shown, and write the picture."""
+    from airlight.exports.png import write_png
+
+    until = time.monotonic() + _PATIENCE
+    place.run(window.draw)
+    while not (window.settled and window.shown() is not None and not place.wanted):
+        if window.problem:
+            raise WindowError(window.problem)
+        if time.monotonic() > until:
+            raise WindowError(f"the picture was not finished after {_PATIENCE:.0f} s")
+        time.sleep(0.02)
+        place.run(window.draw)
+    for _ in range(2):  # panels settle their sizes in the frame after
+        place.run(window.draw)
+    assert place.picture is not None
+    write_png(path, np.ascontiguousarray(place.picture), {"software": "airlight view"})
