@@ -178,7 +178,7 @@ def test_a_part_that_fails_is_named_and_drawn_again_once_it_can_be(
         assert window.problem.endswith(str(fault))
     assert window.frames == frames + 3
     assert [(one.name, one.exc_info is not None) for one in caplog.records] == [
-        ("airlight.viewer.failure", True)
+        ("airlight.viewer.background.error_line", True)
     ]
     after = drawn(window, place, 3)
     assert part not in window.problem
