@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 HEAVY = ["numba", "scipy", "xarray", "pint", "PIL", "OpenEXR", "pandas", "matplotlib"]
-#: What a picture of a preset does without: half a second and more. (Numba itself imports SciPy's BLAS.)
+#: What a picture of a preset does without: half a second and more.
 NEEDLESS = [
     "pint", "xarray", "pandas", "matplotlib", "OpenEXR", "miepython", "wgpu",
     "scipy.interpolate", "scipy.optimize", "scipy.sparse", "scipy.special",
