@@ -68,17 +68,19 @@ def test_array_function_answers_in_the_type_of_the_formula() -> None:
 
 
 _PROGRAM = """
+import sys
 import numpy as np
 from airlight.kernel import vectorized
 from airlight.geometry.shell import distance_to_top
-several = vectorized(distance_to_top)(np.array([6.4e6]), 1.0, 6.5e6)
+kind = sys.argv[1]
+several = vectorized(distance_to_top)(np.array([6400000], kind), 1.0, 6.5e6)
 print(several[0], distance_to_top(6.4e6, 1.0, 6.5e6))
 """
 
 
-def _run_with_cache(folder: Path | str) -> str:
+def _run_with_cache(folder: Path | str, kind: str = "float64") -> str:
     run = subprocess.run(
-        [sys.executable, "-c", _PROGRAM],
+        [sys.executable, "-c", _PROGRAM, kind],
         env={**os.environ, "AIRLIGHT_CACHE": str(folder)},
         capture_output=True, text=True, check=False, timeout=120,
     )  # fmt: skip
@@ -92,6 +94,19 @@ def test_a_kernel_and_its_array_function_share_a_cache_in_peace(tmp_path: Path) 
     first, second = _run_with_cache(tmp_path), _run_with_cache(tmp_path)
     assert first == second == "100000.0 100000.0\n"
     assert list((tmp_path / "kernels").rglob("*.nbi"))
+
+
+def test_processes_do_not_overwrite_each_others_code(tmp_path: Path) -> None:
+    # The second process finds no index, as one that has looked a moment before the first wrote it.
+    # Numba alone would give its code, of other types, the first one's name.
+    assert _run_with_cache(tmp_path) == "100000.0 100000.0\n"
+    kept = {file: file.read_bytes() for file in tmp_path.rglob("*.nbc")}
+    assert len(kept) >= 2
+    for index in tmp_path.rglob("*.nbi"):
+        index.unlink()
+    assert _run_with_cache(tmp_path, "int64") == "100000.0 100000.0\n"
+    assert {file: file.read_bytes() for file in kept} == kept
+    assert len(list(tmp_path.rglob("*.nbc"))) > len(kept)
 
 
 def test_formulas_work_where_nothing_can_be_kept() -> None:

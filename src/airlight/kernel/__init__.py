@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import math
 import os
+import secrets
 import shutil
 from collections.abc import Callable, Iterator
 from functools import cache
@@ -77,9 +78,28 @@ def _declare(
     # kind has a folder of its own.
     with _numba_cache(folder / room):
         try:
-            return make(cache=True, **options)(function)
+            return _apart(make(cache=True, **options)(function))
         except RuntimeError:  # a function typed at a prompt has no file to key the cache by
             return make(**options)(function)
+
+
+def _apart(dispatcher: Any) -> Any:
+    """Give the files of code that this process compiles names that no other process uses.
+
+    Numba numbers them by what the index held a moment ago. Two processes that compile a function
+    for different types at once would take the same number, and the code of the one would later run
+    as that of the other. With names apart, one entry of the index may get lost and is made again.
+    """
+    files = getattr(getattr(dispatcher, "_cache", None), "_cache_file", None)
+    pattern = getattr(files, "_data_name_pattern", None)
+    if pattern is not None:
+        files._data_name_pattern = pattern.replace("{number:d}", f"{_process()}-{{number:d}}")
+    return dispatcher
+
+
+@cache
+def _process() -> str:
+    return secrets.token_hex(6)
 
 
 def kernel(function: Callable[..., Any]) -> Any:
