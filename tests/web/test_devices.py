@@ -47,7 +47,7 @@ def test_pass_reads_flat_tables_and_draws_two_float_targets(
     spectra, field = random.random((2, 3000, 4), np.float32)
     colors = random.random((4, 4), np.float32)
     wgsl = (SHADERS / "two_targets.wgsl").read_text(encoding="utf-8")
-    page = modules(device=("openDevice",))
+    page = modules({"devices/device": ("openDevice",)})
     got = page.evaluate(
         _RUN,
         {

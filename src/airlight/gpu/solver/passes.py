@@ -23,12 +23,13 @@ from airlight.gpu.solver.tables import (
     tables_in_shader,
     uniform_fields,
 )
+from airlight.solvers.moments.stopping import PASS_IMAGES
 
 #: How a texture is read: four wavelengths a texel, or number by number.
 View = Literal["lanes", "numbers"]
 
 #: Images of the light, the last first.
-IMAGES: Final = tuple(f"image_{i}" for i in range(mixing.IMAGES))
+IMAGES: Final = tuple(f"image_{i}" for i in range(PASS_IMAGES))
 
 
 @dataclass(frozen=True)
@@ -223,7 +224,7 @@ def shader(name: str) -> str:
         "@group(0) @binding(1) var<uniform> span: Span;",
     ]
     if uses_mix:
-        lines.append(f"struct Mix {{ weights: array<vec4f, {mixing.IMAGES + 2}> }}")
+        lines.append(f"struct Mix {{ weights: array<vec4f, {PASS_IMAGES + 2}> }}")
         lines.append("@group(0) @binding(2) var<uniform> mix: Mix;")
     lines += [
         f"@group(0) @binding({number}) var {texture}: texture_2d<f32>;"

@@ -30,7 +30,7 @@ def web_texts() -> dict[str, str]:
 
 @cache
 def web_shaders() -> dict[str, dict[str, Any]]:
-    """Every shader as ``web/program.js`` takes it: WGSL, and GLSL by entry point.
+    """Every shader as ``web/drawing/program.js`` takes it: WGSL, and GLSL by entry point.
 
     Raises
     ------
@@ -56,7 +56,7 @@ def solver_texts() -> dict[str, str]:
 
 @cache
 def solver_shaders() -> dict[str, dict[str, Any]]:
-    """Every pass of the solver as ``web/solver.js`` takes it, with the slots that it reads.
+    """Every pass of the solver as ``web/solving/solver.js`` takes it, with the slots that it reads.
 
     Raises
     ------

@@ -10,7 +10,7 @@ export class Edits {
   /**
    * @param {object} viewer With `device`, `state`, `take` and `say`.
    * @param {object} description Of the solver, see solver.js.
-   * @param {object} plain The picture of the planet as it is, see picture.js.
+   * @param {object} plain The picture of the planet as it is, see drawing/picture.js.
    */
   constructor(viewer, description, plain) {
     this.viewer = viewer;

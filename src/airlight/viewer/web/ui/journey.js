@@ -1,5 +1,5 @@
 /** Moving over a planet: how the view's values change with a step of the observer. */
-import { direction, groundFrame } from "./view.js";
+import { direction, groundFrame } from "../drawing/view.js";
 
 const DEGREE = 180 / Math.PI;
 /** Lowest and highest altitude that can be flown at. [m] */

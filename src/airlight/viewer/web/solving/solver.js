@@ -1,13 +1,13 @@
 /**
  * The moments solver on a device: successive orders of scattering as passes of fragments.
  *
- * A description, as viewer/page_solver.py makes it, has the `plan` of gpu/solver_plan.py, its
+ * A description, as viewer/browser/page_solver.py makes it, has the `plan` of gpu/solver_plan.py, its
  * `uniforms`, `scalars` (its tables in their order) and `shaders`, the numbers of the `air`, and
  * when to stop.
  */
 import { brightest, counts, mixingWeights, relativeChange, whatFollows } from "./convergence.js";
-import { numbersOf, textOf } from "./package.js";
-import { ROW } from "./textures.js";
+import { numbersOf, textOf } from "../drawing/package.js";
+import { ROW } from "../devices/textures.js";
 
 const FORMAT = "rgba32float";
 const VERTEX = "full_screen_triangle";
@@ -15,7 +15,7 @@ const LANES = 4;
 
 export class Solver {
   /**
-   * @param {object} device See device.js.
+   * @param {object} device See devices/device.js.
    * @param {object} description
    * @returns {Promise<Solver>} Its passes compiled.
    */

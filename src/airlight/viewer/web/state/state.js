@@ -151,7 +151,7 @@ export class State {
   /**
    * What differs from the beginning, as the part of an address behind `#`.
    *
-   * It is the JSON of viewer/saved_state.py: `planet`, and by path `view` and `set`, `off` by place;
+   * It is the JSON of viewer/session/saved_state.py: `planet`, and by path `view` and `set`, `off` by place;
    * and `air`, the amounts of a page that solves for itself.
    */
   asFragment() {

@@ -1,18 +1,18 @@
 /**
  * What draws a planet: its tables on the device, and the passes over them.
  *
- * A description, as viewer/package.py makes it, has what is the same for every planet — `plan` and
+ * A description, as viewer/browser/package.py makes it, has what is the same for every planet — `plan` and
  * `shaders` (see program.js), `sky` (shapes of the table of the sky), `glance` (side of the picture
  * that the exposure is found from), `projections` with their fields of view, `tone_maps` with the
  * luminance that each shows as middle grey, `encodings`, `orders` and `luminance` — and what belongs
  * to a solution: `uniforms`, `tables` (`{format, data}` by name, or a `texture` that is given away), `ground` (see ground.js), `radius`,
- * `thickness`, `star` and `paths` (see shown_view.js).
+ * `thickness`, `star` and `paths` (see view_uniforms.js).
  */
 import { automaticExposure } from "./exposure.js";
 import { groundTable } from "./ground.js";
 import { numbersOf } from "./package.js";
 import { Program } from "./program.js";
-import { cameraNumbers, observerNumbers } from "./shown_view.js";
+import { cameraNumbers, observerNumbers } from "./view_uniforms.js";
 import { cameraOf } from "./view.js";
 
 /** A table of the sky may take so long while something moves, and while it rests. [ms] */
@@ -25,7 +25,7 @@ const ROW = 2048;
 
 export class Picture {
   /**
-   * @param {object} device See device.js.
+   * @param {object} device See devices/device.js.
    * @param {object} description
    */
   static async make(device, description) {

@@ -2,7 +2,7 @@
 
 /**
  * @param {{image: string, levels: number[][], decoded: number[]} | null} map From
- *     viewer/ground_map.py; null for a ground of one colour.
+ *     viewer/browser/ground_map.py; null for a ground of one colour.
  * @returns {Promise<{numbers: Float32Array, places: {levels: number[], texels: number[]}}>} The
  *     table, and where its two parts stand.
  */

@@ -8,7 +8,7 @@
  */
 export class Program {
   /**
-   * @param {object} device See device.js.
+   * @param {object} device See devices/device.js.
    * @param {object} plan
    * @param {Object<string, object>} shaders By name: `wgsl`, and `glsl` with `vertex` and one text
    *     for each entry.

@@ -3,7 +3,7 @@
 /**
  * The numbers of a table.
  *
- * @param {string | DataView | ArrayBuffer | Uint8Array} data Text as viewer/tables_text.py makes it,
+ * @param {string | DataView | ArrayBuffer | Uint8Array} data Text as viewer/browser/tables_text.py makes it,
  *     or little-endian float32.
  * @returns {Promise<Float32Array>}
  */

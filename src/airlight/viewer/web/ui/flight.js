@@ -1,6 +1,6 @@
 /** Mouse, wheel, touch and keys on the picture. */
 import { HIGHEST, LOWEST, cameraInPlace, moved } from "./journey.js";
-import { wrapped } from "./parameters.js";
+import { wrapped } from "../state/parameters.js";
 
 /** Shown by the help button. */
 export const HELP = [

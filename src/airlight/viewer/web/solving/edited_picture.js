@@ -1,5 +1,5 @@
 /** The picture's tables after an edit: those of the planet as it is, with new ones behind them. */
-import { numbersOf } from "./package.js";
+import { numbersOf } from "../drawing/package.js";
 
 /**
  * What picture.js takes.

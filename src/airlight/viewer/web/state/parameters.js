@@ -1,7 +1,7 @@
 /**
  * Declared parameters: what a value may be, where it lies on a slider, how it is written.
  *
- * A parameter is an object as viewer/parameter.py declares it and `as_json` writes it.
+ * A parameter is an object as viewer/parameters/parameter.py declares it and `as_json` writes it.
  */
 
 /**

@@ -1,5 +1,5 @@
 /** The panel: one control for each declared parameter, in groups that fold. */
-import { checked, numberAt, rounded, shareOf, written } from "./parameters.js";
+import { checked, numberAt, rounded, shareOf, written } from "../state/parameters.js";
 
 /** Groups that stand first, unfolded: those of the view. */
 const FIRST = ["camera", "sun", "display", "light"];

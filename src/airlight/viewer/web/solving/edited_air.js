@@ -1,5 +1,5 @@
 /**
- * The coefficients of air of which there is more or less, as viewer/page_solver.py carries it.
+ * The coefficients of air of which there is more or less, as viewer/browser/page_solver.py carries it.
  *
  * What is computed here is what solvers/moments/air.py and level_weights of packing.py compute.
  */

@@ -5,21 +5,21 @@
  *
  * - `title`;
  * - `parameters` and `values`, as declared and as they begin, or a `state` that has them;
- * - `picture(device)` — a promise of what draws them: see picture.js;
- * - `edits(viewer)` — what solves the planet after edits, see edits.js, or none;
+ * - `picture(device)` — a promise of what draws them: see drawing/picture.js;
+ * - `edits(viewer)` — what solves the planet after edits, see solving/edits.js, or none;
  * - `radius()` — of the planet; [m]
  * - `status()` — a few words about the solution, or none;
  * - `note` — a line about what cannot be edited here, or none;
  * - `device` — auto, webgpu or webgl2.
  */
 import { Controls, element } from "./controls.js";
-import { openDevice } from "./device.js";
+import { openDevice } from "../devices/device.js";
 import { Flight, HELP } from "./flight.js";
 import { FrameLoop } from "./frame_loop.js";
 import { Probe } from "./probe.js";
-import { State } from "./state.js";
+import { State } from "../state/state.js";
 import { toolbar } from "./toolbar.js";
-import { fitting } from "./view.js";
+import { fitting } from "../drawing/view.js";
 
 /** Frames that take longer than this are drawn smaller while something moves. [ms] */
 const SMOOTH = 40;
