@@ -1,8 +1,8 @@
 """What a page is given to solve the planet anew: the passes, the air's numbers, the amounts.
 
 Only what leaves rays and densities as they are can be changed: how much each constituent scatters
-and absorbs, and how bright the ground is. ``web/edited_air.js`` makes the coefficients from it, and
-``web/solver.js`` runs the passes.
+and absorbs, and how bright the ground is. ``web/solving/edited_air.js`` makes the
+coefficients from it, and ``web/solving/solver.js`` runs the passes.
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ def amount_parameters(solution: MomentsSolution) -> tuple[Parameter, ...]:
 def solver_data(
     solution: MomentsSolution, settings: Settings | None = None
 ) -> dict[str, Any] | None:
-    """What ``web/solver.js`` reads, as JSON takes it.
+    """What ``web/solving/solver.js`` reads, as JSON takes it.
 
     Parameters
     ----------
