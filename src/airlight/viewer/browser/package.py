@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from airlight.color.encoding import ENCODINGS
 from airlight.color.exposure import MIDDLE_GREY
-from airlight.color.four_wavelengths import few_wavelengths, picture_weights
+from airlight.color.four_wavelengths import picture_weights
 from airlight.color.tone_maps import TONE_MAPS, tone_map_named
 from airlight.color.xyz import luminance, rgb_to_xyz
 from airlight.constants import LUMINOUS_EFFICACY
@@ -24,7 +24,6 @@ from airlight.gpu.picture.solution_textures import SolutionTables
 from airlight.gpu.picture.uniforms import layout
 from airlight.pixels.picture_numbers import ORDERS
 from airlight.pixels.shown import WAVELENGTHS
-from airlight.planets.planet import Planet
 from airlight.scene.projections import PROJECTIONS
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.viewer.browser.ground_map import ground_map
@@ -103,18 +102,6 @@ def program() -> dict[str, Any]:
         "xyz": [[float(x) for x in row] for row in rgb_to_xyz(np.eye(3))],
         "efficacy": LUMINOUS_EFFICACY,
     }
-
-
-def wavelengths_for(planet: Planet, count: str) -> FloatArray:
-    """Wavelengths that a browser draws with: three or four, the nearest to what is asked. [nm]
-
-    Examples
-    --------
-    >>> from airlight.planets import load_planet
-    >>> wavelengths_for(load_planet("mars-rayleigh"), "sixteen").size
-    4
-    """
-    return few_wavelengths(3 if count == "three" else 4, *planet.wavelength_limits)
 
 
 def planet_tables(
