@@ -40,13 +40,13 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     r = float(solution.paths.optical_radius(np.array(true_r)))
     outside = scene.altitude >= solution.medium.thickness
     bottom = medium.bottom_radius
-    sun = scene.sun_direction
+    sun = scene.lights[0].direction
     seen, lift = sun[2], solution.paths
     if lift.shell is not None and not outside:
         seen = float(seen_star(r, sun[2], lift.shell.bottom, lift.shell.top, lift.lift)[0])
     axes = camera.axes
     assert camera.field_of_view is not None
-    alpha = solution.medium.star_angular_radius
+    alpha = solution.lights[0].angular_radius
     numbers = {
         "r": r,
         "outside": float(outside),

@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from airlight.color.encoding import ENCODINGS
 from airlight.color.exposure import MIDDLE_GREY
-from airlight.color.four_wavelengths import picture_weights
 from airlight.color.tone_maps import TONE_MAPS, tone_map_named
 from airlight.color.xyz import luminance, rgb_to_xyz
 from airlight.constants import LUMINOUS_EFFICACY
@@ -130,18 +129,16 @@ def planet_tables(
     uniforms: dict[str, Any] = dict(made.numbers)
     for name, place in made.places.items():
         uniforms[f"table_{name}"] = [*place, 0, 0, 0][:4]
-    if weights is None:
-        spectrum = None if solution.planet is None else solution.planet.star.irradiances
-        weights = picture_weights(solution.wavelengths, spectrum)
+    star = solution.lights[0]
     shown = np.zeros((WAVELENGTHS, 3))
-    shown[: len(weights)] = weights * medium.solar_irradiance[:, None]
+    shown[: solution.wavelengths.size] = star.colors(weights)
     for channel, column in zip(("red", "green", "blue"), shown.T, strict=True):
         uniforms |= {f"{channel}_{i}": float(value) for i, value in enumerate(column)}
     numbers = {
         "uniforms": uniforms,
         "radius": float(medium.bottom_radius),
         "thickness": float(medium.thickness),
-        "star": float(medium.star_angular_radius),
+        "star": float(star.angular_radius),
         "paths": light_paths(solution),
         "ground": ground_map(medium.ground_map),
     }
