@@ -26,12 +26,13 @@ from airlight.gpu.solver.tables import (
     texture_table,
     uniform_fields,
 )
+from airlight.solvers.moments.stopping import PASS_IMAGES
 
 #: How a texture is read: four wavelengths a texel, or number by number.
 View = Literal["lanes", "numbers"]
 
 #: Images of the light, the last first.
-IMAGES: Final = tuple(f"image_{i}" for i in range(mixing.IMAGES))
+IMAGES: Final = tuple(f"image_{i}" for i in range(PASS_IMAGES))
 
 
 @dataclass(frozen=True)
@@ -214,7 +215,7 @@ def shader(name: str, dialect: ShaderDialect = WGSL) -> str:
         dialect.uniforms("span", ["texels"], 0, 1),
     ]
     if readers:
-        lines.append(dialect.uniforms("mix", [("weights", mixing.IMAGES + 2)], 0, 2))
+        lines.append(dialect.uniforms("mix", [("weights", PASS_IMAGES + 2)], 0, 2))
     slots = {texture: slot for slot, texture in enumerate(textures, start=3)}
     lines += [dialect.texture(texture, 0, slot) for texture, slot in slots.items()]
     for table in tables:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 from typing import Any
 
-from airlight.planets.reading.absorption_reader import column_of_gas
 from airlight.units import quantities, quantity
 
 #: Columns of gas, which have a unit of their own.
@@ -14,9 +14,37 @@ DOBSON = "DU"
 
 @cache
 def _factor(unit: str, bare: str) -> float:
+    """Of what a unit is of the other."""
     if unit == DOBSON:
         return column_of_gas("1 DU", "column")
     return 1.0 if unit == bare else quantity(f"1 {unit}", bare)
+
+
+def converted(number: float, unit: str, shown: str) -> float:
+    """A number of one unit in another of the same kind.
+
+    Examples
+    --------
+    >>> converted(1000.0, "m", "km"), converted(1e-3, "1/m", "/km")
+    (1.0, 1.0)
+    """
+    # The shortest number that means the same: 5.802e-6 /m is 0.005802 /km.
+    return float(f"{number / _factor(shown, unit):.14g}")
+
+
+def column_of_gas(value: Any, field: str) -> float:
+    """Molecules above an area, from a text such as ``345 DU`` or ``9.3e22 /m^2``. [m⁻²]
+
+    Examples
+    --------
+    >>> f"{column_of_gas('345 DU', 'ozone'):.3e}"
+    '9.269e+22'
+    """
+    if isinstance(value, str) and (match := re.fullmatch(r"\s*(\S{1,40}?)\s*DU\s*", value)):
+        from airlight.optics.gas_absorption import column_from_dobson
+
+        return column_from_dobson(quantity(match[1], "1", field))
+    return quantity(value, "1/m^2", field)
 
 
 def number_in(value: Any, unit: str, bare: str, field: str) -> float:
@@ -49,8 +77,7 @@ def number_in(value: Any, unit: str, bare: str, field: str) -> float:
         found = column_of_gas(value, field)
     else:
         found = quantity(value, bare, field)
-    # The shortest number that means the same: 5.802e-6 /m is 0.005802 /km.
-    return float(f"{found / _factor(unit, bare):.14g}")
+    return converted(found, bare, unit)
 
 
 def text_of(number: float, unit: str) -> float | str:
