@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import Any, Final
 
 from airlight.errors import ParameterError
-from airlight.planets.reading.toml_section import suggestion
+from airlight.planets.schema.section import suggestion
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.parameter_list import value_at
 from airlight.viewer.parameters.view_parameters import DEFAULTS, view_parameters

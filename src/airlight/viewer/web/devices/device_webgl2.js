@@ -95,9 +95,9 @@ export class WebGl2Device {
     const found = [];
     const blocks = gl.getProgramParameter(program, gl.ACTIVE_UNIFORM_BLOCKS);
     for (let block = 0; block < blocks; block++) {
-      // The translator names a block after its struct, and puts the stage behind it.
+      // A block has the name of its variable, with a capital.
       const name = gl.getActiveUniformBlockName(program, block).toLowerCase();
-      const named = Object.entries(uniforms ?? {}).find(([one]) => name.startsWith(`${one}_`));
+      const named = Object.entries(uniforms ?? {}).find(([one]) => name === one);
       gl.uniformBlockBinding(program, block, block);
       found.push({ slot: named?.[1], buffer: gl.createBuffer() });
     }
@@ -133,7 +133,7 @@ export class WebGl2Device {
 
   place(compiled, slot) {
     if (!compiled.places.has(slot)) {
-      const name = `_group_${slot.replace("/", "_binding_")}_fs`;
+      const name = `texture_${slot.replace("/", "_")}`;
       compiled.places.set(slot, this.gl.getUniformLocation(compiled.program, name));
     }
     return compiled.places.get(slot);
@@ -152,7 +152,7 @@ export class WebGl2Device {
   }
 
   /**
-   * Pictures are drawn into a buffer of their own first: translated shaders put the first row where
+   * Pictures are drawn into a buffer of their own first: the shaders put the first row where
    * a texture has it, and on a canvas that is the bottom.
    */
   attachScreen() {
