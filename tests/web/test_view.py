@@ -140,7 +140,7 @@ FORMULAS = {
 @pytest.mark.parametrize("name", FORMULAS)
 def test_mouse_and_clock_are_those_of_the_window(name: str, modules: Callable[..., Any]) -> None:
     formula, ends = FORMULAS[name]
-    page = modules({"ui/formulas": (name,)})
+    page = modules({"generated/flight": (name,)})
     low, high = np.transpose(ends).astype(float)
     draws = np.random.default_rng(5).uniform(low, high, (60, len(ends))).tolist()
     cases = [*draws, low.tolist(), high.tolist()]

@@ -1,5 +1,9 @@
-/** Keys, mouse and wheel turned into the view, as navigation/flight.py does it for the window. */
-import { KEYS } from "../generated/keys.js";
+/**
+ * Keys, mouse and wheel turned into the view, as navigation/flight.py does it for the window.
+ *
+ * The formulas are emitted from scene/flight.py and its neighbours, the table of keys from
+ * navigation/keys.py.
+ */
 import {
   angle_flown,
   climbed,
@@ -11,7 +15,8 @@ import {
   sun_dragged,
   time_of,
   turned,
-} from "./formulas.js";
+} from "../generated/flight.js";
+import { KEYS } from "../generated/keys.js";
 
 const { held: HELD, factors: FACTORS, rates: RATES } = KEYS;
 /** What flying on a great circle changes, in the order of `turned`. */
