@@ -35,6 +35,10 @@ BENDING: Final = "bending"
 BENDING_WAVELENGTH: Final = 550.0
 #: The most wavelengths that one medium is sampled at.
 MOST_WAVELENGTHS: Final = 2000
+#: Media that a planet keeps, since reader, solver and pictures ask for the same, and their most
+#: wavelengths.
+MOST_KEPT: Final = 2
+MOST_KEPT_WAVELENGTHS: Final = 64
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -103,7 +107,7 @@ class Medium:
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> Medium:
-        """Sample a planet.
+        """Sample a planet; what was sampled last is kept with the planet.
 
         Parameters
         ----------
@@ -121,6 +125,20 @@ class Medium:
             If ``cancel`` said so.
         """
         nm = _checked_wavelengths(planet, wavelengths)
+        kept: dict[bytes, Medium] = vars(planet).setdefault("_media", {})
+        if nm.tobytes() in kept:
+            return kept[nm.tobytes()]
+        medium = cls._sampled(planet, nm, progress=progress, cancel=cancel)
+        if nm.size <= MOST_KEPT_WAVELENGTHS:
+            while len(kept) >= MOST_KEPT:
+                kept.pop(next(iter(kept)), None)
+            kept[nm.tobytes()] = medium
+        return medium
+
+    @classmethod
+    def _sampled(
+        cls, planet: Planet, nm: FloatArray, *, progress: Progress | None, cancel: Cancel | None
+    ) -> Medium:
         for i, one in enumerate(planet.constituents):
             if one.matter is not None:
                 with _blamed(f"constituents[{i}]"):
