@@ -18,6 +18,7 @@ from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.optics.bent_density import BentShell
 from airlight.optics.density_profile import DensitySegments, Row
+from airlight.optics.reflection import LAWS, Reflection
 from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
 from airlight.planets.matter.profiles import Uniform
 from airlight.planets.planet import Constituent, Planet
@@ -97,6 +98,11 @@ class Medium:
     star_angular_radius: float
     refractivity: FloatArray
     constituents: tuple[Constituent, ...] = field(repr=False)
+
+    @property
+    def ground(self) -> Reflection:
+        """How the ground reflects, at all wavelengths."""
+        return Reflection(LAWS["lambert"], self.ground_albedo)
 
     @classmethod
     def from_planet(
