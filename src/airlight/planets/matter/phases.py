@@ -29,7 +29,7 @@ FloatArray = npt.NDArray[np.float64]
 
 #: How far from 1 the integral of a phase function may be.
 INTEGRAL_TOLERANCE: Final = 1e-3
-#: Largest |g|: beyond it the forward lobe is narrower than the sun's disc.
+#: Largest ``|g|``: beyond it the forward lobe is narrower than the sun's disc.
 LARGEST_ASYMMETRY: Final = 0.999
 
 _Asymmetry = Annotated[Spectral, spectral(-LARGEST_ASYMMETRY, LARGEST_ASYMMETRY)]

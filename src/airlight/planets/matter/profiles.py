@@ -51,7 +51,7 @@ class Exponential:
 
 @parameters
 class Tent:
-    """max(0, 1 - |h - center|/half_width).
+    """``max(0, 1 - |h - center|/half_width)``.
 
     Parameters
     ----------
