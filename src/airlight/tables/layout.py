@@ -138,7 +138,7 @@ class Layout(ABC):
 
         Parameters
         ----------
-        values : array, shape (*shape, channels)
+        values : array, shape (..., channels)
             float32 or float64.
         places : Places
             n of them.

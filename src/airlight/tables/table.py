@@ -47,7 +47,7 @@ class Table:
         Where the values stand.
     channels : tuple of str
         Names of the values at one texel.
-    values : array, shape (*layout.shape, channels)
+    values : array, shape (..., channels)
         As stored: float16, float32 or float64.
     scale : float
         What the stored values are multiplied by; 1 unless in half precision.
