@@ -263,6 +263,7 @@ class Pictures:
         tone_map: str = "hable",
         encoding: str | None = "srgb",
         size: tuple[int, int] | None = None,
+        uniforms: Mapping[str, float] | None = None,
     ) -> None:
         """Draw into a texture.
 
@@ -282,11 +283,13 @@ class Pictures:
             One of ``ENCODINGS``; None for a target that encodes by itself.
         size : (int, int), optional
             Of the target, where it is not the camera's. [pixel]
+        uniforms : mapping, optional
+            Further numbers of the shaders, by name.
         """
         width, height = size or (scene.camera.width, scene.camera.height)
         numbers = self._numbers(scene, (width, height), exact, orders, disc)
         if exposure is not None:
-            numbers |= display_numbers(exposure, tone_map, encoding)
+            numbers |= {**display_numbers(exposure, tone_map, encoding), **(uniforms or {})}
         entry = "linear_picture" if exposure is None else "shown_picture"
         if not exact:
             self._draw_sky(numbers)
