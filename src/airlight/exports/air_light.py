@@ -1,4 +1,4 @@
-"""What a table of scattered light is filled with: the air's own radiance, from any solution.
+"""Radiance of the air alone, from any solution, for tables of scattered light.
 
 A solution answers with all the light along a line of sight, the ground's included. A table holds
 the air's alone, so that an engine can put its own ground behind it. The moments solver marches the
@@ -97,7 +97,7 @@ class AirLight:
         return np.asarray(sum(self._of_order(sight, order, through) for order in self.orders))
 
     def with_ground(self, sight: Sight) -> FloatArray:
-        """All the light of the orders, the ground's included, shape (n, nl). [sr⁻¹]"""
+        """Light of the chosen orders, the ground's included, shape (n, nl). [sr⁻¹]"""
         return np.asarray(
             sum(self.solution.relative_radiance(sight, order=order) for order in self.orders)
         )

@@ -233,7 +233,7 @@ class _Steps:
     def run(
         self, places: Places, make: Callable[[Places], list[FloatArray]], message: str
     ) -> list[FloatArray]:
-        """What ``make`` gives for all places, block by block, equal neighbours computed once."""
+        """Values of ``make`` at all points, block by block, equal neighbours computed once."""
         fresh = np.ones(len(places), bool)
         for array in (places.r, places.mu, places.mu_s, places.nu, places.to_ground):
             fresh[1:] &= array[1:] == array[:-1]

@@ -1,4 +1,4 @@
-"""What a picture's file says about how it was made: names and texts that every format takes."""
+"""Metadata of a picture's file: names and texts that every format takes."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ _TINY: Final = 1e-12
 
 @dataclass(frozen=True)
 class Parts:
-    """Who scatters, for packing.
+    """Scatterers, for packing.
 
     Attributes
     ----------

@@ -20,7 +20,7 @@ SUFFIXES = (".png", ".exr")
 
 @dataclass(frozen=True, kw_only=True)
 class Written:
-    """What became of a picture.
+    """Written picture.
 
     Parameters
     ----------

@@ -39,7 +39,7 @@ def write_png(
     metadata : mapping of str to str, optional
         Goes into text chunks, each name with ``airlight.`` before it.
     encoding : str
-        How the pixels are encoded, ``srgb`` or ``gamma`` (1/2.2), told to the reader.
+        How the pixels are encoded, ``srgb`` or ``gamma`` (1/2.2), recorded in the file.
 
     Raises
     ------

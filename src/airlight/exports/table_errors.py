@@ -28,7 +28,7 @@ LOWEST_SUN: Final = 96.0
 
 @dataclass(frozen=True, kw_only=True)
 class Errors:
-    """How far a table is from the solution, at places that are no texels.
+    """Error of a table against the solution, at points between its texels.
 
     Attributes
     ----------

@@ -278,7 +278,7 @@ def load_tables(manifest: str | Path) -> Baked:
 
 
 def load_table(manifest: str | Path, name: str = "scattering") -> Table:
-    """One table of a manifest; see ``load_tables``."""
+    """Load one table of a manifest; see ``load_tables``."""
     path = _manifest_path(manifest)
     content = _read_manifest(path)
     if name not in content["tables"]:

@@ -74,7 +74,7 @@ def bend_angle(x, mu, bend, column):
 
 @inlined
 def seen_star(x, mu_s, bottom, top, lift):
-    """Where a star seems to stand from a point of optical radius x, and how it is squeezed.
+    """Apparent zenith cosine of a star from a point of optical radius x, and its flattening.
 
     Parameters
     ----------
@@ -134,7 +134,7 @@ _HIGH = 16.0
 
 @inlined
 def star_points(x, mu_s, bottom, top, star_radius, lift):
-    """What is visible of a star from a point of the air, as one or two places in the sky.
+    """Visible part of a star from a point of the air, as one or two directions.
 
     Parameters
     ----------
@@ -165,7 +165,7 @@ def star_points(x, mu_s, bottom, top, star_radius, lift):
 
 @inlined
 def level_light(x, mu_s, bottom, top, star_radius, lift):
-    """What a level surface receives of a star, as one or two places in the sky.
+    """Irradiance of a level surface by a star, as one or two directions.
 
     Parameters
     ----------

@@ -85,7 +85,7 @@ def shadow_edges(r, mu, mu_s, nu, bottom_radius):
 
 @compiled_loop
 def insert_edge(edges, count, cut):
-    """Add a cut inside a ray to its ascending edges; no more once there is no room.
+    """Add a cut inside a ray to its ascending edges; no more once the array is full.
 
     Parameters
     ----------

@@ -53,7 +53,7 @@ def radius_along(r, mu, distance):
 
 @kernel
 def way_to_shell(r, mu, sine, top_radius):
-    """How far a line of sight from outside leads to the shell, and how it enters.
+    """Distance along a line of sight from outside to the shell, and the cosine at its entry.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ def way_to_shell(r, mu, sine, top_radius):
 
 @kernel
 def first_meeting(impact, sine, radius):
-    """Where a line of sight that looks down first meets a sphere, seen from the centre. [m]
+    """First intersection of a descending line of sight with a sphere, from the centre. [m]
 
     Nothing cancels, however far away the observer is.
 

@@ -1,4 +1,4 @@
-"""How much of a star's disc stands above a horizon."""
+"""Fraction of a star's disc above a horizon."""
 
 from __future__ import annotations
 

@@ -38,7 +38,7 @@ def cache_folder() -> Path:
 
 @cache
 def _compiled_folder(source: str) -> Path | None:
-    """Where the code compiled from a source file goes, or None if nothing can be written there."""
+    """Folder of the code compiled from a source file, or None if nothing can be written there."""
     try:
         key = fingerprint(Path(source))
         kernels = cache_folder() / "kernels" / Path(source).stem
@@ -67,14 +67,14 @@ def _numba_cache(folder: Path) -> Iterator[None]:
 
 
 def _declare(
-    make: Callable[..., Any], function: Callable[..., Any], room: str, **options: Any
+    make: Callable[..., Any], function: Callable[..., Any], kind: str, **options: Any
 ) -> Any:
     folder = _compiled_folder(function.__code__.co_filename)
     if folder is None:
         return make(**options)(function)
     # A ufunc and a function of one name would share Numba's cache entry, and a process that finds
-    # the one where it wants the other crashes: each kind has a room of its own.
-    with _numba_cache(folder / room):
+    # the one where it wants the other crashes: each kind has a folder of its own.
+    with _numba_cache(folder / kind):
         try:
             return make(cache=True, **options)(function)
         except RuntimeError:  # a function typed at a prompt has no file to key the cache by

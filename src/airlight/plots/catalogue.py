@@ -1,4 +1,4 @@
-"""All kinds of figures: what each shows, which settings it takes, how it comes from a planet."""
+"""Catalogue of figures: subject and settings of each, and its construction from a planet."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Choices:
-    """What may be chosen for a figure; None leaves it to the figure.
+    """Settings of a figure; None leaves the choice to the figure.
 
     Attributes
     ----------
@@ -40,7 +40,7 @@ class Choices:
 
 @dataclass(frozen=True, kw_only=True)
 class Work:
-    """How a solution is come by: ``cache``, ``progress`` and ``cancel`` of ``solve``."""
+    """Options of ``solve``: ``cache``, ``progress`` and ``cancel``."""
 
     cache: bool = True
     progress: Progress | None = None
@@ -49,7 +49,7 @@ class Work:
 
 @dataclass(frozen=True)
 class Kind:
-    """One kind of figure.
+    """Kind of figure.
 
     Attributes
     ----------
@@ -94,7 +94,7 @@ def _solve(
 
 
 def _given(choices: Choices, *names: str) -> dict[str, Any]:
-    """Those of the choices that were made, by name."""
+    """Return the settings that were chosen, by name."""
     pairs = {name: getattr(choices, name) for name in names}
     return {name: value for name, value in pairs.items() if value is not None}
 
@@ -271,7 +271,7 @@ def kind_named(name: str) -> Kind:
 def draw(
     planet: Planet, kind: str, choices: Choices | None = None, work: Work | None = None
 ) -> Figure:
-    """One figure of a planet.
+    """Draw a figure of a planet.
 
     Parameters
     ----------

@@ -160,7 +160,7 @@ def _diagram(axes: Any) -> None:
 def _sky(
     axes: Any, points: FloatArray, rgb: FloatArray, suns: Sequence[float], *, labelled: bool
 ) -> None:
-    """One line a place, from high to low sun, markers in the sky's own colours."""
+    """Draw one line per direction, from high to low sun, with markers in the sky's own colours."""
     for k, (place, marker) in enumerate(PLACES):
         axes.plot(*points[:, k].T, color=GREY, linewidth=1.0)
         peak = np.maximum(rgb[:, k].max(axis=-1, keepdims=True), 1e-300)

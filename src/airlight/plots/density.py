@@ -1,4 +1,4 @@
-"""How the constituents of a planet's air thin out with altitude."""
+"""Density profiles of the constituents of a planet's air."""
 
 from __future__ import annotations
 

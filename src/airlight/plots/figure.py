@@ -1,4 +1,4 @@
-"""What every figure shares: its frame, its colours, and how it becomes a file.
+"""Frame, colours and file of every figure.
 
 Figures are made by matplotlib's object interface, never by ``pyplot``: no window, no state that
 outlives them, safe in threads and in servers.

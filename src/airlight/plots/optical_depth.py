@@ -1,4 +1,4 @@
-"""How much each constituent takes from light that comes straight down, over wavelength."""
+"""Vertical optical depth of each constituent over wavelength."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How fast the orders of scattering add up."""
+"""Convergence of the orders of scattering."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class Convergence:
 
 
 def convergence(radiance: FloatArray) -> Convergence:
-    """What orders of radiance say about the ones that were not computed.
+    """Estimate of the orders of scattering that were not computed.
 
     Parameters
     ----------

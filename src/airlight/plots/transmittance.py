@@ -1,4 +1,4 @@
-"""How much light comes through the air, over altitude and direction: a surface and a map."""
+"""Transmittance to the top of the air over altitude and direction: a surface and a map."""
 
 from __future__ import annotations
 

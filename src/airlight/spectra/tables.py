@@ -104,7 +104,7 @@ def spectrum_names() -> tuple[str, ...]:
 
 @cache
 def read_spectrum(name: str) -> Spectrum:
-    """One of the package's tables.
+    """Read one of the package's tables.
 
     Parameters
     ----------

@@ -60,7 +60,7 @@ def density_table(density: DensitySegments, thickness: float) -> FloatArray:
 
 @kernel
 def density_place(radius, bottom_radius, thickness, nodes):
-    """Where in a table of so many nodes, from ``density_table``, a radius stands.
+    """Node and fraction of a radius in a table of so many nodes from ``density_table``.
 
     Returns
     -------
@@ -189,7 +189,7 @@ def trace_resolved(
 
 @compiled_loop
 def _distance_at_depth(depth, count, strongest, path):
-    """Where a traced ray reaches an optical depth, linear between its points. [m]"""
+    """Distance at which a traced ray reaches an optical depth, linear between its points. [m]"""
     before, start = 0.0, 0.0
     for k in range(count):
         tau = 0.0
@@ -202,7 +202,7 @@ def _distance_at_depth(depth, count, strongest, path):
 
 
 def new_path(points: int, constituents: int) -> tuple[FloatArray, ...]:
-    """Room for what ``trace`` finds along one ray of at most so many points."""
+    """Workspace of ``trace`` for one ray of at most so many points."""
     return (
         np.empty(points),
         np.empty(points),

@@ -1,4 +1,4 @@
-"""What every layout of a table has: where its texels are, and how values between them come about.
+"""Interface of table layouts: positions of texels and interpolation between them.
 
 A table of light or transmittance is an array whose axes follow a mapping of physical quantities.
 A layout knows the mapping and nothing of the values; whoever fills a table asks it for the places
@@ -28,7 +28,7 @@ MOST_TEXELS = 1 << 26
 
 @dataclass(frozen=True, kw_only=True)
 class Axis:
-    """One axis of a table, as words and numbers for whoever reads it.
+    """Axis of a table, described for its readers.
 
     Attributes
     ----------
@@ -104,7 +104,7 @@ class Places:
 
 
 class Layout(ABC):
-    """Where the texels of a table are, and how to look up between them.
+    """Positions of a table's texels and interpolation between them.
 
     Attributes
     ----------
@@ -126,7 +126,7 @@ class Layout(ABC):
     @property
     @abstractmethod
     def texture_axes(self) -> tuple[tuple[str, ...], ...]:
-        """How the axes lie in a texture: names for width, height and depth, slowest first."""
+        """Names of the axes along width, height and depth of a texture, slowest first."""
 
     @abstractmethod
     def places(self) -> Places:
@@ -150,7 +150,7 @@ class Layout(ABC):
 
     @abstractmethod
     def parameters(self) -> dict[str, Any]:
-        """What makes the layout again: ``type(layout)(**layout.parameters())``."""
+        """Arguments that make the layout again: ``type(layout)(**layout.parameters())``."""
 
     @property
     def shape(self) -> tuple[int, ...]:

@@ -40,7 +40,7 @@ class PhaseFunctions:
     values: FloatArray
 
     def at(self, name: str, nu: FloatArray) -> FloatArray:
-        """One of them, linear in u, shape of nu (n,) to (n, nl). [sr⁻¹]"""
+        """Phase function of one constituent, linear in u, from nu (n,) to (n, nl). [sr⁻¹]"""
         rows = self.values[self.names.index(name)]
         x = np.sqrt(np.clip(0.5 * (1.0 - nu), 0.0, 1.0)) * (rows.shape[-1] - 1)
         low = np.minimum(x.astype(int), rows.shape[-1] - 2)

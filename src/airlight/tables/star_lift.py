@@ -1,4 +1,4 @@
-"""Where a star is seen through air that bends its light: a table for ``geometry.bending``."""
+"""Apparent direction of a star through air that bends its light: table for ``geometry.bending``."""
 
 from __future__ import annotations
 

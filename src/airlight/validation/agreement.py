@@ -37,7 +37,7 @@ LEAST_RADIANCE: Final = 1e-6
 
 @dataclass(frozen=True)
 class Answer:
-    """What a solver says about all cases of a planet.
+    """Radiances of one solver for all cases of a planet.
 
     Attributes
     ----------

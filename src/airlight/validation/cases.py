@@ -41,7 +41,7 @@ WAVELENGTHS: Final = (680.0, 550.0, 440.0)
 
 @dataclass(frozen=True)
 class Case:
-    """One line of sight, in words that fit every planet.
+    """Line of sight, in terms that fit every planet.
 
     Attributes
     ----------
@@ -193,7 +193,7 @@ def at_observer(case: Case, bottom_radius: float, top_radius: float) -> tuple[fl
 
 
 def geometry(planet: Planet, cases: Sequence[Case] = CASES) -> LinesOfSight:
-    """All cases for a planet, as keyword arguments of ``Solution.radiance``.
+    """Cases for a planet, as keyword arguments of ``Solution.radiance``.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What the star's disc changes, in light scattered once.
+"""Effect of the star's finite disc on light scattered once.
 
 The comparison of solvers has a point star: its disc is no matter of method. The direct solver
 counts how much of the disc is visible but looks at it through the air in front of its middle; the

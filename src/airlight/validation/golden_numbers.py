@@ -47,7 +47,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Group:
-    """One table of golden numbers.
+    """Table of golden numbers.
 
     Attributes
     ----------
@@ -75,7 +75,7 @@ class Group:
 
 @dataclass(frozen=True)
 class Comparison:
-    """One golden number and what came out.
+    """Golden number and the value computed for it.
 
     Attributes
     ----------
@@ -108,7 +108,7 @@ class Comparison:
 
 
 def last_digit(printed: str) -> float:
-    """One unit of the last digit of a printed number; 0 for a plain 0, which is meant exactly.
+    """Unit of the last digit of a printed number; 0 for a plain 0, which is meant exactly.
 
     Examples
     --------
@@ -124,7 +124,7 @@ def last_digit(printed: str) -> float:
 
 @cache
 def golden_groups() -> tuple[Group, ...]:
-    """All golden numbers that ship with the package, in the order of the file."""
+    """Golden numbers that ship with the package, in the order of the file."""
     text = files("airlight.validation").joinpath("data/golden.toml").read_text(encoding="utf-8")
     groups: dict[str, Group] = {}
     for table in tomllib.loads(text)["group"]:

@@ -112,7 +112,7 @@ def in_standard_errors(
 
 
 def largest_by_chance(count: int) -> float:
-    """What the largest of so many values of pure Gaussian noise exceeds in half of all cases.
+    """Median of the largest of so many values of pure Gaussian noise.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""How fast the orders of scattering fall: light of each order over all of it."""
+"""Convergence of the orders of scattering: light of each order over the sum of all."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where and when a report was made: version, date, machine."""
+"""Provenance of a report: version, date, machine."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _PACKAGES = ("numpy", "numba", "scipy", "matplotlib", "miepython")
 
 
 def provenance() -> Mapping[str, str]:
-    """What a reader needs to judge the times, and to do it again.
+    """Facts that a reader needs to judge the times and to repeat the run.
 
     Returns
     -------

@@ -40,7 +40,7 @@ dt { color: var(--quiet); } dd { margin: 0; }
 
 @dataclass(frozen=True, kw_only=True)
 class Report:
-    """All suites of one run.
+    """Suites of one run.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""What a suite of the validation report is made of: bars, tables, pictures and words.
+"""Parts of a suite of the validation report: bars, tables, pictures and text.
 
 A suite computes something, holds it against an authority and returns a ``Suite``: numbers with the
 bar that each must meet, and the tables and pictures that show them. The report only sets them.

@@ -1,4 +1,4 @@
-"""What the Atmosphere Plus notes and the walk through Bruneton's transmittance print otherwise."""
+"""Errata of the Atmosphere Plus notes and of the walk through Bruneton's transmittance."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""All differences from the source documents, each with what it changes, computed."""
+"""Differences from the source documents, each with its computed effect."""
 
 from __future__ import annotations
 

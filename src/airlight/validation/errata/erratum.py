@@ -1,4 +1,4 @@
-"""One difference from a source document: what is printed, what is done here, what it changes."""
+"""Difference from a source document: the printed form, the form used here, its effect."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the formulas of the OpenSpace paper print otherwise."""
+"""Errata of the formulas of the OpenSpace paper."""
 
 from __future__ import annotations
 

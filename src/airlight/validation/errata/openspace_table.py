@@ -1,4 +1,4 @@
-"""What Table 1 of the OpenSpace paper prints otherwise."""
+"""Errata of Table 1 of the OpenSpace paper."""
 
 from __future__ import annotations
 

@@ -80,7 +80,7 @@ CLEAN_ALBEDO: Final = 0.972
 
 @dataclass(frozen=True, kw_only=True)
 class Inputs:
-    """What a planet is made of; without arguments, what all published models were given.
+    """Ingredients of a planet; by default those given to all published models.
 
     Attributes
     ----------
@@ -126,7 +126,7 @@ BEST: Final = Inputs(
 
 def steps() -> list[tuple[str, Inputs]]:
     """From everybody's inputs to the best, one ingredient at a time, each with its name."""
-    told: tuple[tuple[str, dict[str, Any]], ...] = (
+    named_steps: tuple[tuple[str, dict[str, Any]], ...] = (
         ("same inputs as everybody", {}),
         ("sun: 3 nm bands at 1.0133 au for 11.75 nm means at 1 au", {"measured_sun": True}),
         ("air: Peck & Reeder, Bates for Penndorf", {"measured_air": True}),
@@ -136,7 +136,7 @@ def steps() -> list[tuple[str, Inputs]]:
         ("aerosol: AERONET's optical depth and exponent", {"load": AERONET_LOAD}),
     )
     inputs, out = EVERYBODYS, []
-    for name, change in told:
+    for name, change in named_steps:
         inputs = replace(inputs, **change)
         out.append((name, inputs))
     return out

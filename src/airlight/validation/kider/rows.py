@@ -1,4 +1,4 @@
-"""All that is computed of the measured skies: each ingredient, the fits, the floor."""
+"""Rows computed for the measured skies: each ingredient, the fits, the floor."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ FloatArray = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Rows:
-    """What was computed of the measured skies.
+    """Results for the measured skies.
 
     Attributes
     ----------
@@ -109,9 +109,9 @@ def compute(
         If ``cancel`` said so.
     """
     scans = read_scans(data)
-    told = steps()
+    named_steps = steps()
     # One solution a step, four for the fit, one for the other albedo; then the pointing.
-    tasks, done = len(told) + 6, 0
+    tasks, done = len(named_steps) + 6, 0
 
     def solution(inputs: Inputs, message: str) -> MomentsSolution:
         nonlocal done
@@ -126,9 +126,9 @@ def compute(
     def radiance(inputs: Inputs, message: str) -> FloatArray:
         return scans.seen(solution(inputs, message))
 
-    ladder = [(name, radiance(inputs, name)) for name, inputs in told[:-1]]
-    known = solution(BEST, told[-1][0])
-    ladder.append((told[-1][0], scans.seen(known)))
+    ladder = [(name, radiance(inputs, name)) for name, inputs in named_steps[:-1]]
+    known = solution(BEST, named_steps[-1][0])
+    ladder.append((named_steps[-1][0], scans.seen(known)))
     load, fitted = fit_load(
         lambda load: radiance(replace(BEST, load=load), "fit of the aerosol's load"),
         scans.radiance,

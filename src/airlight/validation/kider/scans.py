@@ -64,7 +64,7 @@ class Scans:
         view_zenith: FloatArray | None = None,
         azimuth: FloatArray | None = None,
     ) -> FloatArray:
-        """What a solution has in the measured directions, shape (ns, nd, nl).
+        """Radiance of a solution in the measured directions, shape (ns, nd, nl).
 
         Parameters
         ----------

@@ -67,7 +67,7 @@ class Scene:
 
 
 def read_scenes(folder: Path) -> list[Scene]:
-    """All scenes of the Monte Carlo file, in its order.
+    """Scenes of the Monte Carlo file, in its order.
 
     Parameters
     ----------

@@ -49,7 +49,7 @@ WORST = 10
 
 @dataclass(frozen=True)
 class Judged:
-    """One scene by one quality, held against the referee.
+    """Comparison of one scene at one quality with the referee.
 
     Attributes
     ----------
@@ -70,7 +70,7 @@ class Judged:
 
     @property
     def summary(self) -> ErrorSummary:
-        """Of the errors as they are."""
+        """Metrics of the raw errors."""
         return summarise(self.error, self.sure)
 
     def largest_beyond(self, noise: float) -> float:
