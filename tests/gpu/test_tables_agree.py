@@ -391,6 +391,12 @@ WHOLE = {
         "star_disc", "leaving_air", "_point_like",
     ),
     "test_pictures.py::test_what_is_drawn_is_exposed_and_tone_mapped": ("displayed",),
+    "test_emitter.py::test_a_construct_computes_what_python_does": ("squared", "cubed"),
+    "test_emitter.py::test_angles_are_better_than_wgsl_promises": (
+        "sine", "cosine", "sine_of_quarter", "cosine_of_quarter", "rest_of_quarter",
+    ),
+    "test_emitter.py::test_arcs_are_good_to_the_ends": ("arc_cosine", "arc_sine"),
+    "test_emitter.py::test_the_angle_of_a_point_is_right_in_every_quadrant": ("angle_of",),
     "test_kernels_agree.py::test_an_encoding_s_number_is_its_place": ("encoded",),
     "test_kernels_agree.py::test_a_tone_map_s_number_is_its_place": ("tone_mapped",),
     "test_kernels_agree.py::test_a_projection_s_number_is_its_place": ("projected_ray",),

@@ -69,14 +69,15 @@ def test_the_page_names_every_index_with_its_limits():
 
 
 def test_the_page_names_every_absorber():
-    from airlight.planets.reading.absorption_reader import _KINDS
+    from airlight.planets.matter.absorbers import ABSORBERS
 
-    for kind in _KINDS:
+    for kind in ABSORBERS.keywords:
         assert f"`{kind}" in PAGE
 
 
 def test_the_page_names_every_kind():
-    from airlight.planets.reading.constituent_reader import _PHASES, _PROFILES
+    from airlight.planets.matter.phases import PHASES
+    from airlight.planets.matter.profiles import PROFILES
 
-    for kind in (*_PHASES, *_PROFILES):
+    for kind in (*PHASES.keywords, *PROFILES.keywords):
         assert f'`"{kind}"`' in PAGE

@@ -45,7 +45,13 @@ VALUES = {
 @pytest.fixture
 def page(modules: Callable[..., Any]) -> Any:
     """A page with a state as `state`, and controls over it in its body."""
-    page = modules(state=("State",), controls=("Controls",), parameters=("numberAt", "shareOf"))
+    page = modules(
+        {
+            "state/state": ("State",),
+            "ui/controls": ("Controls",),
+            "state/parameters": ("numberAt", "shareOf"),
+        }
+    )
     page.evaluate(
         """([parameters, values]) => {
           window.state = new State(parameters, values);

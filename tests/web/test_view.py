@@ -30,7 +30,7 @@ VIEW = {
 
 def test_directions_are_those_of_the_scene(modules: Callable[..., Any]) -> None:
     # a second method: scene/directions.py and scene/observer.py
-    page = modules(view=("cameraOf",))
+    page = modules({"drawing/view": ("cameraOf",)})
     got = page.evaluate(
         "([view, limits]) => cameraOf(view, limits)", [VIEW, {"perspective": [1e-3, 170]}]
     )
@@ -50,7 +50,7 @@ def test_automatic_exposure_is_that_of_the_picture(modules: Callable[..., Any]) 
     rgba = np.concatenate([rgb, np.ones((9, 16, 1), np.float32)], axis=2)
     grey = float(luminance(tone_map_named("hable").inverse(np.full(3, 0.18))))
     weights = luminance(np.eye(3)).tolist()
-    page = modules(exposure=("automaticExposure",))
+    page = modules({"drawing/exposure": ("automaticExposure",)})
     got = page.evaluate(
         "([rgba, grey, weights]) => automaticExposure(new Float32Array(rgba), grey, weights)",
         [rgba.ravel().tolist(), grey, weights],
@@ -60,7 +60,7 @@ def test_automatic_exposure_is_that_of_the_picture(modules: Callable[..., Any]) 
 
 def test_flight_round_the_planet_ends_where_it_began(modules: Callable[..., Any]) -> None:
     # a great circle closes; the sun, fixed in space, is then where it was, and so is the heading
-    page = modules(journey=("moved",))
+    page = modules({"ui/journey": ("moved",)})
     radius, altitude, steps = 1000.0, 250.0, 720
     length = (radius + altitude) * np.tan(2.0 * np.pi / steps)
     heading = np.radians(VIEW["view.heading"])

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.color.xyz import XYZ_TO_RGB
 from airlight.errors import ParameterError
+from airlight.geometry.cubic_curves import cubic_curve, spline_slopes
 from airlight.spectra.color_matching import cie_1931
 from airlight.spectra.sun import solar_irradiance
 
@@ -181,14 +182,13 @@ def rgb_weights(
 @cache
 def _interpolation(wavelengths: tuple[float, ...]) -> NDArray[np.float64]:
     """Values at 360 to 830 nm as a linear map of values at the wavelengths, shape (471, n)."""
-    from scipy.interpolate import CubicSpline
-
     order = np.argsort(wavelengths)
     nodes = np.asarray(wavelengths)[order]
     unit = np.eye(nodes.size)[order]
     if nodes.size == 1:
         return np.ones((EYE.size, 1))
-    return np.asarray(CubicSpline(nodes, unit)(np.clip(EYE, nodes[0], nodes[-1])))
+    at = np.clip(EYE, nodes[0], nodes[-1])
+    return cubic_curve(nodes, unit, spline_slopes(nodes, unit), at)
 
 
 def checked_wavelengths(wavelengths: ArrayLike) -> NDArray[np.float64]:

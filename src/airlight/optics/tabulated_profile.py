@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import itertools
 import math
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ParameterError
+from airlight.geometry.cubic_curves import cubic_curve, monotone_slopes
 from airlight.optics.density_profile import Row
-
-if TYPE_CHECKING:
-    from scipy.interpolate import PchipInterpolator
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -89,18 +87,13 @@ def _runs(density: FloatArray) -> list[tuple[int, int]]:
     return runs
 
 
-def _log_cubic(h: FloatArray, density: FloatArray) -> PchipInterpolator:
-    from scipy.interpolate import PchipInterpolator
-
-    return PchipInterpolator(h, np.log(density))
-
-
 def _cubic(h: FloatArray, density: FloatArray) -> list[_Piece]:
-    curve = _log_cubic(h, density)
+    log_density = np.log(density)
+    slopes = monotone_slopes(h, log_density)
     pieces: list[_Piece] = []
     for low, high in itertools.pairwise(h):
         nodes = np.linspace(low, high, PIECES + 1)
-        logs = curve(nodes)
+        logs = cubic_curve(h, log_density, slopes, nodes)
         rates = np.diff(logs) / np.diff(nodes)
         for k in range(PIECES):
             value = math.exp(logs[k])
@@ -118,8 +111,8 @@ def _end_rate(h: FloatArray, density: FloatArray, *, top: bool) -> float:
     first, last = runs[-1] if top else runs[0]
     if density[first] == 0.0 or density[last] == 0.0:
         return 0.0
-    curve = _log_cubic(h[first : last + 1], density[first : last + 1])
-    return float(curve.derivative()(h[-1] if top else h[0]))
+    slopes = monotone_slopes(h[first : last + 1], np.log(density[first : last + 1]))
+    return float(slopes[-1 if top else 0])
 
 
 def _below(h: FloatArray, density: FloatArray) -> list[_Piece]:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.geometry.bending import seen_star
+from airlight.geometry.cubic_curves import cubic_curve, monotone_slopes
 from airlight.geometry.path import ray_length
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop, vectorized
@@ -61,12 +62,11 @@ class LightPaths:
         """Optical radius at true radii, which may lie outside the shell. [m]"""
         if self.shell is None:
             return np.asarray(r, float)
-        from scipy.interpolate import PchipInterpolator
-
         shell = self.shell
         altitude = r - (shell.top - shell.altitude[-1])
         inside = np.clip(altitude, 0.0, shell.altitude[-1])
-        excess = PchipInterpolator(shell.altitude, shell.optical)(inside)
+        slopes = monotone_slopes(shell.altitude, shell.optical)
+        excess = cubic_curve(shell.altitude, shell.optical, slopes, inside)
         return np.asarray(np.where(altitude > inside, r, excess))
 
     def sight(self, sight: Sight) -> Sight:

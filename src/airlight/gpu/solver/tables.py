@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from typing import Any, Final, NamedTuple
 
-from airlight.gpu.emit.shader_types import F32, I32, Bundle, Table, Uniform, Value
+from airlight.gpu.emit.shader_types import F32, I32, Bundle, Uniform, Value
+from airlight.gpu.emit.texture_table import TextureTable
 
 #: Tables of numbers and of four wavelengths that the host uploads, with their ranks.
 SCALARS: Final = {
@@ -119,7 +120,7 @@ def sizes_in_shader() -> Bundle:
     fields: dict[str, Value] = {}
     for at, name in enumerate(COUNTS):
         vector = ("counts", "more_counts", "most_counts")[at // 4]
-        fields[name] = Uniform(f"i32(solve.{vector}[{at % 4}])", I32)
+        fields[name] = Uniform(f"solve.{vector}[{at % 4}]", I32)
     for at, name in enumerate(MEASURES):
         fields[name] = Uniform(f"solve.measures[{at}]", F32)
     return Bundle(Sizes(**fields)._asdict())
@@ -127,23 +128,18 @@ def sizes_in_shader() -> Bundle:
 
 def tables_in_shader() -> Bundle:
     """``Tables`` as a shader reads them: from textures."""
-    fields: dict[str, Value] = {name: Table(name, rank) for name, rank in SCALARS.items()}
-    fields |= {name: Table(name, 1, True) for name in SPECTRA}
-    return Bundle(Tables(**fields)._asdict())
+    return Bundle({name: texture_table(name).table for name in Tables._fields})
 
 
-def table_reader(name: str) -> str:
-    """The functions ``read_`` and ``size_`` of one of ``Tables``, in WGSL.
+def texture_table(name: str) -> TextureTable:
+    """One of ``Tables`` in its texture.
 
     Parameters
     ----------
     name : str
         One of ``SCALARS`` or ``SPECTRA``.
     """
-    at = f"texel_place(index + i32(solve.{name}_start.x))"
+    start, lengths = f"solve.{name}_start.x", f"solve.{name}_shape"
     if name in SPECTRA:
-        body = f"fn read_{name}(index: i32) -> vec4f {{ return textureLoad(spectra, {at}, 0); }}\n"
-    else:
-        body = f"fn read_{name}(index: i32) -> f32 {{ return textureLoad(scalars, {at}, 0).x; }}\n"
-    size = f"fn size_{name}(axis: i32) -> i32 {{ return i32(solve.{name}_shape[axis]); }}\n"
-    return body + size
+        return TextureTable(name, "spectra", 1, True, start, lengths)
+    return TextureTable(name, "scalars", SCALARS[name], False, start, lengths)

@@ -22,11 +22,11 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, exponential, load, splat, store
 from airlight.kernel.threads import Cancel, run_blocks
 from airlight.solvers.moments.elimination import factorise, substitute
-from airlight.solvers.moments.grid import Grid, row_of
+from airlight.solvers.moments.grid import row_of
 from airlight.solvers.moments.harmonics import Harmonics, legendre_functions
 from airlight.solvers.moments.levels import finer_weights
-from airlight.solvers.moments.rays import Rays
-from airlight.solvers.moments.sweep import Air, optical_depth
+from airlight.solvers.moments.setup import Block
+from airlight.solvers.moments.sweep import optical_depth
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -103,22 +103,16 @@ class Wandering:
 
     Parameters
     ----------
-    grid, rays, share, air, expansion :
+    block : Block
         Of the sweeps.
-    parts : int
-        See ``levels.finer``.
-    reach : two floats
-        How far light wanders sideways, and the length that the interpolation between sun
-        elevations adds, see ``sideways``. [m]
     cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
 
-    def __init__(
-        self, grid: Grid, rays: Rays, share: Float32Array, air: Air, expansion: Harmonics,
-        parts: int, reach: tuple[float, float], cancel: Cancel | None = None,
-    ) -> None:  # fmt: skip
-        wide, leak = (length / grid.bottom_radius for length in reach)
+    def __init__(self, block: Block, cancel: Cancel | None = None) -> None:
+        setup, rays, share, air = block.setup, block.rays, block.share, block.air
+        grid, expansion, parts = setup.grid, setup.expansion, setup.parts
+        wide, leak = (length / grid.bottom_radius for length in block.reach)
         self.spread = sideways(grid.sun_cosines, wide, leak)
         self.degree = min(expansion.degree, _DEGREE)
         self.order = min(expansion.degree, _ORDER)

@@ -1,12 +1,13 @@
 """The JavaScript of the viewer as one module: for a page in one file, and for a notebook.
 
-The files in ``web/`` are plain ES modules that import each other by relative names. A page opened
-from disk cannot load modules beside it, and a notebook wants one text: so they are joined, each in
-a function of its own, in the order in which they need each other.
+The files in ``web/`` and its folders are plain ES modules that import each other by relative names.
+A page opened from disk cannot load modules beside it, and a notebook wants one text: so they are
+joined, each in a function of its own, in the order in which they need each other.
 """
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Callable
 from importlib import resources
@@ -15,7 +16,7 @@ from typing import Final
 from airlight.errors import FileError
 
 #: ``import { a, b as c } from "./file.js";``, at the start of a line, over one or several lines.
-_IMPORT: Final = re.compile(r'^import \{([^}]*)\} from "\./([\w.]+)";\n', re.MULTILINE)
+_IMPORT: Final = re.compile(r'^import \{([^}]*)\} from "(\.[\w./]+)";\n', re.MULTILINE)
 #: ``export`` before a named declaration.
 _EXPORT: Final = re.compile(
     r"^export (?=(?:const|let|class|function\*?|async function)\s+([\w$]+))", re.MULTILINE
@@ -30,7 +31,7 @@ def web_file(name: str) -> str:
     Parameters
     ----------
     name : str
-        In the folder ``web``.
+        Path in the folder ``web``, with ``/``.
 
     Raises
     ------
@@ -49,7 +50,7 @@ def join_modules(entry: str, read: Callable[[str], str] = web_file) -> str:
     Parameters
     ----------
     entry : str
-        The file's name; what it exports, the joined module exports.
+        The file's path in the folder; what it exports, the joined module exports.
     read : callable
         Gives the text of a file.
 
@@ -84,10 +85,11 @@ def join_modules(entry: str, read: Callable[[str], str] = web_file) -> str:
             raise FileError(name, f"imports itself by way of {' and '.join(above)}")
         if name in done:
             return
+        folder = posixpath.dirname(name)
         text = read(name)
-        for needed in _IMPORT.findall(text):
-            add(needed[1], (*above, name))
-        body = _IMPORT.sub(_taken, text)
+        for _, target in _IMPORT.findall(text):
+            add(_resolved(folder, target), (*above, name))
+        body = _IMPORT.sub(lambda found: _taken(found, folder), text)
         if name != entry:
             body = _closed(name, body)
         done.append(name)
@@ -97,9 +99,14 @@ def join_modules(entry: str, read: Callable[[str], str] = web_file) -> str:
     return "\n".join(parts)
 
 
-def _taken(match: re.Match[str]) -> str:
+def _resolved(folder: str, target: str) -> str:
+    """Path in the folder ``web`` of what a file in ``folder`` imports."""
+    return posixpath.normpath(posixpath.join(folder, target))
+
+
+def _taken(match: re.Match[str], folder: str) -> str:
     names = [part.strip().replace(" as ", ": ") for part in match[1].split(",") if part.strip()]
-    return f"const {{ {', '.join(names)} }} = {_variable(match[2])};\n"
+    return f"const {{ {', '.join(names)} }} = {_variable(_resolved(folder, match[2]))};\n"
 
 
 def _variable(name: str) -> str:

@@ -1,7 +1,8 @@
 """What the viewer in a browser is given: the shaders, how they follow each other, and the tables.
 
 The plan and the shaders are the same for every planet; tables and uniforms belong to a solution.
-The names are those of ``gpu.uniforms`` and ``gpu.shaders``; ``web/picture.js`` reads all this.
+The names are those of ``gpu.uniforms`` and ``gpu.shaders``; ``web/drawing/picture.js`` reads all
+this.
 """
 
 from __future__ import annotations
@@ -45,7 +46,7 @@ _PEAKS: Final = ("first", "second")
 
 
 def plan() -> dict[str, Any]:
-    """The passes of a picture, and where each uniform stands: see ``web/program.js``."""
+    """The passes of a picture, and where each uniform stands: see ``web/drawing/program.js``."""
     columns, rows = SKY_SHAPE
     where = layout()
     places = {name: [start, 1] for name, start in where["numbers"].items()}

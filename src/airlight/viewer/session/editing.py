@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from airlight.errors import ParameterError
-from airlight.planets.reading.toml_section import suggestion
+from airlight.planets.schema.section import suggestion
 from airlight.scene import Scene
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.parameter_list import value_at

@@ -1,7 +1,7 @@
 /** The viewer in a notebook: the front end of `airlight.viewer.browser.notebook.Viewer`. */
-import { Picture } from "./picture.js";
-import { RemoteState } from "./remote_state.js";
-import { Viewer } from "./viewer.js";
+import { Picture } from "./drawing/picture.js";
+import { RemoteState } from "./state/remote_state.js";
+import { Viewer } from "./ui/viewer.js";
 
 function render({ model, el }) {
   const ending = [];
