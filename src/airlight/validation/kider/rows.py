@@ -41,21 +41,21 @@ class Rows:
     ----------
     scans : Scans
     floor : float
-        Score of the measured skies made symmetric. [mW m⁻² sr⁻¹ nm⁻¹]
+        Score of the measured skies made symmetric, the floor of any model. [mW m⁻² sr⁻¹ nm⁻¹]
     ladder : list of (str, array)
         Radiance after each ingredient, from everybody's inputs to the best. [W m⁻² sr⁻¹ nm⁻¹]
     fitted : array, shape (ns, nd, nl)
         Best physics with the fitted load.
     load : Load
-        The fitted one.
+        Fitted load.
     clean : array
         Best physics with the single-scattering albedo of clean continental air.
     turns : array, shape (ns, 3)
-        How each scan is best turned. [deg]
+        Best rotation of each scan. [deg]
     turned : array
         Best physics in the turned directions.
     solution : MomentsSolution
-        Of the best physics.
+        Solution of the best physics.
     """
 
     scans: Scans
@@ -70,16 +70,16 @@ class Rows:
 
     @property
     def same(self) -> FloatArray:
-        """Everybody's inputs."""
+        """Radiance by everybody's inputs."""
         return self.ladder[0][1]
 
     @property
     def known(self) -> FloatArray:
-        """Best physics, nothing fitted."""
+        """Radiance by the best physics, nothing fitted."""
         return self.ladder[-1][1]
 
     def score(self, got: FloatArray, only: NDArray[np.bool_] | None = None) -> float:
-        """RMSE of a model, or over some directions (ns, nd) alone. [mW m⁻² sr⁻¹ nm⁻¹]"""
+        """RMSE of a model, optionally over some directions (ns, nd) only. [mW m⁻² sr⁻¹ nm⁻¹]"""
         if only is None:
             return total_rmse(got, self.scans.radiance)
         squares = np.square(got[only] - self.scans.radiance[only])
@@ -90,27 +90,27 @@ def compute(
     data: Path, *, quality: str = "default", progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Rows:  # fmt: skip
-    """Solve for every row and every ingredient.
+    """Solve for every ingredient and every fit.
 
     Parameters
     ----------
     data : Path
-        The folder that holds the skies and the aerosol's phase function.
+        Folder that holds the skies and the aerosol's phase function.
     quality : str
-        Of the moments solver.
+        Quality of the moments solver.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
     Raises
     ------
     FileError
-        If a file of the two cannot be used.
+        If either file cannot be read.
     Cancelled
-        If ``cancel`` said so.
+        If ``cancel`` returned True.
     """
     scans = read_scans(data)
     named_steps = steps()
-    # One solution a step, four for the fit, one for the other albedo; then the pointing.
+    # One solution per step, four for the fit, one for the other albedo; then the pointing.
     tasks, done = len(named_steps) + 6, 0
 
     def solution(inputs: Inputs, message: str) -> MomentsSolution:
