@@ -111,7 +111,7 @@ def _constituents(planet: Planet) -> Table:
 
 
 def _composition(planet: Planet) -> Table:
-    """What gases and particles were given, and what follows from it."""
+    """Composition by gases and particles, and the quantities derived from it."""
     from rich.table import Table
 
     from airlight.planets.parameter_values import made_of

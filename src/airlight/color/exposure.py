@@ -25,7 +25,7 @@ _SAMPLE: Final = 1_000_000
 
 
 def exposure_factor(exposure: float) -> float:
-    """What light is multiplied by: 2^EV.
+    """Factor of the light: 2^EV.
 
     Parameters
     ----------

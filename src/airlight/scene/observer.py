@@ -1,4 +1,4 @@
-"""Where the observer stands: the horizon, what to look at, the frame of the planet below."""
+"""Viewpoint of the observer: horizon, target of the camera, frame of the planet below."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 
-#: What a camera can be told to look at.
+#: Targets of a camera.
 TARGETS = ("horizon", "nadir", "zenith", "sun")
 _RADIAN = math.pi / 180.0
 

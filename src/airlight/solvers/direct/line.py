@@ -1,4 +1,4 @@
-"""One line of sight: its points, and what light scattered or gathered there reaches its start."""
+"""Line of sight: its points, and the light scattered or gathered there that reaches its start."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ IntArray = NDArray[np.int64]
 
 
 class Air(NamedTuple):
-    """What lines need of a medium.
+    """Properties of a medium that lines need.
 
     Attributes
     ----------
@@ -129,7 +129,7 @@ class Line(NamedTuple):
 
 
 def new_line(air: Air) -> Line:
-    """Room for one line; each thread needs its own."""
+    """Workspace of one line; each thread needs its own."""
     constituents, wavelengths = air.extinction.shape
     points = air.rule[0].size * (MAX_EDGES if air.graded else 1)
     return Line(

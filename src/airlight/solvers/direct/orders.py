@@ -37,7 +37,7 @@ _DARK = 1e-250
 
 @dataclass(frozen=True, kw_only=True)
 class Orders:
-    """What the passes leave.
+    """Results of the passes.
 
     Attributes
     ----------
@@ -80,7 +80,7 @@ def solve_orders(
     medium : Medium
     settings : Settings
     progress, cancel : callable, optional
-        See ``airlight.kernel.threads``; the total told is an estimate until the last order.
+        See ``airlight.kernel.threads``; the reported total is an estimate until the last order.
 
     Raises
     ------
@@ -231,7 +231,7 @@ def _share(part: FloatArray, total: FloatArray, wavelengths: int) -> FloatArray:
 
 
 def _rest(last: FloatArray, before: FloatArray) -> FloatArray:
-    """What follows after the last order if every order is the same part of the one before."""
+    """Remainder after the last order if every order is the same fraction of the one before."""
     ratio = np.divide(last, before, out=np.zeros_like(last), where=before > _DARK)
     ratio = np.minimum(ratio, _LARGEST_RATIO)
     return np.asarray(last * ratio / (1.0 - ratio))

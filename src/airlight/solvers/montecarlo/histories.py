@@ -66,7 +66,7 @@ def _from_star(r, mu, air, path):
 
 @compiled_loop
 def follow(
-    count, start, hemisphere, first_order, lit_share, air, state, paths, room, sums
+    count, start, hemisphere, first_order, lit_share, air, state, paths, workspace, sums
 ):  # fmt: skip
     """Follow histories and add what they carry, and its square, to the sums of each order.
 
@@ -87,9 +87,9 @@ def follow(
     state : array, shape (1,)
         The stream of random numbers.
     paths : tuple
-        Room for the rays from the observer, between events and to the star, each a ``Trace``, and
-        ``Lit`` for the first and the second.
-    room : tuple of arrays
+        Workspaces of the rays from the observer, between events and to the star, each a
+        ``Trace``, and ``Lit`` for the first and the second.
+    workspace : tuple of arrays
         Scratch: what each constituent scatters, shape (nc,), what a history brings of each
         order, shape (k,).
     sums : array, shape (2, k + 1)
@@ -98,7 +98,7 @@ def follow(
     """
     start_r, start_mu, mu_s, nu = start
     first_path, next_path, star_path, first_lit, next_lit = paths
-    scattered, brought = room
+    scattered, brought = workspace
     bottom = air.extinction.bottom
     constituents = air.scattering.size
     orders = brought.size
