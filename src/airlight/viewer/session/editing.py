@@ -11,7 +11,7 @@ from airlight.errors import ParameterError
 from airlight.scene import Scene
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.view_parameters import DEFAULTS, scene_of, view_parameters
-from airlight.viewer.session.history import Change
+from airlight.viewer.session.history import Change, History
 from airlight.viewer.session.planet_state import PlanetState
 from airlight.viewer.session.side import Side
 from airlight.viewer.session.solve_request import SOLVED, Versions, Wanted, version_of
@@ -210,6 +210,10 @@ class Editing:
     def can_redo(self) -> bool:
         """Whether ``redo`` would do something."""
         return self._side.history.can_redo
+
+    def forget_steps(self) -> None:
+        """Make what was done so far the beginning: it cannot be undone."""
+        self._side.history = History()
 
     def reset(self, what: str = "") -> None:
         """Back to what the planet came with, and the view started with: one step to undo.
