@@ -100,7 +100,7 @@ class Ground(Record):
         Key(
             label="brightness",
             help="Factor of the ground's albedo, and of its picture.",
-            note="1 if left out; no albedo gets beyond 1.",
+            note="No albedo gets beyond 1.",
             range=(0.0, 100.0),
             slider=(0.0, 5.0),
             offered=always,

@@ -143,7 +143,7 @@ class Constituent(Record):
         Key(
             label="amount",
             help="Factor of what it scatters and absorbs, at all wavelengths.",
-            note="1 if left out; a gas bends light as without it.",
+            note="A gas bends light as without it.",
             range=(0.0, 100.0),
             slider=(0.1, 10.0),
             scale="log",

@@ -100,7 +100,6 @@ def program() -> dict[str, Any]:
         },
         "encodings": list(ENCODINGS),
         "orders": ORDERS,
-        "luminance": [float(x) for x in luminance(np.eye(3))],
         "xyz": [[float(x) for x in row] for row in rgb_to_xyz(np.eye(3))],
         "efficacy": LUMINOUS_EFFICACY,
     }
@@ -179,5 +178,8 @@ def light_paths(solution: MomentsSolution) -> dict[str, Any] | None:
         "excess": [float(f"{x:.9g}") for x in paths.optical_radius(true) - true],
         "bottom": float(paths.shell.bottom),
         "top": float(paths.shell.top),
-        "lift": [[float(f"{x:.7g}") for x in row] for row in paths.lift[:, :, 0]],
+        "lift": {
+            "values": [float(f"{x:.7g}") for x in paths.lift[:, :, 0].ravel()],
+            "shape": [*paths.lift.shape[:2], 1],
+        },
     }
