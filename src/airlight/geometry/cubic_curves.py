@@ -140,7 +140,7 @@ def spline_slopes(x: FloatArray, y: FloatArray) -> FloatArray:
     wanted[1:-1] = 3.0 * (high * chord[:-1] + low * chord[1:])
     system[0, :2], wanted[0] = _no_knot(step[0], step[1], chord[0], chord[1])
     system[-1, :-3:-1], wanted[-1] = _no_knot(step[-1], step[-2], chord[-1], chord[-2])
-    return np.linalg.solve(system, wanted.reshape(x.size, -1)).reshape(y.shape)
+    return np.asarray(np.linalg.solve(system, wanted.reshape(x.size, -1)).reshape(y.shape))
 
 
 def _no_knot(

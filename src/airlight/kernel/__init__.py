@@ -90,7 +90,7 @@ def _apart(dispatcher: Any) -> Any:
     for different types at once would take the same number, and the code of the one would later run
     as that of the other. With names apart, one entry of the index may get lost and is made again.
     """
-    files = getattr(getattr(dispatcher, "_cache", None), "_cache_file", None)
+    files: Any = getattr(getattr(dispatcher, "_cache", None), "_cache_file", None)
     pattern = getattr(files, "_data_name_pattern", None)
     if pattern is not None:
         files._data_name_pattern = pattern.replace("{number:d}", f"{_process()}-{{number:d}}")
