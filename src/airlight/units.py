@@ -59,7 +59,7 @@ def _registry() -> pint.UnitRegistry[Any]:
 
 
 def quantity(text: str | float, unit: str, field: str = "value") -> float:
-    """One number with a unit, as a float in the unit asked for.
+    """Convert one number with a unit to a float in the given unit.
 
     A number without a unit is taken to be in ``unit`` already.
 

@@ -11,10 +11,10 @@ from numpy.testing import assert_allclose
 from airlight.errors import ParameterError
 from airlight.planets import load_planet, planet_names
 from airlight.planets.reading.reader import planet_tables, planet_text
+from airlight.planets.reading.tables import TABLES, keys_of
 from airlight.viewer.parameters.nested_tables import Tables
 from airlight.viewer.parameters.parameter import KINDS, Parameter
 from airlight.viewer.parameters.parameter_list import parameters_of, spelled_out, value_at
-from airlight.viewer.parameters.planet_keys import TABLES
 from airlight.viewer.parameters.view_parameters import DEFAULTS, scene_of, view_parameters
 
 
@@ -79,7 +79,7 @@ def test_every_key_that_the_handbook_names_is_declared() -> None:
     from pathlib import Path
 
     handbook = Path(__file__).parents[2] / "docs" / "planet-files.md"
-    declared = {key.name for keys in TABLES.values() for key in keys}
+    declared = {key.name for kind in TABLES for key in keys_of(kind)}
     # words of the first column that are no keys: kinds, tables of indices, gases
     other = {"dependent"}
     named: set[str] = set()

@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, NoReturn
 
+import numpy as np
 import pytest
 
 DRIVER = Path(__file__).with_name("window_driver.py")
@@ -46,6 +47,7 @@ class Driven:
 
     def __init__(self, display: str, folder: Path, by: str) -> None:
         self.environment = {**os.environ, "DISPLAY": display}
+        self.screen = folder / "Xvfb_screen0"
         self.log = folder / "stderr"
         self._errors = self.log.open("w")
         self.process = subprocess.Popen(
@@ -79,6 +81,29 @@ class Driven:
         """Move there, let the window see it, and press the left button."""
         self.mouse("mousemove", int(x), int(y), "sleep", 0.2, "mousedown", 1, "sleep", 0.2)
 
+    def click(self, name: str) -> None:
+        """Click a control of the panel."""
+        left, top, right, bottom = self.ask("place_of", name)
+        self.press(0.5 * (left + right), 0.5 * (top + bottom))
+        self.mouse("mouseup", 1, "sleep", 0.2)
+
+    def pixels(self) -> np.ndarray:
+        """What the display shows: rows, columns, three colours.
+
+        The file is an X window dump: a header of numbers of 32 bits, colours, pixels.
+        """
+        data = self.screen.read_bytes()
+        head = np.frombuffer(data, ">u4", 25)
+        start, colors = int(head[0]) + 12 * int(head[19]), 4
+        width, height, stride = int(head[4]), int(head[5]), int(head[12])
+        body = np.frombuffer(data, np.uint8, stride * height, start).reshape(height, stride)
+        return body[:, : colors * width].reshape(height, width, colors)[..., :3].astype(int)
+
+    def picture_pixels(self) -> np.ndarray:
+        """The part of the display that the picture has."""
+        left, top, width, height = (int(one) for one in self.ask("picture_place"))
+        return self.pixels()[top : top + height, left : left + width]
+
     @staticmethod
     def until(condition: Callable[[], Any], seconds: float = 20.0) -> None:
         """Wait for something that a loaded machine may do late."""
@@ -105,16 +130,27 @@ def window(
     if reason:
         lacking(reason)
     reads, writes = os.pipe()
-    screen = f"{SIZE[0]}x{SIZE[1]}x24"
+    screen, folder = f"{SIZE[0]}x{SIZE[1]}x24", tmp_path_factory.mktemp("window")
     server = subprocess.Popen(
-        ["Xvfb", "-displayfd", str(writes), "-screen", "0", screen, "-nolisten", "tcp"],
+        [
+            "Xvfb",
+            "-displayfd",
+            str(writes),
+            "-screen",
+            "0",
+            screen,
+            "-nolisten",
+            "tcp",
+            "-fbdir",
+            str(folder),
+        ],
         pass_fds=(writes,),
         stderr=subprocess.DEVNULL,
     )
     os.close(writes)
     with os.fdopen(reads) as pipe:
         display = f":{pipe.readline().strip()}"
-    driven = Driven(display, tmp_path_factory.mktemp("window"), "auto")
+    driven = Driven(display, folder, "auto")
     try:
         assert driven.ask("settled", 240.0), driven.ask("error")
         left, top, right, bottom = driven.ask("place_of", "search")
@@ -219,6 +255,72 @@ def test_frames_keep_coming_while_the_planet_is_solved(
     tell(f"window: longest time between frames while solving {gap:.2f} s, slowed {slowness:.1f}×")
     assert gap < 0.3 * min(slowness, 5.0)
     assert window.ask("settled", 60.0)
+
+
+def test_another_planet_is_opened_undone_and_redone_while_rows_are_shown(window: Driven) -> None:
+    # Rows of one planet never meet values of another: each has paths that the others lack.
+    def opened(planet: str) -> None:
+        window.until(lambda: window.ask("source") == planet)
+        frames = window.ask("frames")
+        window.mouse("mousemove", 600, 210, "sleep", 0.2, "mousemove", 600, 200)
+        window.until(lambda: window.ask("frames") > frames + 1)
+        assert window.ask("error") == ""
+
+    def painted(name: str) -> None:
+        window.until(lambda: window.ask("picture")["planet"] == name, 60.0)
+        assert window.ask("settled", 60.0), window.ask("error")
+        window.until(lambda: window.picture_pixels().max() > 60)
+
+    window.click("search")
+    window.until(lambda: window.ask("typing"))
+
+    def all_rows() -> bool:
+        window.mouse("key", "ctrl+a", "key", "BackSpace", "sleep", 0.2)
+        return bool(window.ask("search") == "")
+
+    window.until(all_rows)
+    window.press(600, 200)
+    window.mouse("mouseup", 1)
+    window.until(lambda: not window.ask("typing"))
+    for planet in ("earth", "titan"):
+        window.click("planet")
+        window.until(lambda: window.ask("lists"))
+        window.click(planet)
+        opened(planet)
+    for planet in ("earth", "mars"):
+        window.click("undo")
+        opened(planet)
+    painted("Mars")
+    for planet in ("earth", "titan"):
+        window.click("redo")
+        opened(planet)
+    for key, planet in (("z", "earth"), ("z", "mars"), ("y", "earth")):
+        window.mouse("key", f"ctrl+{key}")
+        opened(planet)
+    painted("Earth")
+    assert "Traceback" not in window.log.read_text()
+
+
+def test_a_panel_that_fails_ends_neither_window_nor_picture(window: Driven) -> None:
+    window.mouse("key", "x")
+    window.until(lambda: window.ask("value", "display.automatic") is False)
+    assert window.ask("settled", 60.0), window.ask("error")
+    window.ask("break_rows")
+    window.mouse("mousemove", 600, 210, "sleep", 0.2)
+    window.until(lambda: window.ask("error") == "side panel: KeyError: 'no such row'")
+    # pictures still come to the display: two stops are less than half of what a pixel had
+    before, frames = window.picture_pixels().mean(), window.ask("frames")
+    assert before > 30.0
+    window.mouse("key", "--repeat", 6, "--delay", 100, "minus")
+    window.until(lambda: window.picture_pixels().mean() < 0.7 * before)
+    assert window.ask("settled", 60.0)
+    assert window.picture_pixels().mean() > 0.1 * before
+    assert window.ask("frames") > frames
+    assert window.log.read_text().count("Traceback") == 1  # of many frames that failed
+    # the next frame tries again
+    window.ask("mend_rows")
+    window.mouse("key", "x")
+    window.until(lambda: window.ask("error") == "")
 
 
 def test_an_idle_window_costs_no_processor_time(

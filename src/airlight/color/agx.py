@@ -38,7 +38,7 @@ _SHOULDER: Final = 3.25
 
 
 def _scale(x: float, y: float, power: float) -> float:
-    """What makes the hyperbola run through 0 or 1, x and y away from the fixed point."""
+    """Scale that makes the hyperbola run through 0 or 1, x and y away from the fixed point."""
     return float(((_SLOPE * x) ** -power * ((_SLOPE * x / y) ** power - 1.0)) ** (-1.0 / power))
 
 

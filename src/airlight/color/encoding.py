@@ -46,7 +46,7 @@ def gamma_curve_inverse(encoded):
 
 @kernel
 def encoded(which, linear):
-    """One value in the encoding of that place in ``ENCODINGS``, counted from 0. [1]"""
+    """Encode one value by the encoding of that index in ``ENCODINGS``, counted from 0. [1]"""
     if which == 0:
         return srgb_curve(linear)
     return gamma_curve(linear)

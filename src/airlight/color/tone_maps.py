@@ -100,7 +100,7 @@ def reinhard_extended_color(red, green, blue, white):
 
 @kernel
 def tone_mapped(which, red, green, blue):
-    """One colour by the tone map of that place in ``TONE_MAPS``, counted from 0.
+    """Map one colour by the tone map of that index in ``TONE_MAPS``, counted from 0.
 
     Parameters
     ----------

@@ -40,7 +40,7 @@ def cache_folder() -> Path:
 
 @cache
 def _compiled_folder(source: str) -> Path | None:
-    """Where the code compiled from a source file goes, or None if nothing can be written there."""
+    """Folder of the code compiled from a source file, or None if nothing can be written there."""
     try:
         key = fingerprint(Path(source))
         kernels = cache_folder() / "kernels" / Path(source).stem
@@ -69,14 +69,14 @@ def _numba_cache(folder: Path) -> Iterator[None]:
 
 
 def _declare(
-    make: Callable[..., Any], function: Callable[..., Any], room: str, **options: Any
+    make: Callable[..., Any], function: Callable[..., Any], kind: str, **options: Any
 ) -> Any:
     folder = _compiled_folder(function.__code__.co_filename)
     if folder is None:
         return make(**options)(function)
     # A formula and its loop have one name and one line, by which Numba finds a cache entry: each
     # kind has a folder of its own.
-    with _numba_cache(folder / room):
+    with _numba_cache(folder / kind):
         try:
             return _apart(make(cache=True, **options)(function))
         except RuntimeError:  # a function typed at a prompt has no file to key the cache by
@@ -92,7 +92,7 @@ def _apart(dispatcher: Any) -> Any:
     """
     files: Any = getattr(getattr(dispatcher, "_cache", None), "_cache_file", None)
     pattern = getattr(files, "_data_name_pattern", None)
-    if pattern is not None:
+    if files is not None and pattern is not None:
         files._data_name_pattern = pattern.replace("{number:d}", f"{_process()}-{{number:d}}")
     return dispatcher
 

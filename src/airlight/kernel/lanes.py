@@ -95,7 +95,13 @@ def _address(context: Any, builder: Any, array_type: Any, array: Any, index: Any
 
 @intrinsic
 def load(typing_context: Any, array: Any, index: Any) -> Any:
-    """Eight neighbours of a flat, contiguous float32 array, from ``index`` on (not checked)."""
+    """Eight neighbours of a flat, contiguous float32 array, from ``index`` on (not checked).
+
+    A number stands for all wavelengths and comes back as it is: what is written for lanes then
+    runs at one wavelength too.
+    """
+    if isinstance(array, types.Float):
+        return array(array, index), lambda context, builder, signature, arguments: arguments[0]
 
     def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         index = context.cast(builder, arguments[1], signature.args[1], types.intp)

@@ -1,4 +1,4 @@
-"""How a constituent thins with altitude: profiles as segments that kernels read quickly.
+"""Density profiles over altitude, as segments that kernels read quickly.
 
 Every profile, whatever its kind, becomes a row of segments; within one, the relative density is
 ``max(0, a·exp(b·x) + c·x + d)`` with x the height above the segment's lower edge. That covers the
@@ -234,12 +234,12 @@ def exponential(scale_height: float, thickness: float) -> Row:
 
 
 def uniform(thickness: float) -> Row:
-    """One segment of density 1 from the ground to the top."""
+    """Segment of density 1 from the ground to the top."""
     return np.array([0.0, thickness]), np.array([[0.0, 0.0, 0.0, 1.0]])
 
 
 def tent(center: float, half_width: float, thickness: float) -> Row:
-    """Segments of max(0, 1 - |h - center|/half_width), cut off at the ground and the top.
+    """Segments of ``max(0, 1 - |h - center|/half_width)``, cut off at the ground and the top.
 
     Parameters
     ----------
@@ -261,7 +261,7 @@ def tent(center: float, half_width: float, thickness: float) -> Row:
 
 @dataclass(frozen=True, kw_only=True)
 class LayerTerms:
-    """One of Bruneton's density layers: exp_term·e^(exp_scale·h) + linear_term·h + constant_term.
+    """Bruneton's density layer: exp_term·e^(exp_scale·h) + linear_term·h + constant_term.
 
     The result is clamped to [0, 1]; h is the altitude above the ground, not above the layer.
 

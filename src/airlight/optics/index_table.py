@@ -87,7 +87,7 @@ def index_names() -> tuple[str, ...]:
 
 @cache
 def read_index(name: str) -> IndexTable:
-    """One of the package's tables, or a CSV file of the same form.
+    """Read one of the package's tables, or a CSV file of the same form.
 
     Parameters
     ----------

@@ -30,7 +30,7 @@ _BLOCK: Final = 64
 
 @dataclass(frozen=True, eq=False)
 class Scattering:
-    """What the mean particle does to light of one wavelength.
+    """Optical properties of the mean particle at one wavelength.
 
     Parameters
     ----------

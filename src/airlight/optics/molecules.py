@@ -57,7 +57,7 @@ class Molecule:
 
     @property
     def number_density(self) -> float:
-        """Of the state at which the refractivity was measured. [m⁻³]"""
+        """Number density of the state at which the refractivity was measured. [m⁻³]"""
         return number_density(self.temperature, self.pressure)
 
     def cross_sections(self, wavelengths: npt.ArrayLike) -> FloatArray:

@@ -1,4 +1,4 @@
-"""How large particles are: gamma, log-normal and single-radius distributions, and nodes over them.
+"""Size distributions of particles: gamma, log-normal and single radius, with quadrature nodes.
 
 A distribution is a number density over radius with integral 1. Light sees areas, so the nodes are
 spread over the radii that carry area: what they leave out holds a millionth of it.
@@ -212,7 +212,7 @@ def log_normal_sizes(median_radius: float, geometric_deviation: float, count: in
 
 
 def single_size(radius: float) -> Sizes:
-    """All particles of one radius [m]."""
+    """Distribution of particles of one radius [m]."""
     if not radius > 0.0:
         raise ParameterError("radius", radius, "more than 0 m")
     return Sizes(np.array([radius]), np.array([1.0]))

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Frame:
-    """What ``render`` returns.
+    """Result of ``render``.
 
     Attributes
     ----------

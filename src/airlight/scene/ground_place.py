@@ -1,4 +1,4 @@
-"""Where a line of sight meets the ground, and the colour of the map there.
+"""Point where a line of sight meets the ground, and the colour of the map there.
 
 In numbers and flat arrays, for the renderer and for the shader.
 """

@@ -1,4 +1,4 @@
-"""Where the observer stands: the horizon, what to look at, the frame of the planet below."""
+"""Viewpoint of the observer: horizon, target of the camera, frame of the planet below."""
 
 from __future__ import annotations
 
@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 
-#: What a camera can be told to look at.
+#: Targets of a camera.
 TARGETS = ("horizon", "nadir", "zenith", "sun")
+_RADIAN = math.pi / 180.0
 
 
 def horizon_zenith(altitude: float, bottom_radius: float) -> float:
@@ -84,6 +85,30 @@ def look_at(
     raise ParameterError("look_at", target, ", ".join(TARGETS))
 
 
+def ground_axes(
+    latitude: float, longitude: float, sun_azimuth: float
+) -> tuple[float, float, float, float, float, float, float, float, float]:
+    """Rows of ``planet_frame``, one after another, as plain numbers. [1]"""
+    north_sine, north_cosine = math.sin(latitude * _RADIAN), math.cos(latitude * _RADIAN)
+    east_sine, east_cosine = math.sin(longitude * _RADIAN), math.cos(longitude * _RADIAN)
+    along, across = math.cos(sun_azimuth * _RADIAN), math.sin(sun_azimuth * _RADIAN)
+    up_x, up_y, up_z = north_cosine * east_cosine, north_cosine * east_sine, north_sine
+    sun_x = -along * north_sine * east_cosine - across * east_sine
+    sun_y = -along * north_sine * east_sine + across * east_cosine
+    sun_z = along * north_cosine
+    return (
+        sun_x,
+        up_y * sun_z - up_z * sun_y,
+        up_x,
+        sun_y,
+        up_z * sun_x - up_x * sun_z,
+        up_y,
+        sun_z,
+        up_x * sun_y - up_y * sun_x,
+        up_z,
+    )
+
+
 def planet_frame(latitude: float, longitude: float, sun_azimuth: float) -> NDArray[np.float64]:
     """The rotation from the observer's local frame to the frame that turns with the planet.
 
@@ -107,13 +132,4 @@ def planet_frame(latitude: float, longitude: float, sun_azimuth: float) -> NDArr
     >>> north_pole.round(12) + 0.0
     array([0., 0., 1.])
     """
-    phi, lam, bearing = (math.radians(a) for a in (latitude, longitude, sun_azimuth))
-    up = np.array(
-        [math.cos(phi) * math.cos(lam), math.cos(phi) * math.sin(lam), math.sin(phi)],
-    )
-    north = np.array(
-        [-math.sin(phi) * math.cos(lam), -math.sin(phi) * math.sin(lam), math.cos(phi)],
-    )
-    east = np.array([-math.sin(lam), math.cos(lam), 0.0])
-    towards_sun = math.cos(bearing) * north + math.sin(bearing) * east
-    return np.stack([towards_sun, np.cross(up, towards_sun), up], axis=1)
+    return np.reshape(ground_axes(latitude, longitude, sun_azimuth), (3, 3))

@@ -19,7 +19,7 @@ HIGHEST_ALTITUDE = 1e12
 
 @dataclass(frozen=True, kw_only=True)
 class Scene:
-    """Who looks from where, and where the sun stands; the planet comes with the solution.
+    """Observer, camera and direction of the sun; the planet comes with the solution.
 
     Parameters
     ----------

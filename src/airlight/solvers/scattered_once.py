@@ -39,12 +39,12 @@ _BLOCK: Final = 2048
 
 
 @compiled_loop
-def _scattered(sight, panels, rule, shell, star_radius, optics, tables, room, out):
+def _scattered(sight, panels, rule, shell, star_radius, optics, tables, workspace, out):
     r, mu, mu_s, nu, length = sight
     bottom, top = shell
     scattering, extinction, strongest = optics
     densities, sun_table = tables
-    path, edges, here = room
+    path, edges, here = workspace
     distance, radius, weight, density, column, _, _ = path
     constituents, wavelengths = scattering.shape
     for p in range(r.size):
@@ -101,15 +101,15 @@ def scattered_once(medium: Medium, sight: Sight, *, cancel: Cancel | None = None
 
     def block(index: int) -> None:
         rows = slice(index * _BLOCK, (index + 1) * _BLOCK)
-        room = (
+        workspace = (
             new_path(_NODES * (2 * _PANELS + 10), constituents),
             np.empty(MAX_EDGES),
             np.empty(constituents),
         )
         lines = tuple(x[rows] for x in (sight.r, sight.mu, sight.mu_s, sight.nu, sight.length))
         _scattered(
-            lines, _PANELS, rule, (bottom, top), medium.star_angular_radius, optics, tables, room,
-            out[rows],
+            lines, _PANELS, rule, (bottom, top), medium.star_angular_radius, optics, tables,
+            workspace, out[rows],
         )  # fmt: skip
 
     run_blocks(block, -(-n // _BLOCK), cancel=cancel)

@@ -29,16 +29,17 @@ from airlight.geometry.path import (
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.shell import radius_along
 from airlight.geometry.sun_disc import star_elevation
-from airlight.kernel import compiled_loop
+from airlight.kernel import compiled_loop, vectorized
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.density_profile import relative_density
+from airlight.optics.reflection import leaving_cosine, star_factors
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import only_straight
 from airlight.solvers.sight import Sight
 from airlight.solvers.star_light import (
     PANELS,
     direct_irradiance,
-    new_room,
+    new_workspace,
     star_light,
     star_rules,
 )
@@ -59,10 +60,10 @@ _BLOCK: Final = 8
 
 @compiled_loop
 def _panel(
-    start, end, before, ray, star_radius, shell, density, extinction, rules, room, scratch,
+    start, end, before, ray, star_radius, shell, density, extinction, rules, workspace, scratch,
     column, out,
 ):  # fmt: skip
-    """One panel's share of ∫ ρ_i T <T V> ds, shape (nc, nl), and its columns, shape (nc,)."""
+    """One panel's part of ∫ ρ_i T <T V> ds, shape (nc, nl), and its columns, shape (nc,)."""
     r, mu, mu_s, nu = ray
     points, along, light = scratch
     nodes, weights, running = rules[2]
@@ -83,8 +84,8 @@ def _panel(
         q = radius_along(r, mu, s)
         here = min(max((r * mu_s + s * nu) / q, -1.0), 1.0)
         if not star_light(
-            q, here, star_radius, False, shell, density, extinction, (rules[0], rules[1]), room,
-            light,
+            q, here, star_radius, False, shell, density, extinction, (rules[0], rules[1]),
+            workspace, light,
         ):  # fmt: skip
             continue
         for i in range(constituents):
@@ -139,7 +140,7 @@ def _cut_at_shadow(r, mu, mu_s, nu, bottom, star_radius, edges, count):
 
 
 @compiled_loop
-def _scattered(sight, star_radius, shell, density, extinction, rules, room, out):
+def _scattered(sight, star_radius, shell, density, extinction, rules, workspace, out):
     all_r, all_mu, all_mu_s, all_nu, lengths = sight
     constituents, wavelengths = extinction.shape
     n = rules[2][0].size
@@ -168,7 +169,7 @@ def _scattered(sight, star_radius, shell, density, extinction, rules, room, out)
         for panel in range(count - 1):
             _panel(
                 edges[panel], edges[panel + 1], before, ray, star_radius, shell, density,
-                extinction, rules, room, scratch, left_column, base[panel],
+                extinction, rules, workspace, scratch, left_column, base[panel],
             )  # fmt: skip
             before += left_column
             whole += base[panel]
@@ -185,12 +186,12 @@ def _scattered(sight, star_radius, shell, density, extinction, rules, room, out)
                 middle = 0.5 * (start + end)
                 _panel(
                     start, middle, before, ray, star_radius, shell, density, extinction, rules,
-                    room, scratch, left_column, left,
+                    workspace, scratch, left_column, left,
                 )  # fmt: skip
                 middle_before[:] = before + left_column
                 _panel(
                     middle, end, middle_before, ray, star_radius, shell, density, extinction,
-                    rules, room, scratch, right_column, right,
+                    rules, workspace, scratch, right_column, right,
                 )  # fmt: skip
                 good = True
                 for i in range(constituents):
@@ -255,7 +256,7 @@ def single_scattering(
             medium.density.arrays,
             medium.extinction,
             rules,
-            new_room(),
+            new_workspace(),
             out[rows],
         )
 
@@ -267,9 +268,9 @@ def single_scattering(
 
 
 @compiled_loop
-def _ground_columns(all_r, all_mu, shell, density, rule, room, out):
+def _ground_columns(all_r, all_mu, shell, density, rule, workspace, out):
     """Columns along lines of sight that end on the ground, integrated upwards from there."""
-    edges, distance, radius, weight = room
+    edges, distance, radius, weight = workspace
     bottom, top = shell
     for k in range(all_r.size):
         r, mu = all_r[k], all_mu[k]
@@ -317,10 +318,13 @@ def reflected_once(medium: Medium, sight: Sight) -> FloatArray:
         (bottom, medium.top_radius),
         medium.density.arrays,
         star_rules()[0],
-        new_room(),
+        new_workspace(),
         column,
     )
     mu_s = np.clip((r * sight.mu_s[hits] + length * sight.nu[hits]) / bottom, -1.0, 1.0)
     direct = direct_irradiance(medium, np.full(hits.size, bottom), mu_s)
-    out[hits] = medium.ground_albedo / np.pi * np.exp(-(column @ medium.extinction)) * direct
+    factor = np.empty_like(direct)
+    leaving = vectorized(leaving_cosine)(r, mu, bottom)
+    star_factors(medium.ground, mu_s, leaving, sight.nu[hits], factor)
+    out[hits] = factor / np.pi * np.exp(-(column @ medium.extinction)) * direct
     return out

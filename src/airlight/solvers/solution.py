@@ -30,7 +30,7 @@ FloatArray = NDArray[np.float64]
 
 @dataclass(frozen=True, kw_only=True)
 class Report:
-    """How a solution came about.
+    """Provenance of a solution.
 
     Attributes
     ----------

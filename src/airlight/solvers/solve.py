@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
     from airlight.solvers.montecarlo.solution import MonteCarloSolution
 
-#: The rooms of the solvers, imported when asked for. Each has ``settings.settings_for`` and
+#: Packages of the solvers, imported when asked for. Each has ``settings.settings_for`` and
 #: ``solution.solve(medium, settings, *, cache, progress, cancel)``.
 SOLVERS: Final = {
     "moments": "airlight.solvers.moments",
@@ -136,11 +136,11 @@ def solve(
     """
     if solver not in SOLVERS:
         raise ParameterError("solver", solver, ", ".join(SOLVERS))
-    room = SOLVERS[solver]
-    settings = import_module(f"{room}.settings").settings_for(quality)
+    package = SOLVERS[solver]
+    settings = import_module(f"{package}.settings").settings_for(quality)
     nm = planet.wavelengths if wavelengths is None else wavelengths
     medium = Medium.from_planet(planet, nm, progress=progress, cancel=cancel)
-    solution: Solution = import_module(f"{room}.solution").solve(
+    solution: Solution = import_module(f"{package}.solution").solve(
         medium, settings, cache=cache, progress=progress, cancel=cancel
     )
     solution.planet = planet

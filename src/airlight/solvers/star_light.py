@@ -1,4 +1,4 @@
-r"""What arrives of the star at a point in the air, by quadrature alone.
+r"""Star light at a point in the air, by quadrature alone.
 
 Nothing is read from a table: densities come from the profiles themselves, and the column from the
 point to space is integrated each time.
@@ -39,7 +39,7 @@ _HIGH: Final = 0.7
 
 
 @compiled_loop
-def columns_to_space(r, mu, shell, density, rule, room, out):
+def columns_to_space(r, mu, shell, density, rule, workspace, out):
     """Columns of all constituents from a point to the top, for a ray that misses the ground.
 
     Parameters
@@ -52,12 +52,12 @@ def columns_to_space(r, mu, shell, density, rule, room, out):
         ``DensitySegments.arrays``.
     rule : tuple of arrays
         Of Gauss-Legendre.
-    room : tuple of arrays
-        Scratch from ``new_room``.
+    workspace : tuple of arrays
+        Scratch from ``new_workspace``.
     out : array, shape (nc,)
         Receives the columns. [m]
     """
-    edges, distance, radius, weight = room
+    edges, distance, radius, weight = workspace
     bottom, top = shell
     density_edges, coefficients, corners = density
     length = max(-r * mu + chord(r, mu, top), 0.0)
@@ -73,15 +73,15 @@ def columns_to_space(r, mu, shell, density, rule, room, out):
         out[i] = total
 
 
-def new_room() -> tuple[FloatArray, ...]:
+def new_workspace() -> tuple[FloatArray, ...]:
     """Scratch of one thread for ``columns_to_space``."""
     points = _NODES * MAX_EDGES
     return np.empty(MAX_EDGES), np.empty(points), np.empty(points), np.empty(points)
 
 
 @compiled_loop
-def star_light(r, mu_s, star_radius, level, shell, density, extinction, rules, room, light):
-    """What arrives of the star at a point, averaged over its disc, per irradiance at the top.
+def star_light(r, mu_s, star_radius, level, shell, density, extinction, rules, workspace, light):
+    """Star light at a point, averaged over its disc, per irradiance at the top.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ def star_light(r, mu_s, star_radius, level, shell, density, extinction, rules, r
         Angular radius of the star; 0 for a point. [rad]
     level : bool
         Whether on a level surface, with the cosine, rather than on one that faces the star.
-    shell, density, room :
+    shell, density, workspace :
         As in ``columns_to_space``.
     extinction : array, shape (nc, nl)
         [m⁻¹]
@@ -112,7 +112,7 @@ def star_light(r, mu_s, star_radius, level, shell, density, extinction, rules, r
         return False
     column = np.empty(extinction.shape[0])
     if star_radius <= 0.0 or elevation > _HIGH + star_radius:
-        columns_to_space(r, mu_s, shell, density, rules[0], room, column)
+        columns_to_space(r, mu_s, shell, density, rules[0], workspace, column)
         for w in range(light.size):
             depth = 0.0
             for i in range(column.size):
@@ -127,7 +127,7 @@ def star_light(r, mu_s, star_radius, level, shell, density, extinction, rules, r
         t = first + (pi - first) * nodes[k]
         share = (2.0 / pi) * (pi - first) * weights[k] * sin(t) * sin(t)
         strip = sin(centre - star_radius * cos(t))
-        columns_to_space(r, strip, shell, density, rules[0], room, column)
+        columns_to_space(r, strip, shell, density, rules[0], workspace, column)
         for w in range(light.size):
             depth = 0.0
             for i in range(column.size):
@@ -158,7 +158,7 @@ def direct_irradiance(medium: Medium, r: FloatArray, mu_s: FloatArray) -> FloatA
     """
     out = np.empty((r.size, medium.wavelengths.size))
     rules = star_rules()
-    room = new_room()
+    workspace = new_workspace()
     for k in range(r.size):
         star_light(
             float(r[k]),
@@ -169,7 +169,7 @@ def direct_irradiance(medium: Medium, r: FloatArray, mu_s: FloatArray) -> FloatA
             medium.density.arrays,
             medium.extinction,
             rules,
-            room,
+            workspace,
             out[k],
         )
     return out

@@ -380,7 +380,7 @@ class Pictures:
         if numbers["keeps_peaks"]:
             passes.append((sky_peaks_shader(), ("first", "second")))
         for shader, layers in passes:
-            one = self._pass(shader, shader.entries[0], (_LINEAR, _LINEAR))
+            one = self._pass(shader, next(iter(shader.entries)), (_LINEAR, _LINEAR))
             one.run(encoder, self._bound(one), [self._layers[name] for name in layers])
         self.device.device.queue.submit([encoder.finish()])
         self._seen = seen

@@ -1,4 +1,4 @@
-"""The one uniform struct of all shaders, declared here for WGSL, for Python and for JavaScript."""
+"""The one uniform struct of all shaders, declared here for every language."""
 
 from __future__ import annotations
 
@@ -9,7 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.gpu.emit.shader_types import BOOL, F32, I32, Table, Uniform
+from airlight.gpu.emit.dialect import ShaderDialect
+from airlight.gpu.emit.shader_types import BOOL, F32, I32, Uniform
+from airlight.gpu.emit.wgsl import WGSL
 from airlight.pixels.shown import FIELD_TABLES, SCALAR_TABLES, SPECTRAL_TABLES
 
 #: Members of the struct, each a vec4f, and what its four numbers are called.
@@ -57,12 +59,8 @@ def uniform(name: str) -> Uniform:
         One of those in ``MEMBERS``.
     """
     member, component = _PLACES[name]
-    text = f"frame.{member}.{component}"
-    if name in WHOLE:
-        return Uniform(f"i32({text})", I32)
-    if name in SWITCHES:
-        return Uniform(f"({text} > 0.5)", BOOL)
-    return Uniform(text, F32)
+    kind = I32 if name in WHOLE else BOOL if name in SWITCHES else F32
+    return Uniform(f"frame.{member}.{component}", kind)
 
 
 def vectors() -> tuple[str, ...]:
@@ -70,39 +68,15 @@ def vectors() -> tuple[str, ...]:
     return (*MEMBERS, *(f"table_{name}" for name in TABLES))
 
 
-def struct_text() -> str:
-    """The struct and its declaration in WGSL."""
-    members = "".join(f"  {name}: vec4f,\n" for name in vectors())
-    return f"struct Frame {{\n{members}}}\n@group(0) @binding(0) var<uniform> frame: Frame;\n"
-
-
-def table_text(table: Table, texture: str) -> str:
-    """The functions by which a shader reads a table: see ``Table``.
+def struct_text(dialect: ShaderDialect = WGSL) -> str:
+    """The struct and its declaration.
 
     Parameters
     ----------
-    table : Table
-        One of ``TABLES``.
-    texture : str
-        In which it stands.
-
-    Returns
-    -------
-    str
-        WGSL.
+    dialect : ShaderDialect
+        The language.
     """
-    name = f"frame.table_{table.name}"
-    lengths = f"i32({name}[axis + 1])"
-    if table.rank == 4:  # the innermost axis of the only such table is two long
-        lengths = f"select(i32({name}[min(axis, 2) + 1]), 2, axis == 3)"
-    component = "" if table.spectral else ".x"
-    return (
-        f"fn size_{table.name}(axis: i32) -> i32 {{ return {lengths}; }}\n"
-        f"fn read_{table.name}(index: i32) -> {table.element.name} {{\n"
-        f"  let at = index + i32({name}.x);\n"
-        f"  return textureLoad({texture}, vec2i(at & 2047, at >> 11), 0){component};\n"
-        "}\n"
-    )
+    return dialect.uniforms("frame", vectors(), 0, 0)
 
 
 def layout() -> dict[str, Any]:

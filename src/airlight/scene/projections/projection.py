@@ -1,4 +1,4 @@
-"""What a projection has to say about itself: the form that every projection's file fills in."""
+"""Interface that every projection's file fills in."""
 
 from __future__ import annotations
 
@@ -32,11 +32,11 @@ class Projection:
     shape : str
         The allowed shapes in words, for the error.
     field_of_view : float
-        What a camera has that is not told. [deg]
+        Default field of view. [deg]
     field_of_view_limits : (float, float)
         Smallest and largest allowed. [deg]
     look_zenith : float
-        Where a camera looks that is not told. [deg]
+        Default zenith angle of the view. [deg]
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""Where the gathered light is known: the axes of its table, and the place of a point on them."""
+"""Table of gathered light: its axes, and the coordinates of a point on them."""
 
 from __future__ import annotations
 

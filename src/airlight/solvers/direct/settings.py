@@ -1,4 +1,4 @@
-"""How finely the direct solver works, and by which document."""
+"""Resolution of the direct solver, and the document that it follows."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ class Settings:
         return self.mapping not in ("angle", "bruneton")
 
     def as_text(self) -> str:
-        """All settings on one line, for reports and fingerprints."""
+        """Return all settings on one line, for reports and fingerprints."""
         return " ".join(f"{name}={value}" for name, value in asdict(self).items() if value != "")
 
 

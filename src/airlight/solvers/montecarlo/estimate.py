@@ -40,7 +40,7 @@ _LIT_SHARE: Final = 0.5
 
 @dataclass(frozen=True)
 class Estimate:
-    """What histories say about some lines of sight.
+    """Estimates by histories for some lines of sight.
 
     Attributes
     ----------
@@ -66,7 +66,7 @@ class Estimate:
 
 @dataclass(frozen=True)
 class Question:
-    """What is to be estimated.
+    """Quantities to be estimated.
 
     Attributes
     ----------
@@ -178,7 +178,7 @@ def _run_block(
     question: Question, line: int, air: Air, nm: float, block: int, settings: Settings,
     out: FloatArray,
 ) -> None:  # fmt: skip
-    """One block of histories of one task."""
+    """Run one block of histories of one task."""
     start = question.starts[line]
     r, mu, mu_s, nu = (float(one) for one in start)
     # The stream belongs to the question itself, not to its place in a list of questions.
@@ -186,7 +186,7 @@ def _run_block(
     state = stream(settings.seed, *names, int(question.hemisphere), block)
     along = air.extinction
     paths = (new_trace(along), new_trace(along), new_trace(along), new_lit(along), new_lit(along))
-    room = np.zeros(air.scattering.size), np.zeros(settings.kept_orders + 1)
+    workspace = np.zeros(air.scattering.size), np.zeros(settings.kept_orders + 1)
     first_order = 1 if question.known is None else 2
     end_r = np.sqrt(max(r * r + question.lengths[line] * (question.lengths[line] + 2 * r * mu), 1))
     end_mu_s = (r * mu_s + question.lengths[line] * nu) / end_r
@@ -194,7 +194,7 @@ def _run_block(
     lit_share = _LIT_SHARE if lowest < _LOW_STAR else 0.0
     follow(
         BLOCK, (r, mu, mu_s, nu), question.hemisphere, first_order, lit_share, air, state, paths,
-        room, out,
+        workspace, out,
     )  # fmt: skip
 
 
@@ -221,7 +221,7 @@ def _more(
     question: Question, sums: FloatArray, blocks: NDArray[np.int64], known: FloatArray,
     open_: NDArray[np.bool_], settings: Settings, most: int,
 ) -> NDArray[np.int64]:  # fmt: skip
-    """How many blocks each task should have after the next round, shape (tasks,)."""
+    """Number of blocks of each task after the next round, shape (tasks,)."""
     means, errors = _statistics(sums, blocks * BLOCK)
     value, error = _judged(question, means, errors, known)
     allowed = settings.relative_error * value

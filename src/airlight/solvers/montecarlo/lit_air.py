@@ -33,7 +33,7 @@ _ELEVATIONS: Final = 80
 
 
 class Starlight(NamedTuple):
-    """How much of the star arrives, roughly.
+    """Rough fraction of the star's light that arrives.
 
     Attributes
     ----------
@@ -68,7 +68,7 @@ class Lit(NamedTuple):
 
 
 def new_lit(extinction: Extinction) -> Lit:
-    """Room for one ray."""
+    """Workspace of one ray."""
     panels, nodes = most_panels(extinction), extinction.nodes.size
     return Lit(np.empty((panels, nodes)), np.empty((panels, nodes)), np.empty(panels))
 
@@ -110,7 +110,7 @@ def _starlight(r, mu_s, light):
 
 @compiled_loop
 def weigh(r, mu, mu_s, nu, count, extinction, light, path, lit):
-    """What the star sends along a traced ray, piece by piece.
+    """Star light along a traced ray, piece by piece.
 
     Parameters
     ----------

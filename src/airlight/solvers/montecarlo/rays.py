@@ -83,7 +83,7 @@ def most_panels(extinction: Extinction) -> int:
 
 
 def new_trace(extinction: Extinction) -> Trace:
-    """Room for one ray."""
+    """Workspace of one ray."""
     panels, nodes = most_panels(extinction), extinction.nodes.size
     return Trace(np.empty((panels, 6)), np.empty((panels, nodes)), np.empty(nodes))
 
@@ -108,7 +108,7 @@ def _per_y(y, low, beside, bottom, table, scale):
 
 @inlined
 def _fill(low, beside, start, end, bottom, table, scale, nodes, weights, values):
-    """One panel's values at its points, per own variable; returns its optical depth."""
+    """Fill one panel's values at its points, per own variable; return its optical depth."""
     width = abs(end - start)
     total = 0.0
     for k in range(nodes.size):
@@ -208,7 +208,7 @@ def trace(r, mu, to_ground, extinction, path):
 
 @compiled_loop
 def place_at_depth(depth, count, extinction, path):
-    """Where a traced ray reaches an optical depth.
+    """Distance at which a traced ray reaches an optical depth.
 
     Parameters
     ----------

@@ -1,14 +1,15 @@
 """Random scattering angles, distributed exactly as each phase function says.
 
 Every phase function that a planet can have becomes a kind, three numbers and, for tables, rows;
-compiled loops draw cosines from it and evaluate it. One more phase function is one more kind here,
-or none: whatever has values at angles can be handed over as a table's rows.
+compiled loops draw cosines from it and evaluate it. Formulas whose distribution can be inverted
+have a kind of their own (``EXACT``); any other phase function comes as the rows of its ``sampled``
+table.
 """
 
 from __future__ import annotations
 
 from math import acos, cos, exp, log, pi, sqrt
-from typing import Any, Final, NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,15 +17,8 @@ from numpy.typing import NDArray
 from airlight.kernel import compiled_loop, inlined, kernel
 from airlight.optics.phase_functions import cornette_shanks, henyey_greenstein, rayleigh
 from airlight.optics.phase_table import SMALLEST_LOGARITHMIC
-from airlight.planets.matter.phases import (
-    CornetteShanks,
-    DoubleHenyeyGreenstein,
-    HenyeyGreenstein,
-    Rayleigh,
-    TabulatedPhase,
-)
+from airlight.planets.matter.phases import FormulaPhase, PhaseRow
 from airlight.planets.medium import Medium
-from airlight.planets.spectral import spectral_at
 from airlight.solvers.montecarlo.streams import uniform
 
 FloatArray = NDArray[np.float64]
@@ -35,6 +29,13 @@ HENYEY: Final = 2
 DOUBLE_HENYEY: Final = 3
 CORNETTE: Final = 4
 TABLE: Final = 5
+#: Phase functions with a sampler of their own, by the word of planet files.
+EXACT: Final = {
+    "rayleigh": RAYLEIGH,
+    "henyey-greenstein": HENYEY,
+    "double-henyey-greenstein": DOUBLE_HENYEY,
+    "cornette-shanks": CORNETTE,
+}
 
 _LEAST: Final = float(SMALLEST_LOGARITHMIC)
 
@@ -74,11 +75,6 @@ def lobes(medium: Medium, wavelength: int) -> Lobes:
     medium : Medium
     wavelength : int
         Its index.
-
-    Raises
-    ------
-    TypeError
-        If a constituent has a phase function of an unknown kind.
     """
     count = len(medium.names)
     kinds, parameters = np.zeros(count, np.int64), np.zeros((count, 3))
@@ -87,26 +83,14 @@ def lobes(medium: Medium, wavelength: int) -> Lobes:
     for i, one in enumerate(medium.constituents):
         if not (one.scatters and medium.scattering[i, wavelength] > 0.0):
             continue
-        phase: Any = one.phase_function_at(nm)
-        if isinstance(phase, Rayleigh):
-            kinds[i] = RAYLEIGH
-            parameters[i, 0] = spectral_at(phase.depolarisation, nm)[0]
-        elif isinstance(phase, HenyeyGreenstein):
-            kinds[i] = HENYEY
-            parameters[i, 0] = spectral_at(phase.asymmetry, nm)[0]
-        elif isinstance(phase, CornetteShanks):
-            kinds[i] = CORNETTE
-            parameters[i, 0] = spectral_at(phase.asymmetry, nm)[0]
-        elif isinstance(phase, DoubleHenyeyGreenstein):
-            kinds[i] = DOUBLE_HENYEY
-            parameters[i, 0] = spectral_at(phase.asymmetry_1, nm)[0]
-            parameters[i, 1] = spectral_at(phase.asymmetry_2, nm)[0]
-            parameters[i, 2] = spectral_at(phase.weight, nm)[0]
-        elif isinstance(phase, TabulatedPhase):
-            kinds[i] = TABLE
-            parameters[i] = _add_rows(phase, float(nm[0]), rows)
+        phase = one.phase_function_at(nm)
+        if isinstance(phase, FormulaPhase) and phase.keyword in EXACT:
+            kinds[i] = EXACT[phase.keyword]
+            given = phase.parameters_at(nm)[:, 0]
+            parameters[i, : given.size] = given
         else:
-            raise TypeError(f"no sampler for {type(phase).__name__}")
+            kinds[i] = TABLE
+            parameters[i] = _add_rows(phase.sampled(float(nm[0])), rows)
     longest = max((row[0].size for row in rows), default=2)
     arrays = np.zeros((3, max(len(rows), 1), longest))
     arrays[0], arrays[2] = pi, 1.0
@@ -117,28 +101,19 @@ def lobes(medium: Medium, wavelength: int) -> Lobes:
 
 
 def _add_rows(
-    phase: TabulatedPhase, nm: float, rows: list[tuple[FloatArray, FloatArray, FloatArray]]
+    sampled: tuple[PhaseRow, ...], rows: list[tuple[FloatArray, FloatArray, FloatArray]]
 ) -> tuple[float, float, float]:
     """Append the one or two rows that hold at a wavelength; the parameters of their mixture."""
-    weights = np.ones(1)
-    if phase.wavelengths:
-        order = np.argsort(phase.wavelengths)
-        known = np.asarray(phase.wavelengths)[order]
-        weights = np.empty(known.size)
-        for position, unit_row in zip(order, np.eye(known.size), strict=True):
-            weights[position] = np.interp(nm, known, unit_row)
-    used = np.flatnonzero(weights > 0.0)
     first = len(rows)
-    angles = np.radians(np.asarray(phase.angles))
-    angles[-1] = pi
     light = []
-    for index in used:
-        values = np.asarray(phase.rows[index], dtype=float)
-        within = np.concatenate([[0.0], np.cumsum(cell_light(angles, values))])
-        light.append(weights[index] * within[-1])
-        rows.append((angles, values / within[-1], within / within[-1]))
+    for row in sampled:
+        angles = np.radians(row.angles)
+        angles[-1] = pi
+        within = np.concatenate([[0.0], np.cumsum(cell_light(angles, row.values))])
+        light.append(row.share * within[-1])
+        rows.append((angles, row.values / within[-1], within / within[-1]))
     share = light[0] / sum(light)
-    return float(first), float(len(used)), float(share)
+    return float(first), float(len(sampled)), float(share)
 
 
 def cell_light(angles: FloatArray, values: FloatArray) -> FloatArray:

@@ -50,7 +50,7 @@ class Settings:
                 raise ParameterError(name, value, f"{kind}{low:g} to {high:.10g}")
 
     def as_text(self) -> str:
-        """All settings on one line, for reports."""
+        """Return all settings on one line, for reports."""
         return " ".join(f"{name}={value}" for name, value in asdict(self).items())
 
 

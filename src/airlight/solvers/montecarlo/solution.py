@@ -31,7 +31,7 @@ FloatArray = NDArray[np.float64]
 
 @dataclass(frozen=True, kw_only=True)
 class MonteCarloReport(Report):
-    """How the last answer came about.
+    """Provenance of the last answer.
 
     Attributes
     ----------

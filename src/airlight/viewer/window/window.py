@@ -6,14 +6,16 @@ each wakes the window when there is something new. A frame takes what is there a
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from time import perf_counter
 from typing import Any, Final
 
 from airlight.errors import AirlightError
+from airlight.viewer.background.error_line import Faults
 from airlight.viewer.background.solving import Solver, solve_on_cpu
 from airlight.viewer.navigation.flight import Flight
-from airlight.viewer.navigation.viewpoints import PLACES, view_of
+from airlight.viewer.navigation.viewpoints import VIEWPOINTS, view_of
 from airlight.viewer.painting.picture_source import Painter, Picture
 from airlight.viewer.painting.probing import Probing
 from airlight.viewer.session.session import Session
@@ -80,6 +82,7 @@ class Window:
         self._shows_help = False
         self._said = ("", 0.0)
         self._error = ""
+        self._faults = Faults()
         self._last_event = perf_counter()
         self._last_frame = perf_counter()
         self.frames = 0
@@ -107,7 +110,7 @@ class Window:
     @property
     def problem(self) -> str:
         """Why what is wanted cannot be shown, in one line; empty if it can."""
-        return self._error or self._sides.error
+        return self._error or self._faults.line or self._sides.error
 
     def shown(self, side: str = "") -> Picture | None:
         """What the last frame showed of a side; of the one that is edited if left out."""
@@ -118,12 +121,15 @@ class Window:
     def draw(self) -> None:
         """Draw one frame."""
         self._times.begin()
-        self._step()
+        self._faults.forget()
+        with self._faults.caught("flight"):
+            self._step()
         size = self.surface.size
         self._parts = layout(
             size, panels=self._shows_panels, probe=PROBE_HEIGHT if self.panel.probes else 0.0
         )
-        self._follow()
+        with self._faults.caught("request"):
+            self._follow()
         self.surface.draw(self._gui)
         self._times.end()
         self.frames += 1
@@ -165,7 +171,32 @@ class Window:
         session.resize(round(into.width * ratio), round(into.height * ratio))
         self._sides.follow(both=session.has_other and self.panel.compares)
 
+    @contextmanager
+    def _part(self, name: str) -> Iterator[None]:
+        """A part of the frame whose fault does not end it."""
+        with self._faults.caught(name), self.surface.balanced():
+            yield
+
     def _gui(self) -> None:
+        with self._part("picture"):
+            self._draw_picture()
+        if self._shows_panels:
+            with self._part("side panel"):
+                self.panel.draw(self._parts["panel"])
+            if self.panel.probes:
+                with self._part("probe"):
+                    self._draw_probe()
+        width, height = self.surface.size
+        if self._shows_help:
+            with self._part("help"):
+                self._shows_help = draw_help(width, height)
+        with self._part("save dialog"):
+            self._dialog.draw(width, height, self._save_picture, self._save_planet)
+        if self._shows_panels:  # the last, so that it tells what the others came to
+            with self._part("status line"):
+                draw_status(self._status(self.shown()), self._parts["status"])
+
+    def _draw_picture(self) -> None:
         shown = self.shown()
         fitting = self.picture_rectangle()
         both = self.panel.compares and self.session.has_other
@@ -177,15 +208,10 @@ class Window:
         reading = self._probing.reading
         if self.panel.probes and reading is not None:
             self.area.draw_mark(fitting, reading.place)
-        if self._shows_panels:
-            self.panel.draw(self._parts["panel"])
-            if self.panel.probes:
-                self.panel.probes = draw_probe(reading, self._probing.working, self._parts["probe"])
-            draw_status(self._status(shown), self._parts["status"])
-        width, height = self.surface.size
-        if self._shows_help:
-            self._shows_help = draw_help(width, height)
-        self._dialog.draw(width, height, self._save_picture, self._save_planet)
+
+    def _draw_probe(self) -> None:
+        reading, working = self._probing.reading, self._probing.working
+        self.panel.probes = draw_probe(reading, working, self._parts["probe"])
 
     def _names(self) -> tuple[str, str]:
         names = [self.session.planet_name, self.session.planet_name_other]
@@ -306,7 +332,7 @@ class Window:
         bottom, top = (
             1e3 * float(session.value(f"shell.{end}_radius")) for end in ("bottom", "top")
         )
-        place = PLACES[index]
+        place = VIEWPOINTS[index]
         bearing = float(session.view["view.sun_azimuth"])
         moved = view_of(place, bottom_radius=bottom, top_radius=top, bearing=bearing)
         self.attempt(lambda: session.move(moved))
