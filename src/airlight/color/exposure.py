@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from math import log2
 from typing import Final
 
 import numpy as np
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 from airlight.color.tone_maps import tone_map_named
 from airlight.color.xyz import luminance
 from airlight.errors import ParameterError
+from airlight.kernel import compiled_loop
 
 #: Default exposure, suited to the sunlit Earth. [EV]
 DEFAULT_EXPOSURE: Final = -2.5
@@ -50,6 +52,29 @@ def exposure_factor(exposure: float) -> float:
     return math.pow(2.0, float(exposure))
 
 
+@compiled_loop
+def exposure_of(bright, grey):
+    """The exposure that shows a picture's log-average luminance as middle grey. [EV]
+
+    Parameters
+    ----------
+    bright : array, shape (n,)
+        Luminances above 0, ascending, one at least.
+    grey : float
+        The luminance that is shown as middle grey.
+    """
+    place = 0.99 * (bright.size - 1)
+    low = int(place)
+    high = min(low + 1, bright.size - 1)
+    dark = _DARK * (bright[low] + (place - low) * (bright[high] - bright[low]))
+    total, count = 0.0, 0
+    for i in range(bright.size):
+        if bright[i] >= dark:
+            total += log2(bright[i])
+            count += 1
+    return min(max(log2(grey) - total / count, -100.0), 100.0)
+
+
 def automatic_exposure(rgb: NDArray[np.floating], tone_map: str = "hable") -> float:
     r"""Exposure at which the picture's log-average luminance appears as middle grey.
 
@@ -87,8 +112,6 @@ def automatic_exposure(rgb: NDArray[np.floating], tone_map: str = "hable") -> fl
     bright = bright[np.isfinite(bright) & (bright > 0.0)]
     if bright.size == 0:
         return 0.0
-    bright = bright[bright >= _DARK * np.percentile(bright, 99.0)]
     grey = np.full(3, MIDDLE_GREY)
     target = float(luminance(tone_map_named(tone_map).inverse(grey)))
-    exposure = math.log2(target) - float(np.mean(np.log2(bright)))
-    return min(max(exposure, -100.0), 100.0)
+    return float(exposure_of(np.sort(bright), target))

@@ -73,6 +73,38 @@ def bend_angle(x, mu, bend, column):
 
 
 @inlined
+def place_of_star(x, mu_s, bottom, top, lift):
+    """Where a star stands in the table ``lift``; parameters as in ``seen_star``.
+
+    Returns
+    -------
+    row, f, column, e : int, float, int, float
+        Node below, and part of the way to the next one, of either axis. [1]
+    above : float
+        Cosine of its zenith angle above that of the true place of the horizon. [1]
+    """
+    tangent = sqrt((top - bottom) * (top + bottom))
+    at = sqrt(max((x - bottom) * (x + bottom), 0.0)) / tangent * (lift.shape[0] - 1)
+    row = min(int(at), lift.shape[0] - 2)
+    f = at - row
+    lifted = lift[row, 0, 0] * (1.0 - f) + lift[row + 1, 0, 0] * f
+    true_horizon = horizon_cosine(x, bottom) - lifted
+    above = mu_s - true_horizon
+    share = sqrt(min(max(above, 0.0) / (1.0 - true_horizon), 1.0)) * (lift.shape[1] - 1)
+    column = min(int(share), lift.shape[1] - 2)
+    return row, f, column, share - column, above
+
+
+@inlined
+def raised_star(x, mu_s, bottom, top, lift):
+    """Cosine of the zenith angle at which a star is seen; as ``seen_star``. [1]"""
+    row, f, column, e, _ = place_of_star(x, mu_s, bottom, top, lift)
+    near = (1.0 - e) * lift[row, column, 0] + e * lift[row, column + 1, 0]
+    far = (1.0 - e) * lift[row + 1, column, 0] + e * lift[row + 1, column + 1, 0]
+    return min(mu_s + (1.0 - f) * near + f * far, 1.0)
+
+
+@inlined
 def seen_star(x, mu_s, bottom, top, lift):
     """Apparent zenith cosine of a star from a point of optical radius x, and its flattening.
 
@@ -100,16 +132,7 @@ def seen_star(x, mu_s, bottom, top, lift):
     if lift.shape[0] == 0:
         return mu_s, 1.0, sun_elevation(x, mu_s, bottom)
     sine = bottom / x
-    horizon = horizon_cosine(x, bottom)
-    tangent = sqrt((top - bottom) * (top + bottom))
-    at = sqrt(max((x - bottom) * (x + bottom), 0.0)) / tangent * (lift.shape[0] - 1)
-    row = min(int(at), lift.shape[0] - 2)
-    f = at - row
-    true_horizon = horizon - (lift[row, 0, 0] * (1.0 - f) + lift[row + 1, 0, 0] * f)
-    above = mu_s - true_horizon
-    share = sqrt(min(max(above, 0.0) / (1.0 - true_horizon), 1.0)) * (lift.shape[1] - 1)
-    column = min(int(share), lift.shape[1] - 2)
-    e = share - column
+    row, f, column, e, above = place_of_star(x, mu_s, bottom, top, lift)
     w00, w01 = (1.0 - f) * (1.0 - e), (1.0 - f) * e
     w10, w11 = f * (1.0 - e), f * e
     raised = (

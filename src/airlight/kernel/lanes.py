@@ -95,7 +95,13 @@ def _address(context: Any, builder: Any, array_type: Any, array: Any, index: Any
 
 @intrinsic
 def load(typing_context: Any, array: Any, index: Any) -> Any:
-    """Load eight adjacent elements of a flat float32 array, from ``index`` on (not checked)."""
+    """Load eight adjacent elements of a flat float32 array, from ``index`` on (not checked).
+
+    A number represents all wavelengths and is returned unchanged, so that code written for lanes
+    also runs at one wavelength.
+    """
+    if isinstance(array, types.Float):
+        return array(array, index), lambda context, builder, signature, arguments: arguments[0]
 
     def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         index = context.cast(builder, arguments[1], signature.args[1], types.intp)

@@ -56,7 +56,7 @@ def extinction_efficiency(phase_shift: float, ratio: float) -> float:
               - 4e^{-\rho\tan\beta}\left(\frac{\cos\beta}{\rho}\right)^2\cos(\rho-2\beta)
               + 4\left(\frac{\cos\beta}{\rho}\right)^2\cos 2\beta
 
-    It is 4 Re K(iρ + ρ tanβ) with K(z) = 1/2 + e^{-z}/z + (e^{-z} - 1)/z²; below |z| = 0.05 the
+    It is 4 Re K(iρ + ρ tanβ) with K(z) = 1/2 + e^{-z}/z + (e^{-z} - 1)/z²; below ``|z|`` = 0.05 the
     series of K is used, z/3 - z²/8 + z³/30 - z⁴/144 + z⁵/840 - …
 
     Parameters

@@ -239,7 +239,7 @@ def uniform(thickness: float) -> Row:
 
 
 def tent(center: float, half_width: float, thickness: float) -> Row:
-    """Segments of max(0, 1 - |h - center|/half_width), cut off at the ground and the top.
+    """Segments of ``max(0, 1 - |h - center|/half_width)``, cut off at the ground and the top.
 
     Parameters
     ----------

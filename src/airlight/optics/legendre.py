@@ -54,7 +54,7 @@ def legendre_moments(phase: Callable[[FloatArray], FloatArray], degree: int) -> 
 
     Notes
     -----
-    Henyey-Greenstein moments are accurate to 1e-12 up to |g| = 0.999.
+    Henyey-Greenstein moments are accurate to 1e-12 up to ``|g|`` = 0.999.
 
     Examples
     --------

@@ -18,6 +18,7 @@ from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.optics.bent_density import BentShell
 from airlight.optics.density_profile import DensitySegments, Row
+from airlight.optics.reflection import LAWS, Reflection
 from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
 from airlight.planets.matter.profiles import Uniform
 from airlight.planets.planet import Constituent, Planet
@@ -35,6 +36,10 @@ BENDING: Final = "bending"
 BENDING_WAVELENGTH: Final = 550.0
 #: The most wavelengths that one medium is sampled at.
 MOST_WAVELENGTHS: Final = 2000
+#: Media that a planet keeps, since reader, solver and pictures ask for the same, and their most
+#: wavelengths.
+MOST_KEPT: Final = 2
+MOST_KEPT_WAVELENGTHS: Final = 64
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -94,6 +99,11 @@ class Medium:
     refractivity: FloatArray
     constituents: tuple[Constituent, ...] = field(repr=False)
 
+    @property
+    def ground(self) -> Reflection:
+        """How the ground reflects, at all wavelengths."""
+        return Reflection(LAWS["lambert"], self.ground_albedo)
+
     @classmethod
     def from_planet(
         cls,
@@ -103,7 +113,7 @@ class Medium:
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> Medium:
-        """Sample a planet.
+        """Sample a planet; what was sampled last is kept with the planet.
 
         Parameters
         ----------
@@ -121,6 +131,20 @@ class Medium:
             If ``cancel`` said so.
         """
         nm = _checked_wavelengths(planet, wavelengths)
+        kept: dict[bytes, Medium] = vars(planet).setdefault("_media", {})
+        if nm.tobytes() in kept:
+            return kept[nm.tobytes()]
+        medium = cls._sampled(planet, nm, progress=progress, cancel=cancel)
+        if nm.size <= MOST_KEPT_WAVELENGTHS:
+            while len(kept) >= MOST_KEPT:
+                kept.pop(next(iter(kept)), None)
+            kept[nm.tobytes()] = medium
+        return medium
+
+    @classmethod
+    def _sampled(
+        cls, planet: Planet, nm: FloatArray, *, progress: Progress | None, cancel: Cancel | None
+    ) -> Medium:
         for i, one in enumerate(planet.constituents):
             if one.matter is not None:
                 with _blamed(f"constituents[{i}]"):

@@ -166,7 +166,7 @@ def color_weights(solution: MomentsSolution) -> FloatArray:
 
 def _paint(solution: MomentsSolution, weights: FloatArray) -> Paint:
     medium = solution.paths.medium
-    padded = np.zeros((3, solution.light.air.albedo.size), np.float32)
+    padded = np.zeros((3, solution.light.air.ground.albedo.size), np.float32)
     padded[:, : weights.shape[0]] = weights.T
     phases = np.moveaxis(medium.phase_table, 2, 0)
     maps: tuple[Float32Array, ...] = (np.zeros((1, 1, 3), np.float32),)

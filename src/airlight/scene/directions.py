@@ -3,6 +3,8 @@
 The observer's local frame has z to the zenith, x along the horizontal towards the sun's side and
 y to the left of x. Azimuth is counted from x, **clockwise seen from above, like a compass**: an
 observer who faces azimuth 0 has azimuth +90° on the right.
+
+The formulas are plain numbers, in the subset of Python that becomes JavaScript too.
 """
 
 from __future__ import annotations
@@ -11,6 +13,38 @@ import math
 
 import numpy as np
 from numpy.typing import NDArray
+
+_RADIAN = math.pi / 180.0
+
+
+def direction_of(zenith: float, azimuth: float) -> tuple[float, float, float]:
+    """Unit vector of a direction; as ``direction``. [1]"""
+    flat = math.sin(zenith * _RADIAN)
+    turn = azimuth * _RADIAN
+    return flat * math.cos(turn), -flat * math.sin(turn), math.cos(zenith * _RADIAN)
+
+
+def camera_frame(
+    zenith: float, azimuth: float, roll: float
+) -> tuple[float, float, float, float, float, float, float, float, float]:
+    """Camera's right, up and forward, one after another; as ``camera_axes``. [1]"""
+    forward_x, forward_y, forward_z = direction_of(zenith, azimuth)
+    level_x, level_y, level_z = direction_of(90.0, azimuth + 90.0)
+    upright_x = level_y * forward_z - level_z * forward_y
+    upright_y = level_z * forward_x - level_x * forward_z
+    upright_z = level_x * forward_y - level_y * forward_x
+    cosine, sine = math.cos(roll * _RADIAN), math.sin(roll * _RADIAN)
+    return (
+        cosine * level_x - sine * upright_x,
+        cosine * level_y - sine * upright_y,
+        cosine * level_z - sine * upright_z,
+        cosine * upright_x + sine * level_x,
+        cosine * upright_y + sine * level_y,
+        cosine * upright_z + sine * level_z,
+        forward_x,
+        forward_y,
+        forward_z,
+    )
 
 
 def direction(zenith: float, azimuth: float) -> NDArray[np.float64]:
@@ -33,9 +67,7 @@ def direction(zenith: float, azimuth: float) -> NDArray[np.float64]:
     >>> direction(90.0, 90.0).round(12) + 0.0
     array([ 0., -1.,  0.])
     """
-    theta, phi = math.radians(zenith), math.radians(azimuth)
-    flat = math.sin(theta)
-    return np.array([flat * math.cos(phi), -flat * math.sin(phi), math.cos(theta)])
+    return np.array(direction_of(zenith, azimuth))
 
 
 def camera_axes(zenith: float, azimuth: float, roll: float) -> NDArray[np.float64]:
@@ -62,10 +94,4 @@ def camera_axes(zenith: float, azimuth: float, roll: float) -> NDArray[np.float6
            [ 0.,  0.,  1.],
            [ 1.,  0.,  0.]])
     """
-    forward = direction(zenith, azimuth)
-    level = direction(90.0, azimuth + 90.0)
-    upright = np.cross(level, forward)
-    turn = math.radians(roll)
-    right = math.cos(turn) * level - math.sin(turn) * upright
-    up = math.cos(turn) * upright + math.sin(turn) * level
-    return np.stack([right, up, forward])
+    return np.reshape(camera_frame(zenith, azimuth, roll), (3, 3))

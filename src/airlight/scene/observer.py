@@ -11,6 +11,7 @@ from airlight.errors import ParameterError
 
 #: Targets of a camera.
 TARGETS = ("horizon", "nadir", "zenith", "sun")
+_RADIAN = math.pi / 180.0
 
 
 def horizon_zenith(altitude: float, bottom_radius: float) -> float:
@@ -85,6 +86,30 @@ def look_at(
     raise ParameterError("look_at", target, ", ".join(TARGETS))
 
 
+def ground_axes(
+    latitude: float, longitude: float, sun_azimuth: float
+) -> tuple[float, float, float, float, float, float, float, float, float]:
+    """Rows of ``planet_frame``, one after another, as plain numbers. [1]"""
+    north_sine, north_cosine = math.sin(latitude * _RADIAN), math.cos(latitude * _RADIAN)
+    east_sine, east_cosine = math.sin(longitude * _RADIAN), math.cos(longitude * _RADIAN)
+    along, across = math.cos(sun_azimuth * _RADIAN), math.sin(sun_azimuth * _RADIAN)
+    up_x, up_y, up_z = north_cosine * east_cosine, north_cosine * east_sine, north_sine
+    sun_x = -along * north_sine * east_cosine - across * east_sine
+    sun_y = -along * north_sine * east_sine + across * east_cosine
+    sun_z = along * north_cosine
+    return (
+        sun_x,
+        up_y * sun_z - up_z * sun_y,
+        up_x,
+        sun_y,
+        up_z * sun_x - up_x * sun_z,
+        up_y,
+        sun_z,
+        up_x * sun_y - up_y * sun_x,
+        up_z,
+    )
+
+
 def planet_frame(latitude: float, longitude: float, sun_azimuth: float) -> NDArray[np.float64]:
     """Rotation from the observer's local frame to the frame that rotates with the planet.
 
@@ -108,13 +133,4 @@ def planet_frame(latitude: float, longitude: float, sun_azimuth: float) -> NDArr
     >>> north_pole.round(12) + 0.0
     array([0., 0., 1.])
     """
-    phi, lam, bearing = (math.radians(a) for a in (latitude, longitude, sun_azimuth))
-    up = np.array(
-        [math.cos(phi) * math.cos(lam), math.cos(phi) * math.sin(lam), math.sin(phi)],
-    )
-    north = np.array(
-        [-math.sin(phi) * math.cos(lam), -math.sin(phi) * math.sin(lam), math.cos(phi)],
-    )
-    east = np.array([-math.sin(lam), math.cos(lam), 0.0])
-    towards_sun = math.cos(bearing) * north + math.sin(bearing) * east
-    return np.stack([towards_sun, np.cross(up, towards_sun), up], axis=1)
+    return np.reshape(ground_axes(latitude, longitude, sun_azimuth), (3, 3))

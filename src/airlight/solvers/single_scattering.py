@@ -29,9 +29,10 @@ from airlight.geometry.path import (
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.shell import radius_along
 from airlight.geometry.sun_disc import star_elevation
-from airlight.kernel import compiled_loop
+from airlight.kernel import compiled_loop, vectorized
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.density_profile import relative_density
+from airlight.optics.reflection import leaving_cosine, star_factors
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import only_straight
 from airlight.solvers.sight import Sight
@@ -322,5 +323,8 @@ def reflected_once(medium: Medium, sight: Sight) -> FloatArray:
     )
     mu_s = np.clip((r * sight.mu_s[hits] + length * sight.nu[hits]) / bottom, -1.0, 1.0)
     direct = direct_irradiance(medium, np.full(hits.size, bottom), mu_s)
-    out[hits] = medium.ground_albedo / np.pi * np.exp(-(column @ medium.extinction)) * direct
+    factor = np.empty_like(direct)
+    leaving = vectorized(leaving_cosine)(r, mu, bottom)
+    star_factors(medium.ground, mu_s, leaving, sight.nu[hits], factor)
+    out[hits] = factor / np.pi * np.exp(-(column @ medium.extinction)) * direct
     return out

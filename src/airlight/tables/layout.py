@@ -139,7 +139,7 @@ class Layout(ABC):
 
         Parameters
         ----------
-        values : array, shape (*shape, channels)
+        values : array, shape (..., channels)
             Stored values, float32 or float64.
         places : Places
             Points, n of them.

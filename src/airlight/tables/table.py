@@ -47,7 +47,7 @@ class Table:
         Positions of the texels.
     channels : tuple of str
         Names of the values at one texel.
-    values : array, shape (*layout.shape, channels)
+    values : array, shape (..., channels)
         Stored values: float16, float32 or float64.
     scale : float
         Factor of the stored values; 1 unless in half precision.

@@ -12,6 +12,7 @@ from airlight.geometry.path import MAX_EDGES, place_edges
 from airlight.geometry.shell import horizon_cosine, radius_along
 from airlight.geometry.sun_disc import sun_elevation, visible_fraction
 from airlight.kernel import compiled_loop
+from airlight.optics.reflection import Reflection
 from airlight.planets.medium import Medium
 from airlight.solvers.direct.layout import Layout, angle_cell, radius_cell, sun_cell, view_cell
 from airlight.solvers.direct.settings import Settings
@@ -53,6 +54,8 @@ class Air(NamedTuple):
         From ``mean_density_ratios``: columns to the star for the orders that are gathered. [1]
     rule : tuple of arrays
         Nodes, weights and running integrals of the trapezoid.
+    ground : Reflection
+        How the ground reflects, at all wavelengths.
     graded : bool
         Whether the rule is for each leg of a ray; else for equal steps along all of it.
     """
@@ -68,6 +71,7 @@ class Air(NamedTuple):
     corners: FloatArray
     ratios: FloatArray
     rule: tuple[FloatArray, FloatArray, FloatArray]
+    ground: Reflection
     graded: bool
 
 
@@ -88,6 +92,7 @@ def air_of(medium: Medium, settings: Settings, steps: int) -> Air:
         medium.density.corners,
         mean_density_ratios(table),
         rule.as_tuple(),
+        medium.ground,
         settings.graded,
     )
 

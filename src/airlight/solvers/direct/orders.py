@@ -20,7 +20,7 @@ from airlight.solvers.direct.gather import (
 )
 from airlight.solvers.direct.layout import Layout, layout_for
 from airlight.solvers.direct.line import Air, air_of, axes_shape, new_line
-from airlight.solvers.direct.passes import direct_light, first_pass, lambert, next_pass, sky_light
+from airlight.solvers.direct.passes import direct_light, first_pass, next_pass, sky_light
 from airlight.solvers.direct.settings import Settings
 
 FloatArray = NDArray[np.float64]
@@ -46,11 +46,11 @@ class Orders:
     total : array, shape (radii·views, suns, angles, ns·nl)
         Gathered light of all orders together, its logarithm if so set. [sr⁻¹]
     ground : array, shape (suns, nl)
-        Radiance of the ground by the sky, all orders together. [sr⁻¹]
+        Irradiance of the ground by the sky, all orders together. [1]
     each : list of array
         G⁽¹⁾, G⁽²⁾ … as ``total``, if they are kept.
     each_ground : list of array
-        A⁽²⁾, A⁽³⁾ … as ``ground``.
+        Those whose reflections are A⁽²⁾, A⁽³⁾ …, as ``ground``.
     count : int
         Orders of radiance: one more than were gathered.
     residual : array, shape (nl,)
@@ -145,7 +145,6 @@ class _Passes:
         cancel: Cancel | None,
     ) -> None:
         self.settings = settings
-        self.albedo = medium.ground_albedo
         self.axes: Layout = layout_for(medium, settings)
         self.air: Air = air_of(medium, settings, settings.pass_steps)
         self.directions: Directions = directions_for(self.axes, settings)
@@ -155,7 +154,7 @@ class _Passes:
         line, lit = new_line(self.air), np.empty((suns.size, medium.wavelengths.size))
         for k, mu_s in enumerate(suns):
             direct_light(self.axes.bottom, mu_s, True, self.air, line, lit[k])
-        self.lit_by_star = lambert(self.albedo, lit)
+        self.lit_by_star = lit
         nz, na = self.directions.zenith.shape[1], self.directions.azimuth.size
         self.incoming = np.empty((self.axes.radii, suns.size, medium.wavelengths.size, nz, na))
         self.from_sky = np.zeros_like(lit)
@@ -171,8 +170,9 @@ class _Passes:
 
     def _sky(self, air_light: FloatArray) -> None:
         """The ambient pass: what the ground receives of light scattered by the air last."""
-        received = sky_light(self.directions.zenith[0], self.directions.weights[0], air_light[0])
-        self.from_sky = lambert(self.albedo, received)
+        self.from_sky = sky_light(
+            self.directions.zenith[0], self.directions.weights[0], air_light[0]
+        )
 
     def first(self) -> FloatArray:
         """S⁽¹⁾ + D·T."""
@@ -214,7 +214,7 @@ class _Passes:
         def one(i: int) -> None:
             next_pass(
                 i, self.axes, self.directions, gathered, self.settings.logarithmic, self.air,
-                new_line(self.air), lit, self.incoming[i],
+                new_line(self.air), lit, late, self.incoming[i],
             )  # fmt: skip
 
         self._all_radii(f"order {order}", one)

@@ -16,6 +16,7 @@ from airlight.kernel import compiled_loop, disk
 from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.density_profile import DensitySegments
+from airlight.optics.reflection import leaving_cosine
 from airlight.planets.medium import Medium
 from airlight.solvers.direct.layout import layout_for
 from airlight.solvers.direct.line import (
@@ -29,7 +30,7 @@ from airlight.solvers.direct.line import (
     prepare,
 )
 from airlight.solvers.direct.orders import Orders, solve_orders
-from airlight.solvers.direct.passes import add_ground, direct_light
+from airlight.solvers.direct.passes import add_ground, direct_light, reflected
 from airlight.solvers.direct.settings import Settings
 from airlight.solvers.direct.trapezoid import sphere
 from airlight.solvers.light_paths import only_straight
@@ -144,7 +145,6 @@ def _radiance(
             sight.length[rows],
             sight.to_ground[rows],
             np.ascontiguousarray(phase.reshape(phase.shape[0], -1)),
-            medium.ground_albedo,
             once,
             gathered,
             orders.axes,
@@ -162,10 +162,10 @@ def _radiance(
 
 @compiled_loop
 def _lines(
-    r, mu, mu_s, nu, length, to_ground, phase, albedo, once, gathered, axes, table, ground,
+    r, mu, mu_s, nu, length, to_ground, phase, once, gathered, axes, table, ground,
     logarithmic, air, line, out,
 ):  # fmt: skip
-    received = np.empty(albedo.size)
+    received = np.empty(out.shape[1])
     for k in range(r.size):
         line.through[:] = 1.0
         if length[k] > 0.0:
@@ -179,15 +179,17 @@ def _lines(
         if to_ground[k]:
             if gathered:
                 add_ground(
-                    r[k], mu_s[k], nu[k], length[k], axes, ground, logarithmic, line.through, out[k]
-                )
+                    r[k], mu[k], mu_s[k], nu[k], length[k], axes, ground, False, logarithmic,
+                    air.ground, line.through, out[k],
+                )  # fmt: skip
             if once:
                 mu_s_ground = (r[k] * mu_s[k] + length[k] * nu[k]) / air.bottom
-                direct_light(
-                    air.bottom, min(max(mu_s_ground, -1.0), 1.0), True, air, line, received
-                )
-                for l in range(albedo.size):
-                    out[k, l] += line.through[l] * albedo[l] * received[l] / np.pi
+                mu_s_ground = min(max(mu_s_ground, -1.0), 1.0)
+                direct_light(air.bottom, mu_s_ground, True, air, line, received)
+                leaving = leaving_cosine(r[k], mu[k], air.bottom)
+                for l in range(received.size):
+                    factor = reflected(air.ground, l, True, mu_s_ground, leaving, nu[k])
+                    out[k, l] += line.through[l] * factor * received[l]
 
 
 def solve(

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel import compiled_loop
 from airlight.optics.density_profile import DensitySegments
+from airlight.optics.reflection import Reflection
 from airlight.planets.medium import Medium
 from airlight.solvers.montecarlo.lit_air import Starlight, make_starlight
 from airlight.solvers.montecarlo.rays import (
@@ -58,8 +59,8 @@ class Air(NamedTuple):
         At relative density 1; 0 for what has no phase function. [m⁻¹]
     lobes : Lobes
         Phase functions.
-    albedo : float
-        Of the ground. [1]
+    ground : Reflection
+        How the ground reflects.
     star_radius : float
         Angular radius of the star. [rad]
     light : Starlight
@@ -71,7 +72,7 @@ class Air(NamedTuple):
     coefficients: FloatArray
     scattering: FloatArray
     lobes: Lobes
-    albedo: float
+    ground: Reflection
     star_radius: float
     light: Starlight
 
@@ -122,7 +123,7 @@ def make_air(medium: Medium, wavelength: int) -> Air:
         coefficients=density.coefficients,
         scattering=np.ascontiguousarray(medium.scattering[:, wavelength]),
         lobes=lobes(medium, wavelength),
-        albedo=float(medium.ground_albedo[wavelength]),
+        ground=Reflection(medium.ground.law, float(medium.ground.albedo[wavelength])),
         star_radius=medium.star_angular_radius,
         light=make_starlight(chosen),
     )

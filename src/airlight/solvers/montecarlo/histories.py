@@ -1,11 +1,11 @@
 """Histories of light, followed backwards from the observer to the star.
 
 A history starts at the observer and is forced to end its ray in an event: it scatters before the
-ray leaves the air (weight 1 - T), or is reflected by the ground (weight albedo T); which of the
-two is drawn in proportion to these weights. Each event sends its share of light from a random
-point of the star's disc (next-event estimation), then a new direction is drawn from the phase
-function of a constituent chosen in proportion to what it scatters there, or from Lambert's law.
-Absorption lowers the weight.
+ray leaves the air (weight 1 - T), or is reflected by the ground (weight A T, A the part of a beam
+from there that is sent back); which of the two is drawn in proportion to these weights. Each event
+sends its share of light from a random point of the star's disc (next-event estimation), then a new
+direction is drawn from the phase function of a constituent chosen in proportion to what it scatters
+there, or from Lambert's law, weighed by the ground's. Absorption lowers the weight.
 
 Histories end by Russian roulette alone: once the weight is below ``KEEP`` of what it was after the
 first event, a history goes on with probability weight/KEEP, and with a weight raised accordingly;
@@ -25,6 +25,7 @@ from typing import Final
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop, inlined
 from airlight.optics.density_profile import relative_density
+from airlight.optics.reflection import leaving_cosine, sky_factor, star_factor
 from airlight.solvers.montecarlo.lit_air import density_in_light, place_in_light, weigh
 from airlight.solvers.montecarlo.rays import place_at_depth, point_at, trace
 from airlight.solvers.montecarlo.scattering_angles import lobe_value, random_cosine
@@ -138,7 +139,11 @@ def follow(
                 to_ground = meets_ground(r, mu, bottom)
                 panels, depth = trace(r, mu, to_ground, air.extinction, next_path)
             caught = -expm1(-depth)
-            reflected = air.albedo * exp(-depth) if to_ground else 0.0
+            leaving, returned, reflected = 0.0, 0.0, 0.0
+            if to_ground:
+                leaving = leaving_cosine(r, mu, bottom)
+                returned = sky_factor(air.ground, 0, leaving)
+                reflected = returned * exp(-depth)
             if not caught + reflected > 0.0:
                 break
             weight *= caught + reflected
@@ -202,7 +207,9 @@ def follow(
                 sun_mu = (x * a + y * b + z * c) / r
                 share = 0.0
                 if on_ground:
+                    turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
                     share = max(sun_mu, 0.0) * _INVERSE_PI
+                    share *= star_factor(air.ground, 0, max(sun_mu, 0.0), leaving, turn) / returned
                 else:
                     turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
                     for i in range(constituents):
@@ -222,7 +229,11 @@ def follow(
                 weight /= survival
             if on_ground:
                 cosine = sqrt(uniform(state))
-                u, v, w = _turned(x / r, y / r, z / r, cosine, 2.0 * pi * uniform(state))
+                a, b, c = _turned(x / r, y / r, z / r, cosine, 2.0 * pi * uniform(state))
+                turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
+                # Drawn by Lambert's law; another one weighs the direction.
+                weight *= star_factor(air.ground, 0, cosine, leaving, turn) / returned
+                u, v, w = a, b, c
             else:
                 chosen = constituents - 1
                 pick = uniform(state)

@@ -4,7 +4,7 @@
  * A description, as viewer/browser/package.py makes it, has what is the same for every planet — `plan` and
  * `shaders` (see program.js), `sky` (shapes of the table of the sky), `glance` (side of the picture
  * that the exposure is found from), `projections` with their fields of view, `tone_maps` with the
- * luminance that each shows as middle grey, `encodings`, `orders` and `luminance` — and what belongs
+ * luminance that each shows as middle grey, `encodings` and `orders` — and what belongs
  * to a solution: `uniforms`, `tables` (`{format, data}` by name, or a `texture` that is given away), `ground` (see ground.js), `radius`,
  * `thickness`, `star` and `paths` (see view_uniforms.js).
  */
@@ -190,7 +190,7 @@ export class Picture {
     program.setAll(cameraNumbers(camera, wide, high, fixed.projections));
     program.run("glance");
     const rgba = await program.read("glance");
-    return automaticExposure(rgba, fixed.tone_maps[tone], fixed.luminance);
+    return automaticExposure(rgba, fixed.tone_maps[tone]);
   }
 }
 
