@@ -10,7 +10,7 @@ from airlight.planets.planet import Planet
 from airlight.viewer.background.solving import Solved, Solving, Status
 from airlight.viewer.painting.picture_source import Orders, Painter, Picture, Request
 from airlight.viewer.painting.picture_thread import PictureThread
-from airlight.viewer.parameters.view_parameters import scene_of
+from airlight.viewer.parameters.view_parameters import scene_of, uniforms_of
 from airlight.viewer.session.compared_side import SessionSide
 from airlight.viewer.session.session import Session
 
@@ -80,6 +80,7 @@ class Sides:
             automatic=bool(view["display.automatic"]),
             tone_map=str(view["display.tone_map"]),
             orders=cast(Orders, view["light.orders"]),
+            uniforms=uniforms_of(view),
         )
 
     def picture(self, side: str = "") -> Picture | None:
