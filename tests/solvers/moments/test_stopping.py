@@ -7,7 +7,11 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.errors import ConvergenceError
-from airlight.solvers.moments.acceleration import mixing_weights
+from airlight.gpu.emit.emitter import Emitter
+from airlight.gpu.emit.javascript import JAVASCRIPT
+from airlight.gpu.emit.shader_types import F32, I32, Room
+from airlight.solvers.moments.acceleration import combine, mixing_weights
+from airlight.solvers.moments.convergence import change_at, count_at, rest_after
 from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.moments.stopping import Iteration, Stopping
 
@@ -107,6 +111,17 @@ def test_mixed_residuals_are_as_small_as_least_squares_make_them():
     weights = mixing_weights(residuals)
     assert_allclose(weights.sum(), 1.0, rtol=1e-12)
     assert_allclose(weights @ residuals, residuals[-1] - best @ changes, atol=1e-8)
+
+
+def test_a_page_can_run_the_rule():
+    # The formulas of one node and one wavelength lie in the subset that JavaScript is made of.
+    emitter = Emitter(JAVASCRIPT)
+    for function in (change_at, count_at, rest_after):
+        emitter.add(function, F32, F32, F32)
+    emitter.add(combine, Room(6 * 7), I32, Room(7))
+    text = emitter.functions_text()
+    for name in ("change_at", "count_at", "rest_after", "combine"):
+        assert f"function {name}(" in text
 
 
 def test_residuals_that_stand_still_are_not_mixed():

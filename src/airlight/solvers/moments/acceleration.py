@@ -9,7 +9,6 @@ Source: D. G. Anderson (1965), J. ACM 12, 547; type II of Walker & Ni (2011), SI
 
 from __future__ import annotations
 
-from math import isfinite
 from typing import Final
 
 import numpy as np
@@ -21,6 +20,8 @@ FloatArray = NDArray[np.float64]
 
 #: A whisper on the diagonal: the changes become parallel near the end.
 RIDGE: Final = 1.0 + 1e-10
+#: Weights beyond this, and what is no number, mean that the equations are singular.
+_LARGEST: Final = 1e30
 
 
 @compiled_loop
@@ -66,7 +67,8 @@ def combine(products, steps, weights):
             total -= products[k * steps + j] * products[j * steps + unknowns]
         solved = total / products[k * steps + k]
         products[k * steps + unknowns] = solved
-        sound = sound and isfinite(solved)
+        if not abs(solved) < _LARGEST:
+            sound = False
     if sound:
         for k in range(unknowns):
             weights[k + 1] -= products[k * steps + unknowns]
