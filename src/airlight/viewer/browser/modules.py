@@ -7,14 +7,17 @@ joined, each in a function of its own, in the order in which they need each othe
 
 from __future__ import annotations
 
+import json
 import posixpath
 import re
 from collections.abc import Callable, Mapping
+from functools import partial
 from importlib import resources
 from typing import Final
 
 from airlight.errors import FileError
-from airlight.viewer.browser.formulas import formulas_text
+from airlight.viewer.browser.formulas import FORMULAS, module_text
+from airlight.viewer.navigation import keys
 
 #: ``import { a, b as c } from "./file.js";``, at the start of a line, over one or several lines.
 _IMPORT: Final = re.compile(r'^import \{([^}]*)\} from "(\.[\w./]+)";\n', re.MULTILINE)
@@ -26,8 +29,16 @@ _EXPORT: Final = re.compile(
 _OTHER: Final = re.compile(r"^(?:import|export)\b.*$", re.MULTILINE)
 
 
+def _keys_module() -> str:
+    """The table of keys as a module."""
+    return f"export const KEYS = {json.dumps(keys.as_json('page'), ensure_ascii=False)};\n"
+
+
 #: Modules that are made of what Python declares.
-GENERATED: Final[Mapping[str, Callable[[], str]]] = {"generated/formulas.js": formulas_text}
+GENERATED: Final[Mapping[str, Callable[[], str]]] = {
+    "generated/keys.js": _keys_module,
+    **{f"generated/{name}.js": partial(module_text, name) for name in FORMULAS},
+}
 
 
 def web_file(name: str) -> str:

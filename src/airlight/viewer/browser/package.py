@@ -29,6 +29,7 @@ from airlight.scene.projections import PROJECTIONS
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.viewer.browser.ground_map import ground_map
 from airlight.viewer.browser.web_shaders import CORNERS, web_shaders
+from airlight.viewer.navigation.viewpoints import as_json as viewpoints
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -132,8 +133,8 @@ def planet_tables(
     -------
     numbers : dict
         As JSON takes them: ``uniforms`` by name, ``radius`` of the ground and ``thickness`` of the
-        shell [m], ``star`` (angular radius [rad]), ``paths`` of light where it is bent, and
-        ``ground``, its map.
+        shell [m], ``star`` (angular radius [rad]), ``paths`` of light where it is bent,
+        ``ground``, its map, and ``viewpoints``.
     tables : dict
         Format and numbers of each texture.
     """
@@ -156,6 +157,7 @@ def planet_tables(
         "star": float(medium.star_angular_radius),
         "paths": light_paths(solution),
         "ground": ground_map(medium.ground_map),
+        "viewpoints": viewpoints(medium.bottom_radius, medium.top_radius),
     }
     tables = {
         "scalars": ("r32float", made.scalars),

@@ -12,6 +12,7 @@ from typing import Any, Final
 from airlight.color.exposure import DEFAULT_EXPOSURE
 from airlight.color.tone_maps import TONE_MAPS
 from airlight.scene.camera import Camera
+from airlight.scene.flight import LOWEST_ALTITUDE
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.scene import HIGHEST_ALTITUDE, Scene
 from airlight.viewer.parameters.parameter import Parameter, Value
@@ -24,8 +25,6 @@ QUALITIES: Final = ("preview", "default", "fine")
 ORDERS: Final = ("all", "single", "multiple")
 #: How many wavelengths are solved.
 WAVELENGTHS: Final = ("three", "four", "eight", "sixteen")
-#: Lowest altitude that can be flown at. [m]
-LOWEST_ALTITUDE: Final = 1.0
 
 
 def _angle(path: str, label: str, group: str, text: str) -> Parameter:

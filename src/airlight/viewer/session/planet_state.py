@@ -72,6 +72,10 @@ class PlanetState:
         kept = self._parameters if same_keys else []
         return replace(self, tables=tables, _parameters=kept)
 
+    def with_off(self, off: tuple[int, ...]) -> PlanetState:
+        """The planet with other constituents switched off; the list of parameters stays."""
+        return replace(self, off=off)
+
     @property
     def groups(self) -> tuple[str, ...]:
         """Groups of the constituents, in their order."""

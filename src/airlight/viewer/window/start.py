@@ -16,7 +16,7 @@ from airlight.exports.whole_file import check_target
 from airlight.gpu.device.device import Device, NoDevice, open_device
 from airlight.scene import look_at
 from airlight.viewer.background.solving_by import solver_by
-from airlight.viewer.navigation.viewpoints import PLACES, view_of
+from airlight.viewer.navigation.viewpoints import VIEWPOINTS, view_of
 from airlight.viewer.painting.picture_cpu import CpuPainter
 from airlight.viewer.painting.picture_source import Painter
 from airlight.viewer.parameters.parameter import Value
@@ -145,7 +145,7 @@ def _first_view(session: Session) -> Mapping[str, float]:
     """The sky from the ground, a little aside from the sun."""
     bottom, top = (1e3 * float(session.value(f"shell.{end}_radius")) for end in ("bottom", "top"))
     bearing = float(session.view["view.sun_azimuth"])
-    return view_of(PLACES[0], bottom_radius=bottom, top_radius=top, bearing=bearing)
+    return view_of(VIEWPOINTS[0], bottom_radius=bottom, top_radius=top, bearing=bearing)
 
 
 def painter_by(choice: Literal["auto", "gpu", "cpu"], device: Device) -> Callable[[], Painter]:

@@ -8,7 +8,7 @@ from pathlib import Path
 from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import planet_names
 from airlight.viewer.navigation.flight import Flight
-from airlight.viewer.navigation.viewpoints import PLACES
+from airlight.viewer.navigation.viewpoints import VIEWPOINTS
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.session.session import Session
 from airlight.viewer.window import style
@@ -188,7 +188,7 @@ class SidePanel:
         from imgui_bundle import imgui
 
         imgui.begin_child("view rows")
-        for index, place in enumerate(PLACES):
+        for index, place in enumerate(VIEWPOINTS):
             if index:
                 imgui.same_line()
             if imgui.button(place.name):
