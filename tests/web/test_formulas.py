@@ -10,7 +10,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.solvers.moments.acceleration import mixing_weights
-from airlight.viewer.browser.formulas import FORMULAS, emitted
+from airlight.viewer.browser.formulas import emitted_formulas
 
 COUNT = 60
 RNG = np.random.default_rng(5)
@@ -23,15 +23,14 @@ def numbers(low: float, high: float) -> np.ndarray:
 ANGLES = (numbers(0.0, 180.0), numbers(-360.0, 360.0), numbers(-360.0, 360.0))
 BOTTOM, TOP = 6360e3, 6460e3
 STAR = (numbers(BOTTOM, TOP), numbers(-0.1, 1.0), BOTTOM, TOP, RNG.uniform(0.0, 0.01, (8, 12, 1)))
+LATITUDES, BEARINGS, ZENITHS = numbers(-90.0, 90.0), numbers(0.0, 360.0), numbers(0.0, 180.0)
+ALTITUDES, SPEEDS = RNG.lognormal(9.0, 6.0, COUNT), (numbers(-1.0, 1.0), numbers(-1.0, 1.0))
+WAY = (BEARINGS[::-1], numbers(0.0, 2.0))
 PIXELS = (numbers(64.0, 2000.0), numbers(64.0, 2000.0), numbers(0.01, 2.9))
-VIEW = (
-    numbers(-90.0, 90.0), numbers(-180.0, 180.0), numbers(0.0, 360.0), numbers(0.0, 180.0),
-    numbers(0.0, 360.0),
-)  # fmt: skip
-COURSE, WAY = numbers(0.0, 360.0), numbers(0.0, 3.0)
-ALTITUDE, SPEED = np.geomspace(1.0, 1e11, COUNT), numbers(-1.0, 1.0)
 POSITIVE = np.geomspace(1e-8, 10.0, COUNT)
 STEPS = 4
+#: What writes to an array is compared in a test of its own.
+FILLING = {"combine"}
 #: Arguments of each function: numbers, or tables, which are the same for all.
 CASES: dict[str, tuple[Any, ...]] = {
     "direction_of": ANGLES[:2],
@@ -46,26 +45,24 @@ CASES: dict[str, tuple[Any, ...]] = {
     "raised_star": STAR,
     "luminance_of": (numbers(0.0, 9.0), numbers(0.0, 9.0), numbers(0.0, 9.0)),
     "exposure_of": (np.sort(RNG.lognormal(0.0, 3.0, 500)), numbers(0.01, 9.0)),
+    "compass": (numbers(-2000.0, 2000.0),),
+    "within": (numbers(-5.0, 5.0),),
+    "climbed": (ALTITUDES, ZENITHS, *SPEEDS, numbers(0.0, 0.4)),
+    "course_of": (ZENITHS, BEARINGS, *SPEEDS),
+    "angle_flown": (ALTITUDES, ALTITUDES[::-1], ZENITHS, *SPEEDS, numbers(0.0, 0.4), BOTTOM),
+    "bearing_of": (*SPEEDS, BEARINGS),
+    "travelled": (LATITUDES, numbers(-180.0, 180.0), *WAY),
+    "carried_star": (ZENITHS, BEARINGS, *WAY, numbers(0.0, 360.0)),
+    "turned": (LATITUDES, numbers(-180.0, 180.0), numbers(0.0, 360.0), ZENITHS, BEARINGS, *WAY),
+    "looked": (ZENITHS, BEARINGS, numbers(-90.0, 90.0), numbers(-200.0, 200.0)),
+    "risen": (ALTITUDES, numbers(-20.0, 20.0)),
+    "sun_dragged": (ZENITHS, BEARINGS, numbers(-90.0, 90.0), numbers(-200.0, 200.0)),
+    "sun_at": (LATITUDES, numbers(-90.0, 90.0), numbers(0.0, 24.0)),
+    "time_of": (LATITUDES, ZENITHS, BEARINGS),
     "pixel_angle_perspective": PIXELS,
     "pixel_angle_fisheye": PIXELS,
     "pixel_angle_equirectangular": PIXELS,
     "pixel_angle_cubemap": PIXELS,
-    "compass": (numbers(-900.0, 900.0),),
-    "bearing_of": (numbers(-1.0, 1.0), numbers(-1.0, 1.0), COURSE),
-    "travelled": (*VIEW[:2], COURSE, WAY),
-    "carried_star": (VIEW[3], VIEW[4], COURSE, WAY, numbers(0.0, 360.0)),
-    "within": (numbers(-10.0, 1e13),),
-    "climbed": (ALTITUDE, VIEW[3], SPEED, SPEED[::-1], numbers(0.0, 0.5)),
-    "course_of": (VIEW[3], VIEW[2], SPEED, SPEED[::-1]),
-    "angle_flown": (
-        ALTITUDE, 1.1 * ALTITUDE, VIEW[3], SPEED, SPEED[::-1], numbers(0.0, 0.5), BOTTOM,
-    ),
-    "turned": (*VIEW, COURSE, WAY),
-    "looked": (VIEW[3], VIEW[2], numbers(-30.0, 30.0), numbers(-30.0, 30.0)),
-    "risen": (ALTITUDE, numbers(-3.0, 3.0)),
-    "sun_dragged": (VIEW[3], VIEW[4], numbers(-90.0, 90.0), numbers(-90.0, 90.0)),
-    "sun_at": (VIEW[0], numbers(-90.0, 90.0), numbers(0.0, 24.0)),
-    "time_of": (VIEW[0], VIEW[3], VIEW[4]),
     "change_at": (POSITIVE, POSITIVE[::-1], 10.0),
     "count_at": (POSITIVE, 10.0, numbers(0.0, 1.0)),
     "rest_after": (POSITIVE, POSITIVE[::-1], RNG.integers(0, 3, COUNT)),
@@ -77,17 +74,9 @@ CASES: dict[str, tuple[Any, ...]] = {
 }  # fmt: skip
 
 
-#: What writes to an array is compared in a test of its own.
-FILLING = {"combine"}
-
-
-def functions() -> dict[str, tuple[str, Callable[..., Any]]]:
-    """Module and Python's function by the name of the emitted one."""
-    return {
-        one.name: (module, one.function)
-        for module in FORMULAS
-        for one in emitted(module).emitted.values()
-    }
+def functions() -> dict[str, Callable[..., Any]]:
+    """Python's function by the name of the emitted one."""
+    return {one.name: one.function for one in emitted_formulas().emitted.values()}
 
 
 def is_table(argument: Any) -> bool:
@@ -121,12 +110,9 @@ def calls(chromium: Any) -> Any:
     """``calls(name, rows)``: what the emitted function gives, or fills, for each row."""
     from airlight.viewer.browser.modules import join_modules, web_file
 
-    lines = []
-    for module in FORMULAS:
-        names = ", ".join(name for name, (one, _) in functions().items() if one == module)
-        lines.append(f'import {{ {names} }} from "./generated/{module}.js";')
-        lines.append(f"Object.assign(window, {{ {names} }});")
-    entry = "\n".join(lines)
+    names = ", ".join(functions())
+    entry = f'import {{ {names} }} from "./generated/formulas.js";\n'
+    entry += f"Object.assign(window, {{ {names} }});"
     script = join_modules("test.js", lambda file: entry if file == "test.js" else web_file(file))
     page = chromium.new_page()
     page.evaluate(f"() => {{ {script} }}")
@@ -141,8 +127,7 @@ def calls(chromium: Any) -> Any:
 @pytest.mark.parametrize("name", CASES)
 def test_a_formula_in_javascript_is_python_s(name: str, calls: Callable[..., Any]) -> None:
     # Python itself; both in double precision, whose sines differ by a rounding or two.
-    _, function = functions()[name]
-    plain = getattr(function, "py_func", function)
+    plain = getattr(functions()[name], "py_func", functions()[name])
     rows = rows_of(CASES[name])
     wanted = [np.ravel(plain(*row)) for row in rows]
     seen = calls(name, [[in_javascript(one) for one in row] for row in rows])

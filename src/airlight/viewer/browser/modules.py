@@ -11,12 +11,11 @@ import json
 import posixpath
 import re
 from collections.abc import Callable, Mapping
-from functools import partial
 from importlib import resources
 from typing import Final
 
 from airlight.errors import FileError
-from airlight.viewer.browser.formulas import FORMULAS, module_text
+from airlight.viewer.browser.formulas import formulas_text
 from airlight.viewer.navigation import keys
 
 #: ``import { a, b as c } from "./file.js";``, at the start of a line, over one or several lines.
@@ -36,8 +35,8 @@ def _keys_module() -> str:
 
 #: Modules that are made of what Python declares.
 GENERATED: Final[Mapping[str, Callable[[], str]]] = {
+    "generated/formulas.js": formulas_text,
     "generated/keys.js": _keys_module,
-    **{f"generated/{name}.js": partial(module_text, name) for name in FORMULAS},
 }
 
 

@@ -30,6 +30,7 @@ from airlight.solvers.moments.solution import MomentsSolution
 from airlight.viewer.browser.ground_map import ground_map
 from airlight.viewer.browser.web_shaders import CORNERS, web_shaders
 from airlight.viewer.navigation.viewpoints import as_json as viewpoints
+from airlight.viewer.parameters.view_parameters import VIEW_VALUES
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -100,6 +101,11 @@ def program() -> dict[str, Any]:
         },
         "encodings": list(ENCODINGS),
         "orders": ORDERS,
+        "view_uniforms": {
+            one.uniform: {"path": one.path, "options": list(one.options)}
+            for one in VIEW_VALUES
+            if one.uniform
+        },
         "xyz": [[float(x) for x in row] for row in rgb_to_xyz(np.eye(3))],
         "efficacy": LUMINOUS_EFFICACY,
     }

@@ -82,17 +82,22 @@ class PlanetState:
         constituents = self.tables["constituents"]
         return tuple(group_of(constituents, index) for index in range(len(constituents)))
 
-    @cached_property
+    @property
     def text(self) -> str:
         """The planet file of its tables."""
         return planet_file(self.tables)
+
+    @cached_property
+    def tables_key(self) -> str:
+        """A fingerprint of the tables."""
+        return hashlib.sha256(repr(self.tables).encode()).hexdigest()[:32]
 
     @property
     def changes(self) -> tuple[tuple[str, Any, Any], ...]:
         """Paths that differ from what it came with, and both values."""
         return tuple(differences(self.base, self.tables))
 
-    @cached_property
+    @property
     def key(self) -> str:
         """A fingerprint of what has to be solved: the tables and the switches."""
-        return hashlib.sha256(f"{self.off}\n{self.text}".encode()).hexdigest()[:32]
+        return f"{self.tables_key} {self.off}"

@@ -13,7 +13,7 @@ from typing import Any
 from airlight.errors import ParameterError
 from airlight.exports.whole_file import whole_file
 from airlight.planets.planet import Planet
-from airlight.planets.reading.reader import read_planet
+from airlight.planets.reading.reader import read_tables
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.parameters.view_parameters import view_parameters
 from airlight.viewer.session import saved_state
@@ -23,9 +23,9 @@ from airlight.viewer.session.freeze_coefficients import as_standard, is_advanced
 from airlight.viewer.session.history import Change
 from airlight.viewer.session.planet_file import planet_file
 from airlight.viewer.session.side import Side
-from airlight.viewer.session.solve_request import SOLVED, Versions, Wanted
+from airlight.viewer.session.solve_request import Versions, Wanted
 
-__all__ = ["SOLVED", "Session", "Versions", "Wanted"]
+__all__ = ["Session", "Versions", "Wanted"]
 
 
 class Session(Editing):
@@ -91,7 +91,7 @@ class Session(Editing):
         if group not in state.groups:
             raise ParameterError("constituent", group, ", ".join(state.groups))
         if planet is None:
-            planet = read_planet(state.text, state.source)
+            planet = read_tables(state.tables, state.source)
         index = state.groups.index(group)
         self.replace_tables(f"constituents[{index}]", as_standard(state.tables, planet, index))
 

@@ -10,7 +10,7 @@ from airlight.planets.parameters import parameters
 from airlight.planets.schema.key import Key, always
 from airlight.planets.spectral import Spectral
 
-#: Largest |g|: beyond it the forward lobe is narrower than the sun's disc.
+#: Largest ``|g|``: beyond it the forward lobe is narrower than the sun's disc.
 LARGEST_ASYMMETRY: Final = 0.999
 #: What a fresh phase function of particles has.
 FRESH_ASYMMETRY: Final = 0.7

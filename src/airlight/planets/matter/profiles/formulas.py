@@ -127,7 +127,7 @@ class Exponential(Profile):
 
 @parameters
 class Tent(Profile):
-    """max(0, 1 - |h - center|/half_width).
+    """``max(0, 1 - |h - center|/half_width)``.
 
     Parameters
     ----------

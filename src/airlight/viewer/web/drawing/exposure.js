@@ -1,5 +1,5 @@
 /** Automatic exposure: the picture's mean is shown as middle grey. */
-import { exposure_of, luminance_of } from "../generated/view.js";
+import { exposure_of, luminance_of } from "../generated/formulas.js";
 
 /**
  * @param {Float32Array} rgba Linear sRGB of a small picture, four numbers a pixel.

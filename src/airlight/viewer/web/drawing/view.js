@@ -4,7 +4,7 @@
  * The frame has z to the zenith, x to the sun's side and y to the left of x; azimuth grows
  * clockwise seen from above. The formulas are Python's: scene/directions.py and scene/observer.py.
  */
-import { camera_frame, direction_of, ground_axes } from "../generated/view.js";
+import { camera_frame, direction_of, ground_axes } from "../generated/formulas.js";
 
 const RADIAN = Math.PI / 180;
 

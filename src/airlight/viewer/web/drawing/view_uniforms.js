@@ -1,5 +1,5 @@
 /** The uniforms that belong to the view; their names are those of gpu/picture/uniforms.py. */
-import { PIXEL_ANGLES, observer_numbers, raised_star } from "../generated/view.js";
+import { PIXEL_ANGLES, observer_numbers, raised_star } from "../generated/formulas.js";
 
 /**
  * Uniforms of the observer and the star.

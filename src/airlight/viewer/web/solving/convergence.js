@@ -4,7 +4,7 @@
  * Light is (node, wavelength), four wavelengths a node. What concerns one node or one wavelength are
  * the formulas of solvers/moments/convergence.py and acceleration.py.
  */
-import { change_at, combine, count_at, rest_after } from "../generated/light.js";
+import { change_at, combine, count_at, rest_after } from "../generated/formulas.js";
 
 /** Wavelengths of a texel. */
 const LANES = 4;

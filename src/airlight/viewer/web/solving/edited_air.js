@@ -4,7 +4,7 @@
  * What is computed here is what solvers/moments/reduced_optics.py and level_weights of packing.py
  * compute, by the same formulas.
  */
-import { cut_part, cut_weight, is_peaked, thick_share } from "../generated/light.js";
+import { cut_part, cut_weight, is_peaked, thick_share } from "../generated/formulas.js";
 
 /** Wavelengths of a texel. */
 const LANES = [0, 1, 2, 3];
