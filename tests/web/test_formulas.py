@@ -22,6 +22,9 @@ def numbers(low: float, high: float) -> np.ndarray:
 ANGLES = (numbers(0.0, 180.0), numbers(-360.0, 360.0), numbers(-360.0, 360.0))
 BOTTOM, TOP = 6360e3, 6460e3
 STAR = (numbers(BOTTOM, TOP), numbers(-0.1, 1.0), BOTTOM, TOP, RNG.uniform(0.0, 0.01, (8, 12, 1)))
+LATITUDES, BEARINGS, ZENITHS = numbers(-90.0, 90.0), numbers(0.0, 360.0), numbers(0.0, 180.0)
+ALTITUDES, SPEEDS = RNG.lognormal(9.0, 6.0, COUNT), (numbers(-1.0, 1.0), numbers(-1.0, 1.0))
+WAY = (BEARINGS[::-1], numbers(0.0, 2.0))
 PIXELS = (numbers(64.0, 2000.0), numbers(64.0, 2000.0), numbers(0.01, 2.9))
 #: Arguments of each function: numbers, or tables, which are the same for all.
 CASES: dict[str, tuple[Any, ...]] = {
@@ -37,6 +40,20 @@ CASES: dict[str, tuple[Any, ...]] = {
     "raised_star": STAR,
     "luminance_of": (numbers(0.0, 9.0), numbers(0.0, 9.0), numbers(0.0, 9.0)),
     "exposure_of": (np.sort(RNG.lognormal(0.0, 3.0, 500)), numbers(0.01, 9.0)),
+    "compass": (numbers(-2000.0, 2000.0),),
+    "within": (numbers(-5.0, 5.0),),
+    "climbed": (ALTITUDES, ZENITHS, *SPEEDS, numbers(0.0, 0.4)),
+    "course_of": (ZENITHS, BEARINGS, *SPEEDS),
+    "angle_flown": (ALTITUDES, ALTITUDES[::-1], ZENITHS, *SPEEDS, numbers(0.0, 0.4), BOTTOM),
+    "bearing_of": (*SPEEDS, BEARINGS),
+    "travelled": (LATITUDES, numbers(-180.0, 180.0), *WAY),
+    "carried_star": (ZENITHS, BEARINGS, *WAY, numbers(0.0, 360.0)),
+    "turned": (LATITUDES, numbers(-180.0, 180.0), numbers(0.0, 360.0), ZENITHS, BEARINGS, *WAY),
+    "looked": (ZENITHS, BEARINGS, numbers(-90.0, 90.0), numbers(-200.0, 200.0)),
+    "risen": (ALTITUDES, numbers(-20.0, 20.0)),
+    "sun_dragged": (ZENITHS, BEARINGS, numbers(-90.0, 90.0), numbers(-200.0, 200.0)),
+    "sun_at": (LATITUDES, numbers(-90.0, 90.0), numbers(0.0, 24.0)),
+    "time_of": (LATITUDES, ZENITHS, BEARINGS),
     "pixel_angle_perspective": PIXELS,
     "pixel_angle_fisheye": PIXELS,
     "pixel_angle_equirectangular": PIXELS,

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.color.four_wavelengths import picture_weights
-from airlight.color.upsampling import reflectance_basis
 from airlight.errors import Cancelled, ParameterError
 from airlight.gpu.device.device import Device
 from airlight.gpu.device.flat import FLAT_WIDTH, empty_flat_texture, read_texture, update_flat
@@ -137,7 +136,7 @@ class Pictures:
         if np.shape(weights) != (nm.size, 3):
             raise ParameterError("weights", np.shape(weights), f"an array of shape ({nm.size}, 3)")
         points = None if self.device.software else POINTS
-        self._shown_tables = shown_solution(solution, reflectance_basis(nm), points=points)
+        self._shown_tables = shown_solution(solution, solution.medium.map_basis, points=points)
         self._textures = SolutionTextures.of(
             self.device, solution, self._shown_tables, self._textures
         )

@@ -1,4 +1,4 @@
-"""The direct solver's result: lines of sight through the tables of gathered light."""
+"""Result of the direct solver: lines of sight through the tables of gathered light."""
 
 from __future__ import annotations
 
@@ -39,25 +39,25 @@ from airlight.solvers.solution import Report, Solution
 
 FloatArray = NDArray[np.float64]
 
-#: Lines of sight in one block of work.
+#: Lines of sight per block of work.
 _BLOCK = 64
-#: Steps in zenith and azimuth of the irradiance of the sky.
+#: Steps in zenith and azimuth for the irradiance of the sky.
 _SKY_STEPS = (12, 28)
 
 
 class DirectSolution(Solution):
-    """A solution by the direct solver.
+    """Solution by the direct solver.
 
     Parameters
     ----------
     medium : Medium
-        What was solved.
+        Medium that was solved.
     settings : Settings
-        How.
+        Settings of the solver.
     parts : list of (Medium, Orders)
-        One; for the literal first notes one for each constituent that scatters.
+        Medium and its orders; for the literal first notes one pair per constituent that scatters.
     seconds : float
-        What it took. [s]
+        Wall time. [s]
     """
 
     def __init__(
@@ -200,16 +200,16 @@ def solve(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> DirectSolution:
-    """Solve a medium by the book, or read its solution from the cache.
+    """Solve a medium by the notes' equations, or read its solution from the cache.
 
     Parameters
     ----------
     medium : Medium
-        What to solve.
+        Medium to solve.
     settings : Settings
-        How.
+        Settings of the solver.
     cache : bool
-        Whether to look for the solution on disk and to leave it there.
+        Whether to read the solution from disk, and to keep it there.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -257,7 +257,7 @@ def _to_arrays(orders: Orders) -> dict[str, NDArray[Any]]:
 def _from_arrays(
     medium: Medium, settings: Settings, arrays: dict[str, NDArray[Any]] | None
 ) -> Orders | None:
-    """The orders that a cache file holds, or None if it holds something else."""
+    """Orders from a cache file, or None if it holds something else."""
     if arrays is None:
         return None
     axes = layout_for(medium, settings)
@@ -288,7 +288,7 @@ def _from_arrays(
 
 
 def alone(medium: Medium, index: int) -> Medium:
-    """A medium with one constituent only over black ground, as the first notes have it."""
+    """Medium with only one constituent over black ground, as in the first notes."""
     here = slice(index, index + 1)
     return replace(
         medium,

@@ -13,6 +13,7 @@ from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.javascript import JAVASCRIPT
 from airlight.gpu.emit.shader_types import F32, Table, Value
 from airlight.pixels.observer_numbers import observer_numbers
+from airlight.scene import flight, great_circle, sun_time
 from airlight.scene.directions import camera_frame, direction_of
 from airlight.scene.observer import ground_axes
 from airlight.scene.projections import PROJECTIONS
@@ -26,6 +27,16 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     raised_star: (F32, F32, F32, F32, Table("lift", 3)),
     luminance_of: (),
     exposure_of: (Table("bright"), F32),
+    great_circle.compass: (),
+    flight.climbed: (),
+    flight.course_of: (),
+    flight.angle_flown: (),
+    flight.turned: (),
+    flight.looked: (),
+    flight.risen: (),
+    flight.sun_dragged: (),
+    sun_time.sun_at: (),
+    sun_time.time_of: (),
 }
 
 

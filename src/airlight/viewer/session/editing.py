@@ -17,7 +17,7 @@ from airlight.viewer.parameters.view_parameters import (
     scene_of,
     view_parameters,
 )
-from airlight.viewer.session.history import Change
+from airlight.viewer.session.history import Change, History
 from airlight.viewer.session.planet_state import PlanetState
 from airlight.viewer.session.side import Side
 from airlight.viewer.session.solve_request import Versions, Wanted
@@ -216,6 +216,10 @@ class Editing:
     def can_redo(self) -> bool:
         """Whether ``redo`` would do something."""
         return self._side.history.can_redo
+
+    def forget_steps(self) -> None:
+        """Make what was done so far the beginning: it cannot be undone."""
+        self._side.history = History()
 
     def reset(self, what: str = "") -> None:
         """Back to what the planet came with, and the view started with: one step to undo.

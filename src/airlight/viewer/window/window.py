@@ -290,7 +290,7 @@ class Window:
     def do(self, deed: str) -> None:
         """See ``Deeds``."""
         word, _, number = deed.partition(" ")
-        if word == "place" and number.isdigit():
+        if word == "viewpoint" and number.isdigit():
             self._go(int(number) - 1)
             return
         deeds: dict[str, Callable[[], object]] = {
