@@ -203,8 +203,12 @@ def strength_of_point(point, l, amount, moments):
     return sweep.strength_of(moments, amount, point, l, DEGREE, THREE)
 
 
-def share_of_ground(first, total, albedo, extinction):
-    return sweep.reflected_share(albedo, extinction, total, first, THREE)
+def through_whole_ray(first, total, extinction):
+    return sweep.through_ray(extinction, total, first, THREE)
+
+
+def angle_leaving(i, a, mu, end):
+    return sweep.leaving_at_end(end, i, a, mu)
 
 
 def sky_on_ground(mu_s, place, ground):
@@ -295,8 +299,8 @@ CASES = [
          atol=8 * METRES / 0.2),
     Case(edge_inserted, (path.insert_edge,), (uniform(-0.5, 1.5),)),
     # A root of the height above the horizon, at least 0.02 there, over 8 or 12 steps of 0.01.
-    Case(star_lifted, (bending.seen_star,), (R, uniform(0.02, 1.0)), {"lift": LIFT},
-         atol=16 * 12 * EPS),
+    Case(star_lifted, (bending.seen_star, bending.place_of_star), (R, uniform(0.02, 1.0)),
+         {"lift": LIFT}, atol=16 * 12 * EPS),
     # As visible_spread in test_kernels_agree.
     Case(star_in_two, (bending.star_points,), (R, uniform(0.02, 0.2)), {"lift": LIFT},
          atol=32 * 12 * EPS),
@@ -315,8 +319,11 @@ CASES = [
     Case(strength_of_point, (sweep.strength_of,), (RNG.integers(0, 5, COUNT),
          RNG.integers(0, DEGREE + 1, COUNT)), {"amount": RNG.uniform(0.0, 1.0, (5, THREE))},
          {"moments": lanes(THREE * (DEGREE + 1))}),
-    Case(share_of_ground, (sweep.reflected_share,), (RNG.integers(0, 20, COUNT),),
-         {"total": RNG.uniform(0.0, 2.0, 24)}, {"albedo": lanes(1), **SPECTRA}, DEPTH),
+    Case(through_whole_ray, (sweep.through_ray,), (RNG.integers(0, 20, COUNT),),
+         {"total": RNG.uniform(0.0, 2.0, 24)}, SPECTRA, DEPTH),
+    Case(angle_leaving, (sweep.leaving_at_end,), (RNG.integers(0, 5, COUNT),
+         RNG.integers(0, 3, COUNT), MU), {"end": RNG.uniform(-1.0, 1.0, (5, 3, 2))},
+         atol=4 * EPS),
     Case(sky_on_ground, (sweep.sky_at,), (MU,), {"place": np.linspace(0.0, NODES - 1.0, 33)},
          {"ground": lanes(2 * NODES, low=0.1)}, rtol=32 * NODES * 4 * EPS),
     # 1 - e^-τ from its series and the rest: exact where τ is small, to EPS of 1 elsewhere.
@@ -408,8 +415,8 @@ WHOLE = {
         "azimuthal", "depth", "factor", "floor", "four_levels", "gathered_moment", "gathered_onto",
         "highest", "highest_level", "largest_of", "light_number", "mean", "mixed", "next_guess",
         "node_scale", "packed", "projection", "radiance_again", "radiance_once", "ray_and_star",
-        "refined", "reflection", "row", "share", "sound", "strength", "ray_share", "depth_in_row",
-        "direct_light", "scattered_once", "contracted", "gathered",
+        "refined", "row", "share", "sound", "strength", "through", "ray_share", "depth_in_row",
+        "direct_light", "scattered_once", "contracted", "gathered", "star_factor", "sky_factor",
     ),
 }  # fmt: skip
 

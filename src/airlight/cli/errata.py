@@ -1,4 +1,4 @@
-"""``airlight errata``: where the source documents are misprinted or wrong, in numbers."""
+"""``airlight errata``: misprints and errors of the source documents, in numbers."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ EPILOG = examples(
     "airlight errata -o docs/errata.md",
 )
 
-#: Characters a line has where nobody says; a terminal says.
+#: Characters per line where the output is not a terminal.
 _WIDTH = 150
 
 

@@ -1,4 +1,4 @@
-"""``airlight radiance``: numbers for one observer, or for a file of them."""
+"""``airlight radiance``: radiances for one observer, or for a file of observers."""
 
 from __future__ import annotations
 
@@ -34,10 +34,10 @@ EPILOG = examples(
     "--relative-error 0.005",
 )
 
-#: The solvers that can be asked.
+#: Solvers that can be selected.
 SOLVERS = ("moments", "direct", "montecarlo")
 
-#: So many rows of a file are asked at once.
+#: Rows of a file per call of the solution.
 BLOCK = 4096
 
 
@@ -177,7 +177,7 @@ def radiance(
 
 
 def _settings(solver: str, quality: str, relative_error: float | None, seed: int | None) -> Any:
-    """The quality's name, or Monte Carlo settings made from it."""
+    """Name of the quality, or Monte Carlo settings made from it."""
     if solver not in SOLVERS:
         raise ParameterError("--solver", solver, ", ".join(SOLVERS))
     given = {"relative_error": relative_error, "seed": seed}

@@ -1,4 +1,4 @@
-"""``airlight validate``: what airlight computes, held against authorities, as a report."""
+"""``airlight validate``: a report that compares airlight with authorities."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ def validate(
 
 
 def _check_matplotlib() -> None:
-    """Refuse before the long work, not after it."""
+    """Check for matplotlib before the long work."""
     from airlight.plots.figure import new_figure
 
     new_figure("")

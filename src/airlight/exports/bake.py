@@ -1,4 +1,4 @@
-"""``bake``: a solution becomes tables for engines, with their error against the solution."""
+"""``bake``: tables for engines, made from a solution, with their error against it."""
 
 from __future__ import annotations
 
@@ -38,11 +38,11 @@ FloatArray = NDArray[np.float64]
 
 #: Names of the layouts of scattered light.
 LAYOUT_NAMES: Final = ("bruneton", "atmosphere-plus")
-#: Texels that one block of work holds.
+#: Texels per block of work.
 _BLOCK: Final = 1 << 15
-#: Places at which the sky's irradiance is judged, at most.
+#: Largest number of points at which the sky's irradiance is compared.
 _SKIES: Final = 256
-#: What tables of scattered light hold.
+#: Quantity of the tables of scattered light.
 _AIR: Final = "radiance of the air alone, without the ground's, per irradiance of the star"
 
 
@@ -59,7 +59,7 @@ class Baked:
     about : dict
         Planet, fingerprint, solver, orders, wavelengths, irradiance of the star.
     errors : dict of str to Errors
-        By what was judged.
+        Errors by the name of what was compared.
     """
 
     light: ScatteredLight
@@ -84,32 +84,32 @@ def bake(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Baked:
-    """Fill tables from a solution of any solver, and measure their error.
+    """Fill tables from a solution of any solver, and measure their errors.
 
     Parameters
     ----------
     solution : Solution
-        The light.
+        Solution to bake.
     layout : str
         ``bruneton``: (r, mu, mu_s, nu). ``atmosphere-plus``: (altitude, mu, mu_s).
     mapping : str
-        Of ``atmosphere-plus``: ``linear``, ``power`` or ``weighted-power``.
+        Mapping of ``atmosphere-plus``: ``linear``, ``power`` or ``weighted-power``.
     packing : str, optional
-        ``bruneton``: ``separate`` (the usual: particles' single light in a table of its own) or
+        ``bruneton``: ``separate`` (the default: particles' single light in a table of its own) or
         ``combined`` (in alpha, colours restored at look-up). ``atmosphere-plus``: ``rgba`` (the
-        usual: particles in alpha, grey), ``separate`` or ``phase-included`` (at ``azimuth``).
+        default: particles in alpha, grey), ``separate`` or ``phase-included`` (at ``azimuth``).
     azimuth : float
-        Of a ``phase-included`` table; 0 looks to the sun's side. [deg]
+        Azimuth of a ``phase-included`` table; 0 looks to the sun's side. [deg]
     size : tuple of int, optional
         Texels along each axis; (32, 128, 32, 8) or (32, 256, 32) if left out.
     precision : str
-        ``single`` or ``half``; transmittance is always single.
+        Precision ``single`` or ``half``; transmittance is always single.
     order : int, optional
-        For the light scattered or reflected exactly so many times.
+        Number of scatterings or reflections to include alone.
     cumulative : bool
-        With an order: all orders up to it.
+        Whether all orders up to ``order`` are included.
     points, seed : int
-        Random places at which errors are measured.
+        Number and seed of the random points at which errors are measured.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -120,10 +120,10 @@ def bake(
     Raises
     ------
     ParameterError
-        For an unknown or impossible choice, or an order that the solution has not kept, or a
-        planet that bends light.
+        For an unknown or impossible choice, an order that the solution does not keep, or a planet
+        that bends light.
     Cancelled
-        If ``cancel`` said so.
+        If ``cancel`` returned True.
     """
     only_straight(solution.medium, "tables, whose look-ups draw straight lines")
     where = _layout(solution, layout, mapping, azimuth, size)
@@ -225,7 +225,7 @@ def _packing(layout: str, packing: str | None) -> str:
 
 
 class _Steps:
-    """Runs blocks one after another, each on all cores inside, with progress and cancel."""
+    """Run blocks one after another, each on all cores, with progress and cancellation."""
 
     def __init__(self, progress: Progress | None, cancel: Cancel | None) -> None:
         self.progress, self.cancel = progress, cancel
@@ -233,7 +233,7 @@ class _Steps:
     def run(
         self, places: Places, make: Callable[[Places], list[FloatArray]], message: str
     ) -> list[FloatArray]:
-        """What ``make`` gives for all places, block by block, equal neighbours computed once."""
+        """Values of ``make`` at all points, block by block; equal neighbours are computed once."""
         fresh = np.ones(len(places), bool)
         for array in (places.r, places.mu, places.mu_s, places.nu, places.to_ground):
             fresh[1:] &= array[1:] == array[:-1]
@@ -265,7 +265,7 @@ def _scattering(
     colours: tuple[FloatArray, int],
     step: _Steps,
 ) -> list[tuple[str, FloatArray, str, str]]:
-    """(name, values, quantity, unit) of each table of scattered light."""
+    """Name, values, quantity and unit of each table of scattered light."""
     medium = air.solution.medium
     places = where.places()
     smooth_is = f"{_AIR}, divided by the gas's phase function"
@@ -294,8 +294,8 @@ def _scattering(
         return [gas, rest, *(dust[:, k] for k in range(dust.shape[1]))]
 
     gas, rest, *dust = step.run(places, apart, "scattering")
-    # A texel whose angle no view and sun can have holds the light at the nearest possible one.
-    # What is scattered more than once does not follow the phase function, by which the texel's
+    # A texel whose angle no view and sun can have holds the light at the nearest possible angle.
+    # Light scattered more than once does not follow the phase function, by which the texel's
     # own angle will multiply it.
     angles = np.linspace(-1.0, 1.0, where.shape[-1])
     of_axis = np.tile(parts.phases.at("gas", angles), (len(places) // angles.size, 1))
@@ -319,7 +319,7 @@ def _scattering(
 
 
 def _air_and_all(air: AirLight, places: Places) -> list[FloatArray]:
-    """The air's light, and all the light of the same orders, the ground's included."""
+    """Air's light, and all light of the same orders, the ground's included."""
     sight = lines_of_sight(places, air.solution.medium)
     own = air(sight)
     return [own, np.maximum(air.with_ground(sight), own)]
@@ -359,7 +359,7 @@ def _errors(
                 made[rows], exact[rows], seen, medium, quantity=quantity, seed=seed,
                 floor=table_errors.DARK, per=whole[rows], where=f"{drawn}; azimuth {turned}",
             )  # fmt: skip
-    # Some solvers integrate the sky anew for every sun.
+    # Some solvers integrate the sky for each sun.
     places = table_errors.random_places(medium, min(points, _SKIES), seed)
     for name, r in (
         ("irradiance on the ground", np.full(len(places), medium.bottom_radius)),

@@ -1,8 +1,8 @@
-"""The air's light taken apart into what tables hold: a smooth part and the particles' part.
+"""The air's light split into what tables hold: a smooth part and the particles' part.
 
-The radiance of a place is made again as smooth · p_gas(ν) + Σ particles · p(ν). Light scattered
-once is exactly of this form; light scattered more often is not, since each phase function then
-depends on the direction the light came from. A table with an axis for ν takes the rest into its
+The radiance at a point is reconstructed as smooth · p_gas(ν) + Σ particles · p(ν). Light scattered
+once has exactly this form; light scattered more often has not, since each phase function then
+depends on the direction the light came from. A table with an axis for ν includes the rest in its
 smooth part and is exact at its texels; a table without one gets the best fit over azimuths.
 """
 
@@ -25,28 +25,29 @@ from airlight.tables.scattered_light import PhaseFunctions
 
 FloatArray = NDArray[np.float64]
 
-#: Azimuths over which the fit is made: midpoints of so many parts of half a turn.
+#: Number of azimuths of the fit: midpoints of equal parts of half a turn.
 FIT_AZIMUTHS: Final = 8
-#: Weight of the light scattered once in the fit, where azimuths do not decide (a view straight
-#: up has one angle to the sun only). [1]
+#: Weight of the light scattered once in the fit, where azimuths do not determine it (a view
+#: straight up has one angle to the sun only). [1]
 _PRIOR: Final = 1e-4
-#: Radiance below this part of a place's largest counts as that part in the fit's weights. [1]
+#: Radiance below this fraction of a point's largest is raised to it in the fit's weights. [1]
 _DIM: Final = 1e-3
 _TINY: Final = 1e-12
 
 
 @dataclass(frozen=True)
 class Parts:
-    """Who scatters, for packing.
+    """Constituents that scatter, grouped for packing.
 
     Attributes
     ----------
     particles : tuple of int
-        Indices of the constituents that are no molecules.
+        Indices of the constituents that are not molecules.
     gas : tuple of int
         Indices of the molecules.
     phases : PhaseFunctions
-        ``gas``, and for tables of their own ``single-<name>`` each, otherwise ``particles``.
+        Phase function ``gas``, and ``single-<name>`` of each kind for tables of its own, otherwise
+        ``particles``.
     """
 
     particles: tuple[int, ...]
@@ -55,17 +56,17 @@ class Parts:
 
 
 def parts_of(medium: Medium, *, each: bool) -> Parts:
-    """Phase functions of the gas and of the particles, each kind's or their mean.
+    """Phase functions of the gas and of the particles, by kind or as their mean.
 
-    Means are weighted with vertical scattering optical depths. Where there is no gas, Rayleigh's
-    phase function stands for it.
+    Means are weighted by vertical scattering optical depths. Without gas, Rayleigh's phase function
+    takes its part.
 
     Parameters
     ----------
     medium : Medium
         The air.
     each : bool
-        Whether every kind of particles keeps its own.
+        Whether every kind of particles keeps its own phase function.
     """
     gas, particles = groups(medium)
     depth = medium.scattering * medium.columns[:, None]
@@ -87,7 +88,7 @@ def parts_of(medium: Medium, *, each: bool) -> Parts:
 
 
 def slug(name: str) -> str:
-    """A constituent's name as a part of a file's name.
+    """Convert a constituent's name to a part of a file's name.
 
     Examples
     --------
@@ -101,20 +102,21 @@ def slug(name: str) -> str:
 def split_once(
     air: AirLight, places: Places, parts: Parts, *, each: bool
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Light of the gas, of the particles and of more orders at places whose ν is known.
+    """Split light into gas, particles and higher orders at points whose ν is known.
 
-    The particles' light is their single scattering by quadrature, brought to the solution's own
-    first order where that is mostly theirs (a solver may thin the air by its forward peaks).
+    The particles' light is their single scattering by quadrature, scaled to the solution's own
+    first order where that is mostly theirs (a solver may remove forward peaks from the phase
+    functions).
 
     Returns
     -------
     gas : array, shape (n, nl)
-        Scattered once by the gas, to be multiplied by ``gas``. [1]
+        Light scattered once by the gas, to be multiplied by its phase function. [1]
     rest : array, shape (n, nl)
-        Radiance of all that is left. [sr⁻¹]
+        Radiance of the remainder. [sr⁻¹]
     particles : array, shape (n, kinds, nl)
-        Scattered once, to be multiplied by each kind's phase function, or by their mean
-        (kinds = 1). [1]
+        Light scattered once by particles, to be multiplied by each kind's phase function, or by
+        their mean (kinds = 1). [1]
     """
     medium = air.solution.medium
     sight = lines_of_sight(places, medium)
@@ -126,7 +128,7 @@ def split_once(
     own = medium.phase_function(places.nu)
     once = scattered_once(medium, sight)
     gas, particles = list(parts.gas), list(parts.particles)
-    if each:  # as the look-up has them
+    if each:  # as in the look-up
         for kind, index in zip(parts.phases.names[1:], particles, strict=True):
             own[:, index] = parts.phases.at(kind, places.nu)
     from_gas = (own[:, gas] * once[:, gas]).sum(axis=1)
@@ -135,7 +137,7 @@ def split_once(
     ratio = np.clip((first - from_gas) / safe, 0.5, 2.0)
     share = (from_particles / np.maximum(from_gas + from_particles, 1e-300)) ** 2
     factor = 1.0 + share * (ratio - 1.0)
-    # What is more than the whole would leave less than nothing for the rest.
+    # A larger part than the whole would leave a negative remainder.
     factor = np.minimum(factor, light / safe)
     left = np.maximum(light - factor * from_particles, 0.0)
     of_gas = np.minimum(from_gas, left)
@@ -167,7 +169,7 @@ def combine(
     Returns
     -------
     array, shape (n, nl + 1)
-        [1]
+        Channels. [1]
     """
     alpha = particles[:, reference]
     rest = np.maximum(light[:, reference] - alpha * p_particles[:, reference], 0.0)
@@ -188,7 +190,7 @@ def fit_azimuths(
     Parameters
     ----------
     air, places, parts
-        The light, where (any azimuth), and the phase functions ``gas`` and ``particles``.
+        Air's light, points (at any azimuth), and the phase functions ``gas`` and ``particles``.
     grey : bool
         Whether the particles' light is one number for all wavelengths.
 
@@ -226,7 +228,7 @@ def fit_azimuths(
         above, below = above.sum(axis=-1, keepdims=True), below.sum(axis=-1, keepdims=True)
     dust = np.maximum(above / below, 0.0)
     smooth = (gas_light - gas_dust * dust) / gas_gas
-    # Less than nothing is left for the smooth part: the particles' part alone must do.
+    # The smooth part would be negative: the particles' part must fit alone.
     alone = (weight * p_dust * light).sum(axis=0) / dust_dust
     if grey:
         alone = alone.min(axis=-1, keepdims=True)

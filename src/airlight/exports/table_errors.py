@@ -1,4 +1,4 @@
-"""The error of baked tables against the solution they come from, at random places."""
+"""Error of baked tables against the solution they come from, at random points."""
 
 from __future__ import annotations
 
@@ -15,39 +15,39 @@ from airlight.tables.layout import Places
 
 FloatArray = NDArray[np.float64]
 
-#: Places at which errors are measured, unless asked otherwise.
+#: Default number of points at which errors are measured.
 ERROR_POINTS: Final = 8192
 SEED: Final = 20130527
-#: Radiance below this is not judged. [sr⁻¹]
+#: Radiance below which a value is not compared. [sr⁻¹]
 DARK: Final = 1e-6
-#: Irradiance below this, per the star's, is not judged. [1]
+#: Irradiance, relative to the star's, below which a value is not compared. [1]
 DARK_GROUND: Final = 1e-6
-#: The star goes down to so far below level. [deg]
+#: Largest zenith angle of the star. [deg]
 LOWEST_SUN: Final = 96.0
 
 
 @dataclass(frozen=True, kw_only=True)
 class Errors:
-    """How far a table is from the solution, at places that are no texels.
+    """Error of a table against the solution, at points between its texels.
 
     Attributes
     ----------
     quantity : str
-        What is compared, and whether errors are relative.
+        Compared quantity, and whether errors are relative.
     where : str
-        How the places were drawn.
+        Distribution of the points.
     points : int
-        Values that were judged: places times wavelengths, without those below ``floor``.
+        Number of values compared: points times wavelengths, without those below ``floor``.
     seed : int
-        Of the random places.
+        Seed of the random points.
     floor : float
-        Values below it were left out.
+        Lower limit of the values compared.
     median, rms, percentile_95, maximum : float
-        Of the absolute value of the error. [1]
+        Statistics of the absolute value of the error. [1]
     bias : float
-        Mean of the error with its sign. [1]
+        Mean of the signed error. [1]
     worst : dict
-        The place of the largest error, and both values there.
+        Point of the largest error, and both values there.
     """
 
     quantity: str
@@ -63,12 +63,12 @@ class Errors:
     worst: dict[str, float]
 
     def as_dict(self) -> dict[str, Any]:
-        """For a manifest."""
+        """Return the fields for a manifest."""
         return asdict(self)
 
 
 def random_places(medium: Medium, count: int, seed: int, azimuth: float | None = None) -> Places:
-    """Places and directions in the shell.
+    """Random points and directions in the shell.
 
     Altitudes are the square of an even distribution over the shell, zenith angles of view and
     star even in angle, down to LOWEST_SUN; the azimuth is even from 0 to 180, or as given. [deg]
@@ -83,7 +83,7 @@ def random_places(medium: Medium, count: int, seed: int, azimuth: float | None =
 
 
 def above_horizon(places: Places, medium: Medium) -> Places:
-    """The same radii with the views between the horizon and straight up, evenly in angle."""
+    """The same radii with views between the horizon and the zenith, evenly in angle."""
     horizon = np.arccos(vectorized(horizon_cosine)(places.r, medium.bottom_radius))
     mu = np.cos(horizon * (np.arccos(places.mu) / np.pi) * (1.0 - 1e-9))
     return Places.of(

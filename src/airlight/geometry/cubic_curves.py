@@ -1,7 +1,7 @@
-"""Cubic curves through points: by slopes at the points, monotone ones, and a spline's.
+"""Cubic curves through points: with given slopes, monotone, and splines.
 
-The same curves as SciPy's ``PchipInterpolator`` and ``CubicSpline``, whose import takes as long as
-a picture; the tests compare them.
+The curves equal SciPy's ``PchipInterpolator`` and ``CubicSpline``, whose import takes as long as a
+picture; the tests compare them.
 """
 
 from __future__ import annotations
@@ -13,16 +13,16 @@ FloatArray = NDArray[np.float64]
 
 
 def cubic_curve(x: FloatArray, y: FloatArray, slopes: FloatArray, at: ArrayLike) -> FloatArray:
-    """Values of the cubic curve that has the given values and slopes at some points.
+    """Evaluate the cubic curve with the given values and slopes.
 
     Parameters
     ----------
     x : array, shape (n,)
-        Strictly ascending, at least two.
+        Points, strictly ascending, at least two.
     y, slopes : array, shape (n, k...)
         Values and derivatives at ``x``.
     at : array, shape (m...)
-        Where; beyond the ends the outermost cubic is continued.
+        Points of evaluation; beyond the ends the outermost cubic is continued.
 
     Returns
     -------
@@ -40,7 +40,7 @@ def cubic_curve(x: FloatArray, y: FloatArray, slopes: FloatArray, at: ArrayLike)
     step = (x[k + 1] - x[k])[trailing]
     t = (at - x[k])[trailing] / step
     rise = y[k + 1] - y[k]
-    # As an excess over the chord: a straight line comes out straight to the last digit.
+    # As an excess over the chord, so that a straight line is exact to the last digit.
     bend = (slopes[k] * step - rise) * (1.0 - t) - (slopes[k + 1] * step - rise) * t
     return np.asarray(y[k] + t * (rise + (1.0 - t) * bend))
 
@@ -48,13 +48,14 @@ def cubic_curve(x: FloatArray, y: FloatArray, slopes: FloatArray, at: ArrayLike)
 def monotone_slopes(x: FloatArray, y: FloatArray) -> FloatArray:
     """Slopes of a cubic curve that rises and falls only where its points do (PCHIP).
 
-    Within, 0 at a turn, else the harmonic mean of the two chords' slopes, weighted by the steps; at
-    the ends from three points, cut so that the shape is kept.
+    Inside, the slope is 0 at a turn, otherwise the harmonic mean of the two chords' slopes,
+    weighted by the steps; at the ends it follows from three points, limited so that the shape is
+    kept.
 
     Parameters
     ----------
     x : array, shape (n,)
-        Strictly ascending, at least two.
+        Points, strictly ascending, at least two.
     y : array, shape (n,)
 
     Returns
@@ -97,15 +98,16 @@ def _end_slope(step: float, next_step: float, chord: float, next_chord: float) -
 
 
 def spline_slopes(x: FloatArray, y: FloatArray) -> FloatArray:
-    """Slopes of the cubic spline through points: twice differentiable, without a knot at the ends.
+    """Slopes of the not-a-knot cubic spline through points, which is twice differentiable.
 
-    The two outermost intervals on either side are one cubic; three points give the parabola, two
+    The two outermost intervals at either end share one cubic; three points give the parabola, two
     the straight line.
 
     Parameters
     ----------
     x : array, shape (n,)
-        Strictly ascending, at least two, at most some hundreds: the system is solved dense.
+        Points, strictly ascending, at least two, at most some hundreds: the system is solved
+        densely.
     y : array, shape (n, ...)
 
     Returns
@@ -147,7 +149,7 @@ def spline_slopes(x: FloatArray, y: FloatArray) -> FloatArray:
 def _no_knot(
     step: float, next_step: float, chord: FloatArray, next_chord: FloatArray
 ) -> tuple[tuple[float, float], FloatArray]:
-    """The equation of an end: one cubic over the two outermost intervals."""
+    """Not-a-knot condition at an end: one cubic over the two outermost intervals."""
     both = step + next_step
     right = ((step + 2.0 * both) * next_step * chord + step**2 * next_chord) / both
     return (next_step, both), np.asarray(right)

@@ -83,7 +83,7 @@ def _aim(column, row, columns, rows, observer, shown, p, packet):
 @compiled_loop
 def _fill(first, last, columns, rows, observer, shown, light, rules, packet, work, out):
     """Texels ``first`` to ``last`` - 1 of all layers, fourth roots, shape (layer, texel, 4)."""
-    lanes = light.air.albedo.size
+    lanes = light.air.ground.albedo.size
     count = min(lanes, 4)
     ground_suns = np.empty(PACKET)
     peaks = (shown.first_peak, shown.second_peak)

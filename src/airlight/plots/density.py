@@ -1,4 +1,4 @@
-"""How the constituents of a planet's air thin out with altitude."""
+"""Density profiles of the constituents of a planet's air."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from airlight.plots.figure import LINE_STYLES, PALETTE, grid, new_figure
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: Densities below this part of a constituent's largest are off the logarithmic panel.
+#: Densities below this fraction of a constituent's largest are off the logarithmic panel.
 _FAINTEST: Final = 1e-6
 
 
@@ -27,8 +27,8 @@ def density(planet: Planet) -> Figure:
     Returns
     -------
     Figure
-        Two panels that share the altitude [km]; in each one curve a constituent, density 1 being
-        where its coefficients stand for.
+        Two panels that share the altitude [km], with one curve per constituent; density 1 is where
+        its coefficients apply.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""How much each constituent takes from light that comes straight down, over wavelength."""
+"""Vertical optical depth of each constituent over wavelength."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from airlight.plots.figure import LINE_STYLES, PALETTE, grid, new_figure, wavele
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: What is shown of a planet that is known farther. [nm]
+#: Range shown of a planet that is known over a wider one. [nm]
 _SHOWN: Final = (300.0, 1000.0)
-#: Optical depths below this part of the largest are off the panel.
+#: Optical depths below this fraction of the largest are off the panel.
 _FAINTEST: Final = 1e-5
 
 
@@ -25,7 +25,7 @@ def optical_depth(planet: Planet, wavelengths: tuple[float, ...] | None = None) 
     ----------
     planet : Planet
     wavelengths : tuple of float, optional
-        Marked; the planet's own without it. [nm]
+        Wavelengths to mark; the planet's own if left out. [nm]
 
     Returns
     -------
@@ -67,7 +67,7 @@ def optical_depth(planet: Planet, wavelengths: tuple[float, ...] | None = None) 
     lowest = max(0.7 * lowest, _FAINTEST * top)
     axes.set(
         yscale="log",
-        ylim=(lowest, 1.5 * top * (top / lowest) ** 0.15),  # room for the legend
+        ylim=(lowest, 1.5 * top * (top / lowest) ** 0.15),  # space for the legend
         xlim=(low, high),
         xlabel="wavelength [nm]",
         ylabel="vertical optical depth [1]",

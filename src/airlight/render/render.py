@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.color.four_wavelengths import picture_weights
-from airlight.color.upsampling import reflectance_basis
 from airlight.errors import ParameterError
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel import compiled_loop
@@ -166,7 +165,7 @@ def color_weights(solution: MomentsSolution) -> FloatArray:
 
 def _paint(solution: MomentsSolution, weights: FloatArray) -> Paint:
     medium = solution.paths.medium
-    padded = np.zeros((3, solution.light.air.albedo.size), np.float32)
+    padded = np.zeros((3, solution.light.air.ground.albedo.size), np.float32)
     padded[:, : weights.shape[0]] = weights.T
     phases = np.moveaxis(medium.phase_table, 2, 0)
     maps: tuple[Float32Array, ...] = (np.zeros((1, 1, 3), np.float32),)
@@ -177,7 +176,7 @@ def _paint(solution: MomentsSolution, weights: FloatArray) -> Paint:
         weights=padded.reshape(-1),
         phase=pack(phases),
         phase_nodes=medium.phase_table.shape[2],
-        basis=pack(reflectance_basis(medium.wavelengths).T),
+        basis=pack(medium.map_basis.T),
         texels=np.concatenate([one.reshape(-1) for one in maps]),
         levels=np.array([(start, *one.shape[:2]) for start, one in zip(starts, maps, strict=True)]),
         mapped=medium.ground_map is not None,

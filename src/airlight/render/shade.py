@@ -165,7 +165,7 @@ def shade(directions, view, paint, light, panels, rules, packet, work, out):
 @compiled_loop
 def finish(p, pixel, way, directions, view, paint, light, packet, work, out):
     """Add the ground behind the air of one ray, and turn its light into colour."""
-    lanes = light.air.albedo.size
+    lanes = light.air.ground.albedo.size
     bottom = light.grid.bottom_radius
     radiance, through, received = work.radiance[p], work.through[p], work.received
     r, mu, length = packet.r[p], packet.mu[p], packet.length[p]
@@ -183,7 +183,7 @@ def finish(p, pixel, way, directions, view, paint, light, packet, work, out):
             reach = way + length
             ground_color(pixel, reach, slant, angle, directions, view, paint, bottom, color)
         for lane in range(0, lanes, LANES):
-            reflectance = load(light.air.albedo, lane)
+            reflectance = load(light.air.ground.albedo, lane)
             if paint.mapped:
                 reflectance = splat(0.0)
                 for c in range(3):

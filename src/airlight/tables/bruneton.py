@@ -1,6 +1,6 @@
 """Layout of a four-dimensional table of scattered light, Bruneton's 2017 (r, mu, mu_s, nu).
 
-The axis of views has two halves, one on each side of the horizon. In a texture mu_s and nu share
+The axis of views has two halves, one on each side of the horizon. In a texture, mu_s and nu share
 the width, mu_s running fastest, mu is the height and r the depth: 256 x 128 x 32 for the usual
 32 x 128 x 32 x 8.
 """
@@ -34,14 +34,14 @@ from airlight.tables.layout import Axis, FloatArray, Layout, Places
 
 
 class BrunetonGrid(NamedTuple):
-    """The layout for compiled loops.
+    """Parameters of the layout, for compiled loops.
 
     Attributes
     ----------
     bottom_radius, top_radius : float
-        [m]
+        Radii of the ground and of the top of the shell. [m]
     lowest : float
-        The sun's smallest zenith cosine. [1]
+        Smallest zenith cosine of the sun. [1]
     radii, views, suns, angles : int
         Texels along r, mu, mu_s, nu.
     """
@@ -57,16 +57,16 @@ class BrunetonGrid(NamedTuple):
 
 @kernel
 def bruneton_corners(r, mu, mu_s, nu, to_ground, grid):
-    """The texels around a place: (lower, upper, share of the upper) of r, mu, mu_s and nu.
+    """Texels next to a point: (lower, upper, share of the upper) of r, mu, mu_s and nu.
 
     Parameters
     ----------
     r, mu, mu_s, nu : float
-        [m], [1]
+        Radius [m]; cosines of the zenith angles of view and sun, and of the angle between them [1].
     to_ground : bool
-        Whether the line of sight ends on the ground: which half of the views is read.
+        Whether the line of sight ends on the ground, which selects the half of the views.
     grid : BrunetonGrid
-        The layout.
+        Parameters of the layout.
 
     Returns
     -------
@@ -86,13 +86,13 @@ def bruneton_corners(r, mu, mu_s, nu, to_ground, grid):
 
 @compiled_loop
 def bruneton_look_up(values, r, mu, mu_s, nu, to_ground, grid, out):
-    """Values between texels, one place: all channels.
+    """Interpolate all channels at one point.
 
     Parameters
     ----------
     values : array, shape (radii, views, suns, angles, channels)
     r, mu, mu_s, nu, to_ground, grid
-        As ``bruneton_corners`` takes them.
+        Arguments of ``bruneton_corners``.
     out : array, shape (channels,)
         Receives the values.
     """
@@ -140,12 +140,12 @@ def _fill_places(grid, r, mu, mu_s, nu, to_ground):
 
 @dataclass(frozen=True, kw_only=True)
 class BrunetonLayout(Layout):
-    """Axes (r, mu, mu_s, nu).
+    """Layout with the axes (r, mu, mu_s, nu).
 
     Parameters
     ----------
     bottom_radius, top_radius : float
-        [m]
+        Radii of the ground and of the top of the shell. [m]
     radii, views, suns, angles : int
         Texels along each axis; ``views`` is even and at least 4.
     """
@@ -165,7 +165,7 @@ class BrunetonLayout(Layout):
 
     @cached_property
     def grid(self) -> BrunetonGrid:
-        """The layout for compiled loops."""
+        """Parameters of the layout, for compiled loops."""
         return BrunetonGrid(
             self.bottom_radius,
             self.top_radius,
@@ -217,7 +217,7 @@ class BrunetonLayout(Layout):
         return (("nu", "mu_s"), ("mu",), ("r",))
 
     def places(self) -> Places:
-        """See ``Layout``; angles that a view and a sun cannot have are moved to where they can."""
+        """See ``Layout``; impossible angles are moved to the nearest possible angle."""
         count = int(np.prod(self.shape))
         r, mu, mu_s, nu = (np.empty(count) for _ in range(4))
         to_ground = np.empty(count, bool)

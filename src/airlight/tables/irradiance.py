@@ -21,12 +21,12 @@ from airlight.tables.layout import Axis, FloatArray, Layout, Places
 
 @dataclass(frozen=True, kw_only=True)
 class IrradianceLayout(Layout):
-    """Axes (r, mu_s), both linear.
+    """Layout with the axes (r, mu_s), both linear.
 
     Parameters
     ----------
     bottom_radius, top_radius : float
-        [m]
+        Radii of the ground and of the top of the shell. [m]
     radii, suns : int
         Texels along each axis.
     """
@@ -56,7 +56,7 @@ class IrradianceLayout(Layout):
         return (("mu_s",), ("r",), ())
 
     def places(self) -> Places:
-        """See ``Layout``; the view's angles stand for nothing."""
+        """See ``Layout``; the view's angles are arbitrary."""
         x = np.linspace(0.0, 1.0, self.radii)
         r = vectorized(radius_from_coordinate)(x, self.bottom_radius, self.top_radius)
         mu_s = vectorized(sun_from_coordinate)(np.linspace(0.0, 1.0, self.suns))

@@ -25,11 +25,11 @@ FloatArray = NDArray[np.float64]
 SUNS: Final = (10.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0, 85.0)
 #: Zenith angles of views in the principal plane; negative is away from the sun. [deg]
 PLANE: Final = np.linspace(-89.0, 89.0, 179)
-#: So near the sun the fit has no say. [deg]
+#: Angle from the sun within which the fit is not compared. [deg]
 NEAR_SUN: Final = 10.0
-#: So many times the planet's aerosol are tried.
+#: Factors by which the planet's aerosol is multiplied.
 AEROSOL: Final = (0.5, 1.0, 2.0, 4.0)
-#: Points of the dome: zenith cosines, azimuths over half a turn.
+#: Quadrature points over the dome: zenith cosines, azimuths over half a turn.
 _DOME: Final = (40, 36)
 
 _FIT: Final = (
@@ -49,9 +49,9 @@ def cie(
     Parameters
     ----------
     planet : str
-        A preset, or a file.
+        Name of a preset, or path of a file.
     quality : str
-        Of the moments solver.
+        Quality of the moments solver.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
@@ -107,7 +107,7 @@ def cie(
 
 
 def with_aerosol(planet: Planet, factor: float) -> Planet:
-    """The planet with so many times its aerosol: the constituent of that name."""
+    """Multiply the coefficients of the constituent named "aerosol"."""
 
     def thicker(constituent: Constituent) -> Constituent:
         if constituent.name != "aerosol":
@@ -130,7 +130,7 @@ def _times(coefficient: object, factor: float) -> object:
 def _by_aerosol(
     earth: Planet, nm: FloatArray, quality: str, progress: Progress | None, cancel: Cancel | None
 ) -> Table:
-    """The same numbers under more and under less aerosol: most of the difference is there."""
+    """Compare under more and less aerosol, which accounts for most of the difference."""
     weights = rgb_weights(nm)
     rows = []
     for done, factor in enumerate(AEROSOL):
@@ -167,7 +167,7 @@ def sky_luminance(
     ----------
     solution : Solution
     weights : array, shape (nl, 3)
-        From ``rgb_weights``. [nm]
+        Weights from ``rgb_weights``. [nm]
     sun : float
         [deg]
     view, azimuth : array, shape (n,)
@@ -192,7 +192,7 @@ def plane_luminance(solution: Solution, weights: FloatArray, sun: float) -> Floa
 def dome_difference(
     solution: Solution, weights: FloatArray, sun: float
 ) -> tuple[float, float, str]:
-    """RMS and mean of the log ratio over the dome, and where it is largest, in words."""
+    """RMS and mean of the log ratio over the dome, and a description of its largest value."""
     mu_rule, phi_rule = gauss_legendre(_DOME[0]), gauss_legendre(_DOME[1])
     mu, phi = np.meshgrid(mu_rule.nodes, 180.0 * phi_rule.nodes, indexing="ij")
     solid_angle = np.outer(mu_rule.weights, phi_rule.weights).ravel()

@@ -1,4 +1,4 @@
-"""The report as Markdown, with its pictures as files: for a repository's documentation."""
+"""The report as Markdown with its pictures as files, for a repository's documentation."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from airlight.validation.suite import Cell, Picture, Suite, Table
 
 
 def markdown(report: Report, pictures: str) -> str:
-    """The page.
+    """Format the report as a page of Markdown.
 
     Parameters
     ----------
     report : Report
     pictures : str
-        Folder of the pictures as the page sees it, such as ``"pictures"``.
+        Folder of the pictures relative to the page, such as ``"pictures"``.
     """
     lines = ["# Validation", "", f"**{report.verdict}.**", ""]
     lines += [f"- {name}: {value}" for name, value in report.provenance.items()]
@@ -53,12 +53,12 @@ def markdown(report: Report, pictures: str) -> str:
 
 
 def picture_files(report: Report) -> dict[str, bytes]:
-    """The pictures by file name.
+    """Contents of the pictures, by file name.
 
     Raises
     ------
     ValueError
-        If two pictures have one name.
+        If two pictures have the same name.
     """
     pictures = [p for suite in report.suites for p in suite.parts if isinstance(p, Picture)]
     files = {picture.file_name: picture.png for picture in pictures}

@@ -1,4 +1,4 @@
-"""The suite ``solvers``: three methods that share no approximation answer the same questions."""
+"""The suite ``solvers``: three methods that share no approximation, on the same questions."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from airlight.validation.suite import Bar, Cancel, Mark, Part, Progress, Suite, 
 
 #: A clear Earth, and a Mars with dust of optical depth 0.5.
 PLANETS: Final = ("earth-atmosphere-plus", "mars-standard")
-#: So many lines of sight of each planet at least are judged.
+#: Lowest number of lines of sight of each planet that must agree.
 LEAST_CASES: Final = 40
 
 
@@ -37,11 +37,11 @@ def solvers(
     Parameters
     ----------
     solvers : sequence of (str, object)
-        At least two; the last is the referee.
+        Two solvers or more; the last is the referee.
     planets : sequence of str
-        Presets, or files.
+        Names of presets, or paths of files.
     cases : sequence of Case
-        The grid.
+        Grid of lines of sight.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
@@ -145,12 +145,12 @@ def _times_table(rows: Sequence[Sequence[str | int]]) -> Table:
 
 
 def _worst(planet: str, pairs: Sequence[Agreement], cases: Sequence[Case], count: int = 5) -> Table:
-    """The values of each pair that differ most beyond the noise."""
+    """List the values of each pair that differ most beyond the noise."""
     rows: list[tuple[str, ...]] = []
     marks: list[Mark] = []
     for pair in pairs:
         size = np.where(pair.judged, np.abs(pair.relative), 0.0)
-        # What noise explains comes after what it does not.
+        # Differences explained by noise come last.
         order = np.where(np.abs(pair.in_errors) > NOISE, 1.0, 0.0) + size / (1.0 + size)
         order = np.where(pair.judged, order, -1.0)
         for flat in np.argsort(order, axis=None)[::-1][:count]:
@@ -193,9 +193,13 @@ def _all(
                     str(case),
                     f"{nm:g}",
                     *(
-                        f"{one.radiance[n, c]:.4e}"
-                        + (f" ± {one.standard_error[n, c]:.0e}" if one.standard_error.any() else "")
-                        for one in given
+                        f"{answer.radiance[n, c]:.4e}"
+                        + (
+                            f" ± {answer.standard_error[n, c]:.0e}"
+                            if answer.standard_error.any()
+                            else ""
+                        )
+                        for answer in given
                     ),
                     *(f"{100 * pair.relative[n, c]:+.2f}" for pair in pairs),
                     "" if judged else "too dark to judge",
@@ -205,7 +209,7 @@ def _all(
     return Table(
         title=f"{planet}: all values",
         columns=[
-            "line of sight", "wavelength [nm]", *(f"{one.solver} [sr⁻¹]" for one in given),
+            "line of sight", "wavelength [nm]", *(f"{answer.solver} [sr⁻¹]" for answer in given),
             *(f"{pair.name} [%]" for pair in pairs), "",
         ],
         rows=rows,

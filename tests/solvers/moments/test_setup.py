@@ -24,7 +24,7 @@ def test_lanes_without_a_wavelength_repeat_the_last_one():
     # A register has eight lanes; what no wavelength fills must compute nothing strange.
     block = setup_of("earth").block(slice(1, 3))
     assert block.used == 2
-    for values in (block.level.T, block.thick, block.sidelit, block.air.albedo):
+    for values in (block.level.T, block.thick, block.sidelit, block.air.ground.albedo):
         assert values.shape[0] == 8
         assert_array_equal(values[2:], np.repeat(values[1:2], 7 - 1, axis=0))
 

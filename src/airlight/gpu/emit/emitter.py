@@ -16,6 +16,7 @@ import inspect
 import textwrap
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cache
 from typing import Any, Final
 
 from airlight.gpu.emit import single_precision
@@ -100,9 +101,7 @@ class Emitter:
         if plain in self._in_progress:
             raise SubsetError(f"{plain.__module__}.{plain.__name__}: calls itself")
         self._in_progress.add(plain)
-        source = inspect.getsource(plain)
-        tree = ast.parse(textwrap.dedent(source)).body[0]
-        assert isinstance(tree, ast.FunctionDef)
+        tree = _syntax_tree(plain)
         wanted = name or plain.__name__.strip("_")
         if wanted.startswith(("read_", "size_")):  # so are the functions of tables
             wanted = f"{wanted}_here"
@@ -152,6 +151,14 @@ class Emitter:
         """The functions after what all of them may need."""
         before = self.dialect.whole_numbers if isinstance(self.dialect, ShaderDialect) else ""
         return before + self.functions_text()
+
+
+@cache
+def _syntax_tree(function: Callable[..., Any]) -> ast.FunctionDef:
+    """The source of a function, read once for all shaders and languages."""
+    tree = ast.parse(textwrap.dedent(inspect.getsource(function))).body[0]
+    assert isinstance(tree, ast.FunctionDef)
+    return tree
 
 
 def _handed_over(value: Value, parameter: str, dialect: Dialect) -> Value:

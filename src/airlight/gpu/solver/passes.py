@@ -89,12 +89,12 @@ ONCE: Final = (
     SolverPass("strength", rays.strength, "strengths"),
     SolverPass("factor", rays.factor, "factors"),
     SolverPass("share", rays.share, "shares"),
-    SolverPass("reflection", rays.reflection, "reflections"),
+    SolverPass("through", rays.through, "throughs"),
     SolverPass("projection", rays.projection, "projections"),
     SolverPass("depth", rays.depth, "depths", _ALONG, spanned=True),
     SolverPass(
         "radiance_once", light.radiance_once, "radiances", _ALONG,
-        (Reading("shares"), Reading("strengths"), Reading("reflections"), Reading("depths")),
+        (Reading("shares"), Reading("strengths"), Reading("throughs"), Reading("depths")),
         spanned=True,
     ),
     SolverPass("azimuthal", light.azimuthal, "azimuthals", readings=(Reading("radiances"),)),
@@ -131,7 +131,7 @@ SWEEP: Final = (
     SolverPass(
         "radiance_again", light.radiance_again, "radiances", _ALONG,
         (
-            Reading("shares"), Reading("rows"), Reading("reflections"),
+            Reading("shares"), Reading("rows"), Reading("throughs"),
             Reading("packed", from_sky=True),
         ),
         spanned=True,

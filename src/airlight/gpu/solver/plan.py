@@ -95,7 +95,7 @@ class SolverPlan:
             "strengths": points * n["constituents"],
             "factors": points * n["terms"],
             "shares": rays,
-            "reflections": rays,
+            "throughs": rays,
             "projections": -(-rays * (n["terms"] + 1) // WAVELENGTHS),
             "depths": (1 + most) * n["directions"],
             "rows": most * n["suns"] * (n["degree"] + 2),

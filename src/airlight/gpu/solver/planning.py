@@ -79,7 +79,7 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
         "ratios": setup.ratios, "lift": paths.lift,
         "level": block.level[:, :WAVELENGTHS].reshape(-1),
         "extinction": _lanes(air.extinction), "moments": _lanes(air.moments),
-        "albedo": _lanes(air.albedo),
+        "albedo": _lanes(air.ground.albedo),
     }  # fmt: skip
     sizes: dict[str, Any] = {
         "radii": setup.gathering.radii.size,
@@ -92,6 +92,7 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
         "directions": table.values.shape[1],
         "levels": grid.radii.size,
         "parts": setup.parts,
+        "law": air.ground.law,
         "bottom": grid.bottom_radius,
         "top": grid.top_radius,
         "star_radius": air.star_radius,
@@ -119,7 +120,7 @@ def _laid_out(
     uniform = dict.fromkeys(uniform_fields(), (0.0, 0.0, 0.0, 0.0))
     uniform["counts"] = tuple(sizes[name] for name in COUNTS[:4])
     uniform["more_counts"] = tuple(sizes[name] for name in COUNTS[4:8])
-    uniform["most_counts"] = (*(sizes[name] for name in COUNTS[8:]), 0.0, 0.0)
+    uniform["most_counts"] = (*(sizes[name] for name in COUNTS[8:]), 0.0)
     ground = sizes["levels"] * sizes["suns"] * (1 + sizes["terms"])
     uniform["measures"] = (*(sizes[name] for name in MEASURES), ground)
     textures: list[Float32Array] = []

@@ -10,6 +10,7 @@ from typing import Any, Final, NamedTuple
 
 from airlight.gpu.emit.shader_types import F32, I32, Bundle, Uniform, Value
 from airlight.gpu.emit.texture_table import TextureTable
+from airlight.optics.reflection import Reflection
 
 #: Tables of numbers and of four wavelengths that the host uploads, with their ranks.
 SCALARS: Final = {
@@ -21,7 +22,7 @@ SPECTRA: Final = ("extinction", "moments", "albedo")
 #: ``Sizes`` in the uniform, four to a vector.
 COUNTS: Final = (
     "radii", "angles", "suns", "turns", "degree", "terms", "constituents", "directions", "levels",
-    "parts",
+    "parts", "law",
 )  # fmt: skip
 MEASURES: Final = ("bottom", "top", "star_radius")
 
@@ -37,6 +38,8 @@ class Sizes(NamedTuple):
         Of the harmonics; how many of them; of the air; of the table of columns.
     levels, parts : int
         Radii of the grid; light is gathered at one of so many of them.
+    law : int
+        Of the ground's ``Reflection``.
     bottom, top, star_radius : float
         Radii of the ground and the top [m]; angular radius of the star [rad].
     """
@@ -51,6 +54,7 @@ class Sizes(NamedTuple):
     directions: Any
     levels: Any
     parts: Any
+    law: Any
     bottom: Any
     top: Any
     star_radius: Any
@@ -75,8 +79,10 @@ class Tables(NamedTuple):
         From ``star_lift``.
     level : array, shape (s·4,)
         From ``level_weights``, of four wavelengths.
-    extinction, moments, albedo :
+    extinction, moments :
         Of ``Air``; four wavelengths a texel.
+    ground : Reflection
+        Of ``Air``; its table of four wavelengths a texel is ``albedo``.
     """
 
     mu: Any
@@ -103,7 +109,7 @@ class Tables(NamedTuple):
     level: Any
     extinction: Any
     moments: Any
-    albedo: Any
+    ground: Any
 
 
 def uniform_fields() -> tuple[str, ...]:
@@ -128,7 +134,10 @@ def sizes_in_shader() -> Bundle:
 
 def tables_in_shader() -> Bundle:
     """``Tables`` as a shader reads them: from textures."""
-    return Bundle({name: texture_table(name).table for name in Tables._fields})
+    fields: dict[str, Value] = {name: texture_table(name).table for name in (*SCALARS, *SPECTRA)}
+    ground = Reflection(law=sizes_in_shader().fields["law"], albedo=fields.pop("albedo"))
+    fields["ground"] = Bundle(ground._asdict())
+    return Bundle(Tables(**fields)._asdict())
 
 
 def texture_table(name: str) -> TextureTable:

@@ -264,9 +264,7 @@ class RefractiveScattering(_Molecules):
 
     keyword = "refractivity"
 
-    refractivity: Annotated[
-        Spectral, refractivity_key(note="n - 1 of any gas, at the state that is given beside it.")
-    ]
+    refractivity: Annotated[Spectral, refractivity_key("Of any gas, at the state given beside it.")]
     number_density: Annotated[float, density_key()] | None = None
     temperature: Annotated[float, temperature_key()] | None = None
     pressure: Annotated[float, pressure_key()] | None = None

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cache
 from importlib import resources
 from pathlib import Path
 from typing import Any, Final
+
+from numpy.typing import ArrayLike
 
 from airlight.errors import FileError, ParameterError
 from airlight.kernel.threads import Cancel, Progress
@@ -145,6 +147,10 @@ def _text(path: Path) -> str:
         raise FileError(path, f"is not UTF-8 text at byte {error.start}") from None
 
 
+def _own_wavelengths(planet: Planet) -> tuple[float, ...]:
+    return planet.wavelengths
+
+
 def read_planet(
     text: str,
     file: str,
@@ -180,16 +186,50 @@ def read_planet(
     ParameterError
         If something in it cannot be.
     """
-    values = planet_tables(text, file)
+    tables = planet_tables(text, file)
+    return read_tables(tables, file, folder, overrides, progress=progress, cancel=cancel)
+
+
+def read_tables(
+    tables: Mapping[str, Any],
+    file: str,
+    folder: Path | None = None,
+    overrides: Mapping[str, Any] | None = None,
+    *,
+    wavelengths: Callable[[Planet], ArrayLike] = _own_wavelengths,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Planet:
+    """A planet from the nested tables of a planet file.
+
+    Parameters
+    ----------
+    tables : mapping
+        As ``planet_tables`` gives them; not changed.
+    file, folder, overrides, progress, cancel
+        As for ``read_planet``.
+    wavelengths : callable
+        ``wavelengths(planet)``: where the planet is sampled to see whether it can be; whoever
+        asks for the medium there afterwards is given that one. The planet's own, if left out. [nm]
+
+    Returns
+    -------
+    Planet
+
+    Raises
+    ------
+    ParameterError
+        If something in the tables cannot be.
+    """
     try:
-        changed = overridden(values, overrides) if overrides is not None else values
+        changed = tables if overrides is None else overridden(tables, overrides)
         planet = _planet(Section(changed, folder=folder))
         # Refuse here, where the file is known.
-        Medium.from_planet(planet, planet.wavelengths, progress=progress, cancel=cancel)
+        Medium.from_planet(planet, wavelengths(planet), progress=progress, cancel=cancel)
         return planet
     except ParameterError as error:
         if overrides:
-            error = with_hint(error, values, overrides)
+            error = with_hint(error, tables, overrides)
         raise error.in_file(file) from None
 
 

@@ -1,4 +1,4 @@
-"""Where the gathered light is known: the axes of its table, and the place of a point on them."""
+"""Table of gathered light: its axes, and the coordinates of a point on them."""
 
 from __future__ import annotations
 
@@ -49,11 +49,11 @@ class Layout(NamedTuple):
     Attributes
     ----------
     kind : int
-        Place of the mapping in ``MAPPINGS``.
+        Index of the mapping in ``MAPPINGS``.
     radii, views, suns, angles : int
         Numbers of nodes; one angle for the 3-D mappings.
     power : float
-        Of the power mappings. [1]
+        Exponent of the power mappings. [1]
     bottom, top : float
         Radii of ground and top. [m]
     lowest : float
@@ -72,7 +72,7 @@ class Layout(NamedTuple):
 
 
 def layout_for(medium: Medium, settings: Settings) -> Layout:
-    """The axes that the settings ask for, over a medium's shell."""
+    """Make the axes of the settings over a medium's shell."""
     bottom, top = medium.bottom_radius, medium.top_radius
     return Layout(
         MAPPINGS.index(settings.mapping),
@@ -89,7 +89,7 @@ def layout_for(medium: Medium, settings: Settings) -> Layout:
 
 @compiled_loop
 def radius_cell(r, axes):
-    """Neighbours of a radius among the nodes, and the share of the upper one."""
+    """Neighbours of a radius among the nodes, and the share of the upper."""
     if axes.kind <= _BRUNETON:
         x = _horizon_radius(r, axes.bottom, axes.top)
     elif axes.kind == _LINEAR:
@@ -221,5 +221,5 @@ def angle_of(m, axes):
 
 @compiled_loop
 def angle_place(nu, axes):
-    """Place on the axis of angles, an index between 0 and the last. [1]"""
+    """Fractional index on the axis of angles, between 0 and the last index. [1]"""
     return _angle_place(nu, axes.kind, axes.angles)

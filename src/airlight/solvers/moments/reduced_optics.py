@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from airlight.kernel import vectorized
 from airlight.mappings.transmittance import radius_from_coordinate
 from airlight.optics.layer_edges import layer_edges
+from airlight.optics.reflection import Reflection
 from airlight.planets.medium import Medium
 from airlight.solvers.moments.grid import Grid
 from airlight.solvers.moments.levels import Depths, panel_cuts
@@ -137,7 +138,7 @@ def make_air(medium: Medium, degree: int, block: slice) -> Air:
     return Air(
         extinction=pack(extinction - peak * scattering),
         moments=pack(np.moveaxis(smooth, 2, 1)),
-        albedo=pack(medium.ground_albedo[block]),
+        ground=Reflection(medium.ground.law, pack(medium.ground.albedo[block])),
         star_radius=float(medium.star_angular_radius),
     )
 

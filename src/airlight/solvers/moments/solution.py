@@ -17,10 +17,15 @@ from airlight.kernel import compiled_loop, disk
 from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.lanes import LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.optics.reflection import leaving_cosine
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.harmonics import coefficient_count
-from airlight.solvers.moments.irradiance import direct_irradiance, ground_light, sky_irradiance
+from airlight.solvers.moments.irradiance import (
+    direct_irradiance,
+    ground_radiance,
+    sky_irradiance,
+)
 from airlight.solvers.moments.iterate import Moments, solve_moments
 from airlight.solvers.moments.march import (
     Light,
@@ -33,7 +38,6 @@ from airlight.solvers.moments.packing import filled, pack, pack_light
 from airlight.solvers.moments.reduced_optics import make_air
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.setup import Setup
-from airlight.solvers.moments.source import reflected
 from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Report, Solution
 from airlight.tables.column_ratios import mean_density_ratios
@@ -117,7 +121,7 @@ class MomentsSolution(Solution):
             nodes * (2 * panels + 10 + 2 * self.light.ends.size),
             len(self.paths.medium.names),
             coefficient_count(self.moments.degree),
-            self.light.air.albedo.size,
+            self.light.air.ground.albedo.size,
         )
 
     def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
@@ -170,7 +174,7 @@ class MomentsSolution(Solution):
                 silent = [c for c in range(phases.shape[1]) if c not in scatterers]
                 phases[:, silent] = 0.0
             phase = pack(phases).reshape(phases.shape[0], -1)
-            result = np.empty((phase.shape[0], chosen.air.albedo.size), np.float32)
+            result = np.empty((phase.shape[0], chosen.air.ground.albedo.size), np.float32)
             _march_all(
                 sight.r[rows],
                 sight.mu[rows],
@@ -204,7 +208,7 @@ class MomentsSolution(Solution):
         return self._received(x, lambda light, out: sky_irradiance(x, mu_s, light, out))
 
     def _received(self, r: FloatArray, fill: Callable[[Light, Float32Array], None]) -> FloatArray:
-        result = np.empty((r.size, self.light.air.albedo.size), np.float32)
+        result = np.empty((r.size, self.light.air.ground.albedo.size), np.float32)
         fill(self.light, result)
         return result[:, : self.wavelengths.size].astype(float)
 
@@ -234,10 +238,11 @@ def _march_all(
                     angle = bend_angle(r[k], mu[k], light.bend, work.total[p, last])
                     mu_s_ground, _ = turned(mu_ground, mu_s_ground, nu[k], angle)
                 mu_s_ground = min(max(mu_s_ground, -1.0), 1.0)
-                ground_light(mu_s_ground, orders, light, work)
+                leaving = leaving_cosine(r[k], mu[k], bottom)
+                ground_radiance(mu_s_ground, leaving, nu[k], orders, light, work)
                 for at in range(0, bright.size, LANES):
-                    ground = reflected(load(work.received, at), load(light.air.albedo, at))
-                    store(bright, at, load(bright, at) + load(work.through[p], at) * ground)
+                    ground = load(work.through[p], at) * load(work.received, at)
+                    store(bright, at, load(bright, at) + ground)
             out[k] = bright
 
 

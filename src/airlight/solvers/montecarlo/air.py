@@ -1,4 +1,4 @@
-"""A medium at one wavelength, as histories need it, with a quadrature that is good enough."""
+"""Optical properties of a medium at one wavelength for histories, with a sufficient quadrature."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel import compiled_loop
 from airlight.optics.density_profile import DensitySegments
+from airlight.optics.reflection import Reflection
 from airlight.planets.medium import Medium
 from airlight.solvers.montecarlo.lit_air import Starlight, make_starlight
 from airlight.solvers.montecarlo.rays import (
@@ -24,10 +25,10 @@ from airlight.tables.columns import columns
 
 FloatArray = NDArray[np.float64]
 
-#: Nodes of the extinction table.
+#: Number of nodes of the extinction table.
 TABLE_NODES: Final = 16385
-#: Points a panel, panels a leg and whether panels end at corners too, from fast to fine; the first
-#: that is good enough is taken.
+#: Points per panel, panels per leg and whether panels also end at corners, from fast to fine; the
+#: first rule of sufficient accuracy is used.
 RULES: Final = (
     (12, 1, False),
     (16, 1, False),
@@ -39,8 +40,8 @@ RULES: Final = (
     (20, 2, True),
     (24, 4, True),
 )
-#: Largest and root-mean-square error of the light that a ray has lost up to each of its points,
-#: relative to all the light it loses, over ``_test_rays``.
+#: Allowed maximum and root-mean-square error of the light lost by a ray up to each of its points,
+#: relative to the total loss, over ``_test_rays``.
 LARGEST_ERROR: Final = 1e-3
 MEAN_ERROR: Final = 2e-4
 
@@ -51,19 +52,19 @@ class Air(NamedTuple):
     Attributes
     ----------
     extinction : Extinction
-        Along rays.
+        Extinction along rays.
     edges, coefficients : array, shapes (nc, ns + 1), (nc, ns, 4)
-        Of ``DensitySegments``.
+        Profiles as in ``DensitySegments``.
     scattering : array, shape (nc,)
-        At relative density 1; 0 for what has no phase function. [m⁻¹]
+        Coefficients at relative density 1; 0 for a constituent without phase function. [m⁻¹]
     lobes : Lobes
         Phase functions.
-    albedo : float
-        Of the ground. [1]
+    ground : Reflection
+        Reflection by the ground.
     star_radius : float
         Angular radius of the star. [rad]
     light : Starlight
-        Where it shines.
+        Coarse table of the star's light.
     """
 
     extinction: Extinction
@@ -71,19 +72,19 @@ class Air(NamedTuple):
     coefficients: FloatArray
     scattering: FloatArray
     lobes: Lobes
-    albedo: float
+    ground: Reflection
     star_radius: float
     light: Starlight
 
 
 def make_air(medium: Medium, wavelength: int) -> Air:
-    """A medium at one of its wavelengths.
+    """Prepare a medium at one of its wavelengths.
 
     Parameters
     ----------
     medium : Medium
     wavelength : int
-        Its index.
+        Index of the wavelength.
     """
     density = medium.density
     x = np.linspace(0.0, 1.0, TABLE_NODES)
@@ -122,7 +123,7 @@ def make_air(medium: Medium, wavelength: int) -> Air:
         coefficients=density.coefficients,
         scattering=np.ascontiguousarray(medium.scattering[:, wavelength]),
         lobes=lobes(medium, wavelength),
-        albedo=float(medium.ground_albedo[wavelength]),
+        ground=Reflection(medium.ground.law, float(medium.ground.albedo[wavelength])),
         star_radius=medium.star_angular_radius,
         light=make_starlight(chosen),
     )
@@ -145,7 +146,7 @@ def jump_altitudes(density: DensitySegments) -> FloatArray:
 
 
 def corner_altitudes(density: DensitySegments) -> FloatArray:
-    """Jumps, and the corners of profiles that have few. [m]"""
+    """Altitudes of jumps, and of the corners of profiles that have few. [m]"""
     return np.union1d(jump_altitudes(density), density.corners)
 
 
@@ -164,15 +165,15 @@ def _test_rays(medium: Medium) -> tuple[FloatArray, FloatArray, FloatArray]:
 
 @compiled_loop
 def running_depths(r, mu, extinction, path, places, out):
-    """Optical depths of rays to space, up to the points of their panels and to the panels' ends.
+    """Compute optical depths of rays to space up to their panels' points and the panels' ends.
 
     Parameters
     ----------
     r, mu : array, shape (n,)
-        [m], [1]
+        Start of the rays. [m], [1]
     extinction, path : Extinction, Trace
     places, out : array, shape (n, m)
-        Receive distances [m] and depths [1]; what is left over stays as it is.
+        Receive distances [m] and depths [1]; the remainder is unchanged.
     """
     nodes, running = extinction.nodes, extinction.running
     for k in range(r.size):

@@ -20,7 +20,7 @@ from airlight.color.spectral import default_wavelengths, rgb_weights
 from airlight.errors import Cancelled
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.planet import Planet
-from airlight.planets.reading.reader import read_planet
+from airlight.planets.reading.reader import read_tables
 from airlight.viewer.background.error_line import one_line
 from airlight.viewer.session.constituent_switches import switched
 from airlight.viewer.session.solve_request import Versions, Wanted
@@ -304,13 +304,19 @@ class Solving:
         return newer
 
     def _planet(self, wanted: Wanted, cancel: Cancel) -> Planet:
-        text = wanted.state.text
-        planet = self._planets.get(text)
+        key = wanted.state.tables_key
+        planet = self._planets.get(key)
         if planet is None:
             report = self._reporter(wanted, "reading the planet")
             report(0, 0, "")
-            planet = read_planet(text, wanted.state.source, progress=report, cancel=cancel)
-            self._planets[text] = planet
+            planet = read_tables(
+                wanted.state.tables,
+                wanted.state.source,
+                wavelengths=lambda planet: self._wavelengths(planet, wanted.wavelengths),
+                progress=report,
+                cancel=cancel,
+            )
+            self._planets[key] = planet
             while len(self._planets) > MOST_KEPT:
                 self._planets.popitem(last=False)
         return switched(planet, wanted.state.off)

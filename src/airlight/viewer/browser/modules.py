@@ -7,13 +7,16 @@ joined, each in a function of its own, in the order in which they need each othe
 
 from __future__ import annotations
 
+import json
 import posixpath
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from importlib import resources
 from typing import Final
 
 from airlight.errors import FileError
+from airlight.viewer.browser.formulas import formulas_text
+from airlight.viewer.navigation import keys
 
 #: ``import { a, b as c } from "./file.js";``, at the start of a line, over one or several lines.
 _IMPORT: Final = re.compile(r'^import \{([^}]*)\} from "(\.[\w./]+)";\n', re.MULTILINE)
@@ -25,19 +28,33 @@ _EXPORT: Final = re.compile(
 _OTHER: Final = re.compile(r"^(?:import|export)\b.*$", re.MULTILINE)
 
 
+def _keys_module() -> str:
+    """The table of keys as a module."""
+    return f"export const KEYS = {json.dumps(keys.as_json('page'), ensure_ascii=False)};\n"
+
+
+#: Modules that are made of what Python declares.
+GENERATED: Final[Mapping[str, Callable[[], str]]] = {
+    "generated/formulas.js": formulas_text,
+    "generated/keys.js": _keys_module,
+}
+
+
 def web_file(name: str) -> str:
     """The text of a file of the viewer that runs in a browser.
 
     Parameters
     ----------
     name : str
-        Path in the folder ``web``, with ``/``.
+        Path in the folder ``web``, with ``/``; or one of ``GENERATED``.
 
     Raises
     ------
     FileError
         If there is none.
     """
+    if name in GENERATED:
+        return GENERATED[name]()
     file = resources.files("airlight.viewer") / "web" / name
     if not file.is_file():
         raise FileError(name, "is no file of the viewer's web folder")

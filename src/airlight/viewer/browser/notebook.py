@@ -9,7 +9,7 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any, Final
+from typing import Any
 
 from airlight.errors import AirlightError
 from airlight.gpu.device.device import NoDevice, open_device
@@ -25,9 +25,6 @@ try:
     import traitlets
 except ImportError as error:
     raise ImportError("a viewer in a notebook needs pip install 'airlight[notebook]'") from error
-
-#: What the buttons of the viewer ask for.
-COMMANDS: Final = ("undo", "redo", "reset", "keep", "swap", "rest")
 
 
 def quickest_solver() -> Solver:
@@ -83,6 +80,7 @@ class Viewer(anywidget.AnyWidget):
     message = traitlets.Unicode().tag(sync=True)
     can = traitlets.Dict().tag(sync=True)
     command = traitlets.Dict().tag(sync=True)
+    gesture = traitlets.Dict().tag(sync=True)
     height = traitlets.Int(540).tag(sync=True)
     device = traitlets.Unicode("auto").tag(sync=True)
 
@@ -149,6 +147,7 @@ class Viewer(anywidget.AnyWidget):
                 "redo": session.can_redo,
                 "swap": session.has_other,
                 "showing": session.showing,
+                "camera": session.shares_camera,
             },
         }
 
@@ -204,10 +203,15 @@ class Viewer(anywidget.AnyWidget):
         self._tell()
 
     def _edit(self, news: Mapping[str, Value]) -> None:
+        """Take over what was done in the browser, as steps like those of its own history."""
+        gesture, self.gesture = self.gesture, {}
+        name, held = str(gesture.get("name", "")), bool(gesture.get("held", False))
         view = {path: value for path, value in news.items() if path.startswith("view.")}
-        if len(view) > 1:
-            self.session.move(view)  # type: ignore[arg-type]
+        if len(view) > 1 or (view and "name" in gesture and name not in view):
+            self.session.move(view, gesture=name, held=held)  # type: ignore[arg-type]
             news = {path: value for path, value in news.items() if path not in view}
+        if held and name in news and self.session.dragged != name:
+            self.session.begin_drag(name)
         for path, value in news.items():
             self.session.set(path, value)
 
@@ -220,11 +224,16 @@ class Viewer(anywidget.AnyWidget):
             "keep": session.store_b,
             "swap": session.swap,
             "rest": session.end_drag,
+            "one camera": lambda: self._share_camera(True),
+            "two cameras": lambda: self._share_camera(False),
         }
         act = acts.get(change["new"].get("name", ""))
         if act is not None:
             self._try(act)
             self._tell()
+
+    def _share_camera(self, shared: bool) -> None:
+        self.session.shares_camera = shared
 
     def _try(self, act: Callable[[], object]) -> None:
         try:

@@ -29,6 +29,8 @@ from airlight.scene.projections import PROJECTIONS
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.viewer.browser.ground_map import ground_map
 from airlight.viewer.browser.web_shaders import CORNERS, web_shaders
+from airlight.viewer.navigation.viewpoints import as_json as viewpoints
+from airlight.viewer.parameters.view_parameters import VIEW_VALUES
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -99,7 +101,11 @@ def program() -> dict[str, Any]:
         },
         "encodings": list(ENCODINGS),
         "orders": ORDERS,
-        "luminance": [float(x) for x in luminance(np.eye(3))],
+        "view_uniforms": {
+            one.uniform: {"path": one.path, "options": list(one.options)}
+            for one in VIEW_VALUES
+            if one.uniform
+        },
         "xyz": [[float(x) for x in row] for row in rgb_to_xyz(np.eye(3))],
         "efficacy": LUMINOUS_EFFICACY,
     }
@@ -133,8 +139,8 @@ def planet_tables(
     -------
     numbers : dict
         As JSON takes them: ``uniforms`` by name, ``radius`` of the ground and ``thickness`` of the
-        shell [m], ``star`` (angular radius [rad]), ``paths`` of light where it is bent, and
-        ``ground``, its map.
+        shell [m], ``star`` (angular radius [rad]), ``paths`` of light where it is bent,
+        ``ground``, its map, and ``viewpoints``.
     tables : dict
         Format and numbers of each texture.
     """
@@ -157,6 +163,7 @@ def planet_tables(
         "star": float(medium.star_angular_radius),
         "paths": light_paths(solution),
         "ground": ground_map(medium.ground_map),
+        "viewpoints": viewpoints(medium.bottom_radius, medium.top_radius),
     }
     tables = {
         "scalars": ("r32float", made.scalars),
@@ -177,5 +184,8 @@ def light_paths(solution: MomentsSolution) -> dict[str, Any] | None:
         "excess": [float(f"{x:.9g}") for x in paths.optical_radius(true) - true],
         "bottom": float(paths.shell.bottom),
         "top": float(paths.shell.top),
-        "lift": [[float(f"{x:.7g}") for x in row] for row in paths.lift[:, :, 0]],
+        "lift": {
+            "values": [float(f"{x:.7g}") for x in paths.lift[:, :, 0].ravel()],
+            "shape": [*paths.lift.shape[:2], 1],
+        },
     }

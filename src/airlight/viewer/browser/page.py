@@ -21,9 +21,8 @@ from airlight.viewer.browser.page_solver import amount_parameters, solver_data
 from airlight.viewer.browser.page_text import page_text
 from airlight.viewer.browser.tables_text import DIGITS, as_text, deflated, rounded
 from airlight.viewer.parameters.parameter import Parameter, Value
-from airlight.viewer.parameters.view_parameters import view_parameters
+from airlight.viewer.parameters.view_parameters import VIEW_VALUES
 from airlight.viewer.session.session import Session
-from airlight.viewer.session.solve_request import SOLVED
 
 #: A page larger than this is refused. [byte]
 LARGEST: Final = 3_000_000
@@ -56,7 +55,7 @@ class Page:
 
 def page_parameters() -> tuple[Parameter, ...]:
     """The declared parameters that a page can change: all of the view that need no solution."""
-    return tuple(one for one in view_parameters() if one.path not in SOLVED)
+    return tuple(one for one in VIEW_VALUES if one.part != "planet")
 
 
 def page_data(

@@ -13,7 +13,6 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.upsampling import reflectance_basis
 from airlight.color.xyz import chromaticity, luminance, rgb_to_xyz
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
@@ -280,7 +279,7 @@ def _ground(
         footprint = scene.camera.pixel_angle * distance / (bottom * math.sqrt(slant))
         level = math.log2(max(footprint * image.levels[0].shape[0] / math.pi, 1.0))
         color = image.sample(latitude, longitude, level)
-        mapped = np.clip(reflectance_basis(medium.wavelengths) @ color, 0.0, 1.0)
+        mapped = np.clip(medium.map_basis @ color, 0.0, 1.0)
         albedo = medium.ground_albedo
         plain = np.divide(mapped, albedo, out=np.zeros_like(mapped), where=albedo > 0.0)
     return distance, latitude, longitude, plain

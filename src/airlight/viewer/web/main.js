@@ -43,4 +43,5 @@ viewer.state.follow(() => {
 });
 addEventListener("hashchange", takeAddress);
 takeAddress();
+viewer.parts.canvas.focus({ preventScroll: true });
 window.airlight = viewer;

@@ -30,7 +30,11 @@ function render({ model, el }) {
   on("picture", () => viewer.take(model.get("picture")));
   on("title", () => viewer.retitle(model.get("title")));
   on("status", () => viewer.showStatus());
-  on("can", () => viewer.updateTools());
+  on("can", () => {
+    state.showing = model.get("can").showing;
+    state.sharesCamera = model.get("can").camera;
+    viewer.updateTools();
+  });
   on("message", () => viewer.say(model.get("message")));
   on("height", () => {
     place.style.height = `${model.get("height")}px`;

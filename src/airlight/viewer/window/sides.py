@@ -10,7 +10,7 @@ from airlight.viewer.background.solving import Solved, Solver, Solving, Status
 from airlight.viewer.background.solving_by import shown_wavelengths
 from airlight.viewer.painting.picture_source import Orders, Painter, Picture, Request
 from airlight.viewer.painting.picture_thread import PictureThread
-from airlight.viewer.parameters.view_parameters import scene_of
+from airlight.viewer.parameters.view_parameters import scene_of, uniforms_of
 from airlight.viewer.session.compared_side import SessionSide
 from airlight.viewer.session.session import Session
 
@@ -81,6 +81,7 @@ class Sides:
             automatic=bool(view["display.automatic"]),
             tone_map=str(view["display.tone_map"]),
             orders=cast(Orders, view["light.orders"]),
+            uniforms=uniforms_of(view),
         )
 
     def picture(self, side: str = "") -> Picture | None:

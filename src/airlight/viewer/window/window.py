@@ -15,7 +15,7 @@ from airlight.errors import AirlightError
 from airlight.viewer.background.error_line import Faults
 from airlight.viewer.background.solving import Solver, solve_on_cpu
 from airlight.viewer.navigation.flight import Flight
-from airlight.viewer.navigation.viewpoints import PLACES, view_of
+from airlight.viewer.navigation.viewpoints import VIEWPOINTS, view_of
 from airlight.viewer.painting.picture_source import Painter, Picture
 from airlight.viewer.painting.probing import Probing
 from airlight.viewer.session.session import Session
@@ -290,7 +290,7 @@ class Window:
     def do(self, deed: str) -> None:
         """See ``Deeds``."""
         word, _, number = deed.partition(" ")
-        if word == "place" and number.isdigit():
+        if word == "viewpoint" and number.isdigit():
             self._go(int(number) - 1)
             return
         deeds: dict[str, Callable[[], object]] = {
@@ -332,7 +332,7 @@ class Window:
         bottom, top = (
             1e3 * float(session.value(f"shell.{end}_radius")) for end in ("bottom", "top")
         )
-        place = PLACES[index]
+        place = VIEWPOINTS[index]
         bearing = float(session.view["view.sun_azimuth"])
         moved = view_of(place, bottom_radius=bottom, top_radius=top, bearing=bearing)
         self.attempt(lambda: session.move(moved))

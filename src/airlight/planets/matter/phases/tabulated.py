@@ -125,7 +125,7 @@ class TabulatedPhase(PhaseFunction):
                 raise ParameterError(
                     f"values[{index}]", len(row), f"as many numbers as angles, {len(self.angles)}"
                 )
-        integrals = moments(*self._table, 0)[:, 0]
+        integrals = self._row_moments(0)[:, 0]
         for index in range(rows):
             if not abs(integrals[index] - 1.0) <= INTEGRAL_TOLERANCE:
                 raise ParameterError(
@@ -164,7 +164,17 @@ class TabulatedPhase(PhaseFunction):
 
         Integrated between the table's own angles, so that no ripple falls between the nodes.
         """
-        return np.asarray(self._weights(wavelengths).T @ moments(*self._table, degree))
+        return np.asarray(self._weights(wavelengths).T @ self._row_moments(degree))
+
+    def _row_moments(self, degree: int) -> FloatArray:
+        """Legendre moments of each row, shape (nr, degree + 1), kept: they take long. [1]"""
+        if degree not in self._kept_moments:
+            self._kept_moments[degree] = moments(*self._table, degree)
+        return self._kept_moments[degree]
+
+    @cached_property
+    def _kept_moments(self) -> dict[int, FloatArray]:
+        return {}
 
     def sampled(self, wavelength: float) -> tuple[PhaseRow, ...]:
         """The one or two rows that hold at a wavelength [nm]."""

@@ -22,7 +22,7 @@ OZONE_TABLE: Final = "ozone-afgl1986-us-standard"
 
 @parameters
 class Tabulated(Profile):
-    """A table of altitudes and densities; see ``optics.tabulated_profile``.
+    """A table of altitudes and densities.
 
     Parameters
     ----------
@@ -30,6 +30,10 @@ class Tabulated(Profile):
         Strictly ascending, 2 to 1000 of them. [m]
     densities : tuple of float
         As many, relative, not negative. [1]
+
+    Notes
+    -----
+    See ``optics.tabulated_profile`` for what lies between and beyond the rows.
     """
 
     keyword = "tabulated"
@@ -49,7 +53,8 @@ class Tabulated(Profile):
         Key(
             label="altitude",
             help="Altitudes of the rows of the table, each above the one before it.",
-            note="Beyond its ends the table goes on exponentially, never growing upwards.",
+            note="Required without a `table`. Beyond its ends the table goes on exponentially,"
+            " never growing upwards.",
             unit="m",
             range=(0.0, 1e9),
             listed=True,

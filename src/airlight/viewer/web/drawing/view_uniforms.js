@@ -1,14 +1,5 @@
-/** The uniforms that belong to the view; their names are those of gpu/uniforms.py. */
-
-/** Orders of scattering as the shaders count them stand in the program; the rest is geometry. */
-
-/** Angle of a pixel where the camera looks straight ahead, for each projection. [rad] */
-const PIXEL_ANGLES = {
-  perspective: (width, height, field) => (2 * Math.tan(0.5 * field)) / width,
-  fisheye: (width, height, field) => field / Math.min(width, height),
-  equirectangular: (width, height) => Math.PI / height,
-  cubemap: (width, height) => 2 / height,
-};
+/** The uniforms that belong to the view; their names are those of gpu/picture/uniforms.py. */
+import { PIXEL_ANGLES, observer_numbers, raised_star } from "../generated/formulas.js";
 
 /**
  * Uniforms of the observer and the star.
@@ -22,18 +13,26 @@ export function observerNumbers(planet, altitude, sun) {
   const outside = altitude >= thickness;
   const r = paths ? opticalRadius(planet, altitude) : radius + altitude;
   const bottom = paths ? paths.bottom : radius;
-  const seen = paths && !outside ? seenStar(r, sun[2], paths) : sun[2];
-  const reach = Math.sin(0.5 * star);
+  const bent = paths && !outside;
+  const seen = bent ? raised_star(r, sun[2], bottom, paths.top, paths.lift) : sun[2];
+  const [horizonMu, horizonSine, level, seenLevel, disc] = observer_numbers(
+    r,
+    bottom,
+    sun[0],
+    sun[1],
+    seen,
+    star,
+  );
   return {
     r: Math.fround(bottom) + (r - bottom),
     outside: Number(outside),
-    horizon_mu: -Math.sqrt(Math.max((r - bottom) * (r + bottom), 0)) / r,
-    horizon_sine: bottom / r,
-    sun_x: Math.hypot(sun[0], sun[1]),
+    horizon_mu: horizonMu,
+    horizon_sine: horizonSine,
+    sun_x: level,
     sun_z: sun[2],
-    seen_x: Math.sqrt(Math.max((1 - seen) * (1 + seen), 0)),
+    seen_x: seenLevel,
     seen_z: seen,
-    disc: star > 0 ? 1 / (4 * Math.PI * reach * reach) : 0,
+    disc,
     draws_disc: Number(star > 0),
   };
 }
@@ -68,20 +67,4 @@ function opticalRadius({ radius, thickness, paths }, altitude) {
   const x = (altitude / thickness) * (excess.length - 1);
   const node = Math.min(Math.floor(x), excess.length - 2);
   return radius + altitude + excess[node] + (x - node) * (excess[node + 1] - excess[node]);
-}
-
-/** Cosine of the zenith angle at which a star is seen: read as `seen_star` in geometry/bending. */
-function seenStar(x, cosine, { bottom, top, lift }) {
-  const [rows, columns] = [lift.length, lift[0].length];
-  const reach = Math.sqrt(Math.max((x - bottom) * (x + bottom), 0));
-  const at = (reach / Math.sqrt((top - bottom) * (top + bottom))) * (rows - 1);
-  const row = Math.min(Math.floor(at), rows - 2);
-  const f = at - row;
-  const between = (column) => lift[row][column] * (1 - f) + lift[row + 1][column] * f;
-  const horizon = -reach / x - between(0);
-  const above = Math.min(Math.max(cosine - horizon, 0) / (1 - horizon), 1);
-  const share = Math.sqrt(above) * (columns - 1);
-  const column = Math.min(Math.floor(share), columns - 2);
-  const e = share - column;
-  return Math.min(cosine + between(column) * (1 - e) + between(column + 1) * e, 1);
 }

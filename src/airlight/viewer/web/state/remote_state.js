@@ -3,13 +3,15 @@ import { State } from "./state.js";
 
 export class RemoteState extends State {
   /**
-   * @param {object} model Of the widget: `values` both ways, `command` to Python, `can` from there.
+   * @param {object} model Of the widget: `values` and `gesture` to Python, `values` and `can` from
+   *     there, `command` to Python.
    */
   constructor(model) {
     super(model.get("parameters"), model.get("values"));
     this.model = model;
     this.commands = 0;
-    this.sending = false;
+    this.waiting = null;
+    this.holding = false;
   }
 
   get canUndo() {
@@ -24,19 +26,27 @@ export class RemoteState extends State {
     return Boolean(this.model.get("can").swap);
   }
 
-  set(changes, gesture = null) {
-    const before = this.values;
-    super.set(changes, gesture);
-    this.past = [];
-    if (this.values === before || this.sending) return;
-    // All changes of one frame go together.
-    this.sending = true;
-    requestAnimationFrame(() => this.send());
+  record(name, before, after, held) {
+    this.holding ||= held;
+    this.sendLater({ name, held });
+  }
+
+  move(changes) {
+    this.sendLater({ name: "", held: false });
+    super.move(changes);
+  }
+
+  /** All changes of one gesture in one frame go together. */
+  sendLater(gesture) {
+    if (this.waiting && this.waiting.name !== gesture.name) this.send();
+    if (!this.waiting) requestAnimationFrame(() => this.send());
+    this.waiting = gesture;
   }
 
   send() {
-    if (!this.sending) return;
-    this.sending = false;
+    if (!this.waiting) return;
+    this.model.set("gesture", { ...this.waiting, count: ++this.commands });
+    this.waiting = null;
     this.model.set("values", { ...this.values });
     this.model.save_changes();
   }
@@ -44,8 +54,7 @@ export class RemoteState extends State {
   /** Something that Python does to its session. */
   command(name) {
     this.send();
-    this.commands += 1;
-    this.model.set("command", { name, count: this.commands });
+    this.model.set("command", { name, count: ++this.commands });
     this.model.save_changes();
   }
 
@@ -69,8 +78,12 @@ export class RemoteState extends State {
     this.command("swap");
   }
 
+  shareCamera(shared) {
+    this.command(shared ? "one camera" : "two cameras");
+  }
+
   rest() {
-    if (this.gesture !== null) this.command("rest");
-    super.rest();
+    if (this.holding) this.command("rest");
+    this.holding = false;
   }
 }

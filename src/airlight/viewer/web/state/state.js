@@ -1,15 +1,10 @@
-/**
- * The values of all parameters, with undo and redo, two states to compare, and a text for a link.
- */
+/** The values of all parameters, with undo and redo, and two states to compare. */
+import { History } from "./history.js";
+import { fragmentOf, readFragment } from "./link.js";
 import { checked } from "./parameters.js";
 
-/** Most steps that can be undone. */
-const MOST_STEPS = 500;
-/** Paths of the view's own parameters, and of the constituents' switches. */
-const VIEW = /^(view|display|light)\./;
-/** Those of the planet that a page solves for itself. */
-const AIR = /^air\./;
-const SWITCH = /^light\.constituents\[(\d+)\]$/;
+/** Paths of camera and sun, which both states of a comparison share. */
+const CAMERA = /^view\./;
 
 export class State {
   /**
@@ -21,11 +16,10 @@ export class State {
     this.planet = "";
     this.initial = { ...values };
     this.values = { ...values };
-    this.past = [];
-    this.future = [];
-    this.gesture = null;
+    this.history = new History();
     this.other = null;
     this.showing = "A";
+    this.sharesCamera = true;
     this.listeners = new Set();
   }
 
@@ -40,11 +34,11 @@ export class State {
   }
 
   get canUndo() {
-    return this.past.length > 0;
+    return this.history.done.length > 0;
   }
 
   get canRedo() {
-    return this.future.length > 0;
+    return this.history.undone.length > 0;
   }
 
   get hasOther() {
@@ -58,13 +52,28 @@ export class State {
   }
 
   /**
-   * Change values.
+   * Change values: a step to undo, or part of the last one.
    *
    * @param {Object<string, number | string | boolean>} changes
    * @param {string | null} gesture Changes of one gesture, such as a drag, are undone together.
+   * @param {boolean} held Whether the gesture goes on until `rest`; else quick ones join.
    * @throws {RangeError} If a value cannot be; nothing is changed then.
    */
-  set(changes, gesture = null) {
+  set(changes, gesture = null, held = gesture !== null) {
+    const sound = this.sound(changes);
+    if (Object.keys(sound).length === 0) return;
+    const before = Object.fromEntries(Object.keys(sound).map((path) => [path, this.get(path)]));
+    this.record(gesture ?? Object.keys(sound).sort().join(" "), before, sound, held);
+    this.show({ ...this.values, ...sound });
+  }
+
+  /** Change values without a step to undo, as time does. */
+  move(changes) {
+    this.show({ ...this.values, ...this.sound(changes) });
+  }
+
+  /** The values that differ, as their parameters take them. */
+  sound(changes) {
     const sound = {};
     for (const [path, value] of Object.entries(changes)) {
       const parameter = this.parameters.get(path);
@@ -72,57 +81,55 @@ export class State {
       const taken = checked(parameter, value);
       if (taken !== this.values[path]) sound[path] = taken;
     }
-    if (Object.keys(sound).length === 0) return;
-    if (gesture === null || gesture !== this.gesture) {
-      this.past.push(this.values);
-      if (this.past.length > MOST_STEPS) this.past.shift();
-    }
-    this.gesture = gesture;
-    this.future = [];
-    this.show({ ...this.values, ...sound });
+    return sound;
+  }
+
+  record(name, before, after, held) {
+    this.history.record(name, before, after, held);
   }
 
   /** End a gesture: the next change is a step of its own. */
   rest() {
-    this.gesture = null;
+    this.history.close();
   }
 
   undo() {
-    this.step(this.past, this.future);
+    this.take(this.history.undo() ?? {});
   }
 
   redo() {
-    this.step(this.future, this.past);
+    this.take(this.history.redo() ?? {});
   }
 
-  step(from, to) {
-    if (from.length === 0) return;
-    to.push(this.values);
-    this.rest();
-    this.show(from.pop());
-  }
-
-  /** Everything as it was in the beginning; can be undone. */
+  /** Everything as it was in the beginning: one step to undo. */
   reset() {
     this.rest();
     this.set(this.initial);
+    this.rest();
   }
 
   /** Keep what is shown as the other state of a comparison. */
   keepOther() {
-    this.other = { ...this.values };
+    this.other = { values: { ...this.values }, history: new History() };
     this.tell(new Set());
   }
 
-  /** Show the other state, and keep this one in its place. */
+  /** Show the other state, and keep this one in its place; the first time it is a copy of this. */
   swap() {
-    if (this.other === null) return;
-    const here = this.values;
-    this.showing = this.showing === "A" ? "B" : "A";
+    if (this.other === null) this.keepOther();
     this.rest();
-    const there = this.other;
-    this.other = here;
-    this.show(there);
+    const { values, history } = this.other;
+    const camera = Object.entries(this.values).filter(([path]) => CAMERA.test(path));
+    this.other = { values: this.values, history: this.history };
+    this.history = history;
+    this.showing = this.showing === "A" ? "B" : "A";
+    this.show({ ...values, ...(this.sharesCamera && Object.fromEntries(camera)) });
+  }
+
+  /** Whether both states of a comparison are seen by one camera, under one sun. */
+  shareCamera(shared) {
+    this.sharesCamera = shared;
+    this.tell(new Set());
   }
 
   /** Values that come from elsewhere: no step of undo. */
@@ -148,30 +155,9 @@ export class State {
     return Object.entries(this.values).filter(differs);
   }
 
-  /**
-   * What differs from the beginning, as the part of an address behind `#`.
-   *
-   * It is the JSON of viewer/session/saved_state.py: `planet`, and by path `view` and `set`, `off` by place;
-   * and `air`, the amounts of a page that solves for itself.
-   */
+  /** What differs from the beginning, as the part of an address behind `#`. */
   asFragment() {
-    const changes = this.changes();
-    if (changes.length === 0) return "";
-    const found = { planet: this.planet };
-    for (const [path, value] of changes) {
-      const place = SWITCH.exec(path);
-      if (place) (found.off ??= []).push(Number(place[1]));
-      else if (AIR.test(path)) (found.air ??= {})[path] = value;
-      else if (VIEW.test(path)) (found.view ??= {})[path] = value;
-      else (found.set ??= {})[path] = this.inFile(path, value);
-    }
-    return encodeURI(JSON.stringify(found)).replaceAll("#", "%23");
-  }
-
-  /** A value as a planet file has it: with its unit. */
-  inFile(path, value) {
-    const { kind, unit } = this.parameters.get(path);
-    return kind === "number" && unit !== "1" ? `${value} ${unit}` : value;
+    return fragmentOf(this);
   }
 
   /**
@@ -181,34 +167,8 @@ export class State {
    * @returns {string[]} One line for each thing that cannot be taken.
    */
   takeFragment(fragment) {
-    const faults = [];
-    const values = { ...this.initial };
-    const take = (path, value) => {
-      const parameter = this.parameters.get(path);
-      try {
-        if (!parameter) throw new RangeError(`there is no parameter ${path}`);
-        values[path] = checked(parameter, value);
-      } catch (error) {
-        faults.push(error.message);
-      }
-    };
-    try {
-      const found = JSON.parse(decodeURIComponent(fragment.replace(/^#/, "")));
-      const { planet, view = {}, air = {}, set = {}, off = [] } = found;
-      if (planet !== this.planet) throw new RangeError(`it shows ${planet}, this is ${this.planet}`);
-      for (const [path, value] of Object.entries({ ...view, ...air })) take(path, value);
-      for (const [path, value] of Object.entries(set)) take(path, this.fromFile(path, value));
-      for (const place of off) take(`light.constituents[${place}]`, false);
-    } catch (error) {
-      faults.push(error.message);
-    }
+    const { values, faults } = readFragment(this, fragment);
     this.take(values);
     return faults;
-  }
-
-  fromFile(path, value) {
-    const { kind, unit } = this.parameters.get(path) ?? {};
-    if (kind !== "number" || typeof value !== "string") return value;
-    return value.endsWith(` ${unit}`) ? Number(value.slice(0, -unit.length)) : NaN;
   }
 }

@@ -67,9 +67,9 @@ export class Controls {
 
   row(parameter) {
     const make = { number: numberRow, choice: choiceRow, switch: switchRow, text: textRow };
-    const set = (value, gesture = null) => {
+    const set = (value, held = false) => {
       try {
-        this.state.set({ [parameter.path]: value }, gesture);
+        this.state.set({ [parameter.path]: value }, parameter.path, held);
         row.element.classList.remove("airlight-wrong");
       } catch (error) {
         row.element.classList.add("airlight-wrong");
@@ -114,7 +114,7 @@ function numberRow(parameter, set, rest) {
   slider.addEventListener("input", () => {
     const number = rounded(parameter, numberAt(parameter, slider.valueAsNumber / STEPS));
     const { least = -Infinity, most = Infinity } = parameter;
-    set(Math.min(Math.max(number, least), most), `slider ${parameter.path}`);
+    set(Math.min(Math.max(number, least), most), true);
   });
   slider.addEventListener("change", rest);
   field.addEventListener("change", () => {
@@ -129,7 +129,7 @@ function numberRow(parameter, set, rest) {
     const { step, scale } = parameter;
     const moved = scale === "log" ? number * step ** way : number + way * step;
     try {
-      set(checked(parameter, rounded(parameter, moved)), `arrow ${parameter.path}`);
+      set(checked(parameter, rounded(parameter, moved)));
     } catch {
       // An arrow at the end of the range does nothing.
     }

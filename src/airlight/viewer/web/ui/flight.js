@@ -1,192 +1,200 @@
-/** Mouse, wheel, touch and keys on the picture. */
-import { HIGHEST, LOWEST, cameraInPlace, moved } from "./journey.js";
-import { wrapped } from "../state/parameters.js";
+/**
+ * Keys, mouse and wheel turned into the view, as navigation/flight.py does it for the window.
+ *
+ * The formulas are emitted from scene/flight.py and its neighbours, the table of keys from
+ * navigation/keys.py.
+ */
+import {
+  angle_flown,
+  climbed,
+  compass,
+  course_of,
+  looked,
+  risen,
+  sun_at,
+  sun_dragged,
+  time_of,
+  turned,
+} from "../generated/formulas.js";
+import { KEYS } from "../generated/keys.js";
 
-/** Shown by the help button. */
-export const HELP = [
-  "drag: look around",
-  "shift + drag, or right button: move the sun",
-  "wheel, pinch: altitude; with ctrl: field of view",
-  "W S A D: fly ahead, back, to the sides",
-  "E Q or page keys: rise, sink; faster the higher you are",
-  "arrow keys: turn; + and −: field of view",
-  "ctrl + Z, ctrl + Y: undo, redo; tab: A/B; H: hide the panel",
-  "point at the picture: colour and luminance",
-].join("\n");
+const { held: HELD, factors: FACTORS, rates: RATES } = KEYS;
+/** What flying on a great circle changes, in the order of `turned`. */
+const CARRIED = ["latitude", "longitude", "heading", "sun_zenith", "sun_azimuth"];
 
-/** Altitudes a second that keys fly. [s⁻¹] */
-const SPEED = 0.9;
-/** At least so fast. [m s⁻¹] */
-const SLOWEST = 3;
-/** Fields of view a second that arrow keys turn. [s⁻¹] */
-const TURN = 0.5;
-/** Altitude factor of a wheel's pixel, as a logarithm. [pixel⁻¹] */
-const WHEEL = 0.0015;
-/** Longest time between two frames that counts. [s] */
-const LONGEST = 0.1;
+/** Values of the view by their names. */
+function numbers(values, ...names) {
+  return names.map((name) => values[`view.${name}`]);
+}
 
-const KEYS = {
-  w: "ahead", s: "back", a: "left", d: "right", e: "rise", q: "sink",
-  pageup: "rise", pagedown: "sink",
-  arrowup: "up", arrowdown: "down", arrowleft: "turn left", arrowright: "turn right",
-  "+": "nearer", "=": "nearer", "-": "wider",
-};
+/**
+ * The view after flying for a while.
+ *
+ * @param {Object<string, number>} values Of the view's parameters.
+ * @param {number} right
+ * @param {number} ahead
+ * @param {number} up In parts of the usual speed.
+ * @param {number} seconds [s]
+ * @param {number} radius Of the planet's ground. [m]
+ * @returns {Object<string, number>} The values that changed.
+ */
+export function flown(values, right, ahead, up, seconds, radius) {
+  const [altitude, tilt, heading] = numbers(values, "altitude", "look_zenith", "heading");
+  const reach = RATES.fly * seconds;
+  const higher = climbed(altitude, tilt, ahead, up, reach);
+  const changed = ahead === 0 && up === 0 ? {} : { "view.altitude": higher };
+  const angle = angle_flown(altitude, higher, tilt, right, ahead, reach, radius);
+  if (angle > 0) {
+    const course = course_of(tilt, heading, right, ahead);
+    const moved = turned(...numbers(values, ...CARRIED), course, angle);
+    CARRIED.forEach((name, i) => (changed[`view.${name}`] = moved[i]));
+  }
+  return changed;
+}
 
 export class Flight {
   /**
-   * @param {HTMLCanvasElement} canvas
    * @param {State} state
-   * @param {() => void} request Called when a key is down, so that frames come.
-   * @param {() => number} radius Of the planet. [m]
+   * @param {() => void} request Called when something begins to move, so that frames come.
+   * @param {() => number} radius Of the planet's ground. [m]
    */
-  constructor(canvas, state, request, radius) {
-    this.canvas = canvas;
+  constructor(state, request, radius) {
     this.state = state;
     this.request = request;
     this.radius = radius;
-    this.down = new Set();
-    this.pointers = new Map();
-    this.time = null;
-    this.ending = new AbortController();
-    const listen = (name, act, more = {}) =>
-      canvas.addEventListener(name, act, { signal: this.ending.signal, ...more });
-    listen("pointerdown", (event) => this.press(event));
-    listen("pointermove", (event) => this.move(event));
-    for (const name of ["pointerup", "pointercancel"]) listen(name, (event) => this.lift(event));
-    listen("wheel", (event) => this.wheel(event), { passive: false });
-    listen("contextmenu", (event) => event.preventDefault());
-    listen("keydown", (event) => this.key(event, true));
-    listen("keyup", (event) => this.key(event, false));
-    listen("blur", () => this.down.clear());
+    this.down = new Map();
+    this.now = null;
+    this.playing = false;
   }
 
-  /** Values of the view, changed as far as they may be. */
-  change(changes, gesture) {
-    const sound = {};
-    for (const [path, value] of Object.entries(changes)) {
-      const parameter = this.state.parameters.get(path);
-      if (!parameter) continue;
-      const { least, most, wraps } = parameter;
-      sound[path] = wraps ? wrapped(value, least, most) : Math.min(Math.max(value, least), most);
-    }
-    this.state.set(sound, gesture);
-  }
-
-  press(event) {
-    this.canvas.focus({ preventScroll: true });
-    this.canvas.setPointerCapture(event.pointerId);
-    this.pointers.set(event.pointerId, [event.clientX, event.clientY]);
-    this.gesture = `drag ${event.timeStamp}`;
-    this.movesSun = event.shiftKey || event.button === 2;
-  }
-
-  move(event) {
-    const before = this.pointers.get(event.pointerId);
-    if (!before) return;
-    const others = [...this.pointers].filter(([id]) => id !== event.pointerId);
-    const here = [event.clientX, event.clientY];
-    this.pointers.set(event.pointerId, here);
-    if (others.length) {
-      const [, other] = others[0];
-      const spread = (point) => Math.hypot(point[0] - other[0], point[1] - other[1]);
-      this.climb(spread(before) / Math.max(spread(here), 1), this.gesture);
-      return;
-    }
-    const [dx, dy] = [here[0] - before[0], here[1] - before[1]];
-    const { values } = this.state;
-    const angle = Math.min(values["view.field_of_view"], 120) / this.canvas.clientWidth;
-    if (this.movesSun) {
-      this.change(
-        {
-          "view.sun_azimuth": values["view.sun_azimuth"] + dx * angle,
-          "view.sun_zenith": values["view.sun_zenith"] + dy * angle,
-        },
-        this.gesture,
-      );
-    } else {
-      this.turn(-dx * angle, -dy * angle, this.gesture);
-    }
-  }
-
-  lift(event) {
-    this.pointers.delete(event.pointerId);
-    this.state.rest();
-  }
-
-  turn(right, down, gesture) {
-    const { values } = this.state;
-    const flat = Math.max(Math.sin((values["view.look_zenith"] * Math.PI) / 180), 0.2);
-    this.change(
-      {
-        "view.heading": values["view.heading"] + right / flat,
-        "view.look_zenith": values["view.look_zenith"] + down,
-      },
-      gesture,
-    );
-  }
-
-  climb(factor, gesture) {
-    const altitude = Math.max(this.state.get("view.altitude"), LOWEST) * factor;
-    this.change({ "view.altitude": Math.min(Math.max(altitude, LOWEST), HIGHEST) }, gesture);
-  }
-
-  widen(factor, gesture) {
-    const field = this.state.get("view.field_of_view") * factor;
-    this.change({ "view.field_of_view": Math.min(Math.max(field, 0.01), 360) }, gesture);
-  }
-
-  wheel(event) {
-    event.preventDefault();
-    const pixels = event.deltaY * (event.deltaMode === 1 ? 30 : event.deltaMode === 2 ? 300 : 1);
-    const factor = Math.exp(WHEEL * Math.min(Math.max(pixels, -600), 600));
-    if (event.ctrlKey) this.widen(factor, "wheel field");
-    else this.climb(factor, "wheel");
-  }
-
-  key(event, pressed) {
-    const act = KEYS[event.key.toLowerCase()];
-    if (!act || event.ctrlKey || event.metaKey || event.altKey) return;
-    event.preventDefault();
-    if (pressed && !this.down.has(act)) {
-      if (this.down.size === 0) this.time = null;
-      this.down.add(act);
-      this.gesture = `keys ${event.timeStamp}`;
-      this.request();
-    } else if (!pressed) {
-      this.down.delete(act);
-      if (this.down.size === 0) this.state.rest();
-    }
+  get moving() {
+    return [...this.down.values()].some((name) => name in HELD);
   }
 
   /**
-   * Move as the keys say; called before each frame.
+   * A key goes down; whether it is one of the flight's.
+   *
+   * @param {string} code Of the key, which stays the same whatever is pressed with it.
+   * @param {string} key
+   */
+  press(code, key) {
+    const name = key.toLowerCase();
+    if (!(name in HELD) && !(name in FACTORS)) return false;
+    if (!this.moving) this.now = null;
+    if (!this.down.has(code)) this.down.set(code, name);
+    this.request();
+    return true;
+  }
+
+  /** A key goes up; without one all do, as when the page loses the keyboard. */
+  release(code = null) {
+    const moving = this.moving;
+    if (code === null) this.down.clear();
+    else this.down.delete(code);
+    if (moving && !this.moving) this.state.rest();
+  }
+
+  /** Let time pass, or stop it. */
+  play() {
+    this.playing = !this.playing;
+    this.now = null;
+    this.request();
+  }
+
+  /**
+   * Move as the keys and the time say; called before each frame.
    *
    * @param {number} now [ms]
    * @returns {boolean} Whether something moves, so that another frame must follow.
    */
   advance(now) {
-    if (this.down.size === 0) return false;
-    const seconds = this.time === null ? 1 / 60 : Math.min((now - this.time) / 1000, LONGEST);
-    this.time = now;
-    const way = (plus, minus) => Number(this.down.has(plus)) - Number(this.down.has(minus));
-    const { values } = this.state;
-    const { forward, right } = cameraInPlace(values);
-    const [ahead, aside, rise] = [way("ahead", "back"), way("right", "left"), way("rise", "sink")];
-    const speed = Math.max(values["view.altitude"] * SPEED, SLOWEST) * seconds;
-    if (ahead || aside || rise) {
-      const step = [0, 1, 2].map((i) => speed * (ahead * forward[i] + aside * right[i]));
-      step[2] += speed * rise;
-      this.change(moved(values, this.radius(), step), this.gesture);
+    if (!this.moving && !this.playing) return false;
+    const passed = this.now === null ? 1 / 60 : (now - this.now) / 1000;
+    const seconds = Math.min(Math.max(passed, 0), RATES.longest_step);
+    this.now = now;
+    if (this.moving) this.step(seconds);
+    if (this.playing) {
+      const latitude = this.state.get("view.latitude");
+      const [declination, hour] = time_of(latitude, ...this.sun());
+      const later = hour + (seconds * RATES.time) / 3600;
+      this.state.take(sunValues(sun_at(latitude, declination, later % 24)));
     }
-    const angle = TURN * Math.min(values["view.field_of_view"], 120) * seconds;
-    const [turn, tilt] = [way("turn right", "turn left"), way("down", "up")];
-    if (turn || tilt) this.turn(turn * angle, tilt * angle, this.gesture);
-    const zoom = way("wider", "nearer");
-    if (zoom) this.widen(Math.exp(zoom * seconds), this.gesture);
     return true;
   }
 
-  close() {
-    this.ending.abort();
+  step(seconds) {
+    const names = [...this.down.values()];
+    const ways = { right: 0, ahead: 0, up: 0, turn: 0, tilt: 0, widen: 0 };
+    for (const name of new Set(names.filter((one) => one in HELD))) {
+      const [axis, sign] = HELD[name];
+      ways[axis] += sign;
+    }
+    const factors = new Set(names.filter((one) => one in FACTORS));
+    const time = [...factors].reduce((product, one) => product * FACTORS[one], seconds);
+    const { values } = this.state;
+    const length = Math.hypot(ways.right, ways.ahead, ways.up);
+    const changed = length
+      ? flown(values, ways.right, ways.ahead, ways.up, time / length, this.radius())
+      : {};
+    const view = { ...values, ...changed };
+    const field = view["view.field_of_view"];
+    if (ways.turn || ways.tilt) {
+      const angle = RATES.turn * field * time;
+      Object.assign(changed, lookedValues(view, ways.turn * angle, ways.tilt * angle));
+    }
+    if (ways.widen) {
+      const factor = Math.exp(ways.widen * RATES.widen * time);
+      Object.assign(changed, this.widened(field * factor));
+    }
+    this.state.set(changed, "keys");
   }
+
+  /** The mouse has moved by parts of the picture's width: the picture follows it. */
+  look(right, down) {
+    const field = this.state.get("view.field_of_view");
+    this.state.set(lookedValues(this.state.values, -right * field, -down * field), "look");
+  }
+
+  /** The mouse drags the sun by parts of the picture's width. */
+  dragSun(right, down) {
+    const field = this.state.get("view.field_of_view");
+    this.state.set(sunValues(sun_dragged(...this.sun(), right * field, down * field)), "sun");
+  }
+
+  /** The wheel has turned: away from the ground for notches above 0. */
+  rise(notches, held = false) {
+    const altitude = risen(this.state.get("view.altitude"), notches);
+    this.state.set({ "view.altitude": altitude }, "wheel", held);
+  }
+
+  /** The wheel has turned to change the field of view: wider for notches above 0. */
+  widen(notches) {
+    const field = this.state.get("view.field_of_view") * RATES.notch ** notches;
+    this.state.set(this.widened(field), "field of view", false);
+  }
+
+  widened(field) {
+    const { least, most } = this.state.parameters.get("view.field_of_view");
+    return { "view.field_of_view": Math.min(Math.max(field, least), most) };
+  }
+
+  sun() {
+    return numbers(this.state.values, "sun_zenith", "sun_azimuth");
+  }
+
+  /** A viewpoint, whose heading is counted from the sun's. */
+  goTo({ view }) {
+    const heading = compass(view["view.heading"] + this.state.get("view.sun_azimuth"));
+    this.state.set({ ...view, "view.heading": heading });
+    this.state.rest();
+  }
+}
+
+function lookedValues(values, right, down) {
+  const [tilt, heading] = looked(...numbers(values, "look_zenith", "heading"), right, down);
+  return { "view.look_zenith": tilt, "view.heading": heading };
+}
+
+function sunValues([zenith, azimuth]) {
+  return { "view.sun_zenith": zenith, "view.sun_azimuth": azimuth };
 }

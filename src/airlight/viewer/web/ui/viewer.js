@@ -12,14 +12,18 @@
  * - `note` — a line about what cannot be edited here, or none;
  * - `device` — auto, webgpu or webgl2.
  */
-import { Controls, element } from "./controls.js";
 import { openDevice } from "../devices/device.js";
-import { Flight, HELP } from "./flight.js";
-import { FrameLoop } from "./frame_loop.js";
-import { Probe } from "./probe.js";
-import { State } from "../state/state.js";
-import { toolbar } from "./toolbar.js";
 import { fitting } from "../drawing/view.js";
+import { KEYS } from "../generated/keys.js";
+import { State } from "../state/state.js";
+import { BUTTONS, actionsOf } from "./actions.js";
+import { Controls, element } from "./controls.js";
+import { Flight } from "./flight.js";
+import { FrameLoop } from "./frame_loop.js";
+import { Keyboard } from "./keyboard.js";
+import { Pointer } from "./pointer.js";
+import { Probe } from "./probe.js";
+import { toolbar } from "./toolbar.js";
 
 /** Frames that take longer than this are drawn smaller while something moves. [ms] */
 const SMOOTH = 40;
@@ -38,18 +42,20 @@ export class Viewer {
   constructor(place, source) {
     this.source = source;
     this.state = source.state ?? new State(source.parameters, source.values);
+    this.flight = new Flight(this.state, () => this.request(), () => source.radius());
     this.build(place);
-    this.controls = new Controls(this.parts.controls, this.state, (text) => this.explain(text));
+    const { root, canvas, tools, controls } = this.parts;
+    this.actions = actionsOf(this);
+    this.updateTools = toolbar(tools, BUTTONS, this);
+    this.controls = new Controls(controls, this.state, (text) => this.explain(text));
     this.turn = Promise.resolve();
     this.loop = new FrameLoop((now) =>
       this.alone(() => this.draw(now)).catch((error) => this.say(error.message)),
     );
-    this.flight = new Flight(
-      this.parts.canvas,
-      this.state,
-      () => this.request(),
-      () => source.radius(),
-    );
+    this.listening = [
+      new Pointer(canvas, this.flight),
+      new Keyboard(root, canvas, this.flight, (action) => this.do(action)),
+    ];
     this.device = null;
     this.picture = null;
     this.edits = null;
@@ -69,67 +75,46 @@ export class Viewer {
     const parts = {
       title: part("div", "title", { textContent: this.source.title }),
       tools: part("div", "tools"),
+      viewpoints: part("div", "tools"),
       controls: part("div", "controls"),
       note: part("div", "note", { textContent: this.source.note ?? "" }),
       status: part("div", "status"),
       canvas: element("canvas", { tabIndex: 0, ariaLabel: "picture" }),
       message: element("div", { className: "airlight-over airlight-message" }),
       probe: element("div", { className: "airlight-over airlight-probe" }),
-      help: element("div", {
-        className: "airlight-over airlight-help",
-        textContent: HELP,
-        hidden: true,
-      }),
+      help: helpPanel(),
     };
     const panel = part("div", "panel");
-    panel.append(parts.title, parts.tools, parts.controls, parts.note, parts.status);
+    const { title, tools, viewpoints, controls, note, status } = parts;
+    panel.append(title, tools, viewpoints, controls, note, status);
     parts.view = part("div", "view");
     parts.view.append(parts.canvas, parts.probe, parts.help, parts.message);
     parts.root = element("div", { className: "airlight" }, panel, parts.view);
+    // In JupyterLab single letters edit cells.
+    parts.root.dataset.lmSuppressShortcuts = "true";
     place.replaceChildren(parts.root);
     this.parts = parts;
-    const { state } = this;
-    this.updateTools = toolbar(parts.tools, {
-      undo: {
-        text: "undo",
-        help: "Take back the last change (Ctrl+Z).",
-        act: () => state.undo(),
-        state: () => ({ disabled: !state.canUndo }),
-      },
-      redo: {
-        text: "redo",
-        help: "Bring back what was taken back (Ctrl+Y).",
-        act: () => state.redo(),
-        state: () => ({ disabled: !state.canRedo }),
-      },
-      reset: { text: "reset", help: "Everything as it began.", act: () => state.reset() },
-      keep: {
-        text: "keep as B",
-        help: "Keep what is shown, to compare it.",
-        act: () => state.keepOther(),
-      },
-      swap: {
-        text: "A/B",
-        help: "Show the other of the two (Tab on the picture).",
-        act: () => state.swap(),
-        state: () => ({ disabled: !state.hasOther, pressed: state.showing === "B" }),
-      },
-      advanced: {
-        text: "advanced",
-        help: "Show the parameters of the air's composition too.",
-        act: () => this.toggleAdvanced(),
-        state: () => ({ pressed: this.controls?.advanced ?? false }),
-      },
-      save: { text: "save picture", help: "As a PNG.", act: () => this.save() },
-      help: {
-        text: "help",
-        help: "Keys and mouse.",
-        act: () => {
-          parts.help.hidden = !parts.help.hidden;
-        },
-      },
-    });
-    parts.root.addEventListener("keydown", (event) => this.key(event));
+  }
+
+  /** One of the actions, by a button or a key. */
+  do(name) {
+    this.actions[name]?.();
+    this.updateTools();
+  }
+
+  /** Viewpoints of the planet that is shown. */
+  get viewpoints() {
+    return this.picture?.planet.viewpoints ?? [];
+  }
+
+  showViewpoints() {
+    const buttons = this.viewpoints.map(({ name, sentence }, i) => [
+      `viewpoint ${i + 1}`,
+      name,
+      `${sentence} (${i + 1})`,
+      () => ({}),
+    ]);
+    toolbar(this.parts.viewpoints, buttons, this);
   }
 
   async start() {
@@ -141,6 +126,7 @@ export class Viewer {
       });
       this.picture = await this.source.picture(this.device);
       this.edits = this.source.edits?.(this) ?? null;
+      this.showViewpoints();
       if (this.picture.probe) this.probe = new Probe(this.parts.canvas, this.parts.probe, this);
       this.request();
     } catch (error) {
@@ -258,22 +244,6 @@ export class Viewer {
     this.updateTools();
   }
 
-  key(event) {
-    const name = `${event.ctrlKey || event.metaKey ? "ctrl " : ""}${event.key.toLowerCase()}`;
-    const typing = event.target instanceof HTMLInputElement && event.target.type === "text";
-    const acts = {
-      "ctrl z": () => (event.shiftKey ? this.state.redo() : this.state.undo()),
-      "ctrl y": () => this.state.redo(),
-      ...(event.target === this.parts.canvas && {
-        tab: () => this.state.swap(),
-        h: () => this.parts.root.classList.toggle("airlight-hidden"),
-      }),
-    };
-    if (typing || !acts[name]) return;
-    event.preventDefault();
-    acts[name]();
-  }
-
   explain(text) {
     this.parts.note.textContent = text;
   }
@@ -295,7 +265,7 @@ export class Viewer {
   close() {
     this.closed = true;
     this.loop.close();
-    this.flight.close();
+    for (const one of this.listening) one.close();
     this.controls.close();
     this.probe?.close();
     this.edits?.close();
@@ -303,6 +273,18 @@ export class Viewer {
     this.device?.close();
     this.parts.root.remove();
   }
+}
+
+/** The table of keys over the picture. */
+function helpPanel() {
+  const groups = KEYS.help.map(([group, lines]) => {
+    const rows = lines.map(([keys, text]) =>
+      element("tr", {}, element("th", {}, keys), element("td", {}, text)),
+    );
+    return element("div", {}, element("h3", {}, group), element("table", {}, ...rows));
+  });
+  const panel = { className: "airlight-over airlight-help", hidden: true };
+  return element("div", panel, ...groups);
 }
 
 function pause(milliseconds) {

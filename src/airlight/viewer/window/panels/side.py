@@ -8,7 +8,7 @@ from pathlib import Path
 from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import planet_names
 from airlight.viewer.navigation.flight import Flight
-from airlight.viewer.navigation.viewpoints import PLACES
+from airlight.viewer.navigation.viewpoints import VIEWPOINTS
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.session.session import Session
 from airlight.viewer.window import style
@@ -188,11 +188,11 @@ class SidePanel:
         from imgui_bundle import imgui
 
         imgui.begin_child("view rows")
-        for index, place in enumerate(PLACES):
+        for index, place in enumerate(VIEWPOINTS):
             if index:
                 imgui.same_line()
             if imgui.button(place.name):
-                self._do(f"place {index + 1}")
+                self._do(f"viewpoint {index + 1}")
             style.hint(f"{place.sentence} ({index + 1})")
         icon, words = (style.PAUSE, "stop the sun") if self.plays else (style.PLAY, "let time pass")
         style.button(icon, "time", f"{words} (T)", lambda: self._do("time"))
