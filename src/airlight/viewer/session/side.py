@@ -109,7 +109,7 @@ class Side:
 
     # --- edits --------------------------------------------------------------------------------
 
-    def set(self, parameter: Parameter, value: Value) -> set[str]:
+    def assign(self, parameter: Parameter, value: Value) -> set[str]:
         """Give a parameter a value that it takes, joined with those of the same drag."""
         path = parameter.path
         if path in self.view:
