@@ -8,7 +8,7 @@ from types import GenericAlias, ModuleType, UnionType
 from typing import Any, get_origin
 
 from api_names import Module, exported, modules
-from pages import write_pages
+from page_files import write_pages
 
 #: What the names of ``airlight`` are for, in the order in which they are used.
 STATIONS = (

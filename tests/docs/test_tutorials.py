@@ -24,7 +24,7 @@ def _blocks(page: Path) -> list[tuple[str, str, int]]:
     ]
 
 
-@pytest.mark.slow  # all of them together
+@pytest.mark.slow
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_tutorial_runs_from_its_first_to_its_last_block(
     page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

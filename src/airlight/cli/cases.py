@@ -101,11 +101,11 @@ def _parse(stream: Iterable[str], name: str) -> Cases:
     missing = [column for column in COLUMNS if column not in header]
     if missing:
         raise FileError(name, f"has no column {', '.join(missing)} in its header")
-    places = []
+    positions = []
     for column in COLUMNS:
         if header.count(column) > 1:
             raise FileError(name, f"has the column {column} more than once")
-        places.append(header.index(column))
+        positions.append(header.index(column))
     rows: list[list[str]] = []
     values: list[list[float]] = []
     reader = csv.reader(lines)
@@ -118,8 +118,8 @@ def _parse(stream: Iterable[str], name: str) -> Cases:
             raise ParameterError(f"line {line}", found, f"{len(header)}, as in the header", name)
         values.append(
             [
-                _number(row[place], line, column, limits, name)
-                for place, (column, limits) in zip(places, COLUMNS.items(), strict=True)
+                _number(row[position], line, column, limits, name)
+                for position, (column, limits) in zip(positions, COLUMNS.items(), strict=True)
             ]
         )
         rows.append(row)
@@ -198,8 +198,8 @@ def write_cases(
         _write(sys.stdout, cases, wavelengths, radiance, standard_error)
         return
     with (
-        whole_file(path) as place,
-        place.open("w", encoding="utf-8", newline="") as stream,
+        whole_file(path) as part,
+        part.open("w", encoding="utf-8", newline="") as stream,
     ):
         _write(stream, cases, wavelengths, radiance, standard_error)
 

@@ -59,8 +59,8 @@ def errata(
     if output is None:
         _print(rows)
         return
-    with whole_file(output) as place:
-        place.write_text(markdown(rows), encoding="utf-8")
+    with whole_file(output) as part:
+        part.write_text(markdown(rows), encoding="utf-8")
     print(f"{output}  {len(rows)} rows")
 
 

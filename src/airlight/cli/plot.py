@@ -111,6 +111,6 @@ def plot(
         raise ParameterError(option, error.value, error.allowed) from None
     with shown_progress() as report:
         figure = draw(world, kind, choices, Work(cache=not no_cache, progress=report))
-    with whole_file(output) as place, place.open("wb") as file:
+    with whole_file(output) as part, part.open("wb") as file:
         write_figure(figure, file, suffix.removeprefix("."), dpi)
     print(f"{output}  {kind} of {world.name}")

@@ -63,10 +63,10 @@ def exposure_of(bright, grey):
     grey : float
         The luminance that is shown as middle grey.
     """
-    place = 0.99 * (bright.size - 1)
-    low = int(place)
+    rank = 0.99 * (bright.size - 1)
+    low = int(rank)
     high = min(low + 1, bright.size - 1)
-    dark = _DARK * (bright[low] + (place - low) * (bright[high] - bright[low]))
+    dark = _DARK * (bright[low] + (rank - low) * (bright[high] - bright[low]))
     total, count = 0.0, 0
     for i in range(bright.size):
         if bright[i] >= dark:

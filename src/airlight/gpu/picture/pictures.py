@@ -131,8 +131,7 @@ class Pictures:
         if nm.size > WAVELENGTHS:
             raise ParameterError("wavelengths", nm.size, f"at most {WAVELENGTHS} on the GPU")
         if weights is None:
-            spectrum = solution.planet.star.irradiances if solution.planet is not None else None
-            weights = picture_weights(nm, spectrum)
+            weights = picture_weights(nm, solution.lights[0].spectrum)
         if np.shape(weights) != (nm.size, 3):
             raise ParameterError("weights", np.shape(weights), f"an array of shape ({nm.size}, 3)")
         points = None if self.device.software else POINTS
@@ -142,7 +141,7 @@ class Pictures:
         )
         self._solution = solution
         self._weights = np.zeros((WAVELENGTHS, 3))
-        self._weights[: nm.size] = np.asarray(weights) * solution.medium.solar_irradiance[:, None]
+        self._weights[: nm.size] = solution.lights[0].colors(weights)
         self._groups.clear()
         self._seen = b""
 

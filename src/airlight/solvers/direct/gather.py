@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import compiled_loop
 from airlight.planets.medium import Medium
-from airlight.solvers.direct.layout import Layout, angle_of, angle_place, radius_of, sun_of, view_of
+from airlight.solvers.direct.layout import Layout, angle_index, angle_of, radius_of, sun_of, view_of
 from airlight.solvers.direct.settings import Settings
 from airlight.solvers.direct.trapezoid import sphere
 
@@ -192,7 +192,7 @@ def complete(r, axes, out):
         for j in range(axes.views):
             mu = view_of(j, r, axes)
             flat = sqrt(max((1.0 - mu) * (1.0 + mu) * (1.0 - mu_s) * (1.0 + mu_s), 0.0))
-            one, other = angle_place(mu * mu_s + flat, axes), angle_place(mu * mu_s - flat, axes)
+            one, other = angle_index(mu * mu_s + flat, axes), angle_index(mu * mu_s - flat, axes)
             low, high = min(one, other), max(one, other)
             if high - low > _NARROW:
                 continue_beyond(out[j, k], low, high)
@@ -213,20 +213,20 @@ def complete(r, axes, out):
 
 
 @compiled_loop
-def continue_alike(values, place, neighbour):
+def continue_alike(values, index, neighbour):
     """Give a row that is known at one index the shape of its neighbour.
 
     Parameters
     ----------
     values : array, shape (angles, channels)
         Identical logarithms; changed in place.
-    place : float
+    index : float
         Fractional index of the known angle.
     neighbour : array, shape (angles, channels)
     """
     n = values.shape[0]
-    node = min(max(int(place), 0), n - 2)
-    f = place - node
+    node = min(max(int(index), 0), n - 2)
+    f = index - node
     for q in range(values.shape[1]):
         own = values[node, q]
         there = (1.0 - f) * neighbour[node, q] + f * neighbour[node + 1, q]

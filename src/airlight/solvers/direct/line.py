@@ -31,7 +31,7 @@ FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
 
-class Air(NamedTuple):
+class LineOptics(NamedTuple):
     """Properties of a medium that lines need.
 
     Attributes
@@ -76,12 +76,12 @@ class Air(NamedTuple):
     graded: bool
 
 
-def air_of(medium: Medium, settings: Settings, steps: int) -> Air:
+def line_optics(medium: Medium, settings: Settings, steps: int) -> LineOptics:
     """Arrays of a medium for lines of ``steps`` steps."""
     scatterers = np.flatnonzero(medium.scattering.max(axis=1) > 0.0)
     table = ColumnTable.build(medium.bottom_radius, medium.top_radius, medium.density)
     rule = (graded if settings.graded else uniform)(steps)
-    return Air(
+    return LineOptics(
         medium.bottom_radius,
         medium.top_radius,
         medium.star_angular_radius,
@@ -129,7 +129,7 @@ class Line(NamedTuple):
     sun: tuple[FloatArray, ...]
 
 
-def new_line(air: Air) -> Line:
+def new_line(air: LineOptics) -> Line:
     """Workspace of one line; each thread needs its own."""
     constituents, wavelengths = air.extinction.shape
     points = air.rule[0].size * (MAX_EDGES if air.graded else 1)
@@ -156,7 +156,7 @@ def follow(r, mu, length, first_cut, second_cut, air, edges, path):
     first_cut, second_cut : float
         Distances at which the planet's shadow begins and ends; ignored by equal steps. [m]
     air, edges, path :
-        See ``Air`` and ``Line``.
+        See ``LineOptics`` and ``Line``.
 
     Returns
     -------

@@ -19,7 +19,7 @@ from airlight.solvers.direct.gather import (
     phase_nodes,
 )
 from airlight.solvers.direct.layout import Layout, layout_for
-from airlight.solvers.direct.line import Air, air_of, axes_shape, new_line
+from airlight.solvers.direct.line import LineOptics, axes_shape, line_optics, new_line
 from airlight.solvers.direct.passes import direct_light, first_pass, next_pass, sky_light
 from airlight.solvers.direct.settings import Settings
 
@@ -146,7 +146,7 @@ class _Passes:
     ) -> None:
         self.settings = settings
         self.axes: Layout = layout_for(medium, settings)
-        self.air: Air = air_of(medium, settings, settings.pass_steps)
+        self.air: LineOptics = line_optics(medium, settings, settings.pass_steps)
         self.directions: Directions = directions_for(self.axes, settings)
         self.phase, self.which = phase_nodes(medium, self.air.scatterers)
         self.progress, self.cancel = progress, cancel

@@ -36,7 +36,7 @@ def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
     i : int
         Index of the radius.
     axes, directions, air, line :
-        See ``Layout``, ``Directions``, ``Air`` and ``Line``.
+        See ``Layout``, ``Directions``, ``LineOptics`` and ``Line``.
     phase, which : array
         Arrays from ``phase_nodes``. [sr⁻¹]
     lit_ground : array, shape (suns, nl)
@@ -192,7 +192,7 @@ def direct_light(r, mu_s, nested, air, line, out):
     nested : bool
         Whether the column is integrated by the rule; otherwise it is looked up.
     air, line :
-        See ``Air`` and ``Line``.
+        See ``LineOptics`` and ``Line``.
     out : array, shape (nl,)
         Receives the irradiance. [1]
     """

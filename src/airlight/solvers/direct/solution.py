@@ -20,11 +20,11 @@ from airlight.optics.reflection import leaving_cosine
 from airlight.planets.medium import Medium
 from airlight.solvers.direct.layout import layout_for
 from airlight.solvers.direct.line import (
-    Air,
+    LineOptics,
     add_gathered,
     add_once,
-    air_of,
     axes_shape,
+    line_optics,
     new_line,
     place_rows,
     prepare,
@@ -70,7 +70,7 @@ class DirectSolution(Solution):
         self.medium = medium
         self.settings = settings
         self.parts = parts
-        self._airs = [air_of(one, settings, settings.steps) for one, _ in parts]
+        self._airs = [line_optics(one, settings, settings.steps) for one, _ in parts]
         kept = max(len(orders.each) for _, orders in parts) + 1 if settings.keep_orders else 1
         self.highest_order = kept
         self.report = Report(
@@ -92,7 +92,7 @@ class DirectSolution(Solution):
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
-        air = air_of(self.medium, self.settings, self.settings.steps)
+        air = line_optics(self.medium, self.settings, self.settings.steps)
         out, line = np.empty((r.size, self.wavelengths.size)), new_line(air)
         for k in range(r.size):
             direct_light(r[k], mu_s[k], True, air, line, out[k])
@@ -121,7 +121,12 @@ class DirectSolution(Solution):
 
 
 def _radiance(
-    medium: Medium, orders: Orders, air: Air, settings: Settings, sight: Sight, order: int | None
+    medium: Medium,
+    orders: Orders,
+    air: LineOptics,
+    settings: Settings,
+    sight: Sight,
+    order: int | None,
 ) -> FloatArray:
     n, wavelengths = sight.r.size, medium.wavelengths.size
     out = np.zeros((n, wavelengths))

@@ -17,8 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel.threads import Cancel, Progress, run_blocks
-from airlight.solvers.montecarlo.air import Air
 from airlight.solvers.montecarlo.histories import follow
+from airlight.solvers.montecarlo.history_optics import HistoryOptics
 from airlight.solvers.montecarlo.lit_air import new_lit
 from airlight.solvers.montecarlo.rays import new_trace
 from airlight.solvers.montecarlo.settings import Settings
@@ -92,7 +92,7 @@ class Question:
 
 def estimate(
     question: Question,
-    airs: Sequence[Air],
+    airs: Sequence[HistoryOptics],
     wavelengths: FloatArray,
     settings: Settings,
     *,
@@ -104,7 +104,7 @@ def estimate(
     Parameters
     ----------
     question : Question
-    airs : sequence of Air, length nl
+    airs : sequence of HistoryOptics, length nl
         Optical properties at each wavelength.
     wavelengths : array, shape (nl,)
         Wavelengths, from which the streams of random numbers are derived. [nm]
@@ -176,7 +176,7 @@ def estimate(
 
 
 def _run_block(
-    question: Question, line: int, air: Air, nm: float, block: int, settings: Settings,
+    question: Question, line: int, air: HistoryOptics, nm: float, block: int, settings: Settings,
     out: FloatArray,
 ) -> None:  # fmt: skip
     """Run one block of histories of one task."""

@@ -83,7 +83,7 @@ def follow(
         Orders below this one are followed but not counted.
     lit_share : float
         Share of the points that is drawn where the star shines; see ``lit_air``. [1]
-    air : Air
+    air : HistoryOptics
     state : array, shape (1,)
         State of the stream of random numbers.
     paths : tuple

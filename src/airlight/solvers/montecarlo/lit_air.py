@@ -171,8 +171,8 @@ def place_in_light(u, v, count, total, extinction, path, lit):
     weights = extinction.weights
     wanted = u * total
     at, k = 0, 0
-    for place in range(count * weights.size):
-        at, k = place // weights.size, place % weights.size
+    for piece in range(count * weights.size):
+        at, k = piece // weights.size, piece % weights.size
         if lit.mass[at, k] > 0.0:
             wanted -= lit.mass[at, k]
             if wanted <= 0.0:

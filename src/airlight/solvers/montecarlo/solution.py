@@ -15,8 +15,8 @@ from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import only_straight
-from airlight.solvers.montecarlo.air import make_air
 from airlight.solvers.montecarlo.estimate import Estimate, Question, estimate
+from airlight.solvers.montecarlo.history_optics import history_optics
 from airlight.solvers.montecarlo.settings import Settings
 from airlight.solvers.sight import Sight
 from airlight.solvers.single_scattering import reflected_once, single_scattering
@@ -94,7 +94,7 @@ class MonteCarloSolution(Solution):
         self.progress = progress
         self.cancel = cancel
         self.highest_order = settings.kept_orders
-        self.airs = [make_air(medium, k) for k in range(medium.wavelengths.size)]
+        self.airs = [history_optics(medium, k) for k in range(medium.wavelengths.size)]
         self.report: MonteCarloReport = MonteCarloReport(
             solver="montecarlo",
             settings=settings.as_text(),
@@ -208,7 +208,7 @@ class MonteCarloSolution(Solution):
         }
         sight, shape = self.lines_of_sight(**inputs)
         got = self.trace(sight)
-        sun = self.medium.solar_irradiance
+        sun = self.lights[0].irradiance
         unit = "W m-2 sr-1 nm-1"
         kept = self.settings.kept_orders
 

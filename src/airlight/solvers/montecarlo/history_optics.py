@@ -46,8 +46,8 @@ LARGEST_ERROR: Final = 1e-3
 MEAN_ERROR: Final = 2e-4
 
 
-class Air(NamedTuple):
-    """Air and ground at one wavelength.
+class HistoryOptics(NamedTuple):
+    """Optical properties of air and ground at one wavelength.
 
     Attributes
     ----------
@@ -77,7 +77,7 @@ class Air(NamedTuple):
     light: Starlight
 
 
-def make_air(medium: Medium, wavelength: int) -> Air:
+def history_optics(medium: Medium, wavelength: int) -> HistoryOptics:
     """Prepare a medium at one of its wavelengths.
 
     Parameters
@@ -106,18 +106,18 @@ def make_air(medium: Medium, wavelength: int) -> Air:
             rule.weights,
             np.ascontiguousarray(rule.running),
         )
-        places = np.empty((r.size, most_panels(chosen) * (points + 1)))
-        got = np.zeros_like(places)
-        places[:] = length[:, None]
+        distances = np.empty((r.size, most_panels(chosen) * (points + 1)))
+        got = np.zeros_like(distances)
+        distances[:] = length[:, None]
         got[:] = whole[:, None]
-        running_depths(r, mu, chosen, new_trace(chosen), places, got)
-        exact = columns(r[:, None], mu[:, None], places, medium.bottom_radius, density)
+        running_depths(r, mu, chosen, new_trace(chosen), distances, got)
+        exact = columns(r[:, None], mu[:, None], distances, medium.bottom_radius, density)
         lost = np.maximum(-np.expm1(-whole), 1e-300)[:, None]
         light = np.exp(-got) - np.exp(-(exact @ coefficients))
         error = np.where(whole[:, None] > 0.0, light / lost, 0.0)
         if np.abs(error).max() <= LARGEST_ERROR and np.sqrt(np.mean(error**2)) <= MEAN_ERROR:
             break
-    return Air(
+    return HistoryOptics(
         extinction=chosen,
         edges=density.edges,
         coefficients=density.coefficients,
@@ -164,7 +164,7 @@ def _test_rays(medium: Medium) -> tuple[FloatArray, FloatArray, FloatArray]:
 
 
 @compiled_loop
-def running_depths(r, mu, extinction, path, places, out):
+def running_depths(r, mu, extinction, path, distances, out):
     """Compute optical depths of rays to space up to their panels' points and the panels' ends.
 
     Parameters
@@ -172,7 +172,7 @@ def running_depths(r, mu, extinction, path, places, out):
     r, mu : array, shape (n,)
         Start of the rays. [m], [1]
     extinction, path : Extinction, Trace
-    places, out : array, shape (n, m)
+    distances, out : array, shape (n, m)
         Receive distances [m] and depths [1]; the remainder is unchanged.
     """
     nodes, running = extinction.nodes, extinction.running
@@ -186,7 +186,7 @@ def running_depths(r, mu, extinction, path, places, out):
                     t, depth = nodes[j], 0.0
                     for i in range(nodes.size):
                         depth += running[j, i] * path.values[panel, i]
-                places[k, at] = point_at(path.panels[panel], t, r[k], mu[k], extinction)[0]
+                distances[k, at] = point_at(path.panels[panel], t, r[k], mu[k], extinction)[0]
                 out[k, at] = before + depth
                 at += 1
             before += path.panels[panel, 5]
