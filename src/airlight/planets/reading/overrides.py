@@ -1,6 +1,6 @@
 """Single keys of a planet file changed before it is read: ``dust.particles.optical_depth = 1``.
 
-A path names a key as the file nests it, with dots, and items of lists by their place:
+A path names a key as the file nests it, with dots, and items of lists by their index:
 ``shell.top_radius``, ``star.distance``, ``ground.albedo[2]``. Constituents are found by their
 name, or as ``constituents[0]``.
 """
@@ -173,7 +173,7 @@ def _inside(root: dict[str, Any], place: Any, step: _Step, path: str) -> Any:
 
 
 def _steps(root: Mapping[str, Any], path: Any) -> list[_Step]:
-    """The keys and places that a path names, a constituent's name turned into its place."""
+    """The keys and indices that a path names, a constituent's name turned into its index."""
     if not isinstance(path, str) or not path.strip():
         raise ParameterError(FIELD, path, "a path such as ground.albedo")
     first = re.split(r"[.\[]", path, maxsplit=1)[0]
@@ -196,7 +196,7 @@ def _split(root: Mapping[str, Any], path: str) -> list[_Step]:
 
 
 def _names(root: Mapping[str, Any]) -> list[tuple[int, str]]:
-    """Places and names of the constituents, where there are any."""
+    """Indices and names of the constituents, where there are any."""
     listed = root.get("constituents")
     if not isinstance(listed, list):
         return []

@@ -15,7 +15,7 @@ _STEPS: Final = re.compile(r"([^.\[\]]+)|\[(\d{1,6})\]|\.")
 
 
 def steps_of(path: str) -> list[Step]:
-    """The keys and places that a path names.
+    """The keys and indices that a path names.
 
     Examples
     --------
@@ -52,15 +52,15 @@ def joined(path: str, step: Step) -> str:
 
 def get(tables: Tables, path: str) -> Any:
     """What stands at a path, or None if nothing does."""
-    place: Any = tables
+    node: Any = tables
     for step in steps_of(path):
-        if isinstance(place, dict) and isinstance(step, str):
-            place = place.get(step)
-        elif isinstance(place, list) and isinstance(step, int) and step < len(place):
-            place = place[step]
+        if isinstance(node, dict) and isinstance(step, str):
+            node = node.get(step)
+        elif isinstance(node, list) and isinstance(step, int) and step < len(node):
+            node = node[step]
         else:
             return None
-    return place
+    return node
 
 
 def put(tables: Tables, path: str, value: Any) -> Tables:
@@ -90,23 +90,23 @@ def put(tables: Tables, path: str, value: Any) -> Tables:
     return _put(tables, steps_of(path), value, path)  # type: ignore[no-any-return]
 
 
-def _put(place: Any, steps: list[Step], value: Any, path: str) -> Any:
+def _put(node: Any, steps: list[Step], value: Any, path: str) -> Any:
     step, rest = steps[0], steps[1:]
-    if isinstance(place, dict) and isinstance(step, str):
-        copy: Any = dict(place)
+    if isinstance(node, dict) and isinstance(step, str):
+        copy: Any = dict(node)
         if not rest and value is None:
             copy.pop(step, None)
             return copy
-        if rest and step not in place:
+        if rest and step not in node:
             raise ParameterError("path", path, "a path whose tables exist")
-    elif isinstance(place, list) and isinstance(step, int) and step < len(place):
-        copy = list(place)
+    elif isinstance(node, list) and isinstance(step, int) and step < len(node):
+        copy = list(node)
         if not rest and value is None:
             del copy[step]
             return copy
     else:
         raise ParameterError("path", path, "a path whose tables exist")
-    copy[step] = _put(place[step], rest, value, path) if rest else value
+    copy[step] = _put(node[step], rest, value, path) if rest else value
     return copy
 
 
@@ -124,7 +124,7 @@ def differences(first: Any, second: Any, path: str = "") -> Iterator[tuple[str, 
         for key in (*first, *(key for key in second if key not in first)):
             yield from differences(first.get(key), second.get(key), joined(path, key))
     elif isinstance(first, list) and isinstance(second, list) and len(first) == len(second):
-        for place, (one, other) in enumerate(zip(first, second, strict=True)):
-            yield from differences(one, other, joined(path, place))
+        for index, (one, other) in enumerate(zip(first, second, strict=True)):
+            yield from differences(one, other, joined(path, index))
     elif type(first) is not type(second) or first != second:
         yield path, first, second

@@ -29,7 +29,7 @@ _GROUPED: Final = ("shell", "ground", "star")
 
 
 @dataclass(frozen=True)
-class _Place:
+class _Cursor:
     """Where the walk is: path, kind of table, group, words before labels, lists of this part."""
 
     path: str
@@ -64,7 +64,7 @@ def parameters_of(tables: Tables) -> tuple[Parameter, ...]:
     >>> [(one.path, one.unit) for one in parameters_of(mars) if one.group == "shell"]
     [('shell.bottom_radius', 'km'), ('shell.top_radius', 'km')]
     """
-    return tuple(_table(tables, _Place("", "planet", "planet", "", {})))
+    return tuple(_table(tables, _Cursor("", "planet", "planet", "", {})))
 
 
 def group_of(constituents: list[Tables], index: int) -> str:
@@ -82,15 +82,15 @@ def key_at(tables: Tables, path: str) -> Key:
     ParameterError
         If nothing is declared there.
     """
-    place: Any = tables
+    cursor: Any = tables
     kind, found = "planet", None
     for step in steps_of(path):
         if isinstance(step, str):
             kind = kind if found is None else found.table
-            found = _declared(kind, step, path, place if isinstance(place, dict) else None)
-            place = place.get(step) if isinstance(place, dict) else None
+            found = _declared(kind, step, path, cursor if isinstance(cursor, dict) else None)
+            cursor = cursor.get(step) if isinstance(cursor, dict) else None
         else:
-            place = place[step] if isinstance(place, list) and step < len(place) else None
+            cursor = cursor[step] if isinstance(cursor, list) and step < len(cursor) else None
     assert found is not None
     return found
 
@@ -168,52 +168,52 @@ def _left_out(key: Key) -> Any:
 # --- the walk ---------------------------------------------------------------------------------
 
 
-def _table(table: Tables, place: _Place) -> Iterator[Parameter]:
+def _table(table: Tables, cursor: _Cursor) -> Iterator[Parameter]:
     for name in table:
-        _declared(place.kind, name, joined(place.path, name), table)
-    declared = keys_of(place.kind, table)
+        _declared(cursor.kind, name, joined(cursor.path, name), table)
+    declared = keys_of(cursor.kind, table)
     order = [key.name for key in declared]
     if order == ["*"]:
         for name, value in table.items():
             key = replace(declared[0], label=name)
-            yield from _value(key, value, joined(place.path, name), place)
+            yield from _value(key, value, joined(cursor.path, name), cursor)
         return
-    declared += tuple(key for key in keys_of(place.kind) if key.name not in order)
-    axes = {**place.axes, **{key.name: table[key.name] for key in declared if key.name in table}}
-    place = replace(place, axes=axes)
+    declared += tuple(key for key in keys_of(cursor.kind) if key.name not in order)
+    axes = {**cursor.axes, **{key.name: table[key.name] for key in declared if key.name in table}}
+    cursor = replace(cursor, axes=axes)
     for key in declared:
         value = table.get(key.name)
         if value is None and key.name in order and key.offered(table):
             value = _left_out(key)
         if value is not None:
-            yield from _value(key, value, joined(place.path, key.name), place)
+            yield from _value(key, value, joined(cursor.path, key.name), cursor)
 
 
-def _value(key: Key, value: Any, path: str, place: _Place) -> Iterator[Parameter]:
+def _value(key: Key, value: Any, path: str, cursor: _Cursor) -> Iterator[Parameter]:
     if key.kind == "table" and not _holds_tables(value):
         raise ParameterError(path, value, "a table" if key.name != "constituents" else "tables")
     if isinstance(value, dict):
-        yield from _table(value, _within(key, path, place, value))
+        yield from _table(value, _within(key, path, cursor, value))
     elif isinstance(value, list) and not _flat(value):
         for index, one in enumerate(value):
             here = joined(path, index)
             if key.name == "constituents":
                 group = group_of(value, index)
-                yield from _table(one, _Place(here, key.table, group, "", {}))
+                yield from _table(one, _Cursor(here, key.table, group, "", {}))
             else:
-                prefix = f"{place.prefix}{key.label} {index + 1}: "
-                yield from _table(one, replace(place, path=here, kind=key.table, prefix=prefix))
+                prefix = f"{cursor.prefix}{key.label} {index + 1}: "
+                yield from _table(one, replace(cursor, path=here, kind=key.table, prefix=prefix))
     elif isinstance(value, list):
-        yield from _items(key, value, path, place)
+        yield from _items(key, value, path, cursor)
     elif key.kind == "text" or (isinstance(value, str) and value.endswith(".csv")):
         least, most = key.range if key.kind == "text" else (0.0, math.inf)
-        yield _parameter(key, path, place, kind="text", least=max(least, 0.0), most=most)
+        yield _parameter(key, path, cursor, kind="text", least=max(least, 0.0), most=most)
     elif key.kind == "choice" or (isinstance(value, str) and value[:1].isalpha()):
         words = (*key.words(), *([key.stand_in] if key.stand_in else []))
         options = words if value in words else (*words, str(value))
-        yield _parameter(key, path, place, kind="choice", options=options)
+        yield _parameter(key, path, cursor, kind="choice", options=options)
     else:
-        yield _number(key, value, path, place)
+        yield _number(key, value, path, cursor)
 
 
 def _holds_tables(value: Any) -> bool:
@@ -223,44 +223,44 @@ def _holds_tables(value: Any) -> bool:
     return isinstance(value, dict)
 
 
-def _within(key: Key, path: str, place: _Place, table: Tables) -> _Place:
-    """The place of a table that stands at a key."""
-    if key.table in _GROUPED and place.kind == "planet":
-        return _Place(path, key.table, key.table, "", {})
-    prefix = place.prefix
-    if key.prefix and (not prefix or key.table == place.kind):
+def _within(key: Key, path: str, cursor: _Cursor, table: Tables) -> _Cursor:
+    """The cursor of a table that stands at a key."""
+    if key.table in _GROUPED and cursor.kind == "planet":
+        return _Cursor(path, key.table, key.table, "", {})
+    prefix = cursor.prefix
+    if key.prefix and (not prefix or key.table == cursor.kind):
         prefix = f"{key.prefix}: "
-    return replace(place, path=path, kind=key.table, prefix=prefix)
+    return replace(cursor, path=path, kind=key.table, prefix=prefix)
 
 
-def _items(key: Key, values: list[Any], path: str, place: _Place) -> Iterator[Parameter]:
-    axis = place.axes.get(key.per)
+def _items(key: Key, values: list[Any], path: str, cursor: _Cursor) -> Iterator[Parameter]:
+    axis = cursor.axes.get(key.per)
     for index, value in enumerate(values):
         here = joined(path, index)
         if isinstance(value, list):  # one row for each wavelength
-            row = replace(place, prefix=f"{place.prefix}row {index + 1}: ")
+            row = replace(cursor, prefix=f"{cursor.prefix}row {index + 1}: ")
             yield from _items(key, value, here, row)
             continue
         at = f"{index + 1}"
         if isinstance(axis, list) and index < len(axis):
             bare = {"nm": "nm", "km": "m", "deg": "deg"}[key.per_unit]
             at = f"at {number_in(axis[index], key.per_unit, bare, here):g} {key.per_unit}"
-        one = _number(replace(key, label=f"{key.label} {at}"), value, here, place)
+        one = _number(replace(key, label=f"{key.label} {at}"), value, here, cursor)
         yield replace(one, part_of=path)
 
 
-def _number(key: Key, value: Any, path: str, place: _Place) -> Parameter:
+def _number(key: Key, value: Any, path: str, cursor: _Cursor) -> Parameter:
     now = number_in(value, key.shown_unit, key.unit, path)
     ends, (least, most) = key.ends, key.limits
     low, high = min(ends[0], now), max(ends[1], now)
-    if place.kind == "shell":
-        low, high = _shell_range(key, now, place.axes, path)
+    if cursor.kind == "shell":
+        low, high = _shell_range(key, now, cursor.axes, path)
     if key.scale == "log" and low <= 0.0:
         low = ends[0]
     return _parameter(
         key,
         path,
-        place,
+        cursor,
         kind="number",
         unit=key.shown_unit,
         low=low,
@@ -281,11 +281,11 @@ def _shell_range(key: Key, now: float, shell: Mapping[str, Any], path: str) -> t
     return max(0.1 * now, least), min(10.0 * now, most)
 
 
-def _parameter(key: Key, path: str, place: _Place, **more: Any) -> Parameter:
+def _parameter(key: Key, path: str, cursor: _Cursor, **more: Any) -> Parameter:
     return Parameter(
         path=path,
-        label=f"{place.prefix}{key.label}",
-        group=place.group,
+        label=f"{cursor.prefix}{key.label}",
+        group=cursor.group,
         help=key.help,
         mode=key.mode,
         **more,

@@ -14,7 +14,7 @@ def switched(planet: Planet, off: tuple[int, ...]) -> Planet:
     planet : Planet
         Not changed.
     off : tuple of int
-        Places of the constituents that are switched off.
+        Indices of the constituents that are switched off.
 
     Returns
     -------

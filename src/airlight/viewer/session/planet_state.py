@@ -29,7 +29,7 @@ class PlanetState:
     tables : dict
         Those that it has now.
     off : tuple of int
-        Places of the constituents that are switched off, ascending.
+        Indices of the constituents that are switched off, ascending.
     """
 
     source: str
