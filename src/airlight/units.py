@@ -1,4 +1,4 @@
-"""Text with a unit to a number in SI, at the door only: usual units by a table, others by pint."""
+"""Conversion of text with a unit to a number in SI: usual units by a table, others by pint."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ _USUAL: Final[dict[str, tuple[float, _Dimension]]] = {
     "1": (1.0, _NUMBER),
 }
 
-#: Units that angles and wavelengths are kept in, beside SI for all else.
+#: Units of angles and wavelengths, which are not converted to SI.
 _KEPT = {"deg": "degree", "nm": "nanometer", "1": "dimensionless"}
 
 
@@ -54,33 +54,33 @@ def _registry() -> pint.UnitRegistry[Any]:
 
     try:
         return pint.UnitRegistry(cache_folder=":auto:")  # parsed definitions, a tenth of a second
-    except Exception:  # a home without a place for it, or a damaged cache
+    except Exception:  # a home without a writable cache, or a damaged one
         return pint.UnitRegistry()
 
 
 def quantity(text: str | float, unit: str, field: str = "value") -> float:
     """Convert one number with a unit to a float in the given unit.
 
-    A number without a unit is taken to be in ``unit`` already.
+    A number without a unit is taken to be in ``unit``.
 
     Parameters
     ----------
     text : str or float
-        For example ``"8 km"``, ``"5.802e-6 /m"``, ``"0.2678 deg"``, ``8000.0``.
+        Number with a unit, such as ``"8 km"``, ``"5.802e-6 /m"``, ``"0.2678 deg"``, ``8000.0``.
     unit : str
-        The unit of the result, in pint's spelling: ``"m"``, ``"1/m"``, ``"deg"``, ``"1"``.
+        Unit of the result, in pint's spelling: ``"m"``, ``"1/m"``, ``"deg"``, ``"1"``.
     field : str
-        Named in the error.
+        Field named in the error.
 
     Returns
     -------
     float
-        Finite. [unit]
+        Finite value. [unit]
 
     Raises
     ------
     ParameterError
-        If the text is no number, has a unit of another kind, or is not finite.
+        If the text is not a number, has a unit of another dimension, or is not finite.
 
     Examples
     --------
@@ -105,8 +105,8 @@ def quantity(text: str | float, unit: str, field: str = "value") -> float:
 
 
 _NAME = r"[A-Za-zµμ°%Å]+(?:(?:\^|\*\*)?-?[1-9])?"
-#: A number, then at most a unit: names with a one-digit power, joined by ``*``, ``/`` or a space.
-#: Anything wider would hand pint an expression to evaluate.
+#: A number, then at most one unit: names with a one-digit power, joined by ``*``, ``/`` or a space.
+#: Anything wider would let pint evaluate an expression.
 _FORM = re.compile(
     r"\s*(?P<number>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)"
     rf"\s*(?P<unit>(?:1?\s*/\s*)?(?:{_NAME})(?:\s*[*/ ]\s*{_NAME})*)?\s*"
@@ -139,7 +139,7 @@ def _factor(given: str, unit: str) -> float:
     return float((source / target).to("dimensionless").magnitude)
 
 
-#: One unit of a product, the sign before it (none before the first), and its power.
+#: Unit in a product, the sign before it (none before the first), and its power.
 _PART: Final = re.compile(r"\s*([*/ ]?)\s*([A-Za-zµ]+|1)(?:(?:\^|\*\*)(-?[1-9]))?")
 
 
@@ -169,7 +169,7 @@ def _usual(text: str) -> tuple[float, _Dimension] | None:
 def quantities(
     text: str | float | list[Any] | tuple[Any, ...], unit: str, field: str = "value"
 ) -> list[float]:
-    """A list of numbers with units, as floats in the unit asked for.
+    """Convert a list of numbers with units to floats in the given unit.
 
     Accepts a single quantity, a list of quantities, or one text with commas whose last
     item carries the unit for all that have none: ``"680, 550, 440 nm"``.

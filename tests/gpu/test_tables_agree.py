@@ -288,7 +288,7 @@ CASES = [
     Case(place_in_grid, (sweep.place_of,), (MU,), {"place": GRID}, atol=40 * 33 * 4 * EPS),
     # As the grid's: 512 nodes, over twice the root of the lowest height, 1 km of 100.
     Case(place_of_density, (columns.density_place,), (R,), atol=512 * METRES / 1e5 / 0.2),
-    # Places in the table as in test_kernels_agree, its steps a fifth; a way of up to 1000 km.
+    # Positions in the table as in test_kernels_agree, its steps a fifth; a way of up to 1000 km.
     Case(three_columns, (column_ratios.columns_to_top,), (R, uniform(0.05, 1.0)),
          {"ratios": RATIOS}, rtol=1e-4, atol=4 * METRES),
     Case(corners_cut, (columns.cut_at_corners,), (uniform(BOTTOM, BOTTOM + 15e3),

@@ -1,4 +1,4 @@
-"""``airlight show``: what a planet is made of, and the colour of its sky."""
+"""``airlight show``: composition of a planet, and the colour of its sky."""
 
 from __future__ import annotations
 
@@ -158,7 +158,7 @@ def _metres(value: float) -> str:
 
 
 def _parameters(thing: Any) -> str:
-    """A parameter object in words: its kind, as planet files call it, and what it was given."""
+    """Describe a parameter object: its kind, as in planet files, and its values."""
     from airlight.planets.schema.record import fields_of
 
     words = [thing.keyword or type(thing).__name__.lower()]
@@ -182,7 +182,7 @@ def _parameters(thing: Any) -> str:
 
 
 def _swatch(planet: Planet, *, cache: bool) -> RenderableType:
-    """The sky on the ground with the sun half-way up, as blocks of colour with their codes."""
+    """Sky on the ground with the sun half-way up, as blocks of colour with their codes."""
     from rich.text import Text
 
     from airlight.cli.progress import shown_progress

@@ -1,4 +1,4 @@
-"""Exposure: how bright the display shows a radiance, given or found from the picture."""
+"""Exposure: factor from radiance to display, given or measured on the picture."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from airlight.color.xyz import luminance
 from airlight.errors import ParameterError
 from airlight.kernel import compiled_loop
 
-#: The exposure that suits the sunlit Earth. [EV]
+#: Default exposure, suited to the sunlit Earth. [EV]
 DEFAULT_EXPOSURE: Final = -2.5
-#: Linear reflectance of the photographer's grey card.
+#: Linear reflectance of a photographer's grey card.
 MIDDLE_GREY: Final = 0.18
-#: Pixels darker than this part of the picture's bright end do not count: the black of space.
+#: Pixels darker than this fraction of the picture's bright end do not count: the black of space.
 _DARK: Final = 1e-4
-#: About so many pixels are looked at, every k-th row and column.
+#: Approximate number of pixels sampled, every k-th row and column.
 _SAMPLE: Final = 1_000_000
 
 
@@ -30,17 +30,17 @@ def exposure_factor(exposure: float) -> float:
     Parameters
     ----------
     exposure : float
-        -100 to 100. [EV]
+        Exposure, -100 to 100. [EV]
 
     Returns
     -------
     float
-        [1]
+        Factor. [1]
 
     Raises
     ------
     ParameterError
-        If it is outside, or no number.
+        If it is outside that range, or not a number.
 
     Examples
     --------
@@ -63,10 +63,10 @@ def exposure_of(bright, grey):
     grey : float
         The luminance that is shown as middle grey.
     """
-    place = 0.99 * (bright.size - 1)
-    low = int(place)
+    rank = 0.99 * (bright.size - 1)
+    low = int(rank)
     high = min(low + 1, bright.size - 1)
-    dark = _DARK * (bright[low] + (place - low) * (bright[high] - bright[low]))
+    dark = _DARK * (bright[low] + (rank - low) * (bright[high] - bright[low]))
     total, count = 0.0, 0
     for i in range(bright.size):
         if bright[i] >= dark:
@@ -76,25 +76,25 @@ def exposure_of(bright, grey):
 
 
 def automatic_exposure(rgb: NDArray[np.floating], tone_map: str = "hable") -> float:
-    r"""The exposure that shows the picture's log-average luminance as middle grey.
+    r"""Exposure at which the picture's log-average luminance appears as middle grey.
 
     .. math:: \bar L = \exp\left(\frac1N \sum \ln L\right), \quad
               \mathrm{EV} = \log_2 (x_{0.18} / \bar L)
 
-    where the tone map shows x₀.₁₈ as 0.18. Pixels below 1e-4 of the picture's 99th percentile are
-    left out, so that black space around a planet does not make the planet white.
+    where the tone map maps x₀.₁₈ to 0.18. Pixels below 1e-4 of the picture's 99th percentile are
+    left out, so that black space does not overexpose the planet.
 
     Parameters
     ----------
     rgb : array, shape (height, width, 3)
         Linear sRGB; of a large picture about a million pixels on a regular grid are used.
     tone_map : str
-        One of ``TONE_MAPS``.
+        Tone map, one of ``TONE_MAPS``.
 
     Returns
     -------
     float
-        -100 to 100; 0 for a black picture. [EV]
+        Exposure, -100 to 100; 0 for a black picture. [EV]
 
     References
     ----------

@@ -23,7 +23,7 @@ from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Solution
 from airlight.tables.columns import columns
-from airlight.tables.layout import Places
+from airlight.tables.layout import Positions
 
 FloatArray = NDArray[np.float64]
 
@@ -33,17 +33,17 @@ _SKY = 12
 _SUNS = 129
 
 
-def lines_of_sight(places: Places, medium: Medium) -> Sight:
+def lines_of_sight(positions: Positions, medium: Medium) -> Sight:
     """Convert points to lines of sight, each ending on its side of the horizon."""
-    down = vectorized(distance_to_bottom)(places.r, places.mu, medium.bottom_radius)
-    up = vectorized(distance_to_top)(places.r, places.mu, medium.top_radius)
+    down = vectorized(distance_to_bottom)(positions.r, positions.mu, medium.bottom_radius)
+    up = vectorized(distance_to_top)(positions.r, positions.mu, medium.top_radius)
     return Sight(
-        places.r,
-        places.mu,
-        places.mu_s,
-        places.nu,
-        np.where(places.to_ground, down, up),
-        places.to_ground,
+        positions.r,
+        positions.mu,
+        positions.mu_s,
+        positions.nu,
+        np.where(positions.to_ground, down, up),
+        positions.to_ground,
     )
 
 

@@ -51,10 +51,10 @@ def write_exr(
         "whiteLuminance": LUMINOUS_EFFICACY,
         **header(metadata or {}),
     }
-    with whole_file(path) as place:
+    with whole_file(path) as part:
         try:
             image = OpenEXR.File(attributes, {"RGB": np.ascontiguousarray(rgb)})
-            image.write(str(place))
+            image.write(str(part))
         except (RuntimeError, ValueError, TypeError) as error:
             raise FileError(path, f"cannot be written: {error}") from error
 
@@ -93,10 +93,10 @@ def write_exr_channels(
         "type": OpenEXR.scanlineimage,
         **header(metadata or {}),
     }
-    with whole_file(path) as place:
+    with whole_file(path) as part:
         try:
             arrays = {name: np.ascontiguousarray(array) for name, array in channels.items()}
-            OpenEXR.File(attributes, arrays).write(str(place))
+            OpenEXR.File(attributes, arrays).write(str(part))
         except (RuntimeError, ValueError, TypeError) as error:
             raise FileError(path, f"cannot be written: {error}") from error
 

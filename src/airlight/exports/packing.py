@@ -20,7 +20,7 @@ from airlight.optics.phase_functions import rayleigh
 from airlight.planets.medium import Medium
 from airlight.solvers.scattered_once import scattered_once
 from airlight.tables.atmosphere_plus import at_azimuth
-from airlight.tables.layout import Places
+from airlight.tables.layout import Positions
 from airlight.tables.scattered_light import PhaseFunctions
 
 FloatArray = NDArray[np.float64]
@@ -100,7 +100,7 @@ def slug(name: str) -> str:
 
 
 def split_once(
-    air: AirLight, places: Places, parts: Parts, *, each: bool
+    air: AirLight, positions: Positions, parts: Parts, *, each: bool
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Split light into gas, particles and higher orders at points whose ν is known.
 
@@ -119,18 +119,18 @@ def split_once(
         their mean (kinds = 1). [1]
     """
     medium = air.solution.medium
-    sight = lines_of_sight(places, medium)
+    sight = lines_of_sight(positions, medium)
     kinds = len(parts.phases.names) - 1
     if not air.has_first:
         light = air(sight)
-        return np.zeros_like(light), light, np.zeros((len(places), kinds, light.shape[-1]))
+        return np.zeros_like(light), light, np.zeros((len(positions), kinds, light.shape[-1]))
     light, first = air.with_first(sight)
-    own = medium.phase_function(places.nu)
+    own = medium.phase_function(positions.nu)
     once = scattered_once(medium, sight)
     gas, particles = list(parts.gas), list(parts.particles)
     if each:  # as in the look-up
         for kind, index in zip(parts.phases.names[1:], particles, strict=True):
-            own[:, index] = parts.phases.at(kind, places.nu)
+            own[:, index] = parts.phases.at(kind, positions.nu)
     from_gas = (own[:, gas] * once[:, gas]).sum(axis=1)
     from_particles = (own[:, particles] * once[:, particles]).sum(axis=1)
     safe = np.maximum(from_particles, 1e-300)
@@ -141,13 +141,13 @@ def split_once(
     factor = np.minimum(factor, light / safe)
     left = np.maximum(light - factor * from_particles, 0.0)
     of_gas = np.minimum(from_gas, left)
-    smooth = of_gas / parts.phases.at("gas", places.nu)
+    smooth = of_gas / parts.phases.at("gas", positions.nu)
     if each:
         dust = once[:, particles] * factor[:, None]
     elif kinds:
-        dust = (factor * from_particles / parts.phases.at("particles", places.nu))[:, None]
+        dust = (factor * from_particles / parts.phases.at("particles", positions.nu))[:, None]
     else:
-        dust = np.zeros((len(places), 0, light.shape[-1]))
+        dust = np.zeros((len(positions), 0, light.shape[-1]))
     return smooth, left - of_gas, dust
 
 
@@ -183,13 +183,13 @@ def combine(
 
 
 def fit_azimuths(
-    air: AirLight, places: Places, parts: Parts, *, grey: bool
+    air: AirLight, positions: Positions, parts: Parts, *, grey: bool
 ) -> tuple[FloatArray, FloatArray]:
     """Smooth light and particles' light that fit all azimuths best, by relative least squares.
 
     Parameters
     ----------
-    air, places, parts
+    air, positions, parts
         Air's light, points (at any azimuth), and the phase functions ``gas`` and ``particles``.
     grey : bool
         Whether the particles' light is one number for all wavelengths.
@@ -203,19 +203,19 @@ def fit_azimuths(
     """
     medium = air.solution.medium
     azimuths = 180.0 * (np.arange(FIT_AZIMUTHS) + 0.5) / FIT_AZIMUTHS
-    around = [at_azimuth(places, azimuth) for azimuth in azimuths]
+    around = [at_azimuth(positions, azimuth) for azimuth in azimuths]
     light = np.stack([air(lines_of_sight(one, medium)) for one in around])
     p_gas = np.stack([parts.phases.at("gas", one.nu) for one in around])
     weight = 1.0 / np.maximum(light, _DIM * light.max(axis=0) + _TINY) ** 2
     gas_gas = (weight * p_gas * p_gas).sum(axis=0)
     gas_light = (weight * p_gas * light).sum(axis=0)
     if not parts.particles:
-        nothing = np.zeros((len(places), 1 if grey else light.shape[-1]))
+        nothing = np.zeros((len(positions), 1 if grey else light.shape[-1]))
         return gas_light / gas_gas, nothing
     p_dust = np.stack([parts.phases.at("particles", one.nu) for one in around])
     once = np.zeros(light.shape[1:])
     if air.has_first:
-        across = at_azimuth(places, 90.0)
+        across = at_azimuth(positions, 90.0)
         scattered = scattered_once(medium, lines_of_sight(across, medium))
         once = scattered[:, list(parts.particles)].sum(axis=1)
     gas_dust = (weight * p_gas * p_dust).sum(axis=0)

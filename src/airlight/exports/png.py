@@ -61,7 +61,7 @@ def write_png(
     for name, text in header(metadata or {}).items():
         info.add_text(name, text)
     image: Any = Image.fromarray(np.ascontiguousarray(pixels))
-    with whole_file(path) as place, place.open("wb") as stream:
+    with whole_file(path) as part, part.open("wb") as stream:
         image.save(stream, format="png", pnginfo=info, compress_level=5)
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import vectorized
 from airlight.planets.medium import Medium
-from airlight.tables.layout import Places
+from airlight.tables.layout import Positions
 
 FloatArray = NDArray[np.float64]
 
@@ -67,7 +67,9 @@ class Errors:
         return asdict(self)
 
 
-def random_places(medium: Medium, count: int, seed: int, azimuth: float | None = None) -> Places:
+def random_positions(
+    medium: Medium, count: int, seed: int, azimuth: float | None = None
+) -> Positions:
     """Random points and directions in the shell.
 
     Altitudes are the square of an even distribution over the shell, zenith angles of view and
@@ -79,15 +81,15 @@ def random_places(medium: Medium, count: int, seed: int, azimuth: float | None =
     mu, mu_s = np.cos(np.pi * view), np.cos(np.radians(LOWEST_SUN) * sun)
     turn = np.cos(np.pi * around if azimuth is None else np.full(count, np.radians(azimuth)))
     nu = np.clip(mu * mu_s + np.sqrt((1.0 - mu**2) * (1.0 - mu_s**2)) * turn, -1.0, 1.0)
-    return Places.of(r, mu, mu_s, nu, bottom_radius=medium.bottom_radius)
+    return Positions.of(r, mu, mu_s, nu, bottom_radius=medium.bottom_radius)
 
 
-def above_horizon(places: Places, medium: Medium) -> Places:
+def above_horizon(positions: Positions, medium: Medium) -> Positions:
     """The same radii with views between the horizon and the zenith, evenly in angle."""
-    horizon = np.arccos(vectorized(horizon_cosine)(places.r, medium.bottom_radius))
-    mu = np.cos(horizon * (np.arccos(places.mu) / np.pi) * (1.0 - 1e-9))
-    return Places.of(
-        places.r, mu, places.mu_s, places.nu,
+    horizon = np.arccos(vectorized(horizon_cosine)(positions.r, medium.bottom_radius))
+    mu = np.cos(horizon * (np.arccos(positions.mu) / np.pi) * (1.0 - 1e-9))
+    return Positions.of(
+        positions.r, mu, positions.mu_s, positions.nu,
         bottom_radius=medium.bottom_radius, to_ground=False,
     )  # fmt: skip
 
@@ -95,7 +97,7 @@ def above_horizon(places: Places, medium: Medium) -> Places:
 def judge(
     table: FloatArray,
     solver: FloatArray,
-    places: Places,
+    positions: Positions,
     medium: Medium,
     *,
     quantity: str,
@@ -121,10 +123,10 @@ def judge(
     size = np.abs(np.where(judged, error, 0.0))
     row, column = np.unravel_index(int(size.argmax()), size.shape)
     worst = {
-        "altitude_m": places.r[row] - medium.bottom_radius,
-        "view_zenith_deg": np.degrees(np.arccos(places.mu[row])),
-        "sun_zenith_deg": np.degrees(np.arccos(places.mu_s[row])),
-        "view_to_sun_deg": np.degrees(np.arccos(places.nu[row])),
+        "altitude_m": positions.r[row] - medium.bottom_radius,
+        "view_zenith_deg": np.degrees(np.arccos(positions.mu[row])),
+        "sun_zenith_deg": np.degrees(np.arccos(positions.mu_s[row])),
+        "view_to_sun_deg": np.degrees(np.arccos(positions.nu[row])),
         "wavelength_nm": medium.wavelengths[column],
         "table": table[row, column],
         "solver": solver[row, column],

@@ -81,13 +81,13 @@ def whole_file(path: str | Path) -> Iterator[Path]:
     ['note.txt']
     """
     target = check_target(path)
-    place = target.with_name(f".{secrets.token_hex(8)}.part")
+    part = target.with_name(f".{secrets.token_hex(8)}.part")
     try:
-        place.touch(exist_ok=False)
-        yield place
-        place.replace(target)
+        part.touch(exist_ok=False)
+        yield part
+        part.replace(target)
     except OSError as error:
         raise FileError(path, f"cannot be written: {error.strerror or error}") from error
     finally:
         with contextlib.suppress(OSError):
-            place.unlink(missing_ok=True)
+            part.unlink(missing_ok=True)

@@ -103,11 +103,11 @@ def insert_edge(edges, count, cut):
     """
     if not 0.0 < cut < edges[count - 1] or count >= edges.size:
         return count
-    place = count
-    while edges[place - 1] > cut:
-        edges[place] = edges[place - 1]
-        place -= 1
-    edges[place] = cut
+    index = count
+    while edges[index - 1] > cut:
+        edges[index] = edges[index - 1]
+        index -= 1
+    edges[index] = cut
     return count + 1
 
 

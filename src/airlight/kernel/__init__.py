@@ -1,7 +1,7 @@
 """The ``@kernel`` decorator: a scalar formula, compiled once for solvers, renderer and NumPy.
 
-Compiled code is cached on disk in a folder named for the ``fingerprint`` of its source file and of
-all that this imports.
+Compiled code is cached on disk in a folder named by the ``fingerprint`` of its source file and of
+everything that it imports.
 """
 
 from __future__ import annotations
@@ -22,17 +22,18 @@ import platformdirs
 
 from airlight.kernel.fingerprints import fingerprint
 
-#: Fast-math flags that keep the meaning of NaN and infinity; inputs are checked at the door.
+#: Fast-math flags that keep the meaning of NaN and infinity; inputs are checked at the public
+#: functions.
 FAST: Final = frozenset({"contract", "reassoc", "nsz", "arcp", "afn"})
 
-#: How many fingerprints of a source file's compiled code stay on disk.
+#: Number of fingerprints per source file whose compiled code stays on disk.
 _KEPT_FINGERPRINTS: Final = 8
 
 
 def cache_folder() -> Path:
-    """The folder for everything that airlight keeps between runs.
+    """Folder for everything that airlight keeps between runs.
 
-    ``AIRLIGHT_CACHE`` names another one.
+    ``AIRLIGHT_CACHE`` names another folder.
     """
     named = os.environ.get("AIRLIGHT_CACHE")
     return Path(named) if named else Path(platformdirs.user_cache_dir("airlight", appauthor=False))
@@ -74,8 +75,8 @@ def _declare(
     folder = _compiled_folder(function.__code__.co_filename)
     if folder is None:
         return make(**options)(function)
-    # A formula and its loop have one name and one line, by which Numba finds a cache entry: each
-    # kind has a folder of its own.
+    # A formula and its loop have one name and one line, by which Numba identifies a cache entry:
+    # each kind has a folder of its own.
     with _numba_cache(folder / kind):
         try:
             return _apart(make(cache=True, **options)(function))
@@ -84,11 +85,11 @@ def _declare(
 
 
 def _apart(dispatcher: Any) -> Any:
-    """Give the files of code that this process compiles names that no other process uses.
+    """Give the code files compiled by this process names that no other process uses.
 
-    Numba numbers them by what the index held a moment ago. Two processes that compile a function
-    for different types at once would take the same number, and the code of the one would later run
-    as that of the other. With names apart, one entry of the index may get lost and is made again.
+    Numba numbers them by its index at that moment. Two processes that compile a function for
+    different types at once would take the same number, and one's code would later run as the
+    other's. With distinct names, at worst an entry of the index is lost and compiled again.
     """
     files: Any = getattr(getattr(dispatcher, "_cache", None), "_cache_file", None)
     pattern = getattr(files, "_data_name_pattern", None)
@@ -123,7 +124,7 @@ def kernel(function: Callable[..., Any]) -> Any:
 
 
 def inlined(function: Callable[..., Any]) -> Any:
-    """A part of a compiled loop that is always inlined: for what takes arrays in a hot loop."""
+    """Mark a part of a compiled loop to be always inlined: for functions of arrays in hot loops."""
     return _declare(
         numba.njit,
         function,
@@ -144,21 +145,21 @@ def compiled_loop(function: Callable[..., Any]) -> Any:
 
 @cache
 def vectorized(scalar: Any) -> Callable[..., Any]:
-    """A kernel as a function of arrays: the same formula, broadcasting as NumPy's own functions do.
+    """Convert a kernel to a function of arrays that broadcasts like NumPy's functions.
 
     Numba's ufuncs would do the same, but wrap the compiled code anew in every process, which takes
-    40 ms each; what is made here is loaded from the cache in 5.
+    40 ms each; this loop is loaded from the cache in 5 ms.
 
     Parameters
     ----------
     scalar : kernel
-        What ``kernel`` returned.
+        Function returned by ``kernel``.
 
     Returns
     -------
     callable
-        Takes arrays or numbers, which broadcast; the answer's shape is theirs, its type is what the
-        formula makes of their types. Compiled at the first call with given types.
+        Function of arrays or numbers, which broadcast; the result has their shape, and the type
+        that the formula gives for their types. Compiled at the first call with given types.
 
     Examples
     --------
@@ -175,7 +176,7 @@ def vectorized(scalar: Any) -> Callable[..., Any]:
         arrays = [np.asarray(argument) for argument in arguments]
         shape = np.broadcast_shapes(*(array.shape for array in arrays))
         count = math.prod(shape)
-        if count == 0:  # only the type of the answer is wanted
+        if count == 0:  # only the type of the result is needed
             return np.empty(shape, loop(1, *(np.ones(1, a.dtype) for a in arrays)).dtype)
         flat = [a if a.size == 1 or a.shape == shape else np.broadcast_to(a, shape) for a in arrays]
         return loop(count, *(a.reshape(-1) for a in flat)).reshape(shape)[()]
@@ -184,7 +185,7 @@ def vectorized(scalar: Any) -> Callable[..., Any]:
 
 
 def _elementwise_loop(scalar: Any) -> Any:
-    """``loop(count, *arrays)``: the kernel of every element; an array of one element is a number.
+    """Return ``loop(count, *arrays)``, the kernel of every element; arrays of one element repeat.
 
     Written out for the kernel's number of arguments, under its name and line, since Numba takes no
     list of arrays of several types, and keeps what it compiles by file, name and line.

@@ -73,7 +73,7 @@ def cosine_from_view(x, to_ground, r, bottom_radius, top_radius):
 
 
 @kernel
-def view_place(x, to_ground, n):
+def view_index(x, to_ground, n):
     """Fractional index on the axis of n views, between 0 and n - 1; n is even. [1]
 
     The ground's half comes first, from the horizon to straight down; then the sky's, from straight
@@ -86,12 +86,12 @@ def view_place(x, to_ground, n):
 
 
 @kernel
-def view_from_place(place, n):
-    """Inverse of ``view_place``: (coordinate in its half, whether it ends on the ground)."""
+def view_from_index(index, n):
+    """Inverse of ``view_index``: (coordinate in its half, whether it ends on the ground)."""
     half = n // 2
-    if place < half - 0.5:
-        return min(max(1.0 - place / (half - 1.0), 0.0), 1.0), True
-    return min(max((place - half) / (half - 1.0), 0.0), 1.0), False
+    if index < half - 0.5:
+        return min(max(1.0 - index / (half - 1.0), 0.0), 1.0), True
+    return min(max((index - half) / (half - 1.0), 0.0), 1.0), False
 
 
 @kernel

@@ -83,12 +83,12 @@ def split_index(i, width, height):
 
 
 @kernel
-def cell(place, first, last):
+def cell(index, first, last):
     """Neighbours of a fractional index, and the share of the second.
 
     Parameters
     ----------
-    place : float
+    index : float
         Fractional index, clamped to [first, last]. [1]
     first, last : int
         Ends of the range of values that may be used.
@@ -99,7 +99,7 @@ def cell(place, first, last):
     share : float
         Share of the upper neighbour, 0 to 1. [1]
     """
-    held = min(max(place, float(first)), float(last))
+    held = min(max(index, float(first)), float(last))
     lower = min(int(held), max(last - 1, first))
     upper = min(lower + 1, last)
     return lower, upper, held - lower

@@ -1,12 +1,13 @@
-"""How the ground reflects: one object that every solver, sweep and march asks.
+"""Reflection by the ground: one object for every solver, sweep and march.
 
-A law of reflection says how bright the ground is, seen along a line, in the units of a white one
-that scatters evenly (Lambert) in the same light: the reflectance factor, π times the BRDF
-(Nicodemus et al. 1977, NBS Monograph 160). It is asked twice, because the ground's light has two
-parts: the star's comes from one direction, the sky's from all.
+A law of reflection gives the radiance of the ground along a line, relative to that of a white
+Lambert surface in the same light: the reflectance factor, π times the BRDF (Nicodemus et al. 1977,
+NBS Monograph 160). It is evaluated twice, because the ground's light has two parts: the star's
+comes from one direction, the sky's from all.
 
 A new law is a file of its own with its two factors, a number in ``LAWS``, and a branch in
-``star_factor`` and ``sky_factor``; what it needs beside the albedo is a field of ``Reflection``.
+``star_factor`` and ``sky_factor``; its parameters other than the albedo are fields of
+``Reflection``.
 """
 
 from __future__ import annotations
@@ -22,20 +23,19 @@ from airlight.kernel.lanes import load
 
 FloatArray = NDArray[np.float64]
 
-#: Laws of reflection by name, as kernels tell them apart.
+#: Laws of reflection by name, with the numbers that kernels use.
 LAWS: Final = {"lambert": 0}
 
 
 class Reflection(NamedTuple):
-    """The ground as kernels take it.
+    """Ground as an argument of kernels.
 
     Attributes
     ----------
     law : int
-        One of ``LAWS``.
+        Number of the law in ``LAWS``.
     albedo : array, shape (w,), or float
-        Part of the light from all sides that is sent back; wavelengths in the lanes, or one of
-        them. [1]
+        Fraction of diffuse light that is reflected; wavelengths in the lanes, or one of them. [1]
     """
 
     law: Any
@@ -50,11 +50,11 @@ def star_factor(ground, at, mu_s, leaving, nu):
     ----------
     ground : Reflection
     at : int
-        First lane.
+        Index of the first lane.
     mu_s : float
         Cosine of the star's zenith angle at the ground. [1]
     leaving : float
-        Cosine of the zenith angle at which the light leaves, towards the observer. [1]
+        Cosine of the zenith angle of the reflected light, towards the observer. [1]
     nu : float
         Cosine between the line of sight, as it arrives at the ground, and the star. [1]
 
@@ -67,18 +67,18 @@ def star_factor(ground, at, mu_s, leaving, nu):
 
 @inlined
 def sky_factor(ground, at, leaving):
-    """Reflectance factor of the ground under a sky that is alike in all directions. [1]
+    """Reflectance factor of the ground under a uniform sky. [1]
 
-    By reciprocity this is also the part of a beam from the direction ``leaving`` that is sent
-    back at all.
+    By reciprocity this is also the total reflected fraction of a beam from the direction
+    ``leaving``.
 
     Parameters
     ----------
     ground : Reflection
     at : int
-        First lane.
+        Index of the first lane.
     leaving : float
-        Cosine of the zenith angle at which the light leaves, towards the observer. [1]
+        Cosine of the zenith angle of the reflected light, towards the observer. [1]
 
     Returns
     -------
@@ -94,7 +94,7 @@ def leaving_cosine(r, mu, bottom):
     Parameters
     ----------
     r, mu : float
-        Where the line is seen [m], and its zenith cosine there, towards the ground [1].
+        Radius at which the line is seen [m], and its zenith cosine there, towards the ground [1].
     bottom : float
         Radius of the ground. [m]
     """
@@ -104,13 +104,13 @@ def leaving_cosine(r, mu, bottom):
 
 @inlined
 def at_wavelength(ground, l):
-    """The ground at one of its wavelengths."""
+    """Return the ground at one of its wavelengths."""
     return Reflection(ground.law, ground.albedo[l])
 
 
 @compiled_loop
 def star_factors(ground, mu_s, leaving, nu, out):
-    """``star_factor`` of n lines at all wavelengths, into ``out``, shape (n, nl). [1]"""
+    """Write ``star_factor`` of n lines at all wavelengths to ``out``, shape (n, nl). [1]"""
     for k in range(mu_s.size):
         for l in range(out.shape[1]):
             out[k, l] = star_factor(at_wavelength(ground, l), 0, mu_s[k], leaving[k], nu[k])

@@ -20,6 +20,7 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.optics.bent_density import BentShell
 from airlight.optics.density_profile import DensitySegments, Row
 from airlight.optics.reflection import LAWS, Reflection
+from airlight.planets.light_source import LightSource
 from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
 from airlight.planets.matter.profiles import Uniform
 from airlight.planets.planet import Constituent, Planet
@@ -102,6 +103,17 @@ class Medium:
     refractivity: FloatArray
     constituents: tuple[Constituent, ...] = field(repr=False)
     map_brightness: float = 1.0
+
+    @property
+    def lights(self) -> tuple[LightSource, ...]:
+        """The light sources, sampled at the wavelengths: one today, the star."""
+        star = LightSource(
+            name="star",
+            angular_radius=self.star_angular_radius,
+            wavelengths=self.wavelengths,
+            irradiance=self.solar_irradiance,
+        )
+        return (star,)
 
     @property
     def ground(self) -> Reflection:

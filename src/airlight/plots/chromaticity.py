@@ -24,7 +24,7 @@ FloatArray = NDArray[np.float64]
 SUN_ZENITHS: Final = (30.0, 60.0, 80.0, 88.0)
 #: Directions in the sky: marker, view zenith angle as a function of the sun's, azimuth. [deg]
 _NEAR: Final = 10.0
-PLACES: Final = (("zenith", "o"), ("horizon", "s"), ("near the sun", "^"))
+DIRECTIONS: Final = (("zenith", "o"), ("horizon", "s"), ("near the sun", "^"))
 #: View zenith angle of the horizon's colour, at right angles to the sun's azimuth. [deg]
 _HORIZON: Final = 88.0
 #: Width and height of the picture of all colours. [pixel]
@@ -57,8 +57,8 @@ def _sky_rgb(solution: Solution, sun_zeniths: Sequence[float]) -> FloatArray:
     radiance = solution.radiance(
         altitude=0.0, sun_zenith=sun, view_zenith=view, azimuth=np.array([0.0, 90.0, 0.0])
     )
-    star = solution.planet.star.irradiances if solution.planet is not None else None
-    return np.asarray(np.asarray(radiance) @ rgb_weights(solution.wavelengths, star))
+    weights = rgb_weights(solution.wavelengths, solution.lights[0].spectrum)
+    return np.asarray(np.asarray(radiance) @ weights)
 
 
 def cie(solution: Solution, sun_zeniths: Sequence[float] = SUN_ZENITHS) -> Figure:
@@ -163,7 +163,7 @@ def _sky(
     axes: Any, points: FloatArray, rgb: FloatArray, suns: Sequence[float], *, labelled: bool
 ) -> None:
     """Draw one line per direction, from high to low sun, with markers in the sky's own colours."""
-    for k, (place, marker) in enumerate(PLACES):
+    for k, (position, marker) in enumerate(DIRECTIONS):
         axes.plot(*points[:, k].T, color=GREY, linewidth=1.0)
         peak = np.maximum(rgb[:, k].max(axis=-1, keepdims=True), 1e-300)
         axes.scatter(
@@ -173,14 +173,14 @@ def _sky(
             s=55.0 if labelled else 18.0,
             edgecolors="black",
             linewidths=0.9,
-            label=place,
+            label=position,
             zorder=4,
         )
     if not labelled:
         return
     apart = 0.06 * max(np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim()))
     taken: list[FloatArray] = []
-    for k in range(len(PLACES)):
+    for k in range(len(DIRECTIONS)):
         for at, sun in zip(points[:, k], suns, strict=True):
             if all(np.hypot(*(at - other)) > apart for other in taken):
                 taken.append(at)

@@ -38,11 +38,11 @@ def optical_depth(planet: Planet, wavelengths: tuple[float, ...] | None = None) 
         low, high = max(low, _SHOWN[0]), min(high, _SHOWN[1])
     nm = np.linspace(low, high, 501)
     parts = []
-    for one in planet.constituents:
-        coefficient = one.scattering_coefficients(
+    for constituent in planet.constituents:
+        coefficient = constituent.scattering_coefficients(
             nm, planet.thickness
-        ) + one.absorption_coefficients(nm, planet.thickness)
-        parts.append(coefficient * one.profile.column(planet.thickness))
+        ) + constituent.absorption_coefficients(nm, planet.thickness)
+        parts.append(coefficient * constituent.profile.column(planet.thickness))
     total = np.sum(parts, axis=0)
     figure = new_figure(
         f"{planet.name}: vertical optical depth",
@@ -52,14 +52,14 @@ def optical_depth(planet: Planet, wavelengths: tuple[float, ...] | None = None) 
     grid(axes)
     for at, ink in zip(marks, wavelength_ink(marks), strict=True):
         axes.axvline(at, color=ink, linewidth=1.0, alpha=0.6)
-    for index, (one, depth) in enumerate(zip(planet.constituents, parts, strict=True)):
+    for index, (constituent, depth) in enumerate(zip(planet.constituents, parts, strict=True)):
         axes.plot(
             nm,
             np.where(depth > 0.0, depth, np.nan),
             color=PALETTE[index % len(PALETTE)],
             linestyle=LINE_STYLES[(index + 1) % len(LINE_STYLES)],
             linewidth=1.8,
-            label=one.name,
+            label=constituent.name,
         )
     axes.plot(nm, np.where(total > 0.0, total, np.nan), color="black", linewidth=2.2, label="all")
     top = float(total.max())

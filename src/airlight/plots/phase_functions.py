@@ -57,7 +57,7 @@ def phase_functions(planet: Planet, wavelengths: tuple[float, ...] | None = None
     nm = planet.wavelengths if wavelengths is None else wavelengths
     planet.check_wavelengths(nm)
     nm = tuple(nm[k] for k in chosen(nm, _MOST))
-    scattering = [one for one in planet.constituents if one.scatters]
+    scattering = [constituent for constituent in planet.constituents if constituent.scatters]
     if not scattering:
         raise ParameterError("constituents", planet.name, "a planet whose air scatters")
     figure = new_figure(
@@ -70,10 +70,10 @@ def phase_functions(planet: Planet, wavelengths: tuple[float, ...] | None = None
     cartesian = figure.add_subplot(1, 2, 2)
     degrees = _angles()
     lowest, highest = np.inf, 0.0
-    for index, one in enumerate(scattering):
-        values = one.phase_values(np.cos(np.radians(degrees)), nm)
-        means = _mean_cosine(one, nm)
-        for which, name in _different(one.name, values, nm):
+    for index, constituent in enumerate(scattering):
+        values = constituent.phase_values(np.cos(np.radians(degrees)), nm)
+        means = _mean_cosine(constituent, nm)
+        for which, name in _different(constituent.name, values, nm):
             curve = values[:, which]
             look: dict[str, Any] = {
                 "color": PALETTE[index % len(PALETTE)],

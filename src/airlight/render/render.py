@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.four_wavelengths import picture_weights
 from airlight.errors import ParameterError
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel import compiled_loop
@@ -156,11 +154,7 @@ def _march_for(solution: MomentsSolution) -> March:
 
 def color_weights(solution: MomentsSolution) -> FloatArray:
     """Linear sRGB per radiance over irradiance at each wavelength, shape (nl, 3)."""
-    planet = solution.planet
-    spectrum: Callable[[FloatArray], FloatArray] | None
-    spectrum = None if planet is None else planet.star.irradiances
-    weights = picture_weights(solution.wavelengths, spectrum)
-    return np.asarray(weights * solution.medium.solar_irradiance[:, None])
+    return solution.lights[0].colors()
 
 
 def _paint(solution: MomentsSolution, weights: FloatArray) -> Paint:

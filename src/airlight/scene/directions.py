@@ -1,8 +1,8 @@
 """Directions from angles, and the frame they are written in.
 
 The observer's local frame has z to the zenith, x along the horizontal towards the sun's side and
-y to the left of x. Azimuth is counted from x, **clockwise seen from above, as a compass does**:
-who looks at azimuth 0 has azimuth +90° at the right hand.
+y to the left of x. Azimuth is counted from x, **clockwise seen from above, like a compass**: an
+observer who faces azimuth 0 has azimuth +90° on the right.
 
 The formulas are plain numbers, in the subset of Python that becomes JavaScript too.
 """
@@ -55,12 +55,12 @@ def direction(zenith: float, azimuth: float) -> NDArray[np.float64]:
     zenith : float
         Angle from the zenith. [deg]
     azimuth : float
-        From the sun's side, clockwise seen from above. [deg]
+        Azimuth from the sun's side, clockwise seen from above. [deg]
 
     Returns
     -------
     array, shape (3,)
-        In the observer's local frame. [1]
+        Unit vector in the observer's local frame. [1]
 
     Examples
     --------
@@ -71,21 +71,21 @@ def direction(zenith: float, azimuth: float) -> NDArray[np.float64]:
 
 
 def camera_axes(zenith: float, azimuth: float, roll: float) -> NDArray[np.float64]:
-    """The camera's right, up and forward in the observer's local frame.
+    """Right, up and forward of the camera in the observer's local frame.
 
     Parameters
     ----------
     zenith, azimuth : float
-        Where the camera looks. At the zenith and the nadir the azimuth says which way it is
-        turned: it is the one that the camera would see when it tilts back to the horizon. [deg]
+        Direction of the camera. At the zenith and the nadir the azimuth determines its rotation: it
+        is the azimuth that the camera faces when it is tilted back to the horizon. [deg]
     roll : float
-        The camera turns clockwise about its line of sight by so much, so that what it
-        sees turns counter-clockwise. [deg]
+        Clockwise rotation of the camera about its line of sight, so that the picture turns
+        counter-clockwise. [deg]
 
     Returns
     -------
     array, shape (3, 3)
-        Rows: right, up, forward, orthonormal. [1]
+        Orthonormal rows: right, up, forward. [1]
 
     Examples
     --------

@@ -1,8 +1,8 @@
-"""Flight over a planet: how keys, mouse and wheel move observer, camera and sun.
+"""Flight over a planet: movement of observer, camera and sun by keys, mouse and wheel.
 
 Level movement follows a great circle at one altitude; the camera keeps its angle to the zenith and
-its angle to the course, the sun its direction in space. Every speed is in proportion to the
-distance to the ground. Plain numbers only, in the subset of Python that becomes JavaScript too.
+its angle to the course, the sun its direction in space. Every speed is proportional to the distance
+to the ground. All values are plain numbers, in the subset of Python that becomes JavaScript too.
 """
 
 from __future__ import annotations
@@ -13,20 +13,20 @@ from typing import Final
 from airlight.scene.great_circle import DEGREE, RADIAN, carried_star, compass, travelled
 from airlight.scene.scene import HIGHEST_ALTITUDE
 
-#: Lowest altitude that can be flown at. [m]
+#: Lowest altitude of flight. [m]
 LOWEST_ALTITUDE: Final = 1.0
 #: Speed over distance to the ground. [1/s]
 RATE: Final = 0.8
-#: Added to that distance, so that one gets away from the ground. [m]
+#: Distance added to that to the ground, so that an observer can leave it. [m]
 FOOTING: Final = 5.0
-#: Altitude and field of view grow by this factor with each notch of the wheel. [1]
+#: Factor of altitude and field of view per notch of the wheel. [1]
 NOTCH: Final = 1.15
-#: Near the zenith a turn of the compass moves the picture less: it is at most so much wider. [1]
+#: Upper limit of the factor by which a turn of the compass is wider near the zenith. [1]
 _WIDEST_TURN: Final = 5.0
 
 
 def within(altitude: float) -> float:
-    """The nearest altitude that can be flown at. [m]
+    """Nearest allowed altitude of flight. [m]
 
     Examples
     --------
@@ -42,13 +42,13 @@ def climbed(altitude: float, look_zenith: float, ahead: float, up: float, reach:
     Parameters
     ----------
     altitude : float
-        [m]
+        Altitude at the start. [m]
     look_zenith : float
         Zenith angle of the line of sight, which ahead follows. [deg]
     ahead, up : float
-        Speed in parts of the usual one. [1]
+        Speeds relative to the usual speed. [1]
     reach : float
-        Time, in those in which the usual speed covers the distance to the ground. [1]
+        Duration, in units in which the usual speed covers the distance to the ground. [1]
 
     Examples
     --------
@@ -73,20 +73,20 @@ def angle_flown(
     reach: float,
     bottom_radius: float,
 ) -> float:
-    """Way over the ground, seen from the planet's centre. [rad]
+    """Distance flown over the ground, seen from the planet's centre. [rad]
 
     Parameters
     ----------
     altitude, higher : float
-        At the start and at the end. [m]
+        Altitudes at the start and at the end. [m]
     look_zenith : float
-        [deg]
+        Zenith angle of the line of sight. [deg]
     right, ahead : float
-        Speed in parts of the usual one. [1]
+        Speeds relative to the usual speed. [1]
     reach : float
-        See ``climbed``. [1]
+        Duration; see ``climbed``. [1]
     bottom_radius : float
-        Of the planet. [m]
+        Radius of the planet. [m]
     """
     middle = 0.5 * (altitude + higher)
     level = math.hypot(ahead * math.sin(look_zenith * RADIAN), right)
@@ -102,21 +102,21 @@ def turned(
     course: float,
     angle: float,
 ) -> tuple[float, float, float, float, float]:
-    """Place, heading and sun after moving on a great circle. [deg]
+    """Position, heading and sun after moving on a great circle. [deg]
 
     Parameters
     ----------
     latitude, longitude, heading, sun_zenith, sun_azimuth : float
-        At the start; heading and azimuth are compass bearings. [deg]
+        Values at the start; heading and azimuth are compass bearings. [deg]
     course : float
-        Compass bearing of the way's start. [deg]
+        Compass bearing at the start of the path. [deg]
     angle : float
-        Length of the way, seen from the planet's centre. [rad]
+        Length of the path, seen from the planet's centre. [rad]
 
     Returns
     -------
     latitude, longitude, heading, sun_zenith, sun_azimuth : float
-        The camera keeps its angle to the course. [deg]
+        Values at the end; the camera keeps its angle to the course. [deg]
     """
     new_latitude, new_longitude, new_course = travelled(latitude, longitude, course, angle)
     zenith, azimuth = carried_star(sun_zenith, sun_azimuth, course, angle, new_course)
@@ -130,9 +130,9 @@ def looked(look_zenith: float, heading: float, right: float, down: float) -> tup
     Parameters
     ----------
     look_zenith, heading : float
-        [deg]
+        Values before the turn. [deg]
     right, down : float
-        As seen on the picture. [deg]
+        Angles on the picture. [deg]
 
     Examples
     --------
@@ -144,21 +144,21 @@ def looked(look_zenith: float, heading: float, right: float, down: float) -> tup
 
 
 def risen(altitude: float, notches: float) -> float:
-    """Altitude after turning the wheel: away from the ground for notches above 0. [m]"""
+    """Altitude after turning the wheel: higher for notches above 0. [m]"""
     return within((altitude + FOOTING) * math.exp(notches * math.log(NOTCH)) - FOOTING)
 
 
 def sun_dragged(zenith: float, azimuth: float, right: float, down: float) -> tuple[float, float]:
     """Zenith angle and bearing of the sun, moved by angles over the sky. [deg]
 
-    Over the zenith it goes on down the other side.
+    Beyond the zenith it continues down the other side.
 
     Parameters
     ----------
     zenith, azimuth : float
-        [deg]
+        Direction before the movement. [deg]
     right, down : float
-        [deg]
+        Angles of the movement. [deg]
 
     Examples
     --------

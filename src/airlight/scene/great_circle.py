@@ -1,6 +1,6 @@
-"""Great circles: where one gets to on a sphere, and what becomes of directions on the way.
+"""Great circles: positions and directions after a movement over a sphere.
 
-Everything is plain numbers, in the subset of Python that becomes JavaScript too: the page flies by
+All values are plain numbers, in the subset of Python that becomes JavaScript too: the page flies by
 these formulas.
 """
 
@@ -9,20 +9,20 @@ from __future__ import annotations
 import math
 from typing import Final
 
-#: Radians of a degree, and degrees of a radian. [1]
+#: Factor from degrees to radians. [1]
 RADIAN: Final = math.pi / 180.0
 DEGREE: Final = 180.0 / math.pi
-#: A direction closer than this to the zenith has no bearing of its own. [rad]
+#: Angle from the zenith below which a direction has no bearing of its own. [rad]
 _UPRIGHT: Final = 1e-12
 
 
 def compass(angle: float) -> float:
-    """A bearing brought into 0 to 360. [deg]
+    """Bearing normalised to 0 to 360. [deg]
 
     Parameters
     ----------
     angle : float
-        Any number of turns. [deg]
+        Bearing, of any number of turns. [deg]
 
     Examples
     --------
@@ -33,14 +33,14 @@ def compass(angle: float) -> float:
 
 
 def bearing_of(north: float, east: float, otherwise: float) -> float:
-    """Compass bearing of a direction by its level parts. [deg]
+    """Compass bearing of a direction by its horizontal components. [deg]
 
     Parameters
     ----------
     north, east : float
-        Parts of a unit vector. [1]
+        Components of a unit vector. [1]
     otherwise : float
-        The bearing of a direction that stands upright. [deg]
+        Bearing to return for a vertical direction. [deg]
 
     Examples
     --------
@@ -55,16 +55,16 @@ def bearing_of(north: float, east: float, otherwise: float) -> float:
 def travelled(
     latitude: float, longitude: float, course: float, angle: float
 ) -> tuple[float, float, float]:
-    """Latitude, longitude and course after a way on a great circle. [deg]
+    """Latitude, longitude and course after a path on a great circle. [deg]
 
     Parameters
     ----------
     latitude, longitude : float
-        Where it starts. [deg]
+        Position at the start. [deg]
     course : float
-        Compass bearing that it starts on. [deg]
+        Compass bearing at the start. [deg]
     angle : float
-        Length of the way, seen from the sphere's centre. [rad]
+        Length of the path, seen from the sphere's centre. [rad]
 
     Examples
     --------
@@ -72,7 +72,7 @@ def travelled(
     >>> [round(one, 9) for one in quarter]
     [0.0, 100.0, 90.0]
     """
-    # Parts of vectors in the frame of the first meridian: in the equator's plane, east, north.
+    # Components in the frame of the first meridian: in the equator's plane, east, north.
     sine, cosine = math.sin(latitude * RADIAN), math.cos(latitude * RADIAN)
     northward, eastward = math.cos(course * RADIAN), math.sin(course * RADIAN)
     far, near = math.sin(angle), math.cos(angle)
@@ -97,16 +97,16 @@ def travelled(
 def carried_star(
     zenith: float, bearing: float, course: float, angle: float, new_course: float
 ) -> tuple[float, float]:
-    """Zenith angle and bearing of a star after a way on a great circle. [deg]
+    """Zenith angle and bearing of a star after a path on a great circle. [deg]
 
     Parameters
     ----------
     zenith, bearing : float
-        Where it stands at the start. [deg]
+        Direction of the star at the start. [deg]
     course, angle : float
-        Of the way; see ``travelled``. [deg], [rad]
+        Course and length of the path; see ``travelled``. [deg], [rad]
     new_course : float
-        The way's course at its end. [deg]
+        Course at the end of the path. [deg]
 
     Examples
     --------

@@ -15,24 +15,24 @@ _RADIAN = math.pi / 180.0
 
 
 def horizon_zenith(altitude: float, bottom_radius: float) -> float:
-    """Zenith angle of the geometric horizon: of the line that touches the ground.
+    """Zenith angle of the geometric horizon, the direction tangent to the ground.
 
     Parameters
     ----------
     altitude : float
-        Of the observer, at least 0. [m]
+        Altitude of the observer, at least 0. [m]
     bottom_radius : float
-        Of the ground. [m]
+        Radius of the ground. [m]
 
     Returns
     -------
     float
-        90 on the ground, towards 180 far away; refraction is left out (at Earth's ground it
-        raises the horizon by about half a degree). [deg]
+        Zenith angle, 90 on the ground, towards 180 far away; refraction is neglected (at Earth's
+        ground it raises the horizon by about half a degree). [deg]
 
     Notes
     -----
-    cos(dip) = R/(R + h), written with the tangent, which keeps its digits at small heights.
+    cos(dip) = R/(R + h), written with the tangent, which does not cancel at small heights.
 
     Examples
     --------
@@ -46,18 +46,19 @@ def horizon_zenith(altitude: float, bottom_radius: float) -> float:
 def look_at(
     target: str, *, altitude: float, sun_zenith: float, bottom_radius: float
 ) -> tuple[float, float]:
-    """Angles of something worth looking at.
+    """Angles of a target of interest.
 
     Parameters
     ----------
     target : str
-        ``horizon`` (below the sun, on the ground's edge), ``nadir``, ``zenith`` or ``sun``.
+        Name of the target: ``horizon`` (below the sun, on the ground's edge), ``nadir``, ``zenith``
+        or ``sun``.
     altitude : float
-        Of the observer. [m]
+        Altitude of the observer. [m]
     sun_zenith : float
         Zenith angle of the sun at the observer. [deg]
     bottom_radius : float
-        Of the ground. [m]
+        Radius of the ground. [m]
 
     Returns
     -------
@@ -110,21 +111,21 @@ def ground_axes(
 
 
 def planet_frame(latitude: float, longitude: float, sun_azimuth: float) -> NDArray[np.float64]:
-    """The rotation from the observer's local frame to the frame that turns with the planet.
+    """Rotation from the observer's local frame to the frame that rotates with the planet.
 
     The planet's frame has z to the north pole and x through latitude 0, longitude 0.
 
     Parameters
     ----------
     latitude, longitude : float
-        Of the point below the observer, north and east positive. [deg]
+        Coordinates of the point below the observer, north and east positive. [deg]
     sun_azimuth : float
         Compass bearing of the sun: 0 north, 90 east. [deg]
 
     Returns
     -------
     array, shape (3, 3)
-        A rotation: ``planet = matrix @ local``. [1]
+        Rotation: ``planet = matrix @ local``. [1]
 
     Examples
     --------

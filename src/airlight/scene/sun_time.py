@@ -1,6 +1,6 @@
-"""The sun's place in the sky by local solar time and declination, and the way back.
+"""Position of the sun by local solar time and declination, and the inverse.
 
-Plain numbers only, in the subset of Python that becomes JavaScript too.
+All values are plain numbers, in the subset of Python that becomes JavaScript too.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from typing import Final
 
 from airlight.scene.great_circle import DEGREE, RADIAN, bearing_of
 
-#: The sky turns by so much in an hour. [deg]
+#: Rotation of the sky in an hour. [deg]
 _HOUR: Final = 15.0
 
 
@@ -20,9 +20,9 @@ def sun_at(latitude: float, declination: float, hour: float) -> tuple[float, flo
     Parameters
     ----------
     latitude, declination : float
-        [deg]
+        Geographic latitude and the sun's declination. [deg]
     hour : float
-        Local solar time: 12 when it is highest; a planet's day has 24. [h]
+        Local solar time: 12 when the sun is highest; a planet's day has 24. [h]
 
     Examples
     --------
@@ -42,7 +42,7 @@ def sun_at(latitude: float, declination: float, hour: float) -> tuple[float, flo
 
 
 def time_of(latitude: float, zenith: float, azimuth: float) -> tuple[float, float]:
-    """Declination [deg] and local solar time [h] of a sun by where it stands; see ``sun_at``.
+    """Declination [deg] and local solar time [h] of the sun from its direction; see ``sun_at``.
 
     Examples
     --------

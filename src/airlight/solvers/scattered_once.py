@@ -1,8 +1,9 @@
-"""Light scattered once, without the phase functions, quickly: for tables of a million places.
+"""Fast light scattered once, without the phase functions: for tables of a million points.
 
-The same integrals as ``single_scattering`` answers to five digits, here from tables of densities
-and of columns towards the star, two hundred times faster. By day the median error is 1e-4; where
-the star is about to set on the whole line of sight, and little light is left, it reaches 0.1.
+The integrals are those that ``single_scattering`` computes to five digits, here from tables of
+densities and of columns towards the star, two hundred times faster. By day the median error is
+1e-4; where the star is about to set on the whole line of sight, and little light is left, it
+reaches 0.1.
 """
 
 from __future__ import annotations
@@ -31,10 +32,10 @@ from airlight.tables.columns import (
 
 FloatArray = NDArray[np.float64]
 
-#: Points a panel, and panels a leg.
+#: Points per panel, and panels per leg.
 _NODES: Final = 16
 _PANELS: Final = 2
-#: Lines of sight in one block of work.
+#: Lines of sight per block of work.
 _BLOCK: Final = 2048
 
 
@@ -73,21 +74,21 @@ def _scattered(sight, panels, rule, shell, star_radius, optics, tables, workspac
 
 
 def scattered_once(medium: Medium, sight: Sight, *, cancel: Cancel | None = None) -> FloatArray:
-    """Light of the star that each constituent scatters once, without its phase function.
+    """Light of the star scattered once by each constituent, without its phase function.
 
     Parameters
     ----------
     medium : Medium
-        The air.
+        Medium of the planet.
     sight : Sight
-        n lines of sight.
+        Lines of sight, n of them.
     cancel : callable, optional
-        Asked often; True stops with ``Cancelled``.
+        Called often; True stops with ``Cancelled``.
 
     Returns
     -------
     array, shape (n, nc, nl)
-        Per irradiance of the star; times p_i(ν) it is radiance per irradiance. [1]
+        Light per irradiance of the star; times p_i(ν) it is radiance per irradiance. [1]
     """
     only_straight(medium, "a table of light scattered once")
     bottom, top = medium.bottom_radius, medium.top_radius

@@ -39,7 +39,7 @@ from airlight.mappings.weighted_power import (
     view_from_coordinate,
     view_region,
 )
-from airlight.tables.layout import Axis, FloatArray, Layout, Places
+from airlight.tables.layout import Axis, FloatArray, Layout, Positions
 
 #: Names of the mappings.
 MAPPINGS = ("linear", "power", "weighted-power")
@@ -101,16 +101,18 @@ def view_of_texel(i, j, grid):
 @kernel
 def _view_cell(row, region, x, v, to_ground, grid):
     """Texels next to a view in the row of one altitude, on its side of the horizon."""
-    place = v
+    coordinate = v
     if grid.weighted:
         u = index_coordinate(row, grid.altitudes)
         w_lower = lower_weight(u, grid.lower)
-        place = region_coordinate(region, x, w_lower, surface_weight(u, grid.slope, grid.offset))
+        coordinate = region_coordinate(
+            region, x, w_lower, surface_weight(u, grid.slope, grid.offset)
+        )
     sky = grid.first_sky[row]
     first, last = sky, grid.views - 1
     if to_ground:
         first, last = 0, max(sky - 1, 0)
-    return cell(place * (grid.views - 1), first, max(first, last))
+    return cell(coordinate * (grid.views - 1), first, max(first, last))
 
 
 @kernel
@@ -202,7 +204,7 @@ def _find_first_sky(grid, first_sky):
 
 
 @compiled_loop
-def _fill_places(grid, r, mu, mu_s, to_ground):
+def _fill_positions(grid, r, mu, mu_s, to_ground):
     bottom, thickness = grid.bottom_radius, grid.top_radius - grid.bottom_radius
     at = 0
     for i in range(grid.altitudes):
@@ -341,18 +343,20 @@ class AtmospherePlusLayout(Layout):
         """See ``Layout``."""
         return (("altitude",), ("mu",), ("mu_s",))
 
-    def places(self) -> Places:
+    def positions(self) -> Positions:
         """See ``Layout``; at the layout's azimuth."""
         count = int(np.prod(self.shape))
         r, mu, mu_s = (np.empty(count) for _ in range(3))
         to_ground = np.empty(count, bool)
-        _fill_places(self.grid, r, mu, mu_s, to_ground)
-        return at_azimuth(Places(r, mu, mu_s, mu, to_ground), self.azimuth)
+        _fill_positions(self.grid, r, mu, mu_s, to_ground)
+        return at_azimuth(Positions(r, mu, mu_s, mu, to_ground), self.azimuth)
 
-    def interpolate(self, values: NDArray[Any], places: Places) -> FloatArray:
+    def interpolate(self, values: NDArray[Any], positions: Positions) -> FloatArray:
         """See ``Layout``; ``nu`` is ignored."""
-        out = np.empty((len(places), values.shape[-1]))
-        _look_up_all(values, places.r, places.mu, places.mu_s, places.to_ground, self.grid, out)
+        out = np.empty((len(positions), values.shape[-1]))
+        _look_up_all(
+            values, positions.r, positions.mu, positions.mu_s, positions.to_ground, self.grid, out
+        )
         return out
 
     def parameters(self) -> dict[str, Any]:
@@ -374,9 +378,9 @@ class AtmospherePlusLayout(Layout):
         }
 
 
-def at_azimuth(places: Places, azimuth: float) -> Places:
+def at_azimuth(positions: Positions, azimuth: float) -> Positions:
     """The same points with the view at this azimuth from the sun. [deg]"""
-    mu, mu_s = places.mu, places.mu_s
+    mu, mu_s = positions.mu, positions.mu_s
     spread = np.sqrt(np.maximum((1.0 - mu) * (1.0 + mu) * (1.0 - mu_s) * (1.0 + mu_s), 0.0))
     nu = np.clip(mu * mu_s + spread * np.cos(np.radians(azimuth)), -1.0, 1.0)
-    return Places(places.r, mu, mu_s, nu, places.to_ground)
+    return Positions(positions.r, mu, mu_s, nu, positions.to_ground)

@@ -25,12 +25,12 @@ from airlight.mappings.scattering import (
     sun_coordinate,
     sun_from_coordinate,
     view_coordinate,
-    view_from_place,
-    view_place,
+    view_from_index,
+    view_index,
 )
 from airlight.mappings.texels import cell, index_coordinate
 from airlight.mappings.transmittance import altitude_coordinate, radius_from_coordinate
-from airlight.tables.layout import Axis, FloatArray, Layout, Places
+from airlight.tables.layout import Axis, FloatArray, Layout, Positions
 
 
 class BrunetonGrid(NamedTuple):
@@ -78,7 +78,7 @@ def bruneton_corners(r, mu, mu_s, nu, to_ground, grid):
     first = 0 if to_ground else half
     return (
         cell(altitude_coordinate(r, bottom, top) * (grid.radii - 1), 0, grid.radii - 1),
-        cell(view_place(x, to_ground, grid.views), first, first + half - 1),
+        cell(view_index(x, to_ground, grid.views), first, first + half - 1),
         cell(sun_coordinate(mu_s, grid.lowest, bottom, top) * (grid.suns - 1), 0, grid.suns - 1),
         cell(angle_coordinate(nu) * (grid.angles - 1), 0, grid.angles - 1),
     )
@@ -120,14 +120,14 @@ def _look_up_all(values, r, mu, mu_s, nu, to_ground, grid, out):
 
 
 @compiled_loop
-def _fill_places(grid, r, mu, mu_s, nu, to_ground):
+def _fill_positions(grid, r, mu, mu_s, nu, to_ground):
     bottom, top = grid.bottom_radius, grid.top_radius
     at = 0
     for i in range(grid.radii):
         radius = radius_from_coordinate(index_coordinate(i, grid.radii), bottom, top)
         radius = min(max(radius, bottom), top)
         for j in range(grid.views):
-            x, ground = view_from_place(float(j), grid.views)
+            x, ground = view_from_index(float(j), grid.views)
             cosine = cosine_from_view(x, ground, radius, bottom, top)
             for k in range(grid.suns):
                 sun = sun_from_coordinate(index_coordinate(k, grid.suns), grid.lowest, bottom, top)
@@ -216,19 +216,26 @@ class BrunetonLayout(Layout):
         """See ``Layout``."""
         return (("nu", "mu_s"), ("mu",), ("r",))
 
-    def places(self) -> Places:
+    def positions(self) -> Positions:
         """See ``Layout``; impossible angles are moved to the nearest possible angle."""
         count = int(np.prod(self.shape))
         r, mu, mu_s, nu = (np.empty(count) for _ in range(4))
         to_ground = np.empty(count, bool)
-        _fill_places(self.grid, r, mu, mu_s, nu, to_ground)
-        return Places(r, mu, mu_s, nu, to_ground)
+        _fill_positions(self.grid, r, mu, mu_s, nu, to_ground)
+        return Positions(r, mu, mu_s, nu, to_ground)
 
-    def interpolate(self, values: NDArray[Any], places: Places) -> FloatArray:
+    def interpolate(self, values: NDArray[Any], positions: Positions) -> FloatArray:
         """See ``Layout``."""
-        out = np.empty((len(places), values.shape[-1]))
+        out = np.empty((len(positions), values.shape[-1]))
         _look_up_all(
-            values, places.r, places.mu, places.mu_s, places.nu, places.to_ground, self.grid, out
+            values,
+            positions.r,
+            positions.mu,
+            positions.mu_s,
+            positions.nu,
+            positions.to_ground,
+            self.grid,
+            out,
         )
         return out
 

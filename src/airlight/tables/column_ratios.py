@@ -61,22 +61,22 @@ def columns_to_top(r, mu, bottom, top, ratios, here):
     row = min(int(x), ratios.shape[0] - 2)
     f = x - row
     x = direction_coordinate(r, mu, bottom, top) * (ratios.shape[1] - 1)
-    place = min(int(x), ratios.shape[1] - 2)
-    e = x - place
+    cell_index = min(int(x), ratios.shape[1] - 2)
+    e = x - cell_index
     w00, w01 = (1.0 - f) * (1.0 - e), (1.0 - f) * e
     w10, w11 = f * (1.0 - e), f * e
     distance = distance_to_top(r, mu, top)
     for c in range(ratios.shape[2]):
         scale = (
-            w00 * ratios[row, place, c, 0]
-            + w01 * ratios[row, place + 1, c, 0]
-            + w10 * ratios[row + 1, place, c, 0]
-            + w11 * ratios[row + 1, place + 1, c, 0]
+            w00 * ratios[row, cell_index, c, 0]
+            + w01 * ratios[row, cell_index + 1, c, 0]
+            + w10 * ratios[row + 1, cell_index, c, 0]
+            + w11 * ratios[row + 1, cell_index + 1, c, 0]
         )
         scaled = (
-            w00 * ratios[row, place, c, 1]
-            + w01 * ratios[row, place + 1, c, 1]
-            + w10 * ratios[row + 1, place, c, 1]
-            + w11 * ratios[row + 1, place + 1, c, 1]
+            w00 * ratios[row, cell_index, c, 1]
+            + w01 * ratios[row, cell_index + 1, c, 1]
+            + w10 * ratios[row + 1, cell_index, c, 1]
+            + w11 * ratios[row + 1, cell_index + 1, c, 1]
         )
         here[c] = distance * scaled / scale

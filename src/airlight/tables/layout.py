@@ -57,7 +57,7 @@ class Axis:
 
 
 @dataclass(frozen=True)
-class Places:
+class Positions:
     """Points and directions in the shell at which a table is evaluated, as flat arrays.
 
     Attributes
@@ -84,7 +84,7 @@ class Places:
         *,
         bottom_radius: float,
         to_ground: ArrayLike | None = None,
-    ) -> Places:
+    ) -> Positions:
         """Make points from arrays that broadcast; without ``to_ground`` the geometry decides."""
         arrays = np.broadcast_arrays(*(np.asarray(x, float) for x in (r, mu, mu_s, nu)))
         flat = [np.ascontiguousarray(array).ravel() for array in arrays]
@@ -98,8 +98,8 @@ class Places:
     def __len__(self) -> int:
         return self.r.size
 
-    def __getitem__(self, rows: slice | NDArray[Any]) -> Places:
-        return Places(
+    def __getitem__(self, rows: slice | NDArray[Any]) -> Positions:
+        return Positions(
             self.r[rows], self.mu[rows], self.mu_s[rows], self.nu[rows], self.to_ground[rows]
         )
 
@@ -130,18 +130,18 @@ class Layout(ABC):
         """Names of the axes along width, height and depth of a texture, slowest first."""
 
     @abstractmethod
-    def places(self) -> Places:
+    def positions(self) -> Positions:
         """Points of all texels, the last axis running fastest."""
 
     @abstractmethod
-    def interpolate(self, values: NDArray[Any], places: Places) -> FloatArray:
+    def interpolate(self, values: NDArray[Any], positions: Positions) -> FloatArray:
         """Interpolate between texels.
 
         Parameters
         ----------
         values : array, shape (..., channels)
             Stored values, float32 or float64.
-        places : Places
+        positions : Positions
             Points, n of them.
 
         Returns

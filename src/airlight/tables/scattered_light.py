@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.tables.layout import FloatArray, Places
+from airlight.tables.layout import FloatArray, Positions
 from airlight.tables.table import Table
 
 #: Ways of packing the light into tables.
@@ -81,22 +81,22 @@ class ScatteredLight:
         if self.packing not in PACKINGS:
             raise ParameterError("packing", self.packing, ", ".join(PACKINGS))
 
-    def relative_radiance(self, places: Places) -> FloatArray:
+    def relative_radiance(self, positions: Positions) -> FloatArray:
         """Radiance of the air alone, without the ground's, shape (n, nl). [sr⁻¹]"""
-        main = self.tables["scattering"].at(places)
+        main = self.tables["scattering"].at(positions)
         if self.packing == "phase-included":
             return main
         if self.packing == "separate":
-            total = main * self.phases.at("gas", places.nu)
+            total = main * self.phases.at("gas", positions.nu)
             for name in self.phases.names:
                 if name != "gas":
-                    total += self.tables[name].at(places) * self.phases.at(name, places.nu)
+                    total += self.tables[name].at(positions) * self.phases.at(name, positions.nu)
             return total
         smooth, alpha = main[:, :-1], main[:, -1:]
-        light = smooth * self.phases.at("gas", places.nu)
+        light = smooth * self.phases.at("gas", positions.nu)
         if "particles" not in self.phases.names:
             return light
-        particles = self.phases.at("particles", places.nu) * alpha
+        particles = self.phases.at("particles", positions.nu) * alpha
         if self.packing == "rgba":
             return light + particles
         return light + particles * proportional(smooth, self.colours, self.reference)

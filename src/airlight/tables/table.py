@@ -15,7 +15,7 @@ from airlight.kernel.threads import run_blocks
 from airlight.tables.atmosphere_plus import AtmospherePlusLayout
 from airlight.tables.bruneton import BrunetonLayout
 from airlight.tables.irradiance import IrradianceLayout
-from airlight.tables.layout import FloatArray, Layout, Places
+from airlight.tables.layout import FloatArray, Layout, Positions
 from airlight.tables.transmittance import TransmittanceLayout
 
 #: Every layout by its name in manifests.
@@ -91,16 +91,16 @@ class Table:
             return np.ascontiguousarray(self.values)
         return np.ascontiguousarray(self.values * self.values.dtype.type(self.scale))
 
-    def at(self, places: Places) -> FloatArray:
+    def at(self, positions: Positions) -> FloatArray:
         """Interpolate at ``n`` points, shape (n, channels); on all cores."""
-        out = np.empty((len(places), len(self.channels)))
+        out = np.empty((len(positions), len(self.channels)))
         values = self.physical
 
         def block(index: int) -> None:
             rows = slice(index * _BLOCK, (index + 1) * _BLOCK)
-            out[rows] = self.layout.interpolate(values, places[rows])
+            out[rows] = self.layout.interpolate(values, positions[rows])
 
-        run_blocks(block, -(-len(places) // _BLOCK))
+        run_blocks(block, -(-len(positions) // _BLOCK))
         return out
 
     def look_up(
@@ -128,10 +128,10 @@ class Table:
             Values in the table's unit.
         """
         shape = np.broadcast_shapes(*(np.shape(x) for x in (r, mu, mu_s, nu)))
-        places = Places.of(
+        positions = Positions.of(
             r, mu, mu_s, nu, bottom_radius=self.layout.bottom_radius, to_ground=to_ground
         )
-        return self.at(places).reshape(*shape, len(self.channels))
+        return self.at(positions).reshape(*shape, len(self.channels))
 
 
 def stored(values: FloatArray, precision: str) -> tuple[NDArray[Any], float]:

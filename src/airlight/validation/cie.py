@@ -17,7 +17,7 @@ from airlight.plots.figure import GREY, PALETTE, grid, new_figure
 from airlight.solvers import Solution, solve
 from airlight.validation.cie_clear_sky import angle_to_sun, relative_luminance
 from airlight.validation.metrics import log_ratio_rms
-from airlight.validation.suite import Cancel, Picture, Progress, Suite, Table
+from airlight.validation.suite import Cancel, Picture, Progress, ReportTable, Suite
 
 FloatArray = NDArray[np.float64]
 
@@ -80,7 +80,7 @@ def cie(
                 worst,
             )
         )
-    table = Table(
+    table = ReportTable(
         title="Logarithm of ours over the fit, root mean square",
         columns=[
             "sun zenith [°]", "principal plane [ln]", "as a factor [%]", "whole dome [ln]",
@@ -129,7 +129,7 @@ def _times(coefficient: object, factor: float) -> object:
 
 def _by_aerosol(
     earth: Planet, nm: FloatArray, quality: str, progress: Progress | None, cancel: Cancel | None
-) -> Table:
+) -> ReportTable:
     """Compare under more and less aerosol, which accounts for most of the difference."""
     weights = rgb_weights(nm)
     rows = []
@@ -146,7 +146,7 @@ def _by_aerosol(
                 *(f"{100 * np.expm1(bias):+.0f}" for _, bias, _ in differences),
             )
         )
-    return Table(
+    return ReportTable(
         title="How much hangs on the aerosol",
         columns=[
             "times the aerosol", "dome, sun 30° [ln]", "sun 60°", "sun 80°",

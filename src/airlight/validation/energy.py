@@ -16,7 +16,7 @@ from airlight.validation.energy_planets import VAST, flat_earth, furnace, round_
 from airlight.validation.fluxes import absorbed_by_air, level_fluxes, pieces, star_through
 from airlight.validation.order_convergence import ORDER_SOLVERS, order_convergence
 from airlight.validation.reference_earth import WAVELENGTHS
-from airlight.validation.suite import Bar, Cancel, Mark, Part, Picture, Progress, Suite, Table
+from airlight.validation.suite import Bar, Cancel, Mark, Part, Picture, Progress, ReportTable, Suite
 
 FloatArray = NDArray[np.float64]
 
@@ -118,7 +118,7 @@ def white_furnace(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[
     """White furnace: nothing absorbs, the ground returns everything."""
     solution = _solved(furnace(1.0), quality, cancel)
     gain = np.stack([net_gain(solution, level) for level in LEVELS])
-    table = Table(
+    table = ReportTable(
         title="White furnace: light gained by spheres about the centre",
         columns=["altitude [km]", *(f"optical depth of {nm:g} nm [%]" for nm in WAVELENGTHS)],
         rows=[
@@ -156,7 +156,7 @@ def grey_furnaces(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[
         words = [f"{100 * a:.3f} - {100 * b:.3f}" for a, b in zip(entered, kept, strict=True)]
         rows.append((f"{albedo:g}", *words, *_percent(entered - kept)))
     gain = np.stack(errors)
-    table = Table(
+    table = ReportTable(
         title="Furnaces with a grey ground: what enters is what the ground keeps",
         columns=[
             "ground albedo", *(f"entered - kept, {nm:g} nm [%]" for nm in WAVELENGTHS),
@@ -182,7 +182,7 @@ def round_balance(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[
     shells = height_weight * np.square((medium.bottom_radius + heights) / medium.top_radius)
     air = 2.0 * np.einsum("h,s,hsw->w", shells, weight, per_volume)
     error = entered - kept - air
-    table = Table(
+    table = ReportTable(
         title="Round Earth: what enters is what ground and air absorb",
         columns=["", *(f"{nm:g} nm [%]" for nm in WAVELENGTHS)],
         rows=[
@@ -219,7 +219,7 @@ def flat_balance(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[P
         )
         for k, sun in enumerate(SUNS)
     ]
-    table = Table(
+    table = ReportTable(
         title="Flat Earth: outgoing + absorbed against incoming, by sun height",
         columns=[
             "sun zenith [°]", "out, 680 550 440 nm [%]", "absorbed by the air [%]",
@@ -265,7 +265,7 @@ def _shares(mu_s: FloatArray, out: FloatArray, air: FloatArray, kept: FloatArray
     return Picture.from_figure(figure, title=title, caption=caption)
 
 
-def _reversed(solution: Solution) -> tuple[FloatArray, Table]:
+def _reversed(solution: Solution) -> tuple[FloatArray, ReportTable]:
     """Reflected radiance over mu_s with sun and observer exchanged: Helmholtz reciprocity."""
     angles = np.array(REVERSED)
     view, sun = np.meshgrid(angles, angles, indexing="ij")
@@ -286,7 +286,7 @@ def _reversed(solution: Solution) -> tuple[FloatArray, Table]:
             rows.append(
                 (f"{first:g}", f"{second:g}", *(" ".join(_percent(off[a, i, j])) for a in range(3)))
             )
-    table = Table(
+    table = ReportTable(
         title="Reversed paths: light reflected to space, sun and observer exchanged",
         columns=[
             "zenith angle [°]", "the other [°]", "azimuth 0°: 680 550 440 nm [%]",

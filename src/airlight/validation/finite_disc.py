@@ -17,7 +17,7 @@ from airlight.solvers import solve
 from airlight.solvers.montecarlo.solution import MonteCarloSolution
 from airlight.validation.cases import CASES, WAVELENGTHS, Case, geometry
 from airlight.validation.metrics import relative_errors
-from airlight.validation.suite import Cancel, Table
+from airlight.validation.suite import Cancel, ReportTable
 
 #: Number of largest differences listed.
 LISTED = 6
@@ -37,7 +37,7 @@ def with_point_star(planet: Planet) -> Planet:
 
 def finite_disc(
     planet_name: str, *, cases: Sequence[Case] = CASES, cancel: Cancel | None = None
-) -> Table:
+) -> ReportTable:
     """Compare the first order under a point star with that under the preset's disc, by quadrature.
 
     Parameters
@@ -68,7 +68,7 @@ def finite_disc(
         )
         for n in order
     ]
-    return Table(
+    return ReportTable(
         title=f"{planet_name}: light scattered once under a point star, less that under its disc",
         columns=["line of sight", *(f"{nm:g} nm [%]" for nm in WAVELENGTHS)],
         rows=rows,

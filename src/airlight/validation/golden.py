@@ -21,7 +21,7 @@ from airlight.validation.reference_earth import (
     WAVELENGTHS,
     reference_earth,
 )
-from airlight.validation.suite import Bar, Cancel, Mark, Progress, Suite, Table
+from airlight.validation.suite import Bar, Cancel, Mark, Progress, ReportTable, Suite
 
 FloatArray = NDArray[np.float64]
 
@@ -88,9 +88,9 @@ def golden(
     )
 
 
-def _table(group: Group, compared: Sequence[Comparison]) -> Table:
+def _table(group: Group, compared: Sequence[Comparison]) -> ReportTable:
     marks: list[Mark] = ["pass" if one.passed else "fail" for one in compared]
-    return Table(
+    return ReportTable(
         title=group.title,
         columns=["", "", f"expected [{group.unit}]", "got", "difference", "allowed", ""],
         rows=[

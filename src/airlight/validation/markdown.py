@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from airlight.validation.report import Report, cell_text, result_word
-from airlight.validation.suite import Cell, Picture, Suite, Table
+from airlight.validation.suite import Cell, Picture, ReportTable, Suite
 
 
 def markdown(report: Report, pictures: str) -> str:
@@ -77,7 +77,7 @@ def _section(suite: Suite, pictures: str) -> list[str]:
         lines += ["", f"*{_escaped('; '.join(suite.settings))}*"]
     for part in suite.parts:
         lines.append("")
-        if isinstance(part, Table):
+        if isinstance(part, ReportTable):
             lines += _table(part)
         elif isinstance(part, Picture):
             lines += [f"![{part.title}]({pictures}/{part.file_name})", "", _escaped(part.caption)]
@@ -86,7 +86,7 @@ def _section(suite: Suite, pictures: str) -> list[str]:
     return lines
 
 
-def _table(table: Table) -> list[str]:
+def _table(table: ReportTable) -> list[str]:
     marks = table.marks or [""] * len(table.rows)
     rows = [
         [_strong(cell_text(cell), mark in ("fail", "ours")) for cell in row]

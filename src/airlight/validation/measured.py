@@ -16,7 +16,7 @@ from airlight.validation.kider.planets import (
 )
 from airlight.validation.kider.rows import Rows, compute
 from airlight.validation.kider.scans import best_factor, rmse_per_scan, symmetric_part
-from airlight.validation.suite import Bar, Cancel, Mark, Progress, Suite, Table
+from airlight.validation.suite import Bar, Cancel, Mark, Progress, ReportTable, Suite
 
 FloatArray = NDArray[np.float64]
 
@@ -134,13 +134,13 @@ def _bars(rows: Rows, scores: dict[str, float]) -> list[Bar]:
     ]  # fmt: skip
 
 
-def _league(scores: dict[str, float], floor: float) -> Table:
+def _league(scores: dict[str, float], floor: float) -> ReportTable:
     entries = [(score, name, "Bruneton 2017, 17 scans") for name, score in PUBLISHED.items()]
     entries += [(score, name, "15 scans") for name, score in scores.items()]
     entries.append((floor, "the measured skies, made symmetric", "15 scans; no model is nearer"))
     entries.sort(key=lambda entry: -entry[0])
     marks: list[Mark] = ["ours" if name in scores else "" for _, name, _ in entries]
-    return Table(
+    return ReportTable(
         title="League table of sky models on 27 May 2013",
         columns=["model", f"RMSE [{_UNIT}]", "by"],
         rows=[(name, f"{score:.1f}", source) for score, name, source in entries],
@@ -151,7 +151,7 @@ def _league(scores: dict[str, float], floor: float) -> Table:
     )
 
 
-def _ladder(rows: Rows) -> Table:
+def _ladder(rows: Rows) -> ReportTable:
     far = rows.scans.angle_from_sun >= NEAR
     extra = [
         (f"then the load fitted ({_load_text(rows.load)})", rows.fitted),
@@ -169,7 +169,7 @@ def _ladder(rows: Rows) -> Table:
                 f"{rows.score(got, far):.2f}",
             )
         )
-    return Table(
+    return ReportTable(
         title="What each ingredient does",
         columns=[
             "ingredient, one after another", "RMSE", "best common factor", "RMSE with it",
@@ -189,14 +189,14 @@ def _load_text(load: Load) -> str:
     )
 
 
-def _limits(rows: Rows) -> Table:
+def _limits(rows: Rows) -> ReportTable:
     scans = rows.scans
     squares = np.square(rows.known - scans.radiance)
     near = scans.angle_from_sun < NEAR
     bias = rows.known[~near].mean(axis=0) / scans.radiance[~near].mean(axis=0) - 1.0
     worst = int(np.abs(bias).argmax())
     kept = np.arange(scans.wavelengths.size) != worst
-    return Table(
+    return ReportTable(
         title="What limits the best physics, nothing fitted",
         columns=["what", "value"],
         rows=[
@@ -244,13 +244,13 @@ def _band(wavelength: float) -> str:
     return ", oxygen's B band" if abs(wavelength - OXYGEN_B) <= _OXYGEN_WIDTH else ""
 
 
-def _by_scan(rows: Rows, ours: dict[str, FloatArray]) -> Table:
+def _by_scan(rows: Rows, ours: dict[str, FloatArray]) -> ReportTable:
     scans = rows.scans
     per = {name: rmse_per_scan(got, scans.radiance) for name, got in ours.items()}
     turned = rmse_per_scan(rows.turned, scans.radiance)
     floor = rmse_per_scan(symmetric_part(scans), scans.radiance)
     signal = rmse_per_scan(np.zeros_like(scans.radiance), scans.radiance)
-    return Table(
+    return ReportTable(
         title="Scan by scan",
         columns=[
             "local time", "sun zenith [°]", "nearest direction to the sun [°]", "signal",

@@ -15,7 +15,7 @@ from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
 from airlight.solvers.montecarlo.solution import MonteCarloSolution
 from airlight.validation.cases import Case, LinesOfSight, geometry
 from airlight.validation.energy_planets import round_earth
-from airlight.validation.suite import Cancel, Part, Picture, Progress, Table
+from airlight.validation.suite import Cancel, Part, Picture, Progress, ReportTable
 
 FloatArray = NDArray[np.float64]
 
@@ -107,7 +107,7 @@ def _picture(shares: dict[str, FloatArray]) -> Picture:
     return Picture.from_figure(figure, title=title, caption=caption)
 
 
-def _table(shares: dict[str, FloatArray]) -> Table:
+def _table(shares: dict[str, FloatArray]) -> ReportTable:
     rows = []
     for k, case in enumerate(CASES):
         for name, values in shares.items():
@@ -120,7 +120,7 @@ def _table(shares: dict[str, FloatArray]) -> Table:
                     *[""] * (4 - len(share[:4])), f"{100 * share.sum():.3f}", f"{usual:.3f}",
                 )
             )  # fmt: skip
-    return Table(
+    return ReportTable(
         title="Orders of scattering",
         columns=[
             "line of sight", "solver", "order 1 [%]", "2", "3", "4",

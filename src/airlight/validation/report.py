@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 
-from airlight.validation.suite import Bar, Cell, Picture, Suite, Table
+from airlight.validation.suite import Bar, Cell, Picture, ReportTable, Suite
 
 _STYLE = """
 :root { --ink: #1c2530; --paper: #fff; --line: #d8dee6; --met: #0a6b3d; --missed: #b3261e;
@@ -190,7 +190,7 @@ def _section(suite: Suite) -> str:
     if suite.settings:
         lines.append(f'<p class="quiet">{escape("; ".join(suite.settings))}</p>')
     for part in suite.parts:
-        if isinstance(part, Table):
+        if isinstance(part, ReportTable):
             lines.append(_table(part))
         elif isinstance(part, Picture):
             lines.append(_picture(part))
@@ -199,7 +199,7 @@ def _section(suite: Suite) -> str:
     return "\n".join(lines)
 
 
-def _table(table: Table) -> str:
+def _table(table: ReportTable) -> str:
     marks = table.marks or [""] * len(table.rows)
     rows = [
         f'<tr class="{mark}">' + "".join(f"<td>{escape(cell_text(c))}</td>" for c in row) + "</tr>"

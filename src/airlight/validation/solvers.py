@@ -20,7 +20,7 @@ from airlight.validation.cases import CASES, WAVELENGTHS, Case
 from airlight.validation.finite_disc import finite_disc
 from airlight.validation.metrics import relative_errors, summarise
 from airlight.validation.solvers_pictures import agreement_picture
-from airlight.validation.suite import Bar, Cancel, Mark, Part, Progress, Suite, Table
+from airlight.validation.suite import Bar, Cancel, Mark, Part, Progress, ReportTable, Suite
 
 #: A clear Earth, and a Mars with dust of optical depth 0.5.
 PLANETS: Final = ("earth-atmosphere-plus", "mars-standard")
@@ -121,8 +121,8 @@ def _time(planet: str, answer: Answer) -> tuple[tuple[str | int, ...], Mark]:
     return (planet, answer.solver, f"{answer.seconds:.1f}", shown), ""
 
 
-def _agreement_table(rows: Sequence[Sequence[str | int]], marks: Sequence[Mark]) -> Table:
-    return Table(
+def _agreement_table(rows: Sequence[Sequence[str | int]], marks: Sequence[Mark]) -> ReportTable:
+    return ReportTable(
         title="Agreement of each pair",
         columns=[
             "planet", "pair", "lines of sight", "values", "median [%]", "95 % [%]", "largest [%]",
@@ -135,8 +135,8 @@ def _agreement_table(rows: Sequence[Sequence[str | int]], marks: Sequence[Mark])
     )  # fmt: skip
 
 
-def _times_table(rows: Sequence[Sequence[str | int]]) -> Table:
-    return Table(
+def _times_table(rows: Sequence[Sequence[str | int]]) -> ReportTable:
+    return ReportTable(
         title="What the solvers took",
         columns=["planet", "solver", "time [s]", "standard error, median and largest [%]"],
         rows=rows,
@@ -144,7 +144,9 @@ def _times_table(rows: Sequence[Sequence[str | int]]) -> Table:
     )
 
 
-def _worst(planet: str, pairs: Sequence[Agreement], cases: Sequence[Case], count: int = 5) -> Table:
+def _worst(
+    planet: str, pairs: Sequence[Agreement], cases: Sequence[Case], count: int = 5
+) -> ReportTable:
     """List the values of each pair that differ most beyond the noise."""
     rows: list[tuple[str, ...]] = []
     marks: list[Mark] = []
@@ -168,7 +170,7 @@ def _worst(planet: str, pairs: Sequence[Agreement], cases: Sequence[Case], count
                 )
             )
             marks.append("fail" if pair.disagree[n, c] else "")
-    return Table(
+    return ReportTable(
         title=f"{planet}: the worst values of each pair",
         columns=[
             "pair", "line of sight", "wavelength [nm]", "first [sr⁻¹]", "second [sr⁻¹]",
@@ -182,7 +184,7 @@ def _worst(planet: str, pairs: Sequence[Agreement], cases: Sequence[Case], count
 
 def _all(
     planet: str, given: Sequence[Answer], pairs: Sequence[Agreement], cases: Sequence[Case]
-) -> Table:
+) -> ReportTable:
     rows = []
     marks: list[Mark] = []
     for n, case in enumerate(cases):
@@ -206,7 +208,7 @@ def _all(
                 )
             )
             marks.append("fail" if any(pair.disagree[n, c] for pair in pairs) else "")
-    return Table(
+    return ReportTable(
         title=f"{planet}: all values",
         columns=[
             "line of sight", "wavelength [nm]", *(f"{answer.solver} [sr⁻¹]" for answer in given),

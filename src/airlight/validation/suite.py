@@ -18,7 +18,18 @@ from airlight.kernel.threads import Cancel, Progress
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["Bar", "Cancel", "Cell", "Mark", "Part", "Picture", "Progress", "Suite", "Table", "Text"]
+__all__ = [
+    "Bar",
+    "Cancel",
+    "Cell",
+    "Mark",
+    "Part",
+    "Picture",
+    "Progress",
+    "Suite",
+    "ReportTable",
+    "Text",
+]
 
 #: Content of a cell; a float is written with four significant digits.
 Cell = str | float | int
@@ -57,7 +68,7 @@ class Bar:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Table:
+class ReportTable:
     """Table of numbers and words.
 
     Attributes
@@ -146,7 +157,7 @@ class Text:
 
 
 #: Part of a suite's section.
-Part = Table | Picture | Text
+Part = ReportTable | Picture | Text
 
 
 @dataclass(frozen=True, kw_only=True)

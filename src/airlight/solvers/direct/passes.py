@@ -1,4 +1,4 @@
-"""The passes over the table: light scattered once, light gathered before, light on the ground."""
+"""Passes over the table: light scattered once, light gathered before, light on the ground."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from airlight.solvers.direct.line import (
 
 FloatArray = NDArray[np.float64]
 
-#: What the logarithm takes for zero. [1]
+#: Smallest argument of the logarithm. [1]
 _DARK = 1e-280
 
 
@@ -34,11 +34,11 @@ def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
     Parameters
     ----------
     i : int
-        Place of the radius.
+        Index of the radius.
     axes, directions, air, line :
-        See ``Layout``, ``Directions``, ``Air`` and ``Line``.
+        See ``Layout``, ``Directions``, ``LineOptics`` and ``Line``.
     phase, which : array
-        From ``phase_nodes``. [sr⁻¹]
+        Arrays from ``phase_nodes``. [sr⁻¹]
     lit_ground : array, shape (suns, nl)
         D, the radiance of the ground that the star lights. [sr⁻¹]
     out : array, shape (suns, nl, nz, na)
@@ -84,15 +84,15 @@ def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, by
     Parameters
     ----------
     i, axes, directions, air, line :
-        As in ``first_pass``.
+        Arguments of ``first_pass``.
     table : array, shape (radii·views, suns, angles, ns·nl)
         G⁽ᵏ⁻¹⁾, the gathered light, or its logarithm. [sr⁻¹]
     logarithmic : bool
-        Which.
+        Whether it is the logarithm.
     lit_ground : array, shape (suns, nl)
         Irradiance of the ground by the sky, whose reflection is A⁽ᵏ⁾. [1]
     by_star : bool
-        Whether it comes from the star instead.
+        Whether the light comes from the star instead.
     out : array, shape (suns, nl, nz, na)
         Receives the light, per irradiance of the star. [sr⁻¹]
     """
@@ -133,21 +133,21 @@ def add_ground(
     Parameters
     ----------
     r, mu, mu_s, nu, length : float
-        Of the start. [m], [1], [1], [1], [m]
+        Coordinates of the start, and length. [m], [1], [1], [1], [m]
     axes : Layout
-        Of the suns.
+        Axes of the table, with the suns.
     lit_ground : array, shape (suns, nl)
         Irradiance of the ground. [1]
     by_star : bool
-        Whether it comes from the star; else from the sky.
+        Whether the light comes from the star; otherwise from the sky.
     logarithmic : bool
-        How to interpolate it.
+        Whether to interpolate the logarithm.
     ground : Reflection
-        How the ground reflects it.
+        Reflection by the ground.
     through : array, shape (nl,)
         Transmittance of the line. [1]
     out : array, shape (nl,)
-        [sr⁻¹]
+        Receives the light, per irradiance of the star. [sr⁻¹]
     """
     mu_s_ground = min(max((r * mu_s + length * nu) / axes.bottom, -1.0), 1.0)
     s0, s1, e = sun_cell(mu_s_ground, axes)
@@ -163,17 +163,17 @@ def add_ground(
 
 @inlined
 def reflected(ground, l, by_star, mu_s, leaving, nu):
-    """Radiance of the ground at one wavelength per irradiance. [sr⁻¹]
+    """Radiance of the ground at one wavelength, per irradiance. [sr⁻¹]
 
     Parameters
     ----------
     ground : Reflection
     l : int
-        Which wavelength.
+        Index of the wavelength.
     by_star : bool
-        Whether the star lights it; else the sky.
+        Whether the star lights it; otherwise the sky.
     mu_s, leaving, nu : float
-        As in ``star_factor``. [1]
+        Cosines of ``star_factor``. [1]
     """
     here = at_wavelength(ground, l)
     if by_star:
@@ -183,20 +183,20 @@ def reflected(ground, l, by_star, mu_s, leaving, nu):
 
 @compiled_loop
 def direct_light(r, mu_s, nested, air, line, out):
-    """Irradiance of a level surface by the star itself, per the star's.
+    """Irradiance of a level surface by the star itself, relative to the star's.
 
     Parameters
     ----------
     r, mu_s : float
-        [m], [1]
+        Radius, and zenith cosine of the star. [m], [1]
     nested : bool
-        Whether the column is integrated by the rule; else it is looked up.
+        Whether the column is integrated by the rule; otherwise it is looked up.
     air, line :
-        See ``Air`` and ``Line``.
+        See ``LineOptics`` and ``Line``.
     out : array, shape (nl,)
-        [1]
+        Receives the irradiance. [1]
     """
-    above = mean_cosine(mu_s, mu_s, air.star_radius)  # near the horizon the sine is the angle
+    above = mean_cosine(mu_s, mu_s, air.star_radius)  # near the horizon the sine equals the angle
     out[:] = 0.0
     if above <= 0.0:
         return
@@ -214,7 +214,7 @@ def sky_light(zenith: FloatArray, weights: FloatArray, incoming: FloatArray) -> 
     Parameters
     ----------
     zenith : array, shape (nz,)
-        [rad]
+        Zenith angles. [rad]
     weights : array, shape (nz, na)
         Solid angles. [sr]
     incoming : array, shape (suns, nl, nz, na)
@@ -223,7 +223,7 @@ def sky_light(zenith: FloatArray, weights: FloatArray, incoming: FloatArray) -> 
     Returns
     -------
     array, shape (suns, nl)
-        [1]
+        Irradiance. [1]
     """
     cosine = np.maximum(np.cos(zenith), 0.0)
     return np.asarray(np.einsum("za,klza->kl", weights * cosine[:, None], incoming))

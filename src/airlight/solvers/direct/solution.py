@@ -1,4 +1,4 @@
-"""The direct solver's result: lines of sight through the tables of gathered light."""
+"""Result of the direct solver: lines of sight through the tables of gathered light."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from airlight.optics.reflection import leaving_cosine
 from airlight.planets.medium import Medium
 from airlight.solvers.direct.layout import layout_for
 from airlight.solvers.direct.line import (
-    Air,
+    LineOptics,
     add_gathered,
     add_once,
-    air_of,
     axes_shape,
+    line_optics,
     new_line,
     place_rows,
     prepare,
@@ -39,25 +39,25 @@ from airlight.solvers.solution import Report, Solution
 
 FloatArray = NDArray[np.float64]
 
-#: Lines of sight in one block of work.
+#: Lines of sight per block of work.
 _BLOCK = 64
-#: Steps in zenith and azimuth of the irradiance of the sky.
+#: Steps in zenith and azimuth for the irradiance of the sky.
 _SKY_STEPS = (12, 28)
 
 
 class DirectSolution(Solution):
-    """A solution by the direct solver.
+    """Solution by the direct solver.
 
     Parameters
     ----------
     medium : Medium
-        What was solved.
+        Medium that was solved.
     settings : Settings
-        How.
+        Settings of the solver.
     parts : list of (Medium, Orders)
-        One; for the literal first notes one for each constituent that scatters.
+        Medium and its orders; for the literal first notes one pair per constituent that scatters.
     seconds : float
-        What it took. [s]
+        Wall time. [s]
     """
 
     def __init__(
@@ -70,7 +70,7 @@ class DirectSolution(Solution):
         self.medium = medium
         self.settings = settings
         self.parts = parts
-        self._airs = [air_of(one, settings, settings.steps) for one, _ in parts]
+        self._airs = [line_optics(one, settings, settings.steps) for one, _ in parts]
         kept = max(len(orders.each) for _, orders in parts) + 1 if settings.keep_orders else 1
         self.highest_order = kept
         self.report = Report(
@@ -92,7 +92,7 @@ class DirectSolution(Solution):
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
-        air = air_of(self.medium, self.settings, self.settings.steps)
+        air = line_optics(self.medium, self.settings, self.settings.steps)
         out, line = np.empty((r.size, self.wavelengths.size)), new_line(air)
         for k in range(r.size):
             direct_light(r[k], mu_s[k], True, air, line, out[k])
@@ -121,7 +121,12 @@ class DirectSolution(Solution):
 
 
 def _radiance(
-    medium: Medium, orders: Orders, air: Air, settings: Settings, sight: Sight, order: int | None
+    medium: Medium,
+    orders: Orders,
+    air: LineOptics,
+    settings: Settings,
+    sight: Sight,
+    order: int | None,
 ) -> FloatArray:
     n, wavelengths = sight.r.size, medium.wavelengths.size
     out = np.zeros((n, wavelengths))
@@ -200,16 +205,16 @@ def solve(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> DirectSolution:
-    """Solve a medium by the book, or read its solution from the cache.
+    """Solve a medium by the notes' equations, or read its solution from the cache.
 
     Parameters
     ----------
     medium : Medium
-        What to solve.
+        Medium to solve.
     settings : Settings
-        How.
+        Settings of the solver.
     cache : bool
-        Whether to look for the solution on disk and to leave it there.
+        Whether to read the solution from disk, and to keep it there.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -257,7 +262,7 @@ def _to_arrays(orders: Orders) -> dict[str, NDArray[Any]]:
 def _from_arrays(
     medium: Medium, settings: Settings, arrays: dict[str, NDArray[Any]] | None
 ) -> Orders | None:
-    """The orders that a cache file holds, or None if it holds something else."""
+    """Orders from a cache file, or None if it holds something else."""
     if arrays is None:
         return None
     axes = layout_for(medium, settings)
@@ -288,7 +293,7 @@ def _from_arrays(
 
 
 def alone(medium: Medium, index: int) -> Medium:
-    """A medium with one constituent only over black ground, as the first notes have it."""
+    """Medium with only one constituent over black ground, as in the first notes."""
     here = slice(index, index + 1)
     return replace(
         medium,

@@ -31,9 +31,9 @@ from airlight.solvers.montecarlo.rays import place_at_depth, point_at, trace
 from airlight.solvers.montecarlo.scattering_angles import lobe_value, random_cosine
 from airlight.solvers.montecarlo.streams import uniform
 
-#: Roulette begins below this part of the weight after the first event. [1]
+#: Fraction of the weight after the first event below which roulette begins. [1]
 KEEP: Final = 0.5
-#: From this event on a history ends with a probability of 1/20 at least.
+#: Event from which a history ends with a probability of at least 1/20.
 LONG: Final = 100
 
 _INVERSE_PI: Final = 1.0 / pi
@@ -41,7 +41,7 @@ _INVERSE_PI: Final = 1.0 / pi
 
 @inlined
 def _turned(x, y, z, cosine, azimuth):
-    """A direction turned away from (x, y, z) by an angle, around it by an azimuth."""
+    """Rotate the direction (x, y, z) by an angle away from it and by an azimuth around it."""
     sine = sqrt(max((1.0 - cosine) * (1.0 + cosine), 0.0))
     a, b = sine * cos(azimuth), sine * sin(azimuth)
     # An orthonormal frame without a square root: Duff et al. (2017), JCGT 6(1), 1.
@@ -57,7 +57,7 @@ def _turned(x, y, z, cosine, azimuth):
 
 @compiled_loop
 def _from_star(r, mu, air, path):
-    """Transmittance from a point to space; 0 if the planet is in the way. [1]"""
+    """Transmittance from a point to space; 0 if the planet blocks the ray. [1]"""
     if meets_ground(r, mu, air.extinction.bottom):
         return 0.0
     _, depth = trace(r, mu, False, air.extinction, path)
@@ -68,7 +68,7 @@ def _from_star(r, mu, air, path):
 def follow(
     count, start, hemisphere, first_order, lit_share, air, state, paths, workspace, sums
 ):  # fmt: skip
-    """Follow histories and add what they carry, and its square, to the sums of each order.
+    """Follow histories and add their contributions, and the squares, to the sums of each order.
 
     Parameters
     ----------
@@ -82,16 +82,16 @@ def follow(
     first_order : int
         Orders below this one are followed but not counted.
     lit_share : float
-        The part of the places that is drawn where the star shines; see ``lit_air``. [1]
-    air : Air
+        Share of the points that is drawn where the star shines; see ``lit_air``. [1]
+    air : HistoryOptics
     state : array, shape (1,)
-        The stream of random numbers.
+        State of the stream of random numbers.
     paths : tuple
         Workspaces of the rays from the observer, between events and to the star, each a
         ``Trace``, and ``Lit`` for the first and the second.
     workspace : tuple of arrays
-        Scratch: what each constituent scatters, shape (nc,), what a history brings of each
-        order, shape (k,).
+        Scattering by each constituent, shape (nc,), and contributions of a history to each order,
+        shape (k,).
     sums : array, shape (2, k + 1)
         Sums and sums of squares of each order, the last order gathering all further ones, and
         then of all orders together.
@@ -231,7 +231,7 @@ def follow(
                 cosine = sqrt(uniform(state))
                 a, b, c = _turned(x / r, y / r, z / r, cosine, 2.0 * pi * uniform(state))
                 turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
-                # Drawn by Lambert's law; another one weighs the direction.
+                # Drawn by Lambert's law; any other reflection weights the direction.
                 weight *= star_factor(air.ground, 0, cosine, leaving, turn) / returned
                 u, v, w = a, b, c
             else:
@@ -242,7 +242,7 @@ def follow(
                     if pick < 0.0:
                         chosen = i
                         break
-                while scattered[chosen] <= 0.0:  # rounding went past the last that scatters
+                while scattered[chosen] <= 0.0:  # rounding went past the last scatterer
                     chosen -= 1
                 cosine = random_cosine(air.lobes, chosen, state)
                 u, v, w = _turned(u, v, w, cosine, 2.0 * pi * uniform(state))

@@ -28,7 +28,7 @@ from airlight.validation.spherical.data import (
     read_scenes,
 )
 from airlight.validation.spherical.pictures import error_histograms, error_scatter
-from airlight.validation.suite import Bar, Cancel, Mark, Part, Progress, Suite, Table
+from airlight.validation.suite import Bar, Cancel, Mark, Part, Progress, ReportTable, Suite
 
 FloatArray = NDArray[np.float64]
 
@@ -208,7 +208,7 @@ def _parts(quality: str, judged: list[Judged]) -> list[Part]:
                 f"{100 * s.largest:.2f}",
             )
         )
-    scenes = Table(
+    scenes = ReportTable(
         title=f"Errors by scene, {quality} quality",
         columns=[
             "air", "albedo", "values", "median [%]", "95 % [%]",
@@ -235,7 +235,7 @@ def _parts(quality: str, judged: list[Judged]) -> list[Part]:
     ]
 
 
-def _worst(quality: str, judged: list[Judged]) -> Table:
+def _worst(quality: str, judged: list[Judged]) -> ReportTable:
     """List the cases with the largest errors beyond noise, all scenes together."""
     found = []
     for one in judged:
@@ -264,7 +264,7 @@ def _worst(quality: str, judged: list[Judged]) -> Table:
                 f"{abs(one.got[n, c] - known) / deviation:.1f}" if deviation > 0.0 else "",
             )
         )
-    return Table(
+    return ReportTable(
         title=f"The ten worst cases, {quality} quality",
         columns=[
             "air", "albedo", "altitude [km]", "sun zenith [°]", "view zenith [°]", "azimuth [°]",
@@ -276,7 +276,7 @@ def _worst(quality: str, judged: list[Judged]) -> Table:
     )  # fmt: skip
 
 
-def _bruneton(data: Path) -> tuple[Table, list[Bar]]:
+def _bruneton(data: Path) -> tuple[ReportTable, list[Bar]]:
     geometry, known = read_bruneton(data)
     sun, view, azimuth = geometry.T
     solution = solve(load_planet("earth-bruneton"), WAVELENGTHS, cache=False)
@@ -297,7 +297,7 @@ def _bruneton(data: Path) -> tuple[Table, list[Bar]]:
                 f"{100 * allowed:g}",
             )
         )
-    table = Table(
+    table = ReportTable(
         title="Bruneton 2017, observer on the ground",
         columns=[
             "sun zenith [°]", "view zenith [°]", "azimuth [°]", "ours, 680 550 440 nm",

@@ -4,17 +4,24 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Set as AbstractSet
 from pathlib import Path
 from typing import Any, Final
 
 from airlight.errors import ParameterError
 from airlight.scene import Scene
 from airlight.viewer.parameters.parameter import Parameter, Value
-from airlight.viewer.parameters.view_parameters import DEFAULTS, scene_of, view_parameters
+from airlight.viewer.parameters.view_parameters import (
+    DEFAULTS,
+    SOLVED,
+    VIEW_VALUE,
+    scene_of,
+    view_parameters,
+)
 from airlight.viewer.session.history import Change, History
 from airlight.viewer.session.planet_state import PlanetState
 from airlight.viewer.session.side import Side
-from airlight.viewer.session.solve_request import SOLVED, Versions, Wanted, version_of
+from airlight.viewer.session.solve_request import Versions, Wanted
 
 #: Size of the picture until a host says otherwise. [pixel]
 DEFAULT_SIZE: Final = (960, 540)
@@ -137,9 +144,9 @@ class Editing:
         self._followers.append(follower)
         return lambda: self._followers.remove(follower) if follower in self._followers else None
 
-    def _changed(self, paths: set[str]) -> None:
+    def _changed(self, paths: AbstractSet[str]) -> None:
         """Count what changed: paths of the view, and ``planet``."""
-        self._grown({"planet" if path == "planet" else version_of(path) for path in paths})
+        self._grown({"planet" if path == "planet" else VIEW_VALUE[path].part for path in paths})
 
     def _grown(self, parts: set[str]) -> None:
         if not parts:

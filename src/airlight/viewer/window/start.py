@@ -14,8 +14,8 @@ import numpy as np
 from airlight.errors import FileError
 from airlight.exports.whole_file import check_target
 from airlight.gpu.device.device import Device, NoDevice, open_device
+from airlight.gpu.solve_planet import live_solver
 from airlight.scene import look_at
-from airlight.viewer.background.solving_by import solver_by
 from airlight.viewer.navigation.viewpoints import VIEWPOINTS, view_of
 from airlight.viewer.painting.picture_cpu import CpuPainter
 from airlight.viewer.painting.picture_source import Painter
@@ -99,7 +99,7 @@ def show(start: Start) -> None:
     except NoDevice as error:
         place.close()
         raise WindowError(f"the window needs a graphics device: {error.reason}") from error
-    painter, solver = painter_by(start.device, device), solver_by(start.device, device)
+    painter, solver = painter_by(start.device, device), live_solver(start.device, device)
     window = Window(session, place, device.device, painter, solver)
     if start.other is not None:
         window.panel.compare_with(start.other)

@@ -11,8 +11,8 @@ from contextlib import contextmanager
 from time import perf_counter
 from typing import Any, Final
 
+from airlight.gpu.solve_planet import PlanetSolver
 from airlight.viewer.background.error_line import Faults
-from airlight.viewer.background.solving import Solver, solve_on_cpu
 from airlight.viewer.navigation.flight import Flight
 from airlight.viewer.navigation.keys import RATES
 from airlight.viewer.painting.picture_source import Painter, Picture
@@ -55,7 +55,7 @@ class Window:
     device : wgpu.GPUDevice
     painter : callable
         Makes a painter; called once for each side.
-    solver : Solver
+    solver : PlanetSolver, optional
         Solves, on threads of ``Solving``.
     """
 
@@ -65,7 +65,7 @@ class Window:
         place: Place,
         device: Any,
         painter: Callable[[], Painter],
-        solver: Solver = solve_on_cpu,
+        solver: PlanetSolver | None = None,
     ) -> None:
         self.session = session
         self._place = place

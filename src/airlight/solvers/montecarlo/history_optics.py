@@ -1,4 +1,4 @@
-"""A medium at one wavelength, as histories need it, with a quadrature that is good enough."""
+"""Optical properties of a medium at one wavelength for histories, with a sufficient quadrature."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ from airlight.tables.columns import columns
 
 FloatArray = NDArray[np.float64]
 
-#: Nodes of the extinction table.
+#: Number of nodes of the extinction table.
 TABLE_NODES: Final = 16385
-#: Points a panel, panels a leg and whether panels end at corners too, from fast to fine; the first
-#: that is good enough is taken.
+#: Points per panel, panels per leg and whether panels also end at corners, from fast to fine; the
+#: first rule of sufficient accuracy is used.
 RULES: Final = (
     (12, 1, False),
     (16, 1, False),
@@ -40,31 +40,31 @@ RULES: Final = (
     (20, 2, True),
     (24, 4, True),
 )
-#: Largest and root-mean-square error of the light that a ray has lost up to each of its points,
-#: relative to all the light it loses, over ``_test_rays``.
+#: Allowed maximum and root-mean-square error of the light lost by a ray up to each of its points,
+#: relative to the total loss, over ``_test_rays``.
 LARGEST_ERROR: Final = 1e-3
 MEAN_ERROR: Final = 2e-4
 
 
-class Air(NamedTuple):
-    """Air and ground at one wavelength.
+class HistoryOptics(NamedTuple):
+    """Optical properties of air and ground at one wavelength.
 
     Attributes
     ----------
     extinction : Extinction
-        Along rays.
+        Extinction along rays.
     edges, coefficients : array, shapes (nc, ns + 1), (nc, ns, 4)
-        Of ``DensitySegments``.
+        Profiles as in ``DensitySegments``.
     scattering : array, shape (nc,)
-        At relative density 1; 0 for what has no phase function. [m⁻¹]
+        Coefficients at relative density 1; 0 for a constituent without phase function. [m⁻¹]
     lobes : Lobes
         Phase functions.
     ground : Reflection
-        How the ground reflects.
+        Reflection by the ground.
     star_radius : float
         Angular radius of the star. [rad]
     light : Starlight
-        Where it shines.
+        Coarse table of the star's light.
     """
 
     extinction: Extinction
@@ -77,14 +77,14 @@ class Air(NamedTuple):
     light: Starlight
 
 
-def make_air(medium: Medium, wavelength: int) -> Air:
-    """A medium at one of its wavelengths.
+def history_optics(medium: Medium, wavelength: int) -> HistoryOptics:
+    """Prepare a medium at one of its wavelengths.
 
     Parameters
     ----------
     medium : Medium
     wavelength : int
-        Its index.
+        Index of the wavelength.
     """
     density = medium.density
     x = np.linspace(0.0, 1.0, TABLE_NODES)
@@ -106,18 +106,18 @@ def make_air(medium: Medium, wavelength: int) -> Air:
             rule.weights,
             np.ascontiguousarray(rule.running),
         )
-        places = np.empty((r.size, most_panels(chosen) * (points + 1)))
-        got = np.zeros_like(places)
-        places[:] = length[:, None]
+        distances = np.empty((r.size, most_panels(chosen) * (points + 1)))
+        got = np.zeros_like(distances)
+        distances[:] = length[:, None]
         got[:] = whole[:, None]
-        running_depths(r, mu, chosen, new_trace(chosen), places, got)
-        exact = columns(r[:, None], mu[:, None], places, medium.bottom_radius, density)
+        running_depths(r, mu, chosen, new_trace(chosen), distances, got)
+        exact = columns(r[:, None], mu[:, None], distances, medium.bottom_radius, density)
         lost = np.maximum(-np.expm1(-whole), 1e-300)[:, None]
         light = np.exp(-got) - np.exp(-(exact @ coefficients))
         error = np.where(whole[:, None] > 0.0, light / lost, 0.0)
         if np.abs(error).max() <= LARGEST_ERROR and np.sqrt(np.mean(error**2)) <= MEAN_ERROR:
             break
-    return Air(
+    return HistoryOptics(
         extinction=chosen,
         edges=density.edges,
         coefficients=density.coefficients,
@@ -146,7 +146,7 @@ def jump_altitudes(density: DensitySegments) -> FloatArray:
 
 
 def corner_altitudes(density: DensitySegments) -> FloatArray:
-    """Jumps, and the corners of profiles that have few. [m]"""
+    """Altitudes of jumps, and of the corners of profiles that have few. [m]"""
     return np.union1d(jump_altitudes(density), density.corners)
 
 
@@ -164,16 +164,16 @@ def _test_rays(medium: Medium) -> tuple[FloatArray, FloatArray, FloatArray]:
 
 
 @compiled_loop
-def running_depths(r, mu, extinction, path, places, out):
-    """Optical depths of rays to space, up to the points of their panels and to the panels' ends.
+def running_depths(r, mu, extinction, path, distances, out):
+    """Compute optical depths of rays to space up to their panels' points and the panels' ends.
 
     Parameters
     ----------
     r, mu : array, shape (n,)
-        [m], [1]
+        Start of the rays. [m], [1]
     extinction, path : Extinction, Trace
-    places, out : array, shape (n, m)
-        Receive distances [m] and depths [1]; what is left over stays as it is.
+    distances, out : array, shape (n, m)
+        Receive distances [m] and depths [1]; the remainder is unchanged.
     """
     nodes, running = extinction.nodes, extinction.running
     for k in range(r.size):
@@ -186,7 +186,7 @@ def running_depths(r, mu, extinction, path, places, out):
                     t, depth = nodes[j], 0.0
                     for i in range(nodes.size):
                         depth += running[j, i] * path.values[panel, i]
-                places[k, at] = point_at(path.panels[panel], t, r[k], mu[k], extinction)[0]
+                distances[k, at] = point_at(path.panels[panel], t, r[k], mu[k], extinction)[0]
                 out[k, at] = before + depth
                 at += 1
             before += path.panels[panel, 5]
