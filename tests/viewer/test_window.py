@@ -262,7 +262,7 @@ MOVES = {
 
 def chord_of(key: str) -> str:
     """A key with its modifier keys, for xdotool."""
-    *words, name = key.replace("++", "+plus").split("+")
+    *words, name = (f"{key[:-1]}plus" if key.endswith("+") else key).split("+")
     known = {"Control": "ctrl", "Shift": "shift"}
     return "+".join([*(known[word] for word in words), NAMES.get(name, name)])
 
