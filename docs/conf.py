@@ -39,15 +39,6 @@ extensions = [
 exclude_patterns = ["_site", "_static", "images"]
 templates_path: list[str] = []
 nitpicky = True
-#: Bases and types from outside the package: no other site is asked while this one is built.
-_OUTSIDE = "abc anywidget collections concurrent enum html numba numpy pydantic threading typing"
-_BUILT_IN = "Exception ValueError OSError RuntimeError NamedTuple ModuleType object str tuple"
-nitpick_ignore_regex = [
-    ("py:.*", rf"({'|'.join(_OUTSIDE.split())})\..*"),
-    ("py:.*", rf"({'|'.join(_BUILT_IN.split())})"),
-    ("py:.*", r".*\.<locals>\..*"),
-]
-
 myst_enable_extensions = ["amsmath", "attrs_inline", "colon_fence", "deflist", "dollarmath"]
 myst_heading_anchors = 3
 source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
@@ -95,8 +86,13 @@ def _write_pages(app) -> None:
     gallery_pages.write(GENERATED / "gallery", ROOT / "examples", HERE / "images" / "gallery")
 
 
+def _keep_public_bases(app, name, value, options, bases) -> None:
+    bases[:] = api_pages.public_bases(value)
+
+
 def setup(app):
     """Pages that are made of the code are written before Sphinx looks for pages."""
     app.connect("config-inited", lambda app, config: _write_pages(app))
+    app.connect("autodoc-process-bases", _keep_public_bases)
     app.connect("build-finished", mathjax_file.copy)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

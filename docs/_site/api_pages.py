@@ -8,7 +8,7 @@ from types import GenericAlias, ModuleType, UnionType
 from typing import Any, get_origin
 
 from api_names import Module, exported, modules
-from pages import write_pages
+from page_files import write_pages
 
 #: What the names of ``airlight`` are for, in the order in which they are used.
 STATIONS = (
@@ -96,16 +96,26 @@ def _members(module: Module) -> str:
 
 
 def _directive(kind: str, name: str, words: str = "") -> str:
-    if kind == "class":
-        return f".. autoclass:: {name}\n   :members:\n   :show-inheritance:\n"
-    if kind == "function":
-        return f".. autofunction:: {name}\n"
     module, _, constant = name.rpartition(".")
     value = getattr(importlib.import_module(module), constant)
+    if kind == "class":
+        bases = "   :show-inheritance:\n" if public_bases(value) else ""
+        return f".. autoclass:: {name}\n   :members:\n{bases}"
+    if kind == "function":
+        return f".. autofunction:: {name}\n"
     if isinstance(value, GenericAlias | UnionType) or get_origin(value) is not None:
         return f".. py:data:: {constant}\n\n   {words}\n"  # the name of a type
     short = isinstance(value, bool | int | float | str) and len(repr(value)) < 60
     return f".. autodata:: {name}\n" + ("" if short else "   :no-value:\n")
+
+
+def public_bases(value: type) -> list[type]:
+    """Bases of a class that have a place in the reference."""
+    return [
+        base
+        for base in value.__bases__
+        if base.__module__.startswith("airlight.") and not base.__name__.startswith("_")
+    ]
 
 
 def _row(name: str) -> str:

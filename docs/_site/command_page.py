@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 from typing import Any
 
-from pages import write_pages
+from page_files import write_pages
 
 HEAD = """# Commands
 

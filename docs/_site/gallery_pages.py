@@ -9,7 +9,7 @@ from __future__ import annotations
 import ast
 from pathlib import Path
 
-from pages import write_pages
+from page_files import write_pages
 
 #: What the examples are about, in the order of the gallery.
 SECTIONS = {

@@ -24,6 +24,7 @@ def _blocks(page: Path) -> list[tuple[str, str, int]]:
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_tutorial_runs_from_its_first_to_its_last_block(
     page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -36,7 +37,7 @@ def test_tutorial_runs_from_its_first_to_its_last_block(
         if language == "python":
             exec(compile("\n" * (line - 1) + text, str(page), "exec"), names)
         elif language == "console":
-            for command in text.splitlines():
+            for command in text.replace("\\\n", " ").splitlines():
                 program, *arguments = shlex.split(command.removeprefix("$ "))
                 assert command.startswith("$ "), where
                 assert program == "airlight", where

@@ -112,6 +112,7 @@ def program() -> dict[str, Any]:
         "tone_maps": {"hable": 0.18},
         "encodings": ["srgb"],
         "orders": {"all": 2, "single": 1, "multiple": 0},
+        "view_uniforms": {"tone_map": {"path": "display.tone_map", "options": ["hable"]}},
         "xyz": [[0.4, 0.2, 0.0], [0.4, 0.7, 0.1], [0.2, 0.1, 0.9]],
         "efficacy": 683.0,
     }

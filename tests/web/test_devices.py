@@ -15,8 +15,9 @@ from airlight.gpu.emit.glsl import GLSL
 from airlight.gpu.emit.shader_types import F32, I32, VEC4, Several
 from airlight.gpu.emit.texture_table import TextureTable
 from airlight.gpu.emit.wgsl import WGSL
+from airlight.gpu.solver.passes import PASSES
 from airlight.kernel.lanes import LANES, load, room_of_lanes, store
-from airlight.viewer.browser.web_shaders import CORNERS
+from airlight.viewer.browser.web_shaders import CORNERS, solver_shaders, web_shaders
 
 BACK_ENDS = ("webgpu", "webgl2")
 
@@ -157,3 +158,27 @@ def test_pass_reads_flat_tables_and_draws_two_float_targets(
     assert_allclose(place[:, 1], scalars[index + 2040] * np.where(index % 2 == 1, 2, 1), rtol=1e-7)
     assert_allclose(place[:, 2], np.full(index.size, total), rtol=1e-6)
     assert_allclose(place[:, 3], index // width + 0.5, rtol=0)
+
+
+_COMPILE = """async (shaders) => {
+  const device = await openDevice(document.createElement("canvas"), "webgl2");
+  for (const shader of shaders) await device.pipeline(shader, ["rgba32float"]);
+  device.close();
+}"""
+
+
+def test_every_shader_compiles_in_webgl2(modules: Callable[..., Any]) -> None:
+    # what a page carries: an error names the entry point and the line
+    pairs = [
+        (f"{name}.{entry}", text)
+        for name, one in {**web_shaders(), **solver_shaders()}.items()
+        for entry, text in one["glsl"].items()
+        if entry != CORNERS
+    ]
+    assert len(pairs) == 4 + len(PASSES)
+    page = modules({"devices/device": ("openDevice",)})
+    shaders = [
+        {"entry": name, "uniforms": {}, "glsl": {"vertex": GLSL.triangle, "fragment": text}}
+        for name, text in pairs
+    ]
+    page.evaluate(_COMPILE, shaders)

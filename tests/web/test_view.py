@@ -6,16 +6,13 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-import pytest
 from numpy.testing import assert_allclose
 
 from airlight.color.exposure import automatic_exposure
 from airlight.color.tone_maps import tone_map_named
 from airlight.color.xyz import luminance
 from airlight.scene import Camera, Scene
-from airlight.scene.flight import FOOTING, RATE, looked, risen, sun_dragged
-from airlight.scene.great_circle import compass
-from airlight.scene.sun_time import sun_at, time_of
+from airlight.scene.flight import FOOTING, RATE
 from airlight.viewer.navigation.flight import flown
 
 #: Nobody's special case.
@@ -123,25 +120,3 @@ def test_flight_is_that_of_the_window(modules: Callable[..., Any]) -> None:
         for path, value in wanted.items():
             # degrees: two mathematics libraries, a few roundings apart
             assert_allclose(one[path], value, rtol=1e-13, atol=2e-9, err_msg=f"{path} of {flight}")
-
-
-#: Formulas of a host's mouse and clock, and the ends of what they are given.
-FORMULAS = {
-    "looked": (looked, ((0, 180), (0, 360), (-90, 90), (-200, 200))),
-    "risen": (risen, ((1, 1e6), (-20, 20))),
-    "sun_dragged": (sun_dragged, ((0, 180), (0, 360), (-90, 90), (-200, 200))),
-    "sun_at": (sun_at, ((-90, 90), (-90, 90), (0, 24))),
-    "time_of": (time_of, ((-90, 90), (0, 180), (0, 360))),
-    "compass": (compass, ((-1000, 1000),)),
-}
-
-
-@pytest.mark.parametrize("name", FORMULAS)
-def test_mouse_and_clock_are_those_of_the_window(name: str, modules: Callable[..., Any]) -> None:
-    formula, ends = FORMULAS[name]
-    page = modules({"generated/flight": (name,)})
-    low, high = np.transpose(ends).astype(float)
-    draws = np.random.default_rng(5).uniform(low, high, (60, len(ends))).tolist()
-    cases = [*draws, low.tolist(), high.tolist()]
-    got = page.evaluate(f"(cases) => cases.map((one) => {name}(...one))", cases)
-    assert_allclose(got, [formula(*one) for one in cases], rtol=1e-12, atol=1e-10)

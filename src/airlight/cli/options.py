@@ -188,12 +188,12 @@ def wavelengths(text: str, planet: Planet) -> tuple[float, ...]:
     if stripped == "rgb":
         return RGB
     if stripped.isdecimal() and int(stripped) < SMALLEST_WAVELENGTH:
-        from airlight.color.spectral import default_wavelengths
+        from airlight.planets.picture_wavelengths import picture_wavelengths
 
         count = int(stripped)
         if count < 1:
             raise ParameterError(option, text, "rgb, 1 to 99, or wavelengths in nm")
-        return tuple(float(w) for w in default_wavelengths(count, *planet.wavelength_limits))
+        return tuple(float(w) for w in picture_wavelengths(planet, count))
     values = quantities(text, "nm", option)
     if len(set(values)) < len(values):
         raise ParameterError(option, text, "each wavelength once")

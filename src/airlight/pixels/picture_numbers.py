@@ -40,13 +40,13 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     r = float(solution.paths.optical_radius(np.array(true_r)))
     outside = scene.altitude >= solution.medium.thickness
     bottom = medium.bottom_radius
-    sun = scene.sun_direction
+    sun = scene.lights[0].direction
     seen, lift = sun[2], solution.paths
     if lift.shell is not None and not outside:
         seen = float(seen_star(r, sun[2], lift.shell.bottom, lift.shell.top, lift.lift)[0])
     axes = camera.axes
     assert camera.field_of_view is not None
-    star_radius = solution.medium.star_angular_radius
+    star_radius = solution.lights[0].angular_radius
     horizon_mu, horizon_sine, sun_level, seen_level, disc = observer_numbers(
         r, bottom, float(sun[0]), float(sun[1]), seen, star_radius
     )

@@ -12,7 +12,7 @@ import numpy.typing as npt
 from airlight.constants import ASTRONOMICAL_UNIT, SOLAR_RADIUS
 from airlight.errors import ParameterError
 from airlight.planets.parameters import MISSING, parameters
-from airlight.planets.schema.key import Key, Wavelengths
+from airlight.planets.schema.key import Key, Wavelengths, always
 from airlight.planets.schema.record import Record
 from airlight.planets.schema.section import Section
 from airlight.planets.spectral import (
@@ -60,6 +60,8 @@ class Ground(Record):
     map : str, optional
         Name of a picture of the ground, used where the ground is seen; the light that the ground
         sends back into the air comes from ``albedo``.
+    brightness : float
+        Factor of albedo and picture, 0 to 100; no albedo gets beyond 1. [1]
     """
 
     has_wavelengths = True
@@ -93,6 +95,17 @@ class Ground(Record):
         ]
         | None
     ) = None
+    brightness: Annotated[
+        float,
+        Key(
+            label="brightness",
+            help="Factor of the ground's albedo, and of its picture.",
+            note="No albedo gets beyond 1.",
+            range=(0.0, 100.0),
+            slider=(0.0, 5.0),
+            offered=always,
+        ),
+    ] = 1.0
 
     @property
     def limits(self) -> Limits:
@@ -103,11 +116,13 @@ class Ground(Record):
 
     def albedos(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """The albedo, shape (nl,). [1]"""
-        if not isinstance(self.albedo, str):
-            return spectral_at(self.albedo, wavelengths)
-        from airlight.spectra.tables import read_spectrum
+        if isinstance(self.albedo, str):
+            from airlight.spectra.tables import read_spectrum
 
-        return np.clip(read_spectrum(self.albedo).at(wavelengths), 0.0, 1.0)
+            known = read_spectrum(self.albedo).at(wavelengths)
+        else:
+            known = spectral_at(self.albedo, wavelengths)
+        return np.clip(self.brightness * known, 0.0, 1.0)
 
 
 def _read_spectrum(section: Section, name: str, wavelengths: Wavelengths) -> str:

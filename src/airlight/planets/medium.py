@@ -14,11 +14,13 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
+from airlight.color.upsampling import reflectance_basis
 from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.optics.bent_density import BentShell
 from airlight.optics.density_profile import DensitySegments, Row
 from airlight.optics.reflection import LAWS, Reflection
+from airlight.planets.light_source import LightSource
 from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
 from airlight.planets.matter.profiles import Uniform
 from airlight.planets.planet import Constituent, Planet
@@ -75,6 +77,8 @@ class Medium:
         alike: the bending of air differs by 3 % over the visible. [1]
     constituents : tuple of Constituent
         What the arrays were sampled from.
+    map_brightness : float
+        Factor of the picture of the ground. [1]
 
     Examples
     --------
@@ -98,6 +102,18 @@ class Medium:
     star_angular_radius: float
     refractivity: FloatArray
     constituents: tuple[Constituent, ...] = field(repr=False)
+    map_brightness: float = 1.0
+
+    @property
+    def lights(self) -> tuple[LightSource, ...]:
+        """The light sources, sampled at the wavelengths: one today, the star."""
+        star = LightSource(
+            name="star",
+            angular_radius=self.star_angular_radius,
+            wavelengths=self.wavelengths,
+            irradiance=self.solar_irradiance,
+        )
+        return (star,)
 
     @property
     def ground(self) -> Reflection:
@@ -173,12 +189,18 @@ class Medium:
             star_angular_radius=math.radians(planet.star.angular_radius_degrees),
             refractivity=_refractivity(planet),
             constituents=constituents,
+            map_brightness=planet.ground.brightness,
         )
         medium._check()
         _ = medium.bent_shell  # refuses air in which light would follow the ground
         for array in medium._arrays().values():
             array.flags.writeable = False
         return medium
+
+    @property
+    def map_basis(self) -> FloatArray:
+        """Reflectances of red, green and blue of the ground's picture, shape (nl, 3). [1]"""
+        return self.map_brightness * reflectance_basis(self.wavelengths)
 
     @property
     def thickness(self) -> float:

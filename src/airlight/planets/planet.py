@@ -70,6 +70,9 @@ class Constituent(Record):
     matter : Matter, optional
         What it is made of, a gas mixture or particles; then ``scattering`` is not given, and
         ``absorption`` comes on top of the matter's own.
+    amount : float
+        Factor of what it scatters and absorbs at all wavelengths, 0 to 100; a gas bends light as
+        without it. [1]
 
     Notes
     -----
@@ -135,6 +138,18 @@ class Constituent(Record):
         ]
         | None
     ) = None
+    amount: Annotated[
+        float,
+        Key(
+            label="amount",
+            help="Factor of what it scatters and absorbs, at all wavelengths.",
+            note="A gas bends light as without it.",
+            range=(0.0, 100.0),
+            slider=(0.1, 10.0),
+            scale="log",
+            offered=always,
+        ),
+    ] = 1.0
     matter: Annotated[Matter, instance_of(Matter)] | None = None
 
     def __post_init__(self) -> None:
@@ -185,6 +200,9 @@ class Constituent(Record):
         thickness : float
             Of the shell, over which an optical depth is spread. [m]
         """
+        return self.amount * self._scattering(wavelengths, thickness)
+
+    def _scattering(self, wavelengths: npt.ArrayLike, thickness: float) -> FloatArray:
         if self.matter is not None:
             return self.matter.scattering_coefficients(wavelengths, self._column(thickness))
         if isinstance(self.scattering, Scatterer):
@@ -209,7 +227,7 @@ class Constituent(Record):
         if self.matter is not None:
             column = self._column(thickness)
             total = total + self.matter.absorption_coefficients(wavelengths, column)
-        return total
+        return self.amount * total
 
     def refractivities(self, wavelengths: npt.ArrayLike, thickness: float) -> FloatArray:
         """n - 1 of a gas at relative density 1, shape (nl,); 0 for anything else. [1]

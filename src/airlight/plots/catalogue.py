@@ -79,9 +79,9 @@ def _solve(
 
     nm = choices.wavelengths
     if nm is None and colored:
-        from airlight.color.spectral import default_wavelengths
+        from airlight.planets.picture_wavelengths import picture_wavelengths
 
-        nm = tuple(default_wavelengths(16, *planet.wavelength_limits).tolist())
+        nm = tuple(picture_wavelengths(planet).tolist())
     return solve(
         planet,
         nm,

@@ -57,8 +57,8 @@ def _sky_rgb(solution: Solution, sun_zeniths: Sequence[float]) -> FloatArray:
     radiance = solution.radiance(
         altitude=0.0, sun_zenith=sun, view_zenith=view, azimuth=np.array([0.0, 90.0, 0.0])
     )
-    star = solution.planet.star.irradiances if solution.planet is not None else None
-    return np.asarray(np.asarray(radiance) @ rgb_weights(solution.wavelengths, star))
+    weights = rgb_weights(solution.wavelengths, solution.lights[0].spectrum)
+    return np.asarray(np.asarray(radiance) @ weights)
 
 
 def cie(solution: Solution, sun_zeniths: Sequence[float] = SUN_ZENITHS) -> Figure:

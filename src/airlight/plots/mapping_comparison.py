@@ -126,9 +126,9 @@ def table_rgb(
     cancel: Cancel | None = None,
 ) -> FloatArray:
     """Linear sRGB of the light of the air, shape (depth, height, width, 3). [W m⁻² sr⁻¹]"""
-    irradiance = solution.medium.solar_irradiance
-    star = solution.planet.star.irradiances if solution.planet is not None else None
-    weights = rgb_weights(solution.wavelengths, star)
+    light = solution.lights[0]
+    irradiance = light.irradiance
+    weights = rgb_weights(solution.wavelengths, light.spectrum)
     rgb = np.empty((sights.r.size, 3))
     for first in range(0, sights.r.size, _BLOCK):
         if cancel is not None and cancel():

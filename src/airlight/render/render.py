@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.four_wavelengths import picture_weights
-from airlight.color.upsampling import reflectance_basis
 from airlight.errors import ParameterError
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel import compiled_loop
@@ -157,11 +154,7 @@ def _march_for(solution: MomentsSolution) -> March:
 
 def color_weights(solution: MomentsSolution) -> FloatArray:
     """Linear sRGB per radiance over irradiance at each wavelength, shape (nl, 3)."""
-    planet = solution.planet
-    spectrum: Callable[[FloatArray], FloatArray] | None
-    spectrum = None if planet is None else planet.star.irradiances
-    weights = picture_weights(solution.wavelengths, spectrum)
-    return np.asarray(weights * solution.medium.solar_irradiance[:, None])
+    return solution.lights[0].colors()
 
 
 def _paint(solution: MomentsSolution, weights: FloatArray) -> Paint:
@@ -177,7 +170,7 @@ def _paint(solution: MomentsSolution, weights: FloatArray) -> Paint:
         weights=padded.reshape(-1),
         phase=pack(phases),
         phase_nodes=medium.phase_table.shape[2],
-        basis=pack(reflectance_basis(medium.wavelengths).T),
+        basis=pack(medium.map_basis.T),
         texels=np.concatenate([one.reshape(-1) for one in maps]),
         levels=np.array([(start, *one.shape[:2]) for start, one in zip(starts, maps, strict=True)]),
         mapped=medium.ground_map is not None,

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.scene.camera import Camera
-from airlight.scene.directions import direction
+from airlight.scene.light_position import LightPosition
 from airlight.scene.limits import within
 from airlight.scene.observer import planet_frame
 
@@ -68,9 +68,14 @@ class Scene:
             object.__setattr__(self, name, value)
 
     @property
+    def lights(self) -> tuple[LightPosition, ...]:
+        """Where the lights stand: one today, the sun, at azimuth 0."""
+        return (LightPosition(zenith=self.sun_zenith),)
+
+    @property
     def sun_direction(self) -> NDArray[np.float64]:
         """Unit vector towards the sun in the local frame, shape (3,). [1]"""
-        return direction(self.sun_zenith, 0.0)
+        return self.lights[0].direction
 
     @property
     def ground_frame(self) -> NDArray[np.float64]:

@@ -7,7 +7,7 @@ moved to where their line of sight enters it; results are labelled arrays.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.errors import ParameterError
 from airlight.optics.air_mass import air_mass_pickering2002
+from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.solvers.light_paths import LightPaths
@@ -98,6 +99,14 @@ class Solution(ABC):
         """Paths of light in the medium."""
         return LightPaths.of(self.medium)
 
+    @property
+    def lights(self) -> tuple[LightSource, ...]:
+        """Light sources that shine on the planet, in the order of ``Scene.lights``."""
+        if self.planet is None:
+            return self.medium.lights
+        star, *others = self.medium.lights
+        return (replace(star, spectrum=self.planet.star.irradiances), *others)
+
     #: Largest order that can be requested separately.
     highest_order: int = 1
 
@@ -160,7 +169,7 @@ class Solution(ABC):
             altitude=altitude, sun_zenith=sun_zenith, view_zenith=view_zenith, azimuth=azimuth
         )
         self.check_order(order)
-        values = self.relative_radiance(sight, order=order) * self.medium.solar_irradiance
+        values = self.relative_radiance(sight, order=order) * self.lights[0].irradiance
         return self._labelled(
             values,
             shape,
@@ -328,7 +337,7 @@ class Solution(ABC):
         return xarray.Dataset(
             {
                 name: self._labelled(
-                    values * self.medium.solar_irradiance,
+                    values * self.lights[0].irradiance,
                     shape,
                     f"{name} irradiance",
                     "W m-2 nm-1",

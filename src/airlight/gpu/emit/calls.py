@@ -13,6 +13,7 @@ import numpy as np
 
 from airlight.gpu.emit.scope import Names, SubsetError
 from airlight.gpu.emit.shader_types import (
+    BOOL,
     F32,
     I32,
     VEC4,
@@ -104,6 +105,8 @@ class Calls(Names, ABC):
                 raise self.refuse(node, "the size of a room is a constant")
             return "", Room(size, VEC4)
         if _is(called, self.dialect.mathematics):
+            if called is math.isfinite:
+                return self.mathematics(called, [self.as_scalar(node.args[0], F32)]), BOOL
             return self.mathematics(called, [self.as_scalar(one, F32) for one in node.args]), F32
         for name in _LANE_CALLS:
             if called is getattr(lane_module, name):

@@ -43,7 +43,7 @@ class JavaScript(Dialect):
             math.asin, math.atan, math.atan2, math.floor, math.hypot, math.expm1, abs, min, max,
             pow,
         )
-    }  # fmt: skip
+    } | {math.isfinite: "Number.isFinite"}  # fmt: skip
     unrolls = False
     largest = math.inf
 

@@ -15,7 +15,7 @@ from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.shader_types import F32, I32, VEC4, Bundle, Constant, Room, Several, Value
 from airlight.gpu.emit.texture_table import TextureTable
 from airlight.gpu.emit.wgsl import WGSL
-from airlight.gpu.picture.uniforms import struct_text, uniform
+from airlight.gpu.picture.uniforms import CHANNELS, struct_text, uniform
 from airlight.pixels.pixel import Display, Screen, displayed, pixel_light
 from airlight.pixels.shown import FIELD_TABLES, SCALAR_TABLES, SPECTRAL_TABLES, Shown
 from airlight.pixels.sky_table import Observer, sky_texel
@@ -221,11 +221,11 @@ def _sky_shader(
         sky_texel, I32, I32, I32, I32, Constant(gathers), Constant(peaks), observer(), light(),
         found, name=function,
     )  # fmt: skip
-    whole = dialect.uniform("frame.sky.x", I32), dialect.uniform("frame.sky.y", I32)
-    places = ("number % columns", "number / columns", "columns", whole[1])
+    columns, rows = (dialect.uniform(uniform(one).text, I32) for one in ("sky_columns", "sky_rows"))
+    places = ("number % columns", "number / columns", "columns", rows)
     x, y = dialect.converted("at.x", I32), dialect.converted("at.y", I32)
     body = [
-        dialect.kept("columns", I32, whole[0]),
+        dialect.kept("columns", I32, columns),
         dialect.kept("number", I32, f"{y} * {FLAT_WIDTH} + {x}"),
         *_filled("found", found, function, places, dialect),
     ]
@@ -265,21 +265,21 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
     )  # fmt: skip
     shown = emitter.add(displayed, F32, F32, F32, display(fixed), name="displayed").result
     assert isinstance(shown, Several)
-    channels = ("red", "green", "blue")
+    row = f"at.y + {uniform('first_row').text}"
     lines = [
-        *_filled("found", found, "light_of_pixel", ("at.x", "at.y + frame.display.w"), dialect),
-        *(dialect.kept(one, F32, f"dot(found[0], frame.{one})") for one in channels),
+        *_filled("found", found, "light_of_pixel", ("at.x", row), dialect),
+        *(dialect.kept(one, F32, f"dot(found[0], frame.{one})") for one in CHANNELS),
     ]
     vector = f"{dialect.type_name(VEC4)}({{}}, 1.0)"
     parts = [dialect.part("seen", i) for i in range(3)]
     entries = {
         "linear_picture": dialect.fragment(
-            "linear_picture", 1, lines, [vector.format(", ".join(channels))]
+            "linear_picture", 1, lines, [vector.format(", ".join(CHANNELS))]
         ),
         "shown_picture": dialect.fragment(
             "shown_picture",
             1,
-            [*lines, dialect.kept("seen", shown, f"displayed({', '.join(channels)})")],
+            [*lines, dialect.kept("seen", shown, f"displayed({', '.join(CHANNELS)})")],
             [vector.format(", ".join(parts))],
         ),
     }

@@ -40,10 +40,12 @@ def read_constituent(section: Section, thickness: float) -> Constituent:
         scattering, absorption = read_coefficients(section, wavelengths, profile, thickness)
     else:
         scattering, absorption = 0.0, read_absorption(section, wavelengths)
+    amount = section.number("amount", "1", "2") if "amount" in section else 1.0
     section.finish()
     with section.blamed():
         return Constituent(
             name=name,
+            amount=amount,
             profile=profile,
             scattering=scattering,
             absorption=absorption,

@@ -73,7 +73,7 @@ def _of_kinds(kinds: Kinds[Any]) -> Iterator[str]:
     for one in kinds.classes:
         names = ", ".join(f"`{key.name}`" for key in one.declared())
         summary = (inspect.getdoc(one) or "").splitlines()[0]
-        yield _row(f'`"{one.keyword}"`', names, _cell(summary))
+        yield _row(f'`"{one.keyword}"`', names, _cell(summary.replace("``", "`")))
 
 
 def _row(*cells: str) -> str:

@@ -208,7 +208,7 @@ class MonteCarloSolution(Solution):
         }
         sight, shape = self.lines_of_sight(**inputs)
         got = self.trace(sight)
-        sun = self.medium.solar_irradiance
+        sun = self.lights[0].irradiance
         unit = "W m-2 sr-1 nm-1"
         kept = self.settings.kept_orders
 

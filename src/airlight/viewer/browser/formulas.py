@@ -11,13 +11,19 @@ from airlight.color.xyz import luminance_of
 from airlight.geometry.bending import raised_star
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.javascript import JAVASCRIPT
-from airlight.gpu.emit.shader_types import F32, Table, Value
+from airlight.gpu.emit.shader_types import F32, I32, Room, Table, Value
 from airlight.pixels.observer_numbers import observer_numbers
+from airlight.scene import flight, great_circle, sun_time
 from airlight.scene.directions import camera_frame, direction_of
 from airlight.scene.observer import ground_axes
 from airlight.scene.projections import PROJECTIONS
+from airlight.solvers.moments.acceleration import combine
+from airlight.solvers.moments.convergence import change_at, count_at, rest_after
+from airlight.solvers.moments.packing import thick_share
+from airlight.solvers.moments.reduced_optics import cut_part, cut_weight, is_peaked
 
-#: Each formula with what its arguments are; without that, numbers.
+#: Each formula with what its arguments are; without that, numbers. An array that a formula writes
+#: to may have any length.
 FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     direction_of: (),
     camera_frame: (),
@@ -26,6 +32,24 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     raised_star: (F32, F32, F32, F32, Table("lift", 3)),
     luminance_of: (),
     exposure_of: (Table("bright"), F32),
+    great_circle.compass: (),
+    flight.climbed: (),
+    flight.course_of: (),
+    flight.angle_flown: (),
+    flight.turned: (),
+    flight.looked: (),
+    flight.risen: (),
+    flight.sun_dragged: (),
+    sun_time.sun_at: (),
+    sun_time.time_of: (),
+    change_at: (),
+    count_at: (),
+    rest_after: (F32, F32, I32),
+    combine: (Room(1), I32, Room(1)),
+    is_peaked: (),
+    cut_weight: (),
+    cut_part: (),
+    thick_share: (),
 }
 
 

@@ -15,7 +15,6 @@ from importlib import resources
 from typing import Final
 
 from airlight.errors import FileError
-from airlight.viewer.browser.flight_formulas import flight_text
 from airlight.viewer.browser.formulas import formulas_text
 from airlight.viewer.navigation import keys
 
@@ -36,7 +35,6 @@ def _keys_module() -> str:
 
 #: Modules that are made of what Python declares.
 GENERATED: Final[Mapping[str, Callable[[], str]]] = {
-    "generated/flight.js": flight_text,
     "generated/formulas.js": formulas_text,
     "generated/keys.js": _keys_module,
 }

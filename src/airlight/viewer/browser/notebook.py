@@ -8,15 +8,17 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from airlight.errors import AirlightError
 from airlight.gpu.device.device import NoDevice, open_device
-from airlight.viewer.background.solving import Solver, Solving, solve_on_cpu
-from airlight.viewer.background.solving_by import solver_by
+from airlight.gpu.solve_planet import PlanetSolver, live_solver
+from airlight.planets.picture_wavelengths import LIVE, picture_wavelengths
+from airlight.viewer.background.solving import Solving
 from airlight.viewer.browser.modules import join_modules, web_file
-from airlight.viewer.browser.package import planet_tables, program, wavelengths_for
+from airlight.viewer.browser.package import planet_tables, program
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.session.session import Session
 
@@ -27,12 +29,12 @@ except ImportError as error:
     raise ImportError("a viewer in a notebook needs pip install 'airlight[notebook]'") from error
 
 
-def quickest_solver() -> Solver:
+def quickest_solver() -> PlanetSolver:
     """The solver of this machine's GPU, or of its processor where there is none."""
     try:
-        return solver_by("auto", open_device())
+        return live_solver("auto", open_device())
     except NoDevice:
-        return solve_on_cpu
+        return live_solver("cpu")
 
 
 class Viewer(anywidget.AnyWidget):
@@ -109,7 +111,7 @@ class Viewer(anywidget.AnyWidget):
         self._solving = solving(
             self.session,
             solver=quickest_solver(),
-            wavelengths=wavelengths_for,
+            wavelengths=partial(picture_wavelengths, most=LIVE),
             on_change=self._wake,
         )
         self._ending = (unfollow, self._solving.close)

@@ -21,8 +21,6 @@ from airlight.pixels.shown import WAVELENGTHS
 from airlight.planets.medium import BENDING
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments import convergence
-from airlight.solvers.moments import reduced_optics as air
-from airlight.solvers.moments.levels import THICK
 from airlight.solvers.moments.packing import filled
 from airlight.solvers.moments.settings import QUALITIES, Settings
 from airlight.solvers.moments.solution import MomentsSolution
@@ -106,9 +104,7 @@ def solver_data(
         "most_sweeps": stopping.most_sweeps,
         "stricter": stopping.stricter,
         "night": stopping.night,
-        "dark": convergence.DARK,
-        "dim": convergence.DIM,
-        "shrinkage": [convergence.SHRINKAGE, convergence.STALLED],
+        "back": convergence.BACK,
         "air": {
             "names": [name for name in drawn.names if name != BENDING],
             "scattering": _four(drawn.scattering),
@@ -117,10 +113,6 @@ def solver_data(
             "columns": [float(x) for x in drawn.columns],
             "albedo": _four(drawn.ground_albedo),
             "day": [float(x) for x in plan.setup.daylight],
-            "thin": air.THIN,
-            "negligible": air.NEGLIGIBLE,
-            "most_peak": air.MOST_PEAK,
-            "thick": THICK,
             "thickest": THICKEST,
         },
         "picture": {

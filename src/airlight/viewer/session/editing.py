@@ -10,11 +10,17 @@ from typing import Any, Final
 from airlight.errors import ParameterError
 from airlight.scene import Scene
 from airlight.viewer.parameters.parameter import Parameter, Value
-from airlight.viewer.parameters.view_parameters import DEFAULTS, scene_of, view_parameters
-from airlight.viewer.session.history import Change
+from airlight.viewer.parameters.view_parameters import (
+    DEFAULTS,
+    SOLVED,
+    VIEW_VALUE,
+    scene_of,
+    view_parameters,
+)
+from airlight.viewer.session.history import Change, History
 from airlight.viewer.session.planet_state import PlanetState
 from airlight.viewer.session.side import Side
-from airlight.viewer.session.solve_request import SOLVED, Versions, Wanted, version_of
+from airlight.viewer.session.solve_request import Versions, Wanted
 
 #: Size of the picture until a host says otherwise. [pixel]
 DEFAULT_SIZE: Final = (960, 540)
@@ -139,7 +145,7 @@ class Editing:
 
     def _changed(self, paths: set[str]) -> None:
         """Count what changed: paths of the view, and ``planet``."""
-        self._grown({"planet" if path == "planet" else version_of(path) for path in paths})
+        self._grown({"planet" if path == "planet" else VIEW_VALUE[path].part for path in paths})
 
     def _grown(self, parts: set[str]) -> None:
         if not parts:
@@ -210,6 +216,10 @@ class Editing:
     def can_redo(self) -> bool:
         """Whether ``redo`` would do something."""
         return self._side.history.can_redo
+
+    def forget_steps(self) -> None:
+        """Make what was done so far the beginning: it cannot be undone."""
+        self._side.history = History()
 
     def reset(self, what: str = "") -> None:
         """Back to what the planet came with, and the view started with: one step to undo.

@@ -23,7 +23,7 @@ WAVELENGTHS: Final = (360.0, 440.0, 550.0, 680.0, 830.0)
 #: Keys that say what a constituent is made of.
 _MADE_OF: Final = tuple(one.keyword for one in MATTER)
 #: Those that a frozen constituent has otherwise.
-_REPLACED: Final = (*_MADE_OF, *COEFFICIENTS, "wavelengths", "phase_function")
+_REPLACED: Final = (*_MADE_OF, *COEFFICIENTS, "wavelengths", "phase_function", "amount")
 
 
 def is_advanced(constituent: Tables) -> bool:

@@ -23,9 +23,9 @@ from airlight.viewer.session.freeze_coefficients import as_standard, is_advanced
 from airlight.viewer.session.history import Change
 from airlight.viewer.session.planet_file import planet_file
 from airlight.viewer.session.side import Side
-from airlight.viewer.session.solve_request import SOLVED, Versions, Wanted
+from airlight.viewer.session.solve_request import Versions, Wanted
 
-__all__ = ["SOLVED", "Session", "Versions", "Wanted"]
+__all__ = ["Session", "Versions", "Wanted"]
 
 
 class Session(Editing):

@@ -12,8 +12,8 @@ from time import perf_counter
 from typing import Any, Final
 
 from airlight.errors import AirlightError
+from airlight.gpu.solve_planet import PlanetSolver
 from airlight.viewer.background.error_line import Faults
-from airlight.viewer.background.solving import Solver, solve_on_cpu
 from airlight.viewer.navigation.flight import Flight
 from airlight.viewer.navigation.viewpoints import VIEWPOINTS, view_of
 from airlight.viewer.painting.picture_source import Painter, Picture
@@ -52,7 +52,7 @@ class Window:
     device : wgpu.GPUDevice
     painter : callable
         Makes a painter; called once for each side.
-    solver : Solver
+    solver : PlanetSolver, optional
         Solves, on threads of ``Solving``.
     """
 
@@ -62,7 +62,7 @@ class Window:
         place: Place,
         device: Any,
         painter: Callable[[], Painter],
-        solver: Solver = solve_on_cpu,
+        solver: PlanetSolver | None = None,
     ) -> None:
         self.session = session
         self._place = place
@@ -290,7 +290,7 @@ class Window:
     def do(self, deed: str) -> None:
         """See ``Deeds``."""
         word, _, number = deed.partition(" ")
-        if word == "place" and number.isdigit():
+        if word == "viewpoint" and number.isdigit():
             self._go(int(number) - 1)
             return
         deeds: dict[str, Callable[[], object]] = {

@@ -4,7 +4,8 @@
  * A description, as viewer/browser/package.py makes it, has what is the same for every planet — `plan` and
  * `shaders` (see program.js), `sky` (shapes of the table of the sky), `glance` (side of the picture
  * that the exposure is found from), `projections` with their fields of view, `tone_maps` with the
- * luminance that each shows as middle grey, `encodings` and `orders` — and what belongs
+ * luminance that each shows as middle grey, `encodings`, `orders`, and `view_uniforms`, the shaders'
+ * numbers that are values of the view — and what belongs
  * to a solution: `uniforms`, `tables` (`{format, data}` by name, or a `texture` that is given away), `ground` (see ground.js), `radius`,
  * `thickness`, `star` and `paths` (see view_uniforms.js).
  */
@@ -94,8 +95,8 @@ export class Picture {
     this.exposure = exposure;
     program.setAll(cameraNumbers(camera, width, height, fixed.projections));
     program.setAll({
+      ...this.viewNumbers(values),
       exposure: 2 ** exposure,
-      tone_map: Object.keys(fixed.tone_maps).indexOf(tone),
       encoding: fixed.encodings.indexOf("srgb"),
       first_row: 0,
     });
@@ -147,6 +148,15 @@ export class Picture {
       ...observerNumbers(this.planet, values["view.altitude"], camera.sun),
       orders: this.fixed.orders[values["light.orders"]],
     };
+  }
+
+  /** Values of the view that are numbers of the shaders, by name: `uniforms_of` in Python. */
+  viewNumbers(values) {
+    const numbers = {};
+    for (const [name, { path, options }] of Object.entries(this.fixed.view_uniforms)) {
+      numbers[name] = options.length ? options.indexOf(values[path]) : Number(values[path]);
+    }
+    return numbers;
   }
 
   key(numbers) {

@@ -11,14 +11,6 @@ const RADIAN = Math.PI / 180;
 /** Width over height of projections that have a shape of their own. */
 const SHAPES = { equirectangular: 2, cubemap: 6 };
 
-/** Unit vector of a direction given by its zenith angle and azimuth. [deg] */
-export const direction = direction_of;
-
-/** Rows of the rotation from the observer's frame to the frame that turns with the planet. */
-export function groundFrame(latitude, longitude, bearing) {
-  return rows(ground_axes(latitude, longitude, bearing));
-}
-
 /** Nine numbers as three rows. */
 function rows(nine) {
   return [0, 3, 6].map((start) => nine.slice(start, start + 3));
@@ -48,8 +40,8 @@ export function cameraOf(values, limits) {
   return {
     projection,
     axes: rows(camera_frame(values["view.look_zenith"], azimuth, values["view.roll"])),
-    sun: direction(values["view.sun_zenith"], 0),
+    sun: direction_of(values["view.sun_zenith"], 0),
     fieldOfView: Math.min(Math.max(values["view.field_of_view"], low), high) * RADIAN,
-    ground: groundFrame(values["view.latitude"], values["view.longitude"], bearing),
+    ground: rows(ground_axes(values["view.latitude"], values["view.longitude"], bearing)),
   };
 }

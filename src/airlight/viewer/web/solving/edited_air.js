@@ -1,8 +1,10 @@
 /**
  * The coefficients of air of which there is more or less, as viewer/browser/page_solver.py carries it.
  *
- * What is computed here is what solvers/moments/air.py and level_weights of packing.py compute.
+ * What is computed here is what solvers/moments/reduced_optics.py and level_weights of packing.py
+ * compute, by the same formulas.
  */
+import { cut_part, cut_weight, is_peaked, thick_share } from "../generated/formulas.js";
 
 /** Wavelengths of a texel. */
 const LANES = [0, 1, 2, 3];
@@ -46,7 +48,7 @@ export function editedAir(air, { amounts, ground }) {
   }
   const peaks = forwardPeaks(air, scattering, over);
   const smooth = over((c, w) => scattering[c][w] * (1 - peaks[c][w]));
-  const thick = smooth.map((depth) => -Math.expm1(-((depth / air.thick) ** 4)));
+  const thick = smooth.map(thick_share);
   const degrees = air.phases[0].length - 1;
   return {
     extinction: flat(extinction.map((row, c) => row.map((x, w) => x - peaks[c][w] * scattering[c][w]))),
@@ -67,13 +69,11 @@ export function editedAir(air, { amounts, ground }) {
 }
 
 /** Part of each constituent's scattering that counts as none. */
-function forwardPeaks({ phases, thin, negligible, most_peak }, scattering, over) {
+function forwardPeaks({ phases }, scattering, over) {
   const beyond = phases.map((one) => one[one.length - 1]);
-  const peaked = (c, w) => Math.abs(beyond[c][w]) > negligible;
-  const depth = over((c, w) => (peaked(c, w) ? scattering[c][w] : 0));
-  const weight = depth.map((x) => 1 - Math.exp(-((x / thin) ** 2)));
-  const part = (x) => Math.min(Math.max(x, 0), most_peak);
-  return beyond.map((row, c) => row.map((x, w) => (peaked(c, w) ? part(x) * weight[w] : 0)));
+  const depth = over((c, w) => (is_peaked(beyond[c][w]) ? scattering[c][w] : 0));
+  const weight = depth.map(cut_weight);
+  return beyond.map((row) => row.map((x, w) => cut_part(x, weight[w])));
 }
 
 function flat(rows) {

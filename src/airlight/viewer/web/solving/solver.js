@@ -83,8 +83,8 @@ export class Solver {
       this.run("sweep");
       const [mean, sky, before] = await this.means();
       if (!mean.some((x) => x > 0)) break;
-      const change = relativeChange(before, mean, fixed.dark);
-      const counted = counts(mean, air.thick, fixed.dim);
+      const change = relativeChange(before, mean);
+      const counted = counts(mean, air.thick);
       residuals.push(change.map((x, i) => x * counted[i]));
       if (residuals.length > this.ring.length) residuals.shift();
       this.residual = this.toCome(change, mean, residuals, air.thick);
@@ -155,9 +155,9 @@ export class Solver {
   /** The largest change that is still to come. */
   toCome(change, mean, residuals, thick) {
     const { fixed } = this;
-    const night = counts(mean, thick.map((x) => fixed.night * x), fixed.dim);
+    const night = counts(mean, thick.map((x) => fixed.night * x));
     const largest = brightest(change.map((x, i) => Math.abs(x * night[i])));
-    const follows = whatFollows(residuals, fixed.shrinkage);
+    const follows = whatFollows(residuals, fixed.back);
     return Math.max(...largest.map((x, lane) => x * follows[lane]));
   }
 

@@ -2,7 +2,8 @@
  * A state as the part of an address behind `#`, and back.
  *
  * It is the JSON of viewer/session/saved_state.py: `planet`, and by path `view` and `set`, `off` by
- * place; and `air`, the amounts of a page that solves for itself.
+ * place; and `air`, the amounts of a page that solves for itself, which a planet file knows as
+ * `constituents[…].amount` and `ground.brightness`.
  */
 import { checked } from "./parameters.js";
 
@@ -51,13 +52,20 @@ export function readFragment(state, fragment) {
     if (planet !== state.planet) throw new RangeError(`it shows ${planet}, this is ${state.planet}`);
     for (const [path, value] of Object.entries({ ...view, ...air })) take(path, value);
     for (const [path, value] of Object.entries(set)) {
-      take(path, fromFile(state.parameters.get(path), value));
+      const own = inPage(path);
+      take(own, fromFile(state.parameters.get(own), value));
     }
     for (const place of off) take(`light.constituents[${place}]`, false);
   } catch (error) {
     faults.push(error.message);
   }
   return { values, faults };
+}
+
+/** The path by which a page that solves for itself knows a key of the planet file. */
+function inPage(path) {
+  if (path === "ground.brightness") return "air.ground";
+  return path.replace(/^constituents(\[\d+\])\.amount$/, "air.amounts$1");
 }
 
 /** A value as a planet file has it: with its unit. */

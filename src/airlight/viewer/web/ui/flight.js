@@ -15,7 +15,7 @@ import {
   sun_dragged,
   time_of,
   turned,
-} from "../generated/flight.js";
+} from "../generated/formulas.js";
 import { KEYS } from "../generated/keys.js";
 
 const { held: HELD, factors: FACTORS, rates: RATES } = KEYS;

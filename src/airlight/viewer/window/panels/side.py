@@ -192,7 +192,7 @@ class SidePanel:
             if index:
                 imgui.same_line()
             if imgui.button(place.name):
-                self._do(f"place {index + 1}")
+                self._do(f"viewpoint {index + 1}")
             style.hint(f"{place.sentence} ({index + 1})")
         icon, words = (style.PAUSE, "stop the sun") if self.plays else (style.PLAY, "let time pass")
         style.button(icon, "time", f"{words} (T)", lambda: self._do("time"))
