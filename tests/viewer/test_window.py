@@ -17,6 +17,9 @@ from typing import Any, NoReturn
 import numpy as np
 import pytest
 
+from airlight.viewer.navigation.keys import FACTORS, HELD, ONCE
+from airlight.viewer.navigation.viewpoints import VIEWPOINTS
+
 DRIVER = Path(__file__).with_name("window_driver.py")
 SIZE = (800, 480)
 DEPTH = "constituents[1].particles.optical_depth"
@@ -237,6 +240,112 @@ def test_keys_change_what_is_shown(window: Driven) -> None:
     window.until(lambda: window.ask("picture_place")[2] == width)
     window.mouse("key", "x")
     window.until(lambda: window.ask("value", "display.automatic") is True)
+    assert window.ask("settled", 60.0)
+
+
+#: Keys of the table as xdotool spells them.
+NAMES = {
+    "arrowup": "Up", "arrowdown": "Down", "arrowleft": "Left", "arrowright": "Right",
+    "pageup": "Prior", "pagedown": "Next", "=": "equal", "+": "plus", "-": "minus",
+    "shift": "shift", "control": "ctrl", "alt": "alt",
+}  # fmt: skip
+#: What a held key moves, by its axis, and which way for one of sign 1; it looks south.
+MOVES = {
+    "ahead": ("view.latitude", -1.0),
+    "right": ("view.longitude", -1.0),
+    "up": ("view.altitude", 1.0),
+    "turn": ("view.heading", 1.0),
+    "tilt": ("view.look_zenith", 1.0),
+    "widen": ("view.field_of_view", 1.0),
+}
+
+
+def chord_of(key: str) -> str:
+    """A key with its modifier keys, for xdotool."""
+    *words, name = key.replace("++", "+plus").split("+")
+    known = {"Control": "ctrl", "Shift": "shift"}
+    return "+".join([*(known[word] for word in words), NAMES.get(name, name)])
+
+
+def test_every_held_key_of_the_table_moves_its_way(window: Driven) -> None:
+    # The axis and the sign are the table's; all that is done while a key is down is one step.
+    window.mouse("mousemove", 600, 200, "sleep", 0.2)
+    start = {path: window.ask("value", path) for path, _ in MOVES.values()}
+    window.mouse("key", "3")  # aloft, looking across
+    window.until(lambda: window.ask("value", "view.altitude") != start["view.altitude"])
+    for key, (axis, sign) in HELD.items():
+        path, way = MOVES[axis]
+        before = window.ask("value", path)
+        window.mouse("keydown", NAMES.get(key, key))
+        window.until(lambda path=path, before=before: window.ask("value", path) != before)
+        window.mouse("keyup", NAMES.get(key, key))
+        window.until(lambda: not window.ask("open_parts")["moving"])
+        moved = window.ask("value", path) - before
+        assert moved * sign * way > 0.0, key
+        window.mouse("key", "ctrl+z")
+        window.until(lambda path=path, before=before: window.ask("value", path) == before)
+    for key, factor in FACTORS.items():
+        window.mouse("keydown", "e", "sleep", 0.1, "keydown", NAMES[key])
+        window.until(lambda factor=factor: window.ask("flight_speed") == factor)
+        window.mouse("keyup", NAMES[key], "keyup", "e")
+        window.until(lambda: not window.ask("open_parts")["moving"])
+    window.mouse("key", "ctrl+z", "key", "ctrl+z")
+
+
+def test_every_other_key_of_the_table_does_its_action(window: Driven) -> None:
+    # What is seen after each; closing the window is tested at the end.
+    left = {key: action for key, action in ONCE.items() if action != "close"}
+
+    def press(key: str, seen: Callable[[], bool]) -> None:
+        window.mouse("mousemove", 600, 200, "sleep", 0.1, "key", chord_of(key))
+        window.until(seen)
+        del left[key]
+
+    def part(name: str) -> Any:
+        return window.ask("open_parts")[name]
+
+    def value(path: str) -> Any:
+        return window.ask("value", path)
+
+    for index, viewpoint in enumerate(VIEWPOINTS, 1):
+        sun = viewpoint.sun_zenith
+        press(str(index), lambda sun=sun: value("view.sun_zenith") == sun)
+    press("Control+z", lambda: value("view.sun_zenith") == VIEWPOINTS[-2].sun_zenith)
+    press("Control+y", lambda: value("view.sun_zenith") == VIEWPOINTS[-1].sun_zenith)
+    window.mouse("key", "ctrl+z")
+    window.until(lambda: value("view.sun_zenith") == VIEWPOINTS[-2].sun_zenith)
+    press("Control+Shift+z", lambda: value("view.sun_zenith") == VIEWPOINTS[-1].sun_zenith)
+    for key in [one for one, action in ONCE.items() if action in ("brighter", "darker")]:
+        wanted = value("display.exposure") + (-1.0 if ONCE[key] == "darker" else 1.0) / 3.0
+        press(key, lambda wanted=wanted: value("display.exposure") == pytest.approx(wanted))
+    automatic = value("display.automatic")
+    press("x", lambda: value("display.automatic") is not automatic)
+    window.mouse("key", "x")
+    window.until(lambda: value("display.automatic") is automatic)
+    press("t", lambda: part("time") is True)
+    window.mouse("key", "t")
+    window.until(lambda: part("time") is False)
+    press("p", lambda: part("probe") is True)
+    window.mouse("key", "p")
+    press("b", lambda: part("other") is True)
+    press("v", lambda: part("showing") == "B")
+    window.mouse("key", "v")
+    window.until(lambda: part("showing") == "A")
+    press("c", lambda: part("compare") is True)
+    window.mouse("key", "c")
+    window.until(lambda: part("compare") is False)
+    press("F1", lambda: part("help") is True)
+    press("h", lambda: part("help") is False)
+    press("Tab", lambda: part("panels") is False)
+    press("Escape", lambda: part("panels") is True)
+    for key in ("Control+s", "Control+Shift+s"):
+        kind = "picture" if key == "Control+s" else "planet"
+        press(key, lambda kind=kind: part("dialog") == kind)
+        window.until(lambda: window.ask("typing"))
+        window.mouse("key", "Escape")
+        window.until(lambda: part("dialog") == "")
+    assert left == {}
+    window.mouse("key", "1")
     assert window.ask("settled", 60.0)
 
 

@@ -57,6 +57,24 @@ class Answers:
     def source(self) -> str:
         return self.window.session.planet.source
 
+    def open_parts(self) -> dict[str, Any]:
+        """What keys open, close and start."""
+        window, panel = self.window, self.window.panel
+        return {
+            "panels": window.actions.shows_panels,
+            "help": window.actions.shows_help,
+            "dialog": window._dialog.asks,
+            "probe": panel.probes,
+            "time": panel.plays,
+            "compare": panel.compares,
+            "showing": window.session.showing,
+            "other": window.session.has_other,
+            "moving": window._flight.moving,
+        }
+
+    def flight_speed(self) -> float:
+        return self.window._flight.speed
+
     def typing(self) -> bool:
         return self.window.surface.typing
 

@@ -64,7 +64,7 @@ def flown(
     if angle > 0.0:
         names = ("latitude", "longitude", "heading", "sun_zenith", "sun_azimuth")
         course = course_of(tilt, heading, right, ahead)
-        moved = turned(*_numbers(view, *names), course, angle)
+        moved = turned(*[*_numbers(view, *names), course, angle])
         changed |= {f"view.{name}": value for name, value in zip(names, moved, strict=True)}
     return changed
 
@@ -181,13 +181,12 @@ class Flight:
         """The mouse drags the sun by parts of the picture's width."""
         view = self._session.view
         field = float(view["view.field_of_view"])
-        moved = sun_dragged(
-            *_numbers(view, "sun_zenith", "sun_azimuth"), right * field, down * field
-        )
+        zenith, azimuth = _numbers(view, "sun_zenith", "sun_azimuth")
+        moved = sun_dragged(zenith, azimuth, right * field, down * field)
         self._session.move(_sun(moved), gesture="sun", held=True)
 
-    def set_time(self, declination: float, hour: float, *, gesture: str = "") -> None:
-        """The sun by time; see ``sun_at``. [deg], [h]"""
+    def set_time(self, declination: float, hour: float, *, gesture: str = "time of day") -> None:
+        """Move the sun by time, see ``sun_at``; no step to undo without a gesture. [deg], [h]"""
         latitude = float(self._session.view["view.latitude"])
         self._session.move(_sun(sun_at(latitude, declination, hour)), gesture=gesture)
 
@@ -198,7 +197,8 @@ class Flight:
 
 
 def _looked(view: View, right: float, down: float) -> dict[str, float]:
-    tilt, heading = looked(*_numbers(view, "look_zenith", "heading"), right, down)
+    tilt, heading = _numbers(view, "look_zenith", "heading")
+    tilt, heading = looked(tilt, heading, right, down)
     return {"view.look_zenith": tilt, "view.heading": heading}
 
 

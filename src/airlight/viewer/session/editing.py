@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Set as AbstractSet
 from pathlib import Path
 from typing import Any, Final
 
@@ -143,7 +144,7 @@ class Editing:
         self._followers.append(follower)
         return lambda: self._followers.remove(follower) if follower in self._followers else None
 
-    def _changed(self, paths: set[str]) -> None:
+    def _changed(self, paths: AbstractSet[str]) -> None:
         """Count what changed: paths of the view, and ``planet``."""
         self._grown({"planet" if path == "planet" else VIEW_VALUE[path].part for path in paths})
 
@@ -176,7 +177,7 @@ class Editing:
         parameter = self.parameter(path)
         new = parameter.checked(value)
         if new != self._side.value(parameter):
-            self._changed(self._side.set(parameter, new))
+            self._changed(self._side.assign(parameter, new))
 
     def begin_drag(self, path: str) -> None:
         """All edits of a parameter until ``end_drag`` are one step."""
@@ -252,6 +253,16 @@ class Editing:
         planet = self.planet.with_tables(dict(tables))
         self._changed(self._side.change(path, Change(planet=planet)))
 
+    def change_view(self, name: str, view: Mapping[str, Value]) -> None:
+        """Give several parameters of the view other values, as one step of this name.
+
+        Raises
+        ------
+        ParameterError
+            If one is none of the view's, or a value is outside; nothing is changed then.
+        """
+        self._changed(self._side.change(name, Change(view=_checked(view, view_parameters()))))
+
     def move(self, view: Mapping[str, float], *, gesture: str = "", held: bool = False) -> None:
         """Camera and sun as a flight leaves them.
 
@@ -270,12 +281,8 @@ class Editing:
         ParameterError
             If one is outside; nothing is changed then.
         """
-        known = {one.path: one for one in view_parameters() if one.path.startswith("view.")}
-        after: dict[str, Value] = {}
-        for path, value in view.items():
-            if path not in known:
-                raise ParameterError("path", path, ", ".join(known))
-            after[path] = known[path].checked(value)
+        of_view = (one for one in view_parameters() if one.path.startswith("view."))
+        after = _checked(view, of_view)
         change = Change(view=after)
         if not gesture:
             self._changed(self._side.put(change))
@@ -287,3 +294,12 @@ class Editing:
         if (width, height) != self.size:
             self.size = (max(1, int(width)), max(1, int(height)))
             self._grown({"view"})
+
+
+def _checked(view: Mapping[str, Value], parameters: Iterable[Parameter]) -> dict[str, Value]:
+    """Values by path, as their parameters take them."""
+    known = {one.path: one for one in parameters}
+    for path in view:
+        if path not in known:
+            raise ParameterError("path", path, ", ".join(known))
+    return {path: known[path].checked(value) for path, value in view.items()}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping
+from collections.abc import Set as AbstractSet
 from typing import Any, Final
 
 from airlight.errors import ParameterError
@@ -109,7 +110,7 @@ class Side:
 
     # --- edits --------------------------------------------------------------------------------
 
-    def set(self, parameter: Parameter, value: Value) -> set[str]:
+    def assign(self, parameter: Parameter, value: Value) -> AbstractSet[str]:
         """Give a parameter a value that it takes, joined with those of the same drag."""
         path = parameter.path
         if path in self.view:
@@ -128,7 +129,7 @@ class Side:
         off = set(self.planet.off) - {index} if on else {*self.planet.off, index}
         return self.planet.with_off(tuple(sorted(off)))
 
-    def record(self, name: str, after: Change, *, held: bool = False) -> set[str]:
+    def record(self, name: str, after: Change, *, held: bool = False) -> AbstractSet[str]:
         """Make a change that is a step to undo, or part of the last one.
 
         Parameters
@@ -146,7 +147,7 @@ class Side:
         self.history.record(Step(name, before, after, self._clock(), open=held))
         return self.put(after)
 
-    def change(self, name: str, after: Change) -> set[str]:
+    def change(self, name: str, after: Change) -> AbstractSet[str]:
         """Make a change that is a step of its own; none if nothing changes."""
         planet = None if after.planet == self.planet else after.planet
         view = {path: value for path, value in after.view.items() if value != self.view[path]}
@@ -157,7 +158,7 @@ class Side:
         self.end_drag()
         return changed
 
-    def put(self, after: Change) -> set[str]:
+    def put(self, after: Change) -> AbstractSet[str]:
         """Take a change over without a step."""
         changed = {path for path, value in after.view.items() if value != self.view[path]}
         self.view = {**self.view, **after.view}
@@ -178,7 +179,7 @@ class Side:
 
     # --- back to what it came with ------------------------------------------------------------
 
-    def reset(self, what: str) -> set[str]:
+    def reset(self, what: str) -> AbstractSet[str]:
         """Back to what the planet came with, and the view started with, as one step.
 
         Parameters

@@ -15,8 +15,8 @@ _LEFT, _RIGHT = 1, 2
 _SUN: Final = frozenset({"Control", "Shift"})
 
 
-class Actions(Protocol):
-    """What the mouse and the keys can do."""
+class Host(Protocol):
+    """What the mouse and the keys act on."""
 
     area: PictureArea
 
@@ -43,7 +43,7 @@ class WindowInput:
     Parameters
     ----------
     canvas : rendercanvas canvas
-    actions : Actions
+    host : Host
         Told what to do.
     flight : Flight
         Told how to fly.
@@ -51,10 +51,8 @@ class WindowInput:
         Whether the user is typing into a field.
     """
 
-    def __init__(
-        self, canvas: Any, actions: Actions, flight: Flight, typing: Callable[[], bool]
-    ) -> None:
-        self._actions = actions
+    def __init__(self, canvas: Any, host: Host, flight: Flight, typing: Callable[[], bool]) -> None:
+        self._host = host
         self._flight = flight
         self._typing = typing
         self._at = (0.0, 0.0)
@@ -70,12 +68,12 @@ class WindowInput:
 
     def _press(self, event: Mapping[str, Any]) -> None:
         x, y = event["x"], event["y"]
-        rectangle = self._actions.picture_rectangle()
-        if self._actions.covered or not rectangle.holds(x, y):
+        rectangle = self._host.picture_rectangle()
+        if self._host.covered or not rectangle.holds(x, y):
             return
         self._at = self._pressed_at = (x, y)
         if event["button"] == _LEFT:
-            self._drag = "divider" if self._actions.area.grab(x, y, rectangle) else "look"
+            self._drag = "divider" if self._host.area.grab(x, y, rectangle) else "look"
             if _SUN & set(event.get("modifiers", ())):
                 self._drag = "sun"
         elif event["button"] == _RIGHT:
@@ -87,38 +85,38 @@ class WindowInput:
         self._at = (x, y)
         if not self._drag:
             return
-        rectangle = self._actions.picture_rectangle()
+        rectangle = self._host.picture_rectangle()
         parts = right / rectangle.width, down / rectangle.width
         if self._drag == "divider":
-            self._actions.area.drag(x, rectangle)
+            self._host.area.drag(x, rectangle)
         elif self._drag == "look":
-            self._actions.attempt(lambda: self._flight.look(*parts))
+            self._host.attempt(lambda: self._flight.look(*parts))
         elif self._drag == "sun":
-            self._actions.attempt(lambda: self._flight.drag_sun(*parts))
+            self._host.attempt(lambda: self._flight.drag_sun(*parts))
 
     def _release(self, event: Mapping[str, Any]) -> None:
         if event["event_type"] == "key_up":
             self._flight.release(str(event["key"]))
             return
         drag, self._drag = self._drag, ""
-        self._actions.area.release()
+        self._host.area.release()
         if drag:
             self._flight.rest()
         moved = abs(event["x"] - self._pressed_at[0]) + abs(event["y"] - self._pressed_at[1])
         if drag == "look" and moved < RATES["click"]:
-            self._actions.click(event["x"], event["y"])
+            self._host.click(event["x"], event["y"])
 
     def _wheel(self, event: Mapping[str, Any]) -> None:
-        bare = not self._actions.covered
-        if not bare or not self._actions.picture_rectangle().holds(event["x"], event["y"]):
+        bare = not self._host.covered
+        if not bare or not self._host.picture_rectangle().holds(event["x"], event["y"]):
             return
         modifiers = event.get("modifiers", ())
         notches = -event["dy"] / RATES["wheel"]
         if "Control" in modifiers:
-            self._actions.attempt(lambda: self._flight.widen(-notches))
+            self._host.attempt(lambda: self._flight.widen(-notches))
             return
         notches *= FACTORS["shift"] if "Shift" in modifiers else 1.0
-        self._actions.attempt(lambda: self._flight.wheel(notches))
+        self._host.attempt(lambda: self._flight.wheel(notches))
 
     def _key(self, event: Mapping[str, Any]) -> None:
         if self._typing():
@@ -130,4 +128,4 @@ class WindowInput:
             return
         action = ONCE.get(chord(key, control=control, shift="Shift" in modifiers))
         if action is not None and "Alt" not in modifiers:
-            self._actions.do(action)
+            self._host.do(action)

@@ -41,7 +41,9 @@ export function actionsOf(viewer) {
       const automatic = state.get("display.automatic");
       // The picture stays as bright as it was when the camera stops to adjust.
       const exposure = automatic ? (viewer.picture?.exposure ?? 0) : 0;
+      state.rest();
       state.set({ "display.automatic": !automatic, "display.exposure": exposure });
+      state.rest();
     },
   };
 }
