@@ -98,7 +98,7 @@ def test_columns(benchmark: Any, c: compiled.Classic, tell: Callable[[str], None
 
 @pytest.mark.benchmark(group="against the baseline")
 def test_look_up(benchmark: Any, c: compiled.Classic, tell: Callable[[str], None]) -> None:
-    table, where = work.first_order(), work.places(200_000)
+    table, where = work.first_order(), work.positions(200_000)
     grid = table.layout.grid
     read = partial(table.look_up, where.r, where.mu, where.mu_s, where.nu)
     expected = read()
@@ -123,7 +123,7 @@ def test_one_order(benchmark: Any, c: compiled.Classic, tell: Callable[[str], No
     # A gather gives one texel of one order; a sweep gives one order of the whole planet. What is
     # compared is an order of the planet: a gather times the texels of the table. The look-ups
     # that integrate a gathered order along lines of sight come on top and are left out.
-    table, some, few = work.first_order(), work.places(400, lit_air=True), work.places(40)
+    table, some, few = work.first_order(), work.positions(400, lit_air=True), work.positions(40)
     grid, medium = table.layout.grid, work.whole_air()
     given = (grid, medium.scattering[0], work.AIR[1], work.DIRECTIONS)
     judged = some[:48]

@@ -50,12 +50,12 @@ def test_gathers_of_the_baseline_are_exact_in_even_light(baseline: Any) -> None:
 def test_gathers_of_the_baseline_converge_to_the_marched_first_order() -> None:
     # A second method: the first order marched, on another rule. What is left at so many directions
     # is the small table's interpolation; 512 directions are off by 6 %.
-    table, places = work.first_order((32, 64, 16, 8)), work.places(3, lit_air=True)
+    table, positions = work.first_order((32, 64, 16, 8)), work.positions(3, lit_air=True)
     scattering = work.whole_air().scattering[0]
     got = plain.gather(
-        table.values, places, table.layout.grid, scattering, work.AIR[1], (256, 64)
+        table.values, positions, table.layout.grid, scattering, work.AIR[1], (256, 64)
     )  # fmt: skip
-    assert_allclose(got, work.true_gather(places, 24), rtol=0.03)
+    assert_allclose(got, work.true_gather(positions, 24), rtol=0.03)
 
 
 def test_every_benchmark_is_collected() -> None:

@@ -28,20 +28,20 @@ def columns_are_golden(baseline: Any) -> None:
 
 def look_ups_are_the_tables(baseline: Any) -> None:
     """``Table.look_up``, a second method for the same interpolation of the same float32 values."""
-    table, places = work.first_order(SMALL), work.places(2000)
-    got = baseline.look_up(table.values, places, table.layout.grid)
-    expected = table.look_up(places.r, places.mu, places.mu_s, places.nu)
+    table, positions = work.first_order(SMALL), work.positions(2000)
+    got = baseline.look_up(table.values, positions, table.layout.grid)
+    expected = table.look_up(positions.r, positions.mu, positions.mu_s, positions.nu)
     # float64 on both sides; the horizon's square roots lose half of the digits at most
     assert_allclose(got, expected, rtol=1e-6, atol=1e-9 * expected.max())
 
 
 def gathers_are_exact_in_even_light(baseline: Any) -> None:
     """A law: twice Rayleigh's phase function is (1 + P2(nu) / 20) / 4π, by the addition theorem."""
-    table, places = work.first_order(SMALL), work.places(20, lit_air=True)
+    table, positions = work.first_order(SMALL), work.positions(20, lit_air=True)
     scattering = work.whole_air().scattering[0]
     ones = np.ones_like(table.values)
-    legendre = 1.5 * places.nu**2 - 0.5
-    density = np.exp(-(places.r - work.BOTTOM) / work.AIR[1])
+    legendre = 1.5 * positions.nu**2 - 0.5
+    density = np.exp(-(positions.r - work.BOTTOM) / work.AIR[1])
     expected = (1.0 + legendre / 20.0) / (4.0 * np.pi) * density
     expected = expected[:, None] * scattering
     # The midpoint rule errs by (step of the zenith angle)² / 24 times the integrand at the poles
@@ -49,6 +49,6 @@ def gathers_are_exact_in_even_light(baseline: Any) -> None:
     for directions in (work.DIRECTIONS, (64, 128)):
         error = (np.pi / directions[0]) ** 2 / 24.0 * 2.25
         got = baseline.gather(
-            ones, places, table.layout.grid, scattering, work.AIR[1], directions
+            ones, positions, table.layout.grid, scattering, work.AIR[1], directions
         )  # fmt: skip
         assert_allclose(got, expected, rtol=error)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.tables.bruneton import BrunetonGrid
-from airlight.tables.layout import Places
+from airlight.tables.layout import Positions
 from baseline.plain import FloatArray
 
 FLAGS = ("-O3", "-march=native")
@@ -70,29 +70,29 @@ class Classic:
         return out
 
     def look_up(
-        self, values: NDArray[np.float32], places: Places, grid: BrunetonGrid
+        self, values: NDArray[np.float32], positions: Positions, grid: BrunetonGrid
     ) -> FloatArray:
         """See ``plain.look_up``."""
-        out = np.empty((len(places), 3))
-        ground = places.to_ground.view(np.uint8)
-        where = (places.r, places.mu, places.mu_s, places.nu)
-        self._c.look_up(len(places), *where, ground, values, ctypes.byref(_Grid(*grid)), out)
+        out = np.empty((len(positions), 3))
+        ground = positions.to_ground.view(np.uint8)
+        where = (positions.r, positions.mu, positions.mu_s, positions.nu)
+        self._c.look_up(len(positions), *where, ground, values, ctypes.byref(_Grid(*grid)), out)
         return out
 
     def gather(
         self,
         values: NDArray[np.float32],
-        places: Places,
+        positions: Positions,
         grid: BrunetonGrid,
         scattering: FloatArray,
         scale_height: float,
         directions: tuple[int, int],
     ) -> FloatArray:
         """See ``plain.gather``."""
-        out = np.empty((len(places), 3))
-        where = (places.r, places.mu, places.mu_s, places.nu)
+        out = np.empty((len(positions), 3))
+        where = (positions.r, positions.mu, positions.mu_s, positions.nu)
         self._c.gather(
-            len(places), *where, values, ctypes.byref(_Grid(*grid)),
+            len(positions), *where, values, ctypes.byref(_Grid(*grid)),
             np.ascontiguousarray(scattering), scale_height, *directions, out,
         )  # fmt: skip
         return out

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.tables.bruneton import BrunetonGrid
-from airlight.tables.layout import Places
+from airlight.tables.layout import Positions
 
 FloatArray = NDArray[np.float64]
 
@@ -54,9 +54,9 @@ def _cell(
     return low, place - low
 
 
-def look_up(values: NDArray[np.float32], places: Places, grid: BrunetonGrid) -> FloatArray:
+def look_up(values: NDArray[np.float32], positions: Positions, grid: BrunetonGrid) -> FloatArray:
     """Values between texels of a table (r, mu, mu_s, nu), 16 corners, (n, channels)."""
-    r, mu, ground = places.r, places.mu, places.to_ground
+    r, mu, ground = positions.r, positions.mu, positions.to_ground
     bottom, top, half = grid.bottom_radius, grid.top_radius, grid.views // 2
     tangent = np.sqrt(top * top - bottom * bottom)
     horizon = _root(r * r - bottom * bottom)
@@ -69,7 +69,7 @@ def look_up(values: NDArray[np.float32], places: Places, grid: BrunetonGrid) -> 
     view = np.where(ground, (1.0 - x) * (half - 1), half + x * (half - 1))
 
     thick = top - bottom
-    a = (_to_top(bottom, places.mu_s, top) - thick) / (tangent - thick)
+    a = (_to_top(bottom, positions.mu_s, top) - thick) / (tangent - thick)
     end = (_to_top(bottom, grid.lowest, top) - thick) / (tangent - thick)
     sun = np.maximum(1.0 - a / end, 0.0) / (1.0 + a)
 
@@ -77,7 +77,7 @@ def look_up(values: NDArray[np.float32], places: Places, grid: BrunetonGrid) -> 
         _cell(horizon / tangent * (grid.radii - 1), 0, grid.radii - 1),
         _cell(view, first, first + half - 1),
         _cell(sun * (grid.suns - 1), 0, grid.suns - 1),
-        _cell(0.5 * (places.nu + 1.0) * (grid.angles - 1), 0, grid.angles - 1),
+        _cell(0.5 * (positions.nu + 1.0) * (grid.angles - 1), 0, grid.angles - 1),
         strict=True,
     )
     out = np.zeros((r.size, values.shape[-1]))
@@ -97,7 +97,7 @@ def rayleigh(nu: FloatArray) -> FloatArray:
 
 def gather(
     values: NDArray[np.float32],
-    places: Places,
+    positions: Positions,
     grid: BrunetonGrid,
     scattering: FloatArray,
     scale_height: float,
@@ -114,7 +114,9 @@ def gather(
     z = np.repeat(np.cos(theta), azimuths)
     x, y = ((np.sin(theta)[:, None] * f(phi)).ravel() for f in (np.cos, np.sin))
     solid = np.repeat(np.sin(theta), azimuths) * (np.pi / zeniths) * (2.0 * np.pi / azimuths)
-    r, mu, mu_s, nu = (p[:, None] for p in (places.r, places.mu, places.mu_s, places.nu))
+    r, mu, mu_s, nu = (
+        p[:, None] for p in (positions.r, positions.mu, positions.mu_s, positions.nu)
+    )
     side = _root(1.0 - mu * mu)
     sun_x = np.where(side > 0.0, (nu - mu * mu_s) / np.where(side > 0.0, side, 1.0), 0.0)
     sun_y = _root(1.0 - sun_x**2 - mu_s**2)
@@ -122,7 +124,7 @@ def gather(
     weight = rayleigh(to_sun) * rayleigh(x * side + z * mu) * solid
     ground = z < -_root(r * r - grid.bottom_radius**2) / r
     full = np.broadcast_arrays(r, z, mu_s, to_sun, ground)
-    seen = look_up(values, Places(*(array.ravel() for array in full)), grid)
+    seen = look_up(values, Positions(*(array.ravel() for array in full)), grid)
     light = np.einsum("pd,pdc->pc", weight, seen.reshape(*weight.shape, -1))
-    density = np.exp(-(places.r - grid.bottom_radius) / scale_height)
+    density = np.exp(-(positions.r - grid.bottom_radius) / scale_height)
     return light * scattering * density[:, None]

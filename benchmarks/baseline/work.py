@@ -16,7 +16,7 @@ from airlight.exports.air_light import lines_of_sight
 from airlight.planets import Medium
 from airlight.solvers.scattered_once import scattered_once
 from airlight.tables.bruneton import BrunetonLayout
-from airlight.tables.layout import Places
+from airlight.tables.layout import Positions
 from airlight.tables.table import Table
 from airlight.validation.golden_numbers import golden_groups
 from airlight.validation.reference_earth import (
@@ -73,15 +73,15 @@ def golden_rays() -> tuple[tuple[FloatArray, FloatArray, FloatArray], FloatArray
     return (r, mu, length), np.array([[float(x) for x in row.expected] for row in rows])
 
 
-def places(n: int, *, lit_air: bool = False) -> Places:
-    """Random places, views and suns: anywhere down to twilight, or below 20 km by day."""
+def positions(n: int, *, lit_air: bool = False) -> Positions:
+    """Random positions, views and suns: anywhere down to twilight, or below 20 km by day."""
     rng = np.random.default_rng(2)
     r = BOTTOM + (20e3 if lit_air else TOP - BOTTOM) * rng.random(n) ** 2
     mu = rng.uniform(-1.0, 1.0, n)
     mu_s = rng.uniform(0.1 if lit_air else -0.2, 1.0, n)
     around = np.cos(rng.uniform(0.0, np.pi, n))
     nu = np.clip(mu * mu_s + np.sqrt((1 - mu**2) * (1 - mu_s**2)) * around, -1.0, 1.0)
-    return Places.of(r, mu, mu_s, nu, bottom_radius=BOTTOM)
+    return Positions.of(r, mu, mu_s, nu, bottom_radius=BOTTOM)
 
 
 @cache
@@ -92,7 +92,7 @@ def first_order(size: tuple[int, int, int, int] = FULL_SIZE) -> Table:
         **dict(zip(("radii", "views", "suns", "angles"), size, strict=True)),
     )  # fmt: skip
     medium = Medium.from_planet(gas_planet(), WAVELENGTHS)
-    values = scattered_once(medium, lines_of_sight(layout.places(), medium))[:, 0]
+    values = scattered_once(medium, lines_of_sight(layout.positions(), medium))[:, 0]
     return Table(
         name="scattering", quantity="light scattered once, without its phase function", unit="1",
         layout=layout, channels=("680 nm", "550 nm", "440 nm"),
@@ -100,7 +100,7 @@ def first_order(size: tuple[int, int, int, int] = FULL_SIZE) -> Table:
     )  # fmt: skip
 
 
-def true_gather(where: Places, steps: int = 48) -> FloatArray:
+def true_gather(where: Positions, steps: int = 48) -> FloatArray:
     """What a gather converges to: the first order itself, marched, not looked up, (n, 3).
 
     Gauss-Legendre in the zenith angle on each side of the horizon, so many each, and twice as
@@ -121,7 +121,7 @@ def true_gather(where: Places, steps: int = 48) -> FloatArray:
     to_sun = np.clip(x * sun_x + y * sun_y + z * mu_s, -1.0, 1.0)
     ground = (np.arange(2 * steps) >= steps)[None, :, None]
     full = np.broadcast_arrays(r, z, mu_s, to_sun, ground)
-    around = Places(*(np.ascontiguousarray(array).ravel() for array in full))
+    around = Positions(*(np.ascontiguousarray(array).ravel() for array in full))
     once = scattered_once(medium, lines_of_sight(around, medium))[:, 0]
     weight = share[..., None] * across * rayleigh(to_sun) * rayleigh(x * side + z * mu)
     light = np.einsum("ptf,ptfc->pc", weight, once.reshape(*weight.shape, 3))

@@ -1,4 +1,4 @@
-"""How the command ends: help, version, one line for every error."""
+"""Exit of the command: help, version, one line for every error."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ COMMANDS = ["planets", "show", "render", "radiance", "plot", "bake", "validate",
 
 
 def error_line(capsys: pytest.CaptureFixture[str]) -> str:
-    """The standard error stream, which must be one line; nothing on the other one."""
+    """Standard error stream, which must be one line, with nothing on standard output."""
     captured = capsys.readouterr()
     assert captured.out == ""
     assert captured.err.startswith("airlight: ")

@@ -1,4 +1,4 @@
-"""The progress bar: for people at a terminal, and for nobody else."""
+"""Progress bar: drawn on a terminal, and nowhere else."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from airlight.cli.progress import shown_progress
 
 
 class Terminal(io.StringIO):
-    """A stream that says that somebody watches it."""
+    """Stream that claims to be a terminal."""
 
     def isatty(self) -> bool:
         return True

@@ -1,4 +1,4 @@
-"""What is written is read back: pixels bit by bit, and the scene's texts."""
+"""Files read back: pixels bit by bit, and the scene's texts."""
 
 from __future__ import annotations
 

@@ -93,7 +93,7 @@ def test_operators_work_lane_by_lane_with_lanes_and_numbers() -> None:
 
 @pytest.mark.parametrize(("first", "to"), [(0, 0), (3, 5), (8, 16), (11, 1)])
 def test_load_and_store_move_eight_neighbours_and_touch_nothing_else(first: int, to: int) -> None:
-    # By definition; odd places check that no alignment is assumed.
+    # By definition; odd indices check that no alignment is assumed.
     x = np.arange(32, dtype=np.float32)
     out = np.full(32, -1, np.float32)
     copy_from(x, first, out, to)

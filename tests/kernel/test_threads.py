@@ -50,17 +50,17 @@ def test_no_more_blocks_run_at_once_than_there_are_threads(monkeypatch: pytest.M
 def test_progress_rises_to_the_total_in_the_calling_thread(monkeypatch: pytest.MonkeyPatch) -> None:
     # By definition: done never falls, ends at the total, and a window's toolkit may be called.
     monkeypatch.setenv("AIRLIGHT_THREADS", "3")
-    told: list[tuple[int, int, str]] = []
+    reported: list[tuple[int, int, str]] = []
     callers: set[int] = set()
 
     def progress(done: int, total: int, message: str) -> None:
-        told.append((done, total, message))
+        reported.append((done, total, message))
         callers.add(threading.get_ident())
 
     run_blocks(lambda _: None, 20, progress=progress, message="rows")
-    done = [one[0] for one in told]
+    done = [one[0] for one in reported]
     assert done == sorted(done)
-    assert told[-1] == (20, 20, "rows")
+    assert reported[-1] == (20, 20, "rows")
     assert callers == {threading.get_ident()}
 
 

@@ -1,4 +1,4 @@
-"""How Hypothesis looks for counterexamples here."""
+"""Settings of Hypothesis for the mappings."""
 
 from __future__ import annotations
 

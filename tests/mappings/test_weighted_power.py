@@ -25,7 +25,7 @@ from airlight.mappings.weighted_power import (
 
 #: Earth, Mars, Titan, and a shell as thick as its planet. [m]
 SHELLS = [(6360e3, 6460e3), (3389.5e3, 3509.5e3), (2575e3, 3175e3), (1e6, 2e6)]
-#: The notes' weights, none on the ground at h = 0, and no room for S at all. w_L1, w_S1, w_S0
+#: The notes' weights, none on the ground at h = 0, and an empty S. w_L1, w_S1, w_S0
 WEIGHTS = [(20 / 32, 4 / 32, 4 / 32), (20 / 32, 4 / 32, 0.0), (0.5, 0.0, 0.0), (0.0, 0.1, 0.2)]
 
 

@@ -1,4 +1,4 @@
-"""The ground as all solvers ask it."""
+"""Reflection by the ground, as all solvers use it."""
 
 from __future__ import annotations
 

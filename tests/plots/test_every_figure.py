@@ -1,4 +1,4 @@
-"""What holds for all figures: units on the axes, nothing cut off, nothing over the title."""
+"""Properties of all figures: units on the axes, nothing cut off, nothing over the title."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The scene: its sun, its checks and what it writes about itself."""
+"""The scene: its sun, its checks and its metadata."""
 
 from __future__ import annotations
 

@@ -103,7 +103,7 @@ def test_an_unknown_map_is_refused_with_the_known_ones() -> None:
 
 
 def test_earth_s_map_lies_the_right_way_round() -> None:
-    # places that any atlas shows: bright sand and ice, dark seas, green forest
+    # regions that any atlas shows: bright sand and ice, dark seas, green forest
     earth = surface_map("earth")
     height, width = earth.levels[0].shape[:2]
     assert width == 2 * height

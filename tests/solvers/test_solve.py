@@ -1,4 +1,4 @@
-"""The public door: degrees and metres in, labelled arrays out, one line for every refusal."""
+"""Public interface: degrees and metres in, labelled arrays out, one line for every refusal."""
 
 from __future__ import annotations
 
@@ -175,17 +175,17 @@ def test_an_observer_outside_sees_what_stands_where_the_sight_enters(
 
 
 def test_progress_rises_to_its_total(reference_earth: Callable[..., Planet]) -> None:
-    told: list[tuple[int, int, str]] = []
+    reported: list[tuple[int, int, str]] = []
     nm = np.linspace(440.0, 680.0, 9)
     solve(
         reference_earth(albedo=0.3), nm, "preview", cache=False,
-        progress=lambda done, total, message: told.append((done, total, message)),
+        progress=lambda done, total, message: reported.append((done, total, message)),
     )  # fmt: skip
-    done = [one[0] for one in told]
+    done = [one[0] for one in reported]
     assert done == sorted(done)
-    assert done[-1] == told[-1][1]
-    assert len({one[1] for one in told}) == 1
-    assert all("\n" not in message and message for _, _, message in told)
+    assert done[-1] == reported[-1][1]
+    assert len({one[1] for one in reported}) == 1
+    assert all("\n" not in message and message for _, _, message in reported)
 
 
 def test_cancel_stops_within_a_moment(reference_earth: Callable[..., Planet]) -> None:

@@ -23,7 +23,7 @@ def table():
 
 
 def row(source, printed):
-    """The one row of a source whose printed text begins so."""
+    """Row of a source whose printed text begins with the argument."""
     (found,) = [one for one in table() if one.source.startswith(source) and printed in one.printed]
     return found
 

@@ -176,9 +176,9 @@ def test_site_air_weighs_as_its_pressure_says() -> None:
 
 def test_ladder_goes_from_everybodys_inputs_to_the_best() -> None:
     # Otherwise the league table and the ladder would tell of different planets.
-    told = steps()
-    assert told[0][1] == EVERYBODYS
-    assert told[-1][1] == BEST
+    ladder = steps()
+    assert ladder[0][1] == EVERYBODYS
+    assert ladder[-1][1] == BEST
 
 
 def test_published_inputs_have_their_optical_depths(scans: Scans, reference_data: Path) -> None:
@@ -260,7 +260,7 @@ def test_damaged_phase_functions_are_refused_in_one_line(tmp_path: Path) -> None
 
 
 def test_asking_to_stop_stops(reference_data: Path) -> None:
-    # Before the first solution: nothing is computed for somebody who has gone.
+    # Before the first solution: nothing is computed after a cancellation.
     with pytest.raises(Cancelled):
         compute(reference_data, cancel=lambda: True)
 

@@ -39,7 +39,7 @@ def write_png(
     metadata : mapping of str to str, optional
         Text chunks to add, each name prefixed with ``airlight.``.
     encoding : str
-        How the pixels are encoded, ``srgb`` or ``gamma`` (1/2.2), recorded in the file.
+        Encoding of the pixels, ``srgb`` or ``gamma`` (1/2.2), recorded in the file.
 
     Raises
     ------

@@ -74,7 +74,7 @@ def bend_angle(x, mu, bend, column):
 
 @inlined
 def place_of_star(x, mu_s, bottom, top, lift):
-    """Where a star stands in the table ``lift``; parameters as in ``seen_star``.
+    """Coordinates of a star in the table ``lift``; parameters as in ``seen_star``.
 
     Returns
     -------

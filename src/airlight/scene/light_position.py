@@ -1,4 +1,4 @@
-"""Where a light stands in the sky of a scene."""
+"""Position of a light in the sky of a scene."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class LightPosition:
     zenith : float
         True zenith angle at the observer. [deg]
     azimuth : float
-        From the star's side, to the right. [deg]
+        Azimuth from the star's side, to the right. [deg]
 
     Examples
     --------

@@ -69,7 +69,7 @@ class Scene:
 
     @property
     def lights(self) -> tuple[LightPosition, ...]:
-        """Where the lights stand: one today, the sun, at azimuth 0."""
+        """Positions of the lights: only the sun today, at azimuth 0."""
         return (LightPosition(zenith=self.sun_zenith),)
 
     @property

@@ -1,4 +1,4 @@
-"""The axes of the table of gathered light: what a node stands for, and where a point falls."""
+"""Axes of the table of gathered light: coordinates of nodes, and cells of points."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def test_planes_of_the_shell_are_exact(axes) -> None:
 
 
 def test_continuation_makes_interpolation_right_at_the_end_of_what_can_be() -> None:
-    # A straight line, of which only places from 2.4 to 6.3 can be: nodes outside hold the ends.
+    # A straight line, possible only from 2.4 to 6.3: nodes outside hold the ends.
     line = 3.0 - 0.7 * np.arange(10.0)
     held = np.interp(np.clip(np.arange(10.0), 2.4, 6.3), np.arange(10.0), line)[:, None]
     continue_beyond(held, 2.4, 6.3)

@@ -1,4 +1,4 @@
-"""The notes' trapezoids: weights, convergence, and what thirty steps get wrong."""
+"""The notes' trapezoids: weights, convergence, and the error of thirty steps."""
 
 from __future__ import annotations
 

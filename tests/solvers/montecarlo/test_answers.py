@@ -1,4 +1,4 @@
-"""What a Monte Carlo solution promises: stops, seeds, threads, orders, clear refusals."""
+"""Promises of a Monte Carlo solution: stops, seeds, threads, orders, clear refusals."""
 
 from __future__ import annotations
 
@@ -142,14 +142,14 @@ def test_sky_irradiance_is_the_integral_of_the_sky(earth: Planet) -> None:
 
 def test_progress_is_told_and_cancel_is_heard(earth: Planet) -> None:
     # The contract of long work.
-    told: list[tuple[int, int, str]] = []
+    reported: list[tuple[int, int, str]] = []
     solution = solve(
-        earth, [550.0], QUICK, solver="montecarlo", progress=lambda *one: told.append(one)
+        earth, [550.0], QUICK, solver="montecarlo", progress=lambda *one: reported.append(one)
     )
     solution.radiance(**WHERE)
-    done = [one[0] for one in told if one[2] == "histories"]
+    done = [one[0] for one in reported if one[2] == "histories"]
     assert done == sorted(done)
-    assert done[-1] == told[-1][1]
+    assert done[-1] == reported[-1][1]
     stopped = solve(earth, [550.0], QUICK, solver="montecarlo", cancel=lambda: True)
     with pytest.raises(Cancelled):
         stopped.radiance(**WHERE)

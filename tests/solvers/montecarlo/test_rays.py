@@ -1,4 +1,4 @@
-"""Optical depths along rays, and places drawn from them, against quadrature of the profiles."""
+"""Optical depths along rays, and points drawn from them, against quadrature of the profiles."""
 
 from __future__ import annotations
 
@@ -57,12 +57,12 @@ def draw(depth, count, extinction, path, r, mu, state, out):
 
 
 @compiled_loop
-def draw_in_light(count, total, air, path, lit, r, mu, state, places, densities, depths):
-    for k in range(places.size):
+def draw_in_light(count, total, air, path, lit, r, mu, state, distances, densities, depths):
+    for k in range(distances.size):
         at, t, depths[k] = place_in_light(
             uniform(state), uniform(state), count, total, air.extinction, path, lit
         )
-        places[k], _, slope = point_at(path.panels[at], t, r, mu, air.extinction)
+        distances[k], _, slope = point_at(path.panels[at], t, r, mu, air.extinction)
         # per optical depth rather than per the panel's own variable
         densities[k] = density_in_light(at, t, total, air.extinction, lit) / slope
 
@@ -82,7 +82,7 @@ def test_places_follow_the_exact_distribution(
     profile: str, vertical: float, one_air: Callable[..., Planet], tell: Callable[[str], None]
 ) -> None:
     # The distribution function of a forced collision is (1 - e^{-τ(s)})/(1 - e^{-τ(L)}); τ by the
-    # quadrature of the column tables' own test. Kolmogorov-Smirnov with 20 000 places a ray, fixed
+    # quadrature of the column tables' own test. Kolmogorov-Smirnov with 20 000 points a ray, fixed
     # seed, p > 0.001 for each of 72 rays: one right sampler in 14 would need another seed.
     planet = one_air(depth=vertical, profile=PROFILES[profile])
     medium = Medium.from_planet(planet, [550.0])
@@ -107,7 +107,7 @@ def test_places_follow_the_exact_distribution(
 
         result = kstest(out, exact)
         ray = f"{altitude / 1e3:g} km {angle:g}°"
-        tell(f"places, {profile}, depth {vertical:g}, {ray}: p {result.pvalue:.3f}")
+        tell(f"points, {profile}, depth {vertical:g}, {ray}: p {result.pvalue:.3f}")
         assert result.pvalue > 1e-3
 
 
@@ -151,8 +151,8 @@ def test_jumps_are_found_and_corners_are_none(one_air: Callable[..., Planet]) ->
 def test_places_in_light_have_the_density_that_is_said(
     reference_earth: Callable[..., Planet],
 ) -> None:
-    # Importance sampling: the mean of f/p over places drawn from p is ∫ f, here of e^{-τ} dτ over
-    # the part of a ray that the star lights; four standard errors of 20 000 places.
+    # Importance sampling: the mean of f/p over points drawn from p is ∫ f, here of e^{-τ} dτ over
+    # the part of a ray that the star lights; four standard errors of 20 000 points.
     medium = Medium.from_planet(reference_earth(albedo=0.0), [440.0])
     air = history_optics(medium, 0)
     r, mu, _, path, count, _ = traced(medium, air, 0.0, 60.0)
@@ -160,13 +160,13 @@ def test_places_in_light_have_the_density_that_is_said(
     lit = new_lit(air.extinction)
     total = weigh(r, mu, mu_s, nu, count, air.extinction, air.light, path, lit)
     assert total > 0.0
-    places, densities, depths = np.empty((3, 20_000))
-    draw_in_light(count, total, air, path, lit, r, mu, stream(9), places, densities, depths)
-    way = columns(r, mu, places, medium.bottom_radius, medium.density) @ medium.extinction[:, 0]
+    distances, densities, depths = np.empty((3, 20_000))
+    draw_in_light(count, total, air, path, lit, r, mu, stream(9), distances, densities, depths)
+    way = columns(r, mu, distances, medium.bottom_radius, medium.density) @ medium.extinction[:, 0]
     # exact to the accuracy of the rays' rule
     assert_allclose(np.exp(-depths), np.exp(-way), atol=2e-4)
     edge, far = 80e3, 150e3  # a stretch well inside the light
-    inside = (places > edge) & (places < far)
+    inside = (distances > edge) & (distances < far)
     estimate = np.where(inside, np.exp(-depths) / densities, 0.0)
     ends = columns(r, mu, np.array([edge, far]), medium.bottom_radius, medium.density)
     before, after = np.exp(-(ends @ medium.extinction[:, 0]))

@@ -33,8 +33,8 @@ _horizon_radius = transmittance.altitude_coordinate
 _horizon_radius_back = transmittance.radius_from_coordinate
 _bruneton_view = scattering.view_coordinate
 _bruneton_view_back = scattering.cosine_from_view
-_view_place = scattering.view_index
-_view_from_place = scattering.view_from_index
+_view_index = scattering.view_index
+_view_from_index = scattering.view_from_index
 _sun = scattering.sun_coordinate
 _sun_back = scattering.sun_from_coordinate
 _weighted_view = weighted_power.view_coordinate
@@ -129,7 +129,7 @@ def view_cell(r, mu, axes):
         if axes.kind == _BRUNETON:
             x = _bruneton_view(r, mu, to_ground, axes.bottom, axes.top)
             first = 0 if to_ground else n // 2
-            return cell(_view_place(x, to_ground, n), first, first + n // 2 - 1)
+            return cell(_view_index(x, to_ground, n), first, first + n // 2 - 1)
         zenith = acos(min(max(mu, -1.0), 1.0))
         horizon = acos(horizon_cosine(r, axes.bottom))
         half = n // 2
@@ -160,7 +160,7 @@ def view_of(j, r, axes):
             return cos(horizon * j / half)
         return cos(horizon + (pi - horizon) * (j - half) / (n - 1 - half))
     if axes.kind == _BRUNETON:
-        x, to_ground = _view_from_place(float(j), n)
+        x, to_ground = _view_from_index(float(j), n)
         return _bruneton_view_back(x, to_ground, r, axes.bottom, axes.top)
     x = index_coordinate(j, n)
     if axes.kind == _LINEAR:
