@@ -30,7 +30,7 @@ from airlight.scene.projections.cubemap import cube_ray
 from airlight.scene.projections.equirectangular import panorama_ray
 from airlight.scene.projections.fisheye import fisheye_ray
 from airlight.scene.projections.perspective import perspective_ray
-from airlight.scene.projections.projected import projected_ray
+from airlight.scene.projections.projected import projected_ray, projected_rays
 from airlight.solvers.moments import convergence, harmonics, levels, packing, sweep
 
 EPS = 2.0**-23
@@ -292,7 +292,7 @@ def test_a_projection_s_number_is_its_place(on_gpu: Callable[..., Any], which: i
     width, height = {"equirectangular": (64, 32), "cubemap": (96, 16)}.get(name, (60, 40))
     fov = math.radians(form.field_of_view)
     x, y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
-    wanted = form.rays(x[0], y[:, 0], width, height, fov)
+    wanted = projected_rays(name, x[0], y[:, 0], width, height, fov)
     for number in (which, Constant(which)):  # at run time, and when the shader is written
         seen = np.stack(on_gpu(projected_ray, number, x, y, float(width), float(height), fov), -1)
         assert_allclose(seen, wanted, rtol=0.0, atol=DIRECTION)

@@ -12,6 +12,7 @@ from airlight.errors import ParameterError
 from airlight.scene.directions import camera_axes
 from airlight.scene.limits import within
 from airlight.scene.projections import PROJECTIONS, Projection
+from airlight.scene.projections.projected import projected_rays
 
 #: Longest side of a picture: a strip of six 8192² faces fits. [pixel]
 LONGEST_SIDE = 65536
@@ -135,5 +136,7 @@ class Camera:
         chosen = np.arange(self.height, dtype=np.float64)[rows if rows is not None else slice(None)]
         x = np.arange(self.width, dtype=np.float64) + (0.5 + offset[0])
         y = chosen + (0.5 + offset[1])
-        rays = self._form.rays(x, y, self.width, self.height, self._field_of_view_radians)
+        rays = projected_rays(
+            self.projection, x, y, self.width, self.height, self._field_of_view_radians
+        )
         return np.asarray(rays @ self.axes)

@@ -155,8 +155,12 @@ class Emitter:
 
 @cache
 def _syntax_tree(function: Callable[..., Any]) -> ast.FunctionDef:
-    """The source of a function, read once for all shaders and languages."""
-    tree = ast.parse(textwrap.dedent(inspect.getsource(function))).body[0]
+    """The source of a function, read once for all shaders and languages.
+
+    Functions that were written out by a program carry it (``kernel.choice``).
+    """
+    text = getattr(function, "source_text", None) or inspect.getsource(function)
+    tree = ast.parse(textwrap.dedent(text)).body[0]
     assert isinstance(tree, ast.FunctionDef)
     return tree
 

@@ -7,7 +7,7 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from airlight.scene import Scene
-from airlight.scene.projections import PROJECTIONS
+from airlight.scene.projections.projected import projected_rays
 
 #: Rows of a band, and columns between two samples of it. [pixel]
 _STEP: Final = 16
@@ -47,13 +47,13 @@ def bands(
         The star's disc reaches so far from there. [rad]
     """
     camera = scene.camera
-    form = PROJECTIONS[camera.projection]
     assert camera.field_of_view is not None
     width, height = camera.width, camera.height
     x = np.linspace(0.0, width, max(2, -(-width // _STEP) + 1))
     firsts = np.arange(0, height, _STEP)
     y = np.concatenate([firsts, [height]]).astype(float)
-    rays = form.rays(x, y, width, height, np.radians(camera.field_of_view)) @ camera.axes
+    field = np.radians(camera.field_of_view)
+    rays = projected_rays(camera.projection, x, y, width, height, field) @ camera.axes
     margin = 1.5 * _STEP * camera.pixel_angle
     elevation = np.arcsin(np.clip(rays[..., 2], -1.0, 1.0))
     seen = np.any(rays != 0.0, axis=-1)

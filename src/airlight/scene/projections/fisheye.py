@@ -4,15 +4,36 @@ from __future__ import annotations
 
 from math import cos, sin, sqrt
 
-import numpy as np
-
-from airlight.kernel import compiled_loop, kernel
-from airlight.scene.projections.projection import FloatArray, Projection
+from airlight.kernel import kernel
+from airlight.scene.projections.projection import Projection
 
 
 @kernel
 def fisheye_ray(x, y, width, height, field_of_view):
-    """View vector (right, up, forward) of a point of the picture; as ``rays``. [1]"""
+    """View vector of a point in the largest circle that fits the picture; zero outside it.
+
+    A camera that looks at the zenith has its azimuth at the **bottom** of the picture, as usual for
+    dome masters: the audience faces the bottom edge.
+
+    Parameters
+    ----------
+    x, y : float
+        Distances from the left and the top edge. [pixel]
+    width, height : int
+        Size of the picture. [pixel]
+    field_of_view : float
+        Angle across the circle, up to a full turn. [rad]
+
+    Returns
+    -------
+    right, up, forward : float
+        Unit vector, zero outside the circle. [1]
+
+    Examples
+    --------
+    >>> fisheye_ray(2.0, 2.0, 4, 4, 3.0)  # the centre
+    (0.0, 0.0, 1.0)
+    """
     diameter = min(width, height)
     across = 2.0 * x - width
     up = height - 2.0 * y
@@ -26,49 +47,6 @@ def fisheye_ray(x, y, width, height, field_of_view):
     return scale * across, scale * up, cos(theta)
 
 
-@compiled_loop
-def fill(x, y, width, height, field_of_view, out):
-    """Write the rays of a grid of pixels to ``out``, shape (len(y), len(x), 3)."""
-    for row in range(y.size):
-        for column in range(x.size):
-            right, up, forward = fisheye_ray(x[column], y[row], width, height, field_of_view)
-            out[row, column, 0] = right
-            out[row, column, 1] = up
-            out[row, column, 2] = forward
-
-
-def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: float) -> FloatArray:
-    """View vectors of the largest circle that fits the picture; zero outside it.
-
-    A camera that looks at the zenith has its azimuth at the **bottom** of the picture, as usual for
-    dome masters: the audience faces the bottom edge.
-
-    Parameters
-    ----------
-    x, y : array, shape (nx,) and (ny,)
-        Pixel coordinates from the left and the top edge. [pixel]
-    width, height : int
-        Size of the picture. [pixel]
-    field_of_view : float
-        Angle across the circle, up to a full turn. [rad]
-
-    Returns
-    -------
-    array, shape (ny, nx, 3)
-        Unit vectors (right, up, forward), zero outside the circle. [1]
-
-    Examples
-    --------
-    >>> import math
-    >>> centre = rays(np.array([2.0]), np.array([2.0]), 4, 4, math.pi)
-    >>> [float(v) for v in centre[0, 0]]
-    [0.0, 0.0, 1.0]
-    """
-    out = np.empty((len(y), len(x), 3))
-    fill(x, y, width, height, field_of_view, out)
-    return out
-
-
 def pixel_angle(width: int, height: int, field_of_view: float) -> float:
     """Angle of a pixel along a radius, the same over the picture. [rad]"""
     return field_of_view / min(width, height)
@@ -76,7 +54,7 @@ def pixel_angle(width: int, height: int, field_of_view: float) -> float:
 
 FISHEYE = Projection(
     name="fisheye",
-    rays=rays,
+    ray=fisheye_ray,
     pixel_angle=pixel_angle,
     fits=lambda width, height: True,
     shape="any shape",

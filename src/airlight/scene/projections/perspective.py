@@ -5,40 +5,18 @@ from __future__ import annotations
 import math
 from math import cos, sin, sqrt
 
-import numpy as np
-
-from airlight.kernel import compiled_loop, kernel
-from airlight.scene.projections.projection import FloatArray, Projection
+from airlight.kernel import kernel
+from airlight.scene.projections.projection import Projection
 
 
 @kernel
 def perspective_ray(x, y, width, height, field_of_view):
-    """View vector (right, up, forward) of a point of the picture; as ``rays``. [1]"""
-    slope = sin(0.5 * field_of_view) / cos(0.5 * field_of_view)
-    right = (2.0 * x - width) / width * slope
-    up = (height - 2.0 * y) / width * slope
-    length = sqrt(1.0 + right * right + up * up)
-    return right / length, up / length, 1.0 / length
-
-
-@compiled_loop
-def fill(x, y, width, height, field_of_view, out):
-    """Write the rays of a grid of pixels to ``out``, shape (len(y), len(x), 3)."""
-    for row in range(y.size):
-        for column in range(x.size):
-            right, up, forward = perspective_ray(x[column], y[row], width, height, field_of_view)
-            out[row, column, 0] = right
-            out[row, column, 1] = up
-            out[row, column, 2] = forward
-
-
-def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: float) -> FloatArray:
-    """View vectors through a flat picture; the field of view is horizontal.
+    """View vector of a point of a flat picture; the field of view is horizontal.
 
     Parameters
     ----------
-    x, y : array, shape (nx,) and (ny,)
-        Pixel coordinates from the left and the top edge. [pixel]
+    x, y : float
+        Distances from the left and the top edge. [pixel]
     width, height : int
         Size of the picture. [pixel]
     field_of_view : float
@@ -46,19 +24,19 @@ def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: f
 
     Returns
     -------
-    array, shape (ny, nx, 3)
-        Unit vectors (right, up, forward). [1]
+    right, up, forward : float
+        Unit vector. [1]
 
     Examples
     --------
-    >>> import math
-    >>> left_edge = rays(np.array([0.0]), np.array([1.0]), 4, 2, math.radians(90.0))
-    >>> [round(float(v), 6) for v in left_edge[0, 0]]
+    >>> [round(v, 6) for v in perspective_ray(0.0, 1.0, 4, 2, math.radians(90.0))]  # left edge
     [-0.707107, 0.0, 0.707107]
     """
-    out = np.empty((len(y), len(x), 3))
-    fill(x, y, width, height, field_of_view, out)
-    return out
+    slope = sin(0.5 * field_of_view) / cos(0.5 * field_of_view)
+    right = (2.0 * x - width) / width * slope
+    up = (height - 2.0 * y) / width * slope
+    length = sqrt(1.0 + right * right + up * up)
+    return right / length, up / length, 1.0 / length
 
 
 def pixel_angle(width: int, height: int, field_of_view: float) -> float:
@@ -68,7 +46,7 @@ def pixel_angle(width: int, height: int, field_of_view: float) -> float:
 
 PERSPECTIVE = Projection(
     name="perspective",
-    rays=rays,
+    ray=perspective_ray,
     pixel_angle=pixel_angle,
     fits=lambda width, height: True,
     shape="any shape",

@@ -1,43 +1,61 @@
-"""View vector of any projection by its number, for processors without a table of functions."""
+"""View vectors of any projection by its number: one point, or a grid of pixels."""
 
 from __future__ import annotations
 
-from airlight.kernel import kernel
-from airlight.scene.projections.cubemap import cube_ray
-from airlight.scene.projections.equirectangular import panorama_ray
-from airlight.scene.projections.fisheye import fisheye_ray
-from airlight.scene.projections.perspective import perspective_ray
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.kernel import compiled_loop
+from airlight.kernel.choice import chosen_kernel
+from airlight.scene.projections import PROJECTIONS
+
+FloatArray = NDArray[np.float64]
+
+#: ``projected_ray(projection, x, y, width, height, field_of_view)``: ``Projection.ray`` of the
+#: projection with that index in ``PROJECTIONS``, counted from 0.
+projected_ray = chosen_kernel(
+    "projected_ray", [projection.ray for projection in PROJECTIONS.values()], __name__
+)
 
 
-@kernel
-def projected_ray(projection, x, y, width, height, field_of_view):
-    """View vector of a point of a picture in the camera's frame.
+@compiled_loop
+def _fill(projection, x, y, width, height, field_of_view, out):
+    for row in range(y.size):
+        for column in range(x.size):
+            right, up, forward = projected_ray(
+                projection, x[column], y[row], width, height, field_of_view
+            )
+            out[row, column, 0] = right
+            out[row, column, 1] = up
+            out[row, column, 2] = forward
+
+
+def projected_rays(
+    projection: str, x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: float
+) -> FloatArray:
+    """View vectors of a grid of pixels in the camera's frame.
 
     Parameters
     ----------
-    projection : int
-        Index in ``PROJECTIONS``, counted from 0.
-    x, y : float
-        Distances from the left and the top edge. [pixel]
-    width, height : float
+    projection : str
+        Name in ``PROJECTIONS``.
+    x, y : array, shape (nx,) and (ny,)
+        Pixel coordinates from the left and the top edge. [pixel]
+    width, height : int
         Size of the picture. [pixel]
     field_of_view : float
-        Field of view, as the projection's ``rays`` takes it. [rad]
+        Field of view, as the projection's ``ray`` takes it. [rad]
 
     Returns
     -------
-    right, up, forward : float
-        Components of a unit vector, or 0 where the picture shows nothing. [1]
+    array, shape (ny, nx, 3)
+        Unit vectors (right, up, forward), zero where the picture shows nothing. [1]
 
     Examples
     --------
-    >>> projected_ray(1, 2.0, 2.0, 4.0, 4.0, 3.0)  # the centre of a fisheye
-    (0.0, 0.0, 1.0)
+    >>> projected_rays("fisheye", np.array([2.0]), np.array([2.0]), 4, 4, 3.0)
+    array([[[0., 0., 1.]]])
     """
-    if projection == 0:
-        return perspective_ray(x, y, width, height, field_of_view)
-    if projection == 1:
-        return fisheye_ray(x, y, width, height, field_of_view)
-    if projection == 2:
-        return panorama_ray(x, y, width, height, field_of_view)
-    return cube_ray(x, y, width, height, field_of_view)
+    out = np.empty((len(y), len(x), 3))
+    _fill(list(PROJECTIONS).index(projection), x, y, width, height, field_of_view, out)
+    return out

@@ -5,11 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
-FloatArray = NDArray[np.float64]
-
 
 @dataclass(frozen=True, kw_only=True)
 class Projection:
@@ -19,12 +14,11 @@ class Projection:
     ----------
     name : str
         Name for the camera and the command line.
-    rays : callable
-        Function ``rays(x, y, width, height, field_of_view)`` that gives the view vectors of the
-        pixels in the camera's frame (right, up, forward), shape (len(y), len(x), 3): of unit
-        length, or zero where the picture shows nothing. ``x``, ``y``: distances from the left and
-        the top edge in pixels, so that pixel i has its centre at i + 0.5. ``field_of_view``:
-        radians.
+    ray : kernel
+        Scalar function ``ray(x, y, width, height, field_of_view)`` that gives the view vector of a
+        point of the picture in the camera's frame (right, up, forward): of unit length, or zero
+        where the picture shows nothing. ``x``, ``y``: distances from the left and the top edge in
+        pixels, so that pixel i has its centre at i + 0.5. ``field_of_view``: radians.
     pixel_angle : callable
         Function ``pixel_angle(width, height, field_of_view)`` that gives the angle of one pixel
         where the picture looks straight ahead. [rad]
@@ -41,7 +35,7 @@ class Projection:
     """
 
     name: str
-    rays: Callable[[FloatArray, FloatArray, int, int, float], FloatArray]
+    ray: Callable[[float, float, float, float, float], tuple[float, float, float]]
     pixel_angle: Callable[[int, int, float], float]
     fits: Callable[[int, int], bool]
     shape: str

@@ -1,0 +1,56 @@
+"""One kernel that chooses among several by number: for lists that an entry joins by a line."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+from airlight.kernel import kernel
+
+
+def chosen_kernel(name: str, choices: Sequence[Any], module: str) -> Any:
+    """Kernel of a number and the arguments of the chosen kernel, which it calls.
+
+    Written out as a chain of ``if``, since processors have no tables of functions: compilers,
+    Numba's and the emitter's, choose at once where the number is a constant.
+
+    Parameters
+    ----------
+    name : str
+        Name of the kernel.
+    choices : sequence of kernels
+        Of the same arguments and results; counted from 0. The last one also answers to all larger
+        numbers.
+    module : str
+        ``__name__`` of the module that lists the choices: its file, and what it imports, is what
+        compiled code on disk is kept by.
+
+    Returns
+    -------
+    kernel
+
+    Examples
+    --------
+    >>> @kernel
+    ... def double(x):
+    ...     return 2.0 * x
+    >>> @kernel
+    ... def half(x):
+    ...     return 0.5 * x
+    >>> chosen_kernel("scaled", [double, half], __name__)(1, 3.0)
+    1.5
+    """
+    code = choices[0].py_func.__code__
+    arguments = ", ".join(code.co_varnames[: code.co_argcount])
+    calls = [f"choice_{number}({arguments})" for number in range(len(choices))]
+    lines = [f"def {name}(which, {arguments}):"]
+    for number, call in enumerate(calls[:-1]):
+        lines += [f"    if which == {number}:", f"        return {call}"]
+    text = "\n".join([*lines, f"    return {calls[-1]}", ""])
+    scope: dict[str, Any] = {f"choice_{number}": one for number, one in enumerate(choices)}
+    scope["__name__"] = module
+    exec(compile(text, sys.modules[module].__file__ or module, "exec"), scope)
+    function = scope[name]
+    function.source_text = text
+    return kernel(function)
