@@ -11,11 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.color.upsampling import reflectance_basis
+from airlight.errors import ParameterError
 from airlight.gpu.device.device import Device
 from airlight.gpu.device.flat import FLAT_WIDTH, MOST_ROWS, flat_rows, flat_texture
 from airlight.gpu.solver.solver import fields_on
 from airlight.pixels.shown import (
     FIELD_TABLES,
+    MOST_CONSTITUENTS,
     SCALAR_TABLES,
     SPECTRAL_TABLES,
     Shown,
@@ -98,6 +100,9 @@ class SolutionTables:
         nm = solution.wavelengths
         if shown is None:
             shown = shown_solution(solution, reflectance_basis(nm))
+        if shown.constituents > MOST_CONSTITUENTS:
+            allowed = f"at most {MOST_CONSTITUENTS} on the GPU"
+            raise ParameterError("constituents", shown.constituents, allowed)
         scalars, places = laid_out(
             {name: np.asarray(getattr(shown, name), float) for name in SCALAR_TABLES}, 1
         )
