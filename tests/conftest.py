@@ -1,4 +1,4 @@
-"""What all tests share: reference data, a GPU, a room of their own for solutions, error tables."""
+"""What all tests share: markers, order, reference data, a GPU, solutions, error tables."""
 
 from __future__ import annotations
 
@@ -14,16 +14,74 @@ if TYPE_CHECKING:
     from airlight.planets import Planet
     from airlight.solvers.moments.solution import MomentsSolution
 
-_LINES = pytest.StashKey[list[str]]()
+#: Fixtures that bring a browser, and those that bring a GPU or a window.
+_BROWSER, _GPU = {"chromium"}, {"device", "gpu", "lacking"}
+#: Folders whose files stay on one worker: they share solutions that take long, or a browser.
+_TOGETHER = ("color", "exports", "mappings", "optics", "planets", "plots", "render", "scene", "web")
+#: Its tests share nothing, and take longest.
+_APART = "tests/against/test_solvers_agree.py"
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    config.addinivalue_line("markers", "slow: takes more than ten seconds")
-    config.stash[_LINES] = []
+    workers = os.environ.get("PYTEST_XDIST_WORKER_COUNT")
+    if workers is not None:  # all workers together have as many threads as there are processors
+        threads = str(max(1, (os.cpu_count() or 1) // int(workers)))
+        os.environ.setdefault("AIRLIGHT_THREADS", threads)
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for item in items:
+        fixtures = set(getattr(item, "fixturenames", ()))
+        if fixtures & _BROWSER:
+            item.add_marker(pytest.mark.browser)
+        if fixtures & _GPU:
+            item.add_marker(pytest.mark.gpu)
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        _longest_first(items)
+
+
+def _longest_first(items: list[pytest.Item]) -> None:
+    """Begin with the groups of tests that take longest, so that no worker idles at the end."""
+    ranks: dict[str, tuple[int, int]] = {}
+    for n, item in enumerate(items):
+        marked = [bool(item.get_closest_marker(name)) for name in ("browser", "slow", "gpu")]
+        rank = marked.index(True) if any(marked) else len(marked)
+        group = _group(item.nodeid)
+        ranks[group] = min((rank, n), ranks.get(group, (rank, n)))
+    items.sort(key=lambda item: ranks[_group(item.nodeid)])
+
+
+def _group(nodeid: str) -> str:
+    """What stays on one worker: a file, some folders, and the doctests of a package."""
+    file = nodeid.partition("::")[0]
+    if file == _APART:
+        return nodeid
+    parts = file.split("/")
+    if parts[0] == "src":
+        return "/".join(parts[:3])
+    return "/".join(parts[:2]) if parts[1] in _TOGETHER else file
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    from xdist.scheduler import LoadScopeScheduling
+
+    class Scheduling(LoadScopeScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            return _group(nodeid)
+
+    return Scheduling(config, log)
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    lines = terminalreporter.config.stash[_LINES]
+    reports = [one for some in terminalreporter.stats.values() for one in some]
+    lines = [
+        value
+        for report in reports
+        if getattr(report, "when", None) == "call"
+        for name, value in report.user_properties
+        if name == "measured"
+    ]
     if lines:
         terminalreporter.section("measured")
         for line in lines:
@@ -31,9 +89,9 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
 
 
 @pytest.fixture
-def tell(pytestconfig: pytest.Config) -> Callable[[str], None]:
+def tell(request: pytest.FixtureRequest) -> Callable[[str], None]:
     """Puts a line into the section "measured" at the end of the run, passed or failed."""
-    return pytestconfig.stash[_LINES].append
+    return lambda line: request.node.user_properties.append(("measured", line))
 
 
 @pytest.fixture(scope="session")

@@ -4,10 +4,16 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
 HEAVY = ["numba", "scipy", "xarray", "pint", "PIL", "OpenEXR", "pandas", "matplotlib"]
+#: What a picture of a preset does without: half a second and more.
+NEEDLESS = [
+    "pint", "xarray", "pandas", "matplotlib", "OpenEXR", "miepython", "wgpu",
+    "scipy.interpolate", "scipy.optimize", "scipy.sparse", "scipy.special",
+]  # fmt: skip
 
 
 def python(*arguments: str) -> subprocess.CompletedProcess[str]:
@@ -40,6 +46,20 @@ def test_help_of_the_command_line_takes_less_than_a_second() -> None:
 def test_nothing_heavy_is_imported_before_it_is_used(statement: str) -> None:
     code = f"{statement}; import sys; print(*[m for m in {HEAVY} if m in sys.modules])"
     assert python("-c", code).stdout.split() == []
+
+
+def test_a_picture_of_earth_imports_only_what_it_uses(tmp_path: Path) -> None:
+    # five wavelengths are the fewest whose colours are a spline's
+    words = ["render", "earth", "--size=16x9", "--wavelengths=5", "--quality=preview", "-oe.png"]
+    code = (
+        f"from airlight.cli import main; import sys; assert main({words}) == 0;"
+        f"print('imported', *[m for m in {NEEDLESS} if m in sys.modules])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=300
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.splitlines()[-1] == "imported"
 
 
 def test_every_public_name_is_found_where_it_is_said_to_live() -> None:

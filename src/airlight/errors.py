@@ -1,4 +1,4 @@
-"""The exceptions that airlight raises: one clear line each."""
+"""Exceptions that airlight raises, each with a message of one clear line."""
 
 from __future__ import annotations
 
@@ -6,22 +6,22 @@ from pathlib import Path
 
 
 class AirlightError(Exception):
-    """Base of every error that airlight raises on purpose; its text is one line."""
+    """Base of every error that airlight raises on purpose, with a message of one line."""
 
 
 class ParameterError(AirlightError, ValueError):
-    """A value that cannot be used: names the field, the value and what is allowed.
+    """Unusable value, with its field and what is allowed.
 
     Parameters
     ----------
     field : str
-        Where the value stands, with dots and indices: ``constituents[1].scattering``.
+        Path of the value, with dots and indices: ``constituents[1].scattering``.
     value : object
-        The value as it was given.
+        Value as it was given.
     allowed : str
-        The allowed range or the allowed forms, in words.
+        Allowed range or forms, in words.
     file : str or Path, optional
-        The file that holds the field.
+        File that holds the field.
 
     Examples
     --------
@@ -48,12 +48,12 @@ class ParameterError(AirlightError, ValueError):
         return f"{where}{self.field} is {shown}; allowed: {self.allowed}"
 
     def in_file(self, file: str | Path) -> ParameterError:
-        """The same error with the name of the file that holds the field."""
+        """Same error with the name of the file that holds the field."""
         return ParameterError(self.field, self.value, self.allowed, file)
 
 
 class FileError(AirlightError):
-    """A file that cannot be read or written: names the file and the reason."""
+    """File that cannot be read or written, with the reason."""
 
     def __init__(self, file: str | Path, reason: str) -> None:
         self.file = file
@@ -65,8 +65,8 @@ class FileError(AirlightError):
 
 
 class ConvergenceError(AirlightError):
-    """A solver used up its allowed sweeps before it reached its tolerance."""
+    """Iteration that did not reach its tolerance within the allowed number of sweeps."""
 
 
 class Cancelled(AirlightError):
-    """The caller asked a long computation to stop."""
+    """Long computation stopped at the caller's request."""

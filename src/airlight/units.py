@@ -1,18 +1,50 @@
-"""Text with a unit to a number in SI: pint, at the door only."""
+"""Conversion of text with a unit to a number in SI: usual units by a table, others by pint."""
 
 from __future__ import annotations
 
 import math
 import re
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 from airlight.errors import ParameterError
 
 if TYPE_CHECKING:
     import pint
 
-#: Units that angles and wavelengths are kept in, beside SI for all else.
+#: Powers of metre, kilogram, second, kelvin and mole. [1]
+_Dimension: TypeAlias = tuple[int, int, int, int, int]
+
+_LENGTH: Final = (1, 0, 0, 0, 0)
+_PRESSURE: Final = (-1, 1, -2, 0, 0)
+_NUMBER: Final = (0, 0, 0, 0, 0)
+#: Units that need no pint, whose import takes a tenth of a second: factor to SI, dimension. The
+#: factors are definitions (SI brochure; IAU 2012 for the astronomical unit); angles are numbers.
+_USUAL: Final[dict[str, tuple[float, _Dimension]]] = {
+    "m": (1.0, _LENGTH),
+    "km": (1e3, _LENGTH),
+    "cm": (1e-2, _LENGTH),
+    "mm": (1e-3, _LENGTH),
+    "um": (1e-6, _LENGTH),
+    "µm": (1e-6, _LENGTH),
+    "nm": (1e-9, _LENGTH),
+    "au": (149_597_870_700.0, _LENGTH),
+    "kg": (1.0, (0, 1, 0, 0, 0)),
+    "g": (1e-3, (0, 1, 0, 0, 0)),
+    "s": (1.0, (0, 0, 1, 0, 0)),
+    "K": (1.0, (0, 0, 0, 1, 0)),
+    "mol": (1.0, (0, 0, 0, 0, 1)),
+    "W": (1.0, (2, 1, -3, 0, 0)),
+    "Pa": (1.0, _PRESSURE),
+    "hPa": (1e2, _PRESSURE),
+    "bar": (1e5, _PRESSURE),
+    "mbar": (1e2, _PRESSURE),
+    "rad": (1.0, _NUMBER),
+    "deg": (math.pi / 180.0, _NUMBER),
+    "1": (1.0, _NUMBER),
+}
+
+#: Units of angles and wavelengths, which are not converted to SI.
 _KEPT = {"deg": "degree", "nm": "nanometer", "1": "dimensionless"}
 
 
@@ -22,33 +54,33 @@ def _registry() -> pint.UnitRegistry[Any]:
 
     try:
         return pint.UnitRegistry(cache_folder=":auto:")  # parsed definitions, a tenth of a second
-    except Exception:  # a home without a place for it, or a damaged cache
+    except Exception:  # a home without a writable cache, or a damaged one
         return pint.UnitRegistry()
 
 
 def quantity(text: str | float, unit: str, field: str = "value") -> float:
-    """One number with a unit, as a float in the unit asked for.
+    """Convert one number with a unit to a float in the given unit.
 
-    A number without a unit is taken to be in ``unit`` already.
+    A number without a unit is taken to be in ``unit``.
 
     Parameters
     ----------
     text : str or float
-        For example ``"8 km"``, ``"5.802e-6 /m"``, ``"0.2678 deg"``, ``8000.0``.
+        Number with a unit, such as ``"8 km"``, ``"5.802e-6 /m"``, ``"0.2678 deg"``, ``8000.0``.
     unit : str
-        The unit of the result, in pint's spelling: ``"m"``, ``"1/m"``, ``"deg"``, ``"1"``.
+        Unit of the result, in pint's spelling: ``"m"``, ``"1/m"``, ``"deg"``, ``"1"``.
     field : str
-        Named in the error.
+        Field named in the error.
 
     Returns
     -------
     float
-        Finite. [unit]
+        Finite value. [unit]
 
     Raises
     ------
     ParameterError
-        If the text is no number, has a unit of another kind, or is not finite.
+        If the text is not a number, has a unit of another dimension, or is not finite.
 
     Examples
     --------
@@ -73,8 +105,8 @@ def quantity(text: str | float, unit: str, field: str = "value") -> float:
 
 
 _NAME = r"[A-Za-zµμ°%Å]+(?:(?:\^|\*\*)?-?[1-9])?"
-#: A number, then at most a unit: names with a one-digit power, joined by ``*``, ``/`` or a space.
-#: Anything wider would hand pint an expression to evaluate.
+#: A number, then at most one unit: names with a one-digit power, joined by ``*``, ``/`` or a space.
+#: Anything wider would let pint evaluate an expression.
 _FORM = re.compile(
     r"\s*(?P<number>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)"
     rf"\s*(?P<unit>(?:1?\s*/\s*)?(?:{_NAME})(?:\s*[*/ ]\s*{_NAME})*)?\s*"
@@ -97,16 +129,47 @@ def _parse(text: str, unit: str, field: str, allowed: str) -> float:
 
 @cache
 def _factor(given: str, unit: str) -> float:
+    """What a number in the unit given is multiplied with; pint's errors where nothing fits."""
+    usual, usual_target = _usual(given), _usual(unit)
+    if usual is not None and usual_target is not None and usual[1] == usual_target[1]:
+        return usual[0] / usual_target[0]
     registry = _registry()
     source = registry.parse_expression("1" + given if given.startswith("/") else given)
     target = registry.parse_expression(_KEPT.get(unit, unit))
     return float((source / target).to("dimensionless").magnitude)
 
 
+#: Unit in a product, the sign before it (none before the first), and its power.
+_PART: Final = re.compile(r"\s*([*/ ]?)\s*([A-Za-zµ]+|1)(?:(?:\^|\*\*)(-?[1-9]))?")
+
+
+def _usual(text: str) -> tuple[float, _Dimension] | None:
+    """Factor to SI and dimension of a product of usual units, read from left to right; or None."""
+    text = text.strip().replace("μ", "µ")
+    factor, powers = 1.0, [0] * len(_NUMBER)
+    at = 0
+    while at < len(text):
+        part = _PART.match(text, at)
+        if part is None or part[2] not in _USUAL:
+            return None
+        one, dimension = _USUAL[part[2]]
+        power = int(part[3] or "1")
+        raised = one ** abs(power)
+        if (part[1] == "/") != (power < 0):
+            factor /= raised
+        else:
+            factor *= raised
+        sign = -power if part[1] == "/" else power
+        powers = [p + sign * d for p, d in zip(powers, dimension, strict=True)]
+        at = part.end()
+    m, kg, s, kelvin, mol = powers
+    return factor, (m, kg, s, kelvin, mol)
+
+
 def quantities(
     text: str | float | list[Any] | tuple[Any, ...], unit: str, field: str = "value"
 ) -> list[float]:
-    """A list of numbers with units, as floats in the unit asked for.
+    """Convert a list of numbers with units to floats in the given unit.
 
     Accepts a single quantity, a list of quantities, or one text with commas whose last
     item carries the unit for all that have none: ``"680, 550, 440 nm"``.

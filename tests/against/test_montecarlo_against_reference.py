@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+import pytest
 from numpy.testing import assert_array_less
 
 from airlight import solve
@@ -34,6 +35,7 @@ CASES = [
 ]
 
 
+@pytest.mark.slow
 def test_radiances_agree_within_three_standard_errors(
     reference_earth: Callable[..., Planet], reference_data: Path, tell: Callable[[str], None]
 ) -> None:

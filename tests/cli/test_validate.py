@@ -14,7 +14,7 @@ import pytest
 from airlight.cli import main
 from airlight.validation import golden as golden_suite
 from airlight.validation import run as suites
-from airlight.validation.suite import Bar, Picture, Suite, Table
+from airlight.validation.suite import Bar, Picture, ReportTable, Suite
 
 pytest.importorskip("matplotlib")
 
@@ -49,7 +49,7 @@ def test_golden_numbers_make_a_page_and_status_0(
 def quick(monkeypatch: pytest.MonkeyPatch) -> Suite:
     """Every suite but golden replaced by one with a picture; golden misses a bar."""
     picture = Picture(title="Some picture", png=ONE_PIXEL)
-    table = Table(title="Worst", columns=["case"], rows=[("the worst of all",)])
+    table = ReportTable(title="Worst", columns=["case"], rows=[("the worst of all",)])
     made = Suite(
         name="golden", title="Golden numbers", summary="Numbers.", parts=[table, picture],
         bars=[Bar(name="numbers missed", got=1, allowed=0)],

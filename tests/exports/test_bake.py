@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose
 from airlight.errors import Cancelled, ParameterError
 from airlight.exports.air_light import AirLight, lines_of_sight
 from airlight.exports.bake import Baked, bake
-from airlight.exports.table_errors import random_places
+from airlight.exports.table_errors import random_positions
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import vectorized
 from airlight.planets import Constituent, Ground, Planet, Star, load_planet
@@ -22,7 +22,7 @@ from airlight.planets.medium import Medium
 from airlight.solvers.sight import Sight
 from airlight.solvers.single_scattering import single_scattering
 from airlight.solvers.solution import Report, Solution
-from airlight.tables.layout import Places
+from airlight.tables.layout import Positions
 
 Solve = Callable[..., Any]
 SMALL = (16, 32, 24, 8)
@@ -63,11 +63,11 @@ def bruneton(earth: Any) -> Baked:
     return bake(earth, size=SMALL, points=2000)
 
 
-def texels(baked: Baked, count: int = 400) -> Places:
-    """Some of the table's own places: not those on the ground or at the top, whose views have
+def texels(baked: Baked, count: int = 400) -> Positions:
+    """Some of the table's own positions: not those on the ground or at the top, whose views have
     length 0, nor those whose angle is moved to a possible one."""
     layout = baked.tables["scattering"].layout
-    p = layout.places()
+    p = layout.positions()
     own = (p.r > layout.bottom_radius * (1 + 1e-9)) & (p.r < layout.top_radius * (1 - 1e-9))
     if "nu" in [axis.name for axis in layout.axes]:
         nu = np.broadcast_to(np.linspace(-1.0, 1.0, layout.shape[-1]), layout.shape).ravel()
@@ -91,9 +91,9 @@ def test_texels_give_the_solver_s_own_light(
     # At its texels a table that knows the angle to the sun holds the solver's light, whatever
     # the packing: what is left is rounding to float32 and of the view's coordinate.
     baked = bake(earth, layout, points=50, **choice)
-    places = texels(baked)
-    exact = AirLight(earth, choice.get("order"))(lines_of_sight(places, earth.medium))
-    made = baked.light.relative_radiance(places)
+    positions = texels(baked)
+    exact = AirLight(earth, choice.get("order"))(lines_of_sight(positions, earth.medium))
+    made = baked.light.relative_radiance(positions)
     assert (exact > 1e-9).mean() > 0.4
     assert_allclose(made, exact, rtol=2e-4, atol=1e-9)
     assert np.median(np.abs(made - exact)[exact > 1e-9] / exact[exact > 1e-9]) < 1e-6
@@ -103,12 +103,12 @@ def test_first_order_agrees_with_quadrature(earth: Any) -> None:
     # Second method: S¹ = Σ p_i S_i by adaptive quadrature, at the table's texels. The moments
     # solver marches with 16 points in preview quality: a few thousandths by day.
     baked = bake(earth, size=(6, 12, 8, 5), order=1, points=50)
-    places = texels(baked)
-    places = places[places.mu_s > 0.1][:40]
-    sight = lines_of_sight(places, earth.medium)
-    phase = earth.medium.phase_function(places.nu)
+    positions = texels(baked)
+    positions = positions[positions.mu_s > 0.1][:40]
+    sight = lines_of_sight(positions, earth.medium)
+    phase = earth.medium.phase_function(positions.nu)
     exact = (phase * single_scattering(earth.medium, sight)).sum(axis=1)
-    assert_allclose(baked.light.relative_radiance(places), exact, rtol=0.01, atol=1e-7)
+    assert_allclose(baked.light.relative_radiance(positions), exact, rtol=0.01, atol=1e-7)
 
 
 def test_air_s_light_does_not_depend_on_the_ground_in_first_order(
@@ -118,11 +118,11 @@ def test_air_s_light_does_not_depend_on_the_ground_in_first_order(
     # though the solution's own first order holds the sun reflected by the ground.
     black = solved(reference_earth(albedo=0.0), quality="preview")
     white = solved(reference_earth(albedo=1.0), quality="preview")
-    places = random_places(black.medium, 400, 7)
-    sight = lines_of_sight(places, black.medium)
+    positions = random_positions(black.medium, 400, 7)
+    sight = lines_of_sight(positions, black.medium)
     dark, bright = AirLight(black, 1)(sight), AirLight(white, 1)(sight)
     whole = white.relative_radiance(sight, order=1)
-    assert (whole[places.to_ground] > 2.0 * bright[places.to_ground]).mean() > 0.3
+    assert (whole[positions.to_ground] > 2.0 * bright[positions.to_ground]).mean() > 0.3
     # Two solutions of float32 moments; nothing is subtracted.
     assert_allclose(bright, dark, rtol=1e-5, atol=1e-9)
 
@@ -148,7 +148,7 @@ def test_the_ground_s_light_is_taken_off_any_solver_s(earth: Any, order: int | N
     # Second method: the march of the air alone, against all light less the ground's by
     # quadrature. What preview's transmittance errs by is left of the ground's light: 2e-3
     # where a ray passes the corners of the ozone's tent (2.6e-4 in default quality).
-    sight = lines_of_sight(random_places(earth.medium, 400, 7), earth.medium)
+    sight = lines_of_sight(random_positions(earth.medium, 400, 7), earth.medium)
     alone, subtracted = AirLight(earth, order)(sight), AirLight(Closed(earth), order)(sight)
     whole = earth.relative_radiance(sight, order=order)
     # In twilight the sky on the ground is interpolated between suns: 1e-6 of the star.
@@ -208,19 +208,21 @@ def test_weighted_power_beats_linear_near_the_horizon(
     # horizon, at the table's azimuth.
     medium = earth.medium
     rng = np.random.default_rng(8)
-    places = random_places(medium, 3000, 8, 90.0)
-    horizon = np.arccos(vectorized(horizon_cosine)(places.r, medium.bottom_radius))
+    positions = random_positions(medium, 3000, 8, 90.0)
+    horizon = np.arccos(vectorized(horizon_cosine)(positions.r, medium.bottom_radius))
     mu = np.cos(np.clip(horizon + np.radians(rng.uniform(-3.0, 3.0, 3000)), 0.0, np.pi))
-    spread = np.sqrt((1.0 - mu**2) * (1.0 - places.mu_s**2))
-    nu = mu * places.mu_s + spread * np.cos(np.pi / 2.0)
-    places = Places.of(places.r, mu, places.mu_s, nu, bottom_radius=medium.bottom_radius)
-    exact = AirLight(earth)(lines_of_sight(places, medium))
+    spread = np.sqrt((1.0 - mu**2) * (1.0 - positions.mu_s**2))
+    nu = mu * positions.mu_s + spread * np.cos(np.pi / 2.0)
+    positions = Positions.of(
+        positions.r, mu, positions.mu_s, nu, bottom_radius=medium.bottom_radius
+    )
+    exact = AirLight(earth)(lines_of_sight(positions, medium))
     bright = exact > 1e-5
     rms = {}
     for mapping in ("linear", "power", "weighted-power"):
         baked = bake(earth, "atmosphere-plus", mapping=mapping, packing="phase-included",
                      azimuth=90.0, size=(32, 64, 32), points=50)  # fmt: skip
-        error = baked.light.relative_radiance(places)[bright] / exact[bright] - 1.0
+        error = baked.light.relative_radiance(positions)[bright] / exact[bright] - 1.0
         rms[mapping] = float(np.median(np.abs(error)))
         tell(f"within 3° of the horizon, {mapping}: median error {rms[mapping]:.1%}")
     assert rms["weighted-power"] < 0.5 * rms["linear"]
@@ -252,23 +254,23 @@ def test_factored_light_is_exact_for_the_first_order_where_azimuth_does_not_matt
     # which is none under a sun at the zenith.
     baked = bake(earth, "atmosphere-plus", packing="separate", order=1, size=(8, 24, 9), points=50)
     layout = baked.tables["scattering"].layout
-    p = layout.places()
+    p = layout.positions()
     overhead = (p.mu_s == 1.0) & (p.r > layout.bottom_radius) & (p.r < layout.top_radius)
-    places = p[overhead]
-    exact = AirLight(earth, 1)(lines_of_sight(places, earth.medium))
-    made = baked.light.relative_radiance(places)
+    positions = p[overhead]
+    exact = AirLight(earth, 1)(lines_of_sight(positions, earth.medium))
+    made = baked.light.relative_radiance(positions)
     bright = exact > 1e-5
     assert_allclose(made[bright], exact[bright], rtol=5e-3)
 
 
 def test_errors_are_those_of_the_tables(bruneton: Baked, earth: Any) -> None:
-    # The same comparison by hand: same seed, same places.
+    # The same comparison by hand: same seed, same positions.
     error = bruneton.errors["sky"]
-    places = random_places(earth.medium, 2000, error.seed)
-    places = places[~places.to_ground]
-    exact = AirLight(earth)(lines_of_sight(places, earth.medium))
+    positions = random_positions(earth.medium, 2000, error.seed)
+    positions = positions[~positions.to_ground]
+    exact = AirLight(earth)(lines_of_sight(positions, earth.medium))
     judged = exact > error.floor
-    off = (bruneton.light.relative_radiance(places) / np.where(judged, exact, 1.0) - 1.0)[judged]
+    off = (bruneton.light.relative_radiance(positions) / np.where(judged, exact, 1.0) - 1.0)[judged]
     assert error.points == judged.sum()
     assert_allclose(error.rms, np.sqrt(np.mean(off**2)), rtol=1e-9)
     assert_allclose(error.maximum, np.abs(off).max(), rtol=1e-9)
@@ -331,8 +333,8 @@ def test_second_order_s_reflection_of_the_first_order_s_sky_is_taken_off(
     # A law: a uniform sky of radiance L sends π L to the ground. What is left is the glow.
     planet = reference_earth(albedo=0.5)
     solution = UniformSky(Medium.from_planet(planet, planet.wavelengths))
-    places = random_places(solution.medium, 200, 9)
-    sight = lines_of_sight(places, solution.medium)
+    positions = random_positions(solution.medium, 200, 9)
+    sight = lines_of_sight(positions, solution.medium)
     # Columns with fewer points: 1e-5.
     assert_allclose(AirLight(solution, 2)(sight), UniformSky.GLOW, rtol=1e-4)
     both = AirLight(solution, 2, cumulative=True)(sight)
@@ -348,10 +350,10 @@ def test_a_table_of_one_order_says_so_and_any_solver_can_fill_it(
     baked = bake(solution, size=(4, 16, 16, 16), order=2, points=200)
     assert baked.about["orders"] == "2"
     assert set(baked.tables) == {"transmittance", "irradiance", "scattering"}
-    places = random_places(solution.medium, 200, 9)
+    positions = random_positions(solution.medium, 200, 9)
     # The glow is the same everywhere; divided by p_R and interpolated: 1 + ν² bends, most where
     # texels stand for angles that are not possible.
-    off = np.abs(baked.light.relative_radiance(places) / UniformSky.GLOW - 1.0)
+    off = np.abs(baked.light.relative_radiance(positions) / UniformSky.GLOW - 1.0)
     assert np.median(off) < 0.01
     assert off.max() < 0.3
     with pytest.raises(ParameterError, match="order is 3; allowed: 1 to 2"):

@@ -15,7 +15,7 @@ from numpy.testing import assert_array_equal
 from airlight.errors import FileError, ParameterError
 from airlight.exports.bake import Baked, bake
 from airlight.exports.exr import read_exr_channels, write_exr_channels
-from airlight.exports.table_errors import random_places
+from airlight.exports.table_errors import random_positions
 from airlight.exports.table_files import check_folder, load_table, load_tables, write_tables
 from airlight.planets import Planet
 
@@ -53,15 +53,17 @@ def test_look_ups_are_the_same_bit_by_bit_after_reading_back(
     baked = all_baked[name]
     manifest = write_tables(tmp_path / name, baked)
     back = load_tables(manifest)
-    places = random_places(earth.medium, 300, 3)
+    positions = random_positions(earth.medium, 300, 3)
     for key, table in baked.tables.items():
         again = back.tables[key]
         assert again.values.dtype == table.values.dtype
         assert_array_equal(again.values, table.values)
         assert (again.layout, again.unit, again.scale) == (table.layout, table.unit, table.scale)
-        assert_array_equal(again.at(places), table.at(places))
-        assert_array_equal(load_table(manifest.parent, key).at(places), table.at(places))
-    assert_array_equal(back.light.relative_radiance(places), baked.light.relative_radiance(places))
+        assert_array_equal(again.at(positions), table.at(positions))
+        assert_array_equal(load_table(manifest.parent, key).at(positions), table.at(positions))
+    assert_array_equal(
+        back.light.relative_radiance(positions), baked.light.relative_radiance(positions)
+    )
     assert back.errors == baked.errors
     assert back.about == baked.about
 

@@ -116,7 +116,7 @@ def stretches(device: Device, pictures: Pictures) -> Callable[[np.ndarray], np.n
 
     emitter = Emitter()
     emitter.add(stretch, *[F32] * 6, light(), Room(4, VEC4), name="light_of_stretch")
-    base = assembled("full_screen_triangle", (), TEXTURES[:3], emitter).text
+    base = assembled("stretch", {}, TEXTURES[:3], emitter).text
     text = f"""{base}
 @group(0) @binding(9) var given: texture_2d<f32>;
 fn number(index: i32) -> f32 {{ return textureLoad(given, vec2i(index & 2047, index >> 11), 0).x; }}

@@ -260,8 +260,9 @@ def test_every_scalar_formula_of_these_files_is_compared() -> None:
     # The others have arrays, or a test of their own.
     named = {case.function.py_func for case in
              [*GEOMETRY, *MAPPINGS, *PHASES, *COLORS, *RAYS, *GROUND]}  # fmt: skip
-    others = {"meets_ground", "panel_leg", "seen_star", "star_points", "level_light", "tone_mapped",
-              "insert_edge", "place_edges", "place_nodes", "map_color", "encoded"}  # fmt: skip
+    others = {"meets_ground", "panel_leg", "seen_star", "place_of_star", "raised_star",
+              "star_points", "level_light", "tone_mapped", "insert_edge", "place_edges",
+              "place_nodes", "map_color", "encoded"}  # fmt: skip
     rooms = [shell, path, bending, sun_disc, transmittance, sky_view, phase_functions, ground_place]
     for room in rooms:
         for name, one in vars(room).items():

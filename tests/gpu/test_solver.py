@@ -22,22 +22,13 @@ from airlight.planets import replace
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.first_order import first_order_radius
-from airlight.solvers.moments.harmonics import harmonics
-from airlight.solvers.moments.iterate import (
-    Sweeper,
-    even_azimuths,
-    grid_for,
-    nodes_of_rays,
-    weights_of_levels,
-)
-from airlight.solvers.moments.packing import filled, pack_light
-from airlight.solvers.moments.rays import trace_rays
-from airlight.solvers.moments.reduced_optics import make_air, panel_ends
+from airlight.solvers.moments.iterate import gather
+from airlight.solvers.moments.packing import pack_light
+from airlight.solvers.moments.reduced_optics import make_air
 from airlight.solvers.moments.settings import settings_for
+from airlight.solvers.moments.setup import Setup
 from airlight.solvers.moments.solution import MomentsSolution, solve
 from airlight.solvers.moments.sweep import sweep_radius
-from airlight.solvers.moments.visible_rays import rays_in_sight
-from airlight.tables.column_ratios import mean_density_ratios
 
 WAVELENGTHS = [450.0, 530.0, 600.0, 680.0]
 PREVIEW = settings_for("preview")
@@ -64,35 +55,6 @@ def assert_moments_agree(field, expected, least, rtol):
     assert_allclose(field / scale, expected / scale, rtol=0, atol=rtol)
 
 
-def cpu_sweeper(paths: LightPaths, settings):
-    """What ``solve_moments`` sweeps with."""
-    medium = paths.medium
-    plan = plan_for(paths, settings)
-    grid, parts = grid_for(medium, settings)
-    ends = panel_ends(medium, grid, parts)
-    rays = trace_rays(
-        grid._replace(radii=grid.radii[::parts]),
-        medium.density,
-        medium.extinction.max(axis=1),
-        settings.zenith_angles,
-        nodes_of_rays(settings, parts, ends),
-        bend=paths.bend,
-        ends=ends,
-    )
-    air = make_air(medium, plan.degree, slice(None))
-    rays, share = rays_in_sight(rays, air)
-    sweeper = Sweeper(
-        grid=grid,
-        parts=parts,
-        rays=rays,
-        azimuths=even_azimuths(plan.degree, max(settings.azimuths, 3 * plan.degree // 4)),
-        expansion=harmonics(plan.degree),
-        cancel=None,
-        share=share,
-    )
-    return plan, sweeper, air
-
-
 def light_of(plan, sweeper, texture):
     """A light's texture as moments and irradiances."""
     n = plan.sizes
@@ -116,14 +78,11 @@ def test_each_order_is_that_of_the_cpu(device, name, changes):
     # The same functions on the same tables: what differs is single precision of radii (0.5 m),
     # cosines and look-ups; 3e-4 of the mean radiance, where that is above 1e-4 of the largest.
     paths = LightPaths.of(medium_of(name, **changes))
-    plan, cpu, air = cpu_sweeper(paths, PREVIEW)
-    depth = solver_planning.scattering_depth(paths.medium, plan.degree)
-    first, first_sky = cpu.gather(
-        first_order_radius, air, mean_density_ratios(plan.table), paths.lift
-    )
-    level = filled(weights_of_levels(plan.grid, depth))
-    packed = pack_light(first, first_sky[:1], level, plan.sizes["parts"])
-    second, second_sky = cpu.gather(sweep_radius, air, *packed)
+    plan = plan_for(paths, PREVIEW)
+    block = Setup(paths=paths, settings=PREVIEW).block(slice(None))
+    first, first_sky = gather(block, first_order_radius, block.setup.ratios, paths.lift)
+    packed = pack_light(first, first_sky[:1], block.level, block.setup.parts)
+    second, second_sky = gather(block, sweep_radius, *packed)
     with borrowed_sweeper(device) as gpu:
         gpu.load(plan)
         gpu.begin()
@@ -267,7 +226,7 @@ def test_the_plan_can_be_run_by_another_host(name):
     # JSON gives it back, every texture is named in it, and none is higher than browsers allow.
     plan = plan_for(LightPaths.of(medium_of(name)), settings_for("default"))
     written = json.loads(json.dumps(plan.as_dict()))
-    assert written["sizes"]["degree"] == plan.degree
+    assert written["sizes"]["degree"] == plan.setup.degree
     assert len(written["uniform"]) == plan.solve.shape[0]
     known = {*written["textures"], "scalars", "spectra", "image"}
     for part in written["passes"].values():
@@ -284,5 +243,5 @@ def test_the_plan_can_be_run_by_another_host(name):
     # Tables are where they are said to be.
     places = written["tables"]["extinction"]
     rows = plan.spectra[places["start"] : places["start"] + places["shape"][0]]
-    air = make_air(plan.paths.medium, plan.degree, slice(None))
+    air = make_air(plan.setup.medium, plan.setup.degree, slice(None))
     assert_array_equal(rows, air.extinction.reshape(-1, 8)[:, :4])

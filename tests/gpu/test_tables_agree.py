@@ -206,8 +206,12 @@ def strength_of_point(point, l, amount, moments):
     return sweep.strength_of(moments, amount, point, l, DEGREE, THREE)
 
 
-def share_of_ground(first, total, albedo, extinction):
-    return sweep.reflected_share(albedo, extinction, total, first, THREE)
+def through_whole_ray(first, total, extinction):
+    return sweep.through_ray(extinction, total, first, THREE)
+
+
+def angle_leaving(i, a, mu, end):
+    return sweep.leaving_at_end(end, i, a, mu)
 
 
 def sky_on_ground(mu_s, place, ground):
@@ -287,7 +291,7 @@ CASES = [
     Case(place_in_grid, (sweep.place_of,), (MU,), {"place": GRID}, atol=40 * 33 * 4 * EPS),
     # As the grid's: 512 nodes, over twice the root of the lowest height, 1 km of 100.
     Case(place_of_density, (columns.density_place,), (R,), atol=512 * METRES / 1e5 / 0.2),
-    # Places in the table as in test_kernels_agree, its steps a fifth; a way of up to 1000 km.
+    # Positions in the table as in test_kernels_agree, its steps a fifth; a way of up to 1000 km.
     Case(three_columns, (column_ratios.columns_to_top,), (R, uniform(0.05, 1.0)),
          {"ratios": RATIOS}, rtol=1e-4, atol=4 * METRES),
     Case(corners_cut, (columns.cut_at_corners,), (uniform(BOTTOM, BOTTOM + 15e3),
@@ -298,8 +302,8 @@ CASES = [
          atol=8 * METRES / 0.2),
     Case(edge_inserted, (path.insert_edge,), (uniform(-0.5, 1.5),)),
     # A root of the height above the horizon, at least 0.02 there, over 8 or 12 steps of 0.01.
-    Case(star_lifted, (bending.seen_star,), (R, uniform(0.02, 1.0)), {"lift": LIFT},
-         atol=16 * 12 * EPS),
+    Case(star_lifted, (bending.seen_star, bending.place_of_star), (R, uniform(0.02, 1.0)),
+         {"lift": LIFT}, atol=16 * 12 * EPS),
     # As visible_spread in test_kernels_agree.
     Case(star_in_two, (bending.star_points,), (R, uniform(0.02, 0.2)), {"lift": LIFT},
          atol=32 * 12 * EPS),
@@ -319,8 +323,11 @@ CASES = [
     Case(strength_of_point, (sweep.strength_of,), (RNG.integers(0, 5, COUNT),
          RNG.integers(0, DEGREE + 1, COUNT)), {"amount": RNG.uniform(0.0, 1.0, (5, THREE))},
          {"moments": lanes(THREE * (DEGREE + 1))}),
-    Case(share_of_ground, (sweep.reflected_share,), (RNG.integers(0, 20, COUNT),),
-         {"total": RNG.uniform(0.0, 2.0, 24)}, {"albedo": lanes(1), **SPECTRA}, DEPTH),
+    Case(through_whole_ray, (sweep.through_ray,), (RNG.integers(0, 20, COUNT),),
+         {"total": RNG.uniform(0.0, 2.0, 24)}, SPECTRA, DEPTH),
+    Case(angle_leaving, (sweep.leaving_at_end,), (RNG.integers(0, 5, COUNT),
+         RNG.integers(0, 3, COUNT), MU), {"end": RNG.uniform(-1.0, 1.0, (5, 3, 2))},
+         atol=4 * EPS),
     Case(sky_on_ground, (sweep.sky_at,), (MU,), {"place": np.linspace(0.0, NODES - 1.0, 33)},
          {"ground": lanes(2 * NODES, low=0.1)}, rtol=32 * NODES * 4 * EPS),
     # 1 - e^-τ from its series and the rest: exact where τ is small, to EPS of 1 elsewhere.
@@ -400,6 +407,12 @@ WHOLE = {
         "star_disc", "leaving_air", "_point_like",
     ),
     "test_pictures.py::test_what_is_drawn_is_exposed_and_tone_mapped": ("displayed",),
+    "test_emitter.py::test_a_construct_computes_what_python_does": ("squared", "cubed"),
+    "test_emitter.py::test_angles_are_better_than_wgsl_promises": (
+        "sine", "cosine", "sine_of_quarter", "cosine_of_quarter", "rest_of_quarter",
+    ),
+    "test_emitter.py::test_arcs_are_good_to_the_ends": ("arc_cosine", "arc_sine"),
+    "test_emitter.py::test_the_angle_of_a_point_is_right_in_every_quadrant": ("angle_of",),
     "test_kernels_agree.py::test_an_encoding_s_number_is_its_place": ("encoded",),
     "test_kernels_agree.py::test_a_tone_map_s_number_is_its_place": ("tone_mapped",),
     "test_kernels_agree.py::test_a_projection_s_number_is_its_place": ("projected_ray",),
@@ -411,8 +424,8 @@ WHOLE = {
         "azimuthal", "depth", "factor", "floor", "four_levels", "gathered_moment", "gathered_onto",
         "highest", "highest_level", "largest_of", "light_number", "mean", "mixed", "next_guess",
         "node_scale", "packed", "projection", "radiance_again", "radiance_once", "ray_and_star",
-        "refined", "reflection", "row", "share", "sound", "strength", "ray_share", "depth_in_row",
-        "direct_light", "scattered_once", "contracted", "gathered",
+        "refined", "row", "share", "sound", "strength", "through", "ray_share", "depth_in_row",
+        "direct_light", "scattered_once", "contracted", "gathered", "star_factor", "sky_factor",
     ),
 }  # fmt: skip
 

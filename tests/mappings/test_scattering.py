@@ -20,8 +20,8 @@ from airlight.mappings.scattering import (
     sun_coordinate,
     sun_from_coordinate,
     view_coordinate,
-    view_from_place,
-    view_place,
+    view_from_index,
+    view_index,
 )
 
 #: Earth, Mars, Titan, a shell as thick as its planet, and a small planet with 1 km. [m]
@@ -84,12 +84,12 @@ def test_view_coordinate_is_the_distance_to_what_ends_the_view(bottom: float, to
 @pytest.mark.parametrize("n", [8, 128])
 def test_places_of_the_two_halves_do_not_meet(n: int) -> None:
     # Bruneton's order: horizon, straight down | straight up, horizon.
-    assert (view_place(1.0, True, n), view_place(0.0, True, n)) == (0.0, n // 2 - 1.0)
-    assert (view_place(0.0, False, n), view_place(1.0, False, n)) == (n // 2, n - 1.0)
+    assert (view_index(1.0, True, n), view_index(0.0, True, n)) == (0.0, n // 2 - 1.0)
+    assert (view_index(0.0, False, n), view_index(1.0, False, n)) == (n // 2, n - 1.0)
     for k in range(n):
-        x, to_ground = view_from_place(k, n)
+        x, to_ground = view_from_index(k, n)
         assert to_ground == (k < n // 2)
-        assert_allclose(view_place(x, to_ground, n), k, rtol=0, atol=1e-13 * n)
+        assert_allclose(view_index(x, to_ground, n), k, rtol=0, atol=1e-13 * n)
 
 
 @parametrize_shells

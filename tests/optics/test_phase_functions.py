@@ -15,8 +15,8 @@ ASYMMETRIES = (-0.95, -0.5, 0.0, 0.3, 0.8, 0.95, 0.98, 0.999)
 
 
 def of(formula, *parameters):
-    ufunc = vectorized(formula)
-    return lambda nu: ufunc(nu, *parameters)
+    several = vectorized(formula)
+    return lambda nu: several(nu, *parameters)
 
 
 @pytest.mark.parametrize("g", ASYMMETRIES)

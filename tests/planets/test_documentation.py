@@ -5,13 +5,18 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import pytest
 from numpy.testing import assert_allclose
 
+from airlight.errors import ParameterError
 from airlight.optics.index_table import index_names, read_index
 from airlight.optics.molecules import MOLECULES
 from airlight.planets import Medium
 from airlight.planets.matter.gases import GasScattering
+from airlight.planets.matter.profiles import Tent
+from airlight.planets.reading.handbook import filled, key_table
 from airlight.planets.reading.reader import read_planet
+from airlight.planets.reading.tables import TABLES, keys_of
 
 PAGE = (Path(__file__).parents[2] / "docs" / "planet-files.md").read_text(encoding="utf-8")
 
@@ -69,14 +74,32 @@ def test_the_page_names_every_index_with_its_limits():
 
 
 def test_the_page_names_every_absorber():
-    from airlight.planets.reading.absorption_reader import _KINDS
+    from airlight.planets.matter.absorbers import ABSORBERS
 
-    for kind in _KINDS:
+    for kind in ABSORBERS.keywords:
         assert f"`{kind}" in PAGE
 
 
 def test_the_page_names_every_kind():
-    from airlight.planets.reading.constituent_reader import _PHASES, _PROFILES
+    from airlight.planets.matter.phases import PHASES
+    from airlight.planets.matter.profiles import PROFILES
 
-    for kind in (*_PHASES, *_PROFILES):
+    for kind in (*PHASES.keywords, *PROFILES.keywords):
         assert f'`"{kind}"`' in PAGE
+
+
+def test_the_tables_of_the_page_are_those_of_the_declarations():
+    # written by builders/planet_file_tables.py; every kind of table has its block but one, whose
+    # keys are the names of gases
+    kinds = re.findall(r"<!-- keys: (\w+) -->", PAGE)
+    assert sorted(kinds) == sorted(set(TABLES) - {"composition"})
+    assert filled(PAGE) == PAGE
+
+
+def test_a_range_of_a_declaration_is_the_one_that_is_checked_and_printed():
+    # one number, three readers: the class, the file, the page
+    assert "| `half_width` | 0.001 to 1e6 km | required |" in key_table("profile")
+    (key,) = [one for one in keys_of("profile", {"kind": "tent"}) if one.name == "half_width"]
+    assert key.range == (1.0, 1e9)
+    with pytest.raises(ParameterError, match=r"half_width is 0\.5; allowed: 1 to 1e\+09 m"):
+        Tent(center=0.0, half_width=0.5)

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import copy
 import os
 import re
+import tomllib
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 from airlight.errors import AirlightError, FileError, ParameterError
-from airlight.planets import Medium, load_planet
-from airlight.planets.reading.reader import read_planet
+from airlight.planets import Medium, load_planet, replace
+from airlight.planets.reading.reader import read_planet, read_tables
 
 NM = (680.0, 550.0, 440.0)
 AIR = """wavelengths = "680, 550, 440 nm"
@@ -366,3 +368,23 @@ def test_files_with_windows_line_ends_and_a_byte_order_mark_are_read(good, tmp_p
     file = tmp_path / "planet.toml"
     file.write_bytes(b"\xef\xbb\xbf" + good.replace("\n", "\r\n").encode())
     assert load_planet(str(file)).name == "Test"
+
+
+def test_tables_are_read_as_their_text_is(good):
+    # two ways to the same planet; the tables stay as they are
+    tables = tomllib.loads(good)
+    before = copy.deepcopy(tables)
+    assert read_tables(tables, "test.toml") == read_planet(good, "test.toml")
+    assert tables == before
+
+
+def test_the_medium_that_the_reader_made_is_the_one_that_is_solved(good):
+    # sampled once where the solver asks for it; another planet or wavelength is sampled anew
+    planet = read_tables(tomllib.loads(good), "test.toml", wavelengths=lambda planet: [600.0])
+    medium = Medium.from_planet(planet, [600.0])
+    kept = vars(planet)["_media"]
+    assert list(kept.values()) == [medium]
+    assert Medium.from_planet(planet, [600.0]) is medium
+    assert Medium.from_planet(planet, [601.0]) is not medium
+    higher = replace(planet, top_radius=6.47e6)
+    assert Medium.from_planet(higher, [600.0]).top_radius == 6.47e6

@@ -101,7 +101,7 @@ def test_in_a_white_furnace_no_sphere_gains_or_loses_light(
 
 @pytest.mark.parametrize(
     ("albedo", "haze"),
-    [(0.0, 0.1), (0.3, 0.1), (0.8, 0.1), (0.3, 3.0)],
+    [(0.0, 0.1), (0.3, 0.1), (0.8, 0.1), pytest.param(0.3, 3.0, marks=pytest.mark.slow)],
 )
 def test_what_leaves_and_what_the_ground_keeps_is_what_came(
     albedo: float, haze: float, solved: Callable[..., MomentsSolution], tell: Callable[[str], None]
@@ -171,6 +171,7 @@ def vast_cloud(depth: float, albedo: float = 0.0) -> Planet:
     )  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("depth", [30.0])
 def test_a_thick_cloud_lets_through_what_asymptotic_theory_says(
     depth: float, solved: Callable[..., MomentsSolution], tell: Callable[[str], None]

@@ -16,7 +16,7 @@ from airlight.mappings.transmittance import altitude_coordinate, radius_from_coo
 from airlight.tables.atmosphere_plus import MAPPINGS, AtmospherePlusLayout, at_azimuth
 from airlight.tables.bruneton import BrunetonLayout
 from airlight.tables.irradiance import IrradianceLayout
-from airlight.tables.layout import Layout, Places
+from airlight.tables.layout import Layout, Positions
 from airlight.tables.table import Table, layout_of, stored
 from airlight.tables.transmittance import TransmittanceLayout
 
@@ -56,20 +56,20 @@ def test_look_up_at_a_texel_gives_its_value(
     # Interpolation at a node is the node's value; here every value is another.
     layout = made(kind, sizes, shell)
     values = np.random.default_rng(3).random(int(np.prod(layout.shape)))
-    places = layout.places()
-    own = np.ones(len(places), bool)
+    positions = layout.positions()
+    own = np.ones(len(positions), bool)
     if isinstance(layout, BrunetonLayout):
         # A texel whose angle no view and sun can have stands at the nearest possible one.
         nu = np.broadcast_to(np.linspace(-1.0, 1.0, layout.angles), layout.shape).ravel()
-        own = (np.abs(places.nu - nu) < 1e-12) & (places.r > shell[0])
+        own = (np.abs(positions.nu - nu) < 1e-12) & (positions.r > shell[0])
     if isinstance(layout, (TransmittanceLayout, BrunetonLayout)):
         # On the ground every view down, at the top every view up has the same length 0.
-        own &= (places.r < shell[1]) & (places.r > shell[0])
+        own &= (positions.r < shell[1]) & (positions.r > shell[0])
     if isinstance(layout, AtmospherePlusLayout):
         # On the ground the region between horizon and horizontal is empty.
-        own &= (places.r > shell[0]) | (np.abs(places.mu) > 1e-9)
+        own &= (positions.r > shell[0]) | (np.abs(positions.mu) > 1e-9)
     assert own.sum() > 0.1 * own.size
-    looked = filled(layout, values).at(places[own])[:, 0]
+    looked = filled(layout, values).at(positions[own])[:, 0]
     # The view's coordinate comes from a square root: 1e-16 becomes 1e-8 of a texel next to
     # straight up or down; nearly all are exact to rounding.
     assert_allclose(looked, values[own], rtol=0, atol=3e-6)
@@ -84,7 +84,7 @@ def test_sky_and_ground_are_never_mixed(
     # All texels of the ground hold 1e6, all of the sky 1: any mixture would show, also next to
     # the horizon, at any altitude.
     layout = made(kind, sizes, shell)
-    table = filled(layout, np.where(layout.places().to_ground, 1e6, 1.0))
+    table = filled(layout, np.where(layout.positions().to_ground, 1e6, 1.0))
     rng = np.random.default_rng(4)
     r = shell[0] + (shell[1] - shell[0]) * np.concatenate([[1e-6, 1.0], rng.random(400) ** 3])
     horizon = vectorized(horizon_cosine)(r, shell[0])
@@ -107,18 +107,18 @@ def test_bruneton_s_look_up_reproduces_what_is_linear_in_its_coordinates(
     )
     lowest = layout.grid.lowest
 
-    def function(p: Places, nu: np.ndarray) -> np.ndarray:
+    def function(p: Positions, nu: np.ndarray) -> np.ndarray:
         x = vectorized(view_coordinate)(p.r, p.mu, p.to_ground, *shell)
         s = vectorized(sun_coordinate)(p.mu_s, lowest, *shell)
         return vectorized(altitude_coordinate)(p.r, *shell) + 10.0 * x + 100.0 * s + 1000.0 * nu
 
-    texels = layout.places()
+    texels = layout.positions()
     angles = np.broadcast_to(np.linspace(-1.0, 1.0, 4), layout.shape).ravel()
     table = filled(layout, function(texels, angles))
     rng = np.random.default_rng(5)
     height, view, sun, nu = rng.random((4, 500))
     # On the ground and at the top views of length 0 share a coordinate: rows 1 to 3 of 0 to 4.
-    places = Places.of(
+    positions = Positions.of(
         vectorized(radius_from_coordinate)(0.25 + 0.5 * height, *shell),
         2.0 * view - 1.0,
         lowest + (1.0 - lowest) * sun,
@@ -126,7 +126,7 @@ def test_bruneton_s_look_up_reproduces_what_is_linear_in_its_coordinates(
         bottom_radius=shell[0],
     )
     # Square roots of roundings again, times the weight 10.
-    assert_allclose(table.at(places)[:, 0], function(places, places.nu), rtol=0, atol=1e-5)
+    assert_allclose(table.at(positions)[:, 0], function(positions, positions.nu), rtol=0, atol=1e-5)
 
 
 @every_layout
@@ -148,23 +148,23 @@ def test_texels_lie_inside_the_shell_and_ends_are_exact(
 ) -> None:
     # By definition: ground and top, straight down and straight up, sun overhead.
     layout = made(kind, sizes, shell)
-    places = layout.places()
-    assert (places.r.min(), places.r.max()) == shell
-    assert places.mu.max() == 1.0
+    positions = layout.positions()
+    assert (positions.r.min(), positions.r.max()) == shell
+    assert positions.mu.max() == 1.0
     if sizes.get("surface_offset") != 0.0:
-        assert places.mu.min() == -1.0
-    assert_allclose(places.mu_s.max(), 1.0, atol=1e-12)
-    assert (np.abs(places.nu) <= 1.0).all()
-    down = places.mu < vectorized(horizon_cosine)(places.r, shell[0]) - 1e-9
-    assert places.to_ground[down].all()
+        assert positions.mu.min() == -1.0
+    assert_allclose(positions.mu_s.max(), 1.0, atol=1e-12)
+    assert (np.abs(positions.nu) <= 1.0).all()
+    down = positions.mu < vectorized(horizon_cosine)(positions.r, shell[0]) - 1e-9
+    assert positions.to_ground[down].all()
 
 
-def test_a_table_s_azimuth_is_that_of_its_places() -> None:
+def test_a_table_s_azimuth_is_that_of_its_positions() -> None:
     # cos of the angle between two directions, from their vectors.
     layout = AtmospherePlusLayout(
         bottom_radius=6360e3, top_radius=6460e3, altitudes=3, views=9, suns=7, azimuth=50.0
     )
-    p = layout.places()
+    p = layout.positions()
     view, sun = np.arccos(p.mu), np.arccos(p.mu_s)
     around = np.radians(50.0)
     v = [np.sin(view) * np.cos(around), np.sin(view) * np.sin(around), np.cos(view)]

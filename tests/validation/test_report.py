@@ -14,7 +14,7 @@ from PIL import Image
 from airlight.validation.markdown import markdown, picture_files
 from airlight.validation.provenance import provenance
 from airlight.validation.report import Report, html
-from airlight.validation.suite import Bar, Picture, Suite, Table, Text
+from airlight.validation.suite import Bar, Picture, ReportTable, Suite, Text
 
 
 def png(colour: str) -> bytes:
@@ -23,7 +23,7 @@ def png(colour: str) -> bytes:
     return buffer.getvalue()
 
 
-WORST = Table(
+WORST = ReportTable(
     title="The worst case",
     columns=["where", "error [%]"],
     rows=[("limb at 92°, |Δ| & <5 %", 4.87), ("noon", 0.01)],
@@ -142,7 +142,7 @@ def test_pictures_with_one_name_are_refused() -> None:
 )
 def test_tables_that_do_not_fit_are_refused(rows: list, marks: tuple, part: str) -> None:
     with pytest.raises(ValueError, match=part):
-        Table(title="t", columns=["a", "b"], rows=rows, marks=marks)
+        ReportTable(title="t", columns=["a", "b"], rows=rows, marks=marks)
 
 
 def test_a_figure_becomes_a_small_picture_of_the_size_asked_for() -> None:

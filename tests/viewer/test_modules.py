@@ -28,6 +28,25 @@ def test_each_module_stands_once_before_those_that_need_it() -> None:
     assert joined.endswith("export default l;")
 
 
+def test_files_of_several_folders_import_each_other_by_where_they_stand() -> None:
+    # two files of one name in two folders stay two modules
+    files = {
+        "top.js": 'import { a } from "./one/same.js";\na();',
+        "one/same.js": 'import { b } from "../two/same.js";\nexport const a = b;\n',
+        "two/same.js": 'import { c } from "./foot.js";\nexport const b = c;\n',
+        "two/foot.js": "export const c = 1;\n",
+    }
+    joined = join_modules("top.js", files.__getitem__)
+    assert [line for line in joined.splitlines() if line.startswith("// ")] == [
+        "// two/foot.js",
+        "// two/same.js",
+        "// one/same.js",
+        "// top.js",
+    ]
+    assert "const { b } = module_two_same;" in joined
+    assert "const { c } = module_two_foot;" in joined
+
+
 def test_what_cannot_be_joined_is_refused_by_name() -> None:
     ring = {"a.js": 'import { b } from "./b.js";\n', "b.js": 'import { a } from "./a.js";\n'}
     with pytest.raises(FileError, match=r"a\.js: imports itself by way of a\.js and b\.js"):

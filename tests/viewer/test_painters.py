@@ -13,8 +13,9 @@ from numpy.testing import assert_allclose
 
 from airlight import Camera, Scene, load_planet
 from airlight.gpu.device.device import Device
+from airlight.gpu.solve_planet import live_solver
+from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.viewer.background.solving_by import shown_wavelengths, solver_by
 from airlight.viewer.painting.picture_cpu import CpuPainter
 from airlight.viewer.painting.picture_gpu import GpuPainter
 from airlight.viewer.painting.picture_source import Picture, Request
@@ -25,7 +26,7 @@ Solved = Callable[..., MomentsSolution]
 @pytest.fixture(scope="module")
 def request_(solved: Solved) -> Request:
     earth = load_planet("earth-atmosphere-plus")
-    nm = tuple(float(one) for one in shown_wavelengths(earth, "four"))
+    nm = tuple(float(one) for one in picture_wavelengths(earth, "four"))
     scene = Scene(
         camera=Camera(width=96, height=54, look_zenith=95.0, look_azimuth=60.0),
         altitude=2e3,
@@ -106,13 +107,13 @@ def test_in_software_the_exact_picture_follows(device: Device, request_: Request
 def test_what_the_gpu_has_no_room_for_the_processor_solves(device: Device) -> None:
     # Four wavelengths fit into a texel, eight do not; both are solved.
     earth = load_planet("earth-atmosphere-plus")
-    solver = solver_by("auto", dataclasses.replace(device, software=False))
+    solver = live_solver("auto", dataclasses.replace(device, software=False))
 
     def progress(_done: int, _total: int, _message: str) -> None:
         pass
 
     for count in ("four", "eight"):
-        nm = shown_wavelengths(earth, count)
+        nm = picture_wavelengths(earth, count)
         solution = solver(earth, nm, "preview", progress=progress, cancel=never)
         assert solution.planet is earth
         assert_allclose(solution.wavelengths, nm)

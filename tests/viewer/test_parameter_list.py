@@ -8,14 +8,23 @@ from importlib import resources
 import pytest
 from numpy.testing import assert_allclose
 
+from airlight.color.tone_maps import TONE_MAPS
 from airlight.errors import ParameterError
+from airlight.gpu.picture.uniforms import layout
+from airlight.pixels.picture_numbers import display_numbers
 from airlight.planets import load_planet, planet_names
 from airlight.planets.reading.reader import planet_tables, planet_text
+from airlight.planets.reading.tables import TABLES, keys_of
 from airlight.viewer.parameters.nested_tables import Tables
-from airlight.viewer.parameters.parameter import KINDS, Parameter
+from airlight.viewer.parameters.parameter import KINDS
 from airlight.viewer.parameters.parameter_list import parameters_of, spelled_out, value_at
-from airlight.viewer.parameters.planet_keys import TABLES
-from airlight.viewer.parameters.view_parameters import DEFAULTS, scene_of, view_parameters
+from airlight.viewer.parameters.view_parameters import (
+    DEFAULTS,
+    VIEW_VALUES,
+    scene_of,
+    uniforms_of,
+    view_parameters,
+)
 
 
 def tables_of(name: str) -> Tables:
@@ -79,7 +88,7 @@ def test_every_key_that_the_handbook_names_is_declared() -> None:
     from pathlib import Path
 
     handbook = Path(__file__).parents[2] / "docs" / "planet-files.md"
-    declared = {key.name for keys in TABLES.values() for key in keys}
+    declared = {key.name for kind in TABLES for key in keys_of(kind)}
     # words of the first column that are no keys: kinds, tables of indices, gases
     other = {"dependent"}
     named: set[str] = set()
@@ -163,7 +172,7 @@ def test_json_of_a_parameter_is_json() -> None:
 
     for one in (*view_parameters(("air",)), *parameters_of(tables_of("venus"))):
         text = json.dumps(one.as_json(), allow_nan=False)
-        assert Parameter(**{**json.loads(text), "options": one.options}).label == one.label
+        assert type(one)(**{**json.loads(text), "options": one.options}).label == one.label
 
 
 def test_refused_values_name_the_field_and_the_range() -> None:
@@ -178,3 +187,22 @@ def test_presets_are_all_there() -> None:
     # The list is tested on what is shipped.
     folder = resources.files("airlight.planets") / "presets"
     assert len(planet_names()) == sum(one.name.endswith(".toml") for one in folder.iterdir())
+
+
+def test_a_value_of_the_view_that_names_a_uniform_is_a_number_of_the_shaders() -> None:
+    # Declared once: the name has to be one of the struct, and every value has to fit into it.
+    for one in VIEW_VALUES:
+        if one.uniform:
+            assert one.uniform in layout()["numbers"]
+            for value in one.options or (one.least, one.most):
+                number = uniforms_of({**DEFAULTS, one.path: value})[one.uniform]
+                assert math.isfinite(number)
+    names = [one.uniform for one in VIEW_VALUES if one.uniform]
+    assert len(set(names)) == len(names) > 0
+
+
+def test_the_tone_map_that_the_view_sends_is_the_one_that_the_picture_counts() -> None:
+    # The shaders' own count of tone maps is the second opinion.
+    for name in TONE_MAPS:
+        sent = uniforms_of({**DEFAULTS, "display.tone_map": name})["tone_map"]
+        assert sent == display_numbers(0.0, name, "srgb")["tone_map"]

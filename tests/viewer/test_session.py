@@ -394,6 +394,10 @@ def test_a_state_comes_back_from_the_address_of_a_page(session: Session) -> None
         {"planet": PLANET, "view": {"view.altitude": "x"}},
         {"planet": PLANET, "view": {"view.alt": 1.0}},
         {"planet": PLANET, "view": 1},
+        {"planet": PLANET, "air": {"air.amounts[9]": 2}},
+        {"planet": PLANET, "air": {"air.amounts[0]": -2}},
+        {"planet": PLANET, "air": {"ground": 2}},
+        {"planet": PLANET, "air": [2]},
     ],
 )
 def test_a_state_that_cannot_be_is_one_line_and_changes_nothing(
@@ -405,6 +409,36 @@ def test_a_state_that_cannot_be_is_one_line_and_changes_nothing(
         session.from_state(state)
     assert "\n" not in str(refused.value)
     assert snapshot(session) == before
+
+
+def test_a_page_with_edits_is_shown_with_the_same_edits(session: Session) -> None:
+    # The page's factors are the file's own keys: the medium is the one whose arrays are multiplied.
+    edit = {"air.amounts[0]": 0.5, "air.amounts[2]": 3, "air.ground": 2.5}
+    session.from_state({"planet": PLANET, "air": edit, "view": {"view.altitude": 5.0}})
+    assert session.value("view.altitude") == 5.0
+    assert session.value("ground.brightness") == 2.5
+    nm = [440.0, 550.0, 680.0]
+    plain, edited = (
+        Medium.from_planet(load_planet(PLANET, changes), nm)
+        for changes in ({}, session.to_state()["set"])
+    )
+    factors = np.array([0.5, 1.0, 3.0])[:, None]
+    assert_allclose(edited.scattering, factors * plain.scattering, rtol=1e-15)
+    assert_allclose(edited.absorption, factors * plain.absorption, rtol=1e-15)
+    assert_allclose(edited.ground_albedo, 2.5 * plain.ground_albedo, rtol=1e-15)
+    assert_allclose(edited.map_basis, 2.5 * plain.map_basis, rtol=1e-15)
+    session.undo()
+    assert session.to_state() == {"planet": PLANET}
+
+
+def test_gases_bend_light_whatever_their_amount() -> None:
+    # Earth's air by its composition: more of it scatters more, on the same ways.
+    plain, edited = (
+        Medium.from_planet(load_planet("earth", changes), [550.0])
+        for changes in ({}, {"air.amount": 3.0})
+    )
+    assert_allclose(edited.scattering[0], 3.0 * plain.scattering[0], rtol=1e-15)
+    assert_allclose(edited.refractivity, plain.refractivity, rtol=0.0)
 
 
 @pytest.mark.parametrize("fragment", ["", "#", "%7B", "[1]", '{"planet":1e999}'])

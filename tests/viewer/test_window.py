@@ -14,7 +14,11 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, NoReturn
 
+import numpy as np
 import pytest
+
+from airlight.viewer.navigation.keys import FACTORS, HELD, ONCE
+from airlight.viewer.navigation.viewpoints import VIEWPOINTS
 
 DRIVER = Path(__file__).with_name("window_driver.py")
 SIZE = (800, 480)
@@ -46,6 +50,7 @@ class Driven:
 
     def __init__(self, display: str, folder: Path, by: str) -> None:
         self.environment = {**os.environ, "DISPLAY": display}
+        self.screen = folder / "Xvfb_screen0"
         self.log = folder / "stderr"
         self._errors = self.log.open("w")
         self.process = subprocess.Popen(
@@ -79,6 +84,29 @@ class Driven:
         """Move there, let the window see it, and press the left button."""
         self.mouse("mousemove", int(x), int(y), "sleep", 0.2, "mousedown", 1, "sleep", 0.2)
 
+    def click(self, name: str) -> None:
+        """Click a control of the panel."""
+        left, top, right, bottom = self.ask("place_of", name)
+        self.press(0.5 * (left + right), 0.5 * (top + bottom))
+        self.mouse("mouseup", 1, "sleep", 0.2)
+
+    def pixels(self) -> np.ndarray:
+        """What the display shows: rows, columns, three colours.
+
+        The file is an X window dump: a header of numbers of 32 bits, colours, pixels.
+        """
+        data = self.screen.read_bytes()
+        head = np.frombuffer(data, ">u4", 25)
+        start, colors = int(head[0]) + 12 * int(head[19]), 4
+        width, height, stride = int(head[4]), int(head[5]), int(head[12])
+        body = np.frombuffer(data, np.uint8, stride * height, start).reshape(height, stride)
+        return body[:, : colors * width].reshape(height, width, colors)[..., :3].astype(int)
+
+    def picture_pixels(self) -> np.ndarray:
+        """The part of the display that the picture has."""
+        left, top, width, height = (int(one) for one in self.ask("picture_place"))
+        return self.pixels()[top : top + height, left : left + width]
+
     @staticmethod
     def until(condition: Callable[[], Any], seconds: float = 20.0) -> None:
         """Wait for something that a loaded machine may do late."""
@@ -105,16 +133,27 @@ def window(
     if reason:
         lacking(reason)
     reads, writes = os.pipe()
-    screen = f"{SIZE[0]}x{SIZE[1]}x24"
+    screen, folder = f"{SIZE[0]}x{SIZE[1]}x24", tmp_path_factory.mktemp("window")
     server = subprocess.Popen(
-        ["Xvfb", "-displayfd", str(writes), "-screen", "0", screen, "-nolisten", "tcp"],
+        [
+            "Xvfb",
+            "-displayfd",
+            str(writes),
+            "-screen",
+            "0",
+            screen,
+            "-nolisten",
+            "tcp",
+            "-fbdir",
+            str(folder),
+        ],
         pass_fds=(writes,),
         stderr=subprocess.DEVNULL,
     )
     os.close(writes)
     with os.fdopen(reads) as pipe:
         display = f":{pipe.readline().strip()}"
-    driven = Driven(display, tmp_path_factory.mktemp("window"), "auto")
+    driven = Driven(display, folder, "auto")
     try:
         assert driven.ask("settled", 240.0), driven.ask("error")
         left, top, right, bottom = driven.ask("place_of", "search")
@@ -204,6 +243,112 @@ def test_keys_change_what_is_shown(window: Driven) -> None:
     assert window.ask("settled", 60.0)
 
 
+#: Keys of the table as xdotool spells them.
+NAMES = {
+    "arrowup": "Up", "arrowdown": "Down", "arrowleft": "Left", "arrowright": "Right",
+    "pageup": "Prior", "pagedown": "Next", "=": "equal", "+": "plus", "-": "minus",
+    "shift": "shift", "control": "ctrl", "alt": "alt",
+}  # fmt: skip
+#: What a held key moves, by its axis, and which way for one of sign 1; it looks south.
+MOVES = {
+    "ahead": ("view.latitude", -1.0),
+    "right": ("view.longitude", -1.0),
+    "up": ("view.altitude", 1.0),
+    "turn": ("view.heading", 1.0),
+    "tilt": ("view.look_zenith", 1.0),
+    "widen": ("view.field_of_view", 1.0),
+}
+
+
+def chord_of(key: str) -> str:
+    """A key with its modifier keys, for xdotool."""
+    *words, name = key.replace("++", "+plus").split("+")
+    known = {"Control": "ctrl", "Shift": "shift"}
+    return "+".join([*(known[word] for word in words), NAMES.get(name, name)])
+
+
+def test_every_held_key_of_the_table_moves_its_way(window: Driven) -> None:
+    # The axis and the sign are the table's; all that is done while a key is down is one step.
+    window.mouse("mousemove", 600, 200, "sleep", 0.2)
+    start = {path: window.ask("value", path) for path, _ in MOVES.values()}
+    window.mouse("key", "3")  # aloft, looking across
+    window.until(lambda: window.ask("value", "view.altitude") != start["view.altitude"])
+    for key, (axis, sign) in HELD.items():
+        path, way = MOVES[axis]
+        before = window.ask("value", path)
+        window.mouse("keydown", NAMES.get(key, key))
+        window.until(lambda path=path, before=before: window.ask("value", path) != before)
+        window.mouse("keyup", NAMES.get(key, key))
+        window.until(lambda: not window.ask("open_parts")["moving"])
+        moved = window.ask("value", path) - before
+        assert moved * sign * way > 0.0, key
+        window.mouse("key", "ctrl+z")
+        window.until(lambda path=path, before=before: window.ask("value", path) == before)
+    for key, factor in FACTORS.items():
+        window.mouse("keydown", "e", "sleep", 0.1, "keydown", NAMES[key])
+        window.until(lambda factor=factor: window.ask("flight_speed") == factor)
+        window.mouse("keyup", NAMES[key], "keyup", "e")
+        window.until(lambda: not window.ask("open_parts")["moving"])
+    window.mouse("key", "ctrl+z", "key", "ctrl+z")
+
+
+def test_every_other_key_of_the_table_does_its_action(window: Driven) -> None:
+    # What is seen after each; closing the window is tested at the end.
+    left = {key: action for key, action in ONCE.items() if action != "close"}
+
+    def press(key: str, seen: Callable[[], bool]) -> None:
+        window.mouse("mousemove", 600, 200, "sleep", 0.1, "key", chord_of(key))
+        window.until(seen)
+        del left[key]
+
+    def part(name: str) -> Any:
+        return window.ask("open_parts")[name]
+
+    def value(path: str) -> Any:
+        return window.ask("value", path)
+
+    for index, viewpoint in enumerate(VIEWPOINTS, 1):
+        sun = viewpoint.sun_zenith
+        press(str(index), lambda sun=sun: value("view.sun_zenith") == sun)
+    press("Control+z", lambda: value("view.sun_zenith") == VIEWPOINTS[-2].sun_zenith)
+    press("Control+y", lambda: value("view.sun_zenith") == VIEWPOINTS[-1].sun_zenith)
+    window.mouse("key", "ctrl+z")
+    window.until(lambda: value("view.sun_zenith") == VIEWPOINTS[-2].sun_zenith)
+    press("Control+Shift+z", lambda: value("view.sun_zenith") == VIEWPOINTS[-1].sun_zenith)
+    for key in [one for one, action in ONCE.items() if action in ("brighter", "darker")]:
+        wanted = value("display.exposure") + (-1.0 if ONCE[key] == "darker" else 1.0) / 3.0
+        press(key, lambda wanted=wanted: value("display.exposure") == pytest.approx(wanted))
+    automatic = value("display.automatic")
+    press("x", lambda: value("display.automatic") is not automatic)
+    window.mouse("key", "x")
+    window.until(lambda: value("display.automatic") is automatic)
+    press("t", lambda: part("time") is True)
+    window.mouse("key", "t")
+    window.until(lambda: part("time") is False)
+    press("p", lambda: part("probe") is True)
+    window.mouse("key", "p")
+    press("b", lambda: part("other") is True)
+    press("v", lambda: part("showing") == "B")
+    window.mouse("key", "v")
+    window.until(lambda: part("showing") == "A")
+    press("c", lambda: part("compare") is True)
+    window.mouse("key", "c")
+    window.until(lambda: part("compare") is False)
+    press("F1", lambda: part("help") is True)
+    press("h", lambda: part("help") is False)
+    press("Tab", lambda: part("panels") is False)
+    press("Escape", lambda: part("panels") is True)
+    for key in ("Control+s", "Control+Shift+s"):
+        kind = "picture" if key == "Control+s" else "planet"
+        press(key, lambda kind=kind: part("dialog") == kind)
+        window.until(lambda: window.ask("typing"))
+        window.mouse("key", "Escape")
+        window.until(lambda: part("dialog") == "")
+    assert left == {}
+    window.mouse("key", "1")
+    assert window.ask("settled", 60.0)
+
+
 def test_frames_keep_coming_while_the_planet_is_solved(
     window: Driven, tell: Callable[[str], None]
 ) -> None:
@@ -219,6 +364,72 @@ def test_frames_keep_coming_while_the_planet_is_solved(
     tell(f"window: longest time between frames while solving {gap:.2f} s, slowed {slowness:.1f}×")
     assert gap < 0.3 * min(slowness, 5.0)
     assert window.ask("settled", 60.0)
+
+
+def test_another_planet_is_opened_undone_and_redone_while_rows_are_shown(window: Driven) -> None:
+    # Rows of one planet never meet values of another: each has paths that the others lack.
+    def opened(planet: str) -> None:
+        window.until(lambda: window.ask("source") == planet)
+        frames = window.ask("frames")
+        window.mouse("mousemove", 600, 210, "sleep", 0.2, "mousemove", 600, 200)
+        window.until(lambda: window.ask("frames") > frames + 1)
+        assert window.ask("error") == ""
+
+    def painted(name: str) -> None:
+        window.until(lambda: window.ask("picture")["planet"] == name, 60.0)
+        assert window.ask("settled", 60.0), window.ask("error")
+        window.until(lambda: window.picture_pixels().max() > 60)
+
+    window.click("search")
+    window.until(lambda: window.ask("typing"))
+
+    def all_rows() -> bool:
+        window.mouse("key", "ctrl+a", "key", "BackSpace", "sleep", 0.2)
+        return bool(window.ask("search") == "")
+
+    window.until(all_rows)
+    window.press(600, 200)
+    window.mouse("mouseup", 1)
+    window.until(lambda: not window.ask("typing"))
+    for planet in ("earth", "titan"):
+        window.click("planet")
+        window.until(lambda: window.ask("lists"))
+        window.click(planet)
+        opened(planet)
+    for planet in ("earth", "mars"):
+        window.click("undo")
+        opened(planet)
+    painted("Mars")
+    for planet in ("earth", "titan"):
+        window.click("redo")
+        opened(planet)
+    for key, planet in (("z", "earth"), ("z", "mars"), ("y", "earth")):
+        window.mouse("key", f"ctrl+{key}")
+        opened(planet)
+    painted("Earth")
+    assert "Traceback" not in window.log.read_text()
+
+
+def test_a_panel_that_fails_ends_neither_window_nor_picture(window: Driven) -> None:
+    window.mouse("key", "x")
+    window.until(lambda: window.ask("value", "display.automatic") is False)
+    assert window.ask("settled", 60.0), window.ask("error")
+    window.ask("break_rows")
+    window.mouse("mousemove", 600, 210, "sleep", 0.2)
+    window.until(lambda: window.ask("error") == "side panel: KeyError: 'no such row'")
+    # pictures still come to the display: two stops are less than half of what a pixel had
+    before, frames = window.picture_pixels().mean(), window.ask("frames")
+    assert before > 30.0
+    window.mouse("key", "--repeat", 6, "--delay", 100, "minus")
+    window.until(lambda: window.picture_pixels().mean() < 0.7 * before)
+    assert window.ask("settled", 60.0)
+    assert window.picture_pixels().mean() > 0.1 * before
+    assert window.ask("frames") > frames
+    assert window.log.read_text().count("Traceback") == 1  # of many frames that failed
+    # the next frame tries again
+    window.ask("mend_rows")
+    window.mouse("key", "x")
+    window.until(lambda: window.ask("error") == "")
 
 
 def test_an_idle_window_costs_no_processor_time(

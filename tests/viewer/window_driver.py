@@ -17,6 +17,8 @@ import numpy as np
 
 from airlight.gpu.device.device import open_device
 from airlight.viewer.window.canvas import DesktopPlace
+from airlight.viewer.window.panels import parameters as panel_parameters
+from airlight.viewer.window.panels.row import parameter_row
 from airlight.viewer.window.start import Start, opened, painter_by
 from airlight.viewer.window.window import Window
 
@@ -40,10 +42,38 @@ class Answers:
         return self.window.session.value(path)
 
     def place_of(self, path: str) -> list[float]:
-        return list(self.window.panel.planet_rows.places[path])
+        panel = self.window.panel
+        return list({**panel.places, **panel.planet_rows.places}[path])
 
     def knows(self, path: str) -> bool:
         return path in self.window.panel.planet_rows.places
+
+    def lists(self) -> bool:
+        return self.window.surface.asks
+
+    def search(self) -> str:
+        return self.window.panel.planet_rows.search
+
+    def source(self) -> str:
+        return self.window.session.planet.source
+
+    def open_parts(self) -> dict[str, Any]:
+        """What keys open, close and start."""
+        window, panel = self.window, self.window.panel
+        return {
+            "panels": window.actions.shows_panels,
+            "help": window.actions.shows_help,
+            "dialog": window._dialog.asks,
+            "probe": panel.probes,
+            "time": panel.plays,
+            "compare": panel.compares,
+            "showing": window.session.showing,
+            "other": window.session.has_other,
+            "moving": window._flight.moving,
+        }
+
+    def flight_speed(self) -> float:
+        return self.window._flight.speed
 
     def typing(self) -> bool:
         return self.window.surface.typing
@@ -61,8 +91,20 @@ class Answers:
             "height": shown.height,
             "finished": shown.finished,
             "depth": float(np.sum(solution.medium.vertical_optical_depth)),
+            "planet": solution.planet.name,
             "altitude": shown.request.scene.altitude,
         }
+
+    def break_rows(self) -> None:
+        """From now on the rows fail amid a frame, with much that is begun and not ended."""
+
+        def fail(*_: Any, **__: Any) -> Any:
+            raise KeyError("no such row")
+
+        panel_parameters.parameter_row = fail
+
+    def mend_rows(self) -> None:
+        panel_parameters.parameter_row = parameter_row
 
     def frames(self) -> int:
         return self.window.frames

@@ -72,10 +72,13 @@ def opened(chromium: Any, tmp_path: Path) -> Iterator[Callable[..., Any]]:
 
 @pytest.fixture
 def modules(opened: Callable[..., Any], tmp_path: Path) -> Callable[..., Any]:
-    """Opens an empty page in which files of the viewer's web folder are at hand as objects."""
+    """Opens an empty page in which exports of the viewer's web folder are at hand as objects.
+
+    Called with the names that are wanted of each file: ``modules({"state/state": ("State",)})``.
+    """
     from airlight.viewer.browser.modules import join_modules, web_file
 
-    def open_modules(**names: tuple[str, ...]) -> Any:
+    def open_modules(names: dict[str, tuple[str, ...]]) -> Any:
         lines = [f'import {{ {", ".join(n)} }} from "./{f}.js";' for f, n in names.items()]
         lines.append(f"Object.assign(window, {{ {', '.join(sum(names.values(), ()))} }});")
         text = "\n".join(lines)

@@ -3,36 +3,79 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
+import math
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.gpu.emit.translated import entry_points, translated
-from airlight.gpu.picture.uniforms import layout, struct_text
+from airlight.gpu.emit.dialect import ShaderDialect
+from airlight.gpu.emit.emitter import Emitter
+from airlight.gpu.emit.glsl import GLSL
+from airlight.gpu.emit.shader_types import F32, I32, VEC4, Bundle
+from airlight.gpu.emit.texture_table import TextureTable
+from airlight.gpu.emit.wgsl import WGSL
+from airlight.gpu.picture.uniforms import layout, struct_text, uniform
+from airlight.kernel.lanes import LANES, load
+from airlight.pixels.pixel import Screen
 from airlight.viewer.browser.tables_text import as_text, deflated
+from airlight.viewer.browser.web_shaders import CORNERS
 
-SHADERS = Path(__file__).parent / "shaders"
 #: Columns of the table of the sky.
 COLUMNS = 16
 COLORS = np.linspace(0.05, 1.0, 4 * COLUMNS, dtype=np.float32).reshape(COLUMNS, 4)
 PAINT = (0.25, 0.5, 0.75, 1.0)
-#: Where the first line of a shader asks for the struct of uniforms.
-UNIFORMS = "//UNIFORMS\n"
 
 
-def text(name: str) -> str:
-    """The WGSL of a shader of the tests."""
-    found = (SHADERS / f"{name}.wgsl").read_text(encoding="utf-8")
-    return found.replace(UNIFORMS, struct_text())
+def painted(index, fields):
+    """A column of the painted sky: the same passes, small enough to be checked by hand."""
+    return load(fields, LANES * (index % 16))
 
 
-def shader(name: str) -> dict[str, Any]:
-    """A shader of the tests in both languages."""
-    wgsl = text(name)
-    glsl = {entry: translated(name, entry, wgsl, SHADERS) for _, entry in entry_points(wgsl)}
-    return {"wgsl": wgsl, "glsl": glsl}
+def looked_at(px, py, screen, air):
+    """What a camera sees of it."""
+    slope = math.tan(0.5 * screen.field_of_view)
+    x = (2.0 * px / screen.width - 1.0) * slope
+    y = (1.0 - 2.0 * py / screen.height) * slope * screen.height / screen.width
+    east = screen.forward_x + x * screen.right_x + y * screen.up_x
+    north = screen.forward_y + x * screen.right_y + y * screen.up_y
+    up = screen.forward_z + x * screen.right_z + y * screen.up_z
+    height = up / math.sqrt(east * east + north * north + up * up)
+    column = min(max(int((0.5 + 0.5 * height) * 16.0), 0), 15)
+    return load(air, LANES * column)
+
+
+def shader_in(dialect: ShaderDialect) -> tuple[str, dict[str, str]]:
+    """What all entry points need, and each of them."""
+    tables = [TextureTable(name, name, 1, True) for name in ("fields", "air")]
+    fields, air = (one.table for one in tables)
+    names = [name for name in Screen._fields if name in layout()["numbers"]]
+    emitter = Emitter(dialect)
+    emitter.add(painted, I32, fields)
+    emitter.add(looked_at, F32, F32, Bundle({name: uniform(name) for name in names}), air)
+    parts = [struct_text(dialect)]
+    for slot, one in enumerate(tables, start=1):
+        parts.append(dialect.texture(one.texture, 0, slot))
+        parts.append(one.reader(dialect, dialect.texture_name(one.texture, 0, slot)))
+    vector = dialect.type_name(VEC4)
+    sky = f"painted({dialect.converted('at.x', I32)}) * frame.red"
+    seen = "looked_at(at.x, at.y).rgb"
+    exposed = f"{uniform('exposure').text} * {seen}"
+    entries = {
+        "sky_air": dialect.fragment("sky_air", 2, [], [sky, sky]),
+        "linear_picture": dialect.fragment("linear_picture", 1, [], [f"{vector}({seen}, 1.0)"]),
+        "shown_picture": dialect.fragment("shown_picture", 1, [], [f"{vector}({exposed}, 1.0)"]),
+    }
+    return "\n".join([*parts, emitter.module()]), entries
+
+
+def shader() -> dict[str, Any]:
+    """The shader of the painted sky in both languages."""
+    functions, entries = shader_in(GLSL)
+    glsl = {name: GLSL.module([functions, entry]) for name, entry in entries.items()}
+    functions, entries = shader_in(WGSL)
+    wgsl = WGSL.module([WGSL.triangle, functions, *entries.values()])
+    return {"wgsl": wgsl, "glsl": {CORNERS: GLSL.triangle, **glsl}}
 
 
 def program() -> dict[str, Any]:
@@ -46,7 +89,7 @@ def program() -> dict[str, Any]:
             {"name": n, "format": "rgba32float", "width": width, "height": height}
             for n, width, height in targets
         ]
-        return {"name": name, "shader": "painted", "entry": entry, "vertex": "corners",
+        return {"name": name, "shader": "painted", "entry": entry, "vertex": CORNERS,
                 "uniforms": "0/0", "reads": reads, "targets": made}  # fmt: skip
 
     sky = [(name, 2048, 1) for name in ("air", "behind")]
@@ -62,14 +105,14 @@ def program() -> dict[str, Any]:
                 one("picture", "shown_picture", {"0/2": "air"}),
             ],
         },
-        "shaders": {"painted": shader("painted")},
+        "shaders": {"painted": shader()},
         "sky": {"full": [64, 64], "medium": [64, 32], "quick": [64, 16]},
         "glance": 64,
         "projections": {"perspective": [1e-3, 170.0]},
         "tone_maps": {"hable": 0.18},
         "encodings": ["srgb"],
         "orders": {"all": 2, "single": 1, "multiple": 0},
-        "luminance": [0.2, 0.7, 0.1],
+        "view_uniforms": {"tone_map": {"path": "display.tone_map", "options": ["hable"]}},
         "xyz": [[0.4, 0.2, 0.0], [0.4, 0.7, 0.1], [0.2, 0.1, 0.9]],
         "efficacy": 683.0,
     }

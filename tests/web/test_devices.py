@@ -3,18 +3,95 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
-import painted
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.gpu.emit.translated import entry_points, translated
+from airlight.gpu.emit.dialect import ShaderDialect
+from airlight.gpu.emit.emitter import Emitter
+from airlight.gpu.emit.glsl import GLSL
+from airlight.gpu.emit.shader_types import F32, I32, VEC4, Several
+from airlight.gpu.emit.texture_table import TextureTable
+from airlight.gpu.emit.wgsl import WGSL
+from airlight.gpu.solver.passes import PASSES
+from airlight.kernel.lanes import LANES, load, room_of_lanes, store
+from airlight.viewer.browser.web_shaders import CORNERS, solver_shaders, web_shaders
 
-SHADERS = Path(__file__).parent / "shaders"
 BACK_ENDS = ("webgpu", "webgl2")
+
+_SIZE = 16
+
+
+def steps(i):
+    return 2.0 ** float(i % 4) * i
+
+
+def fill(out, count):
+    for i in range(count):
+        out[i] = steps(i)
+
+
+def fill_through(out, count):
+    fill(out, count)
+    if count > 3:
+        out[0] = 0.5
+        return
+    out[1] = 0.25
+
+
+def doubled(x):
+    return x, 2.0 * x
+
+
+def all_means(index, count, scalars, field):
+    """All the means that the viewer's shaders use: arrays, loops, tuples, tables, lanes."""
+    numbers = np.empty(_SIZE)
+    kept = room_of_lanes(8)
+    fill_through(numbers, count)
+    total = 0.0
+    k = 0
+    while k < count:
+        k += 1
+        if k == 3:
+            continue
+        total += numbers[k - 1]
+    store(kept, LANES * (k % 8), load(field, LANES * index))
+    once, twice = doubled(scalars[index + 2040])
+    chosen = twice if index % 2 == 1 else once
+    return load(kept, LANES * (k % 8)) * total, chosen, total
+
+
+def two_targets(dialect: ShaderDialect) -> str:
+    """The pass in a language."""
+    tables = [
+        (TextureTable("scalars", "scalars"), 0, 1),
+        (TextureTable("spectra", "spectra", 1, True), 0, 2),
+        (TextureTable("field", "field", 1, True), 1, 0),
+    ]
+    emitter = Emitter(dialect)
+    numbers, _, field = (table.table for table, *_ in tables)
+    made = emitter.add(all_means, I32, I32, numbers, field)
+    assert isinstance(made.result, Several)
+    parts = [dialect.uniforms("uniforms", ["counts", ("colors", 4)], 0, 0)]
+    for table, *slot in tables:
+        parts.append(dialect.texture(table.texture, *slot))
+        parts.append(table.reader(dialect, dialect.texture_name(table.texture, *slot)))
+    x, y = dialect.converted("at.x", I32), dialect.converted("at.y", I32)
+    width = dialect.uniform("uniforms.counts.y", I32)
+    count = dialect.uniform("uniforms.counts.x", I32)
+    scattered, chosen, total = (dialect.part("means", i) for i in range(3))
+    number = dialect.converted("index", F32)
+    body = [
+        dialect.kept("index", I32, f"{y} * {width} + {x}"),
+        dialect.kept("means", made.result, f"all_means(index, {count})"),
+        dialect.kept("color", VEC4, "uniforms.colors[index & 3] * read_spectra(index)"),
+    ]
+    place = f"{dialect.type_name(VEC4)}({number}, {chosen}, {total}, at.y)"
+    entry = dialect.fragment("fragment", 2, body, [f"color + {scattered}", place])
+    return dialect.module([*parts, emitter.module(), entry])
+
 
 _RUN = """async ({ wanted, shader, uniforms, scalars, spectra, field, width, height }) => {
   const device = await openDevice(document.createElement("canvas"), wanted);
@@ -40,25 +117,21 @@ _RUN = """async ({ wanted, shader, uniforms, scalars, spectra, field, width, hei
 def test_pass_reads_flat_tables_and_draws_two_float_targets(
     wanted: str, modules: Callable[..., Any], tell: Callable[[str], None]
 ) -> None:
-    # a second method: the pass of two_targets.wgsl written in NumPy
+    # a second method: the same pass written in NumPy
     width, height, count = 24, 10, 11
     random = np.random.default_rng(7)
     scalars = random.random(5000, np.float32)
     spectra, field = random.random((2, 3000, 4), np.float32)
     colors = random.random((4, 4), np.float32)
-    wgsl = (SHADERS / "two_targets.wgsl").read_text(encoding="utf-8")
-    page = modules(device=("openDevice",))
+    page = modules({"devices/device": ("openDevice",)})
     got = page.evaluate(
         _RUN,
         {
             "wanted": wanted,
             "shader": {
-                "wgsl": wgsl,
-                "glsl": {
-                    stage: translated("two_targets", entry, wgsl, SHADERS)
-                    for stage, entry in (("vertex", "corners"), ("fragment", "fragment"))
-                },
-                "vertex": "corners",
+                "wgsl": f"{WGSL.triangle}\n{two_targets(WGSL)}",
+                "glsl": {"vertex": GLSL.triangle, "fragment": two_targets(GLSL)},
+                "vertex": CORNERS,
                 "entry": "fragment",
                 "uniforms": "0/0",
                 "reads": ["0/1", "0/2", "1/0"],
@@ -87,9 +160,25 @@ def test_pass_reads_flat_tables_and_draws_two_float_targets(
     assert_allclose(place[:, 3], index // width + 0.5, rtol=0)
 
 
-def test_glsl_belongs_to_its_wgsl() -> None:
-    # the head of a translated file names the text that it was made of
-    for file in SHADERS.glob("*.wgsl"):
-        wgsl = painted.text(file.stem)
-        for _, entry in entry_points(wgsl):
-            assert translated(file.stem, entry, wgsl, SHADERS).startswith("#version 300 es")
+_COMPILE = """async (shaders) => {
+  const device = await openDevice(document.createElement("canvas"), "webgl2");
+  for (const shader of shaders) await device.pipeline(shader, ["rgba32float"]);
+  device.close();
+}"""
+
+
+def test_every_shader_compiles_in_webgl2(modules: Callable[..., Any]) -> None:
+    # what a page carries: an error names the entry point and the line
+    pairs = [
+        (f"{name}.{entry}", text)
+        for name, one in {**web_shaders(), **solver_shaders()}.items()
+        for entry, text in one["glsl"].items()
+        if entry != CORNERS
+    ]
+    assert len(pairs) == 4 + len(PASSES)
+    page = modules({"devices/device": ("openDevice",)})
+    shaders = [
+        {"entry": name, "uniforms": {}, "glsl": {"vertex": GLSL.triangle, "fragment": text}}
+        for name, text in pairs
+    ]
+    page.evaluate(_COMPILE, shaders)

@@ -56,7 +56,7 @@ def test_edited_air_is_that_of_an_edited_medium(
     # a second method: the medium with other coefficients, by the solver's own Python
     amounts, ground = AMOUNTS[case], 1.7
     solution, data = pages(case.partition(",")[0])
-    page = modules(edited_air=("editedAir",))
+    page = modules({"solving/edited_air": ("editedAir",)})
     got = page.evaluate(
         """([air, edit]) => Object.fromEntries(
           Object.entries(editedAir(air, edit)).map(([name, table]) => [name, [...table]]))""",
@@ -90,7 +90,7 @@ def test_air_that_is_too_thick_is_refused_in_one_line(
     pages: Callable[[str], tuple[Any, dict[str, Any]]], modules: Callable[..., Any]
 ) -> None:
     # ten times Earth's air has a vertical depth of 2.4 at 440 nm, ten times its aerosol 0.2 more
-    page = modules(edited_air=("editedAir",))
+    page = modules({"solving/edited_air": ("editedAir",)})
     got = page.evaluate(
         """([air, edit]) => {
           try { editedAir(air, edit); return null; } catch (error) { return error.message; }
@@ -123,15 +123,14 @@ def test_the_next_guess_is_weighed_as_on_the_processor(modules: Callable[..., An
     means = np.exp(rng.normal(scale=4.0, size=(2, *shape))).astype(np.float32)
     thick = np.array([0.0, 0.2, 0.7, 1.0])
     shrinking = 0.4 ** np.arange(4)[:, None, None] * rng.normal(size=(4, 15, 4))
-    page = modules(
-        convergence=("relativeChange", "counts", "whatFollows", "mixingWeights", "brightest")
-    )
+    names = ("relativeChange", "counts", "whatFollows", "mixingWeights", "brightest")
+    page = modules({"solving/convergence": names})
     got = page.evaluate(
         """([before, mean, thick, residuals]) => ({
-          change: [...relativeChange(before, mean, 1e-6)],
-          counted: [...counts(mean, thick, 5e-2)],
-          follows: whatFollows(residuals.map((one) => Float64Array.from(one)), [0.3, 0.75]),
-          first: whatFollows([Float64Array.from(residuals[0])], [0.3, 0.75]),
+          change: [...relativeChange(before, mean)],
+          counted: [...counts(mean, thick)],
+          follows: whatFollows(residuals.map((one) => Float64Array.from(one)), 2),
+          first: whatFollows([Float64Array.from(residuals[0])], 2),
           weights: [0, 1, 2, 3].map((lane) =>
             mixingWeights(residuals.map((one) => Float64Array.from(one)), lane)),
           brightest: [...brightest(mean)],

@@ -45,7 +45,13 @@ VALUES = {
 @pytest.fixture
 def page(modules: Callable[..., Any]) -> Any:
     """A page with a state as `state`, and controls over it in its body."""
-    page = modules(state=("State",), controls=("Controls",), parameters=("numberAt", "shareOf"))
+    page = modules(
+        {
+            "state/state": ("State",),
+            "ui/controls": ("Controls",),
+            "state/parameters": ("numberAt", "shareOf"),
+        }
+    )
     page.evaluate(
         """([parameters, values]) => {
           window.state = new State(parameters, values);
@@ -92,7 +98,7 @@ def test_values_that_cannot_be_change_nothing(page: Any) -> None:
         "view.altitude is 10000000000000; allowed: 0 to 1000000000000 m",
     ]
     assert page.evaluate("state.values") == VALUES
-    assert page.evaluate("state.past.length") == 0
+    assert page.evaluate("state.canUndo") is False
 
 
 def test_link_carries_what_differs_and_nothing_else(page: Any) -> None:
@@ -133,6 +139,7 @@ def test_link_that_cannot_be_read_is_said_and_the_rest_is_taken(page: Any) -> No
 def test_comparison_swaps_two_states(page: Any) -> None:
     got = page.evaluate(
         """() => {
+          state.shareCamera(false);
           state.keepOther();
           state.set({ "view.heading": 1 });
           const seen = [[state.showing, state.get("view.heading")]];
@@ -142,6 +149,33 @@ def test_comparison_swaps_two_states(page: Any) -> None:
         }"""
     )
     assert got == [["A", 1], ["B", 350], ["A", 1]]
+
+
+def test_two_sides_share_the_camera_and_have_steps_of_their_own(page: Any) -> None:
+    # as the session has it: a swap keeps camera and sun, and undo stays on its side
+    got = page.evaluate(
+        """() => {
+          state.set({ "display.tone_map": "reinhard" });
+          state.swap();
+          const seen = [[state.showing, state.canUndo, state.get("display.tone_map")]];
+          state.set({ "display.tone_map": "hable" });
+          state.set({ "view.heading": 5 }, "look"); state.rest();
+          state.swap();
+          seen.push([state.showing, state.get("view.heading"), state.get("display.tone_map")]);
+          state.undo();
+          seen.push([state.canUndo, state.get("view.heading"), state.get("display.tone_map")]);
+          state.swap();
+          state.undo(); state.undo();
+          seen.push([state.showing, state.get("view.heading"), state.get("display.tone_map")]);
+          return seen;
+        }"""
+    )
+    assert got == [
+        ["B", False, "reinhard"],
+        ["A", 5, "reinhard"],
+        [False, 5, "hable"],
+        ["B", 350, "reinhard"],
+    ]
 
 
 def test_slider_of_a_logarithm_reaches_both_ends(page: Any) -> None:

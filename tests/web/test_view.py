@@ -12,6 +12,8 @@ from airlight.color.exposure import automatic_exposure
 from airlight.color.tone_maps import tone_map_named
 from airlight.color.xyz import luminance
 from airlight.scene import Camera, Scene
+from airlight.scene.flight import FOOTING, RATE
+from airlight.viewer.navigation.flight import flown
 
 #: Nobody's special case.
 VIEW = {
@@ -30,7 +32,7 @@ VIEW = {
 
 def test_directions_are_those_of_the_scene(modules: Callable[..., Any]) -> None:
     # a second method: scene/directions.py and scene/observer.py
-    page = modules(view=("cameraOf",))
+    page = modules({"drawing/view": ("cameraOf",)})
     got = page.evaluate(
         "([view, limits]) => cameraOf(view, limits)", [VIEW, {"perspective": [1e-3, 170]}]
     )
@@ -49,47 +51,72 @@ def test_automatic_exposure_is_that_of_the_picture(modules: Callable[..., Any]) 
     rgb[:3] *= 1e-9
     rgba = np.concatenate([rgb, np.ones((9, 16, 1), np.float32)], axis=2)
     grey = float(luminance(tone_map_named("hable").inverse(np.full(3, 0.18))))
-    weights = luminance(np.eye(3)).tolist()
-    page = modules(exposure=("automaticExposure",))
+    page = modules({"drawing/exposure": ("automaticExposure",)})
     got = page.evaluate(
-        "([rgba, grey, weights]) => automaticExposure(new Float32Array(rgba), grey, weights)",
-        [rgba.ravel().tolist(), grey, weights],
+        "([rgba, grey]) => automaticExposure(new Float32Array(rgba), grey)",
+        [rgba.ravel().tolist(), grey],
     )
     assert_allclose(got, automatic_exposure(rgb), rtol=1e-12)
 
 
 def test_flight_round_the_planet_ends_where_it_began(modules: Callable[..., Any]) -> None:
     # a great circle closes; the sun, fixed in space, is then where it was, and so is the heading
-    page = modules(journey=("moved",))
+    page = modules({"ui/flight": ("flown",)})
     radius, altitude, steps = 1000.0, 250.0, 720
-    length = (radius + altitude) * np.tan(2.0 * np.pi / steps)
-    heading = np.radians(VIEW["view.heading"])
-    got = page.evaluate(
-        """([view, radius, length, steps]) => {
+    seconds = 2.0 * np.pi / steps * (radius + altitude) / (RATE * (altitude + FOOTING))
+    view = {**VIEW, "view.altitude": altitude, "view.look_zenith": 90.0}
+    values, track = page.evaluate(
+        """([view, radius, seconds, steps]) => {
           let values = { ...view };
           const track = [];
           for (let i = 0; i < steps; i++) {
-            const course = (values["view.heading"] * Math.PI) / 180;
-            const step = [length * Math.sin(course), length * Math.cos(course), 0];
-            const next = moved(values, radius, step);
-            values = { ...values, ...next, "view.altitude": view["view.altitude"] };
-            track.push(next["view.altitude"] - view["view.altitude"], values["view.sun_zenith"]);
+            values = { ...values, ...flown(values, 0, 1, 0, seconds, radius) };
+            track.push(values["view.sun_zenith"]);
           }
           return [values, track];
         }""",
-        [{**VIEW, "view.altitude": altitude}, radius, float(length), steps],
+        [view, radius, seconds, steps],
     )
-    values, track = got
-    for name in ("latitude", "longitude", "heading", "sun_zenith", "sun_azimuth"):
-        assert_allclose(values[f"view.{name}"], VIEW[f"view.{name}"], atol=1e-8, err_msg=name)
-    # a step along the tangent gains height by Pythagoras
-    gain = np.hypot(radius + altitude, length) - (radius + altitude)
-    assert_allclose(track[0::2], gain, rtol=1e-9)
+    for path, value in view.items():
+        if isinstance(value, float):
+            assert_allclose(values[path], value, atol=1e-8, err_msg=path)
     # on the circle the sun's zenith angle swings between the plane's angle and its supplement
     east, north, up = np.eye(3)
+    heading = np.radians(VIEW["view.heading"])
     sun_zenith, bearing = np.radians(VIEW["view.sun_zenith"]), np.radians(VIEW["view.sun_azimuth"])
     sun = np.sin(sun_zenith) * (np.sin(bearing) * east + np.cos(bearing) * north)
     sun = sun + np.cos(sun_zenith) * up
     course = np.sin(heading) * east + np.cos(heading) * north
     swing = np.degrees(np.arccos(np.hypot(sun @ up, sun @ course)))
-    assert_allclose([min(track[1::2]), max(track[1::2])], [swing, 180.0 - swing], atol=0.01)
+    assert_allclose([min(track), max(track)], [swing, 180.0 - swing], atol=0.01)
+
+
+def test_flight_is_that_of_the_window(modules: Callable[..., Any]) -> None:
+    # a second method: navigation/flight.py, over places, looks, ways and altitudes
+    page = modules({"ui/flight": ("flown",)})
+    rng = np.random.default_rng(7)
+    ways = [(0, 1, 0), (1, 0, 0), (0, 0, 1), (-1, 1, 0), (1, -1, 1), (0, 0, 0)]
+    flights = []
+    for altitude in (1.0, 300.0, 4e5, 1e8, 1e12):
+        for latitude in (-90.0, -89.9, 0.0, 51.0, 90.0):
+            for way in ways:
+                turns = rng.uniform(0.0, 360.0, 3)
+                view = {
+                    **VIEW,
+                    "view.altitude": altitude,
+                    "view.latitude": latitude,
+                    "view.longitude": float(turns[0]) - 180.0,
+                    "view.heading": float(turns[1]),
+                    "view.sun_azimuth": float(turns[2]),
+                    "view.look_zenith": float(rng.uniform(0.0, 180.0)),
+                    "view.sun_zenith": float(rng.uniform(0.0, 180.0)),
+                }
+                flights.append([view, *way, 0.1, 6.371e6])
+    got = page.evaluate("(flights) => flights.map((one) => flown(...one))", flights)
+    assert len(got) == len(flights)
+    for one, flight in zip(got, flights, strict=True):
+        wanted = flown(*flight)
+        assert one.keys() == wanted.keys()
+        for path, value in wanted.items():
+            # degrees: two mathematics libraries, a few roundings apart
+            assert_allclose(one[path], value, rtol=1e-13, atol=2e-9, err_msg=f"{path} of {flight}")

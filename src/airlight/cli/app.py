@@ -1,4 +1,4 @@
-"""The ``airlight`` command: what it offers, and how it ends."""
+"""The ``airlight`` command: its subcommands, its errors and its exit status."""
 
 from __future__ import annotations
 
@@ -75,12 +75,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Parameters
     ----------
     arguments : sequence of str, optional
-        The words after ``airlight``; the process's own if left out.
+        Arguments after ``airlight``; those of the process if left out.
 
     Returns
     -------
     int
-        The exit status: 0, 2 after an error (one line on the standard error stream), 130 if
+        Exit status: 0, 2 after an error (one line on the standard error stream), 130 if
         interrupted.
     """
     words = list(sys.argv[1:] if arguments is None else arguments)
@@ -94,7 +94,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stdout.flush()
     except (KeyboardInterrupt, Cancelled, typer.Abort):
         status = INTERRUPTED
-    except BrokenPipeError:  # the reader of our output has gone, which is its right
+    except BrokenPipeError:  # the reader of our output has closed it, which is no error
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except Exception as error:

@@ -95,7 +95,8 @@ def bake(
 ) -> None:
     """Fill look-up tables with a planet's light: NPZ, EXR and a JSON manifest.
 
-    Of scattered light, transmittance and skylight; it says how to look up, and the tables' error.
+    The tables hold scattered light, transmittance and skylight; the manifest describes the look-ups
+    and states the tables' error.
     """
     started = time.perf_counter()
     from airlight.exports.bake import bake as fill

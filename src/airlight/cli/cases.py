@@ -1,4 +1,4 @@
-"""Many observers in one CSV file: read with every cell checked, written with the answers beside."""
+"""Many observers in one CSV file: read with every cell checked, written with the results added."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from airlight.errors import FileError, ParameterError
 from airlight.exports.whole_file import whole_file
 
-#: The columns that are read, with the smallest and largest number allowed in them.
+#: Columns that are read, with the smallest and largest number allowed in them.
 COLUMNS: dict[str, tuple[float, float]] = {
     "altitude_m": (0.0, 1e12),
     "sun_zenith_deg": (0.0, 180.0),
@@ -28,18 +28,18 @@ COLUMNS: dict[str, tuple[float, float]] = {
 
 @dataclass(frozen=True, kw_only=True)
 class Cases:
-    """A table of observers.
+    """Table of observers.
 
     Parameters
     ----------
     comments : list of str
-        The lines that begin with ``#`` above the header.
+        Lines that begin with ``#`` above the header.
     header : list of str
-        All columns of the file.
+        Names of all columns of the file.
     rows : list of list of str
-        All cells as they stand in the file.
+        Cells as they are in the file.
     values : array, shape (n, 4)
-        The numbers under ``COLUMNS``. [m, deg, deg, deg]
+        Numbers under ``COLUMNS``. [m, deg, deg, deg]
     """
 
     comments: list[str]
@@ -54,19 +54,19 @@ def read_cases(path: str) -> Cases:
     Parameters
     ----------
     path : str
-        Of a file in UTF-8 with a header; ``-`` is the standard input.
+        Path of a file in UTF-8 with a header; ``-`` is the standard input.
 
     Returns
     -------
     Cases
-        In the file's order; empty lines are left out.
+        Table in the file's order; empty lines are left out.
 
     Raises
     ------
     FileError
         If the file cannot be read, or lacks a header or a column.
     ParameterError
-        For the first cell that is no number in its range, with line and column.
+        For the first cell that is not a number in its range, with line and column.
     """
     name = "standard input" if path == "-" else path
     try:
@@ -101,11 +101,11 @@ def _parse(stream: Iterable[str], name: str) -> Cases:
     missing = [column for column in COLUMNS if column not in header]
     if missing:
         raise FileError(name, f"has no column {', '.join(missing)} in its header")
-    places = []
+    positions = []
     for column in COLUMNS:
         if header.count(column) > 1:
             raise FileError(name, f"has the column {column} more than once")
-        places.append(header.index(column))
+        positions.append(header.index(column))
     rows: list[list[str]] = []
     values: list[list[float]] = []
     reader = csv.reader(lines)
@@ -118,8 +118,8 @@ def _parse(stream: Iterable[str], name: str) -> Cases:
             raise ParameterError(f"line {line}", found, f"{len(header)}, as in the header", name)
         values.append(
             [
-                _number(row[place], line, column, limits, name)
-                for place, (column, limits) in zip(places, COLUMNS.items(), strict=True)
+                _number(row[position], line, column, limits, name)
+                for position, (column, limits) in zip(positions, COLUMNS.items(), strict=True)
             ]
         )
         rows.append(row)
@@ -146,7 +146,7 @@ def _number(cell: str, line: int, column: str, limits: tuple[float, float], name
 
 
 def radiance_columns(wavelengths: Sequence[float]) -> list[str]:
-    """The names of the columns with the answers.
+    """Names of the columns of radiances.
 
     Examples
     --------
@@ -157,7 +157,7 @@ def radiance_columns(wavelengths: Sequence[float]) -> list[str]:
 
 
 def error_columns(wavelengths: Sequence[float]) -> list[str]:
-    """The names of the columns with the answers' standard errors.
+    """Names of the columns of standard errors.
 
     Examples
     --------
@@ -179,27 +179,27 @@ def write_cases(
     Parameters
     ----------
     path : str
-        Of the file, which appears whole or not at all; ``-`` is the standard output.
+        Path of the file, which appears whole or not at all; ``-`` is the standard output.
     cases : Cases
-        Kept as they were read.
+        Table, written as it was read.
     wavelengths : sequence of float
-        [nm]
+        Wavelengths of the radiances. [nm]
     radiance : array, shape (n, wavelengths)
-        Nine digits are written. [W m⁻² sr⁻¹ nm⁻¹]
+        Radiances, written with nine digits. [W m⁻² sr⁻¹ nm⁻¹]
     standard_error : array, shape (n, wavelengths), optional
-        Two digits are written, in columns after the radiances. [W m⁻² sr⁻¹ nm⁻¹]
+        Standard errors, written with two digits in columns after the radiances. [W m⁻² sr⁻¹ nm⁻¹]
 
     Raises
     ------
     FileError
-        If the file cannot be written; then there is none, or the old one.
+        If the file cannot be written; an existing file is then unchanged.
     """
     if path == "-":
         _write(sys.stdout, cases, wavelengths, radiance, standard_error)
         return
     with (
-        whole_file(path) as place,
-        place.open("w", encoding="utf-8", newline="") as stream,
+        whole_file(path) as part,
+        part.open("w", encoding="utf-8", newline="") as stream,
     ):
         _write(stream, cases, wavelengths, radiance, standard_error)
 

@@ -14,16 +14,16 @@ if TYPE_CHECKING:
     from airlight.planets.comparison import Difference, Value
     from airlight.render.sky_color import SkyColor
 
-#: Stands for what a planet does not have.
+#: Text for a property that a planet does not have.
 _NOTHING = "–"
-#: Significant digits: so many, or as many as tell two numbers apart.
+#: Significant digits: the fewest, and the most if needed to distinguish two numbers.
 _FEWEST, _MOST = 5, 12
-#: Characters a line has where nobody says; a terminal says.
+#: Characters per line where the output is not a terminal.
 _WIDTH = 120
 
 
 def print_comparison(first: Planet, second: Planet, *, cache: bool) -> None:
-    """Print what differs between two planets, and by how much.
+    """Print the differences between two planets.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def print_comparison(first: Planet, second: Planet, *, cache: bool) -> None:
 
 
 def _sky(planet: Planet, *, cache: bool) -> tuple[SkyColor, ...]:
-    """The colours of the sky; none if the planet is not known in the visible."""
+    """Colours of the sky; none if the planet is not known in the visible."""
     from airlight.cli.progress import shown_progress
     from airlight.render.sky_color import sky_colors
 
@@ -110,7 +110,7 @@ def _table(first: str, second: str, rows: list[Difference]) -> Table:
 
 
 def _factor(row: Difference) -> float:
-    """Kilometres for long lengths."""
+    """Factor of the displayed value; kilometres for long lengths."""
     sizes = [abs(value) for value in (row.first, row.second) if isinstance(value, float)]
     return 1e-3 if row.unit == "m" and sizes and max(sizes) >= 1e3 else 1.0
 
@@ -120,7 +120,7 @@ def _unit(row: Difference) -> str:
 
 
 def _pair(row: Difference) -> tuple[str, str]:
-    """Both values in as many digits as tell them apart."""
+    """Both values, with as many digits as distinguish them."""
     shown = ("", "")
     for digits in range(_FEWEST, _MOST + 1):
         shown = (_text(row.first, row, digits), _text(row.second, row, digits))

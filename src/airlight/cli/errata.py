@@ -1,4 +1,4 @@
-"""``airlight errata``: where the source documents are misprinted or wrong, in numbers."""
+"""``airlight errata``: misprints and errors of the source documents, in numbers."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ EPILOG = examples(
     "airlight errata -o docs/errata.md",
 )
 
-#: Characters a line has where nobody says; a terminal says.
+#: Characters per line where the output is not a terminal.
 _WIDTH = 150
 
 
@@ -59,8 +59,8 @@ def errata(
     if output is None:
         _print(rows)
         return
-    with whole_file(output) as place:
-        place.write_text(markdown(rows), encoding="utf-8")
+    with whole_file(output) as part:
+        part.write_text(markdown(rows), encoding="utf-8")
     print(f"{output}  {len(rows)} rows")
 
 

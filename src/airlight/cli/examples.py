@@ -4,17 +4,17 @@ from __future__ import annotations
 
 
 def examples(*lines: str) -> str:
-    r"""Command lines under the word "Examples", as Typer's epilogue wants them.
+    r"""Format command lines under the word "Examples" for Typer's epilogue.
 
     Parameters
     ----------
     *lines : str
-        One command each.
+        Commands, one each.
 
     Returns
     -------
     str
-        Paragraphs, each of which the help prints on a line of its own.
+        Paragraphs, each printed by the help on its own line.
 
     Examples
     --------

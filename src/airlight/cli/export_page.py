@@ -1,4 +1,4 @@
-"""``airlight export-page``: a planet becomes one HTML file."""
+"""``airlight export-page``: a planet as one HTML file."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def export_page(
 ) -> None:
     """Write a page to fly round a planet: one file that opens from disk, below 3 MB.
 
-    It draws with WebGPU, or WebGL2 where there is none, and asks for nothing from a network.
+    It draws with WebGPU, or WebGL2 where there is none, and loads nothing from a network.
     """
     started = time.perf_counter()
     from airlight.planets.reading.overrides import parsed
@@ -69,7 +69,7 @@ def export_page(
 
 
 def _view_value(text: str) -> tuple[str, float | str | bool]:
-    """The path and the value of one ``--view``."""
+    """Path and value of one ``--view``."""
     from airlight.viewer.browser.page import page_parameters
 
     name, equals, word = text.partition("=")

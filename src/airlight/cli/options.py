@@ -1,4 +1,4 @@
-"""From the text of an option to a number in SI, with the option's name in the error."""
+"""Conversion of option texts to numbers in SI, with the option's name in errors."""
 
 from __future__ import annotations
 
@@ -32,26 +32,26 @@ NoCache = Annotated[
     bool, typer.Option("--no-cache", help="Neither read nor keep solutions on disk.")
 ]
 
-#: The wavelengths of the three-wavelength mode. [nm]
+#: Wavelengths of the three-wavelength mode. [nm]
 RGB = (680.0, 550.0, 440.0)
-#: A whole number below this counts wavelengths; from here on it is a wavelength. [nm]
+#: A whole number below this is a number of wavelengths; from here on it is a wavelength. [nm]
 SMALLEST_WAVELENGTH = 100
 
 
 def planet(name: str, changes: list[str] | None = None) -> Planet:
-    """The planet that a command is about.
+    """Load the planet of a command.
 
     Parameters
     ----------
     name : str
-        Of a preset, or the path of a planet file.
+        Name of a preset, or path of a planet file.
     changes : list of str, optional
-        What ``--set`` was given: ``PATH=VALUE`` each; of one path the last counts.
+        Arguments of ``--set``, each ``PATH=VALUE``; for a repeated path the last counts.
 
     Raises
     ------
     ParameterError
-        If a path leads nowhere, or the file so changed cannot be read.
+        If a path does not exist, or the changed file cannot be read.
     """
     from airlight.cli.progress import shown_progress
     from airlight.planets import load_planet
@@ -68,7 +68,7 @@ def planet(name: str, changes: list[str] | None = None) -> Planet:
 
 
 def length(text: str, option: str) -> float:
-    """A length such as ``400km`` or ``10 m``; metres without a unit. [m]
+    """Parse a length such as ``400km`` or ``10 m``; metres without a unit. [m]
 
     Examples
     --------
@@ -79,7 +79,7 @@ def length(text: str, option: str) -> float:
 
 
 def angle(text: str, option: str) -> float:
-    """An angle such as ``85deg`` or ``85``; degrees without a unit. [deg]
+    """Parse an angle such as ``85deg`` or ``85``; degrees without a unit. [deg]
 
     Examples
     --------
@@ -90,7 +90,7 @@ def angle(text: str, option: str) -> float:
 
 
 def direction(text: str, option: str) -> tuple[float, float]:
-    """A zenith angle and an azimuth. [deg]
+    """Parse a zenith angle and an azimuth. [deg]
 
     Examples
     --------
@@ -104,20 +104,20 @@ def direction(text: str, option: str) -> tuple[float, float]:
 
 
 def picture_size(text: str | None, projection: str) -> tuple[int, int]:
-    """Width and height of a picture. [pixel]
+    """Parse the width and height of a picture. [pixel]
 
     Parameters
     ----------
     text : str or None
-        ``1280x720``, or one number: the side of a square, the width of a panorama, the side of
-        one face of a cube map. None: a size that suits the projection.
+        Size such as ``1280x720``, or one number: the side of a square, the width of a panorama, the
+        side of a face of a cube map. None: a size that suits the projection.
     projection : str
-        As the camera calls it.
+        Name of the projection.
 
     Returns
     -------
     (int, int)
-        Width, height.
+        Width and height.
 
     Examples
     --------
@@ -146,7 +146,7 @@ def picture_size(text: str | None, projection: str) -> tuple[int, int]:
 
 
 def exposure(text: str) -> float | Literal["auto"]:
-    """An exposure: ``auto`` or a power of two. [EV]
+    """Parse an exposure: ``auto`` or a power of two. [EV]
 
     Examples
     --------
@@ -162,38 +162,38 @@ def exposure(text: str) -> float | Literal["auto"]:
 
 
 def wavelengths(text: str, planet: Planet) -> tuple[float, ...]:
-    """The wavelengths to compute.
+    """Parse the wavelengths to compute.
 
     Parameters
     ----------
     text : str
-        ``rgb``: 680, 550 and 440 nm. A whole number below 100: so many, over the visible part
-        of what the planet's constituents are known for. Else wavelengths, such as
+        ``rgb``: 680, 550 and 440 nm. A whole number below 100: that many, over the visible part of
+        the range where the planet's constituents are known. Otherwise wavelengths, such as
         ``680,550,440`` or ``"0.55 um"``.
     planet : Planet
-        Gives the limits.
+        Planet that gives the limits.
 
     Returns
     -------
     tuple of float
-        In the order given. [nm]
+        Wavelengths in the order given. [nm]
 
     Raises
     ------
     ParameterError
-        If the text is none of these, or names a wavelength twice.
+        If the text is none of these, or repeats a wavelength.
     """
     option = "--wavelengths"
     stripped = text.strip().lower()
     if stripped == "rgb":
         return RGB
     if stripped.isdecimal() and int(stripped) < SMALLEST_WAVELENGTH:
-        from airlight.color.spectral import default_wavelengths
+        from airlight.planets.picture_wavelengths import picture_wavelengths
 
         count = int(stripped)
         if count < 1:
             raise ParameterError(option, text, "rgb, 1 to 99, or wavelengths in nm")
-        return tuple(float(w) for w in default_wavelengths(count, *planet.wavelength_limits))
+        return tuple(float(w) for w in picture_wavelengths(planet, count))
     values = quantities(text, "nm", option)
     if len(set(values)) < len(values):
         raise ParameterError(option, text, "each wavelength once")

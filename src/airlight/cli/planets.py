@@ -9,7 +9,7 @@ EPILOG = examples("airlight planets", "airlight show earth")
 
 
 def planets() -> None:
-    """List the planets that come with airlight."""
+    """List the planets that ship with airlight."""
     from rich.console import Console
     from rich.table import Table
 

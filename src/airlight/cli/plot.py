@@ -27,9 +27,9 @@ EPILOG = "\n\n".join(
     ]
 )
 
-#: What a plot's file name may end in.
+#: Suffixes of a plot's file name.
 _SUFFIXES = (".png", ".svg", ".pdf")
-#: Smallest and largest --dpi.
+#: Smallest and largest resolution. [pixel/inch]
 _DPI = (20.0, 1200.0)
 
 
@@ -84,7 +84,7 @@ def plot(
 ) -> None:
     """Draw a figure of a planet: its star, its air, its light, its tables.
 
-    An option that a kind has no use for is refused.
+    An option that the kind does not use is refused.
     """
     from airlight.exports.whole_file import check_target, whole_file
     from airlight.plots.figure import require_matplotlib, write_figure
@@ -111,6 +111,6 @@ def plot(
         raise ParameterError(option, error.value, error.allowed) from None
     with shown_progress() as report:
         figure = draw(world, kind, choices, Work(cache=not no_cache, progress=report))
-    with whole_file(output) as place, place.open("wb") as file:
+    with whole_file(output) as part, part.open("wb") as file:
         write_figure(figure, file, suffix.removeprefix("."), dpi)
     print(f"{output}  {kind} of {world.name}")

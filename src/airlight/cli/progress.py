@@ -1,4 +1,4 @@
-"""A progress bar on the standard error stream, if somebody is there to see it."""
+"""Progress bar on the standard error stream, if that is a terminal."""
 
 from __future__ import annotations
 
@@ -6,19 +6,19 @@ import contextlib
 import sys
 from collections.abc import Callable, Iterator
 
-#: Called with what is done, what there is to do, and in words what is going on.
+#: Called with the amount done, the total, and a description of the work.
 Report = Callable[[int, int, str], None]
 
 
 @contextlib.contextmanager
 def shown_progress() -> Iterator[Report]:
-    """A callback that draws a bar on a terminal and does nothing elsewhere.
+    """Yield a callback that draws a bar on a terminal and does nothing elsewhere.
 
     Yields
     ------
     callable
-        ``report(done, total, message)``; may be called from any thread. The bar is gone when the
-        block ends.
+        Function ``report(done, total, message)``, which any thread may call. The bar is removed
+        when the block ends.
     """
     if not sys.stderr.isatty():
         yield lambda done, total, message: None

@@ -1,8 +1,9 @@
-"""``airlight radiance``: numbers for one observer, or for a file of them."""
+"""``airlight radiance``: radiances for one observer, or for a file of observers."""
 
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -34,10 +35,10 @@ EPILOG = examples(
     "--relative-error 0.005",
 )
 
-#: The solvers that can be asked.
+#: Solvers that can be selected.
 SOLVERS = ("moments", "direct", "montecarlo")
 
-#: So many rows of a file are asked at once.
+#: Rows of a file per call of the solution.
 BLOCK = 4096
 
 
@@ -110,39 +111,23 @@ def radiance(
 
     The observer may be on the ground, in the air or outside it.
     """
-    from airlight.exports.whole_file import check_target
-
     settings = _settings(solver, quality, relative_error, seed)
-
     single = {
         "--altitude": altitude,
         "--sun-zenith": sun_zenith,
         "--view-zenith": view_zenith,
         "--azimuth": azimuth,
     }
-    if input_ is None:
-        if output != "-":
-            raise ParameterError("--output", output, "only together with --input")
-        cases = _one_case(single)
-    else:
-        for option, text in single.items():
-            if text is not None:
-                raise ParameterError(option, text, "not together with --input")
-        if output != "-":
-            check_target(output)
-        cases = read_cases(input_)
-
+    cases = _one_case(single, output) if input_ is None else _many_cases(input_, single, output)
     world = options.planet(planet, set_)
     nm = world.wavelengths if wavelengths is None else options.wavelengths(wavelengths, world)
     sampled = solver == "montecarlo"
-    columns = radiance_columns(nm) + (error_columns(nm) if sampled else [])
-    repeated = [column for column in columns if column in cases.header]
-    if repeated:
-        note = f"{', '.join(repeated)} stood in the input already; ours are the last columns"
-        print(f"airlight: {note}", file=sys.stderr)
+    _warn_of_repeated(radiance_columns(nm) + (error_columns(nm) if sampled else []), cases)
 
     from airlight.solvers import solve
 
+    errors: NDArray[np.float64] | None = None
+    histories: NDArray[np.int64] | None = None
     with shown_progress() as report:
         solution: Any = solve(
             world,
@@ -157,27 +142,50 @@ def radiance(
         else:
             values = _answers(solution, cases, len(nm), report)
     if input_ is not None:
-        if sampled:
-            write_cases(output, cases, nm, values, errors)
-        else:
-            write_cases(output, cases, nm, values)
-    elif sampled:
-        for wavelength, value, error, count in zip(
-            nm, values[0], errors[0], histories[0], strict=True
-        ):
-            print(
-                f"{wavelength:.10g} nm  {value:.8e} ± {error:.1e} W m⁻² sr⁻¹ nm⁻¹  "
-                f"({count} histories)"
-            )
+        write_cases(output, cases, nm, values, errors)
     else:
-        for wavelength, value in zip(nm, values[0], strict=True):
-            print(f"{wavelength:.10g} nm  {value:.8e} W m⁻² sr⁻¹ nm⁻¹")
+        _print(nm, values, errors, histories)
     if sampled and solution.report.unreached:
         print(f"airlight: {solution.report}", file=sys.stderr)
 
 
+def _print(
+    nm: Sequence[float],
+    values: NDArray[np.float64],
+    errors: NDArray[np.float64] | None,
+    histories: NDArray[np.int64] | None,
+) -> None:
+    """Print the radiance of one observer, a line per wavelength."""
+    for k, wavelength in enumerate(nm):
+        text = f"{wavelength:.10g} nm  {values[0, k]:.8e}"
+        if errors is None or histories is None:
+            print(f"{text} W m⁻² sr⁻¹ nm⁻¹")
+        else:
+            print(f"{text} ± {errors[0, k]:.1e} W m⁻² sr⁻¹ nm⁻¹  ({histories[0, k]} histories)")
+
+
+def _many_cases(path: str, single: dict[str, str | None], output: str) -> Cases:
+    """Read the observers of a file, after checking that no other is given."""
+    from airlight.exports.whole_file import check_target
+
+    for option, text in single.items():
+        if text is not None:
+            raise ParameterError(option, text, "not together with --input")
+    if output != "-":
+        check_target(output)
+    return read_cases(path)
+
+
+def _warn_of_repeated(columns: Sequence[str], cases: Cases) -> None:
+    """Warn of columns that the input has already."""
+    repeated = [column for column in columns if column in cases.header]
+    if repeated:
+        note = f"{', '.join(repeated)} stood in the input already; ours are the last columns"
+        print(f"airlight: {note}", file=sys.stderr)
+
+
 def _settings(solver: str, quality: str, relative_error: float | None, seed: int | None) -> Any:
-    """The quality's name, or Monte Carlo settings made from it."""
+    """Name of the quality, or Monte Carlo settings made from it."""
     if solver not in SOLVERS:
         raise ParameterError("--solver", solver, ", ".join(SOLVERS))
     given = {"relative_error": relative_error, "seed": seed}
@@ -198,12 +206,15 @@ def _settings(solver: str, quality: str, relative_error: float | None, seed: int
         raise ParameterError(option, error.value, error.allowed) from None
 
 
-def _one_case(texts: dict[str, str | None]) -> Cases:
+def _one_case(texts: dict[str, str | None], output: str) -> Cases:
+    """Parse the observer of the options, after checking that no file is to be written."""
     import numpy as np
 
     from airlight.cli.cases import COLUMNS
     from airlight.scene.limits import within
 
+    if output != "-":
+        raise ParameterError("--output", output, "only together with --input")
     filled = {"--altitude": "0m", "--azimuth": "0deg"}
     row = []
     for (option, given), (low, high) in zip(texts.items(), COLUMNS.values(), strict=True):

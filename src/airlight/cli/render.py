@@ -25,8 +25,6 @@ EPILOG = examples(
 
 #: Where the camera looks if nobody says: across the sunlight, which shows the air best. [deg]
 _ACROSS = -75.0
-#: Wavelengths if nobody says.
-_WAVELENGTHS = "16"
 
 
 def render(
@@ -169,24 +167,25 @@ def render(
         longitude=options.angle(longitude, "--longitude"),
         sun_azimuth=options.angle(sun_azimuth, "--sun-azimuth"),
     )
-    nm = options.wavelengths(_WAVELENGTHS if wavelengths is None else wavelengths, world)
-    if len(nm) < 3:
+    nm = None if wavelengths is None else options.wavelengths(wavelengths, world)
+    if nm is not None and len(nm) < 3:
         allowed = "rgb, 3 to 99, or three or more wavelengths: a picture has colours"
         raise ParameterError("--wavelengths", wavelengths, allowed)
-    gpu = device_for(device, world, 4 if wavelengths is None else len(nm), columns)
+    from airlight.planets.picture_wavelengths import LIVE, picture_wavelengths
+
+    gpu = device_for(device, world, LIVE if nm is None else len(nm), columns)
     weights = None
-    if gpu is not None and wavelengths is None:
-        from airlight.color.four_wavelengths import four_wavelengths
+    if nm is None:
+        nm = tuple(picture_wavelengths(world, most=None if gpu is None else LIVE).tolist())
+        if gpu is not None:
+            from airlight.color.four_wavelengths import fitted_weights
 
-        chosen, weights = four_wavelengths(world.star.irradiances, world.wavelength_limits)
-        nm = tuple(float(w) for w in chosen)
+            weights = fitted_weights(nm, world.star.irradiances)
 
-    from airlight.solvers import solve
+    from airlight.gpu.solve_planet import solve_planet
 
     with shown_progress() as report:
-        solution = solve(
-            world, wavelengths=nm, quality=quality, cache=not no_cache, progress=report
-        )
+        solution = solve_planet(world, nm, quality, cache=not no_cache, progress=report)
         if gpu is not None:
             from airlight.gpu.picture.pictures import Pictures
 

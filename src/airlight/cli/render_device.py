@@ -34,9 +34,10 @@ def device_for(choice: Choice, planet: Planet, count: int, width: int) -> Device
         return None
     from airlight.errors import ParameterError
     from airlight.gpu.device.device import NoDevice, open_device
+    from airlight.gpu.solve_planet import check_room
 
     try:
-        _check_room(planet, count)
+        check_room(planet, count)
         device = open_device()
         widest = device.device.limits["max-texture-dimension-2d"]
         if width > widest:
@@ -46,16 +47,3 @@ def device_for(choice: Choice, planet: Planet, count: int, width: int) -> Device
             print(f"airlight: the processor renders instead: {reason}", file=sys.stderr)
         return None
     return None if choice == "auto" and device.software else device
-
-
-def _check_room(planet: Planet, count: int) -> None:
-    """Refuse what the shaders have no room for, before anything is solved."""
-    from airlight.errors import ParameterError
-    from airlight.pixels.shown import MOST_CONSTITUENTS, WAVELENGTHS
-
-    if count > WAVELENGTHS:
-        raise ParameterError("--wavelengths", count, f"at most {WAVELENGTHS} on the GPU")
-    constituents = len(planet.constituents) + (planet.refraction != "none")  # "bending" is one
-    if constituents > MOST_CONSTITUENTS:
-        allowed = f"at most {MOST_CONSTITUENTS} on the GPU"
-        raise ParameterError("constituents", constituents, allowed)

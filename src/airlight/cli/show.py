@@ -1,9 +1,8 @@
-"""``airlight show``: what a planet is made of, and the colour of its sky."""
+"""``airlight show``: composition of a planet, and the colour of its sky."""
 
 from __future__ import annotations
 
 import dataclasses
-import re
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -112,7 +111,7 @@ def _constituents(planet: Planet) -> Table:
 
 
 def _composition(planet: Planet) -> Table:
-    """What gases and particles were given, and what follows from it."""
+    """Composition by gases and particles, and the quantities derived from it."""
     from rich.table import Table
 
     from airlight.planets.parameter_values import made_of
@@ -158,24 +157,22 @@ def _metres(value: float) -> str:
     return f"{value / 1e3:.5g} km" if value >= 1e3 else f"{value:.5g} m"
 
 
-#: Units of the parameters that are not lengths.
-_UNITS = {"angular_radius": " deg", "temperature": " K", "irradiance": " W m⁻² nm⁻¹"}
-_LENGTHS = {"scale_height", "center", "half_width", "radius", "distance"}
-
-
 def _parameters(thing: Any) -> str:
-    """A parameter object in words: its kind, as planet files call it, and what it was given."""
-    kind = re.sub(r"(?<=[a-z])(?=[A-Z])", "-", type(thing).__name__).lower()
-    words = [kind.removesuffix("-phase")]
+    """Describe a parameter object: its kind, as in planet files, and its values."""
+    from airlight.planets.schema.record import fields_of
+
+    words = [thing.keyword or type(thing).__name__.lower()]
+    declared = fields_of(type(thing))
     for field in dataclasses.fields(thing):
         value = getattr(thing, field.name)
         if value is None or value == field.default:
             continue
-        name, unit = field.name.replace("_", " "), _UNITS.get(field.name, "")
+        name, key = field.name.replace("_", " "), declared.get(field.name)
+        unit = "" if key is None or key.unit == "1" else f" {key.unit_words}"
         if isinstance(value, (tuple, list)):
             words.append(f"{len(value)} {name}")
         elif isinstance(value, float):
-            shown = _metres(value) if field.name in _LENGTHS else f"{value:.6g}{unit}"
+            shown = _metres(value) if unit == " m" else f"{value:.6g}{unit}"
             words.append(f"{name} {shown}")
         elif dataclasses.is_dataclass(value):
             words.append(f"{name} {_spectral(getattr(value, 'values', ()))}{unit}")
@@ -185,7 +182,7 @@ def _parameters(thing: Any) -> str:
 
 
 def _swatch(planet: Planet, *, cache: bool) -> RenderableType:
-    """The sky on the ground with the sun half-way up, as blocks of colour with their codes."""
+    """Sky on the ground with the sun half-way up, as blocks of colour with their codes."""
     from rich.text import Text
 
     from airlight.cli.progress import shown_progress

@@ -1,4 +1,4 @@
-"""``airlight validate``: what airlight computes, held against authorities, as a report."""
+"""``airlight validate``: a report that compares airlight with authorities."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ def validate(
 
 
 def _check_matplotlib() -> None:
-    """Refuse before the long work, not after it."""
+    """Check for matplotlib before the long work."""
     from airlight.plots.figure import new_figure
 
     new_figure("")
@@ -117,11 +117,11 @@ def _write(report: object, output: Path, pictures: Path | None) -> None:
         except OSError as error:
             raise FileError(pictures, f"cannot be made: {error.strerror or error}") from error
         for name, png in picture_files(report).items():
-            with whole_file(pictures / name) as place:
-                place.write_bytes(png)
+            with whole_file(pictures / name) as part:
+                part.write_bytes(png)
         beside = Path(os.path.relpath(pictures, page.parent)).as_posix()
-        with whole_file(page) as place:
-            place.write_text(markdown(report, beside), encoding="utf-8")
+        with whole_file(page) as part:
+            part.write_text(markdown(report, beside), encoding="utf-8")
     if output.suffix.lower() != ".md":
-        with whole_file(output) as place:
-            place.write_text(html(report), encoding="utf-8")
+        with whole_file(output) as part:
+            part.write_text(html(report), encoding="utf-8")

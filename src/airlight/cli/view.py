@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -102,28 +103,20 @@ def view(
         raise ParameterError("--size", size, allowed)
     if look is not None and look_at is not None:
         raise ParameterError("--look", look, "one of --look and --look-at")
-    ev = options.exposure(exposure)
-    numbers = {
-        "view.altitude": (altitude, options.length, "--altitude"),
-        "view.roll": (roll, options.angle, "--roll"),
-        "view.sun_zenith": (sun_zenith, options.angle, "--sun-zenith"),
-        "view.field_of_view": (fov, options.angle, "--fov"),
-        "view.latitude": (latitude, options.angle, "--latitude"),
-        "view.longitude": (longitude, options.angle, "--longitude"),
-        "view.sun_azimuth": (sun_azimuth, options.angle, "--sun-azimuth"),
-    }
-    view: dict[str, float | str | bool] = {
-        path: read(text, option)
-        for path, (text, read, option) in numbers.items()
-        if text is not None
-    }
-    if projection is not None:
-        view["view.projection"] = projection
-    if tone_map is not None:
-        view["display.tone_map"] = tone_map
-    view["display.automatic"] = ev == "auto"
-    view["display.exposure"] = 0.0 if ev == "auto" else ev
-    view["light.quality"] = quality
+    view = _view_values(
+        numbers={
+            "view.altitude": (altitude, options.length, "--altitude"),
+            "view.roll": (roll, options.angle, "--roll"),
+            "view.sun_zenith": (sun_zenith, options.angle, "--sun-zenith"),
+            "view.field_of_view": (fov, options.angle, "--fov"),
+            "view.latitude": (latitude, options.angle, "--latitude"),
+            "view.longitude": (longitude, options.angle, "--longitude"),
+            "view.sun_azimuth": (sun_azimuth, options.angle, "--sun-azimuth"),
+        },
+        choices={"view.projection": projection, "display.tone_map": tone_map},
+        ev=options.exposure(exposure),
+        quality=quality,
+    )
     show(
         Start(
             planet=planet,
@@ -141,3 +134,23 @@ def view(
         size_kb = screenshot.stat().st_size / 1e3
         seconds = time.perf_counter() - started
         print(f"{screenshot}  {width}x{height}  {size_kb:.0f} kB  {seconds:.1f} s")
+
+
+def _view_values(
+    *,
+    numbers: dict[str, tuple[str | None, Callable[[str, str], float], str]],
+    choices: dict[str, str | None],
+    ev: float | Literal["auto"],
+    quality: str,
+) -> dict[str, float | str | bool]:
+    """Values of the view by path, of the options that were given."""
+    view: dict[str, float | str | bool] = {
+        path: read(text, option)
+        for path, (text, read, option) in numbers.items()
+        if text is not None
+    }
+    view.update({path: choice for path, choice in choices.items() if choice is not None})
+    view["display.automatic"] = ev == "auto"
+    view["display.exposure"] = 0.0 if ev == "auto" else ev
+    view["light.quality"] = quality
+    return view

@@ -1,4 +1,4 @@
-"""The ACES filmic look: Hill's fit of the reference rendering and output transforms."""
+"""ACES filmic tone map: Hill's fit of the reference rendering and output transforms."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _INPUT: Final = np.array(
 _OUTPUT: Final = np.array(
     [[1.60475, -0.53108, -0.07367], [-0.10208, 1.10813, -0.00605], [-0.00327, -0.07276, 1.07602]]
 )
-# The same numbers as a kernel takes them: from the second letter to the first.
+# The same numbers as arguments of a kernel.
 (_RR, _RG, _RB), (_GR, _GG, _GB), (_BR, _BG, _BB) = _INPUT.tolist()
 (_OUT_RR, _OUT_RG, _OUT_RB), (_OUT_GR, _OUT_GG, _OUT_GB), (_OUT_BR, _OUT_BG, _OUT_BB) = (
     _OUTPUT.tolist()
@@ -58,7 +58,7 @@ def aces_color(red, green, blue):
 
 @compiled_loop
 def aces_pixels(colors, out):
-    """``aces_color`` of every colour."""
+    """Apply ``aces_color`` to every colour."""
     for i in range(colors.shape[0]):
         out[i, 0], out[i, 1], out[i, 2] = aces_color(
             np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2])
@@ -66,12 +66,12 @@ def aces_pixels(colors, out):
 
 
 def aces(rgb: ArrayLike) -> NDArray[Any]:
-    """The ACES look of exposed light.
+    """Apply the ACES tone map to exposed light.
 
     Parameters
     ----------
     rgb : array, shape (..., 3)
-        Linear sRGB after exposure. Below 0 counts as 0. [1]
+        Linear sRGB after exposure; negative values count as 0. [1]
 
     Returns
     -------
@@ -93,7 +93,7 @@ def aces(rgb: ArrayLike) -> NDArray[Any]:
 
 
 def aces_inverse(rgb: ArrayLike) -> NDArray[Any]:
-    """The exposed light that ``aces`` shows so; exact for colours that it did not clip.
+    """Invert ``aces``: the exposed light of a displayed colour, exact where it was not clipped.
 
     Parameters
     ----------
@@ -103,7 +103,7 @@ def aces_inverse(rgb: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     array, shape (..., 3)
-        Linear sRGB, same floating type; negative where no light is shown so. [1]
+        Linear sRGB, same floating type; negative where no light is mapped to the colour. [1]
     """
     shown = np.clip(physical(rgb), 0.0, 1.0)
     shaped = shown @ np.linalg.inv(_OUTPUT).T.astype(shown.dtype)

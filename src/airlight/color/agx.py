@@ -1,4 +1,4 @@
-"""AgX, Sobotka's picture formation: highlights go to white without a turn in hue."""
+"""AgX, Sobotka's tone map: highlights go to white without a shift in hue."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from airlight.color.floating import each, each_pixel, physical, physical_light
 from airlight.kernel import compiled_loop, kernel
 
-#: Linear sRGB into the insetted space in which the curve works; rows sum to 1 within 1.4e-4.
+#: Linear sRGB to the inset space in which the curve works; rows sum to 1 within 1.4e-4.
 _INSET: Final = np.array(
     [
         [0.842479062253094, 0.0784335999999992, 0.0792237451477643],
@@ -19,18 +19,18 @@ _INSET: Final = np.array(
         [0.0423756549057051, 0.0784336, 0.879142973793104],
     ]
 )
-#: Back from there.
+#: Inset space to linear sRGB.
 _OUTSET: Final = np.linalg.inv(_INSET)
-# The same numbers as a kernel takes them: from the second letter to the first.
+# The same numbers as arguments of a kernel.
 (_RR, _RG, _RB), (_GR, _GG, _GB), (_BR, _BG, _BB) = _INSET.tolist()
 (_OUT_RR, _OUT_RG, _OUT_RB), (_OUT_GR, _OUT_GG, _OUT_GB), (_OUT_BR, _OUT_BG, _OUT_BB) = (
     _OUTSET.tolist()
 )
-#: Stops below and above middle grey, 0.18, that the curve holds: 10 and 6.5.
+#: Range of the curve below and above middle grey, 0.18: 10 and 6.5 stops.
 _DARKEST: Final = -10.0
 _STOPS: Final = 16.5
 _GREY: Final = 0.18
-#: The curve's fixed point: middle grey goes to 0.5, with slope 2.
+#: Fixed point of the curve: middle grey goes to 0.5, with slope 2.
 _PIVOT: Final = 10.0 / 16.5
 _SLOPE: Final = 2.0
 _TOE: Final = 3.0
@@ -38,7 +38,7 @@ _SHOULDER: Final = 3.25
 
 
 def _scale(x: float, y: float, power: float) -> float:
-    """What makes the hyperbola run through 0 or 1, x and y away from the fixed point."""
+    """Scale that makes the hyperbola run through 0 or 1, x and y away from the fixed point."""
     return float(((_SLOPE * x) ** -power * ((_SLOPE * x / y) ** power - 1.0)) ** (-1.0 / power))
 
 
@@ -63,7 +63,7 @@ def agx_curve(light):
 
 @kernel
 def agx_curve_inverse(value):
-    """The insetted channel whose display value is given, between the darkest and brightest. [1]"""
+    """The insetted channel with the given display value, between the darkest and brightest. [1]"""
     y = (value if value > 0.0 else 0.0) - 0.5
     y = y if y < 0.5 else 0.5
     if y < 0.0:
@@ -91,7 +91,7 @@ def agx_color(red, green, blue):
 
 @compiled_loop
 def agx_pixels(colors, out):
-    """``agx_color`` of every colour."""
+    """Apply ``agx_color`` to every colour."""
     for i in range(colors.shape[0]):
         out[i, 0], out[i, 1], out[i, 2] = agx_color(
             np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2])
@@ -99,16 +99,16 @@ def agx_pixels(colors, out):
 
 
 def agx(rgb: ArrayLike) -> NDArray[Any]:
-    """The AgX look of exposed light.
+    """Apply the AgX tone map to exposed light.
 
-    Inset, log₂ over 16.5 stops around middle grey, sigmoid, outset; the display values stand for
-    a 2.2 power display and are returned as linear light. The sigmoid is Sobotka's own, not
-    the polynomial that is often put in its place (largest difference 0.006, a test).
+    Inset, log₂ over 16.5 stops around middle grey, sigmoid, outset; the display values are those of
+    a display of power 2.2 and are returned as linear light. The sigmoid is Sobotka's own, not
+    the polynomial that often replaces it (largest difference 0.006, a test).
 
     Parameters
     ----------
     rgb : array, shape (..., 3)
-        Linear sRGB after exposure. Below 0 counts as 0. [1]
+        Linear sRGB after exposure; negative values count as 0. [1]
 
     Returns
     -------
@@ -122,14 +122,14 @@ def agx(rgb: ArrayLike) -> NDArray[Any]:
 
     Examples
     --------
-    >>> (agx([0.18, 0.18, 0.18]) ** (1 / 2.2)).round(3)  # middle grey goes to the middle
+    >>> (agx([0.18, 0.18, 0.18]) ** (1 / 2.2)).round(3)  # middle grey goes to 0.5
     array([0.5, 0.5, 0.5])
     """
     return each_pixel(agx_pixels, rgb)
 
 
 def agx_inverse(rgb: ArrayLike) -> NDArray[Any]:
-    """The exposed light that ``agx`` shows so; exact for colours that it did not clip.
+    """Invert ``agx``: the exposed light of a displayed colour, exact where it was not clipped.
 
     Parameters
     ----------
@@ -139,7 +139,7 @@ def agx_inverse(rgb: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     array, shape (..., 3)
-        Linear sRGB, same floating type; negative where no light is shown so. [1]
+        Linear sRGB, same floating type; negative where no light is mapped to the colour. [1]
     """
     shown = np.clip(physical(rgb), 0.0, 1.0)
     values = shown ** shown.dtype.type(1.0 / 2.2)

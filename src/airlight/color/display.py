@@ -1,4 +1,4 @@
-"""Linear light to the 8-bit numbers of a picture: exposure, tone map, encoding."""
+"""Linear light to the 8-bit values of a picture: exposure, tone map, encoding."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from airlight.color.exposure import DEFAULT_EXPOSURE, automatic_exposure, exposu
 from airlight.color.tone_maps import tone_map_named
 from airlight.errors import ParameterError
 
-#: Pixels worked on at a time; a block's scratch arrays take about 50 MB.
+#: Pixels per block; the workspace of a block takes about 50 MB.
 _BLOCK: Final = 262_144
 
 
 def resolve_exposure(
     rgb: NDArray[np.floating], exposure: float | str, tone_map: str = "hable"
 ) -> float:
-    """The exposure in EV: itself if it is a number, measured on the picture if ``"auto"``.
+    """Exposure in EV: the number itself, or measured on the picture if ``"auto"``.
 
     Raises
     ------
@@ -40,20 +40,20 @@ def to_display(
     tone_map: str = "hable",
     encoding: str = "srgb",
 ) -> NDArray[np.uint8]:
-    """A frame of linear light as an 8-bit picture.
+    """Convert a frame of linear light to an 8-bit picture.
 
-    Rows are worked on in blocks, so that memory beyond input and output stays bounded.
+    Rows are processed in blocks, so that memory beyond input and output stays bounded.
 
     Parameters
     ----------
     rgb : array, shape (height, width, 3)
-        Linear sRGB of any strength; what is negative or no number is black. [W m⁻² sr⁻¹]
+        Linear sRGB of any magnitude; negative values and NaN are black. [W m⁻² sr⁻¹]
     exposure : float or "auto"
-        [EV]
+        Exposure, or "auto" to measure it. [EV]
     tone_map : str
-        One of ``TONE_MAPS``.
+        Tone map, one of ``TONE_MAPS``.
     encoding : str
-        ``"srgb"`` or ``"gamma"``.
+        Encoding, ``"srgb"`` or ``"gamma"``.
 
     Returns
     -------

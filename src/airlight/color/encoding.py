@@ -1,4 +1,4 @@
-"""Display encodings: from linear light to the numbers in a picture file, and back."""
+"""Display encodings: linear light to the numbers in a picture file, and back."""
 
 from __future__ import annotations
 
@@ -46,30 +46,31 @@ def gamma_curve_inverse(encoded):
 
 @kernel
 def encoded(which, linear):
-    """One value in the encoding of that place in ``ENCODINGS``, counted from 0. [1]"""
+    """Encode one value by the encoding of that index in ``ENCODINGS``, counted from 0. [1]"""
     if which == 0:
         return srgb_curve(linear)
     return gamma_curve(linear)
 
 
 def srgb_encode(linear: ArrayLike) -> NDArray[Any]:
-    r"""The sRGB curve.
+    r"""Encode linear light by the sRGB curve.
 
     .. math:: v = 12.92\,x \ (x \le 0.0031308), \qquad v = 1.055\,x^{1/2.4} - 0.055
 
     Parameters
     ----------
     linear : array, shape (...)
-        Linear light; 1 is the display's white, above 1 goes on, below 0 counts as 0. [1]
+        Linear light; 1 is the display's white, larger values continue, negative values count as 0.
+        [1]
 
     Returns
     -------
     array, shape (...)
-        Same floating type. [1]
+        Encoded values, same floating type. [1]
 
     References
     ----------
-    IEC 61966-2-1:1999. Its two pieces miss each other by 3e-8 at the joint.
+    IEC 61966-2-1:1999. Its two pieces differ by 3e-8 where they meet.
 
     Examples
     --------
@@ -80,17 +81,17 @@ def srgb_encode(linear: ArrayLike) -> NDArray[Any]:
 
 
 def srgb_decode(encoded: ArrayLike) -> NDArray[Any]:
-    """Linear light from sRGB numbers: the inverse of ``srgb_encode``.
+    """Linear light from sRGB values: the inverse of ``srgb_encode``.
 
     Parameters
     ----------
     encoded : array, shape (...)
-        0 to 1 is the display's range. [1]
+        Encoded values; 0 to 1 is the display's range. [1]
 
     Returns
     -------
     array, shape (...)
-        Same floating type. [1]
+        Linear light, same floating type. [1]
 
     Examples
     --------
@@ -101,17 +102,17 @@ def srgb_decode(encoded: ArrayLike) -> NDArray[Any]:
 
 
 def gamma_encode(linear: ArrayLike) -> NDArray[Any]:
-    """The power 1/2.2.
+    """Encode linear light by the power 1/2.2.
 
     Parameters
     ----------
     linear : array, shape (...)
-        Linear light; below 0 counts as 0. [1]
+        Linear light; negative values count as 0. [1]
 
     Returns
     -------
     array, shape (...)
-        Same floating type. [1]
+        Encoded values, same floating type. [1]
 
     Examples
     --------
@@ -122,29 +123,29 @@ def gamma_encode(linear: ArrayLike) -> NDArray[Any]:
 
 
 def gamma_decode(encoded: ArrayLike) -> NDArray[Any]:
-    """The power 2.2: the inverse of ``gamma_encode``.
+    """Linear light by the power 2.2: the inverse of ``gamma_encode``.
 
     Parameters
     ----------
     encoded : array, shape (...)
-        [1]
+        Encoded values. [1]
 
     Returns
     -------
     array, shape (...)
-        Same floating type. [1]
+        Linear light, same floating type. [1]
     """
     return each(gamma_curve_inverse, encoded)
 
 
 class Encoding(NamedTuple):
-    """An encoding and its inverse, functions of one array."""
+    """Encoding and its inverse, functions of one array."""
 
     encode: Callable[[ArrayLike], NDArray[Any]]
     decode: Callable[[ArrayLike], NDArray[Any]]
 
 
-#: The encodings by name.
+#: Encodings by name.
 ENCODINGS: Final[dict[str, Encoding]] = {
     "srgb": Encoding(srgb_encode, srgb_decode),
     "gamma": Encoding(gamma_encode, gamma_decode),
@@ -152,12 +153,12 @@ ENCODINGS: Final[dict[str, Encoding]] = {
 
 
 def encoding_named(name: str) -> Encoding:
-    """The encoding of that name.
+    """Return the encoding of the given name.
 
     Raises
     ------
     ParameterError
-        If there is none.
+        If there is no such encoding.
     """
     if name not in ENCODINGS:
         raise ParameterError("encoding", name, ", ".join(ENCODINGS))

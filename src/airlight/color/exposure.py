@@ -1,8 +1,9 @@
-"""Exposure: how bright the display shows a radiance, given or found from the picture."""
+"""Exposure: factor from radiance to display, given or measured on the picture."""
 
 from __future__ import annotations
 
 import math
+from math import log2
 from typing import Final
 
 import numpy as np
@@ -11,34 +12,35 @@ from numpy.typing import NDArray
 from airlight.color.tone_maps import tone_map_named
 from airlight.color.xyz import luminance
 from airlight.errors import ParameterError
+from airlight.kernel import compiled_loop
 
-#: The exposure that suits the sunlit Earth. [EV]
+#: Default exposure, suited to the sunlit Earth. [EV]
 DEFAULT_EXPOSURE: Final = -2.5
-#: Linear reflectance of the photographer's grey card.
+#: Linear reflectance of a photographer's grey card.
 MIDDLE_GREY: Final = 0.18
-#: Pixels darker than this part of the picture's bright end do not count: the black of space.
+#: Pixels darker than this fraction of the picture's bright end do not count: the black of space.
 _DARK: Final = 1e-4
-#: About so many pixels are looked at, every k-th row and column.
+#: Approximate number of pixels sampled, every k-th row and column.
 _SAMPLE: Final = 1_000_000
 
 
 def exposure_factor(exposure: float) -> float:
-    """What light is multiplied by: 2^EV.
+    """Factor of the light: 2^EV.
 
     Parameters
     ----------
     exposure : float
-        -100 to 100. [EV]
+        Exposure, -100 to 100. [EV]
 
     Returns
     -------
     float
-        [1]
+        Factor. [1]
 
     Raises
     ------
     ParameterError
-        If it is outside, or no number.
+        If it is outside that range, or not a number.
 
     Examples
     --------
@@ -50,26 +52,49 @@ def exposure_factor(exposure: float) -> float:
     return math.pow(2.0, float(exposure))
 
 
+@compiled_loop
+def exposure_of(bright, grey):
+    """The exposure that shows a picture's log-average luminance as middle grey. [EV]
+
+    Parameters
+    ----------
+    bright : array, shape (n,)
+        Luminances above 0, ascending, one at least.
+    grey : float
+        The luminance that is shown as middle grey.
+    """
+    rank = 0.99 * (bright.size - 1)
+    low = int(rank)
+    high = min(low + 1, bright.size - 1)
+    dark = _DARK * (bright[low] + (rank - low) * (bright[high] - bright[low]))
+    total, count = 0.0, 0
+    for i in range(bright.size):
+        if bright[i] >= dark:
+            total += log2(bright[i])
+            count += 1
+    return min(max(log2(grey) - total / count, -100.0), 100.0)
+
+
 def automatic_exposure(rgb: NDArray[np.floating], tone_map: str = "hable") -> float:
-    r"""The exposure that shows the picture's log-average luminance as middle grey.
+    r"""Exposure at which the picture's log-average luminance appears as middle grey.
 
     .. math:: \bar L = \exp\left(\frac1N \sum \ln L\right), \quad
               \mathrm{EV} = \log_2 (x_{0.18} / \bar L)
 
-    where the tone map shows x₀.₁₈ as 0.18. Pixels below 1e-4 of the picture's 99th percentile are
-    left out, so that black space around a planet does not make the planet white.
+    where the tone map maps x₀.₁₈ to 0.18. Pixels below 1e-4 of the picture's 99th percentile are
+    left out, so that black space does not overexpose the planet.
 
     Parameters
     ----------
     rgb : array, shape (height, width, 3)
         Linear sRGB; of a large picture about a million pixels on a regular grid are used.
     tone_map : str
-        One of ``TONE_MAPS``.
+        Tone map, one of ``TONE_MAPS``.
 
     Returns
     -------
     float
-        -100 to 100; 0 for a black picture. [EV]
+        Exposure, -100 to 100; 0 for a black picture. [EV]
 
     References
     ----------
@@ -87,8 +112,6 @@ def automatic_exposure(rgb: NDArray[np.floating], tone_map: str = "hable") -> fl
     bright = bright[np.isfinite(bright) & (bright > 0.0)]
     if bright.size == 0:
         return 0.0
-    bright = bright[bright >= _DARK * np.percentile(bright, 99.0)]
     grey = np.full(3, MIDDLE_GREY)
     target = float(luminance(tone_map_named(tone_map).inverse(grey)))
-    exposure = math.log2(target) - float(np.mean(np.log2(bright)))
-    return min(max(exposure, -100.0), 100.0)
+    return float(exposure_of(np.sort(bright), target))

@@ -1,4 +1,4 @@
-"""Arrays of light keep their floating type, and stay finite, through every step to the display."""
+"""Arrays of light that keep their floating type, and stay finite, through every step to display."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from numpy.typing import ArrayLike, NDArray
 from airlight.errors import ParameterError
 from airlight.kernel import kernel, vectorized
 
-#: Brighter light counts as this bright: its square is a number of single precision still, so that
-#: no curve divides infinity by infinity.
+#: Brighter light counts as this bright: its square still fits single precision, so that no curve
+#: divides infinity by infinity.
 BRIGHTEST: Final = 1e18
 
 
 @kernel
 def physical_light(light):
-    """Light between 0 and ``BRIGHTEST``; what is negative or no number is black."""
-    # Compared, not max(): a NaN is greater than nothing.
+    """Light clamped to 0 to ``BRIGHTEST``; negative values and NaN are black."""
+    # By comparison, not max(): comparisons with a NaN are false.
     return min(light if light > 0.0 else 0.0, BRIGHTEST)
 
 
 def floating(values: ArrayLike) -> NDArray[Any]:
-    """The values as they are if they are float32 or float64, else as float64.
+    """Return float32 and float64 values unchanged, others as float64.
 
     Examples
     --------
@@ -35,7 +35,7 @@ def floating(values: ArrayLike) -> NDArray[Any]:
 
 
 def physical(values: ArrayLike) -> NDArray[Any]:
-    """The values between 0 and ``BRIGHTEST``: what is negative or no number is black.
+    """Clamp values to 0 to ``BRIGHTEST``; negative values and NaN are black.
 
     Examples
     --------
@@ -47,7 +47,7 @@ def physical(values: ArrayLike) -> NDArray[Any]:
 
 
 def each(scalar: Any, values: ArrayLike) -> NDArray[Any]:
-    """A kernel of one argument, on every element; computed in float64, returned in their type.
+    """Apply a kernel of one argument to every element, in float64, and restore the type.
 
     Parameters
     ----------
@@ -59,12 +59,12 @@ def each(scalar: Any, values: ArrayLike) -> NDArray[Any]:
     array, shape (...)
     """
     array = floating(values)
-    with np.errstate(all="ignore"):  # the kernels say what they make of infinity and NaN
+    with np.errstate(all="ignore"):  # the kernels handle infinity and NaN
         return np.asarray(vectorized(scalar)(array)).astype(array.dtype, copy=False)
 
 
 def each_pixel(loop: Any, rgb: ArrayLike, *parameters: float) -> NDArray[Any]:
-    """A compiled loop over colours; computed in float64, returned in their type.
+    """Apply a compiled loop over colours, in float64, and restore the type.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def each_pixel(loop: Any, rgb: ArrayLike, *parameters: float) -> NDArray[Any]:
         ``loop(colors, out, *parameters)`` with colours of shape (n, 3).
     rgb : array, shape (..., 3)
     *parameters : float
-        Handed on.
+        Further arguments of the loop.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Colour from four wavelengths: which ones, and the matrix to linear sRGB, fitted to a star."""
+"""Colour from four wavelengths: their choice, and the matrix to linear sRGB, fitted to a star."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ from airlight.errors import ParameterError
 
 FloatArray = NDArray[np.float64]
 
-#: The wavelengths of few-wavelength pictures by their number. [nm]
+#: Wavelengths of pictures with few wavelengths, by their number. [nm]
 CHOSEN: Final = {3: (450.0, 550.0, 620.0), 4: (440.0, 500.0, 560.0, 620.0)}
-#: Wavelengths that can be fitted: one has no freedom, many are integrated by ``rgb_weights``.
+#: Numbers of wavelengths that can be fitted: one has no freedom, many are for ``rgb_weights``.
 _FEWEST: Final = 2
 _MOST: Final = 8
-#: The XYZ of D65, and the luminance to which each spectrum is exposed before it is compared.
+#: XYZ of D65, and the luminance to which each spectrum is exposed before the comparison.
 _WHITE: Final = np.array([0.95047, 1.0, 1.08883])
 _EXPOSED: Final = 0.5
-#: CIE94: how much less a difference of chroma and of hue is seen beside a chroma of 1.
+#: CIE94 weights: decrease of the sensitivity to chroma and to hue with chroma.
 _CHROMA: Final = 0.045
 _HUE: Final = 0.015
 
@@ -39,21 +39,21 @@ _HUE: Final = 0.015
 def four_wavelengths(
     irradiance: Irradiance | None = None, limits: tuple[float, float] = (280.0, 1000.0)
 ) -> tuple[FloatArray, FloatArray]:
-    """Four wavelengths and weights W such that linear sRGB = radiance @ W.
+    """Return four wavelengths and weights W such that linear sRGB = radiance @ W.
 
     Parameters
     ----------
     irradiance : callable, array or None
-        The star's, as in ``rgb_weights``. [W m⁻² nm⁻¹]
+        Spectrum of the star, as in ``rgb_weights``. [W m⁻² nm⁻¹]
     limits : (low, high)
-        Between which a planet is known. [nm]
+        Wavelengths between which a planet is known. [nm]
 
     Returns
     -------
     wavelengths : array, shape (4,)
-        Ascending. [nm]
+        Wavelengths, ascending. [nm]
     weights : array, shape (4, 3)
-        From ``fitted_weights``. [nm]
+        Weights from ``fitted_weights``. [nm]
 
     Raises
     ------
@@ -73,27 +73,27 @@ def four_wavelengths(
 def few_wavelengths(count: int = 4, low: float = 280.0, high: float = 1000.0) -> FloatArray:
     """Wavelengths for pictures of three or four, moved inside the limits of a planet.
 
-    Among all multiples of 20 nm these four, among those of 10 nm these three have the smallest
-    error over ``typical_light`` under the sun (the fourth power's mean; at least 30 nm between
-    two). Finer steps lower the error there by a third and on the planets not. Under a star of
-    2600 K other four would do better, by 0.3 ΔE of typical light.
+    These have the smallest mean fourth power of the error over ``typical_light`` under the sun: the
+    four among all multiples of 20 nm, the three among those of 10 nm, at least 30 nm apart. Finer
+    steps lower that error by a third, but not the error on the planets. Under a star of 2600 K
+    another four would do better, by 0.3 ΔE of typical light.
 
     Parameters
     ----------
     count : int
-        3 or 4.
+        Number of wavelengths, 3 or 4.
     low, high : float
-        Limits. [nm]
+        Limits of the wavelengths. [nm]
 
     Returns
     -------
     array, shape (count,)
-        Ascending; evenly spaced where the limits are inside the chosen ones. [nm]
+        Wavelengths, ascending; evenly spaced where the limits exclude the chosen wavelengths. [nm]
 
     Raises
     ------
     ParameterError
-        If the count is another, or no visible wavelength lies between the limits.
+        If the count is not 3 or 4, or no visible wavelength lies between the limits.
     """
     if count not in CHOSEN:
         raise ParameterError("count", count, "3 or 4")
@@ -109,33 +109,33 @@ def few_wavelengths(count: int = 4, low: float = 280.0, high: float = 1000.0) ->
 def fitted_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None) -> FloatArray:
     r"""Weights W such that linear sRGB = radiance @ W, for few wavelengths.
 
-    A few samples do not follow a spectrum, so nothing is interpolated: the weights are those that
-    show light as it occurs in atmospheres, :math:`s_k(\lambda)` of ``typical_light`` times the
-    star's irradiance E, in the most similar colours,
+    A few samples do not follow a spectrum, so nothing is interpolated: the weights minimise the
+    colour difference for light as it occurs in atmospheres, :math:`s_k(\lambda)` of
+    ``typical_light`` times the star's irradiance E,
 
     .. math:: \min_M \sum_k \Big| J_k \Big( \sum_i s_k(\lambda_i) M_i
               - \int s_k E\, (\bar r, \bar g, \bar b)\, d\lambda \Big) \Big|^2
               \quad\text{where}\quad \sum_i M_i = \int E\, (\bar r, \bar g, \bar b)\, d\lambda,
 
     and W is M over E at the wavelengths. J is the derivative of CIE94's difference at the true
-    colour exposed to half the luminance of white, so the fit is linear. The condition gives the
-    star's own light, and what grey surfaces make of it, its colour and luminance exactly.
+    colour exposed to half the luminance of white, so the fit is linear. The condition makes colour
+    and luminance exact for the star's own light and its reflection by grey surfaces.
 
     With the four of ``few_wavelengths`` the median error on Earth, Mars and Titan is 0.2 to 0.6 ΔE
     (CIE 2000), where ``rgb_weights`` has 5 to 9 with three wavelengths and 3 with four: the tables
-    are in docs/live.md. What passes the clouds of Venus at dusk errs by up to 6.
+    are in docs/live.md. The error is up to 6 for light through the clouds of Venus at dusk.
 
     Parameters
     ----------
     wavelengths : array, shape (n,)
-        2 to 8, distinct, any order, 360 to 830. [nm]
+        Wavelengths, 2 to 8, distinct, any order, 360 to 830. [nm]
     irradiance : callable, array or None
-        As in ``rgb_weights``.
+        Spectrum of the star, as in ``rgb_weights``.
 
     Returns
     -------
     array, shape (n, 3)
-        In the meaning of ``rgb_weights``. [nm]
+        Weights, as those of ``rgb_weights``. [nm]
 
     Raises
     ------
@@ -145,7 +145,7 @@ def fitted_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None)
 
     References
     ----------
-    CIE 116 (1995), the colour difference; CIE 15 (2004), L*a*b*.
+    CIE 116 (1995), for the colour difference; CIE 15 (2004), L*a*b*.
 
     Examples
     --------
@@ -164,7 +164,7 @@ def fitted_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None)
     true = light @ (on_eye_grid(irradiance)[:, None] * eye_rgb())
     seen = _seen_differences(true)
     samples = np.array([np.interp(at, EYE, one) for one in light])
-    # The condition removes the last wavelength: its row is what the others leave of the star.
+    # The condition eliminates the last wavelength, whose row is the remainder of the star's colour.
     free = samples[:, :-1] - samples[:, -1:]
     whole = sun_color(irradiance)
     missing = np.einsum("kij,kj->ki", seen, true - samples[:, -1:] * whole)
@@ -174,19 +174,19 @@ def fitted_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None)
 
 
 def picture_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None) -> FloatArray:
-    """Weights of a picture: fitted for the few of ``few_wavelengths``, integrated for all others.
+    """Weights of a picture: fitted for the wavelengths of ``few_wavelengths``, else integrated.
 
     Parameters
     ----------
     wavelengths : array, shape (n,)
-        [nm]
+        Wavelengths. [nm]
     irradiance : callable, array or None
-        As in ``rgb_weights``.
+        Spectrum of the star, as in ``rgb_weights``.
 
     Returns
     -------
     array, shape (n, 3)
-        In the meaning of ``rgb_weights``. [nm]
+        Weights, as those of ``rgb_weights``. [nm]
 
     Examples
     --------
@@ -202,7 +202,7 @@ def picture_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None
 def _seen_differences(rgb: FloatArray) -> FloatArray:
     """Derivatives of (lightness, chroma, hue) of CIE94 by linear sRGB, shape (n, 3, 3).
 
-    Each light is exposed to the luminance 0.5 of white's.
+    Each light is exposed to luminance 0.5 of white's.
     """
     xyz = rgb @ RGB_TO_XYZ.T
     exposure = _EXPOSED / xyz[:, 1:2]
@@ -224,7 +224,7 @@ def _seen_differences(rgb: FloatArray) -> FloatArray:
 
 
 def _lightness(ratio: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """The function f of CIE 1976 L*a*b* and its derivative."""
+    """Function f of CIE 1976 L*a*b* and its derivative."""
     bright = ratio > 216.0 / 24389.0
     root = np.cbrt(np.maximum(ratio, 216.0 / 24389.0))
     straight = 24389.0 / 27.0 / 116.0

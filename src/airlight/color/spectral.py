@@ -1,4 +1,4 @@
-"""Spectra to linear sRGB: what each wavelength of a solution adds to red, green and blue."""
+"""Spectra to linear sRGB: the contribution of each wavelength of a solution to each channel."""
 
 from __future__ import annotations
 
@@ -11,18 +11,19 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.color.xyz import XYZ_TO_RGB
 from airlight.errors import ParameterError
+from airlight.geometry.cubic_curves import cubic_curve, spline_slopes
 from airlight.spectra.color_matching import cie_1931
 from airlight.spectra.sun import solar_irradiance
 
 Irradiance = Callable[[NDArray[np.float64]], ArrayLike] | ArrayLike
 
-#: The sun's colour as printed in the first Atmosphere Plus notes: each channel a sun at one
-#: wavelength times a constant "after normalization and scaling". A legacy value, nothing uses it.
+#: Sun's colour as printed in the first Atmosphere Plus notes: each channel a sun at one wavelength
+#: times a constant "after normalization and scaling". A legacy value, not used.
 LEGACY_SUN_COLOR: Final = (20.344770, 16.907042, 23.453083)
 
-#: The eye's wavelengths, 360 to 830 at 1. [nm]
+#: Wavelength grid of the matching functions, 360 to 830 in steps of 1. [nm]
 EYE: Final[NDArray[np.float64]] = np.arange(360.0, 831.0)
-#: What the radiance of the sky over the sun's irradiance is taken to follow at three wavelengths.
+#: Assumed power law of the sky's radiance over the sun's irradiance, at three wavelengths.
 _SKY_POWER: Final = -3.0
 
 
@@ -36,7 +37,7 @@ def eye_rgb() -> NDArray[np.float64]:
 
 
 def on_eye_grid(irradiance: Irradiance | None) -> NDArray[np.float64]:
-    """The irradiance at 360 to 830 nm, shape (471,). [W m⁻² nm⁻¹]"""
+    """Irradiance at 360 to 830 nm, shape (471,). [W m⁻² nm⁻¹]"""
     if irradiance is None:
         return solar_irradiance(EYE)
     given = irradiance(EYE) if callable(irradiance) else irradiance
@@ -49,7 +50,7 @@ def on_eye_grid(irradiance: Irradiance | None) -> NDArray[np.float64]:
 def irradiance_at(
     wavelengths: NDArray[np.float64], irradiance: Irradiance | None
 ) -> NDArray[np.float64]:
-    """The irradiance at wavelengths, all above 0, shape (n,). [W m⁻² nm⁻¹]"""
+    """Irradiance at wavelengths, all above 0, shape (n,). [W m⁻² nm⁻¹]"""
     if irradiance is None:
         local = solar_irradiance(wavelengths)
     elif callable(irradiance):
@@ -76,7 +77,7 @@ def sun_color(irradiance: Irradiance | None = None) -> NDArray[np.float64]:
     Returns
     -------
     array, shape (3,)
-        Weighted by the matching functions; 683 lm/W times its luminance is in lx. [W m⁻²]
+        Colour weighted by the matching functions; 683 lm/W times its luminance is in lx. [W m⁻²]
 
     References
     ----------
@@ -93,7 +94,7 @@ def sun_color(irradiance: Irradiance | None = None) -> NDArray[np.float64]:
 def sky_factors(
     wavelengths: ArrayLike, irradiance: Irradiance | None = None
 ) -> NDArray[np.float64]:
-    r"""Linear sRGB of a λ⁻³ sky per channel: what stands for the sun's colour in a sky of three.
+    r"""Linear sRGB of a λ⁻³ sky per channel: the factors of a sky of three wavelengths.
 
     .. math:: k_c = \int M^{-1}_c (\bar x, \bar y, \bar z)\, E(\lambda)\, (\lambda/\lambda_c)^{-3}
               \, d\lambda
@@ -105,20 +106,20 @@ def sky_factors(
     Parameters
     ----------
     wavelengths : array, shape (3,)
-        Any order. [nm]
+        Wavelengths in any order. [nm]
     irradiance : callable, array or None
-        As in ``sun_color``.
+        Spectrum of the star, as in ``sun_color``.
 
     Returns
     -------
     array, shape (3,)
-        Red, green, blue. [W m⁻²]
+        Factors of red, green and blue. [W m⁻²]
 
     References
     ----------
     Bruneton (2017), ``demo.cc``, *sky radiance to luminance factors*. His table of the sun holds
-    means over 10 nm put at each interval's beginning, from which follows (248.1, 193.2, 182.8);
-    the 1 nm spectrum gives what stands below, 0.5 %, 0.6 % and -1.3 % off.
+    means over 10 nm assigned to each interval's beginning, which gives (248.1, 193.2, 182.8); the 1
+    nm spectrum gives the values below, 0.5 %, 0.6 % and -1.3 % off.
 
     Examples
     --------
@@ -135,31 +136,31 @@ def sky_factors(
 def rgb_weights(
     wavelengths: ArrayLike, irradiance: Irradiance | None = None
 ) -> NDArray[np.float64]:
-    """Weights W such that linear sRGB = radiance @ W.
+    """Return weights W such that linear sRGB = radiance @ W.
 
-    The radiance divided by the sun's irradiance varies smoothly with wavelength, the sun's lines
-    do not. So that ratio is interpolated (cubic spline, constant beyond the ends), multiplied by
-    the sun's spectrum and the matching functions, and integrated at 1 nm. All of this is linear
-    in the radiance. One, two or many wavelengths are treated so; exactly **three** get one
-    channel each, by ``sky_factors``.
+    The radiance divided by the sun's irradiance varies smoothly with wavelength, the sun's lines do
+    not. So that ratio is interpolated (cubic spline, constant beyond the ends), multiplied by the
+    sun's spectrum and the matching functions, and integrated at 1 nm. The whole operation is linear
+    in the radiance. It serves one, two or many wavelengths; exactly **three** get one channel each,
+    by ``sky_factors``.
 
     Parameters
     ----------
     wavelengths : array, shape (n,)
-        Distinct, any order, 300 to 900. [nm]
+        Wavelengths, distinct, any order, 300 to 900. [nm]
     irradiance : callable, array or None
-        As in ``sun_color``; a callable is also asked at ``wavelengths``, an array is interpolated
-        there. The radiance must have been computed with the same.
+        Spectrum of the star, as in ``sun_color``; a callable is also evaluated at ``wavelengths``,
+        an array is interpolated there. The radiance must have been computed with the same spectrum.
 
     Returns
     -------
     array, shape (n, 3)
-        [nm]
+        Weights. [nm]
 
     Raises
     ------
     ParameterError
-        If a wavelength is given twice or lies outside, or the irradiance there is not above 0.
+        If a wavelength is repeated or lies outside, or the irradiance there is not above 0.
 
     Examples
     --------
@@ -181,14 +182,13 @@ def rgb_weights(
 @cache
 def _interpolation(wavelengths: tuple[float, ...]) -> NDArray[np.float64]:
     """Values at 360 to 830 nm as a linear map of values at the wavelengths, shape (471, n)."""
-    from scipy.interpolate import CubicSpline
-
     order = np.argsort(wavelengths)
     nodes = np.asarray(wavelengths)[order]
     unit = np.eye(nodes.size)[order]
     if nodes.size == 1:
         return np.ones((EYE.size, 1))
-    return np.asarray(CubicSpline(nodes, unit)(np.clip(EYE, nodes[0], nodes[-1])))
+    at = np.clip(EYE, nodes[0], nodes[-1])
+    return cubic_curve(nodes, unit, spline_slopes(nodes, unit), at)
 
 
 def checked_wavelengths(wavelengths: ArrayLike) -> NDArray[np.float64]:
@@ -209,23 +209,24 @@ def default_wavelengths(
 ) -> NDArray[np.float64]:
     """Evenly spaced wavelengths for spectral colour.
 
-    Their ends, 410 and 695 nm (from 20 wavelengths on 390 and 710 nm), were chosen among all
-    multiples of 5 nm for the smallest largest error of colour over typical skies: what limits
-    it is how the samples fall on ozone's Chappuis band. For 16 wavelengths the largest ΔE
-    (CIE 2000) of eleven skies is 0.31, at dusk under much ozone, and at noon it is 0.02; for 8,
-    12, 24 and 40 the largest is 2.9, 1.2, 0.10 and 0.09, for three wavelengths 42.
+    Their ends, 410 and 695 nm (for 20 and more wavelengths 390 and 710 nm), were chosen among all
+    multiples of 5 nm for the smallest maximum colour error over typical skies, which is limited by
+    how the samples fall on ozone's Chappuis band. For 16 wavelengths the largest ΔE (CIE 2000) of
+    eleven skies is 0.31, at dusk under much ozone, and at noon it is 0.02; for 8, 12, 24 and 40 the
+    largest is 2.9, 1.2, 0.10 and 0.09, for three wavelengths 42.
 
     Parameters
     ----------
     count : int
-        At least 1; three are 680, 550 and 440 nm, for the three-wavelength mode.
+        Number of wavelengths, at least 1; three are 680, 550 and 440 nm, for the three-wavelength
+        mode.
     low, high : float
-        Limits, such as those between which a planet is known; the ends are moved inside. [nm]
+        Limits, such as those of a planet; the ends are moved inside. [nm]
 
     Returns
     -------
     array, shape (count,)
-        Ascending; three descend from red to blue. [nm]
+        Wavelengths, ascending; three descend from red to blue. [nm]
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The colour of one wavelength."""
+"""Colours of single wavelengths."""
 
 from __future__ import annotations
 
@@ -24,21 +24,21 @@ def wavelength_color(
     Parameters
     ----------
     wavelengths : array, shape (...)
-        350 to 840; end values beyond 360 and 830. [nm]
+        Wavelengths, 350 to 840; end values beyond 360 and 830. [nm]
     normalization : "none", "sum" or "peak"
         ``none``: the matching functions themselves; ``sum``: XYZ divided by X + Y + Z, which shows
-        the hue of wavelengths that the eye hardly sees; ``peak``: RGB divided by its largest
+        the hue of wavelengths at which the eye is insensitive; ``peak``: RGB divided by its largest
         channel.
 
     Returns
     -------
     array, shape (..., 3)
-        [1]
+        Linear sRGB. [1]
 
     Raises
     ------
     ParameterError
-        If a wavelength lies outside, or the normalization is another.
+        If a wavelength lies outside, or ``normalization`` is unknown.
 
     References
     ----------

@@ -1,6 +1,6 @@
-"""Tone maps: exposed light of any strength onto a display's 0 to 1, by name, each with its inverse.
+"""Tone maps by name: exposed light of any strength to a display's 0 to 1, each with its inverse.
 
-Each takes linear sRGB, shape (..., 3), and gives linear sRGB of the same floating type. Negative
+Each takes linear sRGB, shape (..., 3), and returns linear sRGB of the same floating type. Negative
 light and NaN count as black, infinite light as very bright: no input gives a NaN.
 """
 
@@ -29,24 +29,24 @@ _E: Final = 0.02
 _F: Final = 0.30
 _BIAS: Final = 2.0
 _WHITE: Final = 11.2
-#: Hable's curve at the white point, by which it is divided.
+#: Value of Hable's curve at the white point, by which it is divided.
 _AT_WHITE: Final = (_WHITE * (_A * _WHITE + _C * _B) + _D * _E) / (
     _WHITE * (_A * _WHITE + _B) + _D * _F
 ) - _E / _F
 
-#: The luminance that the extended Reinhard curve shows as white.
+#: Luminance that the extended Reinhard curve maps to white.
 REINHARD_WHITE: Final = 4.0
 
 
 @kernel
 def exponential_curve(x):
-    """1 - e^{-x}. [1]"""
+    """Value 1 - e^{-x}. [1]"""
     return 1.0 - math.exp(-x)
 
 
 @kernel
 def exponential_curve_inverse(y):
-    """-ln(1 - y). [1]"""
+    """Value -ln(1 - y). [1]"""
     return -math.log(1.0 - y)
 
 
@@ -100,7 +100,7 @@ def reinhard_extended_color(red, green, blue, white):
 
 @kernel
 def tone_mapped(which, red, green, blue):
-    """One colour by the tone map of that place in ``TONE_MAPS``, counted from 0.
+    """Map one colour by the tone map of that index in ``TONE_MAPS``, counted from 0.
 
     Parameters
     ----------
@@ -111,7 +111,7 @@ def tone_mapped(which, red, green, blue):
     Returns
     -------
     red, green, blue : float
-        As the tone map's function gives them. [1]
+        Colour returned by the tone map's function. [1]
 
     Examples
     --------
@@ -133,7 +133,7 @@ def tone_mapped(which, red, green, blue):
 
 @compiled_loop
 def reinhard_pixels(colors, out):
-    """``reinhard_color`` of every colour."""
+    """Apply ``reinhard_color`` to every colour."""
     for i in range(colors.shape[0]):
         out[i, 0], out[i, 1], out[i, 2] = reinhard_color(
             np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2])
@@ -142,7 +142,7 @@ def reinhard_pixels(colors, out):
 
 @compiled_loop
 def reinhard_extended_pixels(colors, out, white):
-    """``reinhard_extended_color`` of every colour."""
+    """Apply ``reinhard_extended_color`` to every colour."""
     for i in range(colors.shape[0]):
         out[i, 0], out[i, 1], out[i, 2] = reinhard_extended_color(
             np.float64(colors[i, 0]), np.float64(colors[i, 1]), np.float64(colors[i, 2]), white
@@ -150,7 +150,7 @@ def reinhard_extended_pixels(colors, out, white):
 
 
 def exponential(rgb: ArrayLike) -> NDArray[Any]:
-    """1 - e^{-x} on each channel.
+    """Map each channel by 1 - e^{-x}.
 
     Parameters
     ----------
@@ -160,7 +160,7 @@ def exponential(rgb: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     array, shape (..., 3)
-        0 to 1, same floating type. [1]
+        Linear sRGB, 0 to 1, same floating type. [1]
 
     References
     ----------
@@ -175,12 +175,12 @@ def exponential(rgb: ArrayLike) -> NDArray[Any]:
 
 
 def exponential_inverse(rgb: ArrayLike) -> NDArray[Any]:
-    """The light that ``exponential`` shows so; infinite for 1."""
+    """Invert ``exponential``; infinite for 1."""
     return each(exponential_curve_inverse, np.minimum(physical(rgb), 1.0))
 
 
 def hable(rgb: ArrayLike) -> NDArray[Any]:
-    """Hable's filmic curve on each channel: a toe, a straight part, a shoulder that ends at 5.6.
+    """Map each channel by Hable's filmic curve: toe, linear part, shoulder that ends at 5.6.
 
     Parameters
     ----------
@@ -190,7 +190,7 @@ def hable(rgb: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     array, shape (..., 3)
-        0 to 1, same floating type. [1]
+        Linear sRGB, 0 to 1, same floating type. [1]
 
     References
     ----------
@@ -205,12 +205,12 @@ def hable(rgb: ArrayLike) -> NDArray[Any]:
 
 
 def hable_inverse(rgb: ArrayLike) -> NDArray[Any]:
-    """The light, 0 to 5.6, that ``hable`` shows so."""
+    """Invert ``hable``: light from 0 to 5.6."""
     return each(hable_curve_inverse, np.minimum(physical(rgb), 1.0))
 
 
 def reinhard(rgb: ArrayLike) -> NDArray[Any]:
-    """L / (1 + L) on luminance; the ratios of the channels stay.
+    """Map the luminance by L / (1 + L), keeping the ratios of the channels.
 
     Parameters
     ----------
@@ -235,14 +235,14 @@ def reinhard(rgb: ArrayLike) -> NDArray[Any]:
 
 
 def reinhard_inverse(rgb: ArrayLike) -> NDArray[Any]:
-    """The light that ``reinhard`` shows so, for luminance below 1."""
+    """Invert ``reinhard``, for luminance below 1."""
     shown = physical(rgb)
     darkening = np.maximum(1.0 - luminance(shown)[..., None], np.finfo(shown.dtype).eps)
     return np.asarray(shown / darkening)
 
 
 def reinhard_extended(rgb: ArrayLike, white: float = REINHARD_WHITE) -> NDArray[Any]:
-    r"""Reinhard's curve with a white point, on luminance.
+    r"""Map the luminance by Reinhard's curve with a white point.
 
     .. math:: L_d = L (1 + L/L_w^2) / (1 + L)
 
@@ -251,7 +251,7 @@ def reinhard_extended(rgb: ArrayLike, white: float = REINHARD_WHITE) -> NDArray[
     rgb : array, shape (..., 3)
         Linear sRGB after exposure. [1]
     white : float
-        The least luminance that is shown as 1; above 0. [1]
+        Smallest luminance that is mapped to 1; above 0. [1]
 
     Returns
     -------
@@ -277,12 +277,12 @@ def reinhard_extended(rgb: ArrayLike, white: float = REINHARD_WHITE) -> NDArray[
 
 
 def reinhard_extended_inverse(rgb: ArrayLike, white: float = REINHARD_WHITE) -> NDArray[Any]:
-    """The light that ``reinhard_extended`` shows so: L² / L_w² + (1 - L_d) L - L_d = 0."""
+    """Invert ``reinhard_extended``: L² / L_w² + (1 - L_d) L - L_d = 0."""
     _check_white(white)
     shown = physical(rgb)
     target = luminance(shown)[..., None].astype(np.float64)
     half = 0.5 * white * (1.0 - target)
-    # The larger root, without the difference of two near numbers when half > 0.
+    # The larger root, without cancellation when half > 0.
     root = np.sqrt(half * half + target)
     light = white * np.where(half > 0.0, target / (root + np.abs(half)), root - half)
     ratio = np.divide(light, target, out=np.ones_like(light), where=target > 0.0)
@@ -295,13 +295,13 @@ def _check_white(white: float) -> None:
 
 
 class ToneMap(NamedTuple):
-    """A tone map and its inverse, functions of linear sRGB, shape (..., 3)."""
+    """Tone map and its inverse, functions of linear sRGB, shape (..., 3)."""
 
     forward: Callable[[ArrayLike], NDArray[Any]]
     inverse: Callable[[ArrayLike], NDArray[Any]]
 
 
-#: The tone maps by name.
+#: Tone maps by name.
 TONE_MAPS: Final[dict[str, ToneMap]] = {
     "exponential": ToneMap(exponential, exponential_inverse),
     "hable": ToneMap(hable, hable_inverse),
@@ -313,12 +313,12 @@ TONE_MAPS: Final[dict[str, ToneMap]] = {
 
 
 def tone_map_named(name: str) -> ToneMap:
-    """The tone map of that name.
+    """Return the tone map of the given name.
 
     Raises
     ------
     ParameterError
-        If there is none.
+        If there is no such tone map.
 
     Examples
     --------

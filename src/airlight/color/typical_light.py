@@ -1,4 +1,4 @@
-"""Spectra of light as atmospheres send it, by formula: what few wavelengths are fitted to."""
+"""Typical spectra of atmospheric light by formula, to which few wavelengths are fitted."""
 
 from __future__ import annotations
 
@@ -13,45 +13,45 @@ from airlight.color.spectral import EYE
 from airlight.constants import DOBSON_UNIT
 from airlight.spectra.ozone import ozone_cross_section
 
-#: Powers n of λ⁻ⁿ that light begins with: gas; fine, coarse and grey haze or ground; red ground.
+#: Powers n of λ⁻ⁿ of the initial light: gas; fine, coarse and grey haze or ground; red ground.
 _SOURCES: Final = (4.0, 2.0, 1.0, 0.0, -1.0)
-#: Optical depths at 550 nm that scattering by gas takes away; 0.097 is Earth's zenith.
+#: Optical depths at 550 nm removed by scattering by gas; 0.097 is Earth's zenith.
 _GAS: Final = (0.0, 0.1, 0.3, 0.8, 2.0, 4.0)
-#: The same for haze, which goes with λ^-1.3.
+#: Optical depths at 550 nm removed by haze, which goes with λ^-1.3.
 _HAZE: Final = (0.0, 0.5)
-#: Layers of 300 Dobson units passed: noon has 1, dusk some tens.
+#: Layers of 300 Dobson units passed: 1 at noon, some tens at dusk.
 _OZONE: Final = (0.0, 3.0, 10.0, 30.0)
-#: What absorbs the blue (iron oxides, tholins, sulphur) has a logistic edge: middle, width, depth.
+#: Logistic edges of blue absorbers (iron oxides, tholins, sulphur): middle, width, depth.
 _EDGES: Final = (450.0, 480.0, 510.0, 540.0, 570.0)
 _WIDTHS: Final = (15.0, 30.0, 45.0)
 _DEPTHS: Final = (0.3, 1.0, 2.0, 4.0)
-#: Powers that such light begins with.
+#: Powers of the initial light of such spectra.
 _COLORED_SOURCES: Final = (0.0, 2.0, -1.0)
 
 
 @cache
 def typical_light() -> NDArray[np.float64]:
-    r"""Radiance over the star's irradiance, up to a factor, for light that atmospheres send.
+    r"""Radiance over the star's irradiance, up to a factor, for light of atmospheres.
 
-    With x = λ / 550 nm, scattered or reflected light that gas, haze and ozone weaken,
+    With x = λ / 550 nm, scattered or reflected light attenuated by gas, haze and ozone,
 
     .. math:: x^{-n} \exp(-\tau_g x^{-4} - \tau_h x^{-1.3} - N \sigma_{O_3}(\lambda)),
 
-    from a zenith to a setting sun and the blue of dusk, and light that lost its blue,
+    from a zenith to a setting sun and the blue of dusk, and light that has lost its blue,
 
     .. math:: x^{-n} \exp\left(-\frac{d}{1 + e^{(\lambda - \lambda_e) / w}}\right),
 
-    as dust, tholins and sulphur make it. Narrow bands (methane on Titan, water and oxygen on
-    Earth) are not among them; four wavelengths cannot see them.
+    by dust, tholins and sulphur. Narrow bands (methane on Titan, water and oxygen on Earth) are not
+    included, as four wavelengths cannot resolve them.
 
     Returns
     -------
     array, shape (420, 471)
-        At 360 to 830 nm. [1]
+        Spectra at 360 to 830 nm. [1]
 
     References
     ----------
-    Ångström (1929) for λ^-1.3 of haze; the ozone of ``airlight.spectra.ozone``.
+    Ångström (1929) for λ^-1.3 of haze; ozone as in ``airlight.spectra.ozone``.
     """
     x = EYE / 550.0
     ozone = 300.0 * DOBSON_UNIT * ozone_cross_section(EYE)

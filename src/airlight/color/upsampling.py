@@ -1,4 +1,4 @@
-"""Colours of a map to spectra of reflectance."""
+"""Reflectance spectra for the colours of a map."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from airlight.spectra.sun import solar_irradiance
 
 
 def reflectance_basis(wavelengths: ArrayLike) -> NDArray[np.float64]:
-    r"""Spectra of reflectance that a map's red, green and blue stand for.
+    r"""Reflectance spectra for red, green and blue of a map.
 
-    The reflectance ρ = basis @ rgb is the least steep one that has the colour under the sun:
+    The reflectance ρ = basis @ rgb is the smoothest one that has the colour under the sun:
 
     .. math:: \min \int \left(\frac{d\rho}{d\lambda}\right)^2 d\lambda \quad\text{where}\quad
               \int \rho\, E\, \bar c_k\, d\lambda = c_k \int E\, \bar c_k\, d\lambda,
@@ -28,12 +28,12 @@ def reflectance_basis(wavelengths: ArrayLike) -> NDArray[np.float64]:
     Parameters
     ----------
     wavelengths : array, shape (n,)
-        The end values stand beyond 360 and 830. [nm]
+        Wavelengths; the end values apply beyond 360 and 830. [nm]
 
     Returns
     -------
     array, shape (n, 3)
-        [1]
+        Reflectance per channel. [1]
 
     Raises
     ------
@@ -43,7 +43,7 @@ def reflectance_basis(wavelengths: ArrayLike) -> NDArray[np.float64]:
     References
     ----------
     Burns (2019), "Numerical methods for smoothly approximating a reflectance given RGB",
-    the least-slope-squares method, with the sun in the place of D65.
+    least-slope-squares method, with the sun instead of D65.
 
     Examples
     --------
@@ -61,7 +61,7 @@ def reflectance_basis(wavelengths: ArrayLike) -> NDArray[np.float64]:
 def _basis() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Wavelengths, shape (471,), and the basis there, shape (471, 3).
 
-    Lagrange's conditions, [[DᵀD, Aᵀ], [A, 0]] (ρ, multipliers) = (0, rgb); D takes differences,
+    Lagrange's conditions are [[DᵀD, Aᵀ], [A, 0]] (ρ, multipliers) = (0, rgb); D takes differences,
     A is the colour of a reflectance over the colour of white.
     """
     functions = cie_1931()

@@ -1,4 +1,4 @@
-"""CIE XYZ and linear sRGB, both ways, with the matrix that the golden numbers were made with.
+"""CIE XYZ and linear sRGB, both ways, with the matrix used for the golden numbers.
 
 Values are tristimulus values of a radiance or irradiance, in W m⁻² (sr⁻¹) weighted by the
 colour-matching functions: 683 lm/W times Y is a luminance or illuminance.
@@ -24,7 +24,7 @@ XYZ_TO_RGB: Final[NDArray[np.float64]] = np.array(
 )
 XYZ_TO_RGB.flags.writeable = False
 
-#: Linear sRGB to XYZ: the exact inverse, so that the two undo each other to rounding.
+#: Linear sRGB to XYZ: the exact inverse, so that a round trip is exact to rounding.
 RGB_TO_XYZ: Final[NDArray[np.float64]] = np.asarray(np.linalg.inv(XYZ_TO_RGB), np.float64)
 RGB_TO_XYZ.flags.writeable = False
 
@@ -47,7 +47,7 @@ def xyz_to_rgb(xyz: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     array, shape (..., 3)
-        Same unit and floating type; negative where the colour lies outside sRGB.
+        Linear sRGB in the same unit and floating type; negative where outside the gamut of sRGB.
 
     References
     ----------
@@ -72,7 +72,7 @@ def rgb_to_xyz(rgb: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     array, shape (..., 3)
-        Same unit and floating type.
+        Tristimulus values in the same unit and floating type.
 
     Examples
     --------
@@ -93,7 +93,7 @@ def luminance(rgb: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     array, shape (...)
-        Same unit and floating type; times 683 lm/W it is in cd m⁻² or lx.
+        Luminance in the same unit and floating type; times 683 lm/W it is in cd m⁻² or lx.
 
     Examples
     --------
@@ -105,7 +105,7 @@ def luminance(rgb: ArrayLike) -> NDArray[Any]:
 
 
 def chromaticity(xyz: ArrayLike) -> NDArray[Any]:
-    """Chromaticity coordinates x, y: the colour without its strength.
+    """Chromaticity coordinates x, y: the colour without its magnitude.
 
     Parameters
     ----------
@@ -114,7 +114,7 @@ def chromaticity(xyz: ArrayLike) -> NDArray[Any]:
     Returns
     -------
     array, shape (..., 2)
-        X and Y divided by X + Y + Z; 0 where that sum is 0. [1]
+        Values X and Y divided by X + Y + Z; 0 where that sum is 0. [1]
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""From frames to files: PNG and EXR, whole or not at all."""
+"""Files of pictures and of baked tables, written whole or not at all."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
-"""What a table of scattered light is filled with: the air's own radiance, from any solution.
+"""Radiance of the air alone, from any solution, for tables of scattered light.
 
-A solution answers with all the light along a line of sight, the ground's included. A table holds
-the air's alone, so that an engine can put its own ground behind it. The moments solver marches the
-air apart from the ground; from any other solver's answer the ground's part, which is its radiance
-times the transmittance, is taken off.
+A solution gives all the light along a line of sight, including the ground's. A table holds the
+air's light alone, so that an engine can put its own ground behind it. The moments solver marches
+the air apart from the ground; from other solvers' radiances the ground's part, its radiance times
+the transmittance, is subtracted.
 """
 
 from __future__ import annotations
@@ -23,46 +23,46 @@ from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Solution
 from airlight.tables.columns import columns
-from airlight.tables.layout import Places
+from airlight.tables.layout import Positions
 
 FloatArray = NDArray[np.float64]
 
-#: Directions on each axis of the sky for the light that one order sends to the ground.
+#: Directions on each axis of the quadrature of the light that one order sends to the ground.
 _SKY = 12
-#: Suns at which that light is computed; between them it is interpolated.
+#: Sun angles at which that light is computed and between which it is interpolated.
 _SUNS = 129
 
 
-def lines_of_sight(places: Places, medium: Medium) -> Sight:
-    """Places as lines of sight: each ends where its side of the horizon says."""
-    down = vectorized(distance_to_bottom)(places.r, places.mu, medium.bottom_radius)
-    up = vectorized(distance_to_top)(places.r, places.mu, medium.top_radius)
+def lines_of_sight(positions: Positions, medium: Medium) -> Sight:
+    """Convert points to lines of sight, each ending on its side of the horizon."""
+    down = vectorized(distance_to_bottom)(positions.r, positions.mu, medium.bottom_radius)
+    up = vectorized(distance_to_top)(positions.r, positions.mu, medium.top_radius)
     return Sight(
-        places.r,
-        places.mu,
-        places.mu_s,
-        places.nu,
-        np.where(places.to_ground, down, up),
-        places.to_ground,
+        positions.r,
+        positions.mu,
+        positions.mu_s,
+        positions.nu,
+        np.where(positions.to_ground, down, up),
+        positions.to_ground,
     )
 
 
 class AirLight:
-    """The air's own light of some orders, along any line of sight.
+    """Air's own light of some orders, along any line of sight.
 
     Parameters
     ----------
     solution : Solution
-        Of any solver.
+        Solution of any solver.
     order : int or None
-        For the light scattered or reflected exactly so many times; None for all of it.
+        Number of scatterings or reflections; None for all light.
     cumulative : bool
-        With an order: for the light of all orders up to it.
+        Whether all orders up to ``order`` are included.
 
     Raises
     ------
     ParameterError
-        If the solution has not kept such an order apart.
+        If the solution does not keep that order apart.
     """
 
     def __init__(
@@ -73,17 +73,17 @@ class AirLight:
         self.orders: tuple[int | None, ...] = (order,)
         if order is not None and cumulative:
             self.orders = tuple(range(1, order + 1))
-        #: Whether the solver gives the air alone for a line that is said to end in the air.
+        #: Whether the solver gives the air's light alone for a line marked as ending in the air.
         self.apart = isinstance(solution, MomentsSolution)
         self._skies: dict[int, tuple[FloatArray, FloatArray]] = {}
 
     @property
     def has_first(self) -> bool:
-        """Whether light scattered once is part of it."""
+        """Whether light scattered once is included."""
         return None in self.orders or 1 in self.orders
 
     def with_first(self, sight: Sight) -> tuple[FloatArray, FloatArray]:
-        """The air's light of all the orders together, and of the first, shape (n, nl). [sr⁻¹]"""
+        """Air's light of all the orders together, and of the first, shape (n, nl). [sr⁻¹]"""
         through = self._through(sight)
         first = self._of_order(sight, 1, through)
         rest = [
@@ -92,18 +92,18 @@ class AirLight:
         return np.asarray(sum(rest)), first
 
     def __call__(self, sight: Sight) -> FloatArray:
-        """The air's light of all the orders together, shape (n, nl). [sr⁻¹]"""
+        """Air's light of all the orders together, shape (n, nl). [sr⁻¹]"""
         through = self._through(sight)
         return np.asarray(sum(self._of_order(sight, order, through) for order in self.orders))
 
     def with_ground(self, sight: Sight) -> FloatArray:
-        """All the light of the orders, the ground's included, shape (n, nl). [sr⁻¹]"""
+        """Light of the chosen orders, the ground's included, shape (n, nl). [sr⁻¹]"""
         return np.asarray(
             sum(self.solution.relative_radiance(sight, order=order) for order in self.orders)
         )
 
     def _through(self, sight: Sight) -> FloatArray:
-        """Transmittance of the lines that end on the ground, (n of them, nl)."""
+        """Transmittance of the lines that end on the ground, one row for each, (rows, nl). [1]"""
         medium = self.solution.medium
         rows = sight.to_ground
         if self.apart:
@@ -129,7 +129,7 @@ class AirLight:
         return np.maximum(light, 0.0)
 
     def _received(self, mu_s: FloatArray, order: int | None) -> FloatArray:
-        """Irradiance of the ground whose reflection is of this order, shape (n, nl). [1]"""
+        """Irradiance of the ground whose reflection has this order, shape (n, nl). [1]"""
         r = np.full(mu_s.size, self.solution.medium.bottom_radius)
         if order == 1:
             return self.solution.relative_direct_irradiance(r, mu_s)
@@ -144,7 +144,7 @@ class AirLight:
     def _sky(self, order: int) -> tuple[FloatArray, FloatArray]:
         """Irradiance of the ground by the sky of one order, or of all (0), over the sun's cosine.
 
-        Some solvers integrate it anew for every sun: a table of suns is made once.
+        Some solvers integrate it for each sun, so a table over suns is made once.
         """
         if order not in self._skies:
             t = np.linspace(-1.0, 1.0, _SUNS)
@@ -154,7 +154,7 @@ class AirLight:
                 self._skies[0] = suns, self.solution.relative_sky_irradiance(ground, suns)
                 return self._skies[0]
             rule = gauss_legendre(_SKY)
-            # x² crowds the directions at the horizon, where the sky is steep.
+            # x² puts the directions densely at the horizon, where the sky is steep.
             mu, weight = rule.nodes**2, 2.0 * rule.nodes * rule.weights
             around = np.cos(np.pi * (np.arange(_SKY) + 0.5) / _SKY)
             mu_s, view, side = (x.ravel() for x in np.meshgrid(suns, mu, around, indexing="ij"))
@@ -171,7 +171,7 @@ class AirLight:
 
 
 def described_orders(order: int | None, cumulative: bool) -> str:
-    """The orders of scattering in words."""
+    """Description of the orders of scattering."""
     if order is None:
         return "all"
     if cumulative and order > 1:
@@ -180,9 +180,9 @@ def described_orders(order: int | None, cumulative: bool) -> str:
 
 
 def groups(medium: Medium) -> tuple[list[int], list[int]]:
-    """Indices of the constituents that scatter like molecules, and of the other ones that scatter.
+    """Indices of the constituents that scatter like molecules, and of all others that scatter.
 
-    Molecules have no moments of the phase function but the second.
+    The only moment of the phase function of molecules is the second.
     """
     moments = medium.phase_moments(4)
     gas: list[int] = []

@@ -1,4 +1,4 @@
-"""``bake``: a solution becomes tables for engines, with their error against the solution."""
+"""``bake``: tables for engines, made from a solution, with their error against it."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from airlight.errors import Cancelled, ParameterError
 from airlight.exports import table_errors
 from airlight.exports.air_light import AirLight, described_orders, lines_of_sight
+from airlight.exports.labelled_tables import Labels, facts, transmittance, unscattered
 from airlight.exports.packing import (
     FIT_AZIMUTHS,
     Parts,
@@ -27,22 +28,19 @@ from airlight.solvers.light_paths import only_straight
 from airlight.solvers.solution import Solution
 from airlight.tables.atmosphere_plus import AtmospherePlusLayout
 from airlight.tables.bruneton import BrunetonLayout
-from airlight.tables.columns import columns
-from airlight.tables.irradiance import IrradianceLayout
-from airlight.tables.layout import Layout, Places
+from airlight.tables.layout import Layout, Positions
 from airlight.tables.scattered_light import PhaseFunctions, ScatteredLight
-from airlight.tables.table import Table, stored
-from airlight.tables.transmittance import TransmittanceLayout
+from airlight.tables.table import Table
 
 FloatArray = NDArray[np.float64]
 
 #: Names of the layouts of scattered light.
 LAYOUT_NAMES: Final = ("bruneton", "atmosphere-plus")
-#: Texels that one block of work holds.
+#: Texels per block of work.
 _BLOCK: Final = 1 << 15
-#: Places at which the sky's irradiance is judged, at most.
+#: Largest number of points at which the sky's irradiance is compared.
 _SKIES: Final = 256
-#: What tables of scattered light hold.
+#: Quantity of the tables of scattered light.
 _AIR: Final = "radiance of the air alone, without the ground's, per irradiance of the star"
 
 
@@ -59,7 +57,7 @@ class Baked:
     about : dict
         Planet, fingerprint, solver, orders, wavelengths, irradiance of the star.
     errors : dict of str to Errors
-        By what was judged.
+        Errors by the name of what was compared.
     """
 
     light: ScatteredLight
@@ -84,32 +82,32 @@ def bake(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Baked:
-    """Fill tables from a solution of any solver, and measure their error.
+    """Fill tables from a solution of any solver, and measure their errors.
 
     Parameters
     ----------
     solution : Solution
-        The light.
+        Solution to bake.
     layout : str
         ``bruneton``: (r, mu, mu_s, nu). ``atmosphere-plus``: (altitude, mu, mu_s).
     mapping : str
-        Of ``atmosphere-plus``: ``linear``, ``power`` or ``weighted-power``.
+        Mapping of ``atmosphere-plus``: ``linear``, ``power`` or ``weighted-power``.
     packing : str, optional
-        ``bruneton``: ``separate`` (the usual: particles' single light in a table of its own) or
+        ``bruneton``: ``separate`` (the default: particles' single light in a table of its own) or
         ``combined`` (in alpha, colours restored at look-up). ``atmosphere-plus``: ``rgba`` (the
-        usual: particles in alpha, grey), ``separate`` or ``phase-included`` (at ``azimuth``).
+        default: particles in alpha, grey), ``separate`` or ``phase-included`` (at ``azimuth``).
     azimuth : float
-        Of a ``phase-included`` table; 0 looks to the sun's side. [deg]
+        Azimuth of a ``phase-included`` table; 0 looks to the sun's side. [deg]
     size : tuple of int, optional
         Texels along each axis; (32, 128, 32, 8) or (32, 256, 32) if left out.
     precision : str
-        ``single`` or ``half``; transmittance is always single.
+        Precision ``single`` or ``half``; transmittance is always single.
     order : int, optional
-        For the light scattered or reflected exactly so many times.
+        Number of scatterings or reflections to include alone.
     cumulative : bool
-        With an order: all orders up to it.
+        Whether all orders up to ``order`` are included.
     points, seed : int
-        Random places at which errors are measured.
+        Number and seed of the random points at which errors are measured.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -120,10 +118,10 @@ def bake(
     Raises
     ------
     ParameterError
-        For an unknown or impossible choice, or an order that the solution has not kept, or a
-        planet that bends light.
+        For an unknown or impossible choice, an order that the solution does not keep, or a planet
+        that bends light.
     Cancelled
-        If ``cancel`` said so.
+        If ``cancel`` returned True.
     """
     only_straight(solution.medium, "tables, whose look-ups draw straight lines")
     where = _layout(solution, layout, mapping, azimuth, size)
@@ -141,56 +139,19 @@ def bake(
         parts = Parts((), parts.gas, gas)
     reference = int(np.argmax(medium.wavelengths))
     colours = colours_of(medium, parts, reference)
-    names = tuple(f"{nm:.10g} nm" for nm in medium.wavelengths)
     orders = described_orders(order, cumulative)
-    provenance = {"solver": str(solution.report), "orders": orders}
-
-    def table(name: str, quantity: str, unit: str, where: Layout, values: FloatArray,
-              channels: tuple[str, ...], precision: str) -> Table:  # fmt: skip
-        if not np.isfinite(values).all():
-            raise ParameterError(f"table {name}", "NaN or infinity", "finite values")
-        kept, scale = stored(values.reshape(*where.shape, len(channels)), precision)
-        return Table(
-            name=name, quantity=quantity, unit=unit, layout=where, channels=channels,
-            values=kept, scale=scale, provenance=provenance,
-        )  # fmt: skip
-
-    tables = {}
-    shell: dict[str, Any] = {"bottom_radius": medium.bottom_radius, "top_radius": medium.top_radius}
-    to_top = TransmittanceLayout(**shell)
-    tables["transmittance"] = table(
-        "transmittance", "transmittance to the top of the shell", "1", to_top,
-        _transmittance(solution, to_top.places()), names, "single",
-    )  # fmt: skip
-    level = IrradianceLayout(**shell)
-    spots = level.places()
-    tables["irradiance"] = table(
-        "irradiance", "irradiance of level ground by the sky, per the star's; all orders", "1",
-        level, solution.relative_sky_irradiance(spots.r, spots.mu_s), names, precision,
-    )  # fmt: skip
+    label = Labels(medium, {"solver": str(solution.report), "orders": orders})
+    tables = unscattered(solution, label, precision)
     for name, values, quantity, unit in _scattering(
         air, where, parts, packing, (colours, reference), step
     ):
-        channels = names if values.shape[-1] == len(names) else (*names, "particles")
-        tables[name] = table(name, quantity, unit, where, values, channels, precision)
+        tables[name] = label.table(name, quantity, unit, where, values, precision)
     light = ScatteredLight(
         packing=packing, tables=tables, phases=parts.phases, colours=colours, reference=reference
     )
-    about = {
-        "planet": solution.planet.name if solution.planet is not None else "unnamed",
-        "fingerprint": medium.fingerprint(),
-        "solver": str(solution.report),
-        "orders": orders,
-        "wavelengths_nm": medium.wavelengths.tolist(),
-        "solar_irradiance_W_m-2_nm-1": medium.solar_irradiance.tolist(),
-        "ground_albedo": medium.ground_albedo.tolist(),
-        "star_angular_radius_rad": medium.star_angular_radius,
-        "bottom_radius_m": medium.bottom_radius,
-        "top_radius_m": medium.top_radius,
-    }
     azimuth_of = azimuth if packing == "phase-included" else None
     errors = _errors(air, light, azimuth_of, points, seed, step)
-    return Baked(light=light, tables=tables, about=about, errors=errors)
+    return Baked(light=light, tables=tables, about=facts(solution, orders), errors=errors)
 
 
 def _layout(
@@ -225,21 +186,21 @@ def _packing(layout: str, packing: str | None) -> str:
 
 
 class _Steps:
-    """Runs blocks one after another, each on all cores inside, with progress and cancel."""
+    """Run blocks one after another, each on all cores, with progress and cancellation."""
 
     def __init__(self, progress: Progress | None, cancel: Cancel | None) -> None:
         self.progress, self.cancel = progress, cancel
 
     def run(
-        self, places: Places, make: Callable[[Places], list[FloatArray]], message: str
+        self, positions: Positions, make: Callable[[Positions], list[FloatArray]], message: str
     ) -> list[FloatArray]:
-        """What ``make`` gives for all places, block by block, equal neighbours computed once."""
-        fresh = np.ones(len(places), bool)
-        for array in (places.r, places.mu, places.mu_s, places.nu, places.to_ground):
+        """Values of ``make`` at all points, block by block; equal neighbours are computed once."""
+        fresh = np.ones(len(positions), bool)
+        for array in (positions.r, positions.mu, positions.mu_s, positions.nu, positions.to_ground):
             fresh[1:] &= array[1:] == array[:-1]
         fresh[1:] = ~fresh[1:]
         index = np.cumsum(fresh) - 1
-        unique = places[fresh]
+        unique = positions[fresh]
         made: list[list[FloatArray]] = []
         for start in range(0, len(unique), _BLOCK):
             if self.cancel is not None and self.cancel():
@@ -250,13 +211,6 @@ class _Steps:
         return [np.concatenate(blocks)[index] for blocks in zip(*made, strict=True)]
 
 
-def _transmittance(solution: Solution, places: Places) -> FloatArray:
-    medium = solution.medium
-    length = lines_of_sight(places, medium).length
-    depth = columns(places.r, places.mu, length, medium.bottom_radius, medium.density)
-    return np.exp(-(depth @ medium.extinction))
-
-
 def _scattering(
     air: AirLight,
     where: Layout,
@@ -265,22 +219,22 @@ def _scattering(
     colours: tuple[FloatArray, int],
     step: _Steps,
 ) -> list[tuple[str, FloatArray, str, str]]:
-    """(name, values, quantity, unit) of each table of scattered light."""
+    """Name, values, quantity and unit of each table of scattered light."""
     medium = air.solution.medium
-    places = where.places()
+    positions = where.positions()
     smooth_is = f"{_AIR}, divided by the gas's phase function"
     dust_is = f"{_AIR}: the particles' part, divided by their phase function"
     if packing == "phase-included":
-        values = step.run(places, lambda p: [air(lines_of_sight(p, medium))], "scattering")[0]
+        values = step.run(positions, lambda p: [air(lines_of_sight(p, medium))], "scattering")[0]
         return [("scattering", values, _AIR, "sr-1")]
     if isinstance(where, AtmospherePlusLayout):
         grey = packing == "rgba"
 
-        def fit(block: Places) -> list[FloatArray]:
+        def fit(block: Positions) -> list[FloatArray]:
             smooth, dust = fit_azimuths(air, block, parts, grey=grey)
             return [np.concatenate([smooth, dust], axis=-1)] if grey else [smooth, dust]
 
-        fitted = step.run(places, fit, "scattering")
+        fitted = step.run(positions, fit, "scattering")
         note = f"; best fit over {FIT_AZIMUTHS} azimuths"
         if grey:
             return [("scattering", fitted[0], f"{smooth_is}; {dust_is}, grey{note}", "1")]
@@ -289,22 +243,22 @@ def _scattering(
             out.append(("particles", fitted[1], dust_is + note, "1"))
         return out
 
-    def apart(block: Places) -> list[FloatArray]:
+    def apart(block: Positions) -> list[FloatArray]:
         gas, rest, dust = split_once(air, block, parts, each=packing == "separate")
         return [gas, rest, *(dust[:, k] for k in range(dust.shape[1]))]
 
-    gas, rest, *dust = step.run(places, apart, "scattering")
-    # A texel whose angle no view and sun can have holds the light at the nearest possible one.
-    # What is scattered more than once does not follow the phase function, by which the texel's
+    gas, rest, *dust = step.run(positions, apart, "scattering")
+    # A texel whose angle no view and sun can have holds the light at the nearest possible angle.
+    # Light scattered more than once does not follow the phase function, by which the texel's
     # own angle will multiply it.
     angles = np.linspace(-1.0, 1.0, where.shape[-1])
-    of_axis = np.tile(parts.phases.at("gas", angles), (len(places) // angles.size, 1))
+    of_axis = np.tile(parts.phases.at("gas", angles), (len(positions) // angles.size, 1))
     smooth = gas + rest / of_axis
     if packing == "combined":
         if not dust:
             dust = [np.zeros_like(smooth)]
-        p_gas = parts.phases.at("gas", places.nu)
-        p_dust = parts.phases.at(parts.phases.names[-1], places.nu)
+        p_gas = parts.phases.at("gas", positions.nu)
+        p_dust = parts.phases.at(parts.phases.names[-1], positions.nu)
         light = smooth * p_gas + dust[0] * p_dust
         values = combine(light, dust[0], p_gas, p_dust, *colours)
         nm = medium.wavelengths[colours[1]]
@@ -318,9 +272,9 @@ def _scattering(
     return out
 
 
-def _air_and_all(air: AirLight, places: Places) -> list[FloatArray]:
-    """The air's light, and all the light of the same orders, the ground's included."""
-    sight = lines_of_sight(places, air.solution.medium)
+def _air_and_all(air: AirLight, positions: Positions) -> list[FloatArray]:
+    """Air's light, and all light of the same orders, the ground's included."""
+    sight = lines_of_sight(positions, air.solution.medium)
     own = air(sight)
     return [own, np.maximum(air.with_ground(sight), own)]
 
@@ -342,40 +296,40 @@ def _errors(
     for name, given in (("sky", None), ("sky at its azimuth", azimuth)):
         if name != "sky" and given is None:
             continue
-        places = table_errors.random_places(medium, points, seed, given)
-        exact, whole = step.run(places, lambda p: _air_and_all(air, p), "errors")
+        positions = table_errors.random_positions(medium, points, seed, given)
+        exact, whole = step.run(positions, lambda p: _air_and_all(air, p), "errors")
         turned = "even, 0 to 180 deg" if given is None else f"{given:g} deg"
-        made = light.relative_radiance(places)
+        made = light.relative_radiance(positions)
         for of, rows, quantity in (
-            ("", ~places.to_ground, "radiance of the air in views of the sky; relative"),
+            ("", ~positions.to_ground, "radiance of the air in views of the sky; relative"),
             (
                 " before the ground",
-                places.to_ground,
+                positions.to_ground,
                 "radiance of the air in views of the ground; relative to the ground's and its own",
             ),
         ):
-            seen = places[rows]
+            seen = positions[rows]
             errors[name.replace("sky", "air") + of if of else name] = table_errors.judge(
                 made[rows], exact[rows], seen, medium, quantity=quantity, seed=seed,
                 floor=table_errors.DARK, per=whole[rows], where=f"{drawn}; azimuth {turned}",
             )  # fmt: skip
-    # Some solvers integrate the sky anew for every sun.
-    places = table_errors.random_places(medium, min(points, _SKIES), seed)
+    # Some solvers integrate the sky for each sun.
+    positions = table_errors.random_positions(medium, min(points, _SKIES), seed)
     for name, r in (
-        ("irradiance on the ground", np.full(len(places), medium.bottom_radius)),
-        ("irradiance aloft", places.r),
+        ("irradiance on the ground", np.full(len(positions), medium.bottom_radius)),
+        ("irradiance aloft", positions.r),
     ):
-        spots = Places(r, places.mu, places.mu_s, places.nu, places.to_ground)
+        spots = Positions(r, positions.mu, positions.mu_s, positions.nu, positions.to_ground)
         errors[name] = table_errors.judge(
             light.tables["irradiance"].at(spots),
             solution.relative_sky_irradiance(spots.r, spots.mu_s), spots, medium,
             quantity="irradiance of level ground by the sky; relative", seed=seed,
             floor=table_errors.DARK_GROUND, where=drawn,
         )  # fmt: skip
-    places = table_errors.random_places(medium, points, seed)
-    up = table_errors.above_horizon(places, medium)
+    positions = table_errors.random_positions(medium, points, seed)
+    up = table_errors.above_horizon(positions, medium)
     errors["transmittance"] = table_errors.judge(
-        light.tables["transmittance"].at(up), _transmittance(solution, up), up, medium,
+        light.tables["transmittance"].at(up), transmittance(solution, up), up, medium,
         quantity="transmittance to the top; absolute", seed=seed, relative=False,
         where="altitude as for light; zenith angle even from 0 to the horizon",
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""OpenEXR: linear float32, every digit that the renderer has."""
+"""OpenEXR: linear float32, with all digits of the renderer."""
 
 from __future__ import annotations
 
@@ -26,19 +26,19 @@ def write_exr(
     Parameters
     ----------
     path : str or Path
-        Of the file.
+        Path of the file.
     rgb : array, shape (h, w, 3)
         Linear sRGB radiance, weighted by the colour-matching functions, float32.
-        [W m⁻² sr⁻¹; 683 times its luminance is cd m⁻², which the file's ``whiteLuminance`` says]
+        [W m⁻² sr⁻¹; 683 times its luminance is cd m⁻², recorded in the file as ``whiteLuminance``]
     metadata : mapping of str to str, optional
-        Goes into string attributes, each name with ``airlight.`` before it.
+        String attributes to add, each name prefixed with ``airlight.``.
 
     Raises
     ------
     ParameterError
-        If the array has another shape or type.
+        If the shape or type is not that.
     FileError
-        If the file cannot be written; then there is none, or the old one.
+        If the file cannot be written; an existing file is then unchanged.
     """
     import OpenEXR
 
@@ -51,10 +51,10 @@ def write_exr(
         "whiteLuminance": LUMINOUS_EFFICACY,
         **header(metadata or {}),
     }
-    with whole_file(path) as place:
+    with whole_file(path) as part:
         try:
             image = OpenEXR.File(attributes, {"RGB": np.ascontiguousarray(rgb)})
-            image.write(str(place))
+            image.write(str(part))
         except (RuntimeError, ValueError, TypeError) as error:
             raise FileError(path, f"cannot be written: {error}") from error
 
@@ -64,23 +64,23 @@ def write_exr_channels(
     channels: Mapping[str, NDArray[Any]],
     metadata: Mapping[str, str] | None = None,
 ) -> None:
-    """Write named channels of numbers that are no colours.
+    """Write named channels of numbers that are not colours.
 
     Parameters
     ----------
     path : str or Path
-        Of the file.
+        Path of the file.
     channels : mapping of str to array, shape (h, w)
-        float16 or float32, all of one shape and type.
+        Values, float16 or float32, all of one shape and type.
     metadata : mapping of str to str, optional
-        As for ``write_exr``.
+        Attributes, as for ``write_exr``.
 
     Raises
     ------
     ParameterError
-        If an array has another shape or type.
+        If the channels differ in shape or type, or have another type.
     FileError
-        If the file cannot be written; then there is none, or the old one.
+        If the file cannot be written; an existing file is then unchanged.
     """
     import OpenEXR
 
@@ -93,16 +93,16 @@ def write_exr_channels(
         "type": OpenEXR.scanlineimage,
         **header(metadata or {}),
     }
-    with whole_file(path) as place:
+    with whole_file(path) as part:
         try:
             arrays = {name: np.ascontiguousarray(array) for name, array in channels.items()}
-            OpenEXR.File(attributes, arrays).write(str(place))
+            OpenEXR.File(attributes, arrays).write(str(part))
         except (RuntimeError, ValueError, TypeError) as error:
             raise FileError(path, f"cannot be written: {error}") from error
 
 
 def read_exr_channels(path: str | Path) -> dict[str, NDArray[Any]]:
-    """Read what ``write_exr_channels`` wrote: channels by name.
+    """Read a file written by ``write_exr_channels``: channels by name.
 
     Raises
     ------
@@ -119,12 +119,12 @@ def read_exr_channels(path: str | Path) -> dict[str, NDArray[Any]]:
 
 
 def read_exr(path: str | Path) -> tuple[NDArray[np.float32], dict[str, str]]:
-    """Read what ``write_exr`` wrote.
+    """Read a file written by ``write_exr``.
 
     Parameters
     ----------
     path : str or Path
-        Of the file.
+        Path of the file.
 
     Returns
     -------
@@ -134,7 +134,7 @@ def read_exr(path: str | Path) -> tuple[NDArray[np.float32], dict[str, str]]:
     Raises
     ------
     FileError
-        If the file cannot be read or has no such channels.
+        If the file cannot be read or lacks these channels.
     """
     import OpenEXR
 

@@ -1,16 +1,16 @@
-"""What a picture's file says about how it was made: names and texts that every format takes."""
+"""Metadata in a picture's file, the same for every format."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from importlib import metadata as distributions
 
-#: Before every name of ours, because formats have an ``altitude`` of their own.
+#: Prefix of our names, because formats have an ``altitude`` of their own.
 PREFIX = "airlight."
 
 
 def header(metadata: Mapping[str, str]) -> dict[str, str]:
-    """Metadata as it goes into a file.
+    """Prepare metadata for a file.
 
     Parameters
     ----------
@@ -20,7 +20,7 @@ def header(metadata: Mapping[str, str]) -> dict[str, str]:
     Returns
     -------
     dict of str to str
-        Each name with ``airlight.`` before it, and ``airlight.version``; no control characters.
+        Names prefixed with ``airlight.``, and ``airlight.version``; no control characters.
 
     Examples
     --------
@@ -34,7 +34,7 @@ def header(metadata: Mapping[str, str]) -> dict[str, str]:
 
 
 def version() -> str:
-    """The version of airlight that runs."""
+    """Version of the running airlight."""
     try:
         return distributions.version("airlight")
     except distributions.PackageNotFoundError:

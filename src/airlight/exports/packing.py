@@ -1,8 +1,8 @@
-"""The air's light taken apart into what tables hold: a smooth part and the particles' part.
+"""The air's light split into what tables hold: a smooth part and the particles' part.
 
-The radiance of a place is made again as smooth · p_gas(ν) + Σ particles · p(ν). Light scattered
-once is exactly of this form; light scattered more often is not, since each phase function then
-depends on the direction the light came from. A table with an axis for ν takes the rest into its
+The radiance at a point is reconstructed as smooth · p_gas(ν) + Σ particles · p(ν). Light scattered
+once has exactly this form; light scattered more often has not, since each phase function then
+depends on the direction the light came from. A table with an axis for ν includes the rest in its
 smooth part and is exact at its texels; a table without one gets the best fit over azimuths.
 """
 
@@ -20,33 +20,34 @@ from airlight.optics.phase_functions import rayleigh
 from airlight.planets.medium import Medium
 from airlight.solvers.scattered_once import scattered_once
 from airlight.tables.atmosphere_plus import at_azimuth
-from airlight.tables.layout import Places
+from airlight.tables.layout import Positions
 from airlight.tables.scattered_light import PhaseFunctions
 
 FloatArray = NDArray[np.float64]
 
-#: Azimuths over which the fit is made: midpoints of so many parts of half a turn.
+#: Number of azimuths of the fit: midpoints of equal parts of half a turn.
 FIT_AZIMUTHS: Final = 8
-#: Weight of the light scattered once in the fit, where azimuths do not decide (a view straight
-#: up has one angle to the sun only). [1]
+#: Weight of the light scattered once in the fit, where azimuths do not determine it (a view
+#: straight up has one angle to the sun only). [1]
 _PRIOR: Final = 1e-4
-#: Radiance below this part of a place's largest counts as that part in the fit's weights. [1]
+#: Radiance below this fraction of a point's largest is raised to it in the fit's weights. [1]
 _DIM: Final = 1e-3
 _TINY: Final = 1e-12
 
 
 @dataclass(frozen=True)
 class Parts:
-    """Who scatters, for packing.
+    """Constituents that scatter, grouped for packing.
 
     Attributes
     ----------
     particles : tuple of int
-        Indices of the constituents that are no molecules.
+        Indices of the constituents that are not molecules.
     gas : tuple of int
         Indices of the molecules.
     phases : PhaseFunctions
-        ``gas``, and for tables of their own ``single-<name>`` each, otherwise ``particles``.
+        Phase function ``gas``, and ``single-<name>`` of each kind for tables of its own, otherwise
+        ``particles``.
     """
 
     particles: tuple[int, ...]
@@ -55,17 +56,17 @@ class Parts:
 
 
 def parts_of(medium: Medium, *, each: bool) -> Parts:
-    """Phase functions of the gas and of the particles, each kind's or their mean.
+    """Phase functions of the gas and of the particles, by kind or as their mean.
 
-    Means are weighted with vertical scattering optical depths. Where there is no gas, Rayleigh's
-    phase function stands for it.
+    Means are weighted by vertical scattering optical depths. Without gas, Rayleigh's phase function
+    takes its part.
 
     Parameters
     ----------
     medium : Medium
         The air.
     each : bool
-        Whether every kind of particles keeps its own.
+        Whether every kind of particles keeps its own phase function.
     """
     gas, particles = groups(medium)
     depth = medium.scattering * medium.columns[:, None]
@@ -87,7 +88,7 @@ def parts_of(medium: Medium, *, each: bool) -> Parts:
 
 
 def slug(name: str) -> str:
-    """A constituent's name as a part of a file's name.
+    """Convert a constituent's name to a part of a file's name.
 
     Examples
     --------
@@ -99,53 +100,54 @@ def slug(name: str) -> str:
 
 
 def split_once(
-    air: AirLight, places: Places, parts: Parts, *, each: bool
+    air: AirLight, positions: Positions, parts: Parts, *, each: bool
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Light of the gas, of the particles and of more orders at places whose ν is known.
+    """Split light into gas, particles and higher orders at points whose ν is known.
 
-    The particles' light is their single scattering by quadrature, brought to the solution's own
-    first order where that is mostly theirs (a solver may thin the air by its forward peaks).
+    The particles' light is their single scattering by quadrature, scaled to the solution's own
+    first order where that is mostly theirs (a solver may remove forward peaks from the phase
+    functions).
 
     Returns
     -------
     gas : array, shape (n, nl)
-        Scattered once by the gas, to be multiplied by ``gas``. [1]
+        Light scattered once by the gas, to be multiplied by its phase function. [1]
     rest : array, shape (n, nl)
-        Radiance of all that is left. [sr⁻¹]
+        Radiance of the remainder. [sr⁻¹]
     particles : array, shape (n, kinds, nl)
-        Scattered once, to be multiplied by each kind's phase function, or by their mean
-        (kinds = 1). [1]
+        Light scattered once by particles, to be multiplied by each kind's phase function, or by
+        their mean (kinds = 1). [1]
     """
     medium = air.solution.medium
-    sight = lines_of_sight(places, medium)
+    sight = lines_of_sight(positions, medium)
     kinds = len(parts.phases.names) - 1
     if not air.has_first:
         light = air(sight)
-        return np.zeros_like(light), light, np.zeros((len(places), kinds, light.shape[-1]))
+        return np.zeros_like(light), light, np.zeros((len(positions), kinds, light.shape[-1]))
     light, first = air.with_first(sight)
-    own = medium.phase_function(places.nu)
+    own = medium.phase_function(positions.nu)
     once = scattered_once(medium, sight)
     gas, particles = list(parts.gas), list(parts.particles)
-    if each:  # as the look-up has them
+    if each:  # as in the look-up
         for kind, index in zip(parts.phases.names[1:], particles, strict=True):
-            own[:, index] = parts.phases.at(kind, places.nu)
+            own[:, index] = parts.phases.at(kind, positions.nu)
     from_gas = (own[:, gas] * once[:, gas]).sum(axis=1)
     from_particles = (own[:, particles] * once[:, particles]).sum(axis=1)
     safe = np.maximum(from_particles, 1e-300)
     ratio = np.clip((first - from_gas) / safe, 0.5, 2.0)
     share = (from_particles / np.maximum(from_gas + from_particles, 1e-300)) ** 2
     factor = 1.0 + share * (ratio - 1.0)
-    # What is more than the whole would leave less than nothing for the rest.
+    # A larger part than the whole would leave a negative remainder.
     factor = np.minimum(factor, light / safe)
     left = np.maximum(light - factor * from_particles, 0.0)
     of_gas = np.minimum(from_gas, left)
-    smooth = of_gas / parts.phases.at("gas", places.nu)
+    smooth = of_gas / parts.phases.at("gas", positions.nu)
     if each:
         dust = once[:, particles] * factor[:, None]
     elif kinds:
-        dust = (factor * from_particles / parts.phases.at("particles", places.nu))[:, None]
+        dust = (factor * from_particles / parts.phases.at("particles", positions.nu))[:, None]
     else:
-        dust = np.zeros((len(places), 0, light.shape[-1]))
+        dust = np.zeros((len(positions), 0, light.shape[-1]))
     return smooth, left - of_gas, dust
 
 
@@ -167,7 +169,7 @@ def combine(
     Returns
     -------
     array, shape (n, nl + 1)
-        [1]
+        Channels. [1]
     """
     alpha = particles[:, reference]
     rest = np.maximum(light[:, reference] - alpha * p_particles[:, reference], 0.0)
@@ -181,14 +183,14 @@ def combine(
 
 
 def fit_azimuths(
-    air: AirLight, places: Places, parts: Parts, *, grey: bool
+    air: AirLight, positions: Positions, parts: Parts, *, grey: bool
 ) -> tuple[FloatArray, FloatArray]:
     """Smooth light and particles' light that fit all azimuths best, by relative least squares.
 
     Parameters
     ----------
-    air, places, parts
-        The light, where (any azimuth), and the phase functions ``gas`` and ``particles``.
+    air, positions, parts
+        Air's light, points (at any azimuth), and the phase functions ``gas`` and ``particles``.
     grey : bool
         Whether the particles' light is one number for all wavelengths.
 
@@ -201,19 +203,19 @@ def fit_azimuths(
     """
     medium = air.solution.medium
     azimuths = 180.0 * (np.arange(FIT_AZIMUTHS) + 0.5) / FIT_AZIMUTHS
-    around = [at_azimuth(places, azimuth) for azimuth in azimuths]
+    around = [at_azimuth(positions, azimuth) for azimuth in azimuths]
     light = np.stack([air(lines_of_sight(one, medium)) for one in around])
     p_gas = np.stack([parts.phases.at("gas", one.nu) for one in around])
     weight = 1.0 / np.maximum(light, _DIM * light.max(axis=0) + _TINY) ** 2
     gas_gas = (weight * p_gas * p_gas).sum(axis=0)
     gas_light = (weight * p_gas * light).sum(axis=0)
     if not parts.particles:
-        nothing = np.zeros((len(places), 1 if grey else light.shape[-1]))
+        nothing = np.zeros((len(positions), 1 if grey else light.shape[-1]))
         return gas_light / gas_gas, nothing
     p_dust = np.stack([parts.phases.at("particles", one.nu) for one in around])
     once = np.zeros(light.shape[1:])
     if air.has_first:
-        across = at_azimuth(places, 90.0)
+        across = at_azimuth(positions, 90.0)
         scattered = scattered_once(medium, lines_of_sight(across, medium))
         once = scattered[:, list(parts.particles)].sum(axis=1)
     gas_dust = (weight * p_gas * p_dust).sum(axis=0)
@@ -226,7 +228,7 @@ def fit_azimuths(
         above, below = above.sum(axis=-1, keepdims=True), below.sum(axis=-1, keepdims=True)
     dust = np.maximum(above / below, 0.0)
     smooth = (gas_light - gas_dust * dust) / gas_gas
-    # Less than nothing is left for the smooth part: the particles' part alone must do.
+    # The smooth part would be negative: the particles' part must fit alone.
     alone = (weight * p_dust * light).sum(axis=0) / dust_dust
     if grey:
         alone = alone.min(axis=-1, keepdims=True)

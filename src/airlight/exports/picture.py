@@ -1,4 +1,4 @@
-"""A frame's colours to a file: the suffix says which kind."""
+"""Pictures as files in the format of their suffix."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ from airlight.exports.exr import write_exr
 from airlight.exports.png import write_png
 from airlight.exports.whole_file import check_target
 
-#: What can be written, by the file's suffix.
+#: Suffixes of the formats that can be written.
 SUFFIXES = (".png", ".exr")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Written:
-    """What became of a picture.
+    """Written picture.
 
     Parameters
     ----------
     path : Path
-        Of the file.
+        Path of the file.
     size : int
-        Of the file. [byte]
+        Size of the file. [byte]
     exposure : float or None
-        That was used, or None for a linear file. [EV]
+        Exposure used, or None for a linear file. [EV]
     """
 
     path: Path
@@ -38,22 +38,22 @@ class Written:
 
 
 def picture_suffix(path: str | Path) -> str:
-    """The suffix of a picture to be written, after a look whether it can be.
+    """Return the suffix of a picture to be written, after checking that it can be written.
 
     Parameters
     ----------
     path : str or Path
-        Of the file to come.
+        Path of the future file.
 
     Returns
     -------
     str
-        One of ``SUFFIXES``.
+        Suffix, one of ``SUFFIXES``.
 
     Raises
     ------
     FileError
-        If the suffix is another one, or nothing can be written there.
+        If the suffix is unknown, or nothing can be written there.
     """
     suffix = Path(path).suffix.lower()
     if suffix not in SUFFIXES:
@@ -76,28 +76,28 @@ def write_picture(
     Parameters
     ----------
     path : str or Path
-        Ends in ``.png`` or ``.exr``.
+        Path ending in ``.png`` or ``.exr``.
     rgb : array, shape (h, w, 3)
         Linear sRGB radiance, weighted by the colour-matching functions, float32. [W m⁻² sr⁻¹]
     metadata : mapping of str to str, optional
-        How the frame was made; stands in the file.
+        Facts of how the frame was made, recorded in the file.
     exposure : float or "auto"
         The colours are multiplied by 2 to this power; ``auto`` takes it from the mean of the
         logarithm of the luminance. Only for PNG. [EV]
     tone_map, encoding : str
-        As ``airlight.color`` names them. Only for PNG.
+        Names of ``airlight.color``. Only for PNG.
 
     Returns
     -------
     Written
-        Where, how large, and the exposure used.
+        Path, size, and the exposure used.
 
     Raises
     ------
     ParameterError
-        For an unknown tone map or encoding, or an exposure that is no number.
+        For an unknown tone map or encoding, or an exposure that is not a number.
     FileError
-        If the file cannot be written; then there is none, or the old one.
+        If the file cannot be written; an existing file is then unchanged.
     """
     suffix = picture_suffix(path)
     used: float | None = None

@@ -1,4 +1,4 @@
-"""PNG: eight bits a channel, for looking at; the scene stands in its text chunks."""
+"""PNG: eight bits per channel, for viewing, with the scene in its text chunks."""
 
 from __future__ import annotations
 
@@ -28,25 +28,25 @@ def write_png(
     *,
     encoding: str = "srgb",
 ) -> None:
-    """Write a picture that is ready to be shown.
+    """Write a picture that is ready for display.
 
     Parameters
     ----------
     path : str or Path
-        Of the file.
+        Path of the file.
     pixels : array, shape (h, w, 3)
         Encoded red, green, blue, 0 to 255.
     metadata : mapping of str to str, optional
-        Goes into text chunks, each name with ``airlight.`` before it.
+        Text chunks to add, each name prefixed with ``airlight.``.
     encoding : str
-        How the pixels are encoded, ``srgb`` or ``gamma`` (1/2.2), told to the reader.
+        How the pixels are encoded, ``srgb`` or ``gamma`` (1/2.2), recorded in the file.
 
     Raises
     ------
     ParameterError
-        If the array has another shape or type.
+        If the shape or type is not that.
     FileError
-        If the file cannot be written; then there is none, or the old one.
+        If the file cannot be written; an existing file is then unchanged.
     """
     from PIL import Image
     from PIL.PngImagePlugin import PngInfo
@@ -61,22 +61,22 @@ def write_png(
     for name, text in header(metadata or {}).items():
         info.add_text(name, text)
     image: Any = Image.fromarray(np.ascontiguousarray(pixels))
-    with whole_file(path) as place, place.open("wb") as stream:
+    with whole_file(path) as part, part.open("wb") as stream:
         image.save(stream, format="png", pnginfo=info, compress_level=5)
 
 
 def read_png_metadata(path: str | Path) -> dict[str, str]:
-    """The text chunks of a PNG.
+    """Read the text chunks of a PNG.
 
     Parameters
     ----------
     path : str or Path
-        Of the file.
+        Path of the file.
 
     Returns
     -------
     dict of str to str
-        Names with their ``airlight.``.
+        Texts by name, with the prefix ``airlight.``.
     """
     from PIL import Image
 

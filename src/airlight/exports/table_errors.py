@@ -1,4 +1,4 @@
-"""The error of baked tables against the solution they come from, at random places."""
+"""Error of baked tables against the solution they come from, at random points."""
 
 from __future__ import annotations
 
@@ -11,43 +11,43 @@ from numpy.typing import NDArray
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import vectorized
 from airlight.planets.medium import Medium
-from airlight.tables.layout import Places
+from airlight.tables.layout import Positions
 
 FloatArray = NDArray[np.float64]
 
-#: Places at which errors are measured, unless asked otherwise.
+#: Default number of points at which errors are measured.
 ERROR_POINTS: Final = 8192
 SEED: Final = 20130527
-#: Radiance below this is not judged. [sr⁻¹]
+#: Radiance below which a value is not compared. [sr⁻¹]
 DARK: Final = 1e-6
-#: Irradiance below this, per the star's, is not judged. [1]
+#: Irradiance, relative to the star's, below which a value is not compared. [1]
 DARK_GROUND: Final = 1e-6
-#: The star goes down to so far below level. [deg]
+#: Largest zenith angle of the star. [deg]
 LOWEST_SUN: Final = 96.0
 
 
 @dataclass(frozen=True, kw_only=True)
 class Errors:
-    """How far a table is from the solution, at places that are no texels.
+    """Error of a table against the solution, at points between its texels.
 
     Attributes
     ----------
     quantity : str
-        What is compared, and whether errors are relative.
+        Compared quantity, and whether errors are relative.
     where : str
-        How the places were drawn.
+        Distribution of the points.
     points : int
-        Values that were judged: places times wavelengths, without those below ``floor``.
+        Number of values compared: points times wavelengths, without those below ``floor``.
     seed : int
-        Of the random places.
+        Seed of the random points.
     floor : float
-        Values below it were left out.
+        Lower limit of the values compared.
     median, rms, percentile_95, maximum : float
-        Of the absolute value of the error. [1]
+        Statistics of the absolute value of the error. [1]
     bias : float
-        Mean of the error with its sign. [1]
+        Mean of the signed error. [1]
     worst : dict
-        The place of the largest error, and both values there.
+        Point of the largest error, and both values there.
     """
 
     quantity: str
@@ -63,12 +63,14 @@ class Errors:
     worst: dict[str, float]
 
     def as_dict(self) -> dict[str, Any]:
-        """For a manifest."""
+        """Return the fields for a manifest."""
         return asdict(self)
 
 
-def random_places(medium: Medium, count: int, seed: int, azimuth: float | None = None) -> Places:
-    """Places and directions in the shell.
+def random_positions(
+    medium: Medium, count: int, seed: int, azimuth: float | None = None
+) -> Positions:
+    """Random points and directions in the shell.
 
     Altitudes are the square of an even distribution over the shell, zenith angles of view and
     star even in angle, down to LOWEST_SUN; the azimuth is even from 0 to 180, or as given. [deg]
@@ -79,15 +81,15 @@ def random_places(medium: Medium, count: int, seed: int, azimuth: float | None =
     mu, mu_s = np.cos(np.pi * view), np.cos(np.radians(LOWEST_SUN) * sun)
     turn = np.cos(np.pi * around if azimuth is None else np.full(count, np.radians(azimuth)))
     nu = np.clip(mu * mu_s + np.sqrt((1.0 - mu**2) * (1.0 - mu_s**2)) * turn, -1.0, 1.0)
-    return Places.of(r, mu, mu_s, nu, bottom_radius=medium.bottom_radius)
+    return Positions.of(r, mu, mu_s, nu, bottom_radius=medium.bottom_radius)
 
 
-def above_horizon(places: Places, medium: Medium) -> Places:
-    """The same radii with the views between the horizon and straight up, evenly in angle."""
-    horizon = np.arccos(vectorized(horizon_cosine)(places.r, medium.bottom_radius))
-    mu = np.cos(horizon * (np.arccos(places.mu) / np.pi) * (1.0 - 1e-9))
-    return Places.of(
-        places.r, mu, places.mu_s, places.nu,
+def above_horizon(positions: Positions, medium: Medium) -> Positions:
+    """The same radii with views between the horizon and the zenith, evenly in angle."""
+    horizon = np.arccos(vectorized(horizon_cosine)(positions.r, medium.bottom_radius))
+    mu = np.cos(horizon * (np.arccos(positions.mu) / np.pi) * (1.0 - 1e-9))
+    return Positions.of(
+        positions.r, mu, positions.mu_s, positions.nu,
         bottom_radius=medium.bottom_radius, to_ground=False,
     )  # fmt: skip
 
@@ -95,7 +97,7 @@ def above_horizon(places: Places, medium: Medium) -> Places:
 def judge(
     table: FloatArray,
     solver: FloatArray,
-    places: Places,
+    positions: Positions,
     medium: Medium,
     *,
     quantity: str,
@@ -121,10 +123,10 @@ def judge(
     size = np.abs(np.where(judged, error, 0.0))
     row, column = np.unravel_index(int(size.argmax()), size.shape)
     worst = {
-        "altitude_m": places.r[row] - medium.bottom_radius,
-        "view_zenith_deg": np.degrees(np.arccos(places.mu[row])),
-        "sun_zenith_deg": np.degrees(np.arccos(places.mu_s[row])),
-        "view_to_sun_deg": np.degrees(np.arccos(places.nu[row])),
+        "altitude_m": positions.r[row] - medium.bottom_radius,
+        "view_zenith_deg": np.degrees(np.arccos(positions.mu[row])),
+        "sun_zenith_deg": np.degrees(np.arccos(positions.mu_s[row])),
+        "view_to_sun_deg": np.degrees(np.arccos(positions.nu[row])),
         "wavelength_nm": medium.wavelengths[column],
         "table": table[row, column],
         "solver": solver[row, column],

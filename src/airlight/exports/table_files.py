@@ -1,10 +1,10 @@
 """Tables on disk: NPZ for programs, EXR for engines and eyes, one JSON manifest for both.
 
-Of every table there is ``<name>.npz`` with the array ``values``, shape (axes in the manifest's
-order, channels), as stored, and ``<name>.exr`` with the same values as a picture: the texture's
-slices one above the other, the first slice on top, so that the rows in their order are the
-texture in memory. ``value = scale * stored``. ``phase-functions.npz`` has what the light is to be
-multiplied by. The manifest says the rest, with a SHA-256 of every file.
+Every table has ``<name>.npz`` with the array ``values``, shape (axes in the manifest's order,
+channels), as stored, and ``<name>.exr`` with the same values as a picture: the texture's slices one
+above the other, the first on top, so that the rows in their order are the texture in memory.
+``value = scale * stored``. ``phase-functions.npz`` has the factors of the light. The manifest
+describes them, with a SHA-256 of every file.
 
 A folder of tables appears whole: files are written beside it first, and the manifest comes last.
 """
@@ -32,9 +32,9 @@ from airlight.exports.table_errors import Errors
 from airlight.tables.scattered_light import PhaseFunctions, ScatteredLight
 from airlight.tables.table import Table, layout_of
 
-#: The manifest's name in its folder.
+#: Name of the manifest in its folder.
 MANIFEST: Final = "manifest.json"
-#: What the manifest says it is.
+#: Format named in the manifest.
 FORMAT: Final = "airlight tables 1"
 _PHASES: Final = "phase-functions.npz"
 _FORMULAS: Final = {
@@ -54,20 +54,20 @@ def write_tables(folder: str | Path, baked: Baked) -> Path:
     Parameters
     ----------
     folder : str or Path
-        To be made; or an empty folder; or one that holds tables already, which are replaced.
+        Folder to create, an empty folder, or one that holds tables already, which are replaced.
     baked : Baked
-        From ``bake``.
+        Tables from ``bake``.
 
     Returns
     -------
     Path
-        Of the manifest.
+        Path of the manifest.
 
     Raises
     ------
     FileError
-        If the folder holds other files of these names, or cannot be written to; then it is as
-        before.
+        If the folder holds other files of these names, or cannot be written to; it is then
+        unchanged.
     """
     target = check_folder(folder)
     with _beside(target, folder) as part:
@@ -93,12 +93,12 @@ def write_tables(folder: str | Path, baked: Baked) -> Path:
 
 
 def check_folder(folder: str | Path) -> Path:
-    """The place of a folder of tables, if one can be written there: to be asked before long work.
+    """Resolve a folder of tables and check that it can be written, before long work.
 
     Raises
     ------
     FileError
-        If it is a file, its parent is missing, or it holds files but no tables of ours.
+        If it is a file, its parent is missing, or it holds files but no tables of airlight.
     """
     target = Path(folder).resolve()
     try:
@@ -134,7 +134,7 @@ def _put(part: Path, target: Path) -> None:
     old = target / MANIFEST
     if old.is_file():
         stale = _files_of(_read_manifest(old))
-        old.unlink()  # from here on the folder says that it is not whole
+        old.unlink()  # from here on the folder is marked as incomplete
         for name in stale:
             (target / name).unlink(missing_ok=True)
     for file in sorted(part.iterdir(), key=lambda path: path.name == MANIFEST):
@@ -210,9 +210,9 @@ def texture_size(table: Table) -> tuple[int, int, int]:
 
 
 def exr_channels(table: Table) -> dict[str, NDArray[Any]]:
-    """The stored values as a picture's channels, each of shape (depth·height, width).
+    """Stored values as a picture's channels, each of shape (depth·height, width).
 
-    Three wavelengths from long to short are R, G and B; the particles' channel is A.
+    Three wavelengths from long to short become R, G and B; the particles' channel becomes A.
     """
     width, height, depth = texture_size(table)
     names = [axis.name for axis in table.layout.axes]
@@ -241,12 +241,12 @@ def _texts(baked: Baked, table: Table) -> dict[str, str]:
 
 
 def load_tables(manifest: str | Path) -> Baked:
-    """Read back what ``write_tables`` wrote: the same look-ups, bit by bit.
+    """Read the tables written by ``write_tables``: look-ups are the same bit by bit.
 
     Parameters
     ----------
     manifest : str or Path
-        Of the manifest, or of its folder.
+        Path of the manifest, or of its folder.
 
     Returns
     -------
@@ -278,7 +278,7 @@ def load_tables(manifest: str | Path) -> Baked:
 
 
 def load_table(manifest: str | Path, name: str = "scattering") -> Table:
-    """One table of a manifest; see ``load_tables``."""
+    """Load one table of a manifest; see ``load_tables``."""
     path = _manifest_path(manifest)
     content = _read_manifest(path)
     if name not in content["tables"]:

@@ -1,4 +1,4 @@
-"""A file appears whole or not at all: written beside its place, then renamed into it."""
+"""Files that appear whole or not at all: written beside their target, then renamed."""
 
 from __future__ import annotations
 
@@ -12,24 +12,24 @@ from airlight.errors import FileError
 
 
 def check_target(path: str | Path) -> Path:
-    """The place of a file to be written, if one can be written there.
+    """Resolve the path of a file to be written and check that it can be.
 
-    To be asked before long work, so that a misspelt folder costs no time.
+    To be called before long work, so that a misspelt folder costs no time.
 
     Parameters
     ----------
     path : str or Path
-        Of the file to come; links are followed.
+        Path of the future file; links are followed.
 
     Returns
     -------
     Path
-        Without links.
+        Path without links.
 
     Raises
     ------
     FileError
-        If the folder is missing or closed, or what is in the place is protected or no file.
+        If the folder is missing or closed, or the target is protected or not a file.
     """
     try:
         target = Path(path).resolve()
@@ -43,47 +43,51 @@ def check_target(path: str | Path) -> Path:
             raise FileError(path, f"there is no folder {target.parent}")
         if not os.access(target.parent, os.W_OK | os.X_OK):
             raise FileError(path, f"the folder {target.parent} cannot be written to")
-    except (OSError, ValueError, RuntimeError) as error:  # too long, a zero byte, a ring of links
+    except (
+        OSError,
+        ValueError,
+        RuntimeError,
+    ) as error:  # too long, a null character, a cycle of links
         raise FileError(path, str(error)) from error
     return target
 
 
 @contextlib.contextmanager
 def whole_file(path: str | Path) -> Iterator[Path]:
-    """A place to write to; its content moves to ``path`` if the block ends well.
+    """Yield a temporary path whose content moves to ``path`` if the block ends well.
 
     Parameters
     ----------
     path : str or Path
-        Of the file to come.
+        Path of the future file.
 
     Yields
     ------
     Path
-        An empty file in the same folder.
+        Path of an empty file in the same folder.
 
     Raises
     ------
     FileError
-        As ``check_target`` does, and if the file cannot be written.
+        As for ``check_target``, and if the file cannot be written.
 
     Examples
     --------
     >>> import tempfile
     >>> folder = Path(tempfile.mkdtemp())
-    >>> with whole_file(folder / "note.txt") as place:
-    ...     _ = place.write_text("done")
+    >>> with whole_file(folder / "note.txt") as part:
+    ...     _ = part.write_text("done")
     >>> [file.name for file in folder.iterdir()]
     ['note.txt']
     """
     target = check_target(path)
-    place = target.with_name(f".{secrets.token_hex(8)}.part")
+    part = target.with_name(f".{secrets.token_hex(8)}.part")
     try:
-        place.touch(exist_ok=False)
-        yield place
-        place.replace(target)
+        part.touch(exist_ok=False)
+        yield part
+        part.replace(target)
     except OSError as error:
         raise FileError(path, f"cannot be written: {error.strerror or error}") from error
     finally:
         with contextlib.suppress(OSError):
-            place.unlink(missing_ok=True)
+            part.unlink(missing_ok=True)

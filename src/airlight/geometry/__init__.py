@@ -1,1 +1,1 @@
-"""A sphere in a shell: distances, horizons, paths, quadratures. No physics of light."""
+"""Geometry of a spherical shell: distances, horizons, paths, quadratures."""

@@ -1,15 +1,15 @@
-r"""Bent rays drawn straight: directions along them, and where a star seems to stand.
+r"""Bent rays drawn as straight lines: directions along them, and apparent positions of a star.
 
 In air whose refractive index n depends on the radius alone, Bouguer's invariant
 b = n r sin z holds along a ray. With the **optical radius** x = n r it reads b = x sin z: drawn in
 the plane with x for the radius, the ray is straight and has its true zenith angle at every point,
-so all the geometry of straight rays serves bent ones. Two things differ: a step of arc length is
-dr/dx times the drawn one, which is taken into the densities; and the angle ψ at the centre grows
-faster, dψ = dψ_x (x/r) dr/dx. The difference, summed along the ray, is the angle by which the light
-has been bent; a star's zenith angle at a point of the ray is off by it.
+so all the geometry of straight rays applies to bent ones. Two things differ: a step of arc length
+is dr/dx times the drawn one, a factor included in the densities; and the angle ψ at the centre
+grows faster, dψ = dψ_x (x/r) dr/dx. The difference, summed along the ray, is the angle by which the
+light has been bent, and the error of a star's zenith angle at a point of the ray if it is ignored.
 
 Source: Auer & Standish (2000), Astronomical Journal 119, 2472, for Bouguer's invariant and its
-quadrature; Costa et al. (2021), IEEE TVCG 27, 785, section 4.4, for what it is wanted for.
+quadrature; Costa et al. (2021), IEEE TVCG 27, 785, section 4.4, for the effects on pictures.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from airlight.kernel import inlined, kernel
 
 @kernel
 def turned(mu, mu_s, nu, angle):
-    """Cosines at a point of a bent ray, from those of the straight ray it is drawn as.
+    """Cosines at a point of a bent ray, from those of the corresponding straight ray.
 
     Parameters
     ----------
@@ -32,17 +32,17 @@ def turned(mu, mu_s, nu, angle):
     mu_s, nu : float
         Cosine of the star's zenith angle at the point as drawn, and between star and ray. [1]
     angle : float
-        By which the ray has been bent from its start to the point. [rad]
+        Angle by which the ray has been bent from its start to the point. [rad]
 
     Returns
     -------
     mu_s, nu : float
-        At the point as it is. [1]
+        Cosines at the true point. [1]
 
     Notes
     -----
-    Point and ray are turned together, about the axis that is at right angles to both; the star
-    stays. A vertical ray is not bent. Both answers are linear in ``mu_s`` and ``nu``.
+    Point and ray are rotated together, about the axis perpendicular to both; the star stays fixed.
+    A vertical ray is not bent. Both results are linear in ``mu_s`` and ``nu``.
 
     Examples
     --------
@@ -58,23 +58,55 @@ def turned(mu, mu_s, nu, angle):
 
 @kernel
 def bend_angle(x, mu, bend, column):
-    """Angle by which a ray is bent on a stretch whose column of "bending" is known. [rad]
+    """Angle by which a ray is bent on a stretch of known column of "bending". [rad]
 
     Parameters
     ----------
     x, mu : float
         Optical radius of any point of the ray [m], and its zenith cosine there [1].
     bend : float
-        See ``optics.bent_density``. [m⁻²]
+        Strength of the bending; see ``optics.bent_density``. [m⁻²]
     column : float
-        [m]
+        Column of "bending" along the stretch. [m]
     """
     return bend * column * x * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
 
 
 @inlined
+def place_of_star(x, mu_s, bottom, top, lift):
+    """Where a star stands in the table ``lift``; parameters as in ``seen_star``.
+
+    Returns
+    -------
+    row, f, column, e : int, float, int, float
+        Node below, and part of the way to the next one, of either axis. [1]
+    above : float
+        Cosine of its zenith angle above that of the true place of the horizon. [1]
+    """
+    tangent = sqrt((top - bottom) * (top + bottom))
+    at = sqrt(max((x - bottom) * (x + bottom), 0.0)) / tangent * (lift.shape[0] - 1)
+    row = min(int(at), lift.shape[0] - 2)
+    f = at - row
+    lifted = lift[row, 0, 0] * (1.0 - f) + lift[row + 1, 0, 0] * f
+    true_horizon = horizon_cosine(x, bottom) - lifted
+    above = mu_s - true_horizon
+    share = sqrt(min(max(above, 0.0) / (1.0 - true_horizon), 1.0)) * (lift.shape[1] - 1)
+    column = min(int(share), lift.shape[1] - 2)
+    return row, f, column, share - column, above
+
+
+@inlined
+def raised_star(x, mu_s, bottom, top, lift):
+    """Cosine of the zenith angle at which a star is seen; as ``seen_star``. [1]"""
+    row, f, column, e, _ = place_of_star(x, mu_s, bottom, top, lift)
+    near = (1.0 - e) * lift[row, column, 0] + e * lift[row, column + 1, 0]
+    far = (1.0 - e) * lift[row + 1, column, 0] + e * lift[row + 1, column + 1, 0]
+    return min(mu_s + (1.0 - f) * near + f * far, 1.0)
+
+
+@inlined
 def seen_star(x, mu_s, bottom, top, lift):
-    """Where a star seems to stand from a point of optical radius x, and how it is squeezed.
+    """Apparent zenith cosine of a star from a point of optical radius x, and its flattening.
 
     Parameters
     ----------
@@ -85,31 +117,22 @@ def seen_star(x, mu_s, bottom, top, lift):
     bottom, top : float
         Optical radii of the ground and of the top. [m]
     lift : array, shape (rows, columns, 2)
-        From ``airlight.tables.star_lift``; of no rows where light goes straight. [1]
+        Table from ``airlight.tables.star_lift``; without rows where light goes straight. [1]
 
     Returns
     -------
     mu_seen : float
-        Cosine of the zenith angle at which the star is seen. [1]
+        Cosine of the star's apparent zenith angle. [1]
     squeeze : float
-        d mu_seen/d mu_s: by so much the star's disc is smaller than without air, and so is the
-        light that arrives, since each part of the disc keeps its radiance. [1]
+        d mu_seen/d mu_s: the factor by which the star's disc is smaller than without air, and so is
+        the light that arrives, since each part of the disc keeps its radiance. [1]
     elevation : float
-        True elevation above the true place of the horizon, right near it. [rad]
+        True elevation above the true position of the horizon, accurate near it. [rad]
     """
     if lift.shape[0] == 0:
         return mu_s, 1.0, sun_elevation(x, mu_s, bottom)
     sine = bottom / x
-    horizon = horizon_cosine(x, bottom)
-    tangent = sqrt((top - bottom) * (top + bottom))
-    at = sqrt(max((x - bottom) * (x + bottom), 0.0)) / tangent * (lift.shape[0] - 1)
-    row = min(int(at), lift.shape[0] - 2)
-    f = at - row
-    true_horizon = horizon - (lift[row, 0, 0] * (1.0 - f) + lift[row + 1, 0, 0] * f)
-    above = mu_s - true_horizon
-    share = sqrt(min(max(above, 0.0) / (1.0 - true_horizon), 1.0)) * (lift.shape[1] - 1)
-    column = min(int(share), lift.shape[1] - 2)
-    e = share - column
+    row, f, column, e, above = place_of_star(x, mu_s, bottom, top, lift)
     w00, w01 = (1.0 - f) * (1.0 - e), (1.0 - f) * e
     w10, w11 = f * (1.0 - e), f * e
     raised = (
@@ -127,30 +150,30 @@ def seen_star(x, mu_s, bottom, top, lift):
     return min(mu_s + raised, 1.0), squeeze, above / sine
 
 
-#: A star whose middle is higher than so many of its radii above the horizon is looked at through
-#: its middle: the two points of a lower one differ by less than 1e-3 from it in clear air.
+#: A star whose centre is more than this many of its radii above the horizon is sampled at its
+#: centre: the two points of a lower star differ by less than 1e-3 from it in clear air.
 _HIGH = 16.0
 
 
 @inlined
 def star_points(x, mu_s, bottom, top, star_radius, lift):
-    """What is visible of a star from a point of the air, as one or two places in the sky.
+    """Visible part of a star from a point of the air, as one or two directions.
 
     Parameters
     ----------
     x, mu_s, bottom, top, lift :
-        As in ``seen_star``.
+        Arguments of ``seen_star``.
     star_radius : float
         True angular radius of the star. [rad]
 
     Returns
     -------
     received : float
-        Irradiance of a surface that faces the star, over that outside the air, but for the air's
+        Irradiance of a surface that faces the star, over that outside the air, without the air's
         transmittance. [1]
     low, high : float
-        Cosines of the zenith angles at which the two points of the visible part are seen that
-        stand for it, half each; the same where its height does not matter. [1]
+        Cosines of the apparent zenith angles of the two points that represent the visible part,
+        half each; the same where its height does not matter. [1]
     """
     seen, squeeze, elevation = seen_star(x, mu_s, bottom, top, lift)
     received = squeeze * visible_fraction(elevation, star_radius)
@@ -165,22 +188,22 @@ def star_points(x, mu_s, bottom, top, star_radius, lift):
 
 @inlined
 def level_light(x, mu_s, bottom, top, star_radius, lift):
-    """What a level surface receives of a star, as one or two places in the sky.
+    """Irradiance of a level surface by a star, as one or two directions.
 
     Parameters
     ----------
     x, mu_s, bottom, top, star_radius, lift :
-        As in ``star_points``.
+        Arguments of ``star_points``.
 
     Returns
     -------
     received_low, received_high : float
-        Irradiance from either place over that of a surface which faces the star outside the air,
-        but for the air's transmittance. [1]
+        Irradiance from either point over that of a surface that faces the star outside the air,
+        without the air's transmittance. [1]
     low, high : float
-        Cosines of the zenith angles at which the places are seen, at least 0. [1]
+        Cosines of the apparent zenith angles of the points, at least 0. [1]
     """
     received, low, high = star_points(x, mu_s, bottom, top, star_radius, lift)
-    # Aloft the level surface hides the half of the sky below, not the planet.
+    # Aloft, the level surface hides the lower half of the sky, not the planet.
     low, high = max(low, 0.0), max(high, 0.0)
     return 0.5 * received * low, 0.5 * received * high, low, high

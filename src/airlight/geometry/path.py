@@ -2,10 +2,10 @@
 
 A ray is cut at its lowest point into legs. On a leg the radius is ``r = r_0 + y²``, and y is the
 variable of the Gauss-Legendre panels: next to a tangent point y is proportional to the distance,
-on a steep leg the points crowd at its lower end, where r_0 is. A leg that begins a little beside
-the tangent point of its line has r_0 there, since the distance is no smooth function of a y
-counted from any other radius (the column would err by 1e-2 with 10 points, 1e-3 with 2 x 20).
-So 16 points a leg integrate exponential air to 2e-5, and the panels' running integrals give the
+on a steep leg the points are dense at its lower end, where r_0 is. A leg that begins slightly
+beside the tangent point of its line has r_0 there, since the distance is not a smooth function of a
+y counted from any other radius (the column would err by 1e-2 with 10 points, 1e-3 with 2 x 20).
+So 16 points per leg integrate exponential air to 2e-5, and the panels' running integrals give the
 column from the observer to every point without a sum of short steps.
 """
 
@@ -22,10 +22,10 @@ from airlight.geometry.shell import (
 )
 from airlight.kernel import compiled_loop, kernel
 
-#: At most so many panel edges on a ray (two legs, their halves, two ends of the shadow).
+#: Largest number of panel edges on a ray (two legs, their halves, two ends of the shadow).
 MAX_EDGES = 64
-#: A leg begins beside its line's tangent point if that is lower by less than this part of the
-#: leg's height. A smaller one is less smooth, a larger one leaves few points in a low haze.
+#: A leg begins beside its line's tangent point if that is lower by less than this fraction of the
+#: leg's height. A smaller value is less smooth, a larger one leaves few points in a low haze.
 _BESIDE = 0.02
 
 
@@ -50,12 +50,12 @@ def shadow_edges(r, mu, mu_s, nu, bottom_radius):
     mu_s, nu : float
         Cosines of the star's zenith angle at the start, and between ray and star. [1]
     bottom_radius : float
-        [m]
+        Radius of the ground. [m]
 
     Returns
     -------
     first, second : float
-        First may be negative (the start is in shadow already); (0, 0) if the ray misses it.
+        Distances; the first is negative if the start is in shadow; (0, 0) if the ray misses it. [m]
     """
     # |y - (y·s)s|² = R² with y = start + t·view, on the side where y·s < 0.
     a = (1.0 - nu) * (1.0 + nu)
@@ -85,29 +85,29 @@ def shadow_edges(r, mu, mu_s, nu, bottom_radius):
 
 @compiled_loop
 def insert_edge(edges, count, cut):
-    """Add a cut inside a ray to its ascending edges; no more once there is no room.
+    """Add a cut inside a ray to its ascending edges, unless the array is full.
 
     Parameters
     ----------
     edges : array, shape (MAX_EDGES,)
-        0 first, the ray's length last. [m]
+        Edges, 0 first, the ray's length last. [m]
     count : int
-        How many there are.
+        Number of edges.
     cut : float
-        Ignored outside the ray. [m]
+        Distance of the cut, ignored outside the ray. [m]
 
     Returns
     -------
     int
-        How many there are now.
+        Number of edges after the addition.
     """
     if not 0.0 < cut < edges[count - 1] or count >= edges.size:
         return count
-    place = count
-    while edges[place - 1] > cut:
-        edges[place] = edges[place - 1]
-        place -= 1
-    edges[place] = cut
+    index = count
+    while edges[index - 1] > cut:
+        edges[index] = edges[index - 1]
+        index -= 1
+    edges[index] = cut
     return count + 1
 
 
@@ -118,7 +118,7 @@ def place_edges(r, mu, length, panels, first_cut, second_cut, edges):
     Parameters
     ----------
     r, mu, length : float
-        The stretch starts at radius r and is this long. [m], [1], [m]
+        Start radius, zenith cosine and length of the stretch. [m], [1], [m]
     panels : int
         Panels on each leg.
     first_cut, second_cut : float
@@ -129,7 +129,7 @@ def place_edges(r, mu, length, panels, first_cut, second_cut, edges):
     Returns
     -------
     int
-        How many edges were written.
+        Number of edges written.
     """
     nearest = -r * mu
     edges[0] = 0.0
@@ -161,23 +161,23 @@ def place_edges(r, mu, length, panels, first_cut, second_cut, edges):
 
 @kernel
 def panel_leg(r, mu, start, end, length):
-    """The leg of a ray that a panel lies on, and where on it.
+    """Leg of a ray on which a panel lies, and the panel's range on it.
 
     Parameters
     ----------
     r, mu, length : float
-        Of the ray: start [m], cosine there [1] and length [m].
+        Start of the ray [m], cosine there [1] and its length [m].
     start, end : float
-        Of the panel, along the ray. [m]
+        Ends of the panel along the ray. [m]
 
     Returns
     -------
     descending : bool
-        Whether the leg leads down.
+        Whether the leg descends.
     low, beside : float
         Radius from which y is counted, and its distance from the line's nearest point. [m]
     first, last : float
-        y where the panel starts and ends. [m^½]
+        Values of y at the start and end of the panel. [m^½]
     """
     nearest = -r * mu
     tangent = r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
@@ -200,21 +200,21 @@ def panel_leg(r, mu, start, end, length):
 
 @kernel
 def panel_point(nearest, descending, low, beside, first, last, node):
-    """A point of a panel.
+    """Point of a panel.
 
     Parameters
     ----------
     nearest : float
         Distance along the ray to its line's nearest point. [m]
     descending, low, beside, first, last :
-        From ``panel_leg``.
+        Values from ``panel_leg``.
     node : float
-        Where on the panel, 0 to 1. [1]
+        Position on the panel, 0 to 1. [1]
 
     Returns
     -------
     distance, radius : float
-        Along the ray and from the centre. [m]
+        Distance along the ray and from the centre. [m]
     slope : float
         Distance per step of ``node``, at least 0. [m]
     """
@@ -236,16 +236,17 @@ def place_nodes(r, mu, edges, edge_count, nodes, weights, distance, radius, weig
     r, mu : float
         Start of the ray. [m], [1]
     edges, edge_count : array, int
-        From ``place_edges``. [m]
+        Edges from ``place_edges`` and their number. [m]
     nodes, weights : array, shape (n,)
-        A rule on [0, 1].
+        Quadrature rule on [0, 1].
     distance, radius, weight : array, shape at least ((edge_count - 1)·n,)
-        Receive distance along the ray, distance from the centre, and the weight in ∫ f ds. [m]
+        Receive the distance along the ray, the distance from the centre, and the weight in ∫ f ds.
+        [m]
 
     Returns
     -------
     int
-        How many points were written: (edge_count - 1)·n.
+        Number of points written: (edge_count - 1)·n.
     """
     length = edges[edge_count - 1]
     count = 0

@@ -14,16 +14,16 @@ FloatArray = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Rule:
-    """A Gauss-Legendre rule on [0, 1].
+    """Gauss-Legendre rule on [0, 1].
 
     Attributes
     ----------
     nodes : array, shape (n,)
-        Ascending, inside (0, 1). [1]
+        Nodes, ascending, inside (0, 1). [1]
     weights : array, shape (n,)
-        Their sum is 1. [1]
+        Weights, of sum 1. [1]
     running : array, shape (n, n)
-        ``running[k] @ f(nodes)`` is the integral of f from 0 to ``nodes[k]``, exact for
+        Integrals: ``running[k] @ f(nodes)`` is the integral of f from 0 to ``nodes[k]``, exact for
         polynomials of degree n - 1. [1]
     """
 
@@ -32,18 +32,18 @@ class Rule:
     running: FloatArray
 
     def as_tuple(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Nodes, weights and running integrals, as compiled loops take them."""
+        """Nodes, weights and running integrals, as arguments of compiled loops."""
         return self.nodes, self.weights, self.running
 
 
 @lru_cache(maxsize=64)
 def gauss_legendre(count: int) -> Rule:
-    """The Gauss-Legendre rule with ``count`` nodes on [0, 1].
+    """Gauss-Legendre rule with ``count`` nodes on [0, 1].
 
     Parameters
     ----------
     count : int
-        1 to 200.
+        Number of nodes, 1 to 200.
 
     Returns
     -------

@@ -13,10 +13,10 @@ from airlight.kernel import kernel
 
 @kernel
 def chord(r, mu, radius):
-    """Half the chord that the line of a ray cuts from a sphere; 0 if it misses. [m]
+    """Half the chord that a sphere cuts from the line of a ray; 0 if it misses. [m]
 
-    The line comes nearest to the centre at distance -r·mu along the ray; the sphere of the
-    given radius is met half a chord before and after that point.
+    The line is nearest to the centre at distance -r·mu along the ray; it meets the sphere half a
+    chord before and after that point.
     """
     return sqrt(max((radius - r) * (radius + r) + r * r * mu * mu, 0.0))
 
@@ -41,35 +41,35 @@ def horizon_cosine(r, bottom_radius):
 
 @kernel
 def meets_ground(r, mu, bottom_radius):
-    """Whether a ray meets the ground: it points below the horizon."""
+    """Whether a ray meets the ground, that is, points below the horizon."""
     return mu < horizon_cosine(r, bottom_radius)
 
 
 @kernel
 def radius_along(r, mu, distance):
-    """Distance from the centre after some way along a ray. [m]"""
+    """Distance from the centre after a distance along a ray. [m]"""
     return sqrt(max(distance * (distance + 2.0 * r * mu) + r * r, 0.0))
 
 
 @kernel
 def way_to_shell(r, mu, sine, top_radius):
-    """How far a line of sight from outside leads to the shell, and how it enters.
+    """Distance along a line of sight from outside to the shell, and the cosine at its entry.
 
     Parameters
     ----------
     r, mu : float
         Distance from the centre, more than ``top_radius`` [m]; cosine of the zenith angle. [1]
     sine : float
-        Its sine, which gives the line's nearest distance also from far away. [1]
+        Sine of the zenith angle, which gives the line's nearest distance also from far away. [1]
     top_radius : float
-        [m]
+        Radius of the top of the shell. [m]
 
     Returns
     -------
     way : float
-        -1 for a line that misses the shell. [m]
+        Distance to the shell; -1 for a line that misses it. [m]
     mu : float
-        Cosine of the zenith angle where it enters. [1]
+        Cosine of the zenith angle at the entry. [1]
     """
     impact = r * sine
     if mu >= 0.0 or impact >= top_radius:
@@ -80,23 +80,24 @@ def way_to_shell(r, mu, sine, top_radius):
 
 @kernel
 def first_meeting(impact, sine, radius):
-    """Where a line of sight that looks down first meets a sphere, seen from the centre. [m]
+    """First intersection of a descending line of sight with a sphere, from the centre. [m]
 
-    Nothing cancels, however far away the observer is.
+    No cancellation occurs, however far away the observer is.
 
     Parameters
     ----------
     impact : float
-        The line's nearest distance to the centre, less than ``radius``. [m]
+        Nearest distance of the line to the centre, less than ``radius``. [m]
     sine : float
-        Of the line's zenith angle at the observer, whose cosine is negative. [1]
+        Sine of the line's zenith angle at the observer, whose cosine is negative. [1]
     radius : float
-        [m]
+        Radius of the sphere. [m]
 
     Returns
     -------
     across, up : float
-        Away from the observer's vertical on the side to which he looks, and along it. [m]
+        Coordinates perpendicular to the observer's vertical, on the side of the view, and along it.
+        [m]
 
     Examples
     --------

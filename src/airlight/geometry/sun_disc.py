@@ -1,4 +1,4 @@
-"""How much of a star's disc stands above a horizon."""
+"""Fraction of a star's disc above a horizon."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from airlight.kernel import kernel
 
 @kernel
 def sun_elevation(r, mu_s, bottom_radius):
-    """Elevation of the star's centre above the geometric horizon, right near it. [rad]
+    """Elevation of the star's centre above the geometric horizon, accurate near it. [rad]
 
     The difference of the cosines over the sine of the horizon's zenith angle: within the disc of
     a star of 0.5° its error is below 3e-5 rad.
@@ -30,7 +30,7 @@ def star_elevation(r, mu_s, bottom_radius):
     mu_s : float
         Cosine of the star's zenith angle. [1]
     bottom_radius : float
-        [m]
+        Radius of the ground. [m]
 
     Examples
     --------
@@ -43,18 +43,18 @@ def star_elevation(r, mu_s, bottom_radius):
 
 @kernel
 def visible_fraction(elevation, angular_radius):
-    """Part of a disc's area above a straight horizon: the exact circular segment. [1]
+    """Fraction of a disc's area above a straight horizon: the exact circular segment. [1]
 
     Parameters
     ----------
     elevation : float
-        Of the disc's centre above the horizon. [rad]
+        Elevation of the disc's centre above the horizon. [rad]
     angular_radius : float
-        Of the disc; 0 for a point. [rad]
+        Angular radius of the disc; 0 for a point. [rad]
 
     Notes
     -----
-    The horizon's own curvature over the disc is left out: for the sun from Earth's ground its
+    The horizon's own curvature over the disc is neglected: for the sun from Earth's ground its
     sagitta is below 1e-5 of the disc's diameter; seen from 400 km below 1e-3.
 
     Examples
@@ -74,20 +74,20 @@ def visible_fraction(elevation, angular_radius):
 
 @kernel
 def mean_cosine(elevation, sine_elevation, angular_radius):
-    r"""Mean over a disc of max(0, cosine of the zenith angle): its light on level ground. [1]
+    r"""Mean over a disc of max(0, cosine of the zenith angle): its irradiance of level ground. [1]
 
     .. math:: \frac{1}{\pi\alpha^2} \int_{disc} \max(0, e')\, d\Omega
               = e F + \frac{2\alpha}{3\pi} (1 - x^2)^{3/2}, \quad x = e / \alpha
 
-    with F the visible fraction; the sine of an elevation within the disc is taken for the angle
-    (relative error below 1e-5 for the sun).
+    with F the visible fraction; the sine of an elevation within the disc is approximated by the
+    angle (relative error below 1e-5 for the sun).
 
     Parameters
     ----------
     elevation, sine_elevation : float
-        Of the disc's centre above the horizon [rad], and its sine [1].
+        Elevation of the disc's centre above the horizon [rad], and its sine [1].
     angular_radius : float
-        [rad]
+        Angular radius of the disc. [rad]
 
     Examples
     --------
@@ -105,25 +105,25 @@ def mean_cosine(elevation, sine_elevation, angular_radius):
 
 @kernel
 def visible_spread(elevation, angular_radius):
-    r"""Mean elevation of the visible part of a disc, and the standard deviation of it. [rad]
+    r"""Mean elevation of the visible part of a disc, and its standard deviation. [rad]
 
     With x = e/α and the part y > -x of the unit disc, of area A = π F:
 
     .. math:: \bar y = \frac{2 (1-x^2)^{3/2}}{3A}, \quad
               \overline{y^2} = \frac{\pi/2 + \arcsin x - x\sqrt{1-x^2}\,(1-2x^2)}{4A}
 
-    Light that changes exponentially over the disc is averaged well by the two points one standard
-    deviation to either side of the mean.
+    Light that changes exponentially over the disc is averaged accurately by the two points one
+    standard deviation to either side of the mean.
 
     Parameters
     ----------
     elevation, angular_radius : float
-        As in ``visible_fraction``; some of the disc must be visible. [rad]
+        Arguments of ``visible_fraction``; some of the disc must be visible. [rad]
 
     Returns
     -------
     mean, deviation : float
-        [rad]
+        Mean elevation and its standard deviation. [rad]
 
     Examples
     --------

@@ -1,8 +1,8 @@
 """Results kept on disk between runs: named arrays under a key.
 
-A file is written beside its place and renamed, so that it is whole or not there. The key and a
-checksum of every array are read back before anything is used: a truncated, damaged or foreign
-file counts as not there.
+A file is written beside its target and renamed, so that it is complete or absent. The key and a
+checksum of every array are verified before anything is used: a truncated, damaged or foreign file
+counts as absent.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from airlight.kernel import cache_folder
 
-#: Oldest results are removed once all together are larger than this. [bytes]
+#: Total size above which the oldest results are removed. [bytes]
 LARGEST_TOTAL: Final = 1_000_000_000
 
 
@@ -29,16 +29,16 @@ def _file(key: str) -> Path:
 
 
 def load(key: str) -> dict[str, NDArray[Any]] | None:
-    """The arrays kept under a key, or None if there are none that can be trusted.
+    """Load the arrays kept under a key, or None if there are no valid ones.
 
     Parameters
     ----------
     key : str
-        A fingerprint: letters and digits.
+        Fingerprint: letters and digits.
     """
     file = _file(key)
     try:
-        # Opened here: NumPy forgets to close a file that turns out to be no archive.
+        # Opened here: NumPy forgets to close a file that is not an archive.
         with file.open("rb") as stream, np.load(stream, allow_pickle=False) as stored:
             arrays = {name: stored[name] for name in stored.files}  # zip checks each CRC-32
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile, NotImplementedError):
@@ -51,7 +51,7 @@ def load(key: str) -> dict[str, NDArray[Any]] | None:
 
 
 def save(key: str, arrays: Mapping[str, NDArray[Any]]) -> None:
-    """Keep arrays under a key; where nothing can be written, nothing is kept and nothing said."""
+    """Keep arrays under a key; if the folder cannot be written to, do nothing."""
     file = _file(key)
     try:
         file.parent.mkdir(parents=True, exist_ok=True)

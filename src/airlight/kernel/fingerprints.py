@@ -1,4 +1,4 @@
-"""Fingerprints of source files and of all that they import: keys of what is kept on disk.
+"""Fingerprints of source files and of everything that they import: keys of what is kept on disk.
 
 Numba watches only the file of the outermost function, so a formula changed in another file would
 go unnoticed. A file's fingerprint covers every file of the package that its imports lead to, and no
@@ -25,17 +25,17 @@ _IMPORTS: Final = re.compile(
 
 @cache
 def fingerprint(file: Path) -> str:
-    """Hash of a source file, of all files of the package that it leads to, and of the compiler.
+    """Hash of a source file, of all files of the package that it imports, and of the compiler.
 
     Parameters
     ----------
     file : Path
-        Python source, of the package or not.
+        Path of Python source, of the package or not.
 
     Returns
     -------
     str
-        Sixteen hexadecimal digits.
+        Hash of sixteen hexadecimal digits.
 
     Raises
     ------
@@ -73,7 +73,7 @@ def _read(file: Path) -> tuple[bytes, frozenset[Path]]:
 
 @cache
 def _files(module: bytes) -> frozenset[Path]:
-    """The file of a module of the package; none for a name that is not a module."""
+    """File of a module of the package; none for a name that is not a module."""
     path = _PACKAGE.joinpath(*module.decode().split(".")[1:])
     files = (path.with_suffix(".py"), path / "__init__.py")
     return frozenset(file for file in files if path != _PACKAGE and file.is_file())

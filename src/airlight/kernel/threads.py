@@ -1,7 +1,7 @@
 """Independent blocks of work on all cores, with progress and cancellation.
 
-Each block writes its own part of the result, so that the result does not depend on how many
-threads there are.
+Each block writes its own part of the result, so that the result does not depend on the number of
+threads.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ from typing import TypeAlias
 
 from airlight.errors import Cancelled
 
-#: Called with how much is done, how much there is, and what is being done.
+#: Called with the amount done, the total, and a description of the work.
 Progress: TypeAlias = Callable[[int, int, str], None]
-#: Asked between blocks whether to stop.
+#: Called between blocks; True stops the work.
 Cancel: TypeAlias = Callable[[], bool]
 
 
 def thread_count() -> int:
-    """How many threads to use: the processors that this process may use, or AIRLIGHT_THREADS."""
+    """Number of threads: the processors that this process may use, or AIRLIGHT_THREADS."""
     named = os.environ.get("AIRLIGHT_THREADS", "")
     if named.isdigit() and int(named) > 0:
         return int(named)
@@ -57,18 +57,18 @@ def run_blocks(
     Parameters
     ----------
     block : callable
-        Must release the interpreter's lock to gain from threads.
+        Function of the block's index; it must release the interpreter's lock to gain from threads.
     count : int
         Number of blocks.
     cancel, progress : callable, optional
         See ``Cancel`` and ``Progress``; called from the calling thread.
     message : str
-        Handed to ``progress``.
+        Message for ``progress``.
 
     Raises
     ------
     Cancelled
-        If ``cancel`` said so; blocks under way are waited for.
+        If ``cancel`` returned True, after the running blocks have ended.
     """
     if getattr(_here, "inside", False):  # a block's own blocks would wait for its own thread
         for index in range(count):

@@ -1,11 +1,11 @@
 """Bruneton's 2017 mapping of (r, mu, mu_s, nu) for scattered light.
 
 The radius is measured by the distance to the horizon (``transmittance.altitude_coordinate``), the
-view by the distance to what ends it, ground or top, between the shortest and the longest such
-distance at that radius. The axis of views has two halves, one on each side of the horizon, since
-the light jumps there. The star's zenith angle is measured by the distance to the top that a ray
-from the ground towards it would have, squeezed so that the end of twilight is reached: the limit
-comes from the planet, since a constant made for Earth clips thick shells.
+view by the distance to its end, ground or top, between the shortest and the longest such distance
+at that radius. The axis of views has two halves, one on each side of the horizon, since the light
+jumps there. The star's zenith angle is measured by the distance to the top along a ray from the
+ground towards it, scaled so that the end of twilight is reached: the limit follows from the planet,
+since a constant made for Earth clips thick shells.
 
 Sources: E. Bruneton & F. Neyret, "Precomputed Atmospheric Scattering", EGSR 2008, section 4;
 E. Bruneton, "Precomputed Atmospheric Scattering: a New Implementation" (2017).
@@ -18,7 +18,7 @@ from math import acos, pi, sin, sqrt
 from airlight.geometry.shell import distance_to_bottom, distance_to_top
 from airlight.kernel import kernel
 
-#: Twilight ends when the star is so many dips of the horizon, seen from the top, below level.
+#: Twilight ends when the star is this many dips of the horizon, seen from the top, below level.
 _DIPS = 3.0
 
 
@@ -31,9 +31,9 @@ def view_coordinate(r, mu, to_ground, bottom_radius, top_radius):
     r, mu : float
         Radius [m] and cosine of the view's zenith angle [1].
     to_ground : bool
-        Which half: whether the line of sight ends on the ground.
+        Whether the line of sight ends on the ground, which selects the half.
     bottom_radius, top_radius : float
-        [m]
+        Radii of the ground and of the top of the shell. [m]
     """
     to_horizon = sqrt(max((r - bottom_radius) * (r + bottom_radius), 0.0))
     if to_ground:
@@ -53,7 +53,7 @@ def view_coordinate(r, mu, to_ground, bottom_radius, top_radius):
 def cosine_from_view(x, to_ground, r, bottom_radius, top_radius):
     """Inverse of ``view_coordinate`` in one half. [1]
 
-    On the ground every view downwards has length 0: there it is straight down.
+    On the ground every view downwards has length 0: the result is straight down.
     """
     to_horizon = sqrt(max((r - bottom_radius) * (r + bottom_radius), 0.0))
     if to_ground:
@@ -73,11 +73,11 @@ def cosine_from_view(x, to_ground, r, bottom_radius, top_radius):
 
 
 @kernel
-def view_place(x, to_ground, n):
-    """Place on the axis of n views, an index between 0 and n - 1; n is even. [1]
+def view_index(x, to_ground, n):
+    """Fractional index on the axis of n views, between 0 and n - 1; n is even. [1]
 
-    The ground's half comes first, from the horizon to straight down; then the sky's, from
-    straight up to the horizon. Nothing lies between n/2 - 1 and n/2.
+    The ground's half comes first, from the horizon to straight down; then the sky's, from straight
+    up to the horizon. Nothing lies between n/2 - 1 and n/2.
     """
     half = n // 2
     if to_ground:
@@ -86,12 +86,12 @@ def view_place(x, to_ground, n):
 
 
 @kernel
-def view_from_place(place, n):
-    """Inverse of ``view_place``: (coordinate in its half, whether it ends on the ground)."""
+def view_from_index(index, n):
+    """Inverse of ``view_index``: (coordinate in its half, whether it ends on the ground)."""
     half = n // 2
-    if place < half - 0.5:
-        return min(max(1.0 - place / (half - 1.0), 0.0), 1.0), True
-    return min(max((place - half) / (half - 1.0), 0.0), 1.0), False
+    if index < half - 0.5:
+        return min(max(1.0 - index / (half - 1.0), 0.0), 1.0), True
+    return min(max((index - half) / (half - 1.0), 0.0), 1.0), False
 
 
 @kernel
@@ -99,9 +99,9 @@ def lowest_sun_cosine(bottom_radius, top_radius):
     """Cosine of the star's zenith angle below which tables end: three dips of the horizon. [1]
 
     Seen from the top of the shell the horizon is one dip below level; its tangent line leaves the
-    shell two dips further round the planet; the air there is lit until the star stands one dip
-    below level. So beyond three dips no point of the shell sees air that is lit directly. Thick
-    shells, whose three dips are more than a right angle, reach down to -1.
+    shell two dips further round the planet; the air there is lit until the star is one dip below
+    level. So beyond three dips no point of the shell sees air that is lit directly. Thick shells,
+    whose three dips exceed a right angle, reach down to -1.
     """
     depression = _DIPS * acos(bottom_radius / top_radius)
     if depression >= 0.5 * pi:
@@ -116,11 +116,11 @@ def sun_coordinate(mu_s, lowest, bottom_radius, top_radius):
     Parameters
     ----------
     mu_s : float
-        [1]
+        Cosine of the star's zenith angle. [1]
     lowest : float
-        From ``lowest_sun_cosine``. [1]
+        Limit from ``lowest_sun_cosine``. [1]
     bottom_radius, top_radius : float
-        [m]
+        Radii of the ground and of the top of the shell. [m]
     """
     shortest = top_radius - bottom_radius
     longest = sqrt((top_radius - bottom_radius) * (top_radius + bottom_radius))
@@ -155,6 +155,6 @@ def angle_from_coordinate(x):
 
 @kernel
 def possible_angle(nu, mu, mu_s):
-    """The cosine nearest to nu that a view and a star of these zenith angles can have. [1]"""
+    """Cosine nearest to nu that a view and a star of these zenith angles can have. [1]"""
     spread = sqrt(max((1.0 - mu) * (1.0 + mu) * (1.0 - mu_s) * (1.0 + mu_s), 0.0))
     return min(max(nu, mu * mu_s - spread, -1.0), mu * mu_s + spread, 1.0)

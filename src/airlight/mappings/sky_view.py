@@ -1,9 +1,9 @@
-"""Where a line of sight stands in a table of what one observer sees around himself.
+"""Coordinates of a line of sight in the table of the sky of one observer.
 
 The table has two halves, the sky above the horizon and the ground below it, each with rows
-counted from the horizon (0) to the zenith, the top of the shell or the nadir (1). Rows crowd at
-the horizon: inside the shell the angle from it goes with the square of the row's coordinate, from
-outside the line's nearest distance to the planet's centre does.
+counted from the horizon (0) to the zenith, the top of the shell or the nadir (1). Rows are dense at
+the horizon: inside the shell, the angle from it is proportional to the square of the row's
+coordinate; outside, the line's nearest distance to the planet's centre is.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ def angle_above_horizon(mu, sine, horizon_mu, horizon_sine):
     mu, sine : float
         Cosine and sine of its zenith angle. [1]
     horizon_mu, horizon_sine : float
-        Of the horizon's. [1]
+        Cosine and sine of the horizon's zenith angle. [1]
     """
     across = mu * horizon_sine - sine * horizon_mu
     return atan2(across, mu * horizon_mu + sine * horizon_sine)
@@ -35,7 +35,7 @@ def row_from_angle(angle, horizon_mu):
     Parameters
     ----------
     angle : float
-        Above the horizon: the sky's half where it is positive. [rad]
+        Angle above the horizon, positive in the sky's half. [rad]
     horizon_mu : float
         Cosine of the horizon's zenith angle. [1]
 
@@ -56,9 +56,9 @@ def direction_from_row(row, sky, horizon_mu, horizon_sine):
     Parameters
     ----------
     row : float
-        0 to 1. [1]
+        Coordinate of the row, 0 to 1. [1]
     sky : bool
-        Which half.
+        Whether the row is in the sky's half.
     horizon_mu, horizon_sine : float
         Cosine and sine of the horizon's zenith angle. [1]
     """
@@ -75,9 +75,9 @@ def row_from_impact(impact, bottom_radius, top_radius):
     Parameters
     ----------
     impact : float
-        Its line's nearest distance to the centre, at most ``top_radius``. [m]
+        Nearest distance of the line to the centre, at most ``top_radius``. [m]
     bottom_radius, top_radius : float
-        [m]
+        Radii of the ground and of the top of the shell. [m]
 
     Examples
     --------

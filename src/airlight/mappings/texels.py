@@ -1,9 +1,9 @@
-"""Texture coordinates, array indices and the place of a texel in memory.
+"""Texture coordinates, array indices and the index of a texel in memory.
 
-Values of a table stand at the centres of its texels. A coordinate in [0, 1] that runs from the
-first to the last of n values is ``index / (n - 1)``; the texture coordinate of a graphics card
-runs over the texels' outer edges, so that the same place is ``0.5/n + x (1 - 1/n)`` there. Both
-are exact at both ends. Sources: Atmosphere Plus notes, second print, section 3.1.7; E. Bruneton,
+Values of a table are at the centres of its texels. A coordinate in [0, 1] that runs from the first
+to the last of n values is ``index / (n - 1)``; the texture coordinate of a graphics card runs over
+the texels' outer edges, so that the same point is ``0.5/n + x (1 - 1/n)``. Both are exact at both
+ends. Sources: Atmosphere Plus notes, second print, section 3.1.7; E. Bruneton,
 "Precomputed Atmospheric Scattering: a New Implementation" (2017).
 """
 
@@ -14,7 +14,7 @@ from airlight.kernel import kernel
 
 @kernel
 def texture_coordinate(x, n):
-    """Coordinate from the first to the last of n texels' centres, as a texture's. [1]
+    """Convert a coordinate over the centres of n texels to a texture coordinate. [1]
 
     Examples
     --------
@@ -26,7 +26,7 @@ def texture_coordinate(x, n):
 
 @kernel
 def unit_coordinate(u, n):
-    """Inverse of ``texture_coordinate``; 0 if there is one texel only. [1]
+    """Inverse of ``texture_coordinate``; 0 if there is only one texel. [1]
 
     Examples
     --------
@@ -40,7 +40,7 @@ def unit_coordinate(u, n):
 
 @kernel
 def index_coordinate(i, n):
-    """Array index, whole or between two, to [0, 1]; 0 if there is one value only. [1]
+    """Convert a whole or fractional array index to [0, 1]; 0 if there is only one value. [1]
 
     Examples
     --------
@@ -54,7 +54,7 @@ def index_coordinate(i, n):
 
 @kernel
 def coordinate_index(x, n):
-    """Inverse of ``index_coordinate``: a place between 0 and n - 1. [1]"""
+    """Inverse of ``index_coordinate``: a fractional index between 0 and n - 1. [1]"""
     return x * (n - 1.0)
 
 
@@ -83,23 +83,23 @@ def split_index(i, width, height):
 
 
 @kernel
-def cell(place, first, last):
-    """The two neighbours of a place among indices, and the share of the second.
+def cell(index, first, last):
+    """Neighbours of a fractional index, and the share of the second.
 
     Parameters
     ----------
-    place : float
-        An index, whole or between two. It is moved into [first, last]. [1]
+    index : float
+        Fractional index, clamped to [first, last]. [1]
     first, last : int
-        Ends of the run of values that may be used.
+        Ends of the range of values that may be used.
 
     Returns
     -------
     lower, upper : int
     share : float
-        Of the upper neighbour, 0 to 1. [1]
+        Share of the upper neighbour, 0 to 1. [1]
     """
-    held = min(max(place, float(first)), float(last))
+    held = min(max(index, float(first)), float(last))
     lower = min(int(held), max(last - 1, first))
     upper = min(lower + 1, last)
     return lower, upper, held - lower

@@ -1,23 +1,23 @@
 """Weighted power mapping of the view direction: three regions that follow the horizon.
 
-Directions are parted at the geometric horizon and at the horizontal: U (upper, above the
+Directions are divided at the geometric horizon and at the horizontal: U (upper, above the
 horizontal), L (lower, from the horizon up to the horizontal) and S (surface, on the ground). Each
 region has a power mapping of its own that is finest at its lower edge (S: at its upper edge, the
-horizon), and a share of the axis that changes with the altitude coordinate u:
+horizon), and a share of the axis that depends on the altitude coordinate u:
 
     w_L = w_L1 u,    w_S = w_S1 u + w_S0,    w_U = 1 - w_L - w_S.
 
-Source: Atmosphere Plus notes, second print, section 3.1.4. There the weights (w_S1, w_S0) stand
-for an offset and a slope, (4/32, 4/32), equal to linear interpolation from 4/32 to 8/32; the two
-readings must not be mixed. On the ground L is empty (w_L = 0) and a weight w_S0 of 0 empties S.
-A direction that lies on the horizon itself belongs to the sky.
+Source: Atmosphere Plus notes, second print, section 3.1.4. There the weights (w_S1, w_S0) are
+for an offset and a slope, (4/32, 4/32), which equals linear interpolation from 4/32 to 8/32; the
+two readings must not be mixed. On the ground L is empty (w_L = 0), and a weight w_S0 of 0 empties
+S. A direction that lies on the horizon itself belongs to the sky.
 """
 
 from __future__ import annotations
 
 from airlight.kernel import kernel
 
-#: The regions, in the order in which they follow each other on the axis.
+#: Regions in their order on the axis.
 SURFACE, LOWER, UPPER = 0, 1, 2
 #: Powers and weights of the notes' comparison (section 3.1.6).
 DEFAULT_POWER = 2.0
@@ -66,7 +66,7 @@ def surface_weight(u, slope, offset):
 
 @kernel
 def view_region(mu, to_ground, horizon, upper_power, lower_power, surface_power):
-    """Region of a direction, and its place in it.
+    """Region of a direction, and the coordinate within it.
 
     Parameters
     ----------
@@ -77,14 +77,14 @@ def view_region(mu, to_ground, horizon, upper_power, lower_power, surface_power)
     horizon : float
         Cosine of the horizon's zenith angle at this altitude, at most 0. [1]
     upper_power, lower_power, surface_power : float
-        p_U, p_L, p_S. [1]
+        Powers p_U, p_L, p_S. [1]
 
     Returns
     -------
     region : int
-        ``SURFACE``, ``LOWER`` or ``UPPER``.
+        Index of the region: ``SURFACE``, ``LOWER`` or ``UPPER``.
     x : float
-        0 at the region's lower end on the axis, 1 at its upper end. [1]
+        Coordinate in the region, 0 at its lower end on the axis, 1 at its upper end. [1]
     """
     if to_ground:
         part = min(max((horizon - mu) / (1.0 + horizon), 0.0), 1.0)
@@ -99,14 +99,14 @@ def view_region(mu, to_ground, horizon, upper_power, lower_power, surface_power)
 
 @kernel
 def region_coordinate(region, x, w_lower, w_surface):
-    """Place in a region to the whole axis, [0, 1]. [1]
+    """Convert the coordinate within a region to the whole axis, [0, 1]. [1]
 
     Parameters
     ----------
     region, x : int, float
-        From ``view_region``.
+        Values from ``view_region``.
     w_lower, w_surface : float
-        The weights at this altitude. [1]
+        Weights at this altitude. [1]
     """
     if region == SURFACE:
         return w_surface * x
@@ -125,9 +125,9 @@ def view_coordinate(
     Parameters
     ----------
     mu, to_ground, horizon, upper_power, lower_power, surface_power
-        As ``view_region`` takes them.
+        Arguments of ``view_region``.
     w_lower, w_surface : float
-        The weights at this altitude. [1]
+        Weights at this altitude. [1]
     """
     region, x = view_region(mu, to_ground, horizon, upper_power, lower_power, surface_power)
     return region_coordinate(region, x, w_lower, w_surface)
@@ -140,9 +140,9 @@ def view_from_coordinate(v, horizon, upper_power, lower_power, surface_power, w_
     Returns
     -------
     mu : float
-        [1]
+        Cosine of the view's zenith angle. [1]
     to_ground : bool
-        Whether the line of sight ends on the ground; not at v = w_S, the horizon.
+        Whether the line of sight ends on the ground; False at v = w_S, the horizon.
     """
     base = w_lower + w_surface
     if v < w_surface:

@@ -1,1 +1,1 @@
-"""From matter to coefficients: cross-sections, phase functions, densities with altitude."""
+"""Optical properties of matter: cross-sections, phase functions, density profiles."""

@@ -1,4 +1,4 @@
-"""Relative air mass by formula: how many times the vertical column a ray from the ground passes."""
+"""Relative air mass by formula: the column along a ray from the ground over the vertical column."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ FloatArray = npt.NDArray[np.float64]
 
 
 def air_mass_pickering2002(altitude: npt.ArrayLike) -> FloatArray:
-    r"""Air mass of the Earth's gas by Pickering's fit, bending included.
+    r"""Air mass of the Earth's gas by Pickering's fit, refraction included.
 
     .. math:: AM = \frac{1}{\sin\left(h + 244/(165 + 47 h^{1.1})\right)}
 
-    It is a ratio of columns for the whole way from the ground to space, of air with the Earth's
-    scale height. It is no path length, and no column of a haze, which hugs the ground: on the
-    horizon it gives 38.7 where a haze of 1.2 km has 104.
+    The result is a ratio of columns from the ground to space for air with the Earth's scale height,
+    neither a path length nor valid for a low haze: on the horizon it gives 38.7 where a haze of
+    scale height 1.2 km has 104.
 
     Parameters
     ----------
@@ -27,7 +27,7 @@ def air_mass_pickering2002(altitude: npt.ArrayLike) -> FloatArray:
     Returns
     -------
     array, shape (...)
-        [1]
+        Ratio of columns. [1]
 
     Raises
     ------

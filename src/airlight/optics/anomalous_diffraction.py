@@ -1,4 +1,4 @@
-"""Anomalous diffraction: how soft spheres extinguish and absorb light, in closed form."""
+"""Anomalous diffraction: extinction and absorption by soft spheres in closed form."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from airlight.optics.size_distribution import Sizes
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Phase shifts and absorption paths below this take the series: the closed form cancels there.
+#: Phase shifts and absorption paths below this use the series, as the closed form cancels there.
 SERIES_BELOW: Final = 0.05
 
 
 @kernel
 def absorption_efficiency(path: float) -> float:
-    r"""Absorption efficiency of a sphere that refracts no ray. [1]
+    r"""Absorption efficiency of a sphere that does not refract rays. [1]
 
     .. math:: Q_{abs} = 1 + \frac{2e^{-w}}{w} + \frac{2(e^{-w} - 1)}{w^2}
 
@@ -28,7 +28,7 @@ def absorption_efficiency(path: float) -> float:
     Parameters
     ----------
     path : float
-        w = 8πrk/λ, optical depth along the diameter. [1]
+        Optical depth along the diameter, w = 8πrk/λ. [1]
 
     References
     ----------
@@ -36,7 +36,7 @@ def absorption_efficiency(path: float) -> float:
 
     Examples
     --------
-    >>> f"{absorption_efficiency(1e6):.5f}"  # all that falls on it
+    >>> f"{absorption_efficiency(1e6):.5f}"  # all incident light
     '1.00000'
     """
     w = path
@@ -56,15 +56,15 @@ def extinction_efficiency(phase_shift: float, ratio: float) -> float:
               - 4e^{-\rho\tan\beta}\left(\frac{\cos\beta}{\rho}\right)^2\cos(\rho-2\beta)
               + 4\left(\frac{\cos\beta}{\rho}\right)^2\cos 2\beta
 
-    It is 4 Re K(iρ + ρ tanβ) with K(z) = 1/2 + e^{-z}/z + (e^{-z} - 1)/z²; below |z| = 0.05 the
-    series of K is taken, z/3 - z²/8 + z³/30 - z⁴/144 + z⁵/840 - …
+    It is 4 Re K(iρ + ρ tanβ) with K(z) = 1/2 + e^{-z}/z + (e^{-z} - 1)/z²; below ``|z|`` = 0.05 the
+    series of K is used, z/3 - z²/8 + z³/30 - z⁴/144 + z⁵/840 - …
 
     Parameters
     ----------
     phase_shift : float
-        ρ = 4πr(m-1)/λ. [1]
+        Phase shift ρ = 4πr(m-1)/λ. [1]
     ratio : float
-        tan β = k/(m-1), 0 or more. [1]
+        Ratio tan β = k/(m-1), 0 or more. [1]
 
     References
     ----------
@@ -99,20 +99,21 @@ def efficiencies(
     Parameters
     ----------
     radii : array, shape (...)
-        [m]
+        Radii of the spheres. [m]
     wavelength : float
-        [nm]
+        Wavelength of the light. [nm]
     index : complex
         Refractive index m + ik, m above 1, k 0 or more. [1]
 
     Returns
     -------
     extinction, scattering : array, shape (...)
-        Their difference is the absorption, so that scattering never exceeds extinction. [1]
+        Efficiencies; their difference is the absorption, so that scattering never exceeds
+        extinction. [1]
 
     Notes
     -----
-    Made for m near 1 and spheres larger than the wavelength; for the dust of Mars (m = 1.52,
+    Valid for m near 1 and spheres larger than the wavelength; for the dust of Mars (m = 1.52,
     1.6 µm) its extinction is 9 to 13 % below the exact one.
 
     Examples
@@ -134,16 +135,16 @@ def cross_sections(sizes: Sizes, wavelength: float, index: complex) -> tuple[flo
     Parameters
     ----------
     sizes : Sizes
-        From ``optics.size_distribution``.
+        Sizes from ``optics.size_distribution``.
     wavelength : float
-        [nm]
+        Wavelength of the light. [nm]
     index : complex
-        m + ik. [1]
+        Refractive index m + ik. [1]
 
     Returns
     -------
     extinction, scattering : float
-        Σ N(r) πr² Q(r); Eq. 18 of the OpenSpace paper per particle. [m²]
+        Cross-sections Σ N(r) πr² Q(r); eq. 18 of the OpenSpace paper, per particle. [m²]
     """
     areas = np.pi * sizes.radii**2 * sizes.weights
     extinction, scattering = efficiencies(sizes.radii, wavelength, index)

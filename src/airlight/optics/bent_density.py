@@ -1,4 +1,4 @@
-r"""Profiles over optical altitude: what lets bent rays be integrated as straight ones.
+r"""Profiles over optical altitude, with which bent rays are integrated as straight ones.
 
 See ``geometry.bending``: with x = n r, a column along a bent ray is the column along a straight one
 of the density times dr/dx, and the bending is b times the column of
@@ -21,15 +21,16 @@ from airlight.optics.density_profile import DensitySegments, Row
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Pieces of a profile over optical altitude, even in the square root of altitude, beside its own.
+#: Number of pieces of a profile over optical altitude, even in its square root, in addition to
+#: the profile's own.
 _PIECES: Final = 192
-#: Least d(n r)/dr that is taken: below it light near the ground goes round the planet.
+#: Smallest allowed d(n r)/dr: below it light near the ground goes round the planet.
 _LEAST_GROWTH: Final = 0.05
 
 
 @dataclass(frozen=True, eq=False)
 class BentShell:
-    """A shell in which light is bent, by optical radius.
+    """Shell in which light is bent, by optical radius.
 
     Attributes
     ----------
@@ -38,12 +39,13 @@ class BentShell:
     altitude, optical : array, shape (n,)
         Altitude above the ground [m], and optical radius there [m].
     density : DensitySegments
-        Over optical altitude, times dr/dx: the constituents, then one more, "bending", the last
+        Profiles over optical altitude, times dr/dx: the constituents, then "bending", the last
         formula at the head of this file over its largest value. [1]
     length : DensitySegments
-        dr/dx itself, whose column is the true length of a ray. [1]
+        Profile of dr/dx itself, whose column is the true length of a ray. [1]
     bend : float
-        Bending of a ray = ``bend`` · b · column of the last constituent. [m⁻²]
+        Factor such that the bending of a ray is ``bend`` · b · column of the last constituent.
+        [m⁻²]
     """
 
     bottom: float
@@ -62,22 +64,22 @@ class BentShell:
         bottom_radius: float,
         top_radius: float,
     ) -> BentShell:
-        """The shell of profiles of which some refract.
+        """Make the shell of profiles of which some refract.
 
         Parameters
         ----------
         density : DensitySegments
-            Over altitude.
+            Profiles over altitude.
         refractivity : array, shape (nc,)
             n - 1 of each constituent at relative density 1. [1]
         bottom_radius, top_radius : float
-            [m]
+            Radii of the ground and of the top. [m]
 
         Raises
         ------
         ParameterError
-            If light would be bent as much as the ground is curved, or the refractivity grows with
-            height.
+            If light would be bent as much as the ground is curved, or the refractivity increases
+            with height.
         """
         thickness = top_radius - bottom_radius
         own = density.edges[(density.edges > 0.0) & (density.edges < thickness)]
@@ -85,23 +87,23 @@ class BentShell:
         nodes = np.unique(np.concatenate([even, own]))
         nodes = nodes[np.concatenate([[True], np.diff(nodes) > 1e-9 * thickness])]
         nodes[-1] = thickness
-        # The top counts as vacuum, so that nothing leaps where the shell ends.
+        # The top counts as vacuum, so that nothing jumps where the shell ends.
         excess = refractivity @ (density.at(nodes) - density.at(np.array([thickness])))
         growth = _growth(density, refractivity, bottom_radius, nodes, excess)
         _check(nodes, growth, excess)
         r = bottom_radius + nodes
         optical = r * (1.0 + excess)
         stretch = 1.0 / growth
-        # The optical altitude from differences that keep their digits.
+        # The optical altitude from differences that do not cancel.
         optical_altitude = nodes * (1.0 + excess) + bottom_radius * (excess - excess[0])
         bending = ((1.0 + excess) * stretch - 1.0) / optical**2
         bend = float(bending.max())
         share = bending / bend if bend > 0.0 else bending
-        # From both sides of a node, since a profile may leap there.
+        # From both sides of a node, since a profile may jump there.
         hair = 1e-6 * np.diff(nodes)
         above = density.at(nodes[:-1] + hair) * stretch[:-1]
         below = density.at(nodes[1:] - hair) * stretch[1:]
-        # Density and dr/dx halfway up each piece, the latter to second order.
+        # Density and dr/dx at the middle of each piece, the latter to second order.
         halfway = density.at(nodes[:-1] + 0.5 * np.diff(nodes))
         halfway = halfway * np.sqrt(stretch[:-1] * stretch[1:])
         rows = [
@@ -155,9 +157,9 @@ def _check(nodes: FloatArray, growth: FloatArray, excess: FloatArray) -> None:
 
 
 def _row(altitude: FloatArray, low: FloatArray, high: FloatArray, middle: FloatArray | None) -> Row:
-    """Segments from values at the ends of each and, if known, halfway.
+    """Segments from values at the ends of each and, if known, in the middle.
 
-    Exponentials; straight lines next to a 0 and where they come nearer to the middle.
+    Exponentials; straight lines next to a 0 and where they are nearer to the middle value.
     """
     width = np.diff(altitude)
     curved = (low > 0.0) & (high > 0.0)

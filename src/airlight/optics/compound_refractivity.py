@@ -1,7 +1,7 @@
 """Refractivity n - 1 of methane, water vapour, carbon monoxide and others, as measured.
 
 All formulas are functions of σ = 1/λ in µm⁻¹. Each refuses wavelengths outside the limits that its
-docstring gives; where these are wider than the measurement, it says what supports them. Carbon
+docstring gives; where these are wider than the measurement, it cites what supports them. Carbon
 dioxide is in ``refractive_index``.
 """
 
@@ -31,13 +31,13 @@ def ch4_refractivity_he2021(wavelengths: npt.ArrayLike) -> FloatArray:
     .. math:: 10^8 (n - 1) = 3603.09 + \frac{4.40362\cdot10^6}{117.41 - \sigma^2}
 
     Fitted from 264 to 671 nm. Beyond, up to 1000 nm, only 0.9 % of the value is dispersion, so
-    that the pole's place matters little. The formula of Sneep & Ubachs (2005) gives a 14 % larger
-    refractivity, with a cross-section 18 % above the one that they measured themselves.
+    that the position of the pole matters little. The formula of Sneep & Ubachs (2005) gives a 14 %
+    larger refractivity, with a cross-section 18 % above the one that they measured themselves.
 
     Parameters
     ----------
     wavelengths : array, shape (...)
-        264 to 1000. [nm]
+        Wavelengths, 264 to 1000. [nm]
 
     Returns
     -------
@@ -72,7 +72,7 @@ def h2o_refractivity_ciddor1996(wavelengths: npt.ArrayLike) -> FloatArray:
     Parameters
     ----------
     wavelengths : array, shape (...)
-        300 to 1700. [nm]
+        Wavelengths, 300 to 1700. [nm]
 
     Returns
     -------
@@ -103,13 +103,13 @@ def co_refractivity_sneep2005(wavelengths: npt.ArrayLike) -> FloatArray:
 
     .. math:: 10^8 (n - 1) = 22851 + \frac{456000}{51.018 - \sigma^2}
 
-    Fitted from 168 to 288 nm (Smith, Huber & Parkinson 1976), where it is strongest bent; at 589 nm
-    it is 1 % above the 3.38e-4 (0 °C) of Kaye & Laby.
+    Fitted from 168 to 288 nm (Smith, Huber & Parkinson 1976), where its dispersion is strongest; at
+    589 nm it is 1 % above the 3.38e-4 (0 °C) of Kaye & Laby.
 
     Parameters
     ----------
     wavelengths : array, shape (...)
-        168 to 1000. [nm]
+        Wavelengths, 168 to 1000. [nm]
 
     Returns
     -------
@@ -145,7 +145,7 @@ def n2o_refractivity_he2021(wavelengths: npt.ArrayLike) -> FloatArray:
     Parameters
     ----------
     wavelengths : array, shape (...)
-        307 to 1000. [nm]
+        Wavelengths, 307 to 1000. [nm]
 
     Returns
     -------
@@ -182,7 +182,7 @@ def nh3_refractivity_cuthbertson1914(wavelengths: npt.ArrayLike) -> FloatArray:
     Parameters
     ----------
     wavelengths : array, shape (...)
-        300 to 1000. [nm]
+        Wavelengths, 300 to 1000. [nm]
 
     Returns
     -------
@@ -214,13 +214,14 @@ def so2_refractivity_static(wavelengths: npt.ArrayLike) -> FloatArray:
     .. math:: n - 1 = 2\pi N \alpha, \quad \alpha = 3.72\cdot10^{-30}\,\text{m}^3
 
     From the static polarisability: the dispersion, which grows towards the absorption bands below
-    340 nm, is left out and makes the cross-section too small, by some ten per cent in the visible.
-    Where the gas is 150 ppm of an atmosphere of carbon dioxide that is 3e-5 of the scattering.
+    340 nm, is neglected, which makes the cross-section too small, by some ten per cent in the
+    visible. Where the gas is 150 ppm of an atmosphere of carbon dioxide that is 3e-5 of the
+    scattering.
 
     Parameters
     ----------
     wavelengths : array, shape (...)
-        350 to 1700. [nm]
+        Wavelengths, 350 to 1700. [nm]
 
     Returns
     -------

@@ -1,9 +1,9 @@
-"""How a constituent thins with altitude: profiles as segments that kernels read quickly.
+"""Density profiles over altitude, as segments that kernels read quickly.
 
-Every profile, whatever its kind, becomes a row of segments; within one, the relative density is
-``max(0, a·exp(b·x) + c·x + d)`` with x the height above the segment's lower edge. That covers the
-exponential, the tent, Bruneton's layers and (in small exponential pieces) any table without error,
-and its vertical column has a closed form.
+Every profile becomes a row of segments; within each, the relative density is
+``max(0, a·exp(b·x) + c·x + d)`` with x the height above the segment's lower edge. This represents
+the exponential, the tent, Bruneton's layers and (in small exponential pieces) any table without
+error, and its vertical column has a closed form.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ from airlight.kernel import compiled_loop, kernel
 
 FloatArray = npt.NDArray[np.float64]
 
-#: One profile: its edges, shape (ns + 1,) [m], and its coefficients (a, b, c, d), shape (ns, 4).
+#: Profile: its edges, shape (ns + 1,) [m], and its coefficients (a, b, c, d), shape (ns, 4).
 Row = tuple[FloatArray, FloatArray]
 
-#: Largest magnitude that a term of a layer may reach; beyond it the sum loses its digits.
+#: Largest magnitude of a term of a layer; beyond it the sum loses its digits.
 _LARGEST_TERM: Final = 1e6
-#: A profile of more inner edges is a smooth curve in pieces.
+#: Largest number of inner edges that count as corners; more are a smooth curve in pieces.
 _MOST_CORNERS: Final = 12
 
 
@@ -58,16 +58,16 @@ def relative_density(altitude: float, edges: FloatArray, coefficients: FloatArra
     Parameters
     ----------
     altitude : float
-        Above the ground. [m]
+        Altitude above the ground. [m]
     edges : array, shape (ns + 1,)
-        Ascending; padding repeats the last one. [m]
+        Edges, ascending; padding repeats the last. [m]
     coefficients : array, shape (ns, 4)
-        See ``segment_density``.
+        Coefficients; see ``segment_density``.
 
     Returns
     -------
     float
-        Never negative. [1]
+        Density, never negative. [1]
     """
     low = 0
     high = coefficients.shape[0]
@@ -100,7 +100,7 @@ def _relative_densities(
 
 @dataclass(frozen=True, eq=False)
 class DensitySegments:
-    """The profiles of all constituents of a planet, as arrays.
+    """Profiles of all constituents of a planet, as arrays.
 
     Parameters
     ----------
@@ -108,7 +108,7 @@ class DensitySegments:
         Altitudes where segments meet, ascending from 0 to the shell's thickness; a row with
         fewer segments repeats its last edge. [m]
     coefficients : array, shape (nc, ns, 4)
-        a, b, c, d of ``segment_density``.
+        Coefficients a, b, c, d of ``segment_density``.
     """
 
     edges: FloatArray
@@ -116,7 +116,7 @@ class DensitySegments:
 
     @classmethod
     def from_rows(cls, rows: Sequence[Row]) -> DensitySegments:
-        """Rows of different lengths, padded with segments of no width.
+        """Join rows of different lengths, padded with segments of no width.
 
         Examples
         --------
@@ -140,7 +140,7 @@ class DensitySegments:
     def corners(self) -> FloatArray:
         """Altitudes of the corners of profiles that have few, ascending, shape (n,). [m]
 
-        Many segments are one smooth curve in pieces; few have corners: a tent, layers.
+        Many segments are pieces of a smooth curve; few have corners: a tent, layers.
         """
         found: set[float] = set()
         for edges in self.edges:
@@ -151,7 +151,7 @@ class DensitySegments:
 
     @property
     def arrays(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Edges, coefficients and corners, as compiled loops take them. [m], [1], [m]"""
+        """Edges, coefficients and corners, as arguments of compiled loops. [m], [1], [m]"""
         return self.edges, self.coefficients, self.corners
 
     def at(self, altitudes: npt.ArrayLike) -> FloatArray:
@@ -160,12 +160,12 @@ class DensitySegments:
         Parameters
         ----------
         altitudes : array, shape (...)
-            Above the ground. [m]
+            Altitudes above the ground. [m]
 
         Returns
         -------
         array, shape (nc, ...)
-            [1]
+            Densities. [1]
 
         Examples
         --------
@@ -184,7 +184,7 @@ class DensitySegments:
         Returns
         -------
         array, shape (nc,)
-            [m]
+            Columns. [m]
 
         Examples
         --------
@@ -198,7 +198,7 @@ class DensitySegments:
 
 
 def row_column(row: Row) -> float:
-    r"""Vertical column of one profile, exact.
+    r"""Exact vertical column of one profile.
 
     .. math:: \sum_k \frac{a}{b}\left(e^{bL}-1\right) + \frac{c L^2}{2} + d L
 
@@ -210,7 +210,7 @@ def row_column(row: Row) -> float:
     Returns
     -------
     float
-        [m]
+        Column. [m]
     """
     edges, coefficients = row
     length = np.diff(edges)
@@ -226,27 +226,27 @@ def exponential(scale_height: float, thickness: float) -> Row:
     Parameters
     ----------
     scale_height : float
-        H. [m]
+        Scale height H. [m]
     thickness : float
-        Of the shell. [m]
+        Thickness of the shell. [m]
     """
     return np.array([0.0, thickness]), np.array([[1.0, -1.0 / scale_height, 0.0, 0.0]])
 
 
 def uniform(thickness: float) -> Row:
-    """One segment of density 1 from the ground to the top."""
+    """Segment of density 1 from the ground to the top."""
     return np.array([0.0, thickness]), np.array([[0.0, 0.0, 0.0, 1.0]])
 
 
 def tent(center: float, half_width: float, thickness: float) -> Row:
-    """Segments of max(0, 1 - |h - center|/half_width), cut off at the ground and the top.
+    """Segments of ``max(0, 1 - |h - center|/half_width)``, cut off at the ground and the top.
 
     Parameters
     ----------
     center, half_width : float
         Altitude of the peak, and distance from it to where the density is 0. [m]
     thickness : float
-        Of the shell. [m]
+        Thickness of the shell. [m]
     """
     corners = (center - half_width, center, center + half_width)
     edges = np.array([0.0, *(h for h in corners if 0.0 < h < thickness), thickness])
@@ -261,18 +261,18 @@ def tent(center: float, half_width: float, thickness: float) -> Row:
 
 @dataclass(frozen=True, kw_only=True)
 class LayerTerms:
-    """One of Bruneton's density layers: exp_term·e^(exp_scale·h) + linear_term·h + constant_term.
+    """Bruneton's density layer: exp_term·e^(exp_scale·h) + linear_term·h + constant_term.
 
     The result is clamped to [0, 1]; h is the altitude above the ground, not above the layer.
 
     Parameters
     ----------
     width : float
-        Thickness of the layer; that of the topmost one is not used. [m]
+        Thickness of the layer; unused for the topmost layer. [m]
     exp_term, constant_term : float
-        [1]
+        Factor of the exponential, and the constant. [1]
     exp_scale, linear_term : float
-        [m⁻¹]
+        Rate of the exponential, and slope. [m⁻¹]
 
     References
     ----------
@@ -287,7 +287,7 @@ class LayerTerms:
     constant_term: float = 0.0
 
     def unclamped(self, altitude: float) -> float:
-        """The sum of the terms, before it is clamped. [1]"""
+        """Sum of the terms before it is clamped. [1]"""
         return (
             self.exp_term * math.exp(self.exp_scale * altitude)
             + self.linear_term * altitude
@@ -301,9 +301,9 @@ def layered(layers: Sequence[LayerTerms], thickness: float) -> Row:
     Parameters
     ----------
     layers : sequence of LayerTerms
-        From the ground upwards; the last one reaches the top.
+        Layers from the ground upwards; the last reaches the top.
     thickness : float
-        Of the shell. [m]
+        Thickness of the shell. [m]
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The refractive index of a particle that holds grains of something else."""
+"""Refractive index of a particle that contains grains of another material."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ def maxwell_garnett(
     Parameters
     ----------
     matrix, inclusions : complex array, shape (...)
-        n + ik of each. [1]
+        Refractive index n + ik of each. [1]
     fraction : float
-        Share of the inclusions in the volume, 0 to 1. [1]
+        Volume fraction of the inclusions, 0 to 1. [1]
 
     Returns
     -------
     complex array, shape (...)
-        n + ik. [1]
+        Refractive index n + ik. [1]
 
     Raises
     ------
@@ -38,8 +38,8 @@ def maxwell_garnett(
 
     Notes
     -----
-    Made for inclusions much smaller than the wavelength and a small fraction; it tends to both
-    pure substances at 0 and 1.
+    Valid for inclusions much smaller than the wavelength and a small fraction; at 0 and 1 it gives
+    the pure substances.
 
     References
     ----------

@@ -1,7 +1,7 @@
 """Refractivity n - 1 of nitrogen, oxygen, argon, hydrogen and helium at the state of measurement.
 
 All formulas are functions of σ = 1/λ in µm⁻¹. Each refuses wavelengths outside the limits that its
-docstring gives; where these are wider than the measurement, it says what supports them.
+docstring gives; where these are wider than the measurement, it cites what supports them.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def n2_refractivity_bates1984(wavelengths: npt.ArrayLike) -> FloatArray:
     Parameters
     ----------
     wavelengths : array, shape (...)
-        254 to 2058.7. [nm]
+        Wavelengths, 254 to 2058.7. [nm]
 
     Returns
     -------
@@ -77,7 +77,7 @@ def o2_refractivity_bates1984(wavelengths: npt.ArrayLike) -> FloatArray:
     Parameters
     ----------
     wavelengths : array, shape (...)
-        221 to 1800. [nm]
+        Wavelengths, 221 to 1800. [nm]
 
     Returns
     -------
@@ -120,7 +120,7 @@ def ar_refractivity_peck1964(wavelengths: npt.ArrayLike) -> FloatArray:
     Parameters
     ----------
     wavelengths : array, shape (...)
-        140.4 to 2058.7. [nm]
+        Wavelengths, 140.4 to 2058.7. [nm]
 
     Returns
     -------
@@ -158,7 +158,7 @@ def h2_refractivity_peck1977(wavelengths: npt.ArrayLike) -> FloatArray:
     Parameters
     ----------
     wavelengths : array, shape (...)
-        168 to 1694.5. [nm]
+        Wavelengths, 168 to 1694.5. [nm]
 
     Returns
     -------
@@ -194,7 +194,7 @@ def he_refractivity_mansfield1969(wavelengths: npt.ArrayLike) -> FloatArray:
     Parameters
     ----------
     wavelengths : array, shape (...)
-        275 to 2058.6. [nm]
+        Wavelengths, 275 to 2058.6. [nm]
 
     Returns
     -------

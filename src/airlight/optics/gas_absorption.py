@@ -1,4 +1,4 @@
-"""Absorption: Dobson units, the ozone layer, particles much smaller than the wavelength."""
+"""Absorption: Dobson units, the ozone profile, particles much smaller than the wavelength."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ FloatArray = npt.NDArray[np.float64]
 
 
 def column_from_dobson(dobson: float) -> float:
-    """Molecules above an area, from Dobson units.
+    """Molecules per area, from Dobson units.
 
     Parameters
     ----------
     dobson : float
-        10 µm of gas at 0 °C and 101 325 Pa each. [DU]
+        Column, in 10 µm of gas at 0 °C and 101 325 Pa. [DU]
 
     Returns
     -------
     float
-        [m⁻²]
+        Molecules per area. [m⁻²]
 
     Examples
     --------
@@ -35,20 +35,20 @@ def column_from_dobson(dobson: float) -> float:
 
 
 def dobson_from_column(column: float) -> float:
-    """Dobson units, from molecules above an area [m⁻²]. [DU]"""
+    """Dobson units, from molecules per area [m⁻²]. [DU]"""
     return column / DOBSON_UNIT
 
 
 @cache
 def ozone_profile_afgl1986() -> tuple[FloatArray, FloatArray]:
-    """Ozone in the AFGL U.S. Standard atmosphere.
+    """Ozone profile of the AFGL U.S. Standard atmosphere.
 
     Returns
     -------
     altitudes : array, shape (14,)
-        [m]
+        Altitudes above the ground. [m]
     number_densities : array, shape (14,)
-        [m⁻³]
+        Molecules per volume. [m⁻³]
 
     References
     ----------
@@ -75,21 +75,21 @@ def ozone_profile_afgl1986() -> tuple[FloatArray, FloatArray]:
 def reference_coefficient(
     column: float, vertical_column: float, cross_sections: npt.ArrayLike
 ) -> FloatArray:
-    """Absorption coefficient at relative density 1 of a gas whose whole column is known.
+    """Absorption coefficient at relative density 1 of a gas of known total column.
 
     Parameters
     ----------
     column : float
-        Molecules above an area. [m⁻²]
+        Molecules per area. [m⁻²]
     vertical_column : float
-        ∫ relative density dh over the shell. [m]
+        Integral ∫ relative density dh over the shell. [m]
     cross_sections : array, shape (...)
-        [m²]
+        Absorption cross-sections. [m²]
 
     Returns
     -------
     array, shape (...)
-        [m⁻¹]
+        Absorption coefficients. [m⁻¹]
 
     Examples
     --------
@@ -111,24 +111,24 @@ def small_particle_absorption(
     .. math:: \beta = \frac{8\pi^2 r^3 N}{\lambda}\,
               \mathrm{Im}\,\frac{m^2-1}{m^2+2}, \quad m = n + ik
 
-    The limit of exact Mie absorption at small x = 2πr/λ: at m = 1.5 + 0.1i it is 0.6 % too small at
-    x = 0.1, 5 % at x = 0.3 and 27 % at x = 1.
+    This is the limit of exact Mie absorption at small x = 2πr/λ: at m = 1.5 + 0.1i it is 0.6 % too
+    small at x = 0.1, 5 % at x = 0.3 and 27 % at x = 1.
 
     Parameters
     ----------
     wavelengths : array, shape (...)
-        [nm]
+        Wavelengths. [nm]
     radius : float
-        r. [m]
+        Radius r. [m]
     number_density : float
-        N. [m⁻³]
+        Number density N. [m⁻³]
     real, imaginary : array, shape (...)
-        n and k, both not negative. [1]
+        Refractive index n and k, neither negative. [1]
 
     Returns
     -------
     array, shape (...)
-        Not negative. [m⁻¹]
+        Coefficient, not negative. [m⁻¹]
 
     References
     ----------

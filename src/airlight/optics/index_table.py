@@ -1,4 +1,4 @@
-"""Tables of complex refractive indices of what particles are made of: CSV with a cited header."""
+"""Tables of complex refractive indices of particle materials: CSV with a cited header."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from airlight.errors import FileError, ParameterError
 FloatArray = npt.NDArray[np.float64]
 ComplexArray = npt.NDArray[np.complex128]
 
-#: How far beyond a table's ends its end value still stands. [nm]
+#: Range beyond a table's ends over which its end value is used. [nm]
 ALLOWANCE: Final = 10.0
-#: The file names of the tables that come with the package begin with this.
+#: Prefix of the file names of the tables that ship with the package.
 _PREFIX: Final = "index-"
-#: The first line after the header.
+#: First line after the header.
 _COLUMNS: Final = "wavelength_nm,real,imaginary"
 
 
@@ -31,13 +31,13 @@ class IndexTable:
     Parameters
     ----------
     name : str
-        The table's name, or its path.
+        Name of the table, or its path.
     wavelengths : array, shape (n,)
-        Ascending. [nm]
+        Wavelengths, ascending. [nm]
     real, imaginary : array, shape (n,)
         n and k of n + ik, k 0 or more. [1]
     source : str
-        Where the values come from.
+        Source of the values.
     """
 
     name: str
@@ -48,14 +48,14 @@ class IndexTable:
 
     @property
     def limits(self) -> tuple[float, float]:
-        """The wavelengths at which the index is known, the 10 nm included. [nm]"""
+        """Wavelengths at which the index is known, including the 10 nm beyond the ends. [nm]"""
         return float(self.wavelengths[0]) - ALLOWANCE, float(self.wavelengths[-1]) + ALLOWANCE
 
     def at(self, wavelengths: npt.ArrayLike) -> ComplexArray:
         """n + ik at wavelengths within ``limits`` [nm], shape (...).
 
-        n is linear between the rows, and so is the logarithm of k, which changes by powers of
-        ten; beside a row with k = 0, k itself is.
+        n is linear between the rows, and so is the logarithm of k, which varies over decades; next
+        to a row with k = 0, k itself is linear.
 
         Examples
         --------
@@ -73,7 +73,7 @@ class IndexTable:
 
 @cache
 def index_names() -> tuple[str, ...]:
-    """The names of the tables that come with the package.
+    """Names of the tables that ship with the package.
 
     Examples
     --------
@@ -87,7 +87,7 @@ def index_names() -> tuple[str, ...]:
 
 @cache
 def read_index(name: str) -> IndexTable:
-    """One of the package's tables, or a CSV file of the same form.
+    """Read one of the package's tables, or a CSV file of the same form.
 
     Parameters
     ----------
@@ -98,7 +98,7 @@ def read_index(name: str) -> IndexTable:
     Returns
     -------
     IndexTable
-        Its arrays cannot be written to.
+        Table with read-only arrays.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""King factors: how much molecules that are not round scatter beyond round ones."""
+"""King factors: the additional scattering by anisotropic molecules."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _O2_PERCENT: Final = 20.946
 _AR_PERCENT: Final = 0.934
 #: Carbon dioxide in dry air at 360 ppm. [%] Bodhaine et al. (1999), section 3.
 _CO2_PERCENT: Final = 0.036
-#: King factor of carbon dioxide within air, held constant. [1] Bates (1984).
+#: King factor of carbon dioxide in air, held constant. [1] Bates (1984).
 _CO2_IN_AIR: Final = 1.15
 #: Wavenumber of one hartree, the atomic unit of energy. [cm⁻¹] CODATA 2018.
 _HARTREE_WAVENUMBER: Final = 219_474.631_363_20
@@ -27,12 +27,12 @@ def king_factor_n2_bates1984(wavelengths: npt.ArrayLike) -> FloatArray:
     Parameters
     ----------
     wavelengths : array, shape (...)
-        [nm]
+        Wavelengths. [nm]
 
     Returns
     -------
     array, shape (...)
-        [1]
+        King factor. [1]
 
     References
     ----------
@@ -53,12 +53,12 @@ def king_factor_o2_bates1984(wavelengths: npt.ArrayLike) -> FloatArray:
     Parameters
     ----------
     wavelengths : array, shape (...)
-        [nm]
+        Wavelengths. [nm]
 
     Returns
     -------
     array, shape (...)
-        [1]
+        King factor. [1]
 
     References
     ----------
@@ -84,12 +84,12 @@ def king_factor_air_bates1984(wavelengths: npt.ArrayLike) -> FloatArray:
     Parameters
     ----------
     wavelengths : array, shape (...)
-        [nm]
+        Wavelengths. [nm]
 
     Returns
     -------
     array, shape (...)
-        [1]
+        King factor. [1]
 
     References
     ----------
@@ -119,12 +119,12 @@ def king_factor_co2_alms1975(wavelengths: npt.ArrayLike) -> FloatArray:
     Parameters
     ----------
     wavelengths : array, shape (...)
-        [nm]
+        Wavelengths. [nm]
 
     Returns
     -------
     array, shape (...)
-        [1]
+        King factor. [1]
 
     References
     ----------
@@ -149,12 +149,12 @@ def king_factor_n2o_alms1975(wavelengths: npt.ArrayLike) -> FloatArray:
     Parameters
     ----------
     wavelengths : array, shape (...)
-        [nm]
+        Wavelengths. [nm]
 
     Returns
     -------
     array, shape (...)
-        [1]
+        King factor. [1]
 
     References
     ----------
@@ -172,17 +172,17 @@ def king_factor_n2o_alms1975(wavelengths: npt.ArrayLike) -> FloatArray:
 
 
 def king_factor_h2_hohm1993(wavelengths: npt.ArrayLike) -> FloatArray:
-    """King factor of hydrogen, from its polarisability along and across the axis.
+    """King factor of hydrogen, from its polarisability parallel and perpendicular to the axis.
 
     Parameters
     ----------
     wavelengths : array, shape (...)
-        [nm]
+        Wavelengths. [nm]
 
     Returns
     -------
     array, shape (...)
-        [1]
+        King factor. [1]
 
     References
     ----------
@@ -197,17 +197,17 @@ def king_factor_h2_hohm1993(wavelengths: npt.ArrayLike) -> FloatArray:
 
 
 def king_factor_nh3_hohm1993(wavelengths: npt.ArrayLike) -> FloatArray:
-    """King factor of ammonia, from its polarisability along and across the axis.
+    """King factor of ammonia, from its polarisability parallel and perpendicular to the axis.
 
     Parameters
     ----------
     wavelengths : array, shape (...)
-        [nm]
+        Wavelengths. [nm]
 
     Returns
     -------
     array, shape (...)
-        [1]
+        King factor. [1]
 
     References
     ----------
@@ -224,7 +224,7 @@ def king_factor_nh3_hohm1993(wavelengths: npt.ArrayLike) -> FloatArray:
 def _of_two_oscillators(
     wavelengths: npt.ArrayLike, along: tuple[float, float], across: tuple[float, float]
 ) -> FloatArray:
-    """F = 1 + 2(Δα/3α)² of a molecule with one oscillator (f, ω₀²) along, one across its axis.
+    """F = 1 + 2(Δα/3α)² of a molecule with oscillators (f, ω₀²) along and across its axis.
 
     α = f/(ω₀² - ω²), all in atomic units.
     """

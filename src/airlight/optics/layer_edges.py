@@ -1,4 +1,4 @@
-"""Layers aloft: the altitudes between which a march must not take a step too long."""
+"""Elevated layers: altitudes between which a march must not take too long a step."""
 
 from __future__ import annotations
 
@@ -11,32 +11,33 @@ from airlight.optics.density_profile import DensitySegments
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Altitudes at which profiles are looked at.
+#: Number of altitudes at which profiles are sampled.
 _SAMPLES: Final = 2001
-#: A layer ends where its density has fallen to this part of its largest.
+#: Density at the edge of a layer, as a fraction of its largest.
 _EDGE: Final = 0.01
-#: A profile is a layer aloft if it is so many times denser there than at the ground.
+#: Smallest ratio of the largest density to that at the ground in an elevated layer.
 _ALOFT: Final = 2.0
-#: A layer of less scattering optical depth is not seen.
+#: Smallest scattering optical depth of a layer that counts.
 _FAINT: Final = 1e-4
-#: Edges nearer to each other than this part of the shell are one.
+#: Distance below which edges are merged, as a fraction of the shell.
 _APART: Final = 0.015
 
 
 def layer_edges(density: DensitySegments, scattering: FloatArray) -> FloatArray:
-    """Altitudes of the bottom, the densest place and the top of each layer aloft that scatters.
+    """Altitudes of the bottom, the peak and the top of each elevated layer that scatters.
 
     Parameters
     ----------
     density : DensitySegments
-        The profiles.
+        Profiles of the constituents.
     scattering : array, shape (nc,)
         Largest scattering coefficient of each constituent at relative density 1. [m⁻¹]
 
     Returns
     -------
     array, shape (n,)
-        Ascending, within the shell; none where all that scatters is densest at the ground. [m]
+        Altitudes, ascending, within the shell; empty if all scatterers are densest at the ground.
+        [m]
 
     Examples
     --------

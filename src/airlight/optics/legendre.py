@@ -1,4 +1,4 @@
-"""Legendre moments of phase functions: all that multiple scattering needs to know of them."""
+"""Legendre moments of phase functions: all that multiple scattering depends on."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ import numpy.typing as npt
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Panels of the quadrature in u = sin(θ/2) halve towards 0 and towards 1 this many times:
+#: Number of times that panels of the quadrature in u = sin(θ/2) halve towards 0 and towards 1:
 #: the innermost is 0.0005° wide.
 _HALVINGS: Final = 18
-#: Gauss-Legendre points of a panel, before the degree asks for more.
+#: Smallest number of Gauss-Legendre points of a panel.
 _POINTS: Final = 20
 
 
@@ -23,7 +23,7 @@ def _quadrature(degree: int) -> tuple[FloatArray, FloatArray]:
     """Nodes nu and weights over [-1, 1], graded towards both ends.
 
     In u = sin(θ/2), nu = 1 - 2u² and dnu = -4u du; forward and backward peaks of any width down
-    to the innermost panel stand on panels no wider than themselves.
+    to the innermost panel lie on panels no wider than themselves.
     """
     halves = 0.5 ** np.arange(1, _HALVINGS + 1)
     edges = np.unique(np.concatenate([[0.0, 1.0], halves, 1.0 - halves]))
@@ -45,16 +45,16 @@ def legendre_moments(phase: Callable[[FloatArray], FloatArray], degree: int) -> 
     phase : callable
         Phase function of an array of cosines, shape (n,) to (..., n). [sr⁻¹]
     degree : int
-        The last l.
+        Largest l.
 
     Returns
     -------
     array, shape (..., degree + 1)
-        g_0 is the integral over the sphere, g_1 the mean cosine times it. [1]
+        Moments; g_0 is the integral over the sphere, g_1 the mean cosine times it. [1]
 
     Notes
     -----
-    Henyey-Greenstein moments come out to 1e-12 up to |g| = 0.999.
+    Henyey-Greenstein moments are accurate to 1e-12 up to ``|g|`` = 0.999.
 
     Examples
     --------
@@ -85,6 +85,6 @@ def phase_integral(phase: Callable[[FloatArray], FloatArray]) -> FloatArray:
     Returns
     -------
     array, shape (...)
-        [1]
+        Integral over the sphere. [1]
     """
     return legendre_moments(phase, 0)[..., 0]

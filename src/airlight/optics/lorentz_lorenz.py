@@ -11,22 +11,22 @@ from airlight.errors import ParameterError
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Largest specific refraction of what is called a gas here: n = 1.6.
+#: Largest specific refraction accepted for a gas: n = 1.6.
 LARGEST_REFRACTION: Final = 0.35
 
 
 def refraction_of(refractivity: npt.ArrayLike) -> FloatArray:
-    """The quantity that adds up over molecules, (n²-1)/(n²+2).
+    """Molar quantity that is additive over molecules, (n²-1)/(n²+2).
 
     Parameters
     ----------
     refractivity : array, shape (...)
-        n - 1. [1]
+        Refractivity n - 1. [1]
 
     Returns
     -------
     array, shape (...)
-        [1]
+        Specific refraction. [1]
     """
     excess = np.asarray(refractivity, dtype=np.float64)
     squared = excess * (2.0 + excess)
@@ -34,22 +34,22 @@ def refraction_of(refractivity: npt.ArrayLike) -> FloatArray:
 
 
 def refractivity_of(refraction: npt.ArrayLike) -> FloatArray:
-    """The refractivity n - 1 that belongs to (n²-1)/(n²+2): the inverse of ``refraction_of``.
+    """Refractivity n - 1 from (n²-1)/(n²+2): the inverse of ``refraction_of``.
 
     Parameters
     ----------
     refraction : array, shape (...)
-        0 to 0.35. [1]
+        Specific refraction, 0 to 0.35. [1]
 
     Returns
     -------
     array, shape (...)
-        n - 1, with all its digits however thin the gas. [1]
+        Refractivity n - 1, without loss of digits however thin the gas. [1]
 
     Raises
     ------
     ParameterError
-        If it is no gas any more.
+        If it is too large for a gas.
     """
     value = np.asarray(refraction, dtype=np.float64)
     if not np.all(value <= LARGEST_REFRACTION):
@@ -69,25 +69,25 @@ def refractivity_at(
 
     .. math:: \frac{n^2-1}{n^2+2} \propto N
 
-    Proportionality of n - 1 itself would err by 3e-6 of the value for air from 0 to 15 °C, by
+    Assuming n - 1 proportional to N would err by 3e-6 of the value for air from 0 to 15 °C, by
     0.25 % from there to the ground of Venus.
 
     Parameters
     ----------
     refractivity : array, shape (...)
-        n - 1 at the first density. [1]
+        Refractivity n - 1 at the first density. [1]
     number_density, other_density : array, shape (...)
-        The first, and the one asked for. [m⁻³]
+        First density, and the one at which the refractivity is wanted. [m⁻³]
 
     Returns
     -------
     array, shape (...)
-        n - 1 at the other density. [1]
+        Refractivity n - 1 at the other density. [1]
 
     Raises
     ------
     ParameterError
-        If the gas would be denser than any gas is.
+        If the result is too large for a gas.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Exact scattering by spheres of any size: Mie's theory, averaged over a size distribution.
+"""Exact scattering by spheres: Mie's theory, averaged over a size distribution.
 
 The coefficients a_n, b_n come from ``miepython``; the sums over them, over angles and over radii
 are matrix products here, a few hundred times faster than one sphere and one angle at a time.
@@ -22,15 +22,15 @@ ComplexArray = npt.NDArray[np.complex128]
 
 #: Largest size parameter 2πr/λ: beyond it the forward peak is as narrow as a star's disc.
 LARGEST_SIZE_PARAMETER: Final = 3000.0
-#: The most even steps between scattering angles.
+#: Largest number of even steps between scattering angles.
 _MOST_STEPS: Final = 8000.0
-#: Radii that are summed together: their series have about the same length.
+#: Number of radii that are summed together, as their series have about the same length.
 _BLOCK: Final = 64
 
 
 @dataclass(frozen=True, eq=False)
 class Scattering:
-    """What the mean particle does to light of one wavelength.
+    """Optical properties of the mean particle at one wavelength.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ class Scattering:
     asymmetry : float
         Mean cosine of the scattering angle. [1]
     phase : array, shape (na,)
-        Phase function at the angles asked for; its integral over the sphere is 1. [sr⁻¹]
+        Phase function at the given angles; its integral over the sphere is 1. [sr⁻¹]
     """
 
     extinction: float
@@ -54,14 +54,14 @@ def efficiencies(size_parameter: float, index: complex) -> tuple[float, float, f
     Parameters
     ----------
     size_parameter : float
-        x = 2πr/λ. [1]
+        Size parameter x = 2πr/λ. [1]
     index : complex
         Refractive index n + ik, k 0 or more. [1]
 
     Returns
     -------
     extinction, scattering, asymmetry : float
-        [1]
+        Efficiencies, and mean cosine of the scattering angle. [1]
 
     References
     ----------
@@ -89,9 +89,9 @@ def scattering(
     Parameters
     ----------
     sizes : Sizes
-        From ``optics.size_distribution``.
+        Sizes from ``optics.size_distribution``.
     wavelength : float
-        In the air, taken as in vacuum. [nm]
+        Wavelength in the air, taken as that in vacuum. [nm]
     index : complex
         Refractive index of the particles n + ik, k 0 or more. [1]
     angles : array, shape (na,)
@@ -104,7 +104,7 @@ def scattering(
     Raises
     ------
     ParameterError
-        If a radius is too large for the wavelength, or the index cannot be.
+        If a radius is too large for the wavelength, or the index is impossible.
 
     References
     ----------
@@ -134,7 +134,7 @@ def scattering(
 
 
 def check_index(index: complex) -> None:
-    """Refuse a refractive index that nothing has or that gives light away."""
+    """Refuse a refractive index that no material has, or that would amplify light."""
     if not 0.1 <= index.real <= 10.0:
         raise ParameterError("index.real", index.real, "0.1 to 10")
     if not 0.0 <= index.imag <= 10.0:
@@ -153,15 +153,15 @@ def check_sizes(sizes: Sizes, wavelength: float) -> None:
 def scattering_angles(size_parameter: float, per_ripple: float = 12.0) -> FloatArray:
     """Angles at which to tabulate a phase function, ascending from 0 to 180. [deg]
 
-    Even steps that show the ripples of a sphere, growing from a sixteenth of a step at both ends,
-    where the diffraction peak and the glory stand.
+    Even steps resolve the ripples of a sphere; they grow from a sixteenth of a step at both ends,
+    where the diffraction peak and the glory are.
 
     Parameters
     ----------
     size_parameter : float
-        x = 2πr/λ of the radius that forms the finest structure. [1]
+        Size parameter x = 2πr/λ of the radius with the finest structure. [1]
     per_ripple : float
-        Steps for each ripple of 180°/x. [1]
+        Steps per ripple of 180°/x. [1]
 
     Examples
     --------
@@ -186,12 +186,12 @@ def _blocks(count: int) -> Iterator[slice]:
 
 
 def _terms(size_parameter: float) -> int:
-    """Length of miepython's series: Wiscombe's. [1]"""
+    """Length of miepython's series by Wiscombe's criterion. [1]"""
     return int(size_parameter + 4.05 * size_parameter**0.33333 + 2.0)
 
 
 def _coefficients(size_parameters: FloatArray, index: complex) -> tuple[ComplexArray, ComplexArray]:
-    """a_n and b_n of spheres, zero beyond their series, shape (nr, nn)."""
+    """Coefficients a_n and b_n of spheres, zero beyond their series, shape (nr, nn)."""
     import miepython
 
     pairs = [miepython.an_bn(index.conjugate(), float(x)) for x in size_parameters]
@@ -203,7 +203,7 @@ def _coefficients(size_parameters: FloatArray, index: complex) -> tuple[ComplexA
 
 
 def _sums(a: ComplexArray, b: ComplexArray, index: complex) -> FloatArray:
-    """Σ of extinction, of scattering and of scattering × asymmetry, shape (3, nr).
+    """Sums for extinction, scattering and scattering × asymmetry, shape (3, nr).
 
     Q = 2/x² times each.
     """
@@ -220,7 +220,7 @@ def _sums(a: ComplexArray, b: ComplexArray, index: complex) -> FloatArray:
 
 
 def _angular_functions(mu: FloatArray, terms: int) -> tuple[FloatArray, FloatArray]:
-    """π_n + τ_n and π_n - τ_n, times (2n+1)/(n(n+1)), shape (terms, na)."""
+    """Functions π_n + τ_n and π_n - τ_n, times (2n+1)/(n(n+1)), shape (terms, na)."""
     plus, minus = np.empty((terms, len(mu))), np.empty((terms, len(mu)))
     before, pi = np.zeros_like(mu), np.ones_like(mu)
     for n in range(1, terms + 1):
@@ -234,7 +234,7 @@ def _angular_functions(mu: FloatArray, terms: int) -> tuple[FloatArray, FloatArr
 def _intensities(
     a: ComplexArray, b: ComplexArray, plus: FloatArray, minus: FloatArray
 ) -> FloatArray:
-    """|S₁|² + |S₂|², shape (nr, na), as (|S₁ + S₂|² + |S₁ - S₂|²)/2."""
+    """Intensities |S₁|² + |S₂|², shape (nr, na), as (|S₁ + S₂|² + |S₁ - S₂|²)/2."""
     terms = a.shape[1]
     total = np.zeros((a.shape[0], plus.shape[1]))
     for amplitude, function in ((a + b, plus[:terms]), (a - b, minus[:terms])):

@@ -1,4 +1,4 @@
-"""The gases that airlight knows: what is needed of each to scatter light, in one table."""
+"""Gases that airlight knows: the scattering properties of each, in one table."""
 
 from __future__ import annotations
 
@@ -23,28 +23,28 @@ Spectrum = Callable[[npt.ArrayLike], FloatArray]
 
 
 def constant_king_factor(wavelengths: npt.ArrayLike, value: float = 1.0) -> FloatArray:
-    """The same King factor at every wavelength [nm], shape (...). [1]"""
+    """Same King factor at every wavelength [nm], shape (...). [1]"""
     return np.full(np.shape(wavelengths), value)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Molecule:
-    """A gas whose scattering is known.
+    """Gas of known scattering.
 
     Parameters
     ----------
     name : str
-        In words.
+        Name in words.
     molar_mass : float
-        [kg mol⁻¹]
+        Mass of a mole. [kg mol⁻¹]
     refractivities : callable
-        n - 1 at the temperature and pressure below, of wavelengths in nm. [1]
+        Function that gives n - 1 at the temperature and pressure below, of wavelengths in nm. [1]
     temperature, pressure : float
-        Of the measurement of the refractivity. [K], [Pa]
+        State of the gas at which the refractivity was measured. [K], [Pa]
     king_factors : callable
-        Of wavelengths in nm. [1]
+        Function that gives the King factor, of wavelengths in nm. [1]
     limits : tuple of float
-        Wavelengths at which it is known. [nm]
+        Wavelengths at which both are known. [nm]
     """
 
     name: str
@@ -57,7 +57,7 @@ class Molecule:
 
     @property
     def number_density(self) -> float:
-        """Of the state at which the refractivity was measured. [m⁻³]"""
+        """Number density of the state at which the refractivity was measured. [m⁻³]"""
         return number_density(self.temperature, self.pressure)
 
     def cross_sections(self, wavelengths: npt.ArrayLike) -> FloatArray:
@@ -66,12 +66,12 @@ class Molecule:
         Parameters
         ----------
         wavelengths : array, shape (...)
-            [nm]
+            Wavelengths. [nm]
 
         Returns
         -------
         array, shape (...)
-            [m²]
+            Cross-sections. [m²]
 
         Raises
         ------
@@ -91,14 +91,14 @@ class Molecule:
         )
 
 
-#: 0, 15 and 20 °C. [K]
+#: Temperatures 0, 15 and 20 °C. [K]
 _AT_0, _AT_15, _AT_20 = 273.15, 288.15, 293.15
 
-#: By formula. Molar masses: CIAAW (2021) conventional atomic weights.
+#: Gases by formula. Molar masses: CIAAW (2021) conventional atomic weights.
 #: King factors: N₂, O₂ Bates (1984); CO₂, N₂O Alms et al. (1975); H₂, NH₃ Hohm (1993); CO from the
 #: depolarisation 0.0048 of polarised light in Sneep & Ubachs (2005), F = (3+6ρ)/(3-4ρ); H₂O from
 #: δ = 3e-4, Murphy (1977), J. Chem. Phys. 67, 5831; SO₂ from Bogaard et al. (1978), J. Chem. Soc.
-#: Faraday Trans. 1 74, 3008; atoms and the tetrahedral CH₄ are round, F = 1.
+#: Faraday Trans. 1 74, 3008; atoms and the tetrahedral CH₄ are isotropic, F = 1.
 MOLECULES: Final[dict[str, Molecule]] = {
     "N2": Molecule(
         name="nitrogen",

@@ -1,7 +1,7 @@
-"""Phase functions: how scattered light spreads over directions; each integrates to 1.
+"""Phase functions: distribution of scattered light over directions; each integrates to 1.
 
 The argument ``nu`` is the cosine between the directions before and after the scattering, +1
-straight on. With the observer's view and the direction towards the star, nu = view · sun.
+for straight forward. With the observer's view and the direction towards the star, nu = view · sun.
 """
 
 from __future__ import annotations
@@ -47,8 +47,8 @@ def rayleigh(nu: float, depolarisation: float) -> float:
 def rayleigh_modified(nu: float) -> float:
     """An artist's Rayleigh phase function, 0.8 (1.4 + 0.5 ν)/4π: **not** normalised. [sr⁻¹]
 
-    It integrates to 1.12, so it makes light; no planet file can ask for it. It darkens the sky
-    opposite the sun, where real Rayleigh scattering is symmetric.
+    It integrates to 1.12, so it does not conserve energy; no planet file can select it. It darkens
+    the sky opposite the sun, where real Rayleigh scattering is symmetric.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ def rayleigh_modified(nu: float) -> float:
     References
     ----------
     Schafhitzel, Falk & Ertl (2007), Real-Time Rendering of Planets with Atmospheres, after
-    Nishita's simplification; Elek (2009) prints the same.
+    Nishita's simplification; Elek (2009) prints the same form.
 
     Examples
     --------
@@ -81,7 +81,7 @@ def cornette_shanks(nu: float, g: float) -> float:
     nu : float
         Cosine of the scattering angle. [1]
     g : float
-        Between -1 and 1; positive is forward. [1]
+        Parameter between -1 and 1; positive is forward. [1]
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""A phase function known at angles: its logarithm is linear in the angle between them."""
+"""Phase function tabulated over angles, interpolated linearly in its logarithm."""
 
 from __future__ import annotations
 
@@ -12,30 +12,31 @@ from airlight.kernel import compiled_loop
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Values below this are joined by straight lines, as zeros are. [sr⁻¹]
+#: Smallest value interpolated in the logarithm; smaller values and zeros are joined by lines.
+#: [sr⁻¹]
 SMALLEST_LOGARITHMIC: Final = 1e-30
-#: Pieces that the integrals over a table are taken in are no wider than this. [deg]
+#: Largest width of the pieces in integrals over a table. [deg]
 _WIDEST_PIECE: Final = 1.0
-#: Gauss-Legendre points of a piece: Legendre polynomials up to degree 300 are smooth on it.
+#: Gauss-Legendre points per piece: Legendre polynomials up to degree 300 are smooth on it.
 _POINTS: Final = 6
 
 
 def interpolated(angles: FloatArray, rows: FloatArray, at: npt.ArrayLike) -> FloatArray:
-    """The tabulated functions at any angles.
+    """Interpolate the tabulated functions at any angles.
 
     Parameters
     ----------
     angles : array, shape (na,)
-        Ascending from 0 to 180. [deg]
+        Angles of the table, ascending from 0 to 180. [deg]
     rows : array, shape (nr, na)
-        Values. [sr⁻¹]
+        Tabulated values. [sr⁻¹]
     at : array, shape (...)
-        Angles. [deg]
+        Angles of interpolation. [deg]
 
     Returns
     -------
     array, shape (..., nr)
-        [sr⁻¹]
+        Values. [sr⁻¹]
 
     Examples
     --------
@@ -85,14 +86,14 @@ def moments(angles: FloatArray, rows: FloatArray, degree: int) -> FloatArray:
     Parameters
     ----------
     angles, rows
-        As for ``interpolated``. [deg], [sr⁻¹]
+        Table, as for ``interpolated``. [deg], [sr⁻¹]
     degree : int
-        The last l, at most 300.
+        Largest l, at most 300.
 
     Returns
     -------
     array, shape (nr, degree + 1)
-        g_l as ``optics.legendre`` defines them; g_0 is the integral over the sphere. [1]
+        Moments g_l as defined in ``optics.legendre``; g_0 is the integral over the sphere. [1]
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Scattering by gases: from refractivity and density to a cross-section."""
+"""Rayleigh scattering by gases: cross-section, King factor, number density and scale height."""
 
 from __future__ import annotations
 
@@ -27,18 +27,18 @@ def cross_section(
     Parameters
     ----------
     wavelengths : array, shape (...)
-        In vacuum. [nm]
+        Wavelengths in vacuum. [nm]
     refractivity : array, shape (...)
-        n - 1, not n: written so that thin gases keep their digits. [1]
+        Refractivity n - 1, not n, so that thin gases keep their digits. [1]
     number_density : array, shape (...)
-        Of the gas whose refractivity it is. [m⁻³]
+        Number density of the gas at the state of the refractivity. [m⁻³]
     king_factor : array, shape (...)
-        F. [1]
+        King factor F. [1]
 
     Returns
     -------
     array, shape (...)
-        [m²]
+        Cross-section. [m²]
 
     References
     ----------
@@ -59,19 +59,19 @@ def cross_section(
 
 
 def depolarisation_from_king_factor(king_factor: npt.ArrayLike) -> FloatArray:
-    r"""Depolarisation factor of a gas whose King factor is F.
+    r"""Depolarisation factor of a gas of King factor F.
 
     .. math:: \delta = \frac{6(F-1)}{3+7F} \quad\text{from}\quad F = \frac{6+3\delta}{6-7\delta}
 
     Parameters
     ----------
     king_factor : array, shape (...)
-        F, at least 1. [1]
+        King factor F, at least 1. [1]
 
     Returns
     -------
     array, shape (...)
-        δ for unpolarised light. [1]
+        Depolarisation factor δ for unpolarised light. [1]
 
     Examples
     --------
@@ -83,17 +83,17 @@ def depolarisation_from_king_factor(king_factor: npt.ArrayLike) -> FloatArray:
 
 
 def king_factor_from_depolarisation(depolarisation: npt.ArrayLike) -> FloatArray:
-    r"""King factor of a gas whose depolarisation factor is δ: (6+3δ)/(6-7δ).
+    r"""King factor of a gas of depolarisation factor δ: (6+3δ)/(6-7δ).
 
     Parameters
     ----------
     depolarisation : array, shape (...)
-        δ for unpolarised light, 0 to 0.5; the formula is singular at 6/7. [1]
+        Depolarisation factor δ for unpolarised light, 0 to 0.5; the formula is singular at 6/7. [1]
 
     Returns
     -------
     array, shape (...)
-        F. [1]
+        King factor F. [1]
 
     Examples
     --------
@@ -110,14 +110,14 @@ def number_density(temperature: float, pressure: float) -> float:
     Parameters
     ----------
     temperature : float
-        [K]
+        Temperature. [K]
     pressure : float
-        [Pa]
+        Pressure. [Pa]
 
     Returns
     -------
     float
-        [m⁻³]
+        Number density. [m⁻³]
 
     Examples
     --------
@@ -133,14 +133,14 @@ def number_density_from_mass(mass_density: float, molar_mass: float) -> float:
     Parameters
     ----------
     mass_density : float
-        [kg m⁻³]
+        Mass per volume. [kg m⁻³]
     molar_mass : float
-        [kg mol⁻¹]
+        Mass of a mole. [kg mol⁻¹]
 
     Returns
     -------
     float
-        [m⁻³]
+        Number density. [m⁻³]
 
     Examples
     --------
@@ -151,21 +151,21 @@ def number_density_from_mass(mass_density: float, molar_mass: float) -> float:
 
 
 def scale_height(temperature: float, molar_mass: float, gravity: float) -> float:
-    """Height in which an isothermal gas thins e-fold, R T/(M g).
+    """Scale height of an isothermal gas, R T/(M g).
 
     Parameters
     ----------
     temperature : float
-        [K]
+        Temperature. [K]
     molar_mass : float
-        [kg mol⁻¹]
+        Mass of a mole. [kg mol⁻¹]
     gravity : float
-        [m s⁻²]
+        Gravitational acceleration. [m s⁻²]
 
     Returns
     -------
     float
-        [m]
+        Height over which the density falls by a factor e. [m]
 
     Examples
     --------

@@ -1,6 +1,6 @@
-"""Refractivity n - 1 of air and carbon dioxide, each at the state it was measured at.
+"""Refractivity n - 1 of air and carbon dioxide, each at the state of its measurement.
 
-Those of other gases are in ``element_refractivity`` and ``compound_refractivity``.
+Other gases are in ``element_refractivity`` and ``compound_refractivity``.
 """
 
 from __future__ import annotations
@@ -14,19 +14,19 @@ from airlight.errors import ParameterError
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Temperature that the fit for air refers to. [K]
+#: Temperature of the fit for air. [K]
 AIR_TEMPERATURE: Final = 288.15
-#: Temperature that the fit for carbon dioxide refers to. [K]
+#: Temperature of the fit for carbon dioxide. [K]
 CO2_TEMPERATURE: Final = 273.15
-#: Pressure that both fits refer to. [Pa]
+#: Pressure of both fits. [Pa]
 STANDARD_PRESSURE: Final = 101_325.0
-#: Wavelengths that the fits were made for. [nm]
+#: Wavelength ranges of the fits. [nm]
 AIR_RANGE: Final = (230.0, 1690.0)
 CO2_RANGE: Final = (180.7, 1694.5)
 
 
 def inverse_square_um(wavelengths: npt.ArrayLike, fitted: tuple[float, float]) -> FloatArray:
-    """σ² = 1/λ² of vacuum wavelengths, after a check of the fitted range. [µm⁻²]"""
+    """Squares σ² = 1/λ² for vacuum wavelengths, after a check of the fitted range. [µm⁻²]"""
     nm = np.asarray(wavelengths, dtype=np.float64)
     outside = ~((nm >= fitted[0]) & (nm <= fitted[1]))
     if outside.any():

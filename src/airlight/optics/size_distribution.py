@@ -1,7 +1,7 @@
-"""How large particles are: gamma, log-normal and single-radius distributions, and nodes over them.
+"""Size distributions of particles: gamma, log-normal and single radius, with quadrature nodes.
 
-A distribution is a number density over radius with integral 1. Light sees areas, so the nodes are
-spread over the radii that carry area: what they leave out holds a millionth of it.
+A distribution is a number density over radius with integral 1. Scattering depends on areas, so the
+nodes are spread over the radii that carry area; the radii left out carry a millionth of it.
 """
 
 from __future__ import annotations
@@ -16,21 +16,21 @@ from airlight.errors import ParameterError
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Share of the area in the small radii that the nodes leave out.
+#: Share of the area in the small radii that the nodes omit.
 _SMALL_SHARE: Final = 1e-6
-#: Share of Σ r⁴, the forward light, in the large radii that the nodes leave out.
+#: Share of Σ r⁴, the forward light, in the large radii that the nodes omit.
 _LARGE_SHARE: Final = 1e-6
 
 
 class Sizes(NamedTuple):
-    """Radii and the particles that stand at each.
+    """Radii and the number of particles at each.
 
     Parameters
     ----------
     radii : array, shape (n,)
-        Ascending. [m]
+        Radii, ascending. [m]
     weights : array, shape (n,)
-        Number of particles, of one particle altogether; Σ weights f(radii) is the mean of f for
+        Number of particles, as fractions of one particle; Σ weights f(radii) is the mean of f for
         any f that grows like an area or faster. [1]
     """
 
@@ -58,16 +58,16 @@ def gamma_density(
     Parameters
     ----------
     radii : array, shape (...)
-        [m]
+        Radii. [m]
     effective_radius : float
-        a, mean radius by area. [m]
+        Effective radius a, the mean radius by area. [m]
     effective_variance : float
-        b, below 1/2: beyond it the number of particles has no end. [1]
+        Effective variance b, below 1/2: beyond it the number of particles diverges. [1]
 
     Returns
     -------
     array, shape (...)
-        Particles per radius, of one particle altogether. [m⁻¹]
+        Density per radius, of integral 1. [m⁻¹]
 
     Raises
     ------
@@ -77,7 +77,7 @@ def gamma_density(
     References
     ----------
     Hansen & Travis (1974), Space Science Reviews 16, 527, eq. 2.56. doi:10.1007/BF00168069
-    (Costa et al., the OpenSpace paper, print e^{+r/(ab)}, which has no integral.)
+    (Costa et al., the OpenSpace paper, print e^{+r/(ab)}, whose integral diverges.)
 
     Examples
     --------
@@ -105,7 +105,7 @@ def gamma_moment(power: float, effective_radius: float, effective_variance: floa
 
 
 def gamma_limits(effective_radius: float, effective_variance: float) -> tuple[float, float]:
-    """Smallest and largest radius that matter to light. [m]"""
+    """Smallest and largest radius relevant to scattering. [m]"""
     from scipy.special import gammainccinv, gammaincinv
 
     shape = _check_gamma(effective_radius, effective_variance)
@@ -116,7 +116,7 @@ def gamma_limits(effective_radius: float, effective_variance: float) -> tuple[fl
 
 
 def _check_log_normal(median_radius: float, geometric_deviation: float) -> float:
-    """Logarithm of the geometric deviation of parameters in range. [1]"""
+    """Logarithm of the geometric deviation, if the parameters are in range. [1]"""
     if not median_radius > 0.0:
         raise ParameterError("median_radius", median_radius, "more than 0 m")
     if not 1.0 < geometric_deviation < math.inf:
@@ -135,16 +135,16 @@ def log_normal_density(
     Parameters
     ----------
     radii : array, shape (...)
-        [m]
+        Radii. [m]
     median_radius : float
-        r_m, half of the particles are smaller. [m]
+        Median radius r_m. [m]
     geometric_deviation : float
-        σ_g, above 1. [1]
+        Geometric standard deviation σ_g, above 1. [1]
 
     Returns
     -------
     array, shape (...)
-        Particles per radius, of one particle altogether. [m⁻¹]
+        Density per radius, of integral 1. [m⁻¹]
 
     Raises
     ------
@@ -173,7 +173,7 @@ def log_normal_moment(power: float, median_radius: float, geometric_deviation: f
 
 
 def log_normal_limits(median_radius: float, geometric_deviation: float) -> tuple[float, float]:
-    """Smallest and largest radius that matter to light. [m]"""
+    """Smallest and largest radius relevant to scattering. [m]"""
     from scipy.special import ndtri
 
     width = _check_log_normal(median_radius, geometric_deviation)
@@ -189,9 +189,9 @@ def gamma_sizes(effective_radius: float, effective_variance: float, count: int) 
     Parameters
     ----------
     effective_radius, effective_variance
-        As for ``gamma_density``. [m], [1]
+        Parameters of ``gamma_density``. [m], [1]
     count : int
-        Of nodes.
+        Number of nodes.
     """
     radii, widths = _nodes(*gamma_limits(effective_radius, effective_variance), count)
     return Sizes(radii, widths * gamma_density(radii, effective_radius, effective_variance))
@@ -203,26 +203,26 @@ def log_normal_sizes(median_radius: float, geometric_deviation: float, count: in
     Parameters
     ----------
     median_radius, geometric_deviation
-        As for ``log_normal_density``. [m], [1]
+        Parameters of ``log_normal_density``. [m], [1]
     count : int
-        Of nodes.
+        Number of nodes.
     """
     radii, widths = _nodes(*log_normal_limits(median_radius, geometric_deviation), count)
     return Sizes(radii, widths * log_normal_density(radii, median_radius, geometric_deviation))
 
 
 def single_size(radius: float) -> Sizes:
-    """All particles of one radius [m]."""
+    """Distribution of particles of one radius [m]."""
     if not radius > 0.0:
         raise ParameterError("radius", radius, "more than 0 m")
     return Sizes(np.array([radius]), np.array([1.0]))
 
 
 def _nodes(low: float, high: float, count: int) -> tuple[FloatArray, FloatArray]:
-    """Midpoints and widths of steps that are even in √r: fine for the small, and for the large.
+    """Midpoints and widths of steps that are even in √r, fine enough for small and large radii.
 
-    Both ends carry nothing, so the midpoint rule converges fast; even steps in ln r would leave
-    the ripples of large spheres between the nodes, even steps in r the small spheres.
+    The density vanishes at both ends, so the midpoint rule converges fast; even steps in ln r would
+    leave the ripples of large spheres between the nodes, even steps in r the small spheres.
     """
     edges = np.linspace(math.sqrt(low), math.sqrt(high), 2 * count + 1)
     middle, step = edges[1::2], edges[2] - edges[0]

@@ -1,27 +1,25 @@
-"""A density profile from a table of altitudes: monotone cubic in the logarithm of the density."""
+"""Density profile from a table over altitude: monotone cubic in the logarithm of the density."""
 
 from __future__ import annotations
 
 import itertools
 import math
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ParameterError
+from airlight.geometry.cubic_curves import cubic_curve, monotone_slopes
 from airlight.optics.density_profile import Row
-
-if TYPE_CHECKING:
-    from scipy.interpolate import PchipInterpolator
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Exponential pieces that stand for one interval of the table.
+#: Number of exponential pieces per interval of the table.
 PIECES: Final = 8
-#: Largest relative density that the continuation down to the ground may reach.
+#: Largest relative density of the continuation down to the ground.
 _LARGEST: Final = 1e6
-#: Steepest exponential of one segment, as an exponent: e^-300 is nothing.
+#: Steepest exponential of one segment, as an exponent: e^-300 is negligible.
 _STEEPEST: Final = 300.0
 
 #: Lower edge, upper edge [m], then a, b, c, d of the segment.
@@ -33,17 +31,17 @@ def tabulated(altitudes: npt.ArrayLike, densities: npt.ArrayLike, thickness: flo
 
     Between two positive densities: a monotone cubic (PCHIP) through their logarithms, cut into
     exponential pieces. Next to a density of 0: a straight line. Beyond the table's ends: 0 where
-    the end value is 0; otherwise the exponential that leaves the end with the cubic's slope, or
-    the end value itself where that exponential would grow upwards.
+    the end value is 0; otherwise the exponential that continues the cubic's slope, or the constant
+    end value where that exponential would grow upwards.
 
     Parameters
     ----------
     altitudes : array, shape (n,)
-        Strictly ascending, not negative, at least two. [m]
+        Altitudes, strictly ascending, not negative, at least two. [m]
     densities : array, shape (n,)
-        Relative to the density that the coefficients refer to; not negative. [1]
+        Densities relative to that of the coefficients; not negative. [1]
     thickness : float
-        Of the shell; the table is cut off there. [m]
+        Thickness of the shell, where the table is cut off. [m]
 
     Returns
     -------
@@ -89,18 +87,13 @@ def _runs(density: FloatArray) -> list[tuple[int, int]]:
     return runs
 
 
-def _log_cubic(h: FloatArray, density: FloatArray) -> PchipInterpolator:
-    from scipy.interpolate import PchipInterpolator
-
-    return PchipInterpolator(h, np.log(density))
-
-
 def _cubic(h: FloatArray, density: FloatArray) -> list[_Piece]:
-    curve = _log_cubic(h, density)
+    log_density = np.log(density)
+    slopes = monotone_slopes(h, log_density)
     pieces: list[_Piece] = []
     for low, high in itertools.pairwise(h):
         nodes = np.linspace(low, high, PIECES + 1)
-        logs = curve(nodes)
+        logs = cubic_curve(h, log_density, slopes, nodes)
         rates = np.diff(logs) / np.diff(nodes)
         for k in range(PIECES):
             value = math.exp(logs[k])
@@ -118,8 +111,8 @@ def _end_rate(h: FloatArray, density: FloatArray, *, top: bool) -> float:
     first, last = runs[-1] if top else runs[0]
     if density[first] == 0.0 or density[last] == 0.0:
         return 0.0
-    curve = _log_cubic(h[first : last + 1], density[first : last + 1])
-    return float(curve.derivative()(h[-1] if top else h[0]))
+    slopes = monotone_slopes(h[first : last + 1], np.log(density[first : last + 1]))
+    return float(slopes[-1 if top else 0])
 
 
 def _below(h: FloatArray, density: FloatArray) -> list[_Piece]:
@@ -135,7 +128,7 @@ def _below(h: FloatArray, density: FloatArray) -> list[_Piece]:
             float(h[0]),
             f"0, or a table whose continuation to the ground stays below {_LARGEST:g}",
         )
-    # An exponential that vanishes at the ground is started where it has become nothing.
+    # An exponential that vanishes towards the ground starts where it becomes negligible.
     start = h[0] - _STEEPEST / rate if exponent < -_STEEPEST else 0.0
     empty = [_line(0.0, start, 0.0, 0.0)] if start > 0.0 else []
     return [*empty, (start, h[0], density[0] * math.exp(-rate * (h[0] - start)), rate, 0.0, 0.0)]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import sqrt
 from typing import Any, Final
 
 import numpy as np
@@ -14,6 +13,7 @@ from airlight.color.exposure import exposure_factor
 from airlight.color.tone_maps import TONE_MAPS
 from airlight.errors import ParameterError
 from airlight.geometry.bending import seen_star
+from airlight.pixels.observer_numbers import observer_numbers
 from airlight.pixels.pixel import Screen
 from airlight.pixels.sky_by_processor import SkyLayers
 from airlight.pixels.sky_table import Observer
@@ -48,26 +48,29 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     r = float(solution.paths.optical_radius(np.array(true_r)))
     outside = scene.altitude >= solution.medium.thickness
     bottom = medium.bottom_radius
-    sun = scene.sun_direction
+    sun = scene.lights[0].direction
     seen, lift = sun[2], solution.paths
     if lift.shell is not None and not outside:
         seen = float(seen_star(r, sun[2], lift.shell.bottom, lift.shell.top, lift.lift)[0])
     axes = camera.axes
     assert camera.field_of_view is not None
-    alpha = solution.medium.star_angular_radius
+    star_radius = solution.lights[0].angular_radius
+    horizon_mu, horizon_sine, sun_level, seen_level, disc = observer_numbers(
+        r, bottom, float(sun[0]), float(sun[1]), seen, star_radius
+    )
     numbers = {
         "r": r,
         "outside": float(outside),
-        "horizon_mu": -sqrt(max((r - bottom) * (r + bottom), 0.0)) / r,
-        "horizon_sine": bottom / r,
-        "sun_x": float(np.hypot(sun[0], sun[1])),
+        "horizon_mu": horizon_mu,
+        "horizon_sine": horizon_sine,
+        "sun_x": sun_level,
         "sun_z": float(sun[2]),
-        "seen_x": sqrt(max((1.0 - seen) * (1.0 + seen), 0.0)),
+        "seen_x": seen_level,
         "seen_z": seen,
         "field_of_view": np.radians(camera.field_of_view),
         "projection": list(PROJECTIONS).index(camera.projection),
         "pixel_angle": camera.pixel_angle,
-        "disc": 1.0 / (4.0 * np.pi * np.sin(0.5 * alpha) ** 2) if alpha > 0.0 else 0.0,
+        "disc": disc,
     }
     for name, axis in zip(("right", "up", "forward"), axes, strict=True):
         numbers |= {f"{name}_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}

@@ -224,7 +224,7 @@ def shown_solution(
         extinction=light.air.extinction,
         scattering=light.scattering,
         moments=light.air.moments,
-        albedo=light.air.albedo,
+        albedo=light.air.ground.albedo,
         phase=pack(np.moveaxis(medium.phase_table, 2, 0)),
         basis=pack(basis.T),
         field=light.field,

@@ -62,7 +62,7 @@ def _fill(begin, end, window, observer, shown, light, panels, rules, packet, wor
     air, ground, first, second = layers
     radiance = work.radiance
     peaks = (shown.first_peak, shown.second_peak)
-    lanes = light.air.albedo.size
+    lanes = light.air.ground.albedo.size
     stride = window.last_column - window.first_column + 1
     sky_texels = stride * (window.last_sky - window.first_sky + 1)
     behind = np.empty(lanes, np.float32)
@@ -131,7 +131,7 @@ def filled_sky(
         With the lanes of ``solution.light``.
     """
     light, texels = solution.light, window.texels
-    size = texels * light.air.albedo.size
+    size = texels * light.air.ground.albedo.size
     layers = SkyLayers(
         air=np.empty(size, np.float32),
         ground=np.empty(size, np.float32),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -14,6 +13,7 @@ import numpy.typing as npt
 from airlight.planets.medium import Medium
 from airlight.planets.parameter_values import parameter_values
 from airlight.planets.planet import RED_GREEN_BLUE, Constituent, Planet
+from airlight.planets.schema.record import fields_of
 from airlight.planets.spectral import narrowest
 
 FloatArray = npt.NDArray[np.float64]
@@ -163,8 +163,9 @@ def _bodies(first: Planet, second: Planet, nm: tuple[float, ...]) -> Iterator[Di
     known = [planet.wavelength_limits for planet in (first, second)]
     yield row("planet", "known from", "nm", known[0][0], known[1][0])
     yield row("planet", "known to", "nm", known[0][1], known[1][1])
-    yield from _own_fields(first, second)
-    yield row("ground", "map", "", first.ground.map, second.ground.map)
+    yield from _own_fields("planet", first, second)
+    yield from _own_fields("ground", first.ground, second.ground)
+    yield from _own_fields("star", first.star, second.star)
     albedos = [planet.ground.albedos(nm) for planet in (first, second)]
     yield from _rows("ground", "albedo", "", nm, *albedos)
     angles = [planet.star.angular_radius_degrees for planet in (first, second)]
@@ -173,20 +174,21 @@ def _bodies(first: Planet, second: Planet, nm: tuple[float, ...]) -> Iterator[Di
     yield from _rows("star", "irradiance", "W m⁻² nm⁻¹", nm, *light)
 
 
-#: Fields of a planet that are compared by other means, or are words about it.
+#: Fields that are compared by what follows from them, or are words about the planet.
 _TREATED: Final = (
     "name", "description", "bottom_radius", "top_radius", "ground", "star", "constituents",
-    "own_wavelengths",
+    "own_wavelengths", "albedo", "spectrum", "irradiance", "temperature", "distance", "radius",
+    "angular_radius",
 )  # fmt: skip
 
 
-def _own_fields(first: Planet, second: Planet) -> Iterator[Difference]:
-    """Fields of the planet itself beyond the usual ones, such as how light is bent."""
-    for field in dataclasses.fields(first):
-        if field.name not in _TREATED:
-            sides = [_plain(getattr(planet, field.name)) for planet in (first, second)]
-            quantity = field.name.replace("_", " ")
-            yield Difference(part="planet", quantity=quantity, first=sides[0], second=sides[1])
+def _own_fields(part: str, first: Any, second: Any) -> Iterator[Difference]:
+    """Every other field of the planet, its ground or its star, with its declared unit."""
+    for name, key in fields_of(type(first)).items():
+        if name not in _TREATED:
+            sides = [_plain(getattr(side, name)) for side in (first, second)]
+            yield Difference(part=part, quantity=name.replace("_", " "), unit=key.unit_words,
+                             first=sides[0], second=sides[1])  # fmt: skip
 
 
 def _plain(value: Any) -> Value:

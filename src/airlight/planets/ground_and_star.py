@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 from typing import Annotated, Any, Final
 
 import numpy as np
 import numpy.typing as npt
-from pydantic import BeforeValidator, ValidationInfo
 
 from airlight.constants import ASTRONOMICAL_UNIT, SOLAR_RADIUS
 from airlight.errors import ParameterError
-from airlight.planets.parameters import MISSING, between, parameters
+from airlight.planets.parameters import MISSING, parameters
+from airlight.planets.schema.key import Key, Wavelengths, always
+from airlight.planets.schema.record import Record
+from airlight.planets.schema.section import Section
 from airlight.planets.spectral import (
     EVERYWHERE,
     Limits,
     Spectral,
-    check_spectral,
-    spectral,
     spectral_at,
     spectral_limits,
     table_limits,
@@ -27,23 +28,29 @@ FloatArray = npt.NDArray[np.float64]
 
 #: The spectrum that stands for the sun, as measured at 1 au.
 SUN: Final = "astm-g173"
+#: What an editor calls a star that is given by its temperature.
+BLACK_BODY: Final = "black body"
 
 
-def _albedo(value: Any, info: ValidationInfo) -> Any:
-    """A number, values per wavelength, or the name of a table of reflectances."""
+@cache
+def reflectances() -> tuple[str, ...]:
+    """Names of the tables of reflectances that come with the package."""
     from airlight.spectra.tables import read_spectrum, spectrum_names
 
-    if not isinstance(value, str):
-        return check_spectral(value, "albedo", 0.0, 1.0)
     tables = [read_spectrum(name) for name in spectrum_names()]
-    reflectances = [table.name for table in tables if table.unit == "1" and table.values.ndim == 1]
-    if value not in reflectances:
-        raise ParameterError("albedo", value, ", ".join(["0 to 1", *reflectances]))
-    return value
+    return tuple(one.name for one in tables if one.unit == "1" and one.values.ndim == 1)
+
+
+def _read_albedo(section: Section, name: str, wavelengths: Wavelengths) -> Any:
+    """A number, a list, or the name of a table."""
+    given = section.raw(name)
+    if isinstance(given, str) and given[:1].isalpha():
+        return given
+    return section.spectral(name, "1", "0.1", wavelengths)
 
 
 @parameters
-class Ground:
+class Ground(Record):
     """A ground that reflects alike into all directions (Lambert).
 
     Parameters
@@ -53,14 +60,52 @@ class Ground:
     map : str, optional
         Name of a picture of the ground, used where the ground is seen; the light that the ground
         sends back into the air comes from ``albedo``.
+    brightness : float
+        Factor of albedo and picture, 0 to 100; no albedo gets beyond 1. [1]
     """
 
-    albedo: Annotated[Any, BeforeValidator(_albedo)] = 0.0
-    map: str | None = None
+    has_wavelengths = True
 
-    def __post_init__(self) -> None:
-        if self.map is not None and not 1 <= len(self.map) <= 100:
-            raise ParameterError("map", self.map, "a name of 1 to 100 letters")
+    albedo: Annotated[
+        Any,
+        Key(
+            label="albedo",
+            help="Share of the light that the ground reflects, alike into all directions.",
+            note="A number, a list beside `wavelengths`, or the name of a table of reflectances.",
+            range=(0.0, 1.0),
+            spectral=True,
+            read=_read_albedo,
+            required=True,
+            per="wavelengths",
+            words=reflectances,
+        ),
+    ] = 0.0
+    map: (
+        Annotated[
+            str,
+            Key(
+                label="map",
+                help="Name of the picture of the ground.",
+                note="Used where the ground is seen; the light that the ground sends back into the"
+                " air comes from the albedo.",
+                kind="text",
+                range=(1.0, 100.0),
+                example="the name of a map of the ground",
+            ),
+        ]
+        | None
+    ) = None
+    brightness: Annotated[
+        float,
+        Key(
+            label="brightness",
+            help="Factor of the ground's albedo, and of its picture.",
+            note="No albedo gets beyond 1.",
+            range=(0.0, 100.0),
+            slider=(0.0, 5.0),
+            offered=always,
+        ),
+    ] = 1.0
 
     @property
     def limits(self) -> Limits:
@@ -71,15 +116,21 @@ class Ground:
 
     def albedos(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """The albedo, shape (nl,). [1]"""
-        if not isinstance(self.albedo, str):
-            return spectral_at(self.albedo, wavelengths)
-        from airlight.spectra.tables import read_spectrum
+        if isinstance(self.albedo, str):
+            from airlight.spectra.tables import read_spectrum
 
-        return np.clip(read_spectrum(self.albedo).at(wavelengths), 0.0, 1.0)
+            known = read_spectrum(self.albedo).at(wavelengths)
+        else:
+            known = spectral_at(self.albedo, wavelengths)
+        return np.clip(self.brightness * known, 0.0, 1.0)
+
+
+def _read_spectrum(section: Section, name: str, wavelengths: Wavelengths) -> str:
+    return section.text(name, "the name of a spectrum, 'astm-g173'")
 
 
 @parameters
-class Star:
+class Star(Record):
     """The light that comes in: a measured spectrum, given values, or a black body.
 
     Exactly one of ``spectrum``, ``irradiance`` and ``temperature`` is given.
@@ -106,12 +157,109 @@ class Star:
     '0.2665'
     """
 
-    spectrum: str | None = None
-    irradiance: Annotated[Spectral, spectral(0.0, 1e9, "W/m^2/nm")] | None = None
-    temperature: Annotated[float, between(100.0, 1e6, "K")] | None = None
-    distance: Annotated[float, between(1e6, 1e16, "m")] | None = None
-    radius: Annotated[float, between(1e3, 1e13, "m")] | None = None
-    angular_radius: Annotated[float, between(0.0, 30.0, "deg")] | None = None
+    has_wavelengths = True
+
+    spectrum: (
+        Annotated[
+            str,
+            Key(
+                label="spectrum",
+                help="The sun as measured outside the air, at 1 au; or a star of a temperature.",
+                note="`distance` scales it.",
+                kind="choice",
+                read=_read_spectrum,
+                words=lambda: (SUN,),
+                stand_in=BLACK_BODY,
+                offered=lambda star: "temperature" in star,
+            ),
+        ]
+        | None
+    ) = None
+    irradiance: (
+        Annotated[
+            Spectral,
+            Key(
+                label="irradiance",
+                help="The star's light at the planet, on a plane that faces it.",
+                unit="W/m^2/nm",
+                range=(0.0, 1e9),
+                spectral=True,
+                example="1 W/m^2/nm",
+                slider=(1e-3, 1e2),
+                scale="log",
+                per="wavelengths",
+            ),
+        ]
+        | None
+    ) = None
+    temperature: (
+        Annotated[
+            float,
+            Key(
+                label="temperature",
+                help="Of the star, as a black body.",
+                note="Needs `radius` and `distance`.",
+                unit="K",
+                range=(100.0, 1e6),
+                example="5772 K",
+                slider=(1000.0, 40000.0),
+                scale="log",
+                mode="advanced",
+            ),
+        ]
+        | None
+    ) = None
+    radius: (
+        Annotated[
+            float,
+            Key(
+                label="radius of the star",
+                help="With the distance it gives the light of a black body and the angle it fills.",
+                unit="m",
+                range=(1e3, 1e13),
+                example="695700 km",
+                shown="km",
+                slider=(1e4, 1e8),
+                scale="log",
+                mode="advanced",
+            ),
+        ]
+        | None
+    ) = None
+    distance: (
+        Annotated[
+            float,
+            Key(
+                label="distance",
+                help="From the star to the planet.",
+                unit="m",
+                range=(1e6, 1e16),
+                example="1 au",
+                default="1 au",
+                shown="au",
+                slider=(0.01, 50.0),
+                scale="log",
+                offered=lambda star: "spectrum" in star,
+            ),
+        ]
+        | None
+    ) = None
+    angular_radius: (
+        Annotated[
+            float,
+            Key(
+                label="angular radius",
+                help="Half the angle that the star fills in the sky; 0 is a point.",
+                note="From radius and distance where those are known; required beside an"
+                " `irradiance`.",
+                unit="deg",
+                range=(0.0, 30.0),
+                example="0.2678 deg",
+                slider=(0.0, 5.0),
+            ),
+        ]
+        | None
+    ) = None
 
     def __post_init__(self) -> None:
         kinds = {
@@ -123,8 +271,6 @@ class Star:
         if len(given) != 1:
             shown = " and ".join(given) if given else MISSING
             raise ParameterError("light", shown, "one of spectrum, irradiance, temperature")
-        if self.spectrum is not None and self.spectrum != SUN:
-            raise ParameterError("spectrum", self.spectrum, f"{SUN!r}")
         if self.temperature is not None:
             for name in ("distance", "radius"):
                 if getattr(self, name) is None:

@@ -14,10 +14,13 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
+from airlight.color.upsampling import reflectance_basis
 from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.optics.bent_density import BentShell
 from airlight.optics.density_profile import DensitySegments, Row
+from airlight.optics.reflection import LAWS, Reflection
+from airlight.planets.light_source import LightSource
 from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
 from airlight.planets.matter.profiles import Uniform
 from airlight.planets.planet import Constituent, Planet
@@ -35,6 +38,10 @@ BENDING: Final = "bending"
 BENDING_WAVELENGTH: Final = 550.0
 #: The most wavelengths that one medium is sampled at.
 MOST_WAVELENGTHS: Final = 2000
+#: Media that a planet keeps, since reader, solver and pictures ask for the same, and their most
+#: wavelengths.
+MOST_KEPT: Final = 2
+MOST_KEPT_WAVELENGTHS: Final = 64
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -70,6 +77,8 @@ class Medium:
         alike: the bending of air differs by 3 % over the visible. [1]
     constituents : tuple of Constituent
         What the arrays were sampled from.
+    map_brightness : float
+        Factor of the picture of the ground. [1]
 
     Examples
     --------
@@ -93,6 +102,23 @@ class Medium:
     star_angular_radius: float
     refractivity: FloatArray
     constituents: tuple[Constituent, ...] = field(repr=False)
+    map_brightness: float = 1.0
+
+    @property
+    def lights(self) -> tuple[LightSource, ...]:
+        """The light sources, sampled at the wavelengths: one today, the star."""
+        star = LightSource(
+            name="star",
+            angular_radius=self.star_angular_radius,
+            wavelengths=self.wavelengths,
+            irradiance=self.solar_irradiance,
+        )
+        return (star,)
+
+    @property
+    def ground(self) -> Reflection:
+        """How the ground reflects, at all wavelengths."""
+        return Reflection(LAWS["lambert"], self.ground_albedo)
 
     @classmethod
     def from_planet(
@@ -103,7 +129,7 @@ class Medium:
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> Medium:
-        """Sample a planet.
+        """Sample a planet; what was sampled last is kept with the planet.
 
         Parameters
         ----------
@@ -121,6 +147,20 @@ class Medium:
             If ``cancel`` said so.
         """
         nm = _checked_wavelengths(planet, wavelengths)
+        kept: dict[bytes, Medium] = vars(planet).setdefault("_media", {})
+        if nm.tobytes() in kept:
+            return kept[nm.tobytes()]
+        medium = cls._sampled(planet, nm, progress=progress, cancel=cancel)
+        if nm.size <= MOST_KEPT_WAVELENGTHS:
+            while len(kept) >= MOST_KEPT:
+                kept.pop(next(iter(kept)), None)
+            kept[nm.tobytes()] = medium
+        return medium
+
+    @classmethod
+    def _sampled(
+        cls, planet: Planet, nm: FloatArray, *, progress: Progress | None, cancel: Cancel | None
+    ) -> Medium:
         for i, one in enumerate(planet.constituents):
             if one.matter is not None:
                 with _blamed(f"constituents[{i}]"):
@@ -149,12 +189,18 @@ class Medium:
             star_angular_radius=math.radians(planet.star.angular_radius_degrees),
             refractivity=_refractivity(planet),
             constituents=constituents,
+            map_brightness=planet.ground.brightness,
         )
         medium._check()
         _ = medium.bent_shell  # refuses air in which light would follow the ground
         for array in medium._arrays().values():
             array.flags.writeable = False
         return medium
+
+    @property
+    def map_basis(self) -> FloatArray:
+        """Reflectances of red, green and blue of the ground's picture, shape (nl, 3). [1]"""
+        return self.map_brightness * reflectance_basis(self.wavelengths)
 
     @property
     def thickness(self) -> float:

@@ -16,33 +16,16 @@ from typing import Any, Final
 import numpy as np
 
 from airlight.errors import ParameterError
+from airlight.planets.matter.particle_sizes import ParticleSizes
+from airlight.planets.matter.phases import PhaseFunction
+from airlight.planets.matter.profiles import Profile
 from airlight.planets.planet import Constituent
+from airlight.planets.schema.record import fields_of
 from airlight.planets.spectral import PerWavelength
 
 #: What is known: name, unit, wavelength [nm] or None.
 Key = tuple[str, str, float | None]
 
-#: Units of the fields that have one, by name.
-UNITS: Final = {
-    "scale_height": "m",
-    "center": "m",
-    "half_width": "m",
-    "width": "m",
-    "temperature": "K",
-    "pressure": "Pa",
-    "gravity": "m s⁻²",
-    "molar_mass": "kg mol⁻¹",
-    "number_density": "m⁻³",
-    "ground_number_density": "m⁻³",
-    "reference_density": "m⁻³",
-    "refractivity_temperature": "K",
-    "refractivity_pressure": "Pa",
-    "column": "m⁻²",
-    "radius": "m",
-    "effective_radius": "m",
-    "median_radius": "m",
-    "at": "nm",
-}
 #: Longer tuples are said by their length and checksum.
 _LONGEST: Final = 8
 #: What a gas or particles work out from what they were given, with the unit.
@@ -127,9 +110,11 @@ def _flattened(value: Any, label: str, unit: str, nm: tuple[float, ...]) -> Iter
 
 def _fields(value: Any, label: str, nm: tuple[float, ...]) -> Iterator[Any]:
     """Pairs of key and value of each field of a parameter object."""
+    keys = fields_of(type(value))
     for field in dataclasses.fields(value):
         if not field.name.startswith("_"):
-            inner, unit = _joined(label, field.name), UNITS.get(field.name, "")
+            key = keys.get(field.name)
+            inner, unit = _joined(label, field.name), "" if key is None else key.unit_words
             yield from _flattened(getattr(value, field.name), inner, unit, nm)
     yield from _derived(value, label, nm)
 
@@ -153,6 +138,8 @@ def _derived(value: Any, label: str, nm: tuple[float, ...]) -> Iterator[Any]:
             if name not in given and isinstance(number := getattr(value, name, None), float):
                 yield (_joined(label, name), unit, None), number
     for name, (word, unit) in _DERIVED_SPECTRA.items():
+        if name == "refractivities" and not getattr(value, "bends", True):
+            continue
         method = getattr(value, name, None)
         given_itself = getattr(value, word, None) is not None
         numbers = method(list(nm)) if callable(method) and nm and not given_itself else None
@@ -166,9 +153,10 @@ def _joined(label: str, name: str) -> str:
 
 
 def _kind(value: Any) -> str:
-    """A class as planet files call it: ``henyey-greenstein``."""
-    name = re.sub(r"(?<=[a-z])(?=[A-Z])", "-", type(value).__name__).lower()
-    return name.removesuffix("-phase")
+    """What a planet file calls it: ``henyey-greenstein``; else its class: ``ozone-absorption``."""
+    if isinstance(value, (Profile, PhaseFunction, ParticleSizes)):
+        return value.keyword
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "-", type(value).__name__).lower()
 
 
 def made_of(

@@ -106,7 +106,7 @@ def finite(value: Any, field: str, allowed: str = "a finite number") -> float:
     return number
 
 
-def _inside(
+def inside(
     value: Any, field: str, low: float, high: float, unit: str, *, above: bool, below: bool
 ) -> float:
     """``value`` if it lies between low and high; ``above`` and ``below`` leave the ends out."""
@@ -135,7 +135,7 @@ def between(
     """
 
     def check(value: Any, info: ValidationInfo) -> float:
-        return _inside(value, info.field_name or "value", low, high, unit, above=above, below=below)
+        return inside(value, info.field_name or "value", low, high, unit, above=above, below=below)
 
     return BeforeValidator(check)
 
@@ -149,7 +149,7 @@ def numbers(value: Any, field: str, low: float, high: float, unit: str = "") -> 
             field, value, f"a list of numbers, {low:g} to {high:g} {unit}".rstrip()
         )
     return tuple(
-        _inside(item, f"{field}[{index}]", low, high, unit, above=False, below=False)
+        inside(item, f"{field}[{index}]", low, high, unit, above=False, below=False)
         for index, item in enumerate(value)
     )
 

@@ -2,45 +2,30 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Final
+import dataclasses
+from collections.abc import Mapping
+from typing import Annotated, Any, Final
 
 import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ParameterError
-from airlight.optics.legendre import legendre_moments
 from airlight.planets.ground_and_star import Ground, Star
-from airlight.planets.matter.gas_mixture import GasMixture
-from airlight.planets.matter.gases import GasScattering, RefractiveScattering
-from airlight.planets.matter.matter import Absorber, Matter
-from airlight.planets.matter.phases import (
-    CornetteShanks,
-    DoubleHenyeyGreenstein,
-    HenyeyGreenstein,
-    PhaseFunction,
-    Rayleigh,
-    TabulatedPhase,
-)
-from airlight.planets.matter.profiles import Exponential, Layered, Profile, Tabulated, Tent, Uniform
-from airlight.planets.parameters import (
-    MISSING,
-    all_between,
-    between,
-    instance_of,
-    one_of,
-    parameters,
-)
+from airlight.planets.matter.matter import Absorber, Matter, Scatterer
+from airlight.planets.matter.phases import PhaseFunction
+from airlight.planets.matter.profiles import Profile
+from airlight.planets.parameters import MISSING, instance_of, parameters
+from airlight.planets.schema.key import WAVELENGTHS, Key, always
+from airlight.planets.schema.record import Record
 from airlight.planets.spectral import (
     LONGEST,
     SHORTEST,
     Limits,
     PerWavelength,
     Spectral,
-    check_spectral,
     check_wavelength_list,
     narrowest,
     spectral_at,
-    spectral_limits,
 )
 
 FloatArray = npt.NDArray[np.float64]
@@ -52,19 +37,22 @@ LARGEST_COEFFICIENT: Final = 1.0
 #: The most constituents of a planet.
 MOST_CONSTITUENTS: Final = 64
 
-_PROFILES = (Exponential, Tent, Layered, Tabulated, Uniform)
-_PHASES = (Rayleigh, CornetteShanks, HenyeyGreenstein, DoubleHenyeyGreenstein, TabulatedPhase)
+
+def coefficient_key(label: str, text: str, **more: Any) -> Key:
+    """A coefficient at relative density 1."""
+    return Key(label=label, help=text, unit="1/m", range=(0.0, LARGEST_COEFFICIENT), shown="/km",
+               slider=(1e-7, 1.0), scale="log", spectral=True, per="wavelengths",
+               **{"example": "5.802e-6 /m", **more})  # fmt: skip
 
 
-def _coefficient(value: object, field: str) -> object:
-    """A given coefficient in its range; a gas has checked itself."""
-    if isinstance(value, (GasScattering, RefractiveScattering, Absorber)):
-        return value
-    return check_spectral(value, field, 0.0, LARGEST_COEFFICIENT, "/m")
+def _coefficients_alone(constituent: Mapping[str, Any]) -> bool:
+    """Whether a missing absorption means none: beside nothing that says it otherwise."""
+    others = ("extinction", "single_scattering_albedo", "optical_depth", "absorption")
+    return not any(name in constituent for name in others)
 
 
 @parameters
-class Constituent:
+class Constituent(Record):
     """One thing that the air is made of.
 
     Parameters
@@ -82,6 +70,9 @@ class Constituent:
     matter : Matter, optional
         What it is made of, a gas mixture or particles; then ``scattering`` is not given, and
         ``absorption`` comes on top of the matter's own.
+    amount : float
+        Factor of what it scatters and absorbs at all wavelengths, 0 to 100; a gas bends light as
+        without it. [1]
 
     Notes
     -----
@@ -89,61 +80,115 @@ class Constituent:
     beyond their wavelengths. All else is linear between them and held for 10 nm beyond.
     """
 
-    name: str
-    profile: Annotated[Profile, instance_of(*_PROFILES)]
+    name: Annotated[
+        str,
+        Key(
+            label="name",
+            help="What the constituent is called.",
+            note="1 to 60 letters.",
+            kind="text",
+            range=(1.0, 60.0),
+            example="a name of its own",
+        ),
+    ]
+    profile: Annotated[
+        Profile,
+        instance_of(Profile),
+        Key(
+            label="profile",
+            help="How its density changes with altitude.",
+            note="Not required of a `gas` with a gravity.",
+            kind="table",
+            table="profile",
+        ),
+    ]
     scattering: Annotated[
-        Spectral | GasScattering | RefractiveScattering,
-        instance_of(int, float, PerWavelength, GasScattering, RefractiveScattering),
+        Spectral | Scatterer,
+        instance_of(int, float, PerWavelength, Scatterer),
+        coefficient_key(
+            "scattering",
+            "How much light it scatters on a kilometre of way, where its profile is 1.",
+            table="scattering",
+            prefix="scattering",
+        ),
     ] = 0.0
-    absorption: Annotated[Spectral | Absorber, instance_of(int, float, PerWavelength, Absorber)] = (
-        0.0
-    )
-    phase_function: Annotated[PhaseFunction, instance_of(*_PHASES)] | None = None
+    absorption: Annotated[
+        Spectral | Absorber,
+        instance_of(int, float, PerWavelength, Absorber),
+        coefficient_key(
+            "absorption",
+            "How much light it swallows on a kilometre of way, where its profile is 1.",
+            table="absorption",
+            prefix="absorption",
+            example="0.65e-6 /m",
+            offered=_coefficients_alone,
+        ),
+    ] = 0.0
+    phase_function: (
+        Annotated[
+            PhaseFunction,
+            instance_of(PhaseFunction),
+            Key(
+                label="phase function",
+                help="Where the scattered light goes.",
+                note="Required of what scatters and has none of its own.",
+                kind="table",
+                table="phase_function",
+            ),
+        ]
+        | None
+    ) = None
+    amount: Annotated[
+        float,
+        Key(
+            label="amount",
+            help="Factor of what it scatters and absorbs, at all wavelengths.",
+            note="A gas bends light as without it.",
+            range=(0.0, 100.0),
+            slider=(0.1, 10.0),
+            scale="log",
+            offered=always,
+        ),
+    ] = 1.0
     matter: Annotated[Matter, instance_of(Matter)] | None = None
 
     def __post_init__(self) -> None:
-        if not 1 <= len(self.name) <= 60:
-            raise ParameterError("name", self.name, "1 to 60 letters")
-        _coefficient(self.scattering, "scattering")
-        _coefficient(self.absorption, "absorption")
         if self.matter is not None and self.scattering != 0.0:
             raise ParameterError("scattering", self.scattering, "none beside matter")
-        own = self._is_gas or self.matter is not None
-        if self.scatters and not own and self.phase_function is None:
+        if self.scatters and self._substance is None and self.phase_function is None:
             raise ParameterError("phase_function", MISSING, "one, since it scatters")
 
     @property
-    def _is_gas(self) -> bool:
-        return isinstance(self.scattering, (GasScattering, RefractiveScattering))
+    def _substance(self) -> Matter | Scatterer | None:
+        """What scatters by itself, with a phase function of its own; None if coefficients do."""
+        if self.matter is not None:
+            return self.matter
+        return self.scattering if isinstance(self.scattering, Scatterer) else None
+
+    @property
+    def bends(self) -> bool:
+        """Whether it is a gas whose refractivity is known, so that it bends light."""
+        return self._substance is not None and self._substance.bends
 
     @property
     def scatters(self) -> bool:
         """Whether any light is scattered at any wavelength."""
         if isinstance(self.scattering, PerWavelength):
             return any(value > 0.0 for value in self.scattering.values)
-        return self._is_gas or self.matter is not None or self.scattering != 0.0
+        return self._substance is not None or self.scattering != 0.0
 
     @property
     def _follows_fourth_power(self) -> bool:
-        return isinstance(self.phase_function, Rayleigh)
+        return self.phase_function is not None and self.phase_function.molecular
 
     @property
     def limits(self) -> Limits:
         """The wavelengths at which everything about it is known. [nm]"""
-        limits = []
-        if isinstance(self.scattering, (GasScattering, RefractiveScattering)):
-            limits.append(self.scattering.limits)
-        elif not self._follows_fourth_power:
-            limits.append(spectral_limits(self.scattering))
-        if self.matter is not None:
-            limits.append(self.matter.limits)
-        if isinstance(self.absorption, Absorber):
-            limits.append(self.absorption.limits)
-        else:
-            limits.append(spectral_limits(self.absorption))
-        if self.phase_function is not None:
-            limits.append(self.phase_function.limits)
-        return narrowest(limits)
+        own = (self._substance, self.absorption, self.phase_function)
+        limits = [part.limits for part in own if isinstance(part, Record)]
+        given = [self.absorption, *([] if self._follows_fourth_power else [self.scattering])]
+        listed = [value.limits for value in given if isinstance(value, PerWavelength)]
+        return narrowest([*limits, *listed])
 
     def scattering_coefficients(self, wavelengths: npt.ArrayLike, thickness: float) -> FloatArray:
         """Scattering coefficient at relative density 1, shape (nl,). [m⁻¹]
@@ -155,9 +200,12 @@ class Constituent:
         thickness : float
             Of the shell, over which an optical depth is spread. [m]
         """
+        return self.amount * self._scattering(wavelengths, thickness)
+
+    def _scattering(self, wavelengths: npt.ArrayLike, thickness: float) -> FloatArray:
         if self.matter is not None:
             return self.matter.scattering_coefficients(wavelengths, self._column(thickness))
-        if isinstance(self.scattering, (GasScattering, RefractiveScattering)):
+        if isinstance(self.scattering, Scatterer):
             return self.scattering.coefficients(wavelengths)
         if self._follows_fourth_power and isinstance(self.scattering, PerWavelength):
             return self.scattering.at_fourth_power(wavelengths)
@@ -179,7 +227,7 @@ class Constituent:
         if self.matter is not None:
             column = self._column(thickness)
             total = total + self.matter.absorption_coefficients(wavelengths, column)
-        return total
+        return self.amount * total
 
     def refractivities(self, wavelengths: npt.ArrayLike, thickness: float) -> FloatArray:
         """n - 1 of a gas at relative density 1, shape (nl,); 0 for anything else. [1]
@@ -194,10 +242,9 @@ class Constituent:
         ParameterError
             If the gas is denser than any gas is.
         """
-        for gas in (self.scattering, self.matter):
-            if isinstance(gas, (GasScattering, RefractiveScattering, GasMixture)):
-                return gas.refractivities(wavelengths)
-        return np.zeros(np.shape(wavelengths))
+        if self._substance is None:
+            return np.zeros(np.shape(wavelengths))
+        return self._substance.refractivities(wavelengths)
 
     def _column(self, thickness: float) -> float:
         column = self.profile.column(thickness)
@@ -232,10 +279,7 @@ class Constituent:
         nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
         if not self.scatters:
             return np.zeros((len(nm), degree + 1))
-        phase = self.phase_function_at(nm)
-        if isinstance(phase, TabulatedPhase):
-            return phase.moments(nm, degree)
-        return legendre_moments(lambda nu: np.moveaxis(phase.values(nu, nm), 0, -1), degree)
+        return self.phase_function_at(nm).moments(nm, degree)
 
     def phase_function_at(self, wavelengths: npt.ArrayLike) -> PhaseFunction:
         """The phase function given, or that of the gas or matter, known at these wavelengths.
@@ -252,15 +296,13 @@ class Constituent:
         """
         if self.phase_function is not None:
             return self.phase_function
-        if self.matter is not None:
-            return self.matter.phase_function(wavelengths)
-        if not isinstance(self.scattering, (GasScattering, RefractiveScattering)):
+        if self._substance is None:
             raise ParameterError("phase_function", MISSING, "one, if it scatters")
-        return self.scattering.phase_function(wavelengths)
+        return self._substance.phase_function(wavelengths)
 
 
 @parameters
-class Planet:
+class Planet(Record):
     """A round ground under a shell of air, lit by a star.
 
     Parameters
@@ -293,21 +335,100 @@ class Planet:
     airlight.errors.ParameterError: top_radius is 6300000.0; allowed: 6360000.636 to 63600000 m
     """
 
-    name: str
-    bottom_radius: Annotated[float, between(1e3, 1e12, "m")]
-    top_radius: Annotated[float, between(1e3, 1e13, "m")]
-    ground: Annotated[Ground, instance_of(Ground)] = Ground()
-    star: Annotated[Star, instance_of(Star)]
-    constituents: tuple[Annotated[Constituent, instance_of(Constituent)], ...]
-    own_wavelengths: Annotated[tuple[float, ...], all_between(SHORTEST, LONGEST, "nm")] | None = (
-        None
-    )
-    description: str = ""
-    refraction: Annotated[str, one_of("none", "bouguer")] = "none"
+    name: Annotated[
+        str,
+        Key(
+            label="name",
+            help="What the planet is called.",
+            note="1 to 60 letters.",
+            kind="text",
+            range=(1.0, 60.0),
+            example="the planet's name",
+        ),
+    ]
+    description: Annotated[
+        str,
+        Key(
+            label="description",
+            help="What the numbers are and where they come from.",
+            note="A sentence that `airlight planets` shows.",
+            kind="text",
+            example="a sentence",
+            offered=always,
+        ),
+    ] = ""
+    own_wavelengths: (
+        Annotated[
+            tuple[float, ...],
+            dataclasses.replace(
+                WAVELENGTHS,
+                help="The planet's own wavelengths, used where none are asked for.",
+                note="Without them: 680, 550, 440 nm; if the planet is not known there, those of"
+                " its first constituent that names any.",
+            ),
+        ]
+        | None
+    ) = None
+    refraction: Annotated[
+        str,
+        Key(
+            label="refraction",
+            help="Whether the gases bend light, so that the star is seen lifted and flattened.",
+            note="Refused where light would follow the ground, as on Venus.",
+            kind="choice",
+            words=lambda: ("none", "bouguer"),
+            offered=always,
+        ),
+    ] = "none"
+    bottom_radius: Annotated[
+        float,
+        Key(
+            label="radius of the ground",
+            help="Distance of the ground from the planet's centre; the air moves with it.",
+            unit="m",
+            range=(1e3, 1e12),
+            example="6360 km",
+            shown="km",
+            slider=(10.0, 1e5),
+            scale="log",
+            within="shell",
+        ),
+    ]
+    top_radius: Annotated[
+        float,
+        Key(
+            label="radius of the top of the air",
+            help="Where the air ends, from the centre: up to ten times the ground's radius.",
+            unit="m",
+            range=(1e3, 1e13),
+            example="6460 km",
+            shown="km",
+            slider=(10.0, 1e5),
+            within="shell",
+        ),
+    ]
+    ground: Annotated[
+        Ground,
+        instance_of(Ground),
+        Key(label="ground", help="What lies below.", kind="table", table="ground", required=True),
+    ] = Ground()
+    star: Annotated[
+        Star,
+        instance_of(Star),
+        Key(label="star", help="What shines.", kind="table", table="star"),
+    ]
+    constituents: Annotated[
+        tuple[Annotated[Constituent, instance_of(Constituent)], ...],
+        Key(
+            label="constituents",
+            help="What the air is made of.",
+            note="1 to 64 of them, each with a name of its own.",
+            kind="table",
+            table="constituent",
+        ),
+    ]
 
     def __post_init__(self) -> None:
-        if not 1 <= len(self.name) <= 60:
-            raise ParameterError("name", self.name, "1 to 60 letters")
         least, most = self.bottom_radius * (1.0 + 1e-7), self.bottom_radius * 10.0
         if not least <= self.top_radius <= most:
             raise ParameterError(

@@ -10,7 +10,7 @@ import numpy.typing as npt
 from pydantic import BeforeValidator, ValidationInfo
 
 from airlight.errors import ParameterError
-from airlight.planets.parameters import _inside, all_between, finite, numbers, parameters
+from airlight.planets.parameters import all_between, finite, inside, numbers, parameters
 
 FloatArray = npt.NDArray[np.float64]
 #: The lowest and the highest wavelength at which something is known. [nm]
@@ -106,7 +106,7 @@ def check_spectral(value: Any, field: str, low: float, high: float, unit: str = 
     if isinstance(value, PerWavelength):
         numbers(value.values, field, low, high, unit)
         return value
-    return _inside(value, field, low, high, unit, above=False, below=False)
+    return inside(value, field, low, high, unit, above=False, below=False)
 
 
 def spectral_at(value: Spectral, wavelengths: npt.ArrayLike) -> FloatArray:

@@ -1,4 +1,4 @@
-"""Figures of planets and their light: ordinary matplotlib figures, every axis with its unit."""
+"""Figures of planets and their light, as matplotlib figures with a unit on every axis."""
 
 from __future__ import annotations
 

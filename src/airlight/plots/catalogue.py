@@ -1,4 +1,4 @@
-"""All kinds of figures: what each shows, which settings it takes, how it comes from a planet."""
+"""Catalogue of figures: subject and settings of each, and its construction from a planet."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Choices:
-    """What may be chosen for a figure; None leaves it to the figure.
+    """Settings of a figure; None leaves the choice to the figure.
 
     Attributes
     ----------
     wavelengths : tuple of float, optional
-        [nm]
+        Wavelengths of the figure. [nm]
     sun_zenith : float, optional
-        [deg]
+        Solar zenith angle. [deg]
     altitude : float, optional
-        [m]
+        Altitude of the observer. [m]
     quality : str, optional
-        Of the solution: ``"preview"``, ``"default"`` or ``"fine"``.
+        Quality of the solution: ``"preview"``, ``"default"`` or ``"fine"``.
     """
 
     wavelengths: tuple[float, ...] | None = None
@@ -40,7 +40,7 @@ class Choices:
 
 @dataclass(frozen=True, kw_only=True)
 class Work:
-    """How a solution is come by: ``cache``, ``progress`` and ``cancel`` of ``solve``."""
+    """Options of ``solve``: ``cache``, ``progress`` and ``cancel``."""
 
     cache: bool = True
     progress: Progress | None = None
@@ -49,16 +49,16 @@ class Work:
 
 @dataclass(frozen=True)
 class Kind:
-    """One kind of figure.
+    """Kind of figure.
 
     Attributes
     ----------
     sentence : str
-        What it shows.
+        Description of the figure.
     takes : tuple of str
-        Which of the ``Choices`` it understands.
+        Names of the ``Choices`` that it accepts.
     draw : callable
-        ``draw(planet, choices, work)`` returns the figure.
+        Function that makes the figure, with the signature ``draw(planet, choices, work)``.
     """
 
     sentence: str
@@ -79,9 +79,9 @@ def _solve(
 
     nm = choices.wavelengths
     if nm is None and colored:
-        from airlight.color.spectral import default_wavelengths
+        from airlight.planets.picture_wavelengths import picture_wavelengths
 
-        nm = tuple(default_wavelengths(16, *planet.wavelength_limits).tolist())
+        nm = tuple(picture_wavelengths(planet).tolist())
     return solve(
         planet,
         nm,
@@ -94,7 +94,7 @@ def _solve(
 
 
 def _given(choices: Choices, *names: str) -> dict[str, Any]:
-    """Those of the choices that were made, by name."""
+    """Return the settings that were chosen, by name."""
     pairs = {name: getattr(choices, name) for name in names}
     return {name: value for name, value in pairs.items() if value is not None}
 
@@ -187,7 +187,7 @@ def _order_convergence(planet: Planet, choices: Choices, work: Work) -> Figure:
     )
 
 
-#: Every kind, in the order in which light takes them.
+#: Every kind, from the star's spectrum to the sky.
 KINDS: Final[dict[str, Kind]] = {
     "solar-spectrum": Kind(
         "The star's spectrum at the planet, the visible band in its colours.",
@@ -256,12 +256,12 @@ KINDS: Final[dict[str, Kind]] = {
 
 
 def kind_named(name: str) -> Kind:
-    """The kind of that name.
+    """Return the kind of the given name.
 
     Raises
     ------
     ParameterError
-        If there is none.
+        If there is no such kind.
     """
     if name not in KINDS:
         raise ParameterError("KIND", name, ", ".join(KINDS))
@@ -271,7 +271,7 @@ def kind_named(name: str) -> Kind:
 def draw(
     planet: Planet, kind: str, choices: Choices | None = None, work: Work | None = None
 ) -> Figure:
-    """One figure of a planet.
+    """Draw a figure of a planet.
 
     Parameters
     ----------
@@ -279,19 +279,19 @@ def draw(
     kind : str
         One of ``KINDS``.
     choices : Choices, optional
-        Settings; one that the kind does not take is refused.
+        Settings; a setting that the kind does not take is refused.
     work : Work, optional
-        How a solution is come by, if the figure needs one.
+        Options for solving the planet, if the figure needs a solution.
 
     Returns
     -------
     Figure
-        Of matplotlib.
+        Figure of matplotlib.
 
     Raises
     ------
     ParameterError
-        If there is no such kind, or it does not take a choice.
+        If there is no such kind, or it does not take one of the settings.
     AirlightError
         If matplotlib is not installed.
     """
@@ -305,7 +305,7 @@ def draw(
 
 
 def check_choices(kind: str, choices: Choices) -> None:
-    """Refuse choices that a kind of figure does not take."""
+    """Refuse settings that a kind of figure does not take."""
     takes = kind_named(kind).takes
     for field in fields(choices):
         value = getattr(choices, field.name)

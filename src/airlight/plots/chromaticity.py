@@ -1,4 +1,4 @@
-"""The eye's matching functions, and where the colours of a planet's sky lie among all colours."""
+"""Colour-matching functions, and the chromaticities of a planet's sky."""
 
 from __future__ import annotations
 
@@ -22,28 +22,29 @@ FloatArray = NDArray[np.float64]
 
 #: Zenith angles of the sun. [deg]
 SUN_ZENITHS: Final = (30.0, 60.0, 80.0, 88.0)
-#: Places in the sky: marker, view zenith angle as a function of the sun's, azimuth. [deg]
+#: Directions in the sky: marker, view zenith angle as a function of the sun's, azimuth. [deg]
 _NEAR: Final = 10.0
-PLACES: Final = (("zenith", "o"), ("horizon", "s"), ("near the sun", "^"))
-#: View zenith angle of the horizon's colour, across the sun's direction. [deg]
+DIRECTIONS: Final = (("zenith", "o"), ("horizon", "s"), ("near the sun", "^"))
+#: View zenith angle of the horizon's colour, at right angles to the sun's azimuth. [deg]
 _HORIZON: Final = 88.0
-#: Points of the picture of all colours.
+#: Width and height of the picture of all colours. [pixel]
 _PICTURE: Final = 320
 
 
 def sky_chromaticities(solution: Solution, sun_zeniths: Sequence[float]) -> FloatArray:
-    """Chromaticities of the sky from the ground.
+    """Chromaticities of the sky as seen from the ground.
 
     Parameters
     ----------
     solution : Solution
     sun_zeniths : sequence of float, length n
-        10 to 180. [deg]
+        Zenith angles of the sun, 10 to 180. [deg]
 
     Returns
     -------
     array, shape (n, 3, 2)
-        x, y at the zenith, at the horizon across the sun's direction, and 10° above the sun. [1]
+        x, y at the zenith, at the horizon at right angles to the sun's azimuth, and 10° above the
+        sun. [1]
     """
     return np.asarray(chromaticity(rgb_to_xyz(_sky_rgb(solution, sun_zeniths))))
 
@@ -56,8 +57,8 @@ def _sky_rgb(solution: Solution, sun_zeniths: Sequence[float]) -> FloatArray:
     radiance = solution.radiance(
         altitude=0.0, sun_zenith=sun, view_zenith=view, azimuth=np.array([0.0, 90.0, 0.0])
     )
-    star = solution.planet.star.irradiances if solution.planet is not None else None
-    return np.asarray(np.asarray(radiance) @ rgb_weights(solution.wavelengths, star))
+    weights = rgb_weights(solution.wavelengths, solution.lights[0].spectrum)
+    return np.asarray(np.asarray(radiance) @ weights)
 
 
 def cie(solution: Solution, sun_zeniths: Sequence[float] = SUN_ZENITHS) -> Figure:
@@ -66,15 +67,16 @@ def cie(solution: Solution, sun_zeniths: Sequence[float] = SUN_ZENITHS) -> Figur
     Parameters
     ----------
     solution : Solution
-        At wavelengths that make colours: three, or better sixteen.
+        Solution at wavelengths that make colours: three, or better sixteen.
     sun_zeniths : sequence of float
-        Each gives a zenith, a horizon and a place near the sun. [deg]
+        Zenith angles of the sun, each giving the zenith, the horizon and a point near the sun.
+        [deg]
 
     Returns
     -------
     Figure
-        Matching functions above; below all colours with the triangle of sRGB, and a part of that,
-        enlarged, with the sky's colours as seen from the ground.
+        Matching functions above; below, all colours with the triangle of sRGB, and an enlarged part
+        with the sky's colours as seen from the ground.
     """
     name = solution.planet.name if solution.planet is not None else "planet"
     figure = new_figure(
@@ -160,8 +162,8 @@ def _diagram(axes: Any) -> None:
 def _sky(
     axes: Any, points: FloatArray, rgb: FloatArray, suns: Sequence[float], *, labelled: bool
 ) -> None:
-    """One line a place, from high to low sun, markers in the sky's own colours."""
-    for k, (place, marker) in enumerate(PLACES):
+    """Draw one line per direction, from high to low sun, with markers in the sky's own colours."""
+    for k, (position, marker) in enumerate(DIRECTIONS):
         axes.plot(*points[:, k].T, color=GREY, linewidth=1.0)
         peak = np.maximum(rgb[:, k].max(axis=-1, keepdims=True), 1e-300)
         axes.scatter(
@@ -171,14 +173,14 @@ def _sky(
             s=55.0 if labelled else 18.0,
             edgecolors="black",
             linewidths=0.9,
-            label=place,
+            label=position,
             zorder=4,
         )
     if not labelled:
         return
     apart = 0.06 * max(np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim()))
     taken: list[FloatArray] = []
-    for k in range(len(PLACES)):
+    for k in range(len(DIRECTIONS)):
         for at, sun in zip(points[:, k], suns, strict=True):
             if all(np.hypot(*(at - other)) > apart for other in taken):
                 taken.append(at)

@@ -1,4 +1,4 @@
-"""How the constituents of a planet's air thin out with altitude."""
+"""Density profiles of the constituents of a planet's air."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from airlight.plots.figure import LINE_STYLES, PALETTE, grid, new_figure
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: Densities below this part of a constituent's largest are off the logarithmic panel.
+#: Densities below this fraction of a constituent's largest are off the logarithmic panel.
 _FAINTEST: Final = 1e-6
 
 
@@ -27,14 +27,14 @@ def density(planet: Planet) -> Figure:
     Returns
     -------
     Figure
-        Two panels that share the altitude [km]; in each one curve a constituent, density 1 being
-        where its coefficients stand for.
+        Two panels that share the altitude [km], with one curve per constituent; density 1 is where
+        its coefficients apply.
 
     References
     ----------
     Atmosphere Plus notes 2, section 1.5.2.
     """
-    rows = [one.profile.row(planet.thickness) for one in planet.constituents]
+    rows = [constituent.profile.row(planet.thickness) for constituent in planet.constituents]
     altitude = np.linspace(0.0, planet.thickness, 1001)
     values = DensitySegments.from_rows(rows).at(altitude)
     figure = new_figure(
@@ -42,8 +42,8 @@ def density(planet: Planet) -> Figure:
         "Relative density: 1 is where a constituent's coefficients are given.",
     )
     linear, logarithmic = figure.subplots(1, 2, sharey=True)
-    for index, (one, curve) in enumerate(zip(planet.constituents, values, strict=True)):
-        column = one.profile.column(planet.thickness)
+    for index, (constituent, curve) in enumerate(zip(planet.constituents, values, strict=True)):
+        column = constituent.profile.column(planet.thickness)
         for axes in (linear, logarithmic):
             axes.plot(
                 np.where(curve > 0.0, curve, np.nan) if axes is logarithmic else curve,
@@ -51,7 +51,7 @@ def density(planet: Planet) -> Figure:
                 color=PALETTE[index % len(PALETTE)],
                 linestyle=LINE_STYLES[index % len(LINE_STYLES)],
                 linewidth=2.0,
-                label=f"{one.name} (column {column * 1e-3:.4g} km)",
+                label=f"{constituent.name} (column {column * 1e-3:.4g} km)",
             )
     for axes in (linear, logarithmic):
         grid(axes)

@@ -1,7 +1,7 @@
-"""What every figure shares: its frame, its colours, and how it becomes a file.
+"""Frame, colours and file of every figure.
 
-Figures are made by matplotlib's object interface, never by ``pyplot``: no window, no state that
-outlives them, safe in threads and in servers.
+Figures are made through matplotlib's object interface, never ``pyplot``: no window, no global
+state, safe in threads and in servers.
 """
 
 from __future__ import annotations
@@ -21,24 +21,24 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 
-#: Colours that stay apart for every kind of colour vision; Okabe & Ito (2008), Color Universal
+#: Colours distinguishable with every kind of colour vision; Okabe & Ito (2008), Color Universal
 #: Design, without black and yellow.
 PALETTE: Final = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
-#: Lines that stay apart in black and white.
+#: Line styles distinguishable in black and white.
 LINE_STYLES: Final = ("-", "--", "-.", ":", (0, (6, 1.5, 1, 1.5, 1, 1.5)), (0, (2, 1)))
-#: Text beside the point, and lines that only guide the eye.
+#: Colour of annotations and guide lines.
 GREY: Final = "#555555"
 #: Background of swatches.
 BLACK: Final = "#000000"
 
-#: Ends of what the eye sees at all well. [nm]
+#: Ends of the range where the eye is reasonably sensitive. [nm]
 VISIBLE: Final = (380.0, 750.0)
-#: A wavelength's colour is darkened to this luminance, so that its line stands out from paper. [1]
+#: Luminance to which a wavelength's colour is darkened, so that its line stands out on paper. [1]
 _INK: Final = 0.28
 
-#: Kinds of files that a figure can become.
+#: File formats of a figure.
 FORMATS: Final = ("png", "svg", "pdf")
-#: Nothing in a file that changes from day to day.
+#: Metadata without dates, so that the same figure gives the same file.
 _METADATA: Final[dict[str, dict[str, Any]]] = {
     "png": {"Software": "airlight"},
     "svg": {"Date": None, "Creator": "airlight"},
@@ -47,7 +47,7 @@ _METADATA: Final[dict[str, dict[str, Any]]] = {
 
 
 def require_matplotlib() -> None:
-    """Ask for matplotlib, which is not installed with airlight unless it is asked for.
+    """Import matplotlib, which is an optional dependency.
 
     Raises
     ------
@@ -61,14 +61,14 @@ def require_matplotlib() -> None:
 
 
 def new_figure(title: str, caption: str = "", size: tuple[float, float] = (8.0, 5.0)) -> Figure:
-    """An empty figure with a title above and a caption below.
+    """Create an empty figure with a title above and a caption below.
 
     Parameters
     ----------
     title : str
-        Says what is shown, of which planet.
+        Subject of the figure, with the planet.
     caption : str
-        Settings, and how to read it.
+        Settings, and how to read the figure.
     size : (float, float)
         Width and height; at eight inches wide its text is readable at 800 pixels. [inch]
 
@@ -90,19 +90,19 @@ def new_figure(title: str, caption: str = "", size: tuple[float, float] = (8.0, 
 
 
 def grid(axes: Axes) -> None:
-    """Light lines behind the data, and no box on the open sides."""
+    """Draw light lines behind the data, and no frame on the open sides."""
     axes.grid(True, color="#dddddd", linewidth=0.7)
     axes.set_axisbelow(True)
     axes.spines[["top", "right"]].set_visible(False)
 
 
 def wavelength_ink(wavelengths: ArrayLike) -> list[tuple[float, float, float]]:
-    """The wavelengths' own colours, dark enough for lines on paper; grey outside the visible.
+    """Colours of wavelengths, dark enough for lines on paper; grey outside the visible.
 
     Parameters
     ----------
     wavelengths : array, shape (n,)
-        [nm]
+        Wavelengths. [nm]
 
     Returns
     -------
@@ -128,12 +128,12 @@ def wavelength_ink(wavelengths: ArrayLike) -> list[tuple[float, float, float]]:
 
 
 def wavelength_strip(wavelengths: ArrayLike) -> FloatArray:
-    """The colours of pure wavelengths as the eye weighs them, dark at both ends, for areas.
+    """Colours of wavelengths weighted by the eye's response, dark at both ends, for areas.
 
     Parameters
     ----------
     wavelengths : array, shape (n,)
-        350 to 840. [nm]
+        Wavelengths, 350 to 840. [nm]
 
     Returns
     -------
@@ -145,7 +145,7 @@ def wavelength_strip(wavelengths: ArrayLike) -> FloatArray:
 
 
 def chosen(wavelengths: ArrayLike, most: int) -> list[int]:
-    """Indices of at most so many wavelengths, spread evenly over the list, both ends among them.
+    """Indices of at most ``most`` wavelengths, spread evenly over the list, both ends included.
 
     Examples
     --------
@@ -159,7 +159,7 @@ def chosen(wavelengths: ArrayLike, most: int) -> list[int]:
 
 
 def wavelength_words(wavelengths: ArrayLike) -> str:
-    """A list of wavelengths for a caption.
+    """Format a list of wavelengths for a caption.
 
     Examples
     --------
@@ -180,16 +180,16 @@ def write_figure(
     format: str = "png",
     dpi: float = 150.0,
 ) -> None:
-    """Write a figure, the same bytes each time: without dates and random names.
+    """Write a figure, byte for byte reproducible: without dates and random names.
 
     Parameters
     ----------
     figure : Figure
     file : binary file
-        Open for writing.
+        File open for writing.
     format : "png", "svg" or "pdf"
     dpi : float
-        Of PNG, and of pictures within the others. [pixel/inch]
+        Resolution of PNG, and of pictures within the other formats. [pixel/inch]
     """
     import matplotlib
 

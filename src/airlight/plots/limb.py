@@ -1,4 +1,4 @@
-"""The limb: what a spacecraft sees of the air beside the planet's edge."""
+"""The limb: light of the air beside the planet's edge, seen from space."""
 
 from __future__ import annotations
 
@@ -18,24 +18,24 @@ FloatArray = NDArray[np.float64]
 
 #: Zenith angles of the sun at the tangent point. [deg]
 SUN_ZENITHS: Final = (0.0, 30.0, 60.0, 80.0, 90.0, 96.0)
-#: Tangent heights, from this part of the shell's thickness below the ground.
+#: Lowest tangent height as a fraction of the shell's thickness, and number of heights.
 _LOWEST, _COUNT = -0.15, 231
-#: Radiances below this part of a panel's largest are off it.
+#: Radiances below this fraction of a panel's largest are off it.
 _FAINTEST: Final = 1e-8
 
 
 def limb_radiance(
     solution: Solution, tangent_height: ArrayLike, sun_zenith: ArrayLike
 ) -> FloatArray:
-    """Radiance along lines of sight from space that come nearest to the planet at a height.
+    """Radiance along lines of sight from space, by tangent height.
 
     Parameters
     ----------
     solution : Solution
     tangent_height : array, shape (...)
-        Above the ground, up to the top of the shell; below 0 the line meets the ground. [m]
+        Tangent height, up to the top of the shell; below 0 the line meets the ground. [m]
     sun_zenith : array, shape (...)
-        At the tangent point, the sun standing across the line of sight. [deg]
+        Zenith angle at the tangent point, the sun standing across the line of sight. [deg]
 
     Returns
     -------
@@ -46,8 +46,8 @@ def limb_radiance(
     height, sun = np.broadcast_arrays(
         np.asarray(tangent_height, dtype=np.float64), np.asarray(sun_zenith, dtype=np.float64)
     )
-    # The observer stands on the shell's edge: its zenith is turned from the tangent point's,
-    # against the line of sight, which is at right angles to the sun.
+    # The observer is at the top of the shell; its zenith is rotated from the tangent point's,
+    # away from the line of sight, which is at right angles to the sun.
     sine = np.minimum((bottom + height) / top, 1.0)
     mu = -np.sqrt((1.0 - sine) * (1.0 + sine))
     mu_s = np.cos(np.radians(sun)) * sine
@@ -71,12 +71,12 @@ def limb(solution: Solution, sun_zeniths: Sequence[float] = SUN_ZENITHS) -> Figu
     ----------
     solution : Solution
     sun_zeniths : sequence of float
-        At the tangent point. [deg]
+        Zenith angles of the sun at the tangent point. [deg]
 
     Returns
     -------
     Figure
-        A panel for each of at most three wavelengths, a curve for each sun; the sun stands at
+        One panel for each of at most three wavelengths, one curve per sun angle; the sun is at
         right angles to the line of sight.
     """
     medium = solution.medium

@@ -1,4 +1,4 @@
-"""The scattering table on two mappings, side by side, as it lies in memory."""
+"""The scattering table on two mappings, side by side, in its layout in memory."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 
-#: Heights, view directions, sun directions.
+#: Number of heights, view directions and sun directions.
 SHAPE: Final = (32, 64, 32)
-#: Tiles beside each other in the atlas.
+#: Tiles per row of the atlas.
 COLUMNS: Final = 8
-#: Texels asked for at once.
+#: Texels per call of the solution.
 _BLOCK: Final = 8192
 _TONE_MAP: Final = "hable"
-#: Linear, of the display's white. [1]
+#: Linear value of light grey, relative to the display's white. [1]
 _LIGHT_GREY: Final = 0.4
 
 
@@ -49,19 +49,19 @@ def table_sights(
     Parameters
     ----------
     solution : Solution
-        Of the planet whose shell it is.
+        Solution of the planet whose shell is used.
     mapping : "linear" or "weighted-power"
-        The latter with power 2 throughout and the notes' weights.
+        Name of the mapping; the latter with power 2 throughout and the notes' weights.
     shape : (int, int, int)
-        Heights, view directions, sun directions.
+        Number of heights, view directions and sun directions.
     azimuth : float
-        Between view and sun. [deg]
+        Azimuth between view and sun. [deg]
 
     Returns
     -------
     Sight
-        Flat, the sun direction running slowest and the height fastest. None is said to end on
-        the ground, so that only the light of the air comes.
+        Flat arrays, the sun direction running slowest and the height fastest. No line is marked
+        as ending on the ground, so that only the air's light is returned.
     """
     width, height, depth = shape
     bottom, top = solution.medium.bottom_radius, solution.medium.top_radius
@@ -105,8 +105,8 @@ def table_sights(
     sine = np.sqrt((1.0 - mu) * (1.0 + mu)) * np.sqrt(1.0 - mu_s**2)[:, None, None]
     nu = mu * mu_s[:, None, None] + sine * np.cos(np.radians(azimuth))
 
-    def flat(one: FloatArray) -> FloatArray:
-        return np.ascontiguousarray(np.broadcast_to(one, full)).ravel()
+    def flat(values: FloatArray) -> FloatArray:
+        return np.ascontiguousarray(np.broadcast_to(values, full)).ravel()
 
     return Sight(
         r=flat(r[None, None, :]),
@@ -126,9 +126,9 @@ def table_rgb(
     cancel: Cancel | None = None,
 ) -> FloatArray:
     """Linear sRGB of the light of the air, shape (depth, height, width, 3). [W m⁻² sr⁻¹]"""
-    irradiance = solution.medium.solar_irradiance
-    star = solution.planet.star.irradiances if solution.planet is not None else None
-    weights = rgb_weights(solution.wavelengths, star)
+    light = solution.lights[0]
+    irradiance = light.irradiance
+    weights = rgb_weights(solution.wavelengths, light.spectrum)
     rgb = np.empty((sights.r.size, 3))
     for first in range(0, sights.r.size, _BLOCK):
         if cancel is not None and cancel():
@@ -142,19 +142,19 @@ def table_rgb(
 
 
 def atlas(tiles: NDArray, columns: int = COLUMNS) -> NDArray:
-    """Tiles beside and below each other, the first at the upper left.
+    """Arrange tiles in rows, the first at the upper left.
 
     Parameters
     ----------
     tiles : array, shape (count, height, width, 3)
-        Their first row is the lowest one.
+        Tiles, the first row of each being the lowest.
     columns : int
-        Tiles beside each other.
+        Tiles per row.
 
     Returns
     -------
     array, shape (rows·height, columns·width, 3)
-        First row on top; places without a tile are 0.
+        Picture with the first row on top; 0 where there is no tile.
     """
     count, height, width, channels = tiles.shape
     rows = -(-count // columns)
@@ -165,7 +165,7 @@ def atlas(tiles: NDArray, columns: int = COLUMNS) -> NDArray:
 
 
 def _exposure(rgb: FloatArray) -> float:
-    """The exposure that shows nine texels of ten darker than a light grey. [EV]"""
+    """Exposure at which nine texels of ten are darker than light grey. [EV]"""
     bright = float(np.percentile(luminance(rgb), 90.0))
     if not bright > 0.0:
         return 0.0
@@ -186,11 +186,11 @@ def mapping_comparison(
     Parameters
     ----------
     solution : Solution
-        The radiance of the air at the texels' coordinates is taken from it.
+        Solution that gives the air's radiance at the texels' coordinates.
     shape : (int, int, int)
-        Heights, view directions, sun directions.
+        Number of heights, view directions and sun directions.
     azimuth : float
-        Between view and sun. [deg]
+        Azimuth between view and sun. [deg]
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -198,7 +198,7 @@ def mapping_comparison(
     -------
     Figure
         Two atlases with one exposure. A tile is one sun direction, from the nadir to the zenith;
-        in it the height grows to the right and the view turns upwards.
+        within it, the height increases to the right and the view turns upwards.
 
     References
     ----------

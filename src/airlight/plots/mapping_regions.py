@@ -1,4 +1,4 @@
-"""The regions of the weighted power mapping: which directions get how much of a table."""
+"""Regions of the weighted power mapping: the share of a table that each range of views gets."""
 
 from __future__ import annotations
 
@@ -21,19 +21,19 @@ FloatArray = NDArray[np.float64]
 
 #: Texels of the view direction whose lines are drawn.
 TEXELS: Final = 33
-#: The source's colours; letters stand on the wedges for those who see no difference.
+#: The source's colours; letters on the wedges make them readable without colour.
 _COLORS: Final = {"U": "#6FA8DC", "L": "#E06666", "S": "#93C47D"}
 _WORDS: Final = {"U": "upper air", "L": "lower air", "S": "surface"}
 
 
 @dataclass(frozen=True, kw_only=True)
 class Regions:
-    """The mapping of the view direction at one altitude.
+    """Mapping of the view direction at one altitude.
 
     Attributes
     ----------
     altitude : float
-        [m]
+        Altitude of the observer. [m]
     horizon : float
         Cosine of the horizon's zenith angle. [1]
     upper, lower, surface : float
@@ -57,7 +57,7 @@ def regions(planet: Planet, altitude: float) -> Regions:
     ----------
     planet : Planet
     altitude : float
-        0 to the top of the shell. [m]
+        Altitude of the observer, 0 to the top of the shell. [m]
 
     Raises
     ------
@@ -103,13 +103,13 @@ def mapping_regions(planet: Planet, altitude: float | None = None) -> Figure:
     ----------
     planet : Planet
     altitude : float, optional
-        Of the second panel; the top of the shell without it. [m]
+        Altitude of the second panel; the top of the shell if left out. [m]
 
     Returns
     -------
     Figure
-        Two half discs: zenith up, nadir down, a line for every texel of 33, and bars below that
-        give each region its share of the axis v.
+        Two half discs: zenith up, nadir down, a line for each of 33 texels, and below them bars
+        with the share of each region on the axis v.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""How much each constituent takes from light that comes straight down, over wavelength."""
+"""Vertical optical depth of each constituent over wavelength."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from airlight.plots.figure import LINE_STYLES, PALETTE, grid, new_figure, wavele
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: What is shown of a planet that is known farther. [nm]
+#: Range shown of a planet that is known over a wider one. [nm]
 _SHOWN: Final = (300.0, 1000.0)
-#: Optical depths below this part of the largest are off the panel.
+#: Optical depths below this fraction of the largest are off the panel.
 _FAINTEST: Final = 1e-5
 
 
@@ -25,7 +25,7 @@ def optical_depth(planet: Planet, wavelengths: tuple[float, ...] | None = None) 
     ----------
     planet : Planet
     wavelengths : tuple of float, optional
-        Marked; the planet's own without it. [nm]
+        Wavelengths to mark; the planet's own if left out. [nm]
 
     Returns
     -------
@@ -38,11 +38,11 @@ def optical_depth(planet: Planet, wavelengths: tuple[float, ...] | None = None) 
         low, high = max(low, _SHOWN[0]), min(high, _SHOWN[1])
     nm = np.linspace(low, high, 501)
     parts = []
-    for one in planet.constituents:
-        coefficient = one.scattering_coefficients(
+    for constituent in planet.constituents:
+        coefficient = constituent.scattering_coefficients(
             nm, planet.thickness
-        ) + one.absorption_coefficients(nm, planet.thickness)
-        parts.append(coefficient * one.profile.column(planet.thickness))
+        ) + constituent.absorption_coefficients(nm, planet.thickness)
+        parts.append(coefficient * constituent.profile.column(planet.thickness))
     total = np.sum(parts, axis=0)
     figure = new_figure(
         f"{planet.name}: vertical optical depth",
@@ -52,14 +52,14 @@ def optical_depth(planet: Planet, wavelengths: tuple[float, ...] | None = None) 
     grid(axes)
     for at, ink in zip(marks, wavelength_ink(marks), strict=True):
         axes.axvline(at, color=ink, linewidth=1.0, alpha=0.6)
-    for index, (one, depth) in enumerate(zip(planet.constituents, parts, strict=True)):
+    for index, (constituent, depth) in enumerate(zip(planet.constituents, parts, strict=True)):
         axes.plot(
             nm,
             np.where(depth > 0.0, depth, np.nan),
             color=PALETTE[index % len(PALETTE)],
             linestyle=LINE_STYLES[(index + 1) % len(LINE_STYLES)],
             linewidth=1.8,
-            label=one.name,
+            label=constituent.name,
         )
     axes.plot(nm, np.where(total > 0.0, total, np.nan), color="black", linewidth=2.2, label="all")
     top = float(total.max())
@@ -67,7 +67,7 @@ def optical_depth(planet: Planet, wavelengths: tuple[float, ...] | None = None) 
     lowest = max(0.7 * lowest, _FAINTEST * top)
     axes.set(
         yscale="log",
-        ylim=(lowest, 1.5 * top * (top / lowest) ** 0.15),  # room for the legend
+        ylim=(lowest, 1.5 * top * (top / lowest) ** 0.15),  # space for the legend
         xlim=(low, high),
         xlabel="wavelength [nm]",
         ylabel="vertical optical depth [1]",

@@ -1,4 +1,4 @@
-"""How fast the orders of scattering add up."""
+"""Convergence of the orders of scattering."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 
-#: Lines of sight: words, altitude as a part of the shell, view zenith angle, azimuth. [1], [deg]
+#: Lines of sight: name, altitude as a fraction of the shell, view zenith angle, azimuth. [1], [deg]
 SIGHTS: Final = (
     ("ground, zenith", 0.0, 0.0, 0.0),
     ("ground, 85° across the sun", 0.0, 85.0, 90.0),
     ("ground, 85° towards the sun", 0.0, 85.0, 0.0),
     ("space, nadir", 1.0, 180.0, 0.0),
 )
-#: Orders drawn at most.
+#: Largest number of orders drawn.
 _MOST_ORDERS: Final = 30
-#: The tail's ratio is held below this. [1]
+#: Upper limit of the tail's ratio. [1]
 _LARGEST_RATIO: Final = 0.98
 
 
@@ -38,13 +38,13 @@ class Convergence:
     Attributes
     ----------
     radiance : array, shape (orders, sights, nl)
-        [W m⁻² sr⁻¹ nm⁻¹]
+        Radiance of each order. [W m⁻² sr⁻¹ nm⁻¹]
     ratio : array, shape (sights, nl)
-        Of the last order to the one before. [1]
+        Ratio of the last order to the previous one. [1]
     tail : array, shape (sights, nl)
-        Orders beyond the last, as a geometric series of that ratio. [W m⁻² sr⁻¹ nm⁻¹]
+        Sum of the orders beyond the last, as a geometric series of that ratio. [W m⁻² sr⁻¹ nm⁻¹]
     rest : array, shape (orders, sights, nl)
-        What is missing after each order, tail included, relative to the whole. [1]
+        Remainder after each order, tail included, relative to the total. [1]
     """
 
     radiance: FloatArray
@@ -54,12 +54,12 @@ class Convergence:
 
 
 def convergence(radiance: FloatArray) -> Convergence:
-    """What orders of radiance say about the ones that were not computed.
+    """Estimate the orders of scattering that were not computed.
 
     Parameters
     ----------
     radiance : array, shape (orders, sights, nl)
-        Of the first, second, … order; at least two. [W m⁻² sr⁻¹ nm⁻¹]
+        Radiance of the first, second, … order; at least two. [W m⁻² sr⁻¹ nm⁻¹]
 
     Examples
     --------
@@ -71,7 +71,7 @@ def convergence(radiance: FloatArray) -> Convergence:
     ratio = np.divide(last, before, out=np.zeros_like(last), where=before > 0.0)
     ratio = np.clip(ratio, 0.0, _LARGEST_RATIO)
     tail = last * ratio / (1.0 - ratio)
-    # Backwards, so that small rests are sums of small numbers.
+    # Summed from the last order, so that small remainders are sums of small numbers.
     after = np.cumsum(np.concatenate([tail[None], radiance[:0:-1]]), axis=0)[::-1]
     whole = after[0] + radiance[0]
     rest = np.divide(after, whole, out=np.zeros_like(after), where=whole > 0.0)
@@ -85,22 +85,22 @@ def order_convergence(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Figure:
-    """Radiance by order, and what is missing after each, for some lines of sight.
+    """Radiance by order, and the remainder after each, for some lines of sight.
 
     Parameters
     ----------
     solution : Solution
-        By a solver that keeps its orders: ``direct`` or ``montecarlo``.
+        Solution by a solver that keeps its orders apart: ``direct`` or ``montecarlo``.
     sun_zenith : float
-        At the observer. [deg]
+        Solar zenith angle at the observer. [deg]
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``; asked between orders.
 
     Returns
     -------
     Figure
-        For at most three wavelengths the radiance by order above and the relative rest below;
-        dashed the geometric series that stands for the orders beyond the last.
+        The radiance by order above and the relative remainder below, for at most three wavelengths;
+        dashed, the geometric series for the orders beyond the last.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Into which directions the constituents of a planet's air scatter light."""
+"""Phase functions of the constituents of a planet's air."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 
-#: Curves of two wavelengths that differ by less than this part are drawn as one.
+#: Curves of two wavelengths whose relative difference is below this are drawn as one.
 _SAME: Final = 0.01
-#: Of many wavelengths so many are drawn.
+#: Largest number of wavelengths drawn.
 _MOST: Final = 4
 
 
@@ -36,14 +36,14 @@ def phase_functions(planet: Planet, wavelengths: tuple[float, ...] | None = None
     ----------
     planet : Planet
     wavelengths : tuple of float, optional
-        The planet's own without it; of more than four, four. One curve stands for all of them
-        where the phase function does not depend on wavelength. [nm]
+        Wavelengths to draw, at most four; the planet's own if left out. One curve represents all
+        of them where the phase function does not depend on wavelength. [nm]
 
     Returns
     -------
     Figure
-        Two panels, both logarithmic: polar, the light coming from the left and going on to the
-        right, and over the scattering angle. Legends give the mean cosine g.
+        Two logarithmic panels: polar, with the light arriving from the left, and over the
+        scattering angle. Legends give the mean cosine g.
 
     Raises
     ------
@@ -57,7 +57,7 @@ def phase_functions(planet: Planet, wavelengths: tuple[float, ...] | None = None
     nm = planet.wavelengths if wavelengths is None else wavelengths
     planet.check_wavelengths(nm)
     nm = tuple(nm[k] for k in chosen(nm, _MOST))
-    scattering = [one for one in planet.constituents if one.scatters]
+    scattering = [constituent for constituent in planet.constituents if constituent.scatters]
     if not scattering:
         raise ParameterError("constituents", planet.name, "a planet whose air scatters")
     figure = new_figure(
@@ -70,10 +70,10 @@ def phase_functions(planet: Planet, wavelengths: tuple[float, ...] | None = None
     cartesian = figure.add_subplot(1, 2, 2)
     degrees = _angles()
     lowest, highest = np.inf, 0.0
-    for index, one in enumerate(scattering):
-        values = one.phase_values(np.cos(np.radians(degrees)), nm)
-        means = _mean_cosine(one, nm)
-        for which, name in _different(one.name, values, nm):
+    for index, constituent in enumerate(scattering):
+        values = constituent.phase_values(np.cos(np.radians(degrees)), nm)
+        means = _mean_cosine(constituent, nm)
+        for which, name in _different(constituent.name, values, nm):
             curve = values[:, which]
             look: dict[str, Any] = {
                 "color": PALETTE[index % len(PALETTE)],
@@ -115,16 +115,16 @@ def _angles() -> FloatArray:
     )
 
 
-def _mean_cosine(one: Constituent, nm: tuple[float, ...]) -> FloatArray:
+def _mean_cosine(constituent: Constituent, nm: tuple[float, ...]) -> FloatArray:
     """∫ p·nu over the sphere, by Gauss-Legendre in sin(θ/2), which resolves sharp peaks. [1]"""
     x, weight = np.polynomial.legendre.leggauss(400)
     u, weight = 0.5 * (x + 1.0), 0.5 * weight
     nu = 1.0 - 2.0 * u * u
-    return np.asarray(2.0 * np.pi * (weight * 4.0 * u * nu) @ one.phase_values(nu, nm))
+    return np.asarray(2.0 * np.pi * (weight * 4.0 * u * nu) @ constituent.phase_values(nu, nm))
 
 
 def _different(name: str, values: FloatArray, nm: tuple[float, ...]) -> list[tuple[int, str]]:
-    """Which wavelengths get a curve of their own, and what it is called."""
+    """Indices of the wavelengths that get a curve of their own, and the curves' labels."""
     spread = np.ptp(values, axis=1) / values.mean(axis=1)
     if float(spread.max()) < _SAME:
         return [(0, name)]

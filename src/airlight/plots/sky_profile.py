@@ -1,4 +1,4 @@
-"""Cuts through the sky: up and over through the sun, and around at the sun's height."""
+"""Cuts through the sky: along the principal plane, and along the almucantar."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from airlight.solvers.solution import Solution
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: The circle around the zenith lies no lower than this. [deg]
+#: Largest zenith angle of the almucantar. [deg]
 LOWEST_CIRCLE: Final = 85.0
-#: Wavelengths drawn at most.
+#: Largest number of wavelengths drawn.
 _MOST: Final = 6
 
 
@@ -25,16 +25,16 @@ def sky_profile(solution: Solution, *, sun_zenith: float = 60.0, altitude: float
     ----------
     solution : Solution
     sun_zenith : float
-        0 to 180. [deg]
+        Zenith angle of the sun, 0 to 180. [deg]
     altitude : float
-        Of the observer. [m]
+        Altitude of the observer. [m]
 
     Returns
     -------
     Figure
-        Two logarithmic panels, a curve a wavelength: over the view zenith angle, negative on the
-        side away from the sun; and over the azimuth from the sun on the circle of the sun's own
-        zenith angle, or of 85° if the sun is lower. The sun's disc is left out.
+        Two logarithmic panels, one curve per wavelength: over the view zenith angle, negative on
+        the side away from the sun; and over the azimuth from the sun at the sun's zenith angle, or
+        at 85° if the sun is lower. The sun's disc is left out.
     """
     view = np.linspace(-90.0, 90.0, 361)
     circle = min(sun_zenith, LOWEST_CIRCLE)

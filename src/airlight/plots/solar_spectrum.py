@@ -1,4 +1,4 @@
-"""The spectrum of a planet's star, as it arrives at the planet."""
+"""Spectrum of a planet's star at the planet."""
 
 from __future__ import annotations
 
@@ -19,24 +19,24 @@ from airlight.plots.figure import (
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: What is shown of a spectrum that is known farther. [nm]
+#: Range shown of a spectrum that is known over a wider one. [nm]
 _SHOWN: Final = (280.0, 1000.0)
 
 
 def solar_spectrum(planet: Planet, wavelengths: tuple[float, ...] | None = None) -> Figure:
-    """Spectral irradiance of the planet's star, the visible band in its colours.
+    """Spectral irradiance of the planet's star, with the visible band in its colours.
 
     Parameters
     ----------
     planet : Planet
-        Its star is shown, at the planet's distance.
+        Planet whose star is shown, at the planet's distance.
     wavelengths : tuple of float, optional
-        Marked on the curve; the planet's own without it. [nm]
+        Wavelengths marked on the curve; the planet's own if left out. [nm]
 
     Returns
     -------
     Figure
-        One panel; the curve has a point at each nanometre.
+        One panel; the curve has a point per nanometre.
 
     References
     ----------

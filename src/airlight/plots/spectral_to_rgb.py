@@ -1,4 +1,4 @@
-"""From a wavelength to a colour on a screen, with the three normalisations."""
+"""Screen colours of single wavelengths, by the three normalisations."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from airlight.plots.figure import GREY, PALETTE, grid, new_figure, wavelength_wo
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: Each normalisation in words.
+#: Description of each normalisation.
 _WORDS: Final[dict[Normalization, str]] = {
     "none": "none: the matching functions themselves",
     "sum": "sum: XYZ divided by X + Y + Z",
     "peak": "peak: RGB divided by its largest channel",
 }
-#: Channels, their lines and colours, which tell them apart without the colours too.
+#: Channels, with line styles and colours that also differ without colour.
 _CHANNELS: Final = (
     ("R", PALETTE[1], "-"),
     ("G", PALETTE[2], "--"),
@@ -28,12 +28,12 @@ _CHANNELS: Final = (
 
 
 def spectral_to_rgb(wavelengths: tuple[float, ...] = (680.0, 550.0, 440.0)) -> Figure:
-    """Linear sRGB of pure wavelengths, and how a screen shows them.
+    """Linear sRGB of single wavelengths, and their colours on a screen.
 
     Parameters
     ----------
     wavelengths : tuple of float
-        Marked. [nm]
+        Wavelengths to mark. [nm]
 
     Returns
     -------

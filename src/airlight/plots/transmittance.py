@@ -1,4 +1,4 @@
-"""How much light comes through the air, over altitude and direction: a surface and a map."""
+"""Transmittance to the top of the air over altitude and direction: a surface and a map."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 
-#: Altitudes, and directions on each side of the horizon.
+#: Number of altitudes, and of directions on each side of the horizon.
 _SHAPE: Final = (81, 90)
-#: A ray this far beside the horizon is on one side of it for certain. [deg]
+#: Angle from the horizon at which a ray is safely on one side of it. [deg]
 _BESIDE: Final = 1e-9
 #: Contour lines of the map. [1]
 _LEVELS: Final = tuple(round(0.1 * k, 1) for k in range(1, 10))
@@ -39,7 +39,7 @@ def mean_transmittance(medium: Medium, altitude: ArrayLike, view_zenith: ArrayLi
     ----------
     medium : Medium
     altitude, view_zenith : array, shapes that broadcast to (...)
-        Within the shell [m]; 0 to 180 [deg].
+        Altitude within the shell [m]; zenith angle, 0 to 180 [deg].
 
     Returns
     -------
@@ -64,13 +64,13 @@ def mean_transmittance(medium: Medium, altitude: ArrayLike, view_zenith: ArrayLi
 
 
 def horizon_zenith(medium: Medium, altitude: ArrayLike) -> FloatArray:
-    """Zenith angle of the horizon that is seen, at least 90. [deg]
+    """Zenith angle of the visible horizon, at least 90. [deg]
 
     Parameters
     ----------
     medium : Medium
     altitude : array, shape (...)
-        [m]
+        Altitude of the observer. [m]
     """
     paths = LightPaths.of(medium)
     r = paths.optical_radius(medium.bottom_radius + np.asarray(altitude, float))
@@ -96,7 +96,7 @@ def transmittance_map(planet: Planet, wavelengths: tuple[float, ...] | None = No
     ----------
     planet : Planet
     wavelengths : tuple of float, optional
-        The planet's own without it. [nm]
+        Wavelengths of the mean; the planet's own if left out. [nm]
 
     Returns
     -------
@@ -139,19 +139,19 @@ def transmittance_map(planet: Planet, wavelengths: tuple[float, ...] | None = No
 
 
 def transmittance_surface(planet: Planet, wavelengths: tuple[float, ...] | None = None) -> Figure:
-    """Mean transmittance over view zenith angle and altitude, as a surface in space.
+    """Mean transmittance over view zenith angle and altitude, as a surface in three dimensions.
 
     Parameters
     ----------
     planet : Planet
     wavelengths : tuple of float, optional
-        The planet's own without it. [nm]
+        Wavelengths of the mean; the planet's own if left out. [nm]
 
     Returns
     -------
     Figure
-        One panel; two surfaces, above and below the horizon, and the horizon at the height of
-        the rays that just miss the ground.
+        One panel; two surfaces, above and below the horizon, and the horizon as a line at the
+        transmittance of the rays that just miss the ground.
 
     References
     ----------

@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.four_wavelengths import picture_weights
-from airlight.color.upsampling import reflectance_basis
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.march_points import march_points
@@ -67,7 +63,7 @@ class Drawing:
             bottom, top = light.grid.bottom_radius, light.grid.top_radius
             self.window = sky_window(camera, self._observer, bottom, top)
         self._shown = shown_solution(
-            solution, reflectance_basis(solution.wavelengths), peaks=self.window is not None,
+            solution, solution.medium.map_basis, peaks=self.window is not None,
             points=self._points.points,
         )  # fmt: skip
         name = solution.medium.ground_map
@@ -107,16 +103,12 @@ class Drawing:
 
 def color_weights(solution: MomentsSolution) -> FloatArray:
     """Linear sRGB per radiance over irradiance at each wavelength, shape (nl, 3)."""
-    planet = solution.planet
-    spectrum: Callable[[FloatArray], FloatArray] | None
-    spectrum = None if planet is None else planet.star.irradiances
-    weights = picture_weights(solution.wavelengths, spectrum)
-    return np.asarray(weights * solution.medium.solar_irradiance[:, None])
+    return solution.lights[0].colors()
 
 
 def _lane_weights(solution: MomentsSolution) -> Float32Array:
     """The same as the rows read them: shape (3·w,), zero in lanes without a wavelength."""
     weights = color_weights(solution)
-    padded = np.zeros((3, solution.light.air.albedo.size), np.float32)
+    padded = np.zeros((3, solution.light.air.ground.albedo.size), np.float32)
     padded[:, : weights.shape[0]] = weights.T
     return padded.reshape(-1)

@@ -9,9 +9,10 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.color.display import to_display
-from airlight.color.spectral import default_wavelengths, rgb_weights
+from airlight.color.spectral import rgb_weights
 from airlight.color.xyz import chromaticity, rgb_to_xyz
 from airlight.constants import LUMINOUS_EFFICACY
+from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.planet import Planet
 
 FloatArray = npt.NDArray[np.float64]
@@ -68,7 +69,7 @@ def sky_colors(planet: Planet, *, cache: bool = True, progress: Any = None) -> t
     """
     from airlight.solvers import solve
 
-    nm = tuple(float(w) for w in default_wavelengths(_WAVELENGTHS, *planet.wavelength_limits))
+    nm = picture_wavelengths(planet, _WAVELENGTHS)
     solution = solve(planet, wavelengths=nm, quality="preview", cache=cache, progress=progress)
     radiance = solution.radiance(
         altitude=0.0,

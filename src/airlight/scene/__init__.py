@@ -1,4 +1,4 @@
-"""Observer, camera and projections, the sun's place, the map of the ground."""
+"""Observer, camera and projections, direction of the sun, map of the ground."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The camera: which direction each pixel of a picture looks in."""
+"""Camera: the direction of each pixel of a picture."""
 
 from __future__ import annotations
 
@@ -15,35 +15,36 @@ from airlight.scene.projections import PROJECTIONS, Projection
 
 #: Longest side of a picture: a strip of six 8192² faces fits. [pixel]
 LONGEST_SIDE = 65536
-#: Most pixels of a picture: that strip again.
+#: Largest number of pixels of a picture: that strip.
 MOST_PIXELS = 6 * 8192 * 8192
 
 
 @dataclass(frozen=True, kw_only=True)
 class Camera:
-    """A projection, the picture's size, and where the camera looks.
+    """Projection, size of the picture, and direction of the camera.
 
-    Angles are in the observer's local frame: the azimuth is 0 on the sun's side and grows
-    clockwise seen from above, so that a camera that looks at the sun's azimuth has azimuth +90°
-    on the right half of its picture.
+    Angles are in the observer's local frame: the azimuth is 0 on the sun's side and increases
+    clockwise seen from above, so that a camera directed at the sun's azimuth has azimuth +90° on
+    the right half of its picture.
 
     Parameters
     ----------
     projection : str
-        ``perspective``, ``fisheye`` (equidistant, a dome master), ``equirectangular`` (a panorama
+        Name of the projection: ``perspective``, ``fisheye`` (equidistant, a dome master),
+        ``equirectangular`` (a panorama
         of the whole sphere) or ``cubemap`` (a strip of six faces: right, left, up, down, ahead,
         behind).
     width, height : int
-        Of the picture: a panorama is twice as wide as high, a cube strip six times. [pixel]
+        Size of the picture: a panorama is twice as wide as high, a cube strip six times. [pixel]
     field_of_view : float, optional
-        Perspective: between the left and the right edge, default 60. Fisheye: across the circle,
-        default 180. The other two show everything. [deg]
+        Angle between the left and the right edge for perspective, default 60; across the circle for
+        a fisheye, default 180. The other two show all directions. [deg]
     look_zenith : float, optional
-        Zenith angle of the line of sight, default 90 (the fisheye's: 0). [deg]
+        Zenith angle of the line of sight, default 90 (fisheye: 0). [deg]
     look_azimuth : float
         Azimuth of the line of sight. [deg]
     roll : float
-        Turns the camera clockwise about its line of sight. [deg]
+        Clockwise rotation of the camera about its line of sight. [deg]
 
     Raises
     ------
@@ -53,7 +54,7 @@ class Camera:
     Examples
     --------
     >>> camera = Camera(width=3, height=1, field_of_view=90.0)
-    >>> camera.directions(slice(0, 1))[0, 1].round(12) + 0.0  # the middle pixel: to the sun's side
+    >>> camera.directions(slice(0, 1))[0, 1].round(12) + 0.0  # the centre looks to the sun's side
     array([1., 0., 0.])
     """
 
@@ -103,27 +104,27 @@ class Camera:
 
     @property
     def pixel_angle(self) -> float:
-        """The angle that a pixel spans where the camera looks straight ahead. [rad]"""
+        """Angle of a pixel where the camera looks straight ahead. [rad]"""
         return self._form.pixel_angle(self.width, self.height, self._field_of_view_radians)
 
     @property
     def axes(self) -> NDArray[np.float64]:
-        """Rows: the camera's right, up and forward in the local frame, shape (3, 3). [1]"""
+        """Right, up and forward of the camera in the local frame as rows, shape (3, 3). [1]"""
         assert self.look_zenith is not None  # filled in when the camera was made
         return camera_axes(self.look_zenith, self.look_azimuth, self.roll)
 
     def directions(
         self, rows: slice | None = None, *, offset: tuple[float, float] = (0.0, 0.0)
     ) -> NDArray[np.float64]:
-        """View vectors of the pixels of some rows.
+        """Unit vectors along the lines of sight of some rows of pixels.
 
         Parameters
         ----------
         rows : slice, optional
-            Rows from the top; all of them if left out.
+            Rows from the top; all if left out.
         offset : (float, float)
-            How far right of and below each pixel's centre to look, for several samples to a
-            pixel. [pixel]
+            Offset to the right of and below each pixel's centre, for several samples per pixel.
+            [pixel]
 
         Returns
         -------

@@ -1,8 +1,10 @@
 """Directions from angles, and the frame they are written in.
 
 The observer's local frame has z to the zenith, x along the horizontal towards the sun's side and
-y to the left of x. Azimuth is counted from x, **clockwise seen from above, as a compass does**:
-who looks at azimuth 0 has azimuth +90° at the right hand.
+y to the left of x. Azimuth is counted from x, **clockwise seen from above, like a compass**: an
+observer who faces azimuth 0 has azimuth +90° on the right.
+
+The formulas are plain numbers, in the subset of Python that becomes JavaScript too.
 """
 
 from __future__ import annotations
@@ -11,6 +13,38 @@ import math
 
 import numpy as np
 from numpy.typing import NDArray
+
+_RADIAN = math.pi / 180.0
+
+
+def direction_of(zenith: float, azimuth: float) -> tuple[float, float, float]:
+    """Unit vector of a direction; as ``direction``. [1]"""
+    flat = math.sin(zenith * _RADIAN)
+    turn = azimuth * _RADIAN
+    return flat * math.cos(turn), -flat * math.sin(turn), math.cos(zenith * _RADIAN)
+
+
+def camera_frame(
+    zenith: float, azimuth: float, roll: float
+) -> tuple[float, float, float, float, float, float, float, float, float]:
+    """Camera's right, up and forward, one after another; as ``camera_axes``. [1]"""
+    forward_x, forward_y, forward_z = direction_of(zenith, azimuth)
+    level_x, level_y, level_z = direction_of(90.0, azimuth + 90.0)
+    upright_x = level_y * forward_z - level_z * forward_y
+    upright_y = level_z * forward_x - level_x * forward_z
+    upright_z = level_x * forward_y - level_y * forward_x
+    cosine, sine = math.cos(roll * _RADIAN), math.sin(roll * _RADIAN)
+    return (
+        cosine * level_x - sine * upright_x,
+        cosine * level_y - sine * upright_y,
+        cosine * level_z - sine * upright_z,
+        cosine * upright_x + sine * level_x,
+        cosine * upright_y + sine * level_y,
+        cosine * upright_z + sine * level_z,
+        forward_x,
+        forward_y,
+        forward_z,
+    )
 
 
 def direction(zenith: float, azimuth: float) -> NDArray[np.float64]:
@@ -21,39 +55,37 @@ def direction(zenith: float, azimuth: float) -> NDArray[np.float64]:
     zenith : float
         Angle from the zenith. [deg]
     azimuth : float
-        From the sun's side, clockwise seen from above. [deg]
+        Azimuth from the sun's side, clockwise seen from above. [deg]
 
     Returns
     -------
     array, shape (3,)
-        In the observer's local frame. [1]
+        Unit vector in the observer's local frame. [1]
 
     Examples
     --------
     >>> direction(90.0, 90.0).round(12) + 0.0
     array([ 0., -1.,  0.])
     """
-    theta, phi = math.radians(zenith), math.radians(azimuth)
-    flat = math.sin(theta)
-    return np.array([flat * math.cos(phi), -flat * math.sin(phi), math.cos(theta)])
+    return np.array(direction_of(zenith, azimuth))
 
 
 def camera_axes(zenith: float, azimuth: float, roll: float) -> NDArray[np.float64]:
-    """The camera's right, up and forward in the observer's local frame.
+    """Right, up and forward of the camera in the observer's local frame.
 
     Parameters
     ----------
     zenith, azimuth : float
-        Where the camera looks. At the zenith and the nadir the azimuth says which way it is
-        turned: it is the one that the camera would see when it tilts back to the horizon. [deg]
+        Direction of the camera. At the zenith and the nadir the azimuth determines its rotation: it
+        is the azimuth that the camera faces when it is tilted back to the horizon. [deg]
     roll : float
-        The camera turns clockwise about its line of sight by so much, so that what it
-        sees turns counter-clockwise. [deg]
+        Clockwise rotation of the camera about its line of sight, so that the picture turns
+        counter-clockwise. [deg]
 
     Returns
     -------
     array, shape (3, 3)
-        Rows: right, up, forward, orthonormal. [1]
+        Orthonormal rows: right, up, forward. [1]
 
     Examples
     --------
@@ -62,10 +94,4 @@ def camera_axes(zenith: float, azimuth: float, roll: float) -> NDArray[np.float6
            [ 0.,  0.,  1.],
            [ 1.,  0.,  0.]])
     """
-    forward = direction(zenith, azimuth)
-    level = direction(90.0, azimuth + 90.0)
-    upright = np.cross(level, forward)
-    turn = math.radians(roll)
-    right = math.cos(turn) * level - math.sin(turn) * upright
-    up = math.cos(turn) * upright + math.sin(turn) * level
-    return np.stack([right, up, forward])
+    return np.reshape(camera_frame(zenith, azimuth, roll), (3, 3))

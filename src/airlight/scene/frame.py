@@ -1,4 +1,4 @@
-"""A frame: the light that reaches each pixel, before exposure and tone mapping."""
+"""Frame: the light at each pixel, before exposure and tone mapping."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Frame:
-    """What ``render`` returns.
+    """Result of ``render``.
 
     Attributes
     ----------
@@ -18,7 +18,7 @@ class Frame:
         Linear sRGB of the radiance, weighted by the colour-matching functions; channels outside
         the sRGB gamut may be negative. 683 lm/W times its luminance is in cd m⁻². [W m⁻² sr⁻¹]
     metadata : dict
-        How it was made, as text.
+        Description of how it was made, as text.
     """
 
     rgb: NDArray[np.float32]

@@ -1,6 +1,6 @@
-"""Where a line of sight meets the ground, and the colour of the map there.
+"""Point where a line of sight meets the ground, and the colour of the map there.
 
-In numbers and flat arrays, for the renderer and for the shader.
+All functions work on numbers and flat arrays, for the renderer and for the shader.
 """
 
 from __future__ import annotations
@@ -12,27 +12,27 @@ from airlight.kernel import inlined, kernel
 
 @kernel
 def moved_on(x, y, z, dx, dy, dz, cosine, angle, bottom):
-    """The end of a line of sight as it is, from the end as drawn straight.
+    """True end of a bent line of sight, from the end of the straight line it is drawn as.
 
-    On along the ground: the line comes down at a slant, whose level part leads away.
+    The end moves along the ground in the horizontal direction of the line.
 
     Parameters
     ----------
     x, y, z : float
-        The end as drawn, on the ground. [m]
+        End of the straight line, on the ground. [m]
     dx, dy, dz : float
         Unit vector along the line, away from the observer. [1]
     cosine : float
-        Of the angle between the line and the vertical at its end, 0 to 1. [1]
+        Cosine of the angle between the line and the vertical at its end, 0 to 1. [1]
     angle : float
-        By which the line has been bent. [rad]
+        Angle by which the line has been bent. [rad]
     bottom : float
         Radius of the ground. [m]
 
     Returns
     -------
     x, y, z : float
-        At the same distance from the centre. [m]
+        True end, at the same distance from the centre. [m]
 
     Examples
     --------
@@ -54,8 +54,8 @@ def latitude_longitude(x, y, z):
     Parameters
     ----------
     x, y, z : float
-        Towards latitude 0 and longitude 0, latitude 0 and 90° east, and the north pole; any
-        unit. [m]
+        Coordinates towards latitude 0 and longitude 0, towards latitude 0 and 90° east, and towards
+        the north pole; any unit. [m]
 
     Examples
     --------
@@ -67,27 +67,27 @@ def latitude_longitude(x, y, z):
 
 @kernel
 def map_level(pixel_angle, reach, cosine, bottom, rows):
-    """The level of the map whose pixels are as large as a picture's pixel on the ground.
+    """Level of the map whose pixels are as large as a picture's pixel on the ground.
 
-    The footprint is an ellipse; the geometric mean of its axes is taken.
+    The footprint is an ellipse; its size is the geometric mean of its axes.
 
     Parameters
     ----------
     pixel_angle : float
-        That a pixel of the picture spans. [rad]
+        Angle of a pixel of the picture. [rad]
     reach : float
-        From the observer to the ground. [m]
+        Distance from the observer to the ground. [m]
     cosine : float
-        Of the angle between line of sight and vertical there. [1]
+        Cosine of the angle between line of sight and vertical there. [1]
     bottom : float
         Radius of the ground. [m]
     rows : float
-        Of the full map.
+        Number of rows of the full map.
 
     Returns
     -------
     float
-        0 where they are as large, one more for each halving; negative where the map is too
+        Level: 0 where the sizes are equal, one more for each halving; negative where the map is too
         coarse. [1]
 
     Examples
@@ -101,18 +101,18 @@ def map_level(pixel_angle, reach, cosine, bottom, rows):
 
 @inlined
 def map_color(texels, levels, latitude, longitude, level, out):
-    """Colour of the map between its pixels and its levels.
+    """Interpolate the colour of the map between its pixels and its levels.
 
     Parameters
     ----------
     texels : array, flat
-        The map and its halvings one after another, linear sRGB reflectance. [1]
+        Map and its halvings one after another, linear sRGB reflectance. [1]
     levels : array, shape (n, 3)
-        Start in ``texels``, height and width of each.
+        Start in ``texels``, height and width of each level.
     latitude, longitude : float
-        [rad]
+        Geocentric coordinates. [rad]
     level : float
-        0 is the full map, 1 its half; held within what there is. [1]
+        Level; 0 is the full map, 1 its half; clamped to the existing levels. [1]
     out : array, shape (3,)
         Receives linear sRGB reflectance. [1]
     """

@@ -1,4 +1,4 @@
-"""The check at the door of the scene: a finite number between two limits."""
+"""Range check of the scene's values: a finite number between two limits."""
 
 from __future__ import annotations
 
@@ -8,23 +8,23 @@ from airlight.errors import ParameterError
 
 
 def within(field: str, value: object, low: float, high: float, unit: str) -> float:
-    """The value as a float, if it is a number between two limits.
+    """Return the value as a float, if it is a number between two limits.
 
     Parameters
     ----------
     field : str
-        Named in the error.
+        Field named in the error.
     value : object
-        What was given; a bool or a text is no number.
+        Value to check; a bool or a text is not a number.
     low, high : float
-        The allowed range, both ends included. [unit]
+        Allowed range, both ends included. [unit]
     unit : str
-        Named in the error.
+        Unit named in the error.
 
     Returns
     -------
     float
-        Finite. [unit]
+        Finite value. [unit]
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Where the observer stands: the horizon, what to look at, the frame of the planet below."""
+"""Viewpoint of the observer: horizon, target of the camera, frame of the planet below."""
 
 from __future__ import annotations
 
@@ -9,29 +9,30 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 
-#: What a camera can be told to look at.
+#: Targets of a camera.
 TARGETS = ("horizon", "nadir", "zenith", "sun")
+_RADIAN = math.pi / 180.0
 
 
 def horizon_zenith(altitude: float, bottom_radius: float) -> float:
-    """Zenith angle of the geometric horizon: of the line that touches the ground.
+    """Zenith angle of the geometric horizon, the direction tangent to the ground.
 
     Parameters
     ----------
     altitude : float
-        Of the observer, at least 0. [m]
+        Altitude of the observer, at least 0. [m]
     bottom_radius : float
-        Of the ground. [m]
+        Radius of the ground. [m]
 
     Returns
     -------
     float
-        90 on the ground, towards 180 far away; refraction is left out (at Earth's ground it
-        raises the horizon by about half a degree). [deg]
+        Zenith angle, 90 on the ground, towards 180 far away; refraction is neglected (at Earth's
+        ground it raises the horizon by about half a degree). [deg]
 
     Notes
     -----
-    cos(dip) = R/(R + h), written with the tangent, which keeps its digits at small heights.
+    cos(dip) = R/(R + h), written with the tangent, which does not cancel at small heights.
 
     Examples
     --------
@@ -45,18 +46,19 @@ def horizon_zenith(altitude: float, bottom_radius: float) -> float:
 def look_at(
     target: str, *, altitude: float, sun_zenith: float, bottom_radius: float
 ) -> tuple[float, float]:
-    """Angles of something worth looking at.
+    """Angles of a target of interest.
 
     Parameters
     ----------
     target : str
-        ``horizon`` (below the sun, on the ground's edge), ``nadir``, ``zenith`` or ``sun``.
+        Name of the target: ``horizon`` (below the sun, on the ground's edge), ``nadir``, ``zenith``
+        or ``sun``.
     altitude : float
-        Of the observer. [m]
+        Altitude of the observer. [m]
     sun_zenith : float
         Zenith angle of the sun at the observer. [deg]
     bottom_radius : float
-        Of the ground. [m]
+        Radius of the ground. [m]
 
     Returns
     -------
@@ -84,22 +86,46 @@ def look_at(
     raise ParameterError("look_at", target, ", ".join(TARGETS))
 
 
+def ground_axes(
+    latitude: float, longitude: float, sun_azimuth: float
+) -> tuple[float, float, float, float, float, float, float, float, float]:
+    """Rows of ``planet_frame``, one after another, as plain numbers. [1]"""
+    north_sine, north_cosine = math.sin(latitude * _RADIAN), math.cos(latitude * _RADIAN)
+    east_sine, east_cosine = math.sin(longitude * _RADIAN), math.cos(longitude * _RADIAN)
+    along, across = math.cos(sun_azimuth * _RADIAN), math.sin(sun_azimuth * _RADIAN)
+    up_x, up_y, up_z = north_cosine * east_cosine, north_cosine * east_sine, north_sine
+    sun_x = -along * north_sine * east_cosine - across * east_sine
+    sun_y = -along * north_sine * east_sine + across * east_cosine
+    sun_z = along * north_cosine
+    return (
+        sun_x,
+        up_y * sun_z - up_z * sun_y,
+        up_x,
+        sun_y,
+        up_z * sun_x - up_x * sun_z,
+        up_y,
+        sun_z,
+        up_x * sun_y - up_y * sun_x,
+        up_z,
+    )
+
+
 def planet_frame(latitude: float, longitude: float, sun_azimuth: float) -> NDArray[np.float64]:
-    """The rotation from the observer's local frame to the frame that turns with the planet.
+    """Rotation from the observer's local frame to the frame that rotates with the planet.
 
     The planet's frame has z to the north pole and x through latitude 0, longitude 0.
 
     Parameters
     ----------
     latitude, longitude : float
-        Of the point below the observer, north and east positive. [deg]
+        Coordinates of the point below the observer, north and east positive. [deg]
     sun_azimuth : float
         Compass bearing of the sun: 0 north, 90 east. [deg]
 
     Returns
     -------
     array, shape (3, 3)
-        A rotation: ``planet = matrix @ local``. [1]
+        Rotation: ``planet = matrix @ local``. [1]
 
     Examples
     --------
@@ -107,13 +133,4 @@ def planet_frame(latitude: float, longitude: float, sun_azimuth: float) -> NDArr
     >>> north_pole.round(12) + 0.0
     array([0., 0., 1.])
     """
-    phi, lam, bearing = (math.radians(a) for a in (latitude, longitude, sun_azimuth))
-    up = np.array(
-        [math.cos(phi) * math.cos(lam), math.cos(phi) * math.sin(lam), math.sin(phi)],
-    )
-    north = np.array(
-        [-math.sin(phi) * math.cos(lam), -math.sin(phi) * math.sin(lam), math.cos(phi)],
-    )
-    east = np.array([-math.sin(lam), math.cos(lam), 0.0])
-    towards_sun = math.cos(bearing) * north + math.sin(bearing) * east
-    return np.stack([towards_sun, np.cross(up, towards_sun), up], axis=1)
+    return np.reshape(ground_axes(latitude, longitude, sun_azimuth), (3, 3))

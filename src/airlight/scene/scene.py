@@ -1,4 +1,4 @@
-"""The scene: an observer, a sun and a camera."""
+"""Scene: an observer, a sun and a camera."""
 
 from __future__ import annotations
 
@@ -9,31 +9,32 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.scene.camera import Camera
-from airlight.scene.directions import direction
+from airlight.scene.light_position import LightPosition
 from airlight.scene.limits import within
 from airlight.scene.observer import planet_frame
 
-#: Farthest observer. [m]
+#: Largest altitude of an observer. [m]
 HIGHEST_ALTITUDE = 1e12
 
 
 @dataclass(frozen=True, kw_only=True)
 class Scene:
-    """Who looks from where, and where the sun stands; the planet comes with the solution.
+    """Observer, camera and direction of the sun; the planet comes with the solution.
 
     Parameters
     ----------
     camera : Camera
-        Directions of the pixels.
+        Camera that gives the directions of the pixels.
     altitude : float
-        Of the observer above the ground, 0 to 1e12; outside the air is allowed. [m]
+        Altitude of the observer above the ground, 0 to 1e12; outside the air is allowed. [m]
     sun_zenith : float
         Zenith angle of the sun at the observer, 0 to 180. [deg]
     latitude, longitude : float
-        Of the point below the observer, north and east positive; they only place the map of
-        the ground. [deg]
+        Coordinates of the point below the observer, north and east positive; they only position the
+        map of the ground. [deg]
     sun_azimuth : float
-        Compass bearing of the sun, 0 north and 90 east; it only turns the map of the ground. [deg]
+        Compass bearing of the sun, 0 north and 90 east; it only rotates the map of the ground.
+        [deg]
 
     Raises
     ------
@@ -67,9 +68,14 @@ class Scene:
             object.__setattr__(self, name, value)
 
     @property
+    def lights(self) -> tuple[LightPosition, ...]:
+        """Where the lights stand: one today, the sun, at azimuth 0."""
+        return (LightPosition(zenith=self.sun_zenith),)
+
+    @property
     def sun_direction(self) -> NDArray[np.float64]:
         """Unit vector towards the sun in the local frame, shape (3,). [1]"""
-        return direction(self.sun_zenith, 0.0)
+        return self.lights[0].direction
 
     @property
     def ground_frame(self) -> NDArray[np.float64]:
@@ -77,7 +83,7 @@ class Scene:
         return planet_frame(self.latitude, self.longitude, self.sun_azimuth)
 
     def metadata(self) -> dict[str, str]:
-        """The scene as text, for the header of a picture: every value with its unit.
+        """Scene as text for the header of a picture, every value with its unit.
 
         Examples
         --------

@@ -1,4 +1,4 @@
-"""The map of the ground: colour by latitude and longitude, small enough for the pixel that asks."""
+"""Map of the ground: colour by latitude and longitude, at the resolution of a picture."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from numpy.typing import ArrayLike, NDArray
 from airlight.errors import FileError
 
 _DATA = Path(__file__).parent / "data"
-#: A packaged map called ``earth`` stands in ``data/earth-albedo.jpg``.
+#: Suffix of packaged maps: ``earth`` is in ``data/earth-albedo.jpg``.
 _SUFFIX = "-albedo.jpg"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SurfaceMap:
-    """Linear colours on an equirectangular grid, at full size and halved again and again.
+    """Linear colours on an equirectangular grid, at full size and halved repeatedly.
 
     Row 0 touches the north pole, column 0 the meridian of 180° west; pixel (i, j) has its centre
     at latitude 90° - (i + ½)·180°/h and longitude -180° + (j + ½)·360°/w.
@@ -27,9 +27,10 @@ class SurfaceMap:
     Parameters
     ----------
     name : str
-        What it was asked for by.
+        Name or path by which it was loaded.
     levels : tuple of array, each shape (h, w, 3)
-        Linear sRGB reflectance in [0, 1], float32; each level the 2 x 2 means of the one before.
+        Linear sRGB reflectance in [0, 1], float32; each level holds 2 x 2 means of the previous
+        level.
     """
 
     name: str
@@ -37,7 +38,7 @@ class SurfaceMap:
 
     @property
     def mean_rgb(self) -> NDArray[np.float64]:
-        """Mean over the sphere's area, shape (3,): what a solver takes for the whole ground. [1]"""
+        """Mean over the sphere's area, shape (3,), which a solver uses for the whole ground. [1]"""
         full = self.levels[0]
         edges = np.sin(np.linspace(0.5 * math.pi, -0.5 * math.pi, full.shape[0] + 1))
         bands = 0.5 * (edges[:-1] - edges[1:])
@@ -59,7 +60,7 @@ class SurfaceMap:
         return np.array(shapes, float), np.concatenate([one.reshape(-1) for one in self.levels])
 
     def level(self, footprint: ArrayLike) -> NDArray[np.float64]:
-        """The level whose pixels are as large as the footprint of a picture's pixel.
+        """Level whose pixels are as large as the footprint of a picture's pixel.
 
         Parameters
         ----------
@@ -69,7 +70,7 @@ class SurfaceMap:
         Returns
         -------
         array, shape (...)
-            0 for the full map, one more for each halving; not rounded. [1]
+            Level: 0 for the full map, one more for each halving; not rounded. [1]
         """
         texel = math.pi / self.levels[0].shape[0]
         ratio = np.maximum(np.asarray(footprint, dtype=np.float64) / texel, 1.0)
@@ -78,14 +79,14 @@ class SurfaceMap:
     def sample(
         self, latitude: ArrayLike, longitude: ArrayLike, level: ArrayLike = 0.0
     ) -> NDArray[np.float32]:
-        """Colours between the pixels, bilinear; round the planet without a seam.
+        """Colours between the pixels, bilinear, without a seam in longitude.
 
         Parameters
         ----------
         latitude, longitude : array, shape (...)
-            North and east positive; any turn of longitude. [deg]
+            Geocentric coordinates, north and east positive; any turn of longitude. [deg]
         level : array, shape (...)
-            As ``level`` gives it; the nearest one is read. [1]
+            Level as returned by ``level``; the nearest one is read. [1]
 
         Returns
         -------
@@ -123,19 +124,19 @@ def _bilinear(
 
 
 def from_pixels(name: str, pixels: NDArray[np.uint8]) -> SurfaceMap:
-    """A map from the pixels of an sRGB picture.
+    """Make a map from the pixels of an sRGB picture.
 
     Parameters
     ----------
     name : str
-        Kept in the map.
+        Name kept in the map.
     pixels : array, shape (h, w, 3)
         sRGB-encoded reflectance, 255 for 1.
 
     Returns
     -------
     SurfaceMap
-        Linear, with all its levels.
+        Map in linear colours, with all its levels.
     """
     from airlight.color.encoding import srgb_decode
 
@@ -149,7 +150,7 @@ def from_pixels(name: str, pixels: NDArray[np.uint8]) -> SurfaceMap:
 
 
 def map_file(name: str) -> Path:
-    """The file of a map, which may be missing: a packaged one's, or that of the name itself.
+    """File of a map, which may be missing: of a packaged map, or the path itself.
 
     Examples
     --------
@@ -162,23 +163,23 @@ def map_file(name: str) -> Path:
 
 @cache
 def surface_map(name: str) -> SurfaceMap:
-    """A map by name or by file, read once.
+    """Load a map by name or by file; it is read once.
 
     Parameters
     ----------
     name : str
-        A map that comes with airlight (``earth``), or the path of an equirectangular
-        picture in sRGB.
+        Name of a map that ships with airlight (``earth``), or path of an equirectangular picture in
+        sRGB.
 
     Returns
     -------
     SurfaceMap
-        With ``mean_rgb``, ``level`` and ``sample``.
+        Map with ``mean_rgb``, ``level`` and ``sample``.
 
     Raises
     ------
     FileError
-        If there is no such map, or it is no picture.
+        If there is no such map, or the file is not a picture.
     """
     from PIL import Image, UnidentifiedImageError
 

@@ -1,4 +1,4 @@
-"""From a medium to its light: three solvers behind one interface."""
+"""Solvers: three methods behind one interface, from a medium to its light."""
 
 from airlight.solvers.solution import Report, Solution
 from airlight.solvers.solve import solve

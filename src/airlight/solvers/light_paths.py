@@ -1,4 +1,4 @@
-"""The paths of light in a medium, straight or bent, for solvers that draw all of them straight."""
+"""Paths of light in a medium, straight or bent, for solvers that treat all as straight."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.geometry.bending import seen_star
+from airlight.geometry.cubic_curves import cubic_curve, monotone_slopes
 from airlight.geometry.path import ray_length
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop, vectorized
@@ -21,23 +22,23 @@ from airlight.tables.star_lift import NONE, bending, star_lift
 
 FloatArray = NDArray[np.float64]
 
-#: Steps of Newton's method from a true length to one by optical radius; each squares the error.
+#: Newton steps from a true length to a length by optical radius; each squares the error.
 _STEPS: Final = 6
 
 
 @dataclass(frozen=True, eq=False)
 class LightPaths:
-    """A medium in which rays are straight, and what it takes to go there and back.
+    """Medium in which rays are straight, with the conversions to and from it.
 
     Attributes
     ----------
     medium : Medium
-        By optical radius, with "bending" as its last constituent; the planet's own where light
-        goes straight.
+        Medium by optical radius, with "bending" as its last constituent; the planet's own where
+        light goes straight.
     shell : BentShell or None
-        None where light goes straight.
+        Shell by optical radius, or None where light goes straight.
     lift : array, shape (rows, columns, 2)
-        From ``star_lift``; of no rows where light goes straight. [1]
+        Table from ``star_lift``; without rows where light goes straight. [1]
     """
 
     medium: Medium
@@ -46,7 +47,7 @@ class LightPaths:
 
     @classmethod
     def of(cls, medium: Medium) -> LightPaths:
-        """The paths of light in a planet's medium."""
+        """Make the paths of light in a planet's medium."""
         drawn, shell = medium.drawn_straight(), medium.bent_shell
         if shell is None:
             return cls(drawn, None, NONE)
@@ -61,16 +62,15 @@ class LightPaths:
         """Optical radius at true radii, which may lie outside the shell. [m]"""
         if self.shell is None:
             return np.asarray(r, float)
-        from scipy.interpolate import PchipInterpolator
-
         shell = self.shell
         altitude = r - (shell.top - shell.altitude[-1])
         inside = np.clip(altitude, 0.0, shell.altitude[-1])
-        excess = PchipInterpolator(shell.altitude, shell.optical)(inside)
+        slopes = monotone_slopes(shell.altitude, shell.optical)
+        excess = cubic_curve(shell.altitude, shell.optical, slopes, inside)
         return np.asarray(np.where(altitude > inside, r, excess))
 
     def sight(self, sight: Sight) -> Sight:
-        """Lines of sight, drawn straight: each to the ground or to the top of the shell."""
+        """Lines of sight as straight lines, each to the ground or to the top of the shell."""
         if self.shell is None:
             return sight
         x = self.optical_radius(sight.r)
@@ -81,7 +81,7 @@ class LightPaths:
         return replace(sight, r=x, length=length, to_ground=to_ground)
 
     def seen_nu(self, sight: Sight) -> FloatArray:
-        """Cosines between lines of sight, drawn straight, and where the star is seen, (n,). [1]"""
+        """Cosines between straight lines of sight and the apparent star, shape (n,). [1]"""
         if self.shell is None:
             return sight.nu
         out = np.empty(sight.nu.size)
@@ -91,7 +91,7 @@ class LightPaths:
 
     @property
     def largest_bend(self) -> float:
-        """Angle by which the ray is bent that comes from space and grazes the ground. [rad]"""
+        """Angle by which a ray from space that grazes the ground is bent. [rad]"""
         if self.shell is None:
             return 0.0
         x, mu = np.array([self.shell.bottom]), np.zeros(1)
@@ -107,14 +107,14 @@ class LightPaths:
     def drawn_length(
         self, x: FloatArray, mu: FloatArray, true_length: FloatArray, longest: FloatArray
     ) -> FloatArray:
-        """Length by optical radius of stretches of rays whose true length is known, (n,). [m]
+        """Length by optical radius of stretches of rays of known true length, (n,). [m]
 
         Parameters
         ----------
         x, mu : array, shape (n,)
             Optical radius of the start [m] and zenith cosine there [1].
         true_length, longest : array, shape (n,)
-            Along the ray, and the most that is returned where it leads farther. [m]
+            Length along the ray, and the upper limit of the result where it leads farther. [m]
         """
         if self.shell is None:
             return true_length
@@ -143,12 +143,12 @@ def _seen_nu(x, mu, mu_s, nu, bottom, top, lift, out):
 
 
 def only_straight(medium: Medium, what: str) -> None:
-    """Refuse a medium that bends light, for something whose rays are straight.
+    """Refuse a medium that bends light, for methods whose rays are straight.
 
     Raises
     ------
     ParameterError
-        If it does; ``what`` is named.
+        If it bends light; the error contains ``what``.
     """
     if medium.refractivity.any():
         raise ParameterError("refraction", "bouguer", f"'none' for {what}")

@@ -1,4 +1,4 @@
-"""Quality levels by name: what every solver's settings have in common."""
+"""Quality levels by name, for every solver's settings."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ S = TypeVar("S")
 
 
 def settings_by_name(quality: str | S, known: Mapping[str, S]) -> S:
-    """Settings as they are given, or those of a named quality level.
+    """Settings as given, or those of a named quality level.
 
     Parameters
     ----------
     quality : str or Settings
     known : mapping of str to Settings
-        A solver's quality levels.
+        Quality levels of a solver.
 
     Raises
     ------

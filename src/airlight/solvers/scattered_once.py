@@ -1,8 +1,9 @@
-"""Light scattered once, without the phase functions, quickly: for tables of a million places.
+"""Fast light scattered once, without the phase functions: for tables of a million points.
 
-The same integrals as ``single_scattering`` answers to five digits, here from tables of densities
-and of columns towards the star, two hundred times faster. By day the median error is 1e-4; where
-the star is about to set on the whole line of sight, and little light is left, it reaches 0.1.
+The integrals are those that ``single_scattering`` computes to five digits, here from tables of
+densities and of columns towards the star, two hundred times faster. By day the median error is
+1e-4; where the star is about to set on the whole line of sight, and little light is left, it
+reaches 0.1.
 """
 
 from __future__ import annotations
@@ -31,20 +32,20 @@ from airlight.tables.columns import (
 
 FloatArray = NDArray[np.float64]
 
-#: Points a panel, and panels a leg.
+#: Points per panel, and panels per leg.
 _NODES: Final = 16
 _PANELS: Final = 2
-#: Lines of sight in one block of work.
+#: Lines of sight per block of work.
 _BLOCK: Final = 2048
 
 
 @compiled_loop
-def _scattered(sight, panels, rule, shell, star_radius, optics, tables, room, out):
+def _scattered(sight, panels, rule, shell, star_radius, optics, tables, workspace, out):
     r, mu, mu_s, nu, length = sight
     bottom, top = shell
     scattering, extinction, strongest = optics
     densities, sun_table = tables
-    path, edges, here = room
+    path, edges, here = workspace
     distance, radius, weight, density, column, _, _ = path
     constituents, wavelengths = scattering.shape
     for p in range(r.size):
@@ -73,21 +74,21 @@ def _scattered(sight, panels, rule, shell, star_radius, optics, tables, room, ou
 
 
 def scattered_once(medium: Medium, sight: Sight, *, cancel: Cancel | None = None) -> FloatArray:
-    """Light of the star that each constituent scatters once, without its phase function.
+    """Light of the star scattered once by each constituent, without its phase function.
 
     Parameters
     ----------
     medium : Medium
-        The air.
+        Medium of the planet.
     sight : Sight
-        n lines of sight.
+        Lines of sight, n of them.
     cancel : callable, optional
-        Asked often; True stops with ``Cancelled``.
+        Called often; True stops with ``Cancelled``.
 
     Returns
     -------
     array, shape (n, nc, nl)
-        Per irradiance of the star; times p_i(ν) it is radiance per irradiance. [1]
+        Light per irradiance of the star; times p_i(ν) it is radiance per irradiance. [1]
     """
     only_straight(medium, "a table of light scattered once")
     bottom, top = medium.bottom_radius, medium.top_radius
@@ -101,15 +102,15 @@ def scattered_once(medium: Medium, sight: Sight, *, cancel: Cancel | None = None
 
     def block(index: int) -> None:
         rows = slice(index * _BLOCK, (index + 1) * _BLOCK)
-        room = (
+        workspace = (
             new_path(_NODES * (2 * _PANELS + 10), constituents),
             np.empty(MAX_EDGES),
             np.empty(constituents),
         )
         lines = tuple(x[rows] for x in (sight.r, sight.mu, sight.mu_s, sight.nu, sight.length))
         _scattered(
-            lines, _PANELS, rule, (bottom, top), medium.star_angular_radius, optics, tables, room,
-            out[rows],
+            lines, _PANELS, rule, (bottom, top), medium.star_angular_radius, optics, tables,
+            workspace, out[rows],
         )  # fmt: skip
 
     run_blocks(block, -(-n // _BLOCK), cancel=cancel)

@@ -1,4 +1,4 @@
-"""Lines of sight inside the shell, and how an observer outside gets there."""
+"""Lines of sight inside the shell, and their entry points for observers outside."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ FloatArray = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Sight:
-    """Lines of sight inside the shell, flat.
+    """Lines of sight inside the shell, as flat arrays.
 
     Attributes
     ----------
     r, mu, mu_s, nu : array, shape (n,)
         Start radius [m]; cosines of view zenith, sun zenith and the angle between them. [1]
     length : array, shape (n,)
-        Way through the shell, 0 where the line misses it. [m]
+        Length inside the shell, 0 where the line misses it. [m]
     to_ground : array of bool, shape (n,)
-        Whether it ends on the ground.
+        Whether the line ends on the ground.
     """
 
     r: FloatArray
@@ -50,8 +50,8 @@ def enter_shell(
     Parameters
     ----------
     r, mu, sine, mu_s, nu : array, shape (n,)
-        Of the observers; r may be larger than ``top``. ``sine`` is the sine of the view's zenith
-        angle, given apart because far away the cosine has lost it. [m], [1]
+        Coordinates of the observers; r may be larger than ``top``. ``sine`` is the sine of the
+        view's zenith angle, which cannot be recovered from the cosine far away. [m], [1]
     bottom, top : float
         Radii of the ground and of the shell's top. [m]
     """

@@ -6,8 +6,8 @@ For a constituent i with relative density ρ_i
 
 and the radiance is Σ_i p_i(ν) S_i (Chandrasekhar 1960, Radiative Transfer, §7). The star's light in
 the brackets is the mean over its disc, see ``star_light``. Panels are bisected until each agrees
-with its halves to 1e-6 of the whole; the error left is below 1e-5, and below 1e-4 where the star's
-light grazes the ground.
+with its halves to 1e-6 of the total; the remaining error is below 1e-5, and below 1e-4 where the
+star's light grazes the ground.
 """
 
 from __future__ import annotations
@@ -29,16 +29,17 @@ from airlight.geometry.path import (
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.shell import radius_along
 from airlight.geometry.sun_disc import star_elevation
-from airlight.kernel import compiled_loop
+from airlight.kernel import compiled_loop, vectorized
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.density_profile import relative_density
+from airlight.optics.reflection import leaving_cosine, star_factors
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import only_straight
 from airlight.solvers.sight import Sight
 from airlight.solvers.star_light import (
     PANELS,
     direct_irradiance,
-    new_room,
+    new_workspace,
     star_light,
     star_rules,
 )
@@ -46,23 +47,23 @@ from airlight.tables.columns import cut_at_corners
 
 FloatArray = NDArray[np.float64]
 
-#: Points a panel along the line of sight, and panels a leg at first.
+#: Points per panel along the line of sight, and initial panels per leg.
 _NODES: Final = 12
 _PANELS: Final = 3
-#: Largest difference between a panel and its halves, of the whole integral. [1]
+#: Largest difference between a panel and its halves, relative to the whole integral. [1]
 _TOLERANCE: Final = 1e-6
-#: A panel is bisected so often at most.
+#: Largest number of bisections of a panel.
 _DEEPEST: Final = 12
-#: Lines of sight in one block of work.
+#: Lines of sight per block of work.
 _BLOCK: Final = 8
 
 
 @compiled_loop
 def _panel(
-    start, end, before, ray, star_radius, shell, density, extinction, rules, room, scratch,
+    start, end, before, ray, star_radius, shell, density, extinction, rules, workspace, scratch,
     column, out,
 ):  # fmt: skip
-    """One panel's share of ∫ ρ_i T <T V> ds, shape (nc, nl), and its columns, shape (nc,)."""
+    """Part of one panel in ∫ ρ_i T <T V> ds, shape (nc, nl), and its columns, shape (nc,)."""
     r, mu, mu_s, nu = ray
     points, along, light = scratch
     nodes, weights, running = rules[2]
@@ -83,8 +84,8 @@ def _panel(
         q = radius_along(r, mu, s)
         here = min(max((r * mu_s + s * nu) / q, -1.0), 1.0)
         if not star_light(
-            q, here, star_radius, False, shell, density, extinction, (rules[0], rules[1]), room,
-            light,
+            q, here, star_radius, False, shell, density, extinction, (rules[0], rules[1]),
+            workspace, light,
         ):  # fmt: skip
             continue
         for i in range(constituents):
@@ -103,7 +104,7 @@ def _panel(
 
 @compiled_loop
 def _cut_at_shadow(r, mu, mu_s, nu, bottom, star_radius, edges, count):
-    """Panel edges where the star begins to set, half sets and has set."""
+    """Add panel edges where the star begins to set, half sets and has set."""
     first, second = shadow_edges(r, mu, mu_s, nu, bottom)
     count = insert_edge(edges, count, first)
     count = insert_edge(edges, count, second)
@@ -139,7 +140,7 @@ def _cut_at_shadow(r, mu, mu_s, nu, bottom, star_radius, edges, count):
 
 
 @compiled_loop
-def _scattered(sight, star_radius, shell, density, extinction, rules, room, out):
+def _scattered(sight, star_radius, shell, density, extinction, rules, workspace, out):
     all_r, all_mu, all_mu_s, all_nu, lengths = sight
     constituents, wavelengths = extinction.shape
     n = rules[2][0].size
@@ -168,7 +169,7 @@ def _scattered(sight, star_radius, shell, density, extinction, rules, room, out)
         for panel in range(count - 1):
             _panel(
                 edges[panel], edges[panel + 1], before, ray, star_radius, shell, density,
-                extinction, rules, room, scratch, left_column, base[panel],
+                extinction, rules, workspace, scratch, left_column, base[panel],
             )  # fmt: skip
             before += left_column
             whole += base[panel]
@@ -185,18 +186,18 @@ def _scattered(sight, star_radius, shell, density, extinction, rules, room, out)
                 middle = 0.5 * (start + end)
                 _panel(
                     start, middle, before, ray, star_radius, shell, density, extinction, rules,
-                    room, scratch, left_column, left,
+                    workspace, scratch, left_column, left,
                 )  # fmt: skip
                 middle_before[:] = before + left_column
                 _panel(
                     middle, end, middle_before, ray, star_radius, shell, density, extinction,
-                    rules, room, scratch, right_column, right,
+                    rules, workspace, scratch, right_column, right,
                 )  # fmt: skip
                 good = True
                 for i in range(constituents):
                     for w in range(wavelengths):
                         change = abs(left[i, w] + right[i, w] - wholes[top, i, w])
-                        # A first estimate may have missed all the light: its halves judge it.
+                        # A first estimate may have missed all the light, so its halves check it.
                         most = max(allowed[i, w], _TOLERANCE * whole[i, w])
                         good = good and change <= most
                 if good or level >= _DEEPEST:
@@ -218,12 +219,12 @@ def single_scattering(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> FloatArray:
-    """Each constituent's once-scattered light, without its phase function.
+    """Light scattered once by each constituent, without its phase function.
 
     Parameters
     ----------
     medium : Medium
-        The planet's air.
+        Medium of the planet.
     sight : Sight
         Lines of sight.
     progress, cancel : callable, optional
@@ -232,13 +233,13 @@ def single_scattering(
     Returns
     -------
     array, shape (n, nc, nl)
-        ∫ scattering_i ρ_i T <T_sun V_sun> ds per irradiance of the star; times the phase
-        function p_i(ν) it is the radiance. [1]
+        ∫ scattering_i ρ_i T <T_sun V_sun> ds per irradiance of the star; times the phase function
+        p_i(ν) it is the radiance. [1]
 
     Raises
     ------
     Cancelled
-        If ``cancel`` said so.
+        If ``cancel`` returned True.
     """
     only_straight(medium, "single scattering by quadrature")
     constituents, wavelengths = medium.scattering.shape
@@ -255,7 +256,7 @@ def single_scattering(
             medium.density.arrays,
             medium.extinction,
             rules,
-            new_room(),
+            new_workspace(),
             out[rows],
         )
 
@@ -267,14 +268,14 @@ def single_scattering(
 
 
 @compiled_loop
-def _ground_columns(all_r, all_mu, shell, density, rule, room, out):
+def _ground_columns(all_r, all_mu, shell, density, rule, workspace, out):
     """Columns along lines of sight that end on the ground, integrated upwards from there."""
-    edges, distance, radius, weight = room
+    edges, distance, radius, weight = workspace
     bottom, top = shell
     for k in range(all_r.size):
         r, mu = all_r[k], all_mu[k]
         length = ray_length(r, mu, bottom, top)
-        # From the ground upwards the points crowd where the air is dense.
+        # From the ground upwards the points are dense where the air is.
         up = -(length + r * mu) / bottom
         count = place_edges(bottom, up, length, PANELS, 0.0, 0.0, edges)
         count = cut_at_corners(bottom, up, bottom, density[2], edges, count)
@@ -294,7 +295,7 @@ def reflected_once(medium: Medium, sight: Sight) -> FloatArray:
     Parameters
     ----------
     medium : Medium
-        The planet's air and ground; a picture of the ground is not used, its mean albedo is.
+        Medium with the planet's ground; its mean albedo is used, not a map.
     sight : Sight
         Lines of sight.
 
@@ -317,10 +318,13 @@ def reflected_once(medium: Medium, sight: Sight) -> FloatArray:
         (bottom, medium.top_radius),
         medium.density.arrays,
         star_rules()[0],
-        new_room(),
+        new_workspace(),
         column,
     )
     mu_s = np.clip((r * sight.mu_s[hits] + length * sight.nu[hits]) / bottom, -1.0, 1.0)
     direct = direct_irradiance(medium, np.full(hits.size, bottom), mu_s)
-    out[hits] = medium.ground_albedo / np.pi * np.exp(-(column @ medium.extinction)) * direct
+    factor = np.empty_like(direct)
+    leaving = vectorized(leaving_cosine)(r, mu, bottom)
+    star_factors(medium.ground, mu_s, leaving, sight.nu[hits], factor)
+    out[hits] = factor / np.pi * np.exp(-(column @ medium.extinction)) * direct
     return out

@@ -1,13 +1,13 @@
-"""The one interface of every solver's result: radiance, transmittance, irradiance, residual.
+"""Common interface of every solver's result: radiance, transmittance, irradiance, residual.
 
-Here is the door: degrees and metres come in, as arrays that broadcast; observers outside the shell
-are moved to where their line of sight enters it; labelled arrays go out.
+Public arguments are degrees and metres, as arrays that broadcast; observers outside the shell are
+moved to where their line of sight enters it; results are labelled arrays.
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.errors import ParameterError
 from airlight.optics.air_mass import air_mass_pickering2002
+from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.solvers.light_paths import LightPaths
@@ -30,20 +31,20 @@ FloatArray = NDArray[np.float64]
 
 @dataclass(frozen=True, kw_only=True)
 class Report:
-    """How a solution came about.
+    """Provenance of a solution.
 
     Attributes
     ----------
     solver : str
         Name of the solver.
     settings : str
-        All its settings, on one line.
+        Settings on one line.
     sweeps : int
-        Orders of scattering computed one by one.
+        Number of orders of scattering computed one by one.
     residual : tuple of float
         Largest relative change of the mean radiance by the last sweep, per wavelength. [1]
     seconds : float
-        What it took; 0 if the solution was read from the cache. [s]
+        Wall time; 0 if the solution was read from the cache. [s]
     """
 
     solver: str
@@ -72,21 +73,21 @@ def _checked(field: str, value: ArrayLike, low: float, high: float, unit: str) -
     return array
 
 
-#: Altitudes that an observer may have. [m]
+#: Largest altitude of an observer. [m]
 HIGHEST = 1e15
 
 
 class Solution(ABC):
-    """The light of one planet's air at some wavelengths.
+    """Light of a planet's air at some wavelengths.
 
     Attributes
     ----------
     medium : Medium
-        What was solved.
+        Medium that was solved.
     report : Report
-        How.
+        Provenance of the solution.
     planet : Planet or None
-        Where the medium came from.
+        Planet of the medium.
     """
 
     medium: Medium
@@ -95,22 +96,30 @@ class Solution(ABC):
 
     @cached_property
     def paths(self) -> LightPaths:
-        """The paths of light in the medium."""
+        """Paths of light in the medium."""
         return LightPaths.of(self.medium)
 
-    #: Orders up to this one can be asked for one by one.
+    @property
+    def lights(self) -> tuple[LightSource, ...]:
+        """Light sources that shine on the planet, in the order of ``Scene.lights``."""
+        if self.planet is None:
+            return self.medium.lights
+        star, *others = self.medium.lights
+        return (replace(star, spectrum=self.planet.star.irradiances), *others)
+
+    #: Largest order that can be requested separately.
     highest_order: int = 1
 
     @abstractmethod
     def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
         """Radiance per irradiance of the star along lines of sight, shape (n, nl). [sr⁻¹]
 
-        ``order`` gives the light scattered or reflected exactly so many times.
+        ``order`` selects the light scattered or reflected exactly that many times.
         """
 
     @abstractmethod
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
-        """Diffuse irradiance of a level surface from above, per the star's, (n, nl). [1]"""
+        """Diffuse irradiance of a level surface from above, relative to the star's, (n, nl). [1]"""
 
     @abstractmethod
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
@@ -118,7 +127,7 @@ class Solution(ABC):
 
     @property
     def wavelengths(self) -> FloatArray:
-        """Shape (nl,). [nm]"""
+        """Wavelengths, shape (nl,). [nm]"""
         return self.medium.wavelengths
 
     def radiance(
@@ -130,20 +139,21 @@ class Solution(ABC):
         azimuth: ArrayLike = 0.0,
         order: int | None = None,
     ) -> xarray.DataArray:
-        """Radiance of air and ground that an observer sees; the star's own disc is left out.
+        """Radiance of air and ground for an observer, without the star's own disc.
 
         Parameters
         ----------
         altitude : array
-            Of the observer above the ground, also outside the shell. [m]
+            Altitude of the observer above the ground, also outside the shell. [m]
         sun_zenith, view_zenith : array
-            Zenith angles of star and view at the observer, 0 to 180. Where light is bent: the
-            star's true one, and that in which the observer looks. [deg]
+            Zenith angles of star and view at the observer, 0 to 180. Where light is bent: true
+            angle of the star, apparent angle of the view. [deg]
         azimuth : array
-            Between the horizontal projections of view and star; 0 looks to the star's side. [deg]
+            Azimuth between the horizontal projections of view and star; 0 looks to the star's side.
+            [deg]
         order : int, optional
-            For the light that was scattered or reflected exactly so many times: 1 to
-            ``highest_order``.
+            Number of scatterings or reflections of the light to return, 1 to ``highest_order``; all
+            light if left out.
 
         Returns
         -------
@@ -159,7 +169,7 @@ class Solution(ABC):
             altitude=altitude, sun_zenith=sun_zenith, view_zenith=view_zenith, azimuth=azimuth
         )
         self.check_order(order)
-        values = self.relative_radiance(sight, order=order) * self.medium.solar_irradiance
+        values = self.relative_radiance(sight, order=order) * self.lights[0].irradiance
         return self._labelled(
             values,
             shape,
@@ -185,12 +195,12 @@ class Solution(ABC):
         view_zenith: ArrayLike,
         azimuth: ArrayLike = 0.0,
     ) -> tuple[Sight, tuple[int, ...]]:
-        """Lines of sight inside the shell, flat, and the shape that the inputs broadcast to.
+        """Lines of sight inside the shell as flat arrays, and the broadcast shape of the inputs.
 
         Parameters
         ----------
         altitude, sun_zenith, view_zenith, azimuth : array
-            As ``radiance`` takes them. [m], [deg]
+            Arguments of ``radiance``. [m], [deg]
 
         Raises
         ------
@@ -217,26 +227,26 @@ class Solution(ABC):
         distance: ArrayLike | None = None,
         air_mass: str | None = None,
     ) -> xarray.DataArray:
-        """Transmittance of the air from an observer along lines of sight, bent if light is.
+        """Transmittance of the air from an observer along lines of sight, bent if refraction is on.
 
         Parameters
         ----------
         altitude : array
-            [m]
+            Altitude of the observer. [m]
         view_zenith : array
-            [deg]
+            Zenith angle of the view. [deg]
         distance : array, optional
-            Ends the stretch; without it the stretch goes to space, and is 0 where the ground is
-            in the way. [m]
+            Length of the stretch; if left out it goes to space, and the result is 0 where the
+            ground blocks it. [m]
         air_mass : str, optional
-            ``"pickering"`` takes Pickering's formula for the columns of the gases, as OpenSpace
+            ``"pickering"`` uses Pickering's formula for the columns of the gases, as OpenSpace
             does, for an observer on the ground who looks above the horizon to space; other
             constituents keep their columns.
 
         Returns
         -------
         xarray.DataArray, shape (..., wavelength)
-            [1]
+            Transmittance. [1]
         """
         high = _checked("altitude", altitude, 0.0, HIGHEST, "m")
         angle = _checked("view_zenith", view_zenith, 0.0, 180.0, "deg")
@@ -277,7 +287,7 @@ class Solution(ABC):
         view_zenith: FloatArray,
         distance: ArrayLike | None,
     ) -> None:
-        """Columns of the gases by a formula for the whole way through the Earth's air."""
+        """Replace columns of the gases by a formula for the whole path through the Earth's air."""
         if air_mass != "pickering":
             raise ParameterError("air_mass", air_mass, "'pickering', or none for true columns")
         for name, value, allowed in (
@@ -301,14 +311,14 @@ class Solution(ABC):
         Parameters
         ----------
         altitude : array
-            0 to the top of the shell. [m]
+            Altitude, 0 to the top of the shell. [m]
         sun_zenith : array
-            0 to 180. [deg]
+            Solar zenith angle, 0 to 180. [deg]
 
         Returns
         -------
         xarray.Dataset
-            ``direct`` and ``diffuse``, each of shape (..., wavelength); light in the cut-off part
+            ``direct`` and ``diffuse``, each of shape (..., wavelength); light in the removed part
             of forward peaks counts as direct. [W m⁻² nm⁻¹]
         """
         thickness = self.medium.thickness
@@ -327,7 +337,7 @@ class Solution(ABC):
         return xarray.Dataset(
             {
                 name: self._labelled(
-                    values * self.medium.solar_irradiance,
+                    values * self.lights[0].irradiance,
                     shape,
                     f"{name} irradiance",
                     "W m-2 nm-1",

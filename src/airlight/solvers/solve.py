@@ -1,4 +1,4 @@
-"""``solve``: from a planet to its light."""
+"""``solve``: the light of a planet by any of the solvers."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
     from airlight.solvers.montecarlo.solution import MonteCarloSolution
 
-#: The rooms of the solvers, imported when asked for. Each has ``settings.settings_for`` and
+#: Packages of the solvers, imported on demand. Each has ``settings.settings_for`` and
 #: ``solution.solve(medium, settings, *, cache, progress, cancel)``.
 SOLVERS: Final = {
     "moments": "airlight.solvers.moments",
@@ -97,34 +97,33 @@ def solve(
     Parameters
     ----------
     planet : Planet
-        From ``load_planet``, or made in Python.
+        Planet from ``load_planet``, or made in Python.
     wavelengths : array, shape (nl,), optional
-        Any number; the planet's own without it. [nm]
+        Wavelengths, any number; the planet's own if left out. [nm]
     quality : str or Settings
-        ``"preview"``, ``"default"`` or ``"fine"``, or the solver's own settings.
+        Name ``"preview"``, ``"default"`` or ``"fine"``, or the solver's own settings.
     solver : str
-        ``"moments"``, for everything; ``"direct"``, the judge by the book, order by order, slow;
-        ``"montecarlo"``, the referee, which traces each answer
-        anew and knows its standard error.
+        ``"moments"``, for all uses; ``"direct"``, the notes' equations order by order, slow;
+        ``"montecarlo"``, the referee, which traces each result and estimates its standard error.
     cache : bool
-        Whether to look for the solution on disk first, and to leave it there.
+        Whether to read the solution from disk, and to keep it there.
     progress : callable, optional
         Called as ``progress(done, total, message)``.
     cancel : callable, optional
-        Asked often; True stops with ``Cancelled``.
+        Called often; True stops with ``Cancelled``.
 
     Returns
     -------
     Solution
-        Answers ``radiance``, ``transmittance`` and ``irradiance`` for any observer and sun.
+        Solution with ``radiance``, ``transmittance`` and ``irradiance`` for any observer and sun.
 
     Raises
     ------
     ParameterError
-        If a wavelength is outside what the planet's file covers, or there is no such solver or
-        quality.
+        If a wavelength is outside the range of the planet's file, or the solver or quality is
+        unknown.
     ConvergenceError
-        If the orders of scattering do not converge within the settings' bound.
+        If the orders of scattering do not converge within the settings' limit.
 
     Examples
     --------
@@ -136,11 +135,11 @@ def solve(
     """
     if solver not in SOLVERS:
         raise ParameterError("solver", solver, ", ".join(SOLVERS))
-    room = SOLVERS[solver]
-    settings = import_module(f"{room}.settings").settings_for(quality)
+    package = SOLVERS[solver]
+    settings = import_module(f"{package}.settings").settings_for(quality)
     nm = planet.wavelengths if wavelengths is None else wavelengths
     medium = Medium.from_planet(planet, nm, progress=progress, cancel=cancel)
-    solution: Solution = import_module(f"{room}.solution").solve(
+    solution: Solution = import_module(f"{package}.solution").solve(
         medium, settings, cache=cache, progress=progress, cancel=cancel
     )
     solution.planet = planet

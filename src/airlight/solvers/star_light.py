@@ -1,11 +1,11 @@
-r"""What arrives of the star at a point in the air, by quadrature alone.
+r"""Star light at a point in the air, by quadrature alone.
 
-Nothing is read from a table: densities come from the profiles themselves, and the column from the
-point to space is integrated each time.
+No tables are used: densities come from the profiles themselves, and the column from the point to
+space is integrated each time.
 
-The star's disc is uniform. What it sends through the air is averaged over strips of equal
-elevation, so that a disc that the horizon cuts, or that is redder on one side, is right; the strips
-are taken for straight, which errs by less than 1e-5 for the sun.
+The star's disc is uniform. Its transmitted light is averaged over strips of equal elevation, so
+that a disc cut by the horizon, or redder on one side, is treated correctly; the strips are assumed
+straight, an error of less than 1e-5 for the sun.
 """
 
 from __future__ import annotations
@@ -28,36 +28,36 @@ from airlight.tables.columns import cut_at_corners
 FloatArray = NDArray[np.float64]
 Rule = tuple[FloatArray, FloatArray, FloatArray]
 
-#: Points a panel and panels a leg of the ray to the star.
+#: Points per panel and panels per leg of the ray to the star.
 _NODES: Final = 20
 PANELS: Final = 3
-#: Strips of the star's disc.
+#: Number of strips of the star's disc.
 _STRIPS: Final = 7
-#: A star higher than this above the horizon is taken for a point: its strips differ by less than
-#: 1e-5 in what they send through clear air. [rad]
+#: Elevation above the horizon from which a star is treated as a point: its strips differ by less
+#: than 1e-5 in the light transmitted through clear air. [rad]
 _HIGH: Final = 0.7
 
 
 @compiled_loop
-def columns_to_space(r, mu, shell, density, rule, room, out):
+def columns_to_space(r, mu, shell, density, rule, workspace, out):
     """Columns of all constituents from a point to the top, for a ray that misses the ground.
 
     Parameters
     ----------
     r, mu : float
-        [m], [1]
+        Start of the ray. [m], [1]
     shell : tuple of float
         Radii of the ground and of the top. [m]
     density : tuple of arrays
-        ``DensitySegments.arrays``.
+        Arrays of ``DensitySegments.arrays``.
     rule : tuple of arrays
-        Of Gauss-Legendre.
-    room : tuple of arrays
-        Scratch from ``new_room``.
+        Gauss-Legendre rule.
+    workspace : tuple of arrays
+        Workspace from ``new_workspace``.
     out : array, shape (nc,)
         Receives the columns. [m]
     """
-    edges, distance, radius, weight = room
+    edges, distance, radius, weight = workspace
     bottom, top = shell
     density_edges, coefficients, corners = density
     length = max(-r * mu + chord(r, mu, top), 0.0)
@@ -73,37 +73,37 @@ def columns_to_space(r, mu, shell, density, rule, room, out):
         out[i] = total
 
 
-def new_room() -> tuple[FloatArray, ...]:
-    """Scratch of one thread for ``columns_to_space``."""
+def new_workspace() -> tuple[FloatArray, ...]:
+    """Workspace of one thread for ``columns_to_space``."""
     points = _NODES * MAX_EDGES
     return np.empty(MAX_EDGES), np.empty(points), np.empty(points), np.empty(points)
 
 
 @compiled_loop
-def star_light(r, mu_s, star_radius, level, shell, density, extinction, rules, room, light):
-    """What arrives of the star at a point, averaged over its disc, per irradiance at the top.
+def star_light(r, mu_s, star_radius, level, shell, density, extinction, rules, workspace, light):
+    """Star light at a point, averaged over its disc, per irradiance at the top.
 
     Parameters
     ----------
     r, mu_s : float
-        The point, and the zenith cosine of the star's centre there. [m], [1]
+        Radius of the point, and zenith cosine of the star's centre there. [m], [1]
     star_radius : float
         Angular radius of the star; 0 for a point. [rad]
     level : bool
-        Whether on a level surface, with the cosine, rather than on one that faces the star.
-    shell, density, room :
-        As in ``columns_to_space``.
+        Whether the surface is level, with the cosine, rather than facing the star.
+    shell, density, workspace :
+        Arguments of ``columns_to_space``.
     extinction : array, shape (nc, nl)
-        [m⁻¹]
+        Extinction coefficients. [m⁻¹]
     rules : tuple
         Rules for the ray to the star and for the strips of its disc.
     light : array, shape (nl,)
-        Receives the answer. [1]
+        Receives the light. [1]
 
     Returns
     -------
     bool
-        Whether there is any.
+        Whether there is any light.
     """
     bottom = shell[0]
     light[:] = 0.0
@@ -112,7 +112,7 @@ def star_light(r, mu_s, star_radius, level, shell, density, extinction, rules, r
         return False
     column = np.empty(extinction.shape[0])
     if star_radius <= 0.0 or elevation > _HIGH + star_radius:
-        columns_to_space(r, mu_s, shell, density, rules[0], room, column)
+        columns_to_space(r, mu_s, shell, density, rules[0], workspace, column)
         for w in range(light.size):
             depth = 0.0
             for i in range(column.size):
@@ -127,7 +127,7 @@ def star_light(r, mu_s, star_radius, level, shell, density, extinction, rules, r
         t = first + (pi - first) * nodes[k]
         share = (2.0 / pi) * (pi - first) * weights[k] * sin(t) * sin(t)
         strip = sin(centre - star_radius * cos(t))
-        columns_to_space(r, strip, shell, density, rules[0], room, column)
+        columns_to_space(r, strip, shell, density, rules[0], workspace, column)
         for w in range(light.size):
             depth = 0.0
             for i in range(column.size):
@@ -147,18 +147,18 @@ def direct_irradiance(medium: Medium, r: FloatArray, mu_s: FloatArray) -> FloatA
     Parameters
     ----------
     medium : Medium
-        The planet's air.
+        Medium of the planet.
     r, mu_s : array, shape (n,)
         Distance from the centre, inside the shell [m], and zenith cosine of the star [1].
 
     Returns
     -------
     array, shape (n, nl)
-        [1]
+        Irradiance. [1]
     """
     out = np.empty((r.size, medium.wavelengths.size))
     rules = star_rules()
-    room = new_room()
+    workspace = new_workspace()
     for k in range(r.size):
         star_light(
             float(r[k]),
@@ -169,7 +169,7 @@ def direct_irradiance(medium: Medium, r: FloatArray, mu_s: FloatArray) -> FloatA
             medium.density.arrays,
             medium.extinction,
             rules,
-            room,
+            workspace,
             out[k],
         )
     return out

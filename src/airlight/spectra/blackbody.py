@@ -1,4 +1,4 @@
-"""Stars as black bodies."""
+"""Black-body spectra of stars."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ def planck_radiance(wavelengths: ArrayLike, temperature: float) -> NDArray[np.fl
     Parameters
     ----------
     wavelengths : array, shape (...)
-        Above 0. [nm]
+        Wavelengths, above 0. [nm]
     temperature : float
-        Above 0. [K]
+        Temperature, above 0. [K]
 
     Returns
     -------
@@ -53,7 +53,7 @@ def planck_radiance(wavelengths: ArrayLike, temperature: float) -> NDArray[np.fl
     _positive("temperature", temperature, "K")
     metres = at * _NM
     x = PLANCK * SPEED_OF_LIGHT / (metres * BOLTZMANN * temperature)
-    # e^-x / (1 - e^-x): the same as 1 / (e^x - 1), but nothing overflows for a cold star.
+    # e^-x / (1 - e^-x): equal to 1 / (e^x - 1), but nothing overflows for a cold star.
     occupation = np.exp(-x) / -np.expm1(-x)
     return np.asarray(2.0 * PLANCK * SPEED_OF_LIGHT**2 / metres**5 * occupation * _NM)
 
@@ -61,22 +61,22 @@ def planck_radiance(wavelengths: ArrayLike, temperature: float) -> NDArray[np.fl
 def star_irradiance(
     wavelengths: ArrayLike, temperature: float, radius: float, distance: float
 ) -> NDArray[np.float64]:
-    r"""Spectral irradiance by a black-body star on a plane that faces it.
+    r"""Spectral irradiance by a black-body star of a plane that faces it.
 
     .. math:: E_\lambda = \pi B_\lambda (R/d)^2
 
-    exact at any distance for a uniformly bright sphere. Spectral lines are left out: against ASTM
+    exact at any distance for a uniformly bright sphere. Spectral lines are neglected: against ASTM
     G-173 averaged over 20 nm, the sun of 5772 K is 24 % too bright at 360 nm, 8 % at 400 nm, 14 %
     too dim at 460 nm, 5 % at 550 nm, and within 1.5 % at 650 and 800 nm.
 
     Parameters
     ----------
     wavelengths : array, shape (...)
-        Above 0. [nm]
+        Wavelengths, above 0. [nm]
     temperature : float
-        Of the star's surface. [K]
+        Temperature of the star's surface. [K]
     radius, distance : float
-        Of the star, and from its centre; the distance is not below the radius. [m]
+        Radius of the star, and distance from its centre, not below the radius. [m]
 
     Returns
     -------

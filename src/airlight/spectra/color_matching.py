@@ -1,4 +1,4 @@
-"""The colour-matching functions of the standard observer."""
+"""Colour-matching functions of the standard observer."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from airlight.spectra.tables import Spectrum, read_spectrum
 
 
 def cie_1931() -> Spectrum:
-    """The CIE 1931 2° colour-matching functions, 360 to 830 nm at 1 nm.
+    """CIE 1931 2° colour-matching functions, 360 to 830 nm at 1 nm.
 
     Returns
     -------
@@ -19,7 +19,7 @@ def cie_1931() -> Spectrum:
 
     Examples
     --------
-    >>> cie_1931().at(555.0)  # ȳ is 1 where the eye sees best
+    >>> cie_1931().at(555.0)  # ȳ is 1 where the eye is most sensitive
     array([0.5120501, 1.       , 0.00575  ])
     """
     return read_spectrum("cie-1931")

@@ -11,14 +11,15 @@ from airlight.spectra.tables import read_spectrum
 def ozone_cross_section(wavelengths: ArrayLike) -> NDArray[np.float64]:
     """Absorption cross-section of one ozone molecule at 293 K.
 
-    Means over 1 nm of the measurement, scaled by 1.005 to 1.008 so that 440, 550 and 680 nm have
-    the values 1.360e-26, 3.314e-25 and 1.368e-25 m². The dependence on temperature is left out:
+    Measured values averaged over 1 nm, scaled by 1.005 to 1.008 so that 440, 550 and 680 nm have
+    the values 1.360e-26, 3.314e-25 and 1.368e-25 m². The dependence on temperature is neglected:
     at the stratosphere's 223 K the Chappuis band is lower by 0.5 % at 550 nm, 4 % at 680 nm.
 
     Parameters
     ----------
     wavelengths : array, shape (...)
-        270 to 1010; linear between whole nanometres, the end value beyond 280 and 1000. [nm]
+        Wavelengths, 270 to 1010; linear between whole nanometres, constant beyond 280 and 1000.
+        [nm]
 
     Returns
     -------
@@ -28,7 +29,7 @@ def ozone_cross_section(wavelengths: ArrayLike) -> NDArray[np.float64]:
     Raises
     ------
     ParameterError
-        If a wavelength lies outside.
+        If a wavelength lies outside that range.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""The sun's spectrum outside the air."""
+"""Spectrum of the sun outside the air."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ def solar_irradiance(wavelengths: ArrayLike) -> NDArray[np.float64]:
     Parameters
     ----------
     wavelengths : array, shape (...)
-        270 to 1010; linear between whole nanometres, the end value beyond 280 and 1000. [nm]
+        Wavelengths, 270 to 1010; linear between whole nanometres, constant beyond 280 and 1000.
+        [nm]
 
     Returns
     -------
@@ -24,7 +25,7 @@ def solar_irradiance(wavelengths: ArrayLike) -> NDArray[np.float64]:
     Raises
     ------
     ParameterError
-        If a wavelength lies outside.
+        If a wavelength lies outside that range.
 
     References
     ----------

@@ -13,32 +13,32 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.errors import FileError, ParameterError
 
-#: How far beyond a table's ends its end value still stands. [nm]
+#: Range beyond a table's ends over which its end value is used. [nm]
 ALLOWANCE: Final = 10.0
-#: The largest file of a table. [byte]
+#: Largest file size of a table. [byte]
 LARGEST_FILE: Final = 4_000_000
 
 
 @dataclass(frozen=True, eq=False)
 class Spectrum:
-    """A quantity tabulated over wavelength.
+    """Quantity tabulated over wavelength.
 
     Parameters
     ----------
     name : str
-        The table's name.
+        Name of the table.
     wavelengths : array, shape (n,)
-        Ascending. [nm]
+        Wavelengths, ascending. [nm]
     values : array, shape (n,) or (n, k)
-        [unit]
+        Values at the wavelengths. [unit]
     unit : str
-        The unit of the values.
+        Unit of the values.
     source : str
-        Where the values come from.
+        Source of the values.
     columns : tuple of str, length k
-        What each column is; one name if ``values`` has one axis.
+        Names of the columns; one name if ``values`` has one axis.
     licence : str
-        The terms of the source.
+        Terms of the source.
     """
 
     name: str
@@ -50,14 +50,14 @@ class Spectrum:
     licence: str = ""
 
     def at(self, wavelengths: ArrayLike, *, field: str = "wavelengths") -> NDArray[np.float64]:
-        """The values at any wavelengths, linear between rows.
+        """Values at any wavelengths, linear between rows.
 
         Parameters
         ----------
         wavelengths : array, shape (...)
-            At most 10 nm beyond the table's ends, where the end value stands. [nm]
+            Wavelengths, at most 10 nm beyond the table's ends, where the end value is used. [nm]
         field : str
-            Named in the error.
+            Field named in the error.
 
         Returns
         -------
@@ -67,7 +67,7 @@ class Spectrum:
         Raises
         ------
         ParameterError
-            If a wavelength is no number or lies further outside.
+            If a wavelength is not a number or lies further outside.
 
         Examples
         --------
@@ -90,7 +90,7 @@ class Spectrum:
 
 
 def spectrum_names() -> tuple[str, ...]:
-    """The names that ``read_spectrum`` knows.
+    """Names that ``read_spectrum`` accepts.
 
     Examples
     --------
@@ -104,7 +104,7 @@ def spectrum_names() -> tuple[str, ...]:
 
 @cache
 def read_spectrum(name: str) -> Spectrum:
-    """One of the package's tables.
+    """Read one of the package's tables.
 
     Parameters
     ----------
@@ -114,7 +114,7 @@ def read_spectrum(name: str) -> Spectrum:
     Returns
     -------
     Spectrum
-        Its arrays cannot be written to; one column of values comes with one axis.
+        Spectrum with read-only arrays; a single column of values has one axis.
 
     Raises
     ------
@@ -134,7 +134,7 @@ def read_spectrum(name: str) -> Spectrum:
 
 
 def read_spectrum_file(path: Path) -> Spectrum:
-    """A table of one's own, in the form of the package's.
+    """Read a table from a file in the form of the package's.
 
     Lines ``# unit: …`` and ``# source: …`` first, then the names of the columns, then rows of a
     wavelength in nm and its values, ascending.
@@ -142,17 +142,17 @@ def read_spectrum_file(path: Path) -> Spectrum:
     Parameters
     ----------
     path : Path
-        To a CSV file of at most 4 MB.
+        Path of a CSV file of at most 4 MB.
 
     Returns
     -------
     Spectrum
-        Its arrays cannot be written to; one column of values comes with one axis.
+        Spectrum with read-only arrays; a single column of values has one axis.
 
     Raises
     ------
     FileError
-        If there is no such file, or it is no such table.
+        If there is no such file, or it is not such a table.
     """
     try:
         if not path.is_file():
@@ -161,7 +161,7 @@ def read_spectrum_file(path: Path) -> Spectrum:
             content = stream.read(LARGEST_FILE + 1)
     except OSError as error:
         raise FileError(path, (error.strerror or type(error).__name__).lower()) from None
-    except ValueError:  # a null character within the name
+    except ValueError:  # a null character in the name
         raise FileError(repr(str(path)), "is no file name") from None
     if len(content) > LARGEST_FILE:
         raise FileError(path, f"is larger than {LARGEST_FILE} bytes; allowed: a table in CSV")

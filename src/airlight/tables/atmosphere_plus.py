@@ -1,12 +1,12 @@
 """Layout of a three-dimensional table of scattered light, Atmosphere Plus: (h, φ, δ).
 
-Altitude, cosine of the view's and of the sun's zenith angle, by the linear, the power or the
-weighted power mapping; the azimuth is none of its axes. In a texture the altitude is the width,
-the view the height and the sun the depth. Source: Atmosphere Plus notes, second print, section 3.
+The axes are altitude and the cosines of the view's and of the sun's zenith angle, by the linear,
+the power or the weighted power mapping; there is no azimuth. In a texture, altitude is the width,
+view the height and sun the depth. Source: Atmosphere Plus notes, second print, section 3.
 
-The horizon lies somewhere between texels and moves with altitude. A look-up reads the rows of
-texels below and above its altitude, each at the same place in its own regions, and only texels on
-its own side of the horizon.
+The horizon falls between texels and moves with altitude. A look-up reads the rows of texels below
+and above its altitude, each at the same coordinate within its own regions, and only texels on its
+own side of the horizon.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ from airlight.mappings.weighted_power import (
     view_from_coordinate,
     view_region,
 )
-from airlight.tables.layout import Axis, FloatArray, Layout, Places
+from airlight.tables.layout import Axis, FloatArray, Layout, Positions
 
 #: Names of the mappings.
 MAPPINGS = ("linear", "power", "weighted-power")
@@ -48,22 +48,22 @@ _LARGEST_POWER = 10.0
 
 
 class AtmospherePlusGrid(NamedTuple):
-    """The layout for compiled loops.
+    """Parameters of the layout, for compiled loops.
 
     Attributes
     ----------
     bottom_radius, top_radius : float
-        [m]
+        Radii of the ground and of the top of the shell. [m]
     weighted : bool
         Whether the views follow the weighted power mapping.
     altitude_power, view_power, sun_power : float
-        Of the power mappings, 1 for linear; ``view_power`` also of all three regions. [1]
+        Powers of the power mappings, 1 for linear; ``view_power`` also of all three regions. [1]
     lower, slope, offset : float
-        w_L1, w_S1, w_S0. [1]
+        Weights w_L1, w_S1, w_S0 of the regions. [1]
     altitudes, views, suns : int
         Texels along each axis.
     first_sky : array, shape (altitudes,)
-        The first texel of each altitude's views that sees the sky; the ones before see the ground.
+        First view texel at each altitude that sees the sky; those before it see the ground.
     """
 
     bottom_radius: float
@@ -100,36 +100,38 @@ def view_of_texel(i, j, grid):
 
 @kernel
 def _view_cell(row, region, x, v, to_ground, grid):
-    """Texels around a view in one altitude's row, on its side of the horizon."""
-    place = v
+    """Texels next to a view in the row of one altitude, on its side of the horizon."""
+    coordinate = v
     if grid.weighted:
         u = index_coordinate(row, grid.altitudes)
         w_lower = lower_weight(u, grid.lower)
-        place = region_coordinate(region, x, w_lower, surface_weight(u, grid.slope, grid.offset))
+        coordinate = region_coordinate(
+            region, x, w_lower, surface_weight(u, grid.slope, grid.offset)
+        )
     sky = grid.first_sky[row]
     first, last = sky, grid.views - 1
     if to_ground:
         first, last = 0, max(sky - 1, 0)
-    return cell(place * (grid.views - 1), first, max(first, last))
+    return cell(coordinate * (grid.views - 1), first, max(first, last))
 
 
 @kernel
 def atmosphere_plus_corners(r, mu, mu_s, to_ground, grid):
-    """The texels around a place: (lower, upper, share of the upper) of four axes.
+    """Texels next to a point: (lower, upper, share of the upper) of four axes.
 
     Parameters
     ----------
     r, mu, mu_s : float
-        [m], [1]
+        Radius [m]; cosines of the view's and of the sun's zenith angle [1].
     to_ground : bool
         Whether the line of sight ends on the ground: only such texels are read.
     grid : AtmospherePlusGrid
-        The layout.
+        Parameters of the layout.
 
     Returns
     -------
     altitude, view_below, view_above, sun : tuples of (int, int, float)
-        Of the altitude; of the view in the lower and in the upper altitude's row; of the sun.
+        Cells of the altitude, of the view in the lower and in the upper altitude's row, of the sun.
     """
     bottom = grid.bottom_radius
     u = altitude_coordinate(r - bottom, grid.top_radius - bottom, grid.altitude_power)
@@ -155,13 +157,13 @@ def atmosphere_plus_corners(r, mu, mu_s, to_ground, grid):
 
 @compiled_loop
 def atmosphere_plus_look_up(values, r, mu, mu_s, to_ground, grid, out):
-    """Values between texels, one place: all channels.
+    """Interpolate all channels at one point.
 
     Parameters
     ----------
     values : array, shape (altitudes, views, suns, channels)
     r, mu, mu_s, to_ground, grid
-        As ``atmosphere_plus_corners`` takes them.
+        Arguments of ``atmosphere_plus_corners``.
     out : array, shape (channels,)
         Receives the values.
     """
@@ -202,7 +204,7 @@ def _find_first_sky(grid, first_sky):
 
 
 @compiled_loop
-def _fill_places(grid, r, mu, mu_s, to_ground):
+def _fill_positions(grid, r, mu, mu_s, to_ground):
     bottom, thickness = grid.bottom_radius, grid.top_radius - grid.bottom_radius
     at = 0
     for i in range(grid.altitudes):
@@ -219,22 +221,22 @@ def _fill_places(grid, r, mu, mu_s, to_ground):
 
 @dataclass(frozen=True, kw_only=True)
 class AtmospherePlusLayout(Layout):
-    """Axes (altitude, mu, mu_s).
+    """Layout with the axes (altitude, mu, mu_s).
 
     Parameters
     ----------
     bottom_radius, top_radius : float
-        [m]
+        Radii of the ground and of the top of the shell. [m]
     mapping : str
-        ``linear``, ``power`` or ``weighted-power``.
+        Name of the mapping: ``linear``, ``power`` or ``weighted-power``.
     altitudes, views, suns : int
         Texels along each axis.
     altitude_power, view_power, sun_power : float
-        1 to 10; ``linear`` takes 1 for all. [1]
+        Powers, 1 to 10; ``linear`` takes 1 for all. [1]
     lower_weight, surface_slope, surface_offset : float
-        w_L1, w_S1 and w_S0 of the weighted power mapping, 0 or more, together below 1. [1]
+        Weights w_L1, w_S1 and w_S0 of the weighted power mapping, 0 or more, together below 1. [1]
     azimuth : float
-        That the places of the texels have, in degrees; 0 looks to the sun's side. [deg]
+        Azimuth of the texels' points; 0 looks to the sun's side. [deg]
     """
 
     kind: ClassVar[str] = "atmosphere-plus"
@@ -275,7 +277,7 @@ class AtmospherePlusLayout(Layout):
 
     @cached_property
     def grid(self) -> AtmospherePlusGrid:
-        """The layout for compiled loops."""
+        """Parameters of the layout, for compiled loops."""
         linear = self.mapping == "linear"
         first_sky = np.zeros(self.altitudes, np.int64)
         grid = AtmospherePlusGrid(
@@ -341,18 +343,20 @@ class AtmospherePlusLayout(Layout):
         """See ``Layout``."""
         return (("altitude",), ("mu",), ("mu_s",))
 
-    def places(self) -> Places:
+    def positions(self) -> Positions:
         """See ``Layout``; at the layout's azimuth."""
         count = int(np.prod(self.shape))
         r, mu, mu_s = (np.empty(count) for _ in range(3))
         to_ground = np.empty(count, bool)
-        _fill_places(self.grid, r, mu, mu_s, to_ground)
-        return at_azimuth(Places(r, mu, mu_s, mu, to_ground), self.azimuth)
+        _fill_positions(self.grid, r, mu, mu_s, to_ground)
+        return at_azimuth(Positions(r, mu, mu_s, mu, to_ground), self.azimuth)
 
-    def interpolate(self, values: NDArray[Any], places: Places) -> FloatArray:
-        """See ``Layout``; ``nu`` stands for nothing."""
-        out = np.empty((len(places), values.shape[-1]))
-        _look_up_all(values, places.r, places.mu, places.mu_s, places.to_ground, self.grid, out)
+    def interpolate(self, values: NDArray[Any], positions: Positions) -> FloatArray:
+        """See ``Layout``; ``nu`` is ignored."""
+        out = np.empty((len(positions), values.shape[-1]))
+        _look_up_all(
+            values, positions.r, positions.mu, positions.mu_s, positions.to_ground, self.grid, out
+        )
         return out
 
     def parameters(self) -> dict[str, Any]:
@@ -374,9 +378,9 @@ class AtmospherePlusLayout(Layout):
         }
 
 
-def at_azimuth(places: Places, azimuth: float) -> Places:
-    """The same places with the view at this azimuth from the sun. [deg]"""
-    mu, mu_s = places.mu, places.mu_s
+def at_azimuth(positions: Positions, azimuth: float) -> Positions:
+    """The same points with the view at this azimuth from the sun. [deg]"""
+    mu, mu_s = positions.mu, positions.mu_s
     spread = np.sqrt(np.maximum((1.0 - mu) * (1.0 + mu) * (1.0 - mu_s) * (1.0 + mu_s), 0.0))
     nu = np.clip(mu * mu_s + spread * np.cos(np.radians(azimuth)), -1.0, 1.0)
-    return Places(places.r, mu, mu_s, nu, places.to_ground)
+    return Positions(positions.r, mu, mu_s, nu, positions.to_ground)

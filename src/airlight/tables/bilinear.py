@@ -8,7 +8,7 @@ from airlight.mappings.texels import cell
 
 @compiled_loop
 def bilinear(values, first, second, out):
-    """Values between the texels of a two-dimensional table.
+    """Interpolate between the texels of a two-dimensional table.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 """Layout of a four-dimensional table of scattered light, Bruneton's 2017 (r, mu, mu_s, nu).
 
-The axis of views has two halves, one on each side of the horizon. In a texture mu_s and nu share
+The axis of views has two halves, one on each side of the horizon. In a texture, mu_s and nu share
 the width, mu_s running fastest, mu is the height and r the depth: 256 x 128 x 32 for the usual
 32 x 128 x 32 x 8.
 """
@@ -25,23 +25,23 @@ from airlight.mappings.scattering import (
     sun_coordinate,
     sun_from_coordinate,
     view_coordinate,
-    view_from_place,
-    view_place,
+    view_from_index,
+    view_index,
 )
 from airlight.mappings.texels import cell, index_coordinate
 from airlight.mappings.transmittance import altitude_coordinate, radius_from_coordinate
-from airlight.tables.layout import Axis, FloatArray, Layout, Places
+from airlight.tables.layout import Axis, FloatArray, Layout, Positions
 
 
 class BrunetonGrid(NamedTuple):
-    """The layout for compiled loops.
+    """Parameters of the layout, for compiled loops.
 
     Attributes
     ----------
     bottom_radius, top_radius : float
-        [m]
+        Radii of the ground and of the top of the shell. [m]
     lowest : float
-        The sun's smallest zenith cosine. [1]
+        Smallest zenith cosine of the sun. [1]
     radii, views, suns, angles : int
         Texels along r, mu, mu_s, nu.
     """
@@ -57,16 +57,16 @@ class BrunetonGrid(NamedTuple):
 
 @kernel
 def bruneton_corners(r, mu, mu_s, nu, to_ground, grid):
-    """The texels around a place: (lower, upper, share of the upper) of r, mu, mu_s and nu.
+    """Texels next to a point: (lower, upper, share of the upper) of r, mu, mu_s and nu.
 
     Parameters
     ----------
     r, mu, mu_s, nu : float
-        [m], [1]
+        Radius [m]; cosines of the zenith angles of view and sun, and of the angle between them [1].
     to_ground : bool
-        Whether the line of sight ends on the ground: which half of the views is read.
+        Whether the line of sight ends on the ground, which selects the half of the views.
     grid : BrunetonGrid
-        The layout.
+        Parameters of the layout.
 
     Returns
     -------
@@ -78,7 +78,7 @@ def bruneton_corners(r, mu, mu_s, nu, to_ground, grid):
     first = 0 if to_ground else half
     return (
         cell(altitude_coordinate(r, bottom, top) * (grid.radii - 1), 0, grid.radii - 1),
-        cell(view_place(x, to_ground, grid.views), first, first + half - 1),
+        cell(view_index(x, to_ground, grid.views), first, first + half - 1),
         cell(sun_coordinate(mu_s, grid.lowest, bottom, top) * (grid.suns - 1), 0, grid.suns - 1),
         cell(angle_coordinate(nu) * (grid.angles - 1), 0, grid.angles - 1),
     )
@@ -86,13 +86,13 @@ def bruneton_corners(r, mu, mu_s, nu, to_ground, grid):
 
 @compiled_loop
 def bruneton_look_up(values, r, mu, mu_s, nu, to_ground, grid, out):
-    """Values between texels, one place: all channels.
+    """Interpolate all channels at one point.
 
     Parameters
     ----------
     values : array, shape (radii, views, suns, angles, channels)
     r, mu, mu_s, nu, to_ground, grid
-        As ``bruneton_corners`` takes them.
+        Arguments of ``bruneton_corners``.
     out : array, shape (channels,)
         Receives the values.
     """
@@ -120,14 +120,14 @@ def _look_up_all(values, r, mu, mu_s, nu, to_ground, grid, out):
 
 
 @compiled_loop
-def _fill_places(grid, r, mu, mu_s, nu, to_ground):
+def _fill_positions(grid, r, mu, mu_s, nu, to_ground):
     bottom, top = grid.bottom_radius, grid.top_radius
     at = 0
     for i in range(grid.radii):
         radius = radius_from_coordinate(index_coordinate(i, grid.radii), bottom, top)
         radius = min(max(radius, bottom), top)
         for j in range(grid.views):
-            x, ground = view_from_place(float(j), grid.views)
+            x, ground = view_from_index(float(j), grid.views)
             cosine = cosine_from_view(x, ground, radius, bottom, top)
             for k in range(grid.suns):
                 sun = sun_from_coordinate(index_coordinate(k, grid.suns), grid.lowest, bottom, top)
@@ -140,12 +140,12 @@ def _fill_places(grid, r, mu, mu_s, nu, to_ground):
 
 @dataclass(frozen=True, kw_only=True)
 class BrunetonLayout(Layout):
-    """Axes (r, mu, mu_s, nu).
+    """Layout with the axes (r, mu, mu_s, nu).
 
     Parameters
     ----------
     bottom_radius, top_radius : float
-        [m]
+        Radii of the ground and of the top of the shell. [m]
     radii, views, suns, angles : int
         Texels along each axis; ``views`` is even and at least 4.
     """
@@ -165,7 +165,7 @@ class BrunetonLayout(Layout):
 
     @cached_property
     def grid(self) -> BrunetonGrid:
-        """The layout for compiled loops."""
+        """Parameters of the layout, for compiled loops."""
         return BrunetonGrid(
             self.bottom_radius,
             self.top_radius,
@@ -216,19 +216,26 @@ class BrunetonLayout(Layout):
         """See ``Layout``."""
         return (("nu", "mu_s"), ("mu",), ("r",))
 
-    def places(self) -> Places:
-        """See ``Layout``; angles that a view and a sun cannot have are moved to where they can."""
+    def positions(self) -> Positions:
+        """See ``Layout``; impossible angles are moved to the nearest possible angle."""
         count = int(np.prod(self.shape))
         r, mu, mu_s, nu = (np.empty(count) for _ in range(4))
         to_ground = np.empty(count, bool)
-        _fill_places(self.grid, r, mu, mu_s, nu, to_ground)
-        return Places(r, mu, mu_s, nu, to_ground)
+        _fill_positions(self.grid, r, mu, mu_s, nu, to_ground)
+        return Positions(r, mu, mu_s, nu, to_ground)
 
-    def interpolate(self, values: NDArray[Any], places: Places) -> FloatArray:
+    def interpolate(self, values: NDArray[Any], positions: Positions) -> FloatArray:
         """See ``Layout``."""
-        out = np.empty((len(places), values.shape[-1]))
+        out = np.empty((len(positions), values.shape[-1]))
         _look_up_all(
-            values, places.r, places.mu, places.mu_s, places.nu, places.to_ground, self.grid, out
+            values,
+            positions.r,
+            positions.mu,
+            positions.mu_s,
+            positions.nu,
+            positions.to_ground,
+            self.grid,
+            out,
         )
         return out
 

@@ -1,4 +1,4 @@
-"""The column table interpolated as ratios: quick columns to the top, good to 1e-3."""
+"""Column table interpolated as ratios: fast columns to the top, accurate to 1e-3."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ FloatArray = NDArray[np.float64]
 
 
 def mean_density_ratios(table: ColumnTable) -> FloatArray:
-    """A column table for interpolation as ratios: (s, m·s), m the mean density along the ray.
+    """Convert a column table for interpolation as ratios: (s, m·s), m the mean density on the ray.
 
     With m = column/distance and s = 1/sqrt(m), the ratio of the two interpolated numbers is exact
     at the nodes, halfway between them where m falls exponentially (with altitude, or away from the
-    horizon), and everywhere in flat air, where m does not depend on direction. Times the distance
-    to the top it is the column. Below 1e-6 of its largest value m is interpolated linearly.
+    horizon), and everywhere in flat air, where m does not depend on direction. The column is the
+    ratio times the distance to the top. Below 1e-6 of its largest value m is interpolated linearly.
 
     Parameters
     ----------
@@ -29,14 +29,14 @@ def mean_density_ratios(table: ColumnTable) -> FloatArray:
     Returns
     -------
     array, shape (radii, directions, nc, 2)
-        [1]
+        Pairs (s, m·s). [1]
     """
     shape = table.values.shape[:2]
     x, y = np.meshgrid(np.linspace(0, 1, shape[0]), np.linspace(0, 1, shape[1]), indexing="ij")
     r, mu, length = np.empty(shape), np.empty(shape), np.empty(shape)
     table_rays(x, y, table.bottom_radius, table.top_radius, r, mu, length)
     mean = table.values / np.maximum(length, 1e-9)[..., None]
-    mean[-1, 0] = mean[-1, 1]  # at the top, straight up, there is no way left
+    mean[-1, 0] = mean[-1, 1]  # at the top, straight up, no distance is left
     largest = mean.max(axis=(0, 1))
     scale = 1.0 / np.sqrt(np.maximum(mean + 1e-6 * largest, 1e-300))
     return np.stack([scale, mean * scale], axis=-1)
@@ -49,11 +49,11 @@ def columns_to_top(r, mu, bottom, top, ratios, here):
     Parameters
     ----------
     r, mu : float
-        Of the point [m] and of the ray there [1].
+        Radius of the point [m] and zenith cosine of the ray there [1].
     bottom, top : float
         Radii of ground and top. [m]
     ratios : array, shape (radii, directions, nc, 2)
-        From ``mean_density_ratios``. [1]
+        Table from ``mean_density_ratios``. [1]
     here : array, shape (nc,)
         Receives the columns. [m]
     """
@@ -61,22 +61,22 @@ def columns_to_top(r, mu, bottom, top, ratios, here):
     row = min(int(x), ratios.shape[0] - 2)
     f = x - row
     x = direction_coordinate(r, mu, bottom, top) * (ratios.shape[1] - 1)
-    place = min(int(x), ratios.shape[1] - 2)
-    e = x - place
+    cell_index = min(int(x), ratios.shape[1] - 2)
+    e = x - cell_index
     w00, w01 = (1.0 - f) * (1.0 - e), (1.0 - f) * e
     w10, w11 = f * (1.0 - e), f * e
     distance = distance_to_top(r, mu, top)
     for c in range(ratios.shape[2]):
         scale = (
-            w00 * ratios[row, place, c, 0]
-            + w01 * ratios[row, place + 1, c, 0]
-            + w10 * ratios[row + 1, place, c, 0]
-            + w11 * ratios[row + 1, place + 1, c, 0]
+            w00 * ratios[row, cell_index, c, 0]
+            + w01 * ratios[row, cell_index + 1, c, 0]
+            + w10 * ratios[row + 1, cell_index, c, 0]
+            + w11 * ratios[row + 1, cell_index + 1, c, 0]
         )
         scaled = (
-            w00 * ratios[row, place, c, 1]
-            + w01 * ratios[row, place + 1, c, 1]
-            + w10 * ratios[row + 1, place, c, 1]
-            + w11 * ratios[row + 1, place + 1, c, 1]
+            w00 * ratios[row, cell_index, c, 1]
+            + w01 * ratios[row, cell_index + 1, c, 1]
+            + w10 * ratios[row + 1, cell_index, c, 1]
+            + w11 * ratios[row + 1, cell_index + 1, c, 1]
         )
         here[c] = distance * scaled / scale

@@ -2,9 +2,9 @@
 
 An optical depth is a sum of columns times extinction coefficients, so columns serve every
 wavelength. ``columns`` integrates the profiles themselves; ``trace`` reads densities from a table
-of the square root of altitude, which is what marches need: points, densities and columns up to
-each point (relative error below 1e-4). ``ColumnTable`` holds the columns to the top of the shell on
-Bruneton's 2017 mapping for look-ups that are good to 1e-3.
+over the square root of altitude and gives marches their points, densities and columns up to each
+point (relative error below 1e-4). ``ColumnTable`` holds the columns to the top of the shell on
+Bruneton's 2017 mapping for look-ups accurate to 1e-3.
 """
 
 from __future__ import annotations
@@ -30,16 +30,16 @@ FloatArray = NDArray[np.float64]
 
 #: Shape of the table for look-ups: radii, directions.
 TABLE_SHAPE = (160, 288)
-#: A ray of a larger optical depth gets more panels where it begins. [1]
+#: A ray with a larger optical depth gets more panels at its start. [1]
 THICK = 15.0
-#: Nodes of the density table that marches read.
+#: Number of nodes of the density table that marches read.
 DENSITY_NODES = 4097
 
 
 def density_table(density: DensitySegments, thickness: float) -> FloatArray:
     """Relative densities at even steps of the square root of altitude.
 
-    Linear interpolation in it errs by less than 1e-5 for scale heights of a hundredth of the
+    Linear interpolation in it errs by less than 1e-5 for a scale height of a hundredth of the
     shell's thickness, and by less than 1e-3 for a thousandth.
 
     Parameters
@@ -47,7 +47,7 @@ def density_table(density: DensitySegments, thickness: float) -> FloatArray:
     density : DensitySegments
         The profiles.
     thickness : float
-        Of the shell. [m]
+        Thickness of the shell. [m]
 
     Returns
     -------
@@ -60,13 +60,13 @@ def density_table(density: DensitySegments, thickness: float) -> FloatArray:
 
 @kernel
 def density_place(radius, bottom_radius, thickness, nodes):
-    """Where in a table of so many nodes, from ``density_table``, a radius stands.
+    """Node and fraction of a radius in a table of ``nodes`` nodes from ``density_table``.
 
     Returns
     -------
     node : int
     share : float
-        Of the way to the next one. [1]
+        Fraction of the step to the next node. [1]
     """
     altitude = min(max((radius - bottom_radius) / thickness, 0.0), 1.0)
     x = sqrt(altitude) * (nodes - 1)
@@ -83,9 +83,9 @@ def accumulate(count, rule, bottom_radius, thickness, table, path):
     count : int
         Number of points, those of one rule for each panel.
     rule, bottom_radius, thickness, table :
-        As in ``trace``.
+        Arguments of ``trace``.
     path : tuple of arrays
-        As in ``trace``; distance, radius and weight stand in it already.
+        Arrays of ``trace``, in which distance, radius and weight are already filled.
     """
     _, weights, running = rule
     _, radius, weight, density, column, total, scratch = path
@@ -98,7 +98,7 @@ def accumulate(count, rule, bottom_radius, thickness, table, path):
     for i in range(constituents):
         so_far = 0.0
         for first in range(0, count, n):
-            # What a point stands for, over its share of the rule: the integrand on [0, 1].
+            # Weight of a point over its share of the rule: the integrand on [0, 1].
             whole = 0.0
             for j in range(n):
                 amount = density[i, first + j] * weight[first + j]
@@ -118,23 +118,23 @@ def accumulate(count, rule, bottom_radius, thickness, table, path):
 
 @compiled_loop
 def trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, table, path):
-    """Points along a ray with the air's densities there and the columns up to there.
+    """Find points along a ray, with the air's densities there and the columns up to them.
 
     Parameters
     ----------
     r, mu : float
         Start of the ray. [m], [1]
     edges, edge_count : array, int
-        Panels, from ``place_edges``. [m]
+        Panel edges from ``place_edges`` and their number. [m]
     rule : tuple of arrays
         Nodes (n,), weights (n,) and running integrals (n, n) on [0, 1].
     bottom_radius, thickness : float
-        Of the ground and of the shell. [m]
+        Radius of the ground and thickness of the shell. [m]
     table : array, shape (DENSITY_NODES, nc)
-        From ``density_table``.
+        Densities from ``density_table``. [1]
     path : tuple of arrays
         Receives distance (p,) [m], radius (p,) [m], weight (p,) [m], density (nc, p) [1],
-        column (nc, p) [m] for each point, and the whole column (nc,) [m]; the last is scratch.
+        column (nc, p) [m] for each point, and the whole column (nc,) [m]; the last is a workspace.
 
     Returns
     -------
@@ -151,7 +151,7 @@ def trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, table, path)
 def trace_resolved(
     r, mu, edges, edge_count, rule, bottom_radius, thickness, table, strongest, path
 ):
-    """As ``trace``, with more panels where the start of a thick ray would slip between points.
+    """As ``trace``, with more panels where the start of a thick ray would fall between points.
 
     A panel of n points integrates exp(-τ) well while τ over it stays below about n²/8. Where the
     whole ray is thicker, panels end at optical depths 0.5, 3 and 12, found from a first trace and
@@ -162,7 +162,7 @@ def trace_resolved(
     strongest : array, shape (nc,)
         Largest extinction of each constituent at any wavelength. [m⁻¹]
     r, mu, edges, edge_count, rule, bottom_radius, thickness, table, path :
-        As in ``trace``; six more edges and panels must fit.
+        Arguments of ``trace``; six more edges and panels must fit.
 
     Returns
     -------
@@ -189,7 +189,7 @@ def trace_resolved(
 
 @compiled_loop
 def _distance_at_depth(depth, count, strongest, path):
-    """Where a traced ray reaches an optical depth, linear between its points. [m]"""
+    """Distance at which a traced ray reaches an optical depth, linear between its points. [m]"""
     before, start = 0.0, 0.0
     for k in range(count):
         tau = 0.0
@@ -202,7 +202,7 @@ def _distance_at_depth(depth, count, strongest, path):
 
 
 def new_path(points: int, constituents: int) -> tuple[FloatArray, ...]:
-    """Room for what ``trace`` finds along one ray of at most so many points."""
+    """Workspace of ``trace`` for one ray of at most ``points`` points."""
     return (
         np.empty(points),
         np.empty(points),
@@ -216,21 +216,21 @@ def new_path(points: int, constituents: int) -> tuple[FloatArray, ...]:
 
 @compiled_loop
 def cut_at_corners(r, mu, bottom_radius, corners, edges, count):
-    """Panel edges where a ray crosses the altitudes at which a profile has a corner.
+    """Add panel edges where a ray crosses the altitudes at which a profile has a corner.
 
     Parameters
     ----------
     r, mu, bottom_radius : float
-        [m], [1], [m]
+        Start of the ray and radius of the ground. [m], [1], [m]
     corners : array, shape (n,)
-        Of ``DensitySegments``. [m]
+        Altitudes of the corners, from ``DensitySegments``. [m]
     edges, count : array, int
-        From ``place_edges``; edges are added in place. [m]
+        Edges from ``place_edges`` and their number; edges are added in place. [m]
 
     Returns
     -------
     int
-        How many edges there are now.
+        Number of edges after the additions.
     """
     tangent = r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
     for k in range(corners.size):
@@ -281,11 +281,11 @@ def columns(
         Start radius [m], cosine of the view zenith angle [1] and length [m] of each stretch,
         which must lie inside the shell.
     bottom_radius : float
-        [m]
+        Radius of the ground. [m]
     density : DensitySegments
         The profiles.
     nodes, panels : int
-        Gauss-Legendre points a panel and panels a leg.
+        Gauss-Legendre points per panel and panels per leg.
 
     Returns
     -------
@@ -315,9 +315,9 @@ class ColumnTable:
     Attributes
     ----------
     bottom_radius, top_radius : float
-        [m]
+        Radii of the ground and of the top of the shell. [m]
     values : array, shape (radii, directions, constituents)
-        On the mapping of ``airlight.mappings.transmittance``, ends included. [m]
+        Columns on the mapping of ``airlight.mappings.transmittance``, ends included. [m]
     """
 
     bottom_radius: float
@@ -349,12 +349,13 @@ class ColumnTable:
 
 @compiled_loop
 def table_rays(x, y, bottom_radius, top_radius, r, mu, length):
-    """Radius [m], cosine [1] and way to the top [m] of each entry, shape (rows, columns)."""
+    """Radius [m], cosine [1] and distance to the top [m] of each entry, shape (rows, columns)."""
     for i in range(x.shape[0]):
         for j in range(x.shape[1]):
             r[i, j] = min(radius_from_coordinate(x[i, j], bottom_radius, top_radius), top_radius)
             mu[i, j] = cosine_from_coordinate(y[i, j], r[i, j], bottom_radius, top_radius)
-            # From the mapping itself: the horizon ray must not be taken for one into the ground.
+            # From the mapping itself, so that the horizon ray does not count as one into the
+            # ground.
             shortest = top_radius - r[i, j]
             tangent = sqrt((top_radius - bottom_radius) * (top_radius + bottom_radius))
             longest = x[i, j] * tangent + tangent

@@ -16,17 +16,17 @@ from airlight.mappings.irradiance import (
     sun_from_coordinate,
 )
 from airlight.tables.bilinear import bilinear
-from airlight.tables.layout import Axis, FloatArray, Layout, Places
+from airlight.tables.layout import Axis, FloatArray, Layout, Positions
 
 
 @dataclass(frozen=True, kw_only=True)
 class IrradianceLayout(Layout):
-    """Axes (r, mu_s), both linear.
+    """Layout with the axes (r, mu_s), both linear.
 
     Parameters
     ----------
     bottom_radius, top_radius : float
-        [m]
+        Radii of the ground and of the top of the shell. [m]
     radii, suns : int
         Texels along each axis.
     """
@@ -55,18 +55,20 @@ class IrradianceLayout(Layout):
         """See ``Layout``."""
         return (("mu_s",), ("r",), ())
 
-    def places(self) -> Places:
-        """See ``Layout``; the view's angles stand for nothing."""
+    def positions(self) -> Positions:
+        """See ``Layout``; the view's angles are arbitrary."""
         x = np.linspace(0.0, 1.0, self.radii)
         r = vectorized(radius_from_coordinate)(x, self.bottom_radius, self.top_radius)
         mu_s = vectorized(sun_from_coordinate)(np.linspace(0.0, 1.0, self.suns))
-        return Places.of(r[:, None], 1.0, mu_s, bottom_radius=self.bottom_radius, to_ground=False)
+        return Positions.of(
+            r[:, None], 1.0, mu_s, bottom_radius=self.bottom_radius, to_ground=False
+        )
 
-    def interpolate(self, values: NDArray[Any], places: Places) -> FloatArray:
+    def interpolate(self, values: NDArray[Any], positions: Positions) -> FloatArray:
         """See ``Layout``."""
-        out = np.empty((len(places), values.shape[-1]))
-        x = vectorized(radius_coordinate)(places.r, self.bottom_radius, self.top_radius)
-        bilinear(values, x, vectorized(sun_coordinate)(places.mu_s), out)
+        out = np.empty((len(positions), values.shape[-1]))
+        x = vectorized(radius_coordinate)(positions.r, self.bottom_radius, self.top_radius)
+        bilinear(values, x, vectorized(sun_coordinate)(positions.mu_s), out)
         return out
 
     def parameters(self) -> dict[str, Any]:

@@ -1,9 +1,10 @@
-"""What every layout of a table has: where its texels are, and how values between them come about.
+"""Interface of table layouts: positions of texels and interpolation between them.
 
 A table of light or transmittance is an array whose axes follow a mapping of physical quantities.
-A layout knows the mapping and nothing of the values; whoever fills a table asks it for the places
-of its texels. Interpolation is linear along every axis, and never across the horizon: a view of
-the sky is made from texels that see the sky, a view of the ground from texels that see the ground.
+A layout knows the mapping but not the values; code that fills a table asks it for the points of
+its texels. Interpolation is linear along every axis, and never across the horizon: a view of the
+sky is interpolated from texels that see the sky, a view of the ground from texels that see the
+ground.
 """
 
 from __future__ import annotations
@@ -22,24 +23,24 @@ from airlight.kernel import vectorized
 
 FloatArray = NDArray[np.float64]
 
-#: A table has at most so many texels.
+#: Largest number of texels of a table.
 MOST_TEXELS = 1 << 26
 
 
 @dataclass(frozen=True, kw_only=True)
 class Axis:
-    """One axis of a table, as words and numbers for whoever reads it.
+    """Axis of a table, described for its readers.
 
     Attributes
     ----------
     name : str
-        Of the quantity: ``r``, ``mu``, ``mu_s``, ``nu`` or ``altitude``.
+        Name of the quantity: ``r``, ``mu``, ``mu_s``, ``nu`` or ``altitude``.
     size : int
-        Texels along it.
+        Number of texels along it.
     mapping : str
-        From the quantity to x in [0, 1]; texel k of n stands at x = k/(n-1).
+        Mapping from the quantity to x in [0, 1]; texel k of n has x = k/(n-1).
     unit : str
-        Of the quantity.
+        Unit of the quantity.
     parameters : mapping
         Numbers that the mapping needs.
     """
@@ -56,8 +57,8 @@ class Axis:
 
 
 @dataclass(frozen=True)
-class Places:
-    """Places and directions in the shell, flat: what a table is asked for.
+class Positions:
+    """Points and directions in the shell at which a table is evaluated, as flat arrays.
 
     Attributes
     ----------
@@ -83,8 +84,8 @@ class Places:
         *,
         bottom_radius: float,
         to_ground: ArrayLike | None = None,
-    ) -> Places:
-        """Places from arrays that broadcast; without ``to_ground`` the geometry decides."""
+    ) -> Positions:
+        """Make points from arrays that broadcast; without ``to_ground`` the geometry decides."""
         arrays = np.broadcast_arrays(*(np.asarray(x, float) for x in (r, mu, mu_s, nu)))
         flat = [np.ascontiguousarray(array).ravel() for array in arrays]
         if to_ground is None:
@@ -97,21 +98,21 @@ class Places:
     def __len__(self) -> int:
         return self.r.size
 
-    def __getitem__(self, rows: slice | NDArray[Any]) -> Places:
-        return Places(
+    def __getitem__(self, rows: slice | NDArray[Any]) -> Positions:
+        return Positions(
             self.r[rows], self.mu[rows], self.mu_s[rows], self.nu[rows], self.to_ground[rows]
         )
 
 
 class Layout(ABC):
-    """Where the texels of a table are, and how to look up between them.
+    """Positions of a table's texels and interpolation between them.
 
     Attributes
     ----------
     kind : str
         Name of the layout in manifests.
     bottom_radius, top_radius : float
-        Of the ground and of the top of the shell. [m]
+        Radii of the ground and of the top of the shell. [m]
     """
 
     kind: ClassVar[str]
@@ -121,27 +122,27 @@ class Layout(ABC):
     @property
     @abstractmethod
     def axes(self) -> tuple[Axis, ...]:
-        """In the order of the array's axes; the channels come last and are none of them."""
+        """Axes in the order of the array's, without the channels, which come last."""
 
     @property
     @abstractmethod
     def texture_axes(self) -> tuple[tuple[str, ...], ...]:
-        """How the axes lie in a texture: names for width, height and depth, slowest first."""
+        """Names of the axes along width, height and depth of a texture, slowest first."""
 
     @abstractmethod
-    def places(self) -> Places:
-        """The places of all texels, the last axis running fastest."""
+    def positions(self) -> Positions:
+        """Points of all texels, the last axis running fastest."""
 
     @abstractmethod
-    def interpolate(self, values: NDArray[Any], places: Places) -> FloatArray:
-        """Values between texels.
+    def interpolate(self, values: NDArray[Any], positions: Positions) -> FloatArray:
+        """Interpolate between texels.
 
         Parameters
         ----------
-        values : array, shape (*shape, channels)
-            float32 or float64.
-        places : Places
-            n of them.
+        values : array, shape (..., channels)
+            Stored values, float32 or float64.
+        positions : Positions
+            Points, n of them.
 
         Returns
         -------
@@ -150,7 +151,7 @@ class Layout(ABC):
 
     @abstractmethod
     def parameters(self) -> dict[str, Any]:
-        """What makes the layout again: ``type(layout)(**layout.parameters())``."""
+        """Arguments that make an equal layout: ``type(layout)(**layout.parameters())``."""
 
     @property
     def shape(self) -> tuple[int, ...]:

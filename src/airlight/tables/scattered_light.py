@@ -1,8 +1,9 @@
 """Radiance of the air from tables: parts of scattered light, each times its phase function.
 
-A table without the angle between view and sun, or with few texels along it, cannot hold a phase
-function's peak. So light is packed as a smooth part, to be multiplied by the gas's phase function,
-and the light scattered once by particles, to be multiplied by theirs. The particles' part has a
+A table without the angle between view and sun, or with few texels along it, cannot resolve the peak
+of a phase function. So light is packed as a smooth part, to be multiplied by the gas's phase
+function, and the light scattered once by particles, to be multiplied by theirs. The particles' part
+has a
 table of its own, or one channel: then its colours follow the smooth part (Bruneton & Neyret 2008,
 section 4) or are grey (Atmosphere Plus notes, first print, section 2.3).
 """
@@ -17,10 +18,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.tables.layout import FloatArray, Places
+from airlight.tables.layout import FloatArray, Positions
 from airlight.tables.table import Table
 
-#: How the light stands in tables.
+#: Ways of packing the light into tables.
 PACKINGS: Final = ("separate", "combined", "rgba", "phase-included")
 
 
@@ -31,16 +32,16 @@ class PhaseFunctions:
     Attributes
     ----------
     names : tuple of str, length np
-        What each belongs to.
+        Name of the constituent or mixture of each.
     values : array, shape (np, nl, nodes)
-        [sr⁻¹]
+        Tabulated values. [sr⁻¹]
     """
 
     names: tuple[str, ...]
     values: FloatArray
 
     def at(self, name: str, nu: FloatArray) -> FloatArray:
-        """One of them, linear in u, shape of nu (n,) to (n, nl). [sr⁻¹]"""
+        """Phase function of one constituent, linear in u, from nu (n,) to (n, nl). [sr⁻¹]"""
         rows = self.values[self.names.index(name)]
         x = np.sqrt(np.clip(0.5 * (1.0 - nu), 0.0, 1.0)) * (rows.shape[-1] - 1)
         low = np.minimum(x.astype(int), rows.shape[-1] - 2)
@@ -50,24 +51,24 @@ class PhaseFunctions:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ScatteredLight:
-    """The air's radiance per irradiance of the star, put together from tables.
+    """Radiance of the air per irradiance of the star, reconstructed from tables.
 
     Parameters
     ----------
     packing : str
-        One of ``PACKINGS``. ``phase-included``: the table ``scattering`` alone. ``separate``: it
-        times the phase function ``gas``, and one more table per kind of particles, each times
-        its own. ``combined`` and ``rgba``: the last channel of ``scattering`` holds the
-        particles' light, times the phase function ``particles``, if there is one.
+        One of ``PACKINGS``. ``phase-included``: the table ``scattering`` alone. ``separate``: it is
+        multiplied by the phase function ``gas``, and each kind of particles has a further table and
+        phase function. ``combined`` and ``rgba``: the last channel of ``scattering`` holds the
+        particles' light, to be multiplied by the phase function ``particles``, if there is one.
     tables : mapping of str to Table
-        By name.
+        Tables by name.
     phases : PhaseFunctions
-        By name.
+        Phase functions by name.
     colours : array, shape (nl,)
-        Only for ``combined``: particles' light of each wavelength per smooth light, relative to
-        the same ratio at the wavelength ``reference``. [1]
+        Ratio of particles' light to smooth light at each wavelength, relative to the ratio at the
+        wavelength ``reference``; only for ``combined``. [1]
     reference : int
-        Index of the wavelength whose particles' light the last channel holds.
+        Index of the wavelength of the particles' light in the last channel.
     """
 
     packing: str
@@ -80,29 +81,29 @@ class ScatteredLight:
         if self.packing not in PACKINGS:
             raise ParameterError("packing", self.packing, ", ".join(PACKINGS))
 
-    def relative_radiance(self, places: Places) -> FloatArray:
-        """Radiance of the air alone, without what the ground sends, shape (n, nl). [sr⁻¹]"""
-        main = self.tables["scattering"].at(places)
+    def relative_radiance(self, positions: Positions) -> FloatArray:
+        """Radiance of the air alone, without the ground's, shape (n, nl). [sr⁻¹]"""
+        main = self.tables["scattering"].at(positions)
         if self.packing == "phase-included":
             return main
         if self.packing == "separate":
-            total = main * self.phases.at("gas", places.nu)
+            total = main * self.phases.at("gas", positions.nu)
             for name in self.phases.names:
                 if name != "gas":
-                    total += self.tables[name].at(places) * self.phases.at(name, places.nu)
+                    total += self.tables[name].at(positions) * self.phases.at(name, positions.nu)
             return total
         smooth, alpha = main[:, :-1], main[:, -1:]
-        light = smooth * self.phases.at("gas", places.nu)
+        light = smooth * self.phases.at("gas", positions.nu)
         if "particles" not in self.phases.names:
             return light
-        particles = self.phases.at("particles", places.nu) * alpha
+        particles = self.phases.at("particles", positions.nu) * alpha
         if self.packing == "rgba":
             return light + particles
         return light + particles * proportional(smooth, self.colours, self.reference)
 
 
 def proportional(smooth: FloatArray, colours: FloatArray, reference: int) -> FloatArray:
-    """Colours of the particles' light that follow the smooth light's, 1 at the reference. [1]
+    """Colours of the particles' light in proportion to the smooth light's, 1 at the reference. [1]
 
     Parameters
     ----------
@@ -110,7 +111,7 @@ def proportional(smooth: FloatArray, colours: FloatArray, reference: int) -> Flo
     colours : array, shape (nl,)
         See ``ScatteredLight``.
     reference : int
-        Index of the reference's wavelength.
+        Index of the reference wavelength.
     """
     divisor = smooth[:, reference : reference + 1]
     ratio = np.divide(smooth, divisor, out=np.zeros_like(smooth), where=divisor > 0.0)

@@ -1,4 +1,4 @@
-"""Where a star is seen through air that bends its light: a table for ``geometry.bending``."""
+"""Apparent direction of a star through air that bends its light: table for ``geometry.bending``."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from airlight.tables.columns import columns
 
 FloatArray = NDArray[np.float64]
 
-#: Rows in radius, and columns in true elevation above the horizon's true place.
+#: Rows in radius, and columns in true elevation above the horizon's true position.
 SHAPE: Final = (97, 129)
 #: Directions at which the bending is integrated, for each radius.
 _DIRECTIONS: Final = 257
-#: Where light goes straight there is no table.
+#: Table for air that does not bend light: empty.
 NONE: Final[FloatArray] = np.zeros((0, 0, 2))
 
 
@@ -36,14 +36,14 @@ def bending(
     bottom, top : float
         Optical radii of the ground and of the top. [m]
     density : DensitySegments
-        Over optical altitude, "bending" last.
+        Profiles over optical altitude, "bending" last.
     bend : float
         See ``BentShell``. [m⁻²]
 
     Returns
     -------
     array, shape (...)
-        Towards the ground. [rad]
+        Angle towards the ground. [rad]
     """
     x, mu = (np.array(one) for one in np.broadcast_arrays(x, mu))
     length = vectorized(distance_to_top)(x, mu, top)
@@ -53,22 +53,22 @@ def bending(
 
 
 def star_lift(bottom: float, top: float, density: DensitySegments, bend: float) -> FloatArray:
-    """By how much the cosine of a star's zenith angle is raised, and squeezed.
+    """Raise of the cosine of a star's zenith angle, and flattening of the star.
 
     Parameters
     ----------
     bottom, top, density, bend :
-        As for ``bending``.
+        Arguments of ``bending``.
 
     Returns
     -------
     array, shape (rows, columns, 2)
-        Rows even in the distance to the horizon, from the ground to the top; columns even in the
-        square root of the cosine above that of the horizon's true place, from there to the zenith:
-        seen less true cosine, and d seen/d true. [1]
+        Apparent less true cosine, and d apparent/d true. Rows are even in the distance to the
+        horizon, from the ground to the top; columns are even in the square root of the cosine above
+        that of the horizon's true position, from there to the zenith. [1]
     """
     x = vectorized(radius_from_coordinate)(np.linspace(0.0, 1.0, SHAPE[0]), bottom, top)
-    # A hair above the horizon, so that rounding does not send the ray into the ground.
+    # Slightly above the horizon, so that rounding does not send the ray into the ground.
     steps = np.maximum(np.linspace(0.0, 1.0, _DIRECTIONS) ** 2, 1e-12)
     lowest = vectorized(horizon_cosine)(x, bottom)[:, None]
     seen = lowest + (1.0 - lowest) * steps
@@ -78,7 +78,7 @@ def star_lift(bottom: float, top: float, density: DensitySegments, bend: float) 
 
 
 def _inverted(true: FloatArray, seen: FloatArray) -> FloatArray:
-    """Seen less true cosines, and d seen/d true, at the table's columns; shape (columns, 2)."""
+    """Apparent less true cosines, and d apparent/d true, at the table's columns; (columns, 2)."""
     from scipy.interpolate import CubicSpline
 
     share = np.sqrt(np.maximum(true - true[0], 0.0) / (1.0 - true[0]))

@@ -1,4 +1,4 @@
-"""A labelled table: values on a layout, with quantity, unit and provenance, and its look-up."""
+"""Labelled table: values on a layout, with quantity, unit and provenance, and their look-up."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from airlight.kernel.threads import run_blocks
 from airlight.tables.atmosphere_plus import AtmospherePlusLayout
 from airlight.tables.bruneton import BrunetonLayout
 from airlight.tables.irradiance import IrradianceLayout
-from airlight.tables.layout import FloatArray, Layout, Places
+from airlight.tables.layout import FloatArray, Layout, Positions
 from airlight.tables.transmittance import TransmittanceLayout
 
 #: Every layout by its name in manifests.
@@ -23,11 +23,11 @@ LAYOUTS: Final[dict[str, type[Layout]]] = {
     layout.kind: layout
     for layout in (TransmittanceLayout, IrradianceLayout, BrunetonLayout, AtmospherePlusLayout)
 }
-#: What values can be stored as, by the names of precisions.
+#: Types of stored values, by the names of precisions.
 PRECISIONS: Final = {"half": np.float16, "single": np.float32, "double": np.float64}
 #: Values in half precision are scaled so that the largest is below this; a half holds 65504.
 _LARGEST_HALF: Final = 32768.0
-#: Places that one block of a look-up holds.
+#: Points per block of a look-up.
 _BLOCK: Final = 1 << 15
 
 
@@ -38,26 +38,26 @@ class Table:
     Parameters
     ----------
     name : str
-        Short: ``transmittance``, ``scattering``.
+        Short name: ``transmittance``, ``scattering``.
     quantity : str
-        What the values are, in words.
+        Description of the quantity.
     unit : str
-        Of the values, after ``scale``.
+        Unit of the values, after multiplication by ``scale``.
     layout : Layout
-        Where the values stand.
+        Positions of the texels.
     channels : tuple of str
         Names of the values at one texel.
-    values : array, shape (*layout.shape, channels)
-        As stored: float16, float32 or float64.
+    values : array, shape (..., channels)
+        Stored values: float16, float32 or float64.
     scale : float
-        What the stored values are multiplied by; 1 unless in half precision.
+        Factor of the stored values; 1 unless in half precision.
     provenance : mapping of str to str
-        Where the values come from.
+        Origin of the values.
 
     Raises
     ------
     ParameterError
-        If the shape or the type is another one.
+        If the shape or the type does not fit.
     """
 
     name: str
@@ -79,28 +79,28 @@ class Table:
 
     @property
     def precision(self) -> str:
-        """``half``, ``single`` or ``double``."""
+        """Name of the precision: ``half``, ``single`` or ``double``."""
         return {2: "half", 4: "single", 8: "double"}[self.values.dtype.itemsize]
 
     @cached_property
     def physical(self) -> NDArray[Any]:
-        """The values in their unit, as floats that compiled loops can read."""
+        """Values in their unit, as floats that compiled loops can read."""
         if self.values.dtype == np.float16:
             return self.values.astype(np.float32) * np.float32(self.scale)
         if self.scale == 1.0:
             return np.ascontiguousarray(self.values)
         return np.ascontiguousarray(self.values * self.values.dtype.type(self.scale))
 
-    def at(self, places: Places) -> FloatArray:
-        """Values between texels at ``n`` places, shape (n, channels); on all cores."""
-        out = np.empty((len(places), len(self.channels)))
+    def at(self, positions: Positions) -> FloatArray:
+        """Interpolate at ``n`` points, shape (n, channels); on all cores."""
+        out = np.empty((len(positions), len(self.channels)))
         values = self.physical
 
         def block(index: int) -> None:
             rows = slice(index * _BLOCK, (index + 1) * _BLOCK)
-            out[rows] = self.layout.interpolate(values, places[rows])
+            out[rows] = self.layout.interpolate(values, positions[rows])
 
-        run_blocks(block, -(-len(places) // _BLOCK))
+        run_blocks(block, -(-len(positions) // _BLOCK))
         return out
 
     def look_up(
@@ -112,30 +112,30 @@ class Table:
         *,
         to_ground: ArrayLike | None = None,
     ) -> FloatArray:
-        """Values between texels: mapping and interpolation.
+        """Interpolate at coordinates that broadcast.
 
         Parameters
         ----------
         r, mu, mu_s, nu : arrays that broadcast to (...)
             Radius [m]; cosines of view zenith, sun zenith and the angle between view and sun [1].
-            What the layout has no axis for is ignored.
+            Coordinates for which the layout has no axis are ignored.
         to_ground : array of bool, optional
-            Whether the line of sight ends on the ground; without it the geometry decides.
+            Whether the line of sight ends on the ground; if left out, the geometry decides.
 
         Returns
         -------
         array, shape (..., channels)
-            In the table's unit.
+            Values in the table's unit.
         """
         shape = np.broadcast_shapes(*(np.shape(x) for x in (r, mu, mu_s, nu)))
-        places = Places.of(
+        positions = Positions.of(
             r, mu, mu_s, nu, bottom_radius=self.layout.bottom_radius, to_ground=to_ground
         )
-        return self.at(places).reshape(*shape, len(self.channels))
+        return self.at(positions).reshape(*shape, len(self.channels))
 
 
 def stored(values: FloatArray, precision: str) -> tuple[NDArray[Any], float]:
-    """Values as a table stores them, and the scale that gives them back.
+    """Values as a table stores them, and the scale by which to multiply them.
 
     Half precision holds 6e-8 to 65504 only: the values are divided by the power of two that
     brings the largest just below 32768, so that a sky keeps eleven decades.
@@ -143,14 +143,14 @@ def stored(values: FloatArray, precision: str) -> tuple[NDArray[Any], float]:
     Parameters
     ----------
     values : array
-        Finite, 0 or more.
+        Values, finite, 0 or more.
     precision : str
-        ``half``, ``single`` or ``double``.
+        Name of the precision: ``half``, ``single`` or ``double``.
 
     Raises
     ------
     ParameterError
-        For another precision.
+        If ``precision`` is unknown.
 
     Examples
     --------
@@ -170,7 +170,7 @@ def stored(values: FloatArray, precision: str) -> tuple[NDArray[Any], float]:
 
 
 def layout_of(kind: str, parameters: Mapping[str, Any]) -> Layout:
-    """A layout from its name and parameters, as a manifest has them.
+    """Make a layout from its name and parameters, as given in a manifest.
 
     Raises
     ------

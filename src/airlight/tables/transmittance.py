@@ -1,6 +1,6 @@
 """Layout of a table of transmittance to the top of the shell, Bruneton's 2017 (r, mu).
 
-Only rays that do not meet the ground are in it. Transmittance spans too many decades for half
+Only rays that miss the ground are covered. Transmittance spans too many decades for half
 precision: the eye sees the sun through 1e-5 of it.
 """
 
@@ -20,17 +20,17 @@ from airlight.mappings.transmittance import (
     radius_from_coordinate,
 )
 from airlight.tables.bilinear import bilinear
-from airlight.tables.layout import Axis, FloatArray, Layout, Places
+from airlight.tables.layout import Axis, FloatArray, Layout, Positions
 
 
 @dataclass(frozen=True, kw_only=True)
 class TransmittanceLayout(Layout):
-    """Axes (r, mu): distance to the horizon; distance to the top.
+    """Layout with the axes (r, mu): distance to the horizon; distance to the top.
 
     Parameters
     ----------
     bottom_radius, top_radius : float
-        [m]
+        Radii of the ground and of the top of the shell. [m]
     radii, views : int
         Texels along each axis.
     """
@@ -71,23 +71,23 @@ class TransmittanceLayout(Layout):
         """See ``Layout``."""
         return (("mu",), ("r",), ())
 
-    def places(self) -> Places:
-        """See ``Layout``; the sun's angles stand for nothing."""
+    def positions(self) -> Positions:
+        """See ``Layout``; the sun's angles are arbitrary."""
         x = np.linspace(0.0, 1.0, self.radii)
         y = np.linspace(0.0, 1.0, self.views)
         r = vectorized(radius_from_coordinate)(x, self.bottom_radius, self.top_radius)
         r = np.clip(r, self.bottom_radius, self.top_radius)[:, None]
         mu = vectorized(cosine_from_coordinate)(y, r, self.bottom_radius, self.top_radius)
-        return Places.of(r, mu, bottom_radius=self.bottom_radius, to_ground=False)
+        return Positions.of(r, mu, bottom_radius=self.bottom_radius, to_ground=False)
 
-    def interpolate(self, values: NDArray[Any], places: Places) -> FloatArray:
-        """See ``Layout``; 0 where the ground is in the way."""
+    def interpolate(self, values: NDArray[Any], positions: Positions) -> FloatArray:
+        """See ``Layout``; 0 for rays that meet the ground."""
         shell = (self.bottom_radius, self.top_radius)
-        out = np.empty((len(places), values.shape[-1]))
-        x = vectorized(altitude_coordinate)(places.r, *shell)
-        y = vectorized(direction_coordinate)(places.r, places.mu, *shell)
+        out = np.empty((len(positions), values.shape[-1]))
+        x = vectorized(altitude_coordinate)(positions.r, *shell)
+        y = vectorized(direction_coordinate)(positions.r, positions.mu, *shell)
         bilinear(values, x, y, out)
-        out[places.to_ground] = 0.0
+        out[positions.to_ground] = 0.0
         return out
 
     def parameters(self) -> dict[str, Any]:

@@ -1,1 +1,1 @@
-"""Validation: what airlight computes, held against authorities, as a report that shows it."""
+"""Validation against independent authorities, and the report that shows it."""

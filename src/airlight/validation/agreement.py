@@ -29,24 +29,24 @@ SOLVERS: Final[tuple[tuple[str, Any], ...]] = (
     ("direct", "fine"),
     ("montecarlo", MonteCarloSettings(relative_error=0.005, most_histories=1_000_000)),
 )
-#: Two solvers agree within so much of the radiance, or within so many standard errors.
+#: Two solvers agree within this relative difference, or within this many standard errors.
 TOLERANCE, NOISE = 0.01, 3.0
-#: Radiances below this part of the star's irradiance per steradian are listed, not judged. [sr⁻¹]
+#: Radiances below this fraction of the star's irradiance are listed, not judged. [sr⁻¹]
 LEAST_RADIANCE: Final = 1e-6
 
 
 @dataclass(frozen=True)
 class Answer:
-    """What a solver says about all cases of a planet.
+    """Radiances of one solver for all cases of a planet.
 
     Attributes
     ----------
     solver, quality : str
-        Who, and how finely.
+        Name and quality of the solver.
     radiance, standard_error : array, shape (cases, wavelengths)
-        Per irradiance of the star; the error is 0 for a method without noise. [sr⁻¹]
+        Value per irradiance of the star; the error is 0 for a method without noise. [sr⁻¹]
     seconds : float
-        What it took. [s]
+        Wall time. [s]
     """
 
     solver: str
@@ -58,14 +58,14 @@ class Answer:
 
 @dataclass(frozen=True)
 class Agreement:
-    """Two answers held against each other.
+    """Comparison of two answers.
 
     Attributes
     ----------
     first, second : Answer
-        The second is taken for the truth where one is needed.
+        Answers compared; the second is the reference where a reference is needed.
     judged : array of bool, shape (cases, wavelengths)
-        Bright enough to be judged.
+        Whether a value is bright enough to be judged.
     """
 
     first: Answer
@@ -74,7 +74,7 @@ class Agreement:
 
     @property
     def name(self) -> str:
-        """Such as ``"moments - montecarlo"``."""
+        """Name of the pair, such as ``"moments - montecarlo"``."""
         return f"{self.first.solver} - {self.second.solver}"
 
     @property
@@ -103,12 +103,12 @@ def answers(
     planet_name: str, solvers: Sequence[tuple[str, Any]] = SOLVERS, *,
     cases: Sequence[Case] = CASES, progress: Progress | None = None, cancel: Cancel | None = None,
 ) -> list[Answer]:  # fmt: skip
-    """Ask every solver about all cases, the star a point: see ``finite_disc``.
+    """Compute the radiances of all cases with every solver, under a point star.
 
     Parameters
     ----------
     planet_name : str
-        A preset, or a file.
+        Name of a preset, or path of a file.
     solvers : sequence of (str, object)
         Names and qualities, or settings, as ``solve`` takes them.
     cases : sequence of Case
@@ -118,7 +118,7 @@ def answers(
     Raises
     ------
     Cancelled
-        If ``cancel`` said so.
+        If ``cancel`` returned True.
     """
     planet = with_point_star(load_planet(planet_name))
     out = []
@@ -148,6 +148,6 @@ def answers(
 
 
 def agreements(given: Sequence[Answer]) -> list[Agreement]:
-    """Every pair of answers, judged where the last of all, the referee, sees light."""
+    """Compare every pair of answers, judged where the last one, the referee, is bright enough."""
     bright = given[-1].radiance > LEAST_RADIANCE
     return [Agreement(a, b, bright) for a, b in combinations(given, 2)]

@@ -3,12 +3,12 @@
 The grid is stated here and nowhere else: observers on the ground, at 1, 10 and 30 km, at the top
 of the shell, and at 400 and 500 km; the sun 0° to 96° from the zenith; views straight up, slanting,
 along the horizon, past the planet at a lowest height, down to the ground and straight down; with
-the sun ahead, beside and behind. It is a list and no product: 60 lines of sight spread over
-what a product would have, ordered by observer, sun and view.
+the sun ahead, beside and behind. It is a list of 60 lines of sight, not a full product: they are
+spread over the product's range and ordered by observer, sun and view.
 
-The sun's zenith angle is that **at the place that is looked at**: for a view past the planet its
-lowest point, for a view to the ground the ground there, else the observer. So twilight is on the
-line of sight whatever the observer's height.
+The sun's zenith angle is given **at the target point**: the lowest point of a view past the
+planet, the ground for a view to the ground, otherwise the observer. Twilight is thus on the line
+of sight whatever the observer's height.
 """
 
 from __future__ import annotations
@@ -41,21 +41,21 @@ WAVELENGTHS: Final = (680.0, 550.0, 440.0)
 
 @dataclass(frozen=True)
 class Case:
-    """One line of sight, in words that fit every planet.
+    """Line of sight, in terms that fit every planet.
 
     Attributes
     ----------
     observer : float or "top"
         Altitude; ``"top"`` is the top of the shell. [m]
     sun : float
-        Zenith angle of the sun at the place looked at. [deg]
+        Zenith angle of the sun at the target point. [deg]
     view : float
         Zenith angle of the view at the observer, for ``kind`` "angle"; the lowest altitude of the
         line of sight, for "limb". [deg] or [m]
     azimuth : float
-        Between the horizontal parts of view and sun, at the place looked at. [deg]
+        Azimuth between the horizontal parts of view and sun, at the target point. [deg]
     kind : "angle" or "limb"
-        How ``view`` is meant.
+        Meaning of ``view``.
     """
 
     observer: float | Literal["top"]
@@ -65,7 +65,7 @@ class Case:
     kind: Literal["angle", "limb"] = "angle"
 
     def __str__(self) -> str:
-        """In words, such as ``"400 km, limb 20 km, sun 92°, azimuth 0°"``."""
+        """Description, such as ``"400 km, limb 20 km, sun 92°, azimuth 0°"``."""
         where = "top" if self.observer == "top" else f"{self.observer / 1e3:g} km"
         view = f"limb {self.view / 1e3:g} km" if self.kind == "limb" else f"view {self.view:g}°"
         return f"{where}, {view}, sun {self.sun:g}°, azimuth {self.azimuth:g}°"
@@ -117,7 +117,7 @@ CASES: Final[tuple[Case, ...]] = (
     Case(10e3, 88.0, 110.0, 180.0),
     Case(10e3, 92.0, 70.0, 0.0),
     Case(10e3, 94.0, 90.0, 180.0),
-    # 30 km: a balloon's; the limb seen from within.
+    # 30 km: a balloon's; the limb seen from inside the air.
     Case(30e3, 30.0, 90.0, 90.0),
     Case(30e3, 60.0, 180.0),
     _limb(30e3, 85.0, 10e3, 0.0),
@@ -147,18 +147,18 @@ CASES: Final[tuple[Case, ...]] = (
 
 
 def at_observer(case: Case, bottom_radius: float, top_radius: float) -> tuple[float, ...]:
-    """A case as ``Solution.radiance`` takes it.
+    """Convert a case to the arguments of ``Solution.radiance``.
 
     Parameters
     ----------
     case : Case
     bottom_radius, top_radius : float
-        Of the planet. [m]
+        Radii of the planet. [m]
 
     Returns
     -------
     altitude, sun_zenith, view_zenith, azimuth : float
-        All at the observer. [m], [deg]
+        Values at the observer. [m], [deg]
 
     Examples
     --------
@@ -174,7 +174,7 @@ def at_observer(case: Case, bottom_radius: float, top_radius: float) -> tuple[fl
     if case.kind == "limb":
         lowest = bottom_radius + case.view
         view = np.pi - asin(lowest / r)
-        turned = view - 0.5 * np.pi  # how far round the planet the place looked at is
+        turned = view - 0.5 * np.pi  # angle at the planet's centre to the target point
     else:
         view = radians(case.view)
         turned = 0.0
@@ -182,10 +182,10 @@ def at_observer(case: Case, bottom_radius: float, top_radius: float) -> tuple[fl
         if cos(view) < 0.0 and discriminant >= 0.0 and altitude > 0.0:
             way = -r * cos(view) - sqrt(discriminant)
             turned = atan2(way * sin(view), r + way * cos(view))
-    # The sun in the frame of the place looked at: x away from the observer, z up.
+    # The sun in the frame of the target point: x away from the observer, z up.
     sun, around = radians(case.sun), radians(case.azimuth)
     x, y, z = sin(sun) * cos(around), sin(sun) * sin(around), cos(sun)
-    # That frame is the observer's, turned round the planet by the angle between them.
+    # That frame is the observer's, rotated by the angle between them at the planet's centre.
     x, z = x * cos(turned) + z * sin(turned), z * cos(turned) - x * sin(turned)
     sun_zenith = acos(min(max(z, -1.0), 1.0))
     azimuth = atan2(abs(y), x) if hypot(x, y) > 1e-12 else around
@@ -193,7 +193,7 @@ def at_observer(case: Case, bottom_radius: float, top_radius: float) -> tuple[fl
 
 
 def geometry(planet: Planet, cases: Sequence[Case] = CASES) -> LinesOfSight:
-    """All cases for a planet, as keyword arguments of ``Solution.radiance``.
+    """Convert cases for a planet to keyword arguments of ``Solution.radiance``.
 
     Parameters
     ----------

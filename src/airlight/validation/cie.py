@@ -17,7 +17,7 @@ from airlight.plots.figure import GREY, PALETTE, grid, new_figure
 from airlight.solvers import Solution, solve
 from airlight.validation.cie_clear_sky import angle_to_sun, relative_luminance
 from airlight.validation.metrics import log_ratio_rms
-from airlight.validation.suite import Cancel, Picture, Progress, Suite, Table
+from airlight.validation.suite import Cancel, Picture, Progress, ReportTable, Suite
 
 FloatArray = NDArray[np.float64]
 
@@ -25,11 +25,11 @@ FloatArray = NDArray[np.float64]
 SUNS: Final = (10.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0, 85.0)
 #: Zenith angles of views in the principal plane; negative is away from the sun. [deg]
 PLANE: Final = np.linspace(-89.0, 89.0, 179)
-#: So near the sun the fit has no say. [deg]
+#: Angle from the sun within which the fit is not compared. [deg]
 NEAR_SUN: Final = 10.0
-#: So many times the planet's aerosol are tried.
+#: Factors by which the planet's aerosol is multiplied.
 AEROSOL: Final = (0.5, 1.0, 2.0, 4.0)
-#: Points of the dome: zenith cosines, azimuths over half a turn.
+#: Quadrature points over the dome: zenith cosines, azimuths over half a turn.
 _DOME: Final = (40, 36)
 
 _FIT: Final = (
@@ -49,9 +49,9 @@ def cie(
     Parameters
     ----------
     planet : str
-        A preset, or a file.
+        Name of a preset, or path of a file.
     quality : str
-        Of the moments solver.
+        Quality of the moments solver.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
@@ -80,7 +80,7 @@ def cie(
                 worst,
             )
         )
-    table = Table(
+    table = ReportTable(
         title="Logarithm of ours over the fit, root mean square",
         columns=[
             "sun zenith [°]", "principal plane [ln]", "as a factor [%]", "whole dome [ln]",
@@ -107,7 +107,7 @@ def cie(
 
 
 def with_aerosol(planet: Planet, factor: float) -> Planet:
-    """The planet with so many times its aerosol: the constituent of that name."""
+    """Multiply the coefficients of the constituent named "aerosol"."""
 
     def thicker(constituent: Constituent) -> Constituent:
         if constituent.name != "aerosol":
@@ -129,8 +129,8 @@ def _times(coefficient: object, factor: float) -> object:
 
 def _by_aerosol(
     earth: Planet, nm: FloatArray, quality: str, progress: Progress | None, cancel: Cancel | None
-) -> Table:
-    """The same numbers under more and under less aerosol: most of the difference is there."""
+) -> ReportTable:
+    """Compare under more and less aerosol, which accounts for most of the difference."""
     weights = rgb_weights(nm)
     rows = []
     for done, factor in enumerate(AEROSOL):
@@ -146,7 +146,7 @@ def _by_aerosol(
                 *(f"{100 * np.expm1(bias):+.0f}" for _, bias, _ in differences),
             )
         )
-    return Table(
+    return ReportTable(
         title="How much hangs on the aerosol",
         columns=[
             "times the aerosol", "dome, sun 30° [ln]", "sun 60°", "sun 80°",
@@ -167,7 +167,7 @@ def sky_luminance(
     ----------
     solution : Solution
     weights : array, shape (nl, 3)
-        From ``rgb_weights``. [nm]
+        Weights from ``rgb_weights``. [nm]
     sun : float
         [deg]
     view, azimuth : array, shape (n,)
@@ -192,7 +192,7 @@ def plane_luminance(solution: Solution, weights: FloatArray, sun: float) -> Floa
 def dome_difference(
     solution: Solution, weights: FloatArray, sun: float
 ) -> tuple[float, float, str]:
-    """RMS and mean of the log ratio over the dome, and where it is largest, in words."""
+    """RMS and mean of the log ratio over the dome, and a description of its largest value."""
     mu_rule, phi_rule = gauss_legendre(_DOME[0]), gauss_legendre(_DOME[1])
     mu, phi = np.meshgrid(mu_rule.nodes, 180.0 * phi_rule.nodes, indexing="ij")
     solid_angle = np.outer(mu_rule.weights, phi_rule.weights).ravel()

@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 
 FloatArray = NDArray[np.float64]
 
-#: Of type 12, "CIE standard clear sky, low luminance turbidity". [1], d per radian
+#: Coefficients of type 12, "CIE standard clear sky, low luminance turbidity". [1], d per radian
 A: Final = -1.0
 B: Final = -0.32
 C: Final = 10.0
@@ -29,24 +29,24 @@ E: Final = 0.45
 
 
 def gradation(cosine: ArrayLike) -> FloatArray:
-    """The part φ that falls or rises from zenith to horizon; 1 at the horizon. [1]
+    """Gradation φ from zenith to horizon; 1 at the horizon. [1]
 
     Parameters
     ----------
     cosine : array, shape (...)
-        Of the view's zenith angle, 0 to 1. [1]
+        Cosine of the view's zenith angle, 0 to 1. [1]
     """
     mu = np.asarray(cosine, dtype=float)
     return np.asarray(1.0 + A * np.exp(B / np.maximum(mu, 1e-300)))
 
 
 def indicatrix(angle: ArrayLike) -> FloatArray:
-    """The part f that brightens towards the sun; 1 at a right angle. [1]
+    """Indicatrix f, which brightens towards the sun; 1 at a right angle. [1]
 
     Parameters
     ----------
     angle : array, shape (...)
-        χ, between view and sun. [rad]
+        Angle χ between view and sun. [rad]
     """
     chi = np.asarray(angle, dtype=float)
     bright = C * (np.exp(D * chi) - np.exp(0.5 * D * np.pi))
@@ -86,7 +86,7 @@ def relative_luminance(
     sun_zenith, view_zenith : array, shapes that broadcast to (...)
         0 to 90. [deg]
     azimuth : array
-        Between view and sun. [deg]
+        Azimuth between view and sun. [deg]
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""The suite ``energy``: what comes in goes out or is absorbed, and light paths can be reversed."""
+"""The suite ``energy``: conservation of energy, and reciprocity of light paths."""
 
 from __future__ import annotations
 
@@ -16,18 +16,19 @@ from airlight.validation.energy_planets import VAST, flat_earth, furnace, round_
 from airlight.validation.fluxes import absorbed_by_air, level_fluxes, pieces, star_through
 from airlight.validation.order_convergence import ORDER_SOLVERS, order_convergence
 from airlight.validation.reference_earth import WAVELENGTHS
-from airlight.validation.suite import Bar, Cancel, Mark, Part, Picture, Progress, Suite, Table
+from airlight.validation.suite import Bar, Cancel, Mark, Part, Picture, Progress, ReportTable, Suite
 
 FloatArray = NDArray[np.float64]
 
-#: What the fluxes of a furnace may be off, of the light that comes in. [1]
+#: Allowed imbalance of the fluxes of a furnace, relative to the incoming light. [1]
 FURNACE_BAR: Final = 0.005
-#: The same for an air that absorbs, and for reversed paths; the furnace's bar, for want of another.
+#: Allowed imbalance for absorbing air, and for reversed paths; the same as the furnace's, in the
+#: absence of another authority.
 BALANCE_BAR: Final = 0.005
 RECIPROCITY_BAR: Final = 0.005
-#: Pieces in the cosine of the star's zenith angle, dense around the terminator.
+#: Edges of the quadrature in the cosine of the star's zenith angle, dense around the terminator.
 _SUN_EDGES: Final = (-1.0, -0.4, -0.2, -0.1, -0.03, 0.0, 0.03, 0.1, 0.3, 1.0)
-#: Pieces in altitude; three points each. [m]
+#: Edges of the quadrature in altitude; three points each. [m]
 _HEIGHT_EDGES: Final = (0.0, 1.5e3, 4e3, 10e3, 25e3, 40e3, 100e3)
 #: Sun zenith angles over the flat Earth, and those of suns and views for reversed paths. [deg]
 SUNS: Final = (0.0, 30.0, 60.0, 75.0, 85.0)
@@ -45,9 +46,9 @@ def energy(
     Parameters
     ----------
     quality : str
-        Of the moments solver, which the balances are of.
+        Quality of the moments solver, which computes the balances.
     order_solvers : sequence of (str, object)
-        Solvers that know their orders one by one, with their qualities.
+        Solvers that keep their orders apart, with their qualities.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
@@ -105,7 +106,7 @@ def _marks(errors: FloatArray, bar: float) -> list[Mark]:
 
 
 def net_gain(solution: Solution, altitude: float) -> FloatArray:
-    """Light that leaves a sphere less what enters, over the star's on its disc, shape (nl,). [1]"""
+    """Net flux out of a sphere over the starlight on its disc, shape (nl,). [1]"""
     mu_s, weight = pieces(_SUN_EDGES, 6)
     flux = level_fluxes(solution, altitude, mu_s)
     direct = mu_s[:, None] * star_through(solution, altitude, mu_s)
@@ -114,10 +115,10 @@ def net_gain(solution: Solution, altitude: float) -> FloatArray:
 
 
 def white_furnace(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[Part]]:
-    """Nothing absorbs, the ground returns all."""
+    """White furnace: nothing absorbs, the ground returns everything."""
     solution = _solved(furnace(1.0), quality, cancel)
     gain = np.stack([net_gain(solution, level) for level in LEVELS])
-    table = Table(
+    table = ReportTable(
         title="White furnace: light gained by spheres about the centre",
         columns=["altitude [km]", *(f"optical depth of {nm:g} nm [%]" for nm in WAVELENGTHS)],
         rows=[
@@ -135,7 +136,7 @@ def white_furnace(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[
 
 
 def _entered_and_kept(solution: Solution) -> tuple[FloatArray, FloatArray]:
-    """Light that enters at the top and does not leave, and what the ground keeps of it. [1]"""
+    """Light that enters at the top and does not leave, and the part absorbed by the ground. [1]"""
     medium = solution.medium
     mu_s, weight = pieces(_SUN_EDGES, 6)
     entered = -net_gain(solution, medium.thickness)
@@ -146,7 +147,7 @@ def _entered_and_kept(solution: Solution) -> tuple[FloatArray, FloatArray]:
 
 
 def grey_furnaces(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[Part]]:
-    """The air absorbs nothing, the ground keeps what it does not return."""
+    """Grey furnaces: the air absorbs nothing, the ground what it does not reflect."""
     albedos = (0.0, 0.3, 0.8)
     rows, errors = [], []
     for albedo in albedos:
@@ -155,7 +156,7 @@ def grey_furnaces(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[
         words = [f"{100 * a:.3f} - {100 * b:.3f}" for a, b in zip(entered, kept, strict=True)]
         rows.append((f"{albedo:g}", *words, *_percent(entered - kept)))
     gain = np.stack(errors)
-    table = Table(
+    table = ReportTable(
         title="Furnaces with a grey ground: what enters is what the ground keeps",
         columns=[
             "ground albedo", *(f"entered - kept, {nm:g} nm [%]" for nm in WAVELENGTHS),
@@ -171,7 +172,7 @@ def grey_furnaces(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[
 
 
 def round_balance(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[Part]]:
-    """A whole Earth with absorbing air, day and night sides together."""
+    """Balance of a whole Earth with absorbing air, day and night sides together."""
     solution = _solved(round_earth(), quality, cancel)
     medium = solution.medium
     entered, kept = _entered_and_kept(solution)
@@ -181,7 +182,7 @@ def round_balance(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[
     shells = height_weight * np.square((medium.bottom_radius + heights) / medium.top_radius)
     air = 2.0 * np.einsum("h,s,hsw->w", shells, weight, per_volume)
     error = entered - kept - air
-    table = Table(
+    table = ReportTable(
         title="Round Earth: what enters is what ground and air absorb",
         columns=["", *(f"{nm:g} nm [%]" for nm in WAVELENGTHS)],
         rows=[
@@ -198,7 +199,7 @@ def round_balance(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[
 
 
 def flat_balance(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[Part]]:
-    """An Earth without curvature: the balance holds at each sun height, and paths reverse."""
+    """Balance of an Earth without curvature at each sun height, and reciprocity of its paths."""
     solution = _solved(flat_earth(), quality, cancel)
     medium = solution.medium
     mu_s = np.cos(np.radians(SUNS))
@@ -218,7 +219,7 @@ def flat_balance(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[P
         )
         for k, sun in enumerate(SUNS)
     ]
-    table = Table(
+    table = ReportTable(
         title="Flat Earth: outgoing + absorbed against incoming, by sun height",
         columns=[
             "sun zenith [°]", "out, 680 550 440 nm [%]", "absorbed by the air [%]",
@@ -264,7 +265,7 @@ def _shares(mu_s: FloatArray, out: FloatArray, air: FloatArray, kept: FloatArray
     return Picture.from_figure(figure, title=title, caption=caption)
 
 
-def _reversed(solution: Solution) -> tuple[FloatArray, Table]:
+def _reversed(solution: Solution) -> tuple[FloatArray, ReportTable]:
     """Reflected radiance over mu_s with sun and observer exchanged: Helmholtz reciprocity."""
     angles = np.array(REVERSED)
     view, sun = np.meshgrid(angles, angles, indexing="ij")
@@ -285,7 +286,7 @@ def _reversed(solution: Solution) -> tuple[FloatArray, Table]:
             rows.append(
                 (f"{first:g}", f"{second:g}", *(" ".join(_percent(off[a, i, j])) for a in range(3)))
             )
-    table = Table(
+    table = ReportTable(
         title="Reversed paths: light reflected to space, sun and observer exchanged",
         columns=[
             "zenith angle [°]", "the other [°]", "azimuth 0°: 680 550 440 nm [%]",

@@ -14,19 +14,19 @@ from airlight.validation.reference_earth import (
     reference_earth,
 )
 
-#: The flat Earth's radius is so many times the round one's.
+#: Radius of the flat Earth over that of the round Earth.
 VAST: Final = 1000.0
 
 
 def furnace(albedo: float) -> Planet:
-    """Gas and haze that absorb nothing, over a ground of some albedo.
+    """Gas and haze that absorb nothing, over a ground of the given albedo.
 
-    The gas has three optical depths, as of three wavelengths; the star is a point of irradiance 1.
+    The gas has three optical depths, one per wavelength; the star is a point of irradiance 1.
 
     Parameters
     ----------
     albedo : float
-        1 is the white furnace: nothing is lost at all. [1]
+        Albedo of the ground; 1 is the white furnace, which loses nothing. [1]
     """
     gas = PerWavelength(wavelengths=WAVELENGTHS, values=(5.8e-6, 13.5e-6, 33.1e-6))
     return Planet(
@@ -58,7 +58,7 @@ def round_earth() -> Planet:
 
 
 def flat_earth() -> Planet:
-    """The same air on a ground a thousand times as large, where each sun height is by itself."""
+    """The same air on a ground a thousand times as large, where sun heights do not mix."""
     earth = round_earth()
     bottom = VAST * earth.bottom_radius
     return replace(

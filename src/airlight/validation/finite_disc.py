@@ -1,9 +1,9 @@
-"""What the star's disc changes, in light scattered once.
+"""Effect of the star's finite disc on light scattered once.
 
-The comparison of solvers has a point star: its disc is no matter of method. The direct solver
-counts how much of the disc is visible but looks at it through the air in front of its middle; the
-moments take two points of a low disc, Monte Carlo draws points of it. With the disc low in dense
-air a point is not the same as the disc: this is the size of it, from quadratures alone.
+The solvers are compared under a point star: the disc is no matter of method. The direct solver
+weighs the visible part of the disc by the transmittance to its centre; the moments solver takes
+two points of a low disc; Monte Carlo samples it. When the disc is low in dense air, a point
+differs from the disc: this suite gives the size of that difference, by quadrature alone.
 """
 
 from __future__ import annotations
@@ -17,16 +17,16 @@ from airlight.solvers import solve
 from airlight.solvers.montecarlo.solution import MonteCarloSolution
 from airlight.validation.cases import CASES, WAVELENGTHS, Case, geometry
 from airlight.validation.metrics import relative_errors
-from airlight.validation.suite import Cancel, Table
+from airlight.validation.suite import Cancel, ReportTable
 
-#: So many of the largest differences are listed.
+#: Number of largest differences listed.
 LISTED = 6
-#: Darker light is left out, per irradiance of the star. [sr⁻¹]
+#: Radiance per irradiance of the star below which a value is left out. [sr⁻¹]
 LEAST_RADIANCE = 1e-6
 
 
 def with_point_star(planet: Planet) -> Planet:
-    """The planet under a star without a disc, of the same irradiance.
+    """The planet under a point star of the same irradiance.
 
     Parameters
     ----------
@@ -37,13 +37,13 @@ def with_point_star(planet: Planet) -> Planet:
 
 def finite_disc(
     planet_name: str, *, cases: Sequence[Case] = CASES, cancel: Cancel | None = None
-) -> Table:
-    """First order under a point star against that under the preset's disc, both by quadrature.
+) -> ReportTable:
+    """Compare the first order under a point star with that under the preset's disc, by quadrature.
 
     Parameters
     ----------
     planet_name : str
-        A preset, or a file.
+        Name of a preset, or path of a file.
     cases : sequence of Case
         Lines of sight.
     cancel : callable, optional
@@ -68,7 +68,7 @@ def finite_disc(
         )
         for n in order
     ]
-    return Table(
+    return ReportTable(
         title=f"{planet_name}: light scattered once under a point star, less that under its disc",
         columns=["line of sight", *(f"{nm:g} nm [%]" for nm in WAVELENGTHS)],
         rows=rows,

@@ -1,4 +1,4 @@
-"""Fluxes through level surfaces, by quadrature of radiances: what energy tests are made of."""
+"""Fluxes through level surfaces, by quadrature of radiances, for tests of energy balance."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from airlight.solvers import Solution
 
 FloatArray = NDArray[np.float64]
 
-#: Points a piece in view and in azimuth.
+#: Quadrature points per piece, in view and in azimuth.
 _VIEWS, _AZIMUTHS = 8, 6
 
 
@@ -23,7 +23,7 @@ class Fluxes(NamedTuple):
     """Light at one level per irradiance of the star, each of shape (suns, wavelengths). [1]
 
     ``down`` and ``up`` are the diffuse irradiances of a level surface, ``scalar`` is the diffuse
-    radiance integrated over all directions; the star's own light is in none of them.
+    radiance integrated over all directions; all exclude the star's direct light.
     """
 
     down: FloatArray
@@ -37,9 +37,9 @@ def pieces(edges: Sequence[float], count: int) -> tuple[FloatArray, FloatArray]:
     Parameters
     ----------
     edges : sequence of float
-        Ascending.
+        Edges, ascending.
     count : int
-        Points a piece.
+        Points per piece.
 
     Examples
     --------
@@ -56,17 +56,17 @@ def pieces(edges: Sequence[float], count: int) -> tuple[FloatArray, FloatArray]:
 def level_fluxes(solution: Solution, altitude: float, mu_s: FloatArray) -> Fluxes:
     """Diffuse fluxes at a level.
 
-    In view by Gauss-Legendre pieces split at the horizon and at the horizontal, in azimuth
-    likewise, with short pieces next to the star.
+    The quadrature is Gauss-Legendre in pieces: in view split at the horizon and at the horizontal,
+    in azimuth with short pieces next to the star.
 
     Parameters
     ----------
     solution : Solution
-        Of a star of any irradiance; the result is relative to it.
+        Solution under a star of any irradiance; the result is relative to it.
     altitude : float
         [m]
     mu_s : array, shape (n,)
-        Cosines of the star's zenith angle there. [1]
+        Cosines of the star's zenith angle at that altitude. [1]
     """
     bottom, top = solution.medium.bottom_radius, solution.medium.top_radius
     r = min(bottom + altitude, top)
@@ -98,7 +98,7 @@ def star_through(solution: Solution, altitude: float, mu_s: FloatArray) -> Float
 def absorbed_by_air(
     solution: Solution, altitudes: FloatArray, mu_s: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Light that the air absorbs at some levels, per volume and irradiance of the star.
+    """Light absorbed by the air at some levels, per volume and irradiance of the star.
 
     Parameters
     ----------

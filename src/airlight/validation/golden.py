@@ -1,4 +1,4 @@
-"""The suite ``golden``: every number that is known beforehand, and what airlight makes of it."""
+"""The suite ``golden``: numbers printed by authorities, against those that airlight computes."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from airlight.validation.reference_earth import (
     WAVELENGTHS,
     reference_earth,
 )
-from airlight.validation.suite import Bar, Cancel, Mark, Progress, Suite, Table
+from airlight.validation.suite import Bar, Cancel, Mark, Progress, ReportTable, Suite
 
 FloatArray = NDArray[np.float64]
 
-#: Of OpenSpace's standard set: molecules at 0 °C, at 15 °C, as its table has them. [m⁻³]
+#: Molecules per volume in OpenSpace's standard set: at 0 °C and at 15 °C, as in its table. [m⁻³]
 _LOSCHMIDT, _AT_15_DEGREES = 2.68731e25, 2.54743e25
 
 
@@ -40,7 +40,7 @@ def golden(
     Parameters
     ----------
     groups : sequence of Group, optional
-        Other than those that ship with the package.
+        Groups to compute instead of those that ship with the package.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -88,9 +88,9 @@ def golden(
     )
 
 
-def _table(group: Group, compared: Sequence[Comparison]) -> Table:
+def _table(group: Group, compared: Sequence[Comparison]) -> ReportTable:
     marks: list[Mark] = ["pass" if one.passed else "fail" for one in compared]
-    return Table(
+    return ReportTable(
         title=group.title,
         columns=["", "", f"expected [{group.unit}]", "got", "difference", "allowed", ""],
         rows=[
@@ -167,7 +167,7 @@ def _rayleigh(rows: Sequence[Row]) -> list[FloatArray]:
 
 
 def _rayleigh_set(at: Any) -> FloatArray:
-    """Scattering coefficients from the inputs that a source states. [m⁻¹]"""
+    """Scattering coefficients from the inputs stated by a source. [m⁻¹]"""
     from airlight.optics import rayleigh, refractive_index
     from airlight.optics.king_factor import king_factor_air_bates1984
 
@@ -184,7 +184,7 @@ def _rayleigh_set(at: Any) -> FloatArray:
         refractivity = edlen * _LOSCHMIDT / _AT_15_DEGREES
         king = rayleigh.king_factor_from_depolarisation(0.035)
         full = rayleigh.cross_section(nm, refractivity, _LOSCHMIDT, king)
-        # OS Eq 11 is the limit n → 1 of the Lorentz-Lorenz form.
+        # OS Eq 11 is the limit n → 1 of the Lorentz-Lorenz formula.
         return np.asarray(_LOSCHMIDT * full * np.square((np.square(1.0 + refractivity) + 2.0) / 3))
     if at["set"] == "first-notes":
         return np.asarray(2.545e25 * rayleigh.cross_section(nm, 3e-4, 2.545e25))
@@ -333,7 +333,7 @@ def _weighted_power_ends(rows: Sequence[Row]) -> list[FloatArray]:
         for mu, to_ground in ends:
             v = view_coordinate(mu, to_ground, horizon, 2.0, 2.0, 2.0, lower, surface)
             back, ground = view_from_coordinate(v, horizon, 2.0, 2.0, 2.0, lower, surface)
-            # The wrong side of the horizon is as wrong as can be.
+            # The wrong side of the horizon counts as the largest possible error.
             there_and_back.append(back - mu if ground == to_ground else np.inf)
         out.append(np.array(there_and_back))
     return out
@@ -345,7 +345,7 @@ def _cie_clear_sky(rows: Sequence[Row]) -> list[FloatArray]:
     return [relative_luminance(row.at["sun"], np.abs(view), azimuth) for row in rows]
 
 
-#: What computes each group, by its name in the file.
+#: Function that computes each group, by its name in the file.
 QUANTITIES: dict[str, Callable[[Sequence[Row]], Sequence[Any]]] = {
     "sun-color-float32": _sun_color,
     "sun-color": _sun_color,

@@ -1,6 +1,6 @@
-"""The golden numbers: read from ``data/golden.toml``, and compared with what came out.
+"""Golden numbers: read from ``data/golden.toml``, and compared with computed values.
 
-A number is kept as it is printed, so that its last digit says how far off a result may be.
+A number is kept as it is printed, so that its last digit gives the tolerance.
 """
 
 from __future__ import annotations
@@ -20,18 +20,18 @@ FloatArray = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Row:
-    """Some numbers that belong together.
+    """Golden numbers that belong together.
 
     Attributes
     ----------
     label : str
-        What they are.
+        Description of the numbers.
     at : dict
-        The inputs that they were computed for.
+        Inputs that they were computed for.
     printed : tuple of str
-        The numbers as printed.
+        Numbers as printed.
     allowed : array, shape (n,)
-        How far off each may be; in the group's unit.
+        Allowed difference of each, in the group's unit.
     """
 
     label: str
@@ -41,26 +41,26 @@ class Row:
 
     @property
     def expected(self) -> FloatArray:
-        """The numbers, shape (n,)."""
+        """Numbers as floats, shape (n,)."""
         return np.array([float(text) for text in self.printed])
 
 
 @dataclass(frozen=True)
 class Group:
-    """One table of golden numbers.
+    """Table of golden numbers.
 
     Attributes
     ----------
     name, title : str
-        For programs and for readers.
+        Identifier for programs, and heading for readers.
     source : str
-        Who says so.
+        Authority for the numbers.
     unit : str
-        Of all its numbers.
+        Unit of all its numbers.
     columns : tuple of str
-        What the numbers of a row are.
+        Quantities of the numbers in a row.
     reason : str
-        Why so much is allowed and no more.
+        Reason for the size of the allowed differences.
     rows : tuple of Row
     """
 
@@ -75,16 +75,17 @@ class Group:
 
 @dataclass(frozen=True)
 class Comparison:
-    """One golden number and what came out.
+    """Golden number and the value computed for it.
 
     Attributes
     ----------
     label, column : str
-        Which number of which row.
+        Row and column of the number.
     printed : str
-        The number as printed.
+        Number as printed.
     got, difference, allowed : float
-        In the group's unit.
+        Computed value, its difference from the printed number and the allowed difference, in the
+        group's unit.
     """
 
     label: str
@@ -101,14 +102,14 @@ class Comparison:
 
     @property
     def used(self) -> float:
-        """The difference over what is allowed; 0 for none at all. [1]"""
+        """Difference over the allowed difference; 0 if there is no difference. [1]"""
         if self.difference == 0.0:
             return 0.0
         return abs(self.difference) / self.allowed if self.allowed > 0.0 else float("inf")
 
 
 def last_digit(printed: str) -> float:
-    """One unit of the last digit of a printed number; 0 for a plain 0, which is meant exactly.
+    """Unit of the last digit of a printed number; 0 for a plain 0, which is exact.
 
     Examples
     --------
@@ -124,7 +125,7 @@ def last_digit(printed: str) -> float:
 
 @cache
 def golden_groups() -> tuple[Group, ...]:
-    """All golden numbers that ship with the package, in the order of the file."""
+    """Golden numbers that ship with the package, in the order of the file."""
     text = files("airlight.validation").joinpath("data/golden.toml").read_text(encoding="utf-8")
     groups: dict[str, Group] = {}
     for table in tomllib.loads(text)["group"]:
@@ -149,7 +150,7 @@ def _row(table: Mapping[str, Any], row: Mapping[str, Any]) -> Row:
     absolute = row.get("absolute", table.get("absolute", 0.0))
     digits = row.get("digits", table.get("digits", 0.0))
     allowed = [
-        # Half a digit is a rounding; a hundredth more lets the comparison itself round.
+        # Half a digit is a rounding; a hundredth more allows for rounding in the comparison.
         max(1.01 * digits * last_digit(text), relative * abs(float(text)), absolute)
         for text in printed
     ]
@@ -168,15 +169,15 @@ def _summed(parts: Sequence[Group]) -> list[dict[str, Any]]:
 
 
 def compare(group: Group, got: Sequence[FloatArray], *, single: bool = False) -> list[Comparison]:
-    """Hold what came out against a group of golden numbers.
+    """Compare computed values with a group of golden numbers.
 
     Parameters
     ----------
     group : Group
     got : sequence of array, shape (n,)
-        For each row, in its order.
+        Values of each row, in the order of the group.
     single : bool
-        Whether both are compared as float32.
+        Whether both are rounded to float32 before the comparison.
 
     Raises
     ------

@@ -1,21 +1,21 @@
-"""The report as Markdown, with its pictures as files: for a repository's documentation."""
+"""The report as Markdown with its pictures as files, for a repository's documentation."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
 from airlight.validation.report import Report, cell_text, result_word
-from airlight.validation.suite import Cell, Picture, Suite, Table
+from airlight.validation.suite import Cell, Picture, ReportTable, Suite
 
 
 def markdown(report: Report, pictures: str) -> str:
-    """The page.
+    """Format the report as a page of Markdown.
 
     Parameters
     ----------
     report : Report
     pictures : str
-        Folder of the pictures as the page sees it, such as ``"pictures"``.
+        Folder of the pictures relative to the page, such as ``"pictures"``.
     """
     lines = ["# Validation", "", f"**{report.verdict}.**", ""]
     lines += [f"- {name}: {value}" for name, value in report.provenance.items()]
@@ -53,12 +53,12 @@ def markdown(report: Report, pictures: str) -> str:
 
 
 def picture_files(report: Report) -> dict[str, bytes]:
-    """The pictures by file name.
+    """Contents of the pictures, by file name.
 
     Raises
     ------
     ValueError
-        If two pictures have one name.
+        If two pictures have the same name.
     """
     pictures = [p for suite in report.suites for p in suite.parts if isinstance(p, Picture)]
     files = {picture.file_name: picture.png for picture in pictures}
@@ -77,7 +77,7 @@ def _section(suite: Suite, pictures: str) -> list[str]:
         lines += ["", f"*{_escaped('; '.join(suite.settings))}*"]
     for part in suite.parts:
         lines.append("")
-        if isinstance(part, Table):
+        if isinstance(part, ReportTable):
             lines += _table(part)
         elif isinstance(part, Picture):
             lines += [f"![{part.title}]({pictures}/{part.file_name})", "", _escaped(part.caption)]
@@ -86,7 +86,7 @@ def _section(suite: Suite, pictures: str) -> list[str]:
     return lines
 
 
-def _table(table: Table) -> list[str]:
+def _table(table: ReportTable) -> list[str]:
     marks = table.marks or [""] * len(table.rows)
     rows = [
         [_strong(cell_text(cell), mark in ("fail", "ours")) for cell in row]

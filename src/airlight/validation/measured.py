@@ -1,4 +1,4 @@
-"""The suite ``measured``: against fifteen measured skies, in one table with published models."""
+"""The suite ``measured``: fifteen measured skies, in one table with published models."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from airlight.validation.kider.planets import (
 )
 from airlight.validation.kider.rows import Rows, compute
 from airlight.validation.kider.scans import best_factor, rmse_per_scan, symmetric_part
-from airlight.validation.suite import Bar, Cancel, Mark, Progress, Suite, Table
+from airlight.validation.suite import Bar, Cancel, Mark, Progress, ReportTable, Suite
 
 FloatArray = NDArray[np.float64]
 
@@ -32,9 +32,9 @@ PUBLISHED: Final = {
     "Bruneton 2008": 11.3,
     "Elek 2010": 11.3,
 }
-#: The least that a sky symmetric about the sun's vertical can score on our scans.
+#: Lowest possible score of a sky symmetric about the sun's vertical, on our scans.
 FLOOR: Final = 3.4
-#: What our best physics may score.
+#: Largest allowed score of our best physics.
 BEST_BAR: Final = 8.0
 #: Names of our rows.
 SAME, KNOWN, FITTED = (
@@ -42,9 +42,9 @@ SAME, KNOWN, FITTED = (
     "airlight, best physics, load of AERONET",
     "airlight, best physics, load fitted to the skies",
 )
-#: Nearer to the sun than this, directions are told apart. [deg]
+#: Directions nearer to the sun than this are scored separately. [deg]
 NEAR: Final = 8.0
-#: Centre of oxygen's B band, which is left out, and how far around it a band feels it. [nm]
+#: Centre of oxygen's B band, which is left out, and its half width for the instrument. [nm]
 OXYGEN_B, _OXYGEN_WIDTH = 687.0, 6.0
 _UNIT: Final = "mW m⁻² sr⁻¹ nm⁻¹"
 
@@ -57,23 +57,23 @@ def measured(
     Parameters
     ----------
     data : Path
-        The folder that holds ``kider2013-05-27.npz`` and AERONET's phase function.
+        Folder that holds ``kider2013-05-27.npz`` and AERONET's phase function.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
     Raises
     ------
     FileError
-        If a file of the two cannot be used.
+        If either file cannot be read.
     Cancelled
-        If ``cancel`` said so.
+        If ``cancel`` returned True.
     """
     rows = compute(data, progress=progress, cancel=cancel)
     return suite_of(rows)
 
 
 def suite_of(rows: Rows) -> Suite:
-    """The section of the report.
+    """Build the section of the report.
 
     Parameters
     ----------
@@ -134,13 +134,13 @@ def _bars(rows: Rows, scores: dict[str, float]) -> list[Bar]:
     ]  # fmt: skip
 
 
-def _league(scores: dict[str, float], floor: float) -> Table:
+def _league(scores: dict[str, float], floor: float) -> ReportTable:
     entries = [(score, name, "Bruneton 2017, 17 scans") for name, score in PUBLISHED.items()]
     entries += [(score, name, "15 scans") for name, score in scores.items()]
     entries.append((floor, "the measured skies, made symmetric", "15 scans; no model is nearer"))
     entries.sort(key=lambda entry: -entry[0])
     marks: list[Mark] = ["ours" if name in scores else "" for _, name, _ in entries]
-    return Table(
+    return ReportTable(
         title="League table of sky models on 27 May 2013",
         columns=["model", f"RMSE [{_UNIT}]", "by"],
         rows=[(name, f"{score:.1f}", source) for score, name, source in entries],
@@ -151,10 +151,10 @@ def _league(scores: dict[str, float], floor: float) -> Table:
     )
 
 
-def _ladder(rows: Rows) -> Table:
+def _ladder(rows: Rows) -> ReportTable:
     far = rows.scans.angle_from_sun >= NEAR
     extra = [
-        (f"then the load fitted ({_told(rows.load)})", rows.fitted),
+        (f"then the load fitted ({_load_text(rows.load)})", rows.fitted),
         (f"instead a single-scattering albedo of {CLEAN_ALBEDO}, not fitted", rows.clean),
     ]
     out = []
@@ -169,34 +169,34 @@ def _ladder(rows: Rows) -> Table:
                 f"{rows.score(got, far):.2f}",
             )
         )
-    return Table(
+    return ReportTable(
         title="What each ingredient does",
         columns=[
             "ingredient, one after another", "RMSE", "best common factor", "RMSE with it",
             f"RMSE farther than {NEAR:g}° from the sun",
         ],
         rows=out,
-        note=f"All in {_UNIT}. AERONET's load: {_told(AERONET_LOAD)}, 500 km away the same "
+        note=f"All in {_UNIT}. AERONET's load: {_load_text(AERONET_LOAD)}, 500 km away the same "
         "morning. Everybody's load was itself chosen on these skies, for everybody's other inputs: "
         "so a step towards the truth can cost until the load is the measured one. The factor is a "
         "diagnosis and in no score.",
     )  # fmt: skip
 
 
-def _told(load: Load) -> str:
+def _load_text(load: Load) -> str:
     return (
         f"optical depth {float(load.optical_depth(550.0)):.3f} at 550 nm, exponent {load.alpha:.2f}"
     )
 
 
-def _limits(rows: Rows) -> Table:
+def _limits(rows: Rows) -> ReportTable:
     scans = rows.scans
     squares = np.square(rows.known - scans.radiance)
     near = scans.angle_from_sun < NEAR
     bias = rows.known[~near].mean(axis=0) / scans.radiance[~near].mean(axis=0) - 1.0
     worst = int(np.abs(bias).argmax())
     kept = np.arange(scans.wavelengths.size) != worst
-    return Table(
+    return ReportTable(
         title="What limits the best physics, nothing fitted",
         columns=["what", "value"],
         rows=[
@@ -244,13 +244,13 @@ def _band(wavelength: float) -> str:
     return ", oxygen's B band" if abs(wavelength - OXYGEN_B) <= _OXYGEN_WIDTH else ""
 
 
-def _by_scan(rows: Rows, ours: dict[str, FloatArray]) -> Table:
+def _by_scan(rows: Rows, ours: dict[str, FloatArray]) -> ReportTable:
     scans = rows.scans
     per = {name: rmse_per_scan(got, scans.radiance) for name, got in ours.items()}
     turned = rmse_per_scan(rows.turned, scans.radiance)
     floor = rmse_per_scan(symmetric_part(scans), scans.radiance)
     signal = rmse_per_scan(np.zeros_like(scans.radiance), scans.radiance)
-    return Table(
+    return ReportTable(
         title="Scan by scan",
         columns=[
             "local time", "sun zenith [°]", "nearest direction to the sun [°]", "signal",
@@ -287,7 +287,7 @@ def _summary(rows: Rows, scores: dict[str, float]) -> str:
         f"{scores[SAME]:.1f}, {verdict} the {bruneton} that Bruneton and Elek have on two scans "
         "more: those inputs, not the solver, set the limit, for better inputs alone give "
         f"{scores[KNOWN]:.1f} with nothing fitted and {scores[FITTED]:.1f} with the aerosol's load "
-        f"fitted ({_told(rows.load)}). Of what remains, {share:.0f} % comes from the "
+        f"fitted ({_load_text(rows.load)}). Of what remains, {share:.0f} % comes from the "
         f"{int(near.sum())} directions within {NEAR:g}° of the sun; if each scan's pointing were "
         f"free, {rows.score(rows.turned):.1f} would remain of {scores[KNOWN]:.1f}. The aerosol's "
         "single-scattering albedo, which nobody measured, and the instrument's scale cannot be "

@@ -1,4 +1,4 @@
-"""Error metrics: how far apart two sets of numbers are, and where most."""
+"""Error metrics: the difference of two sets of numbers, and its largest values."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ FloatArray = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class ErrorSummary:
-    """Errors of many values in four numbers.
+    """Errors of many values, summarised by four numbers.
 
     Attributes
     ----------
     count : int
-        Values compared.
+        Number of values compared.
     median, high, largest : float
-        Median, 95 % quantile and largest of the sizes of the errors; NaN without values.
+        Median, 95 % quantile and largest of the absolute errors; NaN without values.
     """
 
     count: int
@@ -30,7 +30,7 @@ class ErrorSummary:
 
 
 def relative_errors(got: ArrayLike, expected: ArrayLike) -> FloatArray:
-    """Signed errors over the expected values; 0 where both are 0, inf where only that one is. [1]
+    """Signed errors over the expected values; 0 where both are 0, inf where only the latter is. [1]
 
     Parameters
     ----------
@@ -50,14 +50,14 @@ def relative_errors(got: ArrayLike, expected: ArrayLike) -> FloatArray:
 
 
 def summarise(errors: ArrayLike, counted: ArrayLike | None = None) -> ErrorSummary:
-    """Count, median, 95 % quantile and largest of the sizes of errors.
+    """Count, median, 95 % quantile and largest of the absolute errors.
 
     Parameters
     ----------
     errors : array, shape (...)
-        Signed or not.
+        Errors, signed or not.
     counted : array of bool, shape (...), optional
-        Which values count; all without it.
+        Mask of the values that count; all if left out.
 
     Examples
     --------
@@ -80,9 +80,9 @@ def beyond_noise(
     Parameters
     ----------
     got, expected, standard_error : array, shapes that broadcast to (...)
-        Same unit.
+        Values in the same unit.
     errors : float
-        So many standard errors count as none.
+        Number of standard errors that counts as no error.
 
     Examples
     --------
@@ -102,7 +102,7 @@ def in_standard_errors(
     Parameters
     ----------
     got, expected, standard_error : array, shapes that broadcast to (...)
-        Same unit.
+        Values in the same unit.
     """
     difference = np.asarray(got, float) - np.asarray(expected, float)
     noise = np.broadcast_to(np.asarray(standard_error, float), difference.shape)
@@ -112,17 +112,17 @@ def in_standard_errors(
 
 
 def largest_by_chance(count: int) -> float:
-    """What the largest of so many values of pure Gaussian noise exceeds in half of all cases.
+    """Median of the largest of ``count`` values of pure Gaussian noise.
 
     Parameters
     ----------
     count : int
-        At least 1.
+        Number of values, at least 1.
 
     Returns
     -------
     float
-        In standard errors.
+        Median in standard errors.
 
     Examples
     --------
@@ -141,14 +141,14 @@ def log_ratio_rms(got: ArrayLike, expected: ArrayLike, weights: ArrayLike | None
     Parameters
     ----------
     got, expected : array, shapes that broadcast to (...)
-        Above 0.
+        Values above 0.
     weights : array, shape (...), optional
-        Such as solid angles; equal without it.
+        Weights such as solid angles; equal if left out.
 
     Returns
     -------
     float
-        0.1 is about 10 %. [1]
+        Root mean square; 0.1 is about 10 %. [1]
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""How fast the orders of scattering fall: light of each order over all of it."""
+"""Convergence of the orders of scattering: light of each order over the sum of all."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
 from airlight.solvers.montecarlo.solution import MonteCarloSolution
 from airlight.validation.cases import Case, LinesOfSight, geometry
 from airlight.validation.energy_planets import round_earth
-from airlight.validation.suite import Cancel, Part, Picture, Progress, Table
+from airlight.validation.suite import Cancel, Part, Picture, Progress, ReportTable
 
 FloatArray = NDArray[np.float64]
 
-#: Solvers that know their orders, with their qualities.
+#: Solvers that keep their orders, with their qualities.
 ORDER_SOLVERS: Final[tuple[tuple[str, Any], ...]] = (
     ("direct", "default"),
     ("montecarlo", MonteCarloSettings(relative_error=0.005, most_histories=400_000)),
 )
-#: Only at the wavelength that scatters most. [nm]
+#: Wavelength of the figure, the one that scatters most. [nm]
 WAVELENGTH: Final = 440.0
-#: At most so many orders are shown.
+#: Largest number of orders shown.
 MOST_ORDERS: Final = 10
-#: Where: from the ground by day and in twilight, and from space.
+#: Lines of sight: from the ground by day and in twilight, and from space.
 CASES: Final = (
     Case(0.0, 30.0, 0.0),
     Case(0.0, 80.0, 85.0, 180.0),
@@ -43,7 +43,7 @@ def order_convergence(
     solvers: Sequence[tuple[str, Any]] = ORDER_SOLVERS, *, progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> list[Part]:  # fmt: skip
-    """Light of each order by each solver, as a picture and a table.
+    """Show the light of each order by each solver, as a picture and a table.
 
     Parameters
     ----------
@@ -67,8 +67,8 @@ def order_convergence(
 
 
 def order_shares(solution: Solution, where: LinesOfSight) -> FloatArray:
-    """Light of orders 1, 2, … over all of it, shape (orders, cases). [1]"""
-    if isinstance(solution, MonteCarloSolution):  # all orders from the same histories
+    """Light of orders 1, 2, … over the total, shape (orders, cases). [1]"""
+    if isinstance(solution, MonteCarloSolution):  # the orders come from the same histories
         traced = solution.trace(solution.lines_of_sight(**where)[0])
         return np.asarray(traced.parts[:, :-1, 0].T / traced.total[:, 0])
     whole = solution.radiance(**where).values[:, 0]
@@ -107,7 +107,7 @@ def _picture(shares: dict[str, FloatArray]) -> Picture:
     return Picture.from_figure(figure, title=title, caption=caption)
 
 
-def _table(shares: dict[str, FloatArray]) -> Table:
+def _table(shares: dict[str, FloatArray]) -> ReportTable:
     rows = []
     for k, case in enumerate(CASES):
         for name, values in shares.items():
@@ -120,7 +120,7 @@ def _table(shares: dict[str, FloatArray]) -> Table:
                     *[""] * (4 - len(share[:4])), f"{100 * share.sum():.3f}", f"{usual:.3f}",
                 )
             )  # fmt: skip
-    return Table(
+    return ReportTable(
         title="Orders of scattering",
         columns=[
             "line of sight", "solver", "order 1 [%]", "2", "3", "4",

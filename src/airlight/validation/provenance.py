@@ -1,4 +1,4 @@
-"""Where and when a report was made: version, date, machine."""
+"""Provenance of a report: version, date, machine."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ _PACKAGES = ("numpy", "numba", "scipy", "matplotlib", "miepython")
 
 
 def provenance() -> Mapping[str, str]:
-    """What a reader needs to judge the times, and to do it again.
+    """Facts needed to judge the times and to repeat the run.
 
     Returns
     -------
     dict
-        What, and in words.
+        Description of each fact, by its name.
     """
     return {
         "airlight": _version("airlight"),
@@ -42,7 +42,7 @@ def _version(package: str) -> str:
 
 
 def _processor() -> str:
-    """The processor's name, where the system tells it."""
+    """Name of the processor, where the system gives it."""
     try:
         for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
             if line.startswith("model name"):

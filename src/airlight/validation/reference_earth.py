@@ -12,9 +12,9 @@ from airlight.planets.matter.phases import CornetteShanks, HenyeyGreenstein, Ray
 from airlight.planets.matter.profiles import Exponential, Tent
 from airlight.planets.spectral import PerWavelength
 
-#: The wavelengths of all of them. [nm]
+#: Wavelengths of all these planets. [nm]
 WAVELENGTHS: Final = (680.0, 550.0, 440.0)
-#: The aerosol's absorption as AP2 prints it, and as its own source has it. [m⁻¹]
+#: Absorption of the aerosol as AP2 prints it, and as in AP2's own source. [m⁻¹]
 PRINTED_ABSORPTION: Final = 4.40e-6
 CORRECTED_ABSORPTION: Final = 0.444e-6
 
@@ -31,13 +31,13 @@ def reference_earth(
     Parameters
     ----------
     albedo : float
-        Of the ground. [1]
+        Albedo of the ground. [1]
     aerosol : str or None
-        Its phase function, g = 0.8; None for no aerosol.
+        Phase function of the aerosol, g = 0.8; None for no aerosol.
     ozone : bool
-        Whether there is any.
+        Whether there is ozone.
     aerosol_absorption : float
-        [m⁻¹]
+        Absorption coefficient of the aerosol. [m⁻¹]
     """
     parts = [
         Constituent(

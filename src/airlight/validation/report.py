@@ -1,4 +1,4 @@
-"""The report as one HTML page that needs nothing else: no network, no file beside it."""
+"""The report as one HTML page that is complete in itself: no network, no other files."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 
-from airlight.validation.suite import Bar, Cell, Picture, Suite, Table
+from airlight.validation.suite import Bar, Cell, Picture, ReportTable, Suite
 
 _STYLE = """
 :root { --ink: #1c2530; --paper: #fff; --line: #d8dee6; --met: #0a6b3d; --missed: #b3261e;
@@ -40,16 +40,16 @@ dt { color: var(--quiet); } dd { margin: 0; }
 
 @dataclass(frozen=True, kw_only=True)
 class Report:
-    """All suites of one run.
+    """Suites of one run, with its provenance and time.
 
     Attributes
     ----------
     suites : sequence of Suite
-        In the order of the page.
+        Suites in the order of the page.
     provenance : dict
-        Where and when, from ``provenance``.
+        Date, version and machine, from ``provenance``.
     seconds : float
-        What it all took. [s]
+        Wall time of the run. [s]
     """
 
     suites: Sequence[Suite]
@@ -58,12 +58,12 @@ class Report:
 
     @property
     def bars(self) -> list[tuple[Suite, Bar]]:
-        """Every bar with its suite."""
+        """Return every bar with its suite."""
         return [(suite, bar) for suite in self.suites for bar in suite.bars]
 
     @property
     def listed(self) -> list[tuple[Suite, Bar]]:
-        """As ``bars``; the golden tables that are met would bury the others, so they are one."""
+        """As ``bars``, with all golden tables that are met in one bar, or they bury the others."""
         met = [bar for suite, bar in self.bars if suite.name == "golden" and bar.passed]
         if len(met) < 2:
             return self.bars
@@ -76,12 +76,12 @@ class Report:
 
     @property
     def passed(self) -> bool:
-        """Whether every bar of every suite that ran is met."""
+        """Whether every bar of the suites that ran is met."""
         return all(suite.passed for suite in self.suites)
 
     @property
     def verdict(self) -> str:
-        """The result in one line."""
+        """Result in one line."""
         missed = [bar for _, bar in self.bars if not bar.passed]
         left = [suite.name for suite in self.suites if suite.not_run]
         text = f"{len(self.bars) - len(missed)} of {len(self.bars)} bars are met"
@@ -89,7 +89,7 @@ class Report:
 
 
 def cell_text(cell: Cell) -> str:
-    """A cell in words; floats with four significant digits.
+    """Text of a cell; floats have four significant digits.
 
     Examples
     --------
@@ -100,7 +100,7 @@ def cell_text(cell: Cell) -> str:
 
 
 def result_word(suite: Suite) -> str:
-    """The result of a suite in a word or two."""
+    """Result of a suite in a word or two."""
     if suite.not_run:
         return f"not run: {suite.not_run}"
     if not suite.bars:
@@ -109,7 +109,7 @@ def result_word(suite: Suite) -> str:
 
 
 def html(report: Report) -> str:
-    """The page.
+    """Format the report as a page of HTML.
 
     Parameters
     ----------
@@ -118,7 +118,7 @@ def html(report: Report) -> str:
     Returns
     -------
     str
-        HTML that is well-formed XML too.
+        Page in HTML that is also well-formed XML.
     """
     verdict = "met" if report.passed else "missed"
     facts = "".join(f"<dt>{escape(k)}</dt><dd>{escape(v)}</dd>" for k, v in _facts(report))
@@ -190,16 +190,16 @@ def _section(suite: Suite) -> str:
     if suite.settings:
         lines.append(f'<p class="quiet">{escape("; ".join(suite.settings))}</p>')
     for part in suite.parts:
-        if isinstance(part, Table):
+        if isinstance(part, ReportTable):
             lines.append(_table(part))
         elif isinstance(part, Picture):
             lines.append(_picture(part))
         else:
-            lines += [f"<p>{escape(one)}</p>" for one in part.text.split("\n\n")]
+            lines += [f"<p>{escape(paragraph)}</p>" for paragraph in part.text.split("\n\n")]
     return "\n".join(lines)
 
 
-def _table(table: Table) -> str:
+def _table(table: ReportTable) -> str:
     marks = table.marks or [""] * len(table.rows)
     rows = [
         f'<tr class="{mark}">' + "".join(f"<td>{escape(cell_text(c))}</td>" for c in row) + "</tr>"
@@ -208,7 +208,7 @@ def _table(table: Table) -> str:
     body = _table_of(table.columns, rows)
     note = f'<p class="quiet">{escape(table.note)}</p>' if table.note else ""
     if table.folded:
-        # A table with a missed row must not hide it.
+        # A table with a missed row starts open, so that the row is seen.
         is_open = ' open="open"' if "fail" in marks else ""
         missed = sum(mark == "fail" for mark in marks)
         count = f"{len(rows)} row{'s' * (len(rows) != 1)}" + (

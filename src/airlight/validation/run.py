@@ -1,4 +1,4 @@
-"""Runs suites by name, one after the other, and times them."""
+"""Run suites by name, one after the other, and time them."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ class _Compute(Protocol):
 
 @dataclass(frozen=True)
 class Entry:
-    """A suite as the list of suites has it.
+    """Entry in the list of suites.
 
     Attributes
     ----------
     title : str
-        Of its section.
+        Title of its section.
     compute : callable
-        ``compute(data, progress=, cancel=)``.
+        Function with the signature ``compute(data, progress=, cancel=)``.
     files : tuple of str
-        Of the folder of reference data; one of them must be there.
+        Files in the folder of reference data, at least one of which is needed.
     """
 
     title: str
@@ -91,26 +91,26 @@ SUITES: Final[dict[str, Entry]] = {
 
 
 def chosen(names: Sequence[str], data: Path | None) -> dict[str, str]:
-    """Which suites to run, and why not the others of "all".
+    """Which suites to run, and why others of "all" are left out.
 
     Parameters
     ----------
     names : sequence of str
-        Of suites, or "all".
+        Names of suites, or "all".
     data : Path or None
-        The folder of reference data.
+        Folder of reference data.
 
     Returns
     -------
     dict
-        By name, why a suite is left out; empty for those to run. In the order of the report.
+        Reason for leaving out a suite, by name in the order of the report; empty if it runs.
 
     Raises
     ------
     ParameterError
-        If a suite has no such name, or needs data and no folder is given.
+        If a suite is unknown, or needs data and no folder is given.
     FileError
-        If the folder is none, or lacks what a suite that was named needs.
+        If ``data`` is not a folder, or lacks a file that a suite named explicitly needs.
 
     Examples
     --------
@@ -151,7 +151,7 @@ def run(
     names: Sequence[str], data: Path | None = None, *, progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Iterator[Suite]:  # fmt: skip
-    """Run suites, each as it is asked for.
+    """Run suites lazily, each when the iterator reaches it.
 
     Parameters
     ----------
@@ -163,14 +163,14 @@ def run(
     Yields
     ------
     Suite
-        With the time that it took.
+        Result, with its wall time.
 
     Raises
     ------
     ParameterError, FileError
-        As ``chosen`` does, before anything runs; and as a suite does whose file is damaged.
+        As for ``chosen``, before anything runs; and if a suite's file is damaged.
     Cancelled
-        If ``cancel`` said so.
+        If ``cancel`` returned True.
     """
     for name, reason in chosen(names, data).items():
         entry = SUITES[name]

@@ -1,4 +1,4 @@
-"""The suite ``solvers``: three methods that share no approximation answer the same questions."""
+"""The suite ``solvers``: three methods that share no approximation, on the same questions."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from airlight.validation.cases import CASES, WAVELENGTHS, Case
 from airlight.validation.finite_disc import finite_disc
 from airlight.validation.metrics import relative_errors, summarise
 from airlight.validation.solvers_pictures import agreement_picture
-from airlight.validation.suite import Bar, Cancel, Mark, Part, Progress, Suite, Table
+from airlight.validation.suite import Bar, Cancel, Mark, Part, Progress, ReportTable, Suite
 
 #: A clear Earth, and a Mars with dust of optical depth 0.5.
 PLANETS: Final = ("earth-atmosphere-plus", "mars-standard")
-#: So many lines of sight of each planet at least are judged.
+#: Lowest number of lines of sight of each planet that must agree.
 LEAST_CASES: Final = 40
 
 
@@ -37,11 +37,11 @@ def solvers(
     Parameters
     ----------
     solvers : sequence of (str, object)
-        At least two; the last is the referee.
+        Two solvers or more; the last is the referee.
     planets : sequence of str
-        Presets, or files.
+        Names of presets, or paths of files.
     cases : sequence of Case
-        The grid.
+        Grid of lines of sight.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
@@ -121,8 +121,8 @@ def _time(planet: str, answer: Answer) -> tuple[tuple[str | int, ...], Mark]:
     return (planet, answer.solver, f"{answer.seconds:.1f}", shown), ""
 
 
-def _agreement_table(rows: Sequence[Sequence[str | int]], marks: Sequence[Mark]) -> Table:
-    return Table(
+def _agreement_table(rows: Sequence[Sequence[str | int]], marks: Sequence[Mark]) -> ReportTable:
+    return ReportTable(
         title="Agreement of each pair",
         columns=[
             "planet", "pair", "lines of sight", "values", "median [%]", "95 % [%]", "largest [%]",
@@ -135,8 +135,8 @@ def _agreement_table(rows: Sequence[Sequence[str | int]], marks: Sequence[Mark])
     )  # fmt: skip
 
 
-def _times_table(rows: Sequence[Sequence[str | int]]) -> Table:
-    return Table(
+def _times_table(rows: Sequence[Sequence[str | int]]) -> ReportTable:
+    return ReportTable(
         title="What the solvers took",
         columns=["planet", "solver", "time [s]", "standard error, median and largest [%]"],
         rows=rows,
@@ -144,13 +144,15 @@ def _times_table(rows: Sequence[Sequence[str | int]]) -> Table:
     )
 
 
-def _worst(planet: str, pairs: Sequence[Agreement], cases: Sequence[Case], count: int = 5) -> Table:
-    """The values of each pair that differ most beyond the noise."""
+def _worst(
+    planet: str, pairs: Sequence[Agreement], cases: Sequence[Case], count: int = 5
+) -> ReportTable:
+    """List the values of each pair that differ most beyond the noise."""
     rows: list[tuple[str, ...]] = []
     marks: list[Mark] = []
     for pair in pairs:
         size = np.where(pair.judged, np.abs(pair.relative), 0.0)
-        # What noise explains comes after what it does not.
+        # Differences explained by noise come last.
         order = np.where(np.abs(pair.in_errors) > NOISE, 1.0, 0.0) + size / (1.0 + size)
         order = np.where(pair.judged, order, -1.0)
         for flat in np.argsort(order, axis=None)[::-1][:count]:
@@ -168,7 +170,7 @@ def _worst(planet: str, pairs: Sequence[Agreement], cases: Sequence[Case], count
                 )
             )
             marks.append("fail" if pair.disagree[n, c] else "")
-    return Table(
+    return ReportTable(
         title=f"{planet}: the worst values of each pair",
         columns=[
             "pair", "line of sight", "wavelength [nm]", "first [sr⁻¹]", "second [sr⁻¹]",
@@ -182,7 +184,7 @@ def _worst(planet: str, pairs: Sequence[Agreement], cases: Sequence[Case], count
 
 def _all(
     planet: str, given: Sequence[Answer], pairs: Sequence[Agreement], cases: Sequence[Case]
-) -> Table:
+) -> ReportTable:
     rows = []
     marks: list[Mark] = []
     for n, case in enumerate(cases):
@@ -193,19 +195,23 @@ def _all(
                     str(case),
                     f"{nm:g}",
                     *(
-                        f"{one.radiance[n, c]:.4e}"
-                        + (f" ± {one.standard_error[n, c]:.0e}" if one.standard_error.any() else "")
-                        for one in given
+                        f"{answer.radiance[n, c]:.4e}"
+                        + (
+                            f" ± {answer.standard_error[n, c]:.0e}"
+                            if answer.standard_error.any()
+                            else ""
+                        )
+                        for answer in given
                     ),
                     *(f"{100 * pair.relative[n, c]:+.2f}" for pair in pairs),
                     "" if judged else "too dark to judge",
                 )
             )
             marks.append("fail" if any(pair.disagree[n, c] for pair in pairs) else "")
-    return Table(
+    return ReportTable(
         title=f"{planet}: all values",
         columns=[
-            "line of sight", "wavelength [nm]", *(f"{one.solver} [sr⁻¹]" for one in given),
+            "line of sight", "wavelength [nm]", *(f"{answer.solver} [sr⁻¹]" for answer in given),
             *(f"{pair.name} [%]" for pair in pairs), "",
         ],
         rows=rows,

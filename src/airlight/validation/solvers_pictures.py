@@ -1,4 +1,4 @@
-"""Picture of how far solvers differ, case by case."""
+"""Picture of the differences between solvers, case by case."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from airlight.validation.suite import Picture
 
 
 def agreement_picture(planet: str, pairs: Sequence[Agreement], cases: Sequence[Case]) -> Picture:
-    """Differences of each pair over the cases in their order, with the noise as bars.
+    """Plot the differences of each pair over the cases in their order, with the noise as bars.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
-"""What a suite of the validation report is made of: bars, tables, pictures and words.
+"""Parts of a suite of the validation report: bars, tables, pictures and text.
 
-A suite computes something, holds it against an authority and returns a ``Suite``: numbers with the
-bar that each must meet, and the tables and pictures that show them. The report only sets them.
+A suite computes something, compares it with an authority and returns a ``Suite``: numbers with the
+bar that each must meet, and the tables and pictures that show them. The report only lays them out.
 """
 
 from __future__ import annotations
@@ -18,30 +18,41 @@ from airlight.kernel.threads import Cancel, Progress
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["Bar", "Cancel", "Cell", "Mark", "Part", "Picture", "Progress", "Suite", "Table", "Text"]
+__all__ = [
+    "Bar",
+    "Cancel",
+    "Cell",
+    "Mark",
+    "Part",
+    "Picture",
+    "Progress",
+    "Suite",
+    "ReportTable",
+    "Text",
+]
 
-#: What stands in a cell; a float is written with four significant digits.
+#: Content of a cell; a float is written with four significant digits.
 Cell = str | float | int
-#: How a row is set: plain, met or missed its bar, or to be noticed (our own row of a league table).
+#: Style of a row: plain, bar met, bar missed, or highlighted (our own row of a league table).
 Mark = Literal["", "pass", "fail", "ours"]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Bar:
-    """A number that must not be above its bar.
+    """Measured number and its upper limit.
 
     Attributes
     ----------
     name : str
-        What was measured, such as ``"default quality, median error"``.
+        Description of the quantity, such as ``"default quality, median error"``.
     got : float
-        What came out; NaN is a failure.
+        Measured number; NaN is a failure.
     allowed : float
-        The most that it may be, in the same unit.
+        Upper limit, in the same unit.
     unit : str
-        Such as ``"%"``; empty for a pure number or a count.
+        Unit, such as ``"%"``; empty for a pure number or a count.
     source : str
-        Who sets the bar.
+        Authority for the limit.
     """
 
     name: str
@@ -57,21 +68,21 @@ class Bar:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Table:
-    """A table of numbers and words.
+class ReportTable:
+    """Table of numbers and words.
 
     Attributes
     ----------
     title : str
-        One line.
+        Title on one line.
     columns : sequence of str
         Headings, with units.
     rows : sequence of sequence of Cell
-        Each as long as ``columns``.
+        Cells, each row as long as ``columns``.
     marks : sequence of Mark
-        How each row is set; empty for all plain.
+        Style of each row; empty if all are plain.
     note : str
-        What a reader must know; below the table.
+        Explanation below the table.
     folded : bool
         Whether a long table is closed until the reader opens it.
     """
@@ -94,16 +105,16 @@ class Table:
 
 @dataclass(frozen=True, kw_only=True)
 class Picture:
-    """A picture with its caption.
+    """Picture with its caption.
 
     Attributes
     ----------
     title : str
-        One line; the file's name in the Markdown version follows from it.
+        Title on one line, from which the file's name in the Markdown version follows.
     png : bytes
-        The file's contents.
+        Contents of the file.
     caption : str
-        What is seen, and what to look for.
+        Description of the picture and of what to look for.
     """
 
     title: str
@@ -145,32 +156,32 @@ class Text:
     text: str
 
 
-#: What stands in a suite's section, in its order.
-Part = Table | Picture | Text
+#: Part of a suite's section.
+Part = ReportTable | Picture | Text
 
 
 @dataclass(frozen=True, kw_only=True)
 class Suite:
-    """The result of one suite.
+    """Result of one suite.
 
     Attributes
     ----------
     name : str
-        As ``airlight validate --suite`` calls it.
+        Name for ``airlight validate --suite``.
     title : str
         Heading of its section.
     summary : str
         Two or three sentences: what is compared with what, what came out, what limits it.
     bars : sequence of Bar
-        What decides whether the suite passes.
+        Bars that decide whether the suite passes.
     parts : sequence of Part
-        Tables, pictures and words, in the order of reading.
+        Tables, pictures and texts, in reading order.
     settings : sequence of str
-        Planet, wavelengths, quality, seeds: what somebody needs to do it again.
+        Planet, wavelengths, quality and seeds, as needed to repeat the run.
     seconds : float
-        What it took; set by whoever ran it. [s]
+        Wall time, set by the caller. [s]
     not_run : str
-        Why it was left out, such as ``"needs --data"``; empty if it ran.
+        Reason for leaving it out, such as ``"needs --data"``; empty if it ran.
     """
 
     name: str
@@ -184,5 +195,5 @@ class Suite:
 
     @property
     def passed(self) -> bool:
-        """Whether every bar is met; a suite without bars, or that was not run, fails none."""
+        """Whether every bar is met; True for a suite without bars, or that was not run."""
         return all(bar.passed for bar in self.bars)

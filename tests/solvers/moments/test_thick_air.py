@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from numpy.testing import assert_allclose, assert_array_less
 
 from airlight import load_planet, solve
@@ -144,6 +145,7 @@ def doubled(depth: float, asymmetry: float, albedo: float) -> tuple[np.ndarray, 
     return mu, (weight * mu) @ lets / (weight * mu)
 
 
+@pytest.mark.slow
 def test_a_cloud_with_edges_lets_through_what_doubling_says() -> None:
     # A second method on a flat cloud; the planet's is curved, which Monte Carlo puts at 0.1 % for
     # the high sun and 0.9 % for the low one. With the table of columns of clear air the cloud's

@@ -6,11 +6,11 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
-from importlib import resources
 from typing import Any, Final
 
 from airlight.errors import AirlightError, ParameterError
 from airlight.gpu.device.device import Device
+from airlight.gpu.emit.wgsl import WGSL
 
 #: ``@group(0) @binding(1) var<uniform> name: Type;``
 _DECLARATION: Final = re.compile(
@@ -333,17 +333,5 @@ def _without_frame(report: str) -> str:
 
 
 @cache
-def wgsl(name: str) -> str:
-    """The text of a file in ``airlight/gpu/wgsl``, named without its ending.
-
-    Parameters
-    ----------
-    name : str
-        Of the file.
-    """
-    return resources.files("airlight.gpu").joinpath("wgsl", f"{name}.wgsl").read_text("utf-8")
-
-
-@cache
 def _triangle(device: Device) -> Any:
-    return compiled(device, wgsl("full_screen_triangle"), "full_screen_triangle")
+    return compiled(device, WGSL.triangle, "full_screen_triangle")

@@ -1,4 +1,4 @@
-"""Calls in restricted Python as WGSL: of mathematics, of lanes, of other kernels."""
+"""Calls in restricted Python as text: of mathematics, of lanes, of other kernels."""
 
 from __future__ import annotations
 
@@ -6,12 +6,14 @@ import ast
 import inspect
 import math
 from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
 import numpy as np
 
 from airlight.gpu.emit.scope import Names, SubsetError
 from airlight.gpu.emit.shader_types import (
+    BOOL,
     F32,
     I32,
     VEC4,
@@ -27,13 +29,6 @@ from airlight.gpu.emit.shader_types import (
 )
 from airlight.kernel import lanes as lane_module
 
-#: Python's mathematics in WGSL; those that the prelude brings are good to float32.
-_MATH: Final[dict[Any, str]] = {
-    math.sqrt: "sqrt", math.exp: "exp", math.log: "log", math.log2: "log2",
-    math.sin: "sine", math.cos: "cosine", math.tan: "tan",
-    math.acos: "arc_cosine", math.asin: "arc_sine", math.atan: "arc_tangent",
-    math.atan2: "angle_of",
-}  # fmt: skip
 #: What ``airlight.kernel.lanes`` offers to a shader.
 _LANE_CALLS: Final = (
     "load", "store", "splat", "exponential", "maximum", "minimum", "fourth_root",
@@ -64,13 +59,23 @@ class Calls(Names, ABC):
         raise self.refuse(node, "is no number")
 
     def room(self, node: ast.Name) -> str:
-        """A room as it stands before its index: a caller's is a pointer."""
-        spelled = self.spelled(node.id)
-        return (
-            f"(*{spelled})"
-            if node.id in self.function.__code__.co_varnames[: self.function.__code__.co_argcount]
-            else spelled
-        )
+        """An array as it stands before its index."""
+        found = self.bound(node)
+        if isinstance(found, Room) and found.variable:
+            return found.variable
+        return self.dialect.array(self.spelled(node.id), handed_over=self.is_parameter(node.id))
+
+    def is_parameter(self, name: str) -> bool:
+        """Whether a name is one of the function's parameters."""
+        code = self.function.__code__
+        return name in code.co_varnames[: code.co_argcount]
+
+    def mathematics(self, function: Any, arguments: Sequence[str]) -> str:
+        """Mathematics of numbers: the language's own, or a function that is emitted for it."""
+        known = self.dialect.mathematics[function]
+        if not isinstance(known, str):
+            known = self.emitter.add(known, *(F32 for _ in arguments)).name
+        return f"{known}({', '.join(arguments)})"
 
     def call(self, node: ast.Call) -> tuple[str, Value | None]:
         """A call of mathematics, of lanes or of another function."""
@@ -78,14 +83,15 @@ class Calls(Names, ABC):
         if node.keywords:
             raise self.refuse(node, "takes no names for arguments")
         if called is min or called is max:
-            return self.extreme(node, "min" if called is min else "max")
+            return self.extreme(node, called)
         if called is abs:
             text, found = self.write(node.args[0])
-            return f"abs({text})", self.number(node.args[0], found)
+            return self.mathematics(abs, [text]), self.number(node.args[0], found)
         if called is math.floor:
-            return f"i32(floor({self.as_scalar(node.args[0], F32)}))", I32
+            below = self.mathematics(called, [self.as_scalar(node.args[0], F32)])
+            return self.dialect.converted(below, I32), I32
         if called is int:
-            return f"i32({self.as_scalar(node.args[0], F32)})", I32
+            return self.dialect.converted(self.as_scalar(node.args[0], F32), I32), I32
         if called in (float, np.float32, np.float64):
             return self.as_scalar(node.args[0], F32), F32
         if called is np.empty:
@@ -98,9 +104,10 @@ class Calls(Names, ABC):
             if not isinstance(size, int):
                 raise self.refuse(node, "the size of a room is a constant")
             return "", Room(size, VEC4)
-        if _is(called, _MATH):
-            arguments = ", ".join(self.as_scalar(one, F32) for one in node.args)
-            return f"{_MATH[called]}({arguments})", F32
+        if _is(called, self.dialect.mathematics):
+            if called is math.isfinite:
+                return self.mathematics(called, [self.as_scalar(node.args[0], F32)]), BOOL
+            return self.mathematics(called, [self.as_scalar(one, F32) for one in node.args]), F32
         for name in _LANE_CALLS:
             if called is getattr(lane_module, name):
                 return self.lane_call(node, name)
@@ -108,7 +115,7 @@ class Calls(Names, ABC):
             return self.kernel_call(node, called)
         raise self.refuse(node, "is not known here")
 
-    def extreme(self, node: ast.Call, name: str) -> tuple[str, Value]:
+    def extreme(self, node: ast.Call, called: Any) -> tuple[str, Value]:
         """``min`` or ``max`` of two or more numbers."""
         written = [self.write(one) for one in node.args]
         kinds = [self.number(node, found) for _, found in written]
@@ -118,7 +125,7 @@ class Calls(Names, ABC):
         texts = [self.cast(text, found, wanted) for text, found in written]
         total = texts[0]
         for text in texts[1:]:
-            total = f"{name}({total}, {text})"
+            total = self.mathematics(called, [total, text])
         return total, wanted
 
     def lane_call(self, node: ast.Call, name: str) -> tuple[str, Value | None]:
@@ -128,7 +135,8 @@ class Calls(Names, ABC):
         if name == "exponential":
             return f"exp({self.as_scalar(node.args[0], VEC4)})", VEC4
         if name == "fourth_root":
-            return f"sqrt(sqrt(max({self.as_scalar(node.args[0], VEC4)}, vec4f(0.0))))", VEC4
+            nothing = self.dialect.converted("0.0", VEC4)
+            return f"sqrt(sqrt(max({self.as_scalar(node.args[0], VEC4)}, {nothing})))", VEC4
         if name in ("maximum", "minimum"):
             texts = [self.as_scalar(one, VEC4) for one in node.args]
             return f"{name[:3]}({', '.join(texts)})", VEC4
@@ -136,7 +144,7 @@ class Calls(Names, ABC):
             owner = self.bound(node.args[0])
             index = self.as_scalar(node.args[1], I32)
             if isinstance(owner, Table) and owner.spectral and name == "load":
-                return f"read_{owner.name}({index})", VEC4
+                return self.dialect.element(owner.name, index), VEC4
             if isinstance(owner, Room) and owner.element == VEC4:
                 assert isinstance(node.args[0], ast.Name)
                 place = f"{self.room(node.args[0])}[{index}]"
@@ -168,20 +176,23 @@ class Calls(Names, ABC):
                 raise self.refuse(one, "is nothing")
             if isinstance(found, Room):
                 assert isinstance(one, ast.Name)
-                pointer = self.room(one).startswith("(*")
-                text = self.spelled(one.id) if pointer else f"&{text}"
+                text = self.spelled(one.id)
+                if not self.is_parameter(one.id):
+                    text = self.dialect.array_argument(text)
+            if isinstance(found, Table):
+                text = found.name
             values.append(found)
             texts.append(text)
         made = self.emitter.add(called, *values)
         handed = [
             text
             for text, (_, value) in zip(texts, made.parameters, strict=True)
-            if not isinstance(value, (Table, Bundle, Constant))
+            if self.dialect.at_run_time(value)
         ]
         return f"{made.name}({', '.join(handed)})", made.result
 
 
-def _is(called: Any, table: dict[Any, str]) -> bool:
+def _is(called: Any, table: Mapping[Any, Any]) -> bool:
     try:
         return called in table
     except TypeError:

@@ -1,4 +1,4 @@
-"""From restricted Python to WGSL: the same functions that the CPU compiles, for the GPU.
+"""From restricted Python to other languages: the same functions that the processor compiles.
 
 A function is emitted for the types that it is called with, as a compiler would do it: tables,
 constants and NamedTuples are bound when the shader is written and take no part at run time. The
@@ -15,26 +15,31 @@ import ast
 import inspect
 import textwrap
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import cache
 from typing import Any, Final
 
-from airlight.gpu.device.fragment_pass import wgsl
+from airlight.gpu.emit import single_precision
+from airlight.gpu.emit.dialect import Dialect, ShaderDialect
 from airlight.gpu.emit.scope import SubsetError
-from airlight.gpu.emit.shader_types import Scalar, Several, Uniform, Value
+from airlight.gpu.emit.shader_types import Room, Scalar, Several, Table, Uniform, Value
 from airlight.gpu.emit.statements import Emitted, FunctionBody
+from airlight.gpu.emit.wgsl import WGSL
 
 __all__ = ["Emitted", "Emitter", "SubsetError"]
 
-#: Quotients of whole numbers that are rounded down, as Python's are; WGSL's go towards 0.
-#: Angles and their functions, good to 1e-7 and 3e-7: WGSL's own sine may err by 5e-4, its arc
-#: tangent by 4096 units of the last place; a driver in use errs by 4e-4 in asin. The polynomials
-#: of sine, cosine and arc tangent are those of Moshier's Cephes library in single precision.
-PRELUDE: Final = wgsl("prelude")
+#: Functions for whose names no other may stand.
+_OWN: Final = frozenset(vars(single_precision))
 
 
 @dataclass
 class Emitter:
-    """Collects the functions of one shader.
+    """Collects the functions of one shader, or of one module of another language.
+
+    Parameters
+    ----------
+    dialect : Dialect
+        The language.
 
     Examples
     --------
@@ -49,7 +54,9 @@ class Emitter:
     }
     """
 
+    dialect: Dialect = WGSL
     emitted: dict[tuple[Any, ...], Emitted] = field(default_factory=dict)
+    arrays: dict[str, Room] = field(default_factory=dict)
     tuples: dict[str, Several] = field(default_factory=dict)
     taken: set[str] = field(default_factory=set)
     _in_progress: set[Any] = field(default_factory=set)
@@ -78,27 +85,28 @@ class Emitter:
             With file and line, if the function leaves the subset.
         """
         plain = getattr(function, "py_func", function)
-        bound = tuple(_handed_over(one) for one in arguments)
+        parameters = plain.__code__.co_varnames[: plain.__code__.co_argcount]
+        if len(parameters) != len(arguments):
+            raise SubsetError(
+                f"{plain.__module__}.{plain.__name__}: {len(arguments)} arguments for "
+                f"{len(parameters)} parameters"
+            )
+        bound = tuple(
+            _handed_over(one, parameter, self.dialect)
+            for one, parameter in zip(arguments, parameters, strict=True)
+        )
         key = (plain, bound)
         if key in self.emitted:
             return self.emitted[key]
         if plain in self._in_progress:
             raise SubsetError(f"{plain.__module__}.{plain.__name__}: calls itself")
         self._in_progress.add(plain)
-        source = inspect.getsource(plain)
-        tree = ast.parse(textwrap.dedent(source)).body[0]
-        assert isinstance(tree, ast.FunctionDef)
-        parameters = [one.arg for one in tree.args.args]
-        if len(parameters) != len(bound):
-            raise SubsetError(
-                f"{plain.__module__}.{plain.__name__}: {len(bound)} arguments for "
-                f"{len(parameters)} parameters"
-            )
+        tree = _syntax_tree(plain)
         wanted = name or plain.__name__.strip("_")
         if wanted.startswith(("read_", "size_")):  # so are the functions of tables
             wanted = f"{wanted}_here"
         name, copy = wanted, 2
-        while name in self.taken:
+        while name in self.taken or (name in self.dialect.reserved and name not in _OWN):
             name, copy = f"{wanted}_{copy}", copy + 1
         self.taken.add(name)
         made = Emitted(name, plain, tuple(zip(parameters, bound, strict=True)))
@@ -118,21 +126,43 @@ class Emitter:
         several = Several(tuple(items))
         return self.tuples.setdefault(several.name, several)
 
+    def module_array(self, name: str, kind: Room) -> Room:
+        """An array that stands in the module, where the language wants that; else as it is.
+
+        Parameters
+        ----------
+        name : str
+            Of the variable.
+        kind : Room
+        """
+        if not self.dialect.module_arrays:
+            return kind
+        self.taken.add(name)
+        return self.arrays.setdefault(name, replace(kind, variable=name))
+
     def functions_text(self) -> str:
-        """Structs and functions, callees first."""
-        structs = [
-            f"struct {name} {{ "
-            + ", ".join(f"v{i}: {item.name}" for i, item in enumerate(several.items))
-            + " }\n"
-            for name, several in self.tuples.items()
-        ]
-        return "".join(structs) + "\n".join(one.text for one in self.emitted.values())
+        """Structs, arrays of the module and functions, callees first."""
+        structs = [self.dialect.struct(several) for several in self.tuples.values()]
+        arrays = [f"{self.dialect.declared(*one)}\n" for one in self.arrays.items()]
+        functions = "\n".join(one.text for one in self.emitted.values())
+        return "".join([*structs, *arrays]) + functions
 
     def module(self) -> str:
         """The functions after what all of them may need."""
-        return PRELUDE + self.functions_text()
+        before = self.dialect.whole_numbers if isinstance(self.dialect, ShaderDialect) else ""
+        return before + self.functions_text()
 
 
-def _handed_over(value: Value) -> Value:
+@cache
+def _syntax_tree(function: Callable[..., Any]) -> ast.FunctionDef:
+    """The source of a function, read once for all shaders and languages."""
+    tree = ast.parse(textwrap.dedent(inspect.getsource(function))).body[0]
+    assert isinstance(tree, ast.FunctionDef)
+    return tree
+
+
+def _handed_over(value: Value, parameter: str, dialect: Dialect) -> Value:
     """How a value arrives in the function called: a uniform as a plain number."""
+    if isinstance(value, Table) and dialect.at_run_time(value):
+        return replace(value, name=parameter)
     return value.scalar if isinstance(value, Uniform) else value

@@ -1,4 +1,4 @@
-"""Expressions of restricted Python as WGSL text, with their types."""
+"""Expressions of restricted Python as text, with their types."""
 
 from __future__ import annotations
 
@@ -22,6 +22,7 @@ from airlight.gpu.emit.shader_types import (
     Value,
     joined,
 )
+from airlight.gpu.emit.single_precision import cubed, squared
 
 _OPERATORS: Final[dict[type[ast.operator], str]] = {
     ast.Add: "+",
@@ -60,17 +61,17 @@ class Expressions(Calls):
                 return self.element(node)
             case ast.Call():
                 return self.call(node)
-        raise self.refuse(node, f"{type(node).__name__} has no WGSL")
+        raise self.refuse(node, f"{type(node).__name__} has no translation")
 
     def name(self, node: ast.Name | ast.Attribute) -> tuple[str, Value]:
         """A variable, a parameter, or a field of a bundle."""
         if isinstance(node, ast.Attribute) and node.attr == "size":
             owner = self.bound(node.value)
             if isinstance(owner, Table) and owner.rank == 1:
-                return f"size_{owner.name}(0)", I32
+                return self.dialect.length(owner.name, "0"), I32
         found = self.bound(node)
         if isinstance(found, Uniform):
-            return found.text, found.scalar
+            return self.dialect.uniform(found.text, found.scalar), found.scalar
         if isinstance(found, (Table, Bundle)):
             return "", found
         if isinstance(found, (Scalar, Room, Several)):
@@ -88,11 +89,12 @@ class Expressions(Calls):
         if isinstance(node.op, (ast.FloorDiv, ast.Mod)):
             if (first, second) != (I32, I32):
                 raise self.refuse(node, "is for whole numbers only")
-            name = "whole_quotient" if isinstance(node.op, ast.FloorDiv) else "whole_rest"
-            return f"{name}({left}, {right})", I32
+            if isinstance(node.op, ast.FloorDiv):
+                return self.dialect.quotient(left, right), I32
+            return self.dialect.rest(left, right), I32
         sign = _OPERATORS.get(type(node.op))
         if sign is None:
-            raise self.refuse(node, "has no WGSL")
+            raise self.refuse(node, "has no translation")
         kind = joined(first, second)
         if kind == I32 and sign == "/":
             kind = F32
@@ -106,8 +108,9 @@ class Expressions(Calls):
         base = self.as_scalar(node.left, F32)
         exponent = self.fold(node.right)
         if exponent in (2, 3):
-            return f"{'squared' if exponent == 2 else 'cubed'}({base})", F32
-        return f"pow({base}, {self.as_scalar(node.right, F32)})", F32
+            power = squared if exponent == 2 else cubed
+            return f"{self.emitter.add(power, F32).name}({base})", F32
+        return self.mathematics(pow, [base, self.as_scalar(node.right, F32)]), F32
 
     def comparison(self, node: ast.Compare) -> tuple[str, Value]:
         """One comparison or a chain of them."""
@@ -116,7 +119,7 @@ class Expressions(Calls):
         for op, right in zip(node.ops, node.comparators, strict=True):
             sign = COMPARISONS.get(type(op))
             if sign is None:
-                raise self.refuse(node, "has no WGSL")
+                raise self.refuse(node, "has no translation")
             first, first_type = self.write(left)
             second, second_type = self.write(right)
             kinds = self.number(left, first_type), self.number(right, second_type)
@@ -137,7 +140,7 @@ class Expressions(Calls):
         kinds = self.number(body, yes_type), self.number(orelse, no_type)
         wanted = BOOL if BOOL in kinds else joined(*kinds)
         yes, no = self.cast(yes, yes_type, wanted), self.cast(no, no_type, wanted)
-        return f"select({no}, {yes}, {self.as_scalar(test, BOOL)})", wanted
+        return self.dialect.chosen(self.as_scalar(test, BOOL), yes, no), wanted
 
     def element(self, node: ast.Subscript) -> tuple[str, Value]:
         """An element of a table or of a room, or the length of an axis."""
@@ -145,14 +148,14 @@ class Expressions(Calls):
             owner = self.bound(node.value.value)
             axis = self.fold(node.slice)
             if isinstance(owner, Table) and isinstance(axis, int) and axis < owner.rank:
-                return f"size_{owner.name}({axis})", I32
+                return self.dialect.length(owner.name, str(axis)), I32
             if isinstance(owner, Room) and axis == 0:
                 return str(owner.size), Constant(owner.size)
         owner = self.bound(node.value)
         if isinstance(owner, Table):
             if owner.spectral:
                 raise self.refuse(node, "is read with load()")
-            return f"read_{owner.name}({self.flat_index(node, owner)})", F32
+            return self.dialect.element(owner.name, self.flat_index(node, owner)), F32
         return self.place(node)
 
     def flat_index(self, node: ast.Subscript, table: Table) -> str:
@@ -162,7 +165,8 @@ class Expressions(Calls):
             raise self.refuse(node, f"needs {table.rank} indices")
         flat = self.as_scalar(indices[0], I32)
         for axis, one in enumerate(indices[1:], start=1):
-            flat = f"({flat} * size_{table.name}({axis}) + {self.as_scalar(one, I32)})"
+            length = self.dialect.length(table.name, str(axis))
+            flat = f"({flat} * {length} + {self.as_scalar(one, I32)})"
         return flat
 
     def place(self, node: ast.Subscript) -> tuple[str, Scalar]:

@@ -9,13 +9,13 @@ from __future__ import annotations
 import ast
 import inspect
 import math
-import re
 from collections.abc import Callable, Sequence
 from typing import Any, Final, Protocol
 
 import numpy as np
 
 from airlight.errors import AirlightError
+from airlight.gpu.emit.dialect import Dialect
 from airlight.gpu.emit.shader_types import (
     BOOL,
     F32,
@@ -34,7 +34,7 @@ from airlight.gpu.emit.shader_types import (
 )
 from airlight.kernel import lanes as lane_module
 
-#: Python's comparisons in WGSL.
+#: Python's comparisons in all languages here.
 COMPARISONS: Final[dict[type[ast.cmpop], str]] = {
     ast.Lt: "<",
     ast.LtE: "<=",
@@ -43,28 +43,10 @@ COMPARISONS: Final[dict[type[ast.cmpop], str]] = {
     ast.Eq: "==",
     ast.NotEq: "!=",
 }
-#: Names that WGSL or GLSL keep for themselves, or that the shader calls.
-_TAKEN: Final = frozenset(
-    re.findall(
-        r"\w+",
-        """
-    abs acos all angle_of any arc_cosine arc_sine arc_tangent array asin atan atan2 bool break
-    case ceil clamp const continue cos cosine
-    cross cubed default degrees discard distance do dot else enum exp exp2 f16 f32 false field
-    floor fn for fract i32 if in inout input int float inverse inverseSqrt layout length let log
-    log2 loop main max min mix mod normalize out output override pow precision radians reflect
-    refract return round sample sampler select shared sign sin sine smooth sqrt squared step
-    struct switch tan texture trunc true u32 uniform var vec4f while active centroid common
-    whole_quotient whole_rest
-    filter half fixed image interface packed partition public static superp target template this
-    union unsigned using volatile highp lowp mediump flat buffer texel
-    """,
-    )
-)
 
 
 class SubsetError(AirlightError):
-    """A function that has no WGSL: names file, line and reason."""
+    """A function outside the subset: names file, line and reason."""
 
 
 class Callee(Protocol):
@@ -79,6 +61,10 @@ class Functions(Protocol):
     """Emits what is called; see ``emitter.Emitter``."""
 
     @property
+    def dialect(self) -> Dialect:
+        """The language."""
+
+    @property
     def taken(self) -> set[str]:
         """Names of functions."""
 
@@ -87,6 +73,9 @@ class Functions(Protocol):
 
     def tuple_type(self, items: Sequence[Scalar]) -> Several:
         """The struct that stands for a tuple."""
+
+    def module_array(self, name: str, kind: Room) -> Room:
+        """An array that stands in the module."""
 
 
 class Names:
@@ -112,6 +101,7 @@ class Names:
         self, emitter: Functions, function: Callable[..., Any], names: dict[str, Value]
     ) -> None:
         self.emitter, self.function, self.names = emitter, function, names
+        self.dialect = emitter.dialect
         closure = inspect.getclosurevars(function)
         self.globals = {**function.__globals__, **closure.nonlocals}
         self.first_line = function.__code__.co_firstlineno
@@ -123,8 +113,9 @@ class Names:
         return SubsetError(f"{self.function.__code__.co_filename}:{line}: {text!r}: {why}")
 
     def spelled(self, name: str) -> str:
-        """A Python name as it may stand in WGSL."""
-        return f"{name}_1" if name in _TAKEN or name in self.emitter.taken else name.lstrip("_")
+        """A Python name as it may stand in the shader."""
+        taken = name in self.dialect.reserved or name in self.emitter.taken
+        return f"{name}_1" if taken else name.lstrip("_")
 
     def learn(self, node: ast.AST, name: str, found: Value) -> None:
         """A name was assigned to: remember its type, the wider one of two."""
@@ -149,12 +140,12 @@ class Names:
             raise self.refuse(node, f"{name} was {before} and would be {found}")
 
     def literal(self, node: ast.AST, value: float | int | bool) -> str:
-        """A number in WGSL."""
+        """A number as text."""
         if isinstance(value, (bool, np.bool_)):
             return "true" if value else "false"
         if isinstance(value, (int, np.integer)):
             return str(int(value))
-        if not math.isfinite(value) or abs(value) > 3.4e38:
+        if not math.isfinite(value) or abs(value) > self.dialect.largest:
             raise self.refuse(node, "is no number of single precision")
         if 0.0 < abs(value) < 1.2e-38:
             return "0.0"
@@ -171,9 +162,9 @@ class Names:
         if wanted == F32 and kind in (I32, BOOL):
             if isinstance(found, Constant):
                 return f"{float(found.value)!r}"
-            return f"f32({text})"
+            return self.dialect.converted(text, F32)
         if wanted == VEC4 and kind in (F32, I32):
-            return f"vec4f({self.cast(text, found, F32)})"
+            return self.dialect.converted(self.cast(text, found, F32), VEC4)
         raise SubsetError(f"{self.function.__qualname__}: {text} is {kind}, not {wanted}")
 
     def known(self, node: ast.expr) -> bool | None:

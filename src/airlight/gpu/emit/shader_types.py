@@ -1,4 +1,4 @@
-"""What the emitter knows of a value: its WGSL type, or the table or constant that it stands for."""
+"""What the emitter knows of a value: its type, or the table or constant that it stands for."""
 
 from __future__ import annotations
 
@@ -35,14 +35,14 @@ class Constant:
 
 @dataclass(frozen=True)
 class Uniform:
-    """A number that the shader finds in a uniform.
+    """A number that the shader finds in a uniform, where all numbers are floats.
 
     Attributes
     ----------
     text : str
-        The WGSL expression.
+        The expression of the float, the same in all languages of shaders.
     scalar : Scalar
-        Its type.
+        Type that it stands for: whole numbers are rounded off, and a switch is on above a half.
     """
 
     text: str
@@ -53,8 +53,8 @@ class Uniform:
 class Table:
     """An array that is read only, in a texture.
 
-    The WGSL function ``read_NAME(index: i32)`` gives an element, ``size_NAME(axis: i32)`` the
-    length of an axis.
+    The shader's function ``read_NAME(index)`` gives an element, ``size_NAME(axis)`` the length of
+    an axis.
 
     Attributes
     ----------
@@ -85,14 +85,17 @@ class Room:
         Number of elements.
     element : Scalar
         Their type.
+    variable : str
+        Of the module, where a language keeps arrays there.
     """
 
     size: int
     element: Scalar = F32
+    variable: str = ""
 
     @property
     def name(self) -> str:
-        """The WGSL type."""
+        """Name of the type, for messages."""
         return f"array<{self.element.name}, {self.size}>"
 
 
@@ -120,13 +123,11 @@ class Several:
 
     @property
     def name(self) -> str:
-        """The WGSL struct that stands for it."""
+        """Name of the struct that stands for it."""
         return "Several_" + "_".join(item.name for item in self.items)
 
 
 Value = Scalar | Constant | Uniform | Table | Room | Bundle | Several
-#: What is not handed over at run time.
-STATIC: Final = (Constant, Table, Bundle)
 
 
 def run_time(value: Value) -> Scalar | Room | Several:

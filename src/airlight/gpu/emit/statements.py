@@ -1,4 +1,4 @@
-"""The statements of one function of restricted Python as WGSL: its body, its head, its variables.
+"""Statements of one function of restricted Python as text: its body, its head, its variables.
 
 Every variable is declared at the top of the function, with the widest type that any assignment
 gives it; so a body is written until its types no longer change.
@@ -11,12 +11,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
+from airlight.gpu.emit.dialect import Named
 from airlight.gpu.emit.expressions import Expressions
 from airlight.gpu.emit.scope import Functions, SubsetError
 from airlight.gpu.emit.shader_types import (
     BOOL,
     I32,
-    STATIC,
     Bundle,
     Constant,
     Room,
@@ -50,7 +50,7 @@ class Emitted:
     result : Scalar, Several or None
         None if it only fills rooms.
     text : str
-        WGSL.
+        In the language of the emitter.
     """
 
     name: str
@@ -80,6 +80,7 @@ class FunctionBody:
 
     def __init__(self, emitter: Functions, made: Emitted, tree: ast.FunctionDef) -> None:
         self.made, self.tree = made, tree
+        self.dialect = emitter.dialect
         self.expressions = Expressions(emitter, made.function, dict(made.parameters))
         self.names = self.expressions.names
         self.lines: list[str] = []
@@ -96,31 +97,30 @@ class FunctionBody:
             if self.names == before:
                 break
         spell = self.expressions.spelled
-        heads, copies = [], []
+        heads: list[Named] = []
+        copies: list[str] = []
         changed = _assigned(self.tree)
         for name, value in self.made.parameters:
-            if isinstance(value, STATIC):
+            if not self.dialect.at_run_time(value):
                 continue
-            kind = run_time(value)
-            if isinstance(kind, Room):
-                heads.append(f"{spell(name)}: ptr<function, {kind.name}>")
-            elif name in changed:
-                heads.append(f"{spell(name)}_given: {kind.name}")
+            kind = value if isinstance(value, Table) else run_time(value)
+            if isinstance(kind, Scalar) and name in changed:
+                given = f"{spell(name)}_given"
+                heads.append((given, kind))
                 now = self.names[name]
                 assert isinstance(now, Scalar)
-                given = f"{spell(name)}_given"
                 if now != kind:
-                    given = f"{now.name}({given})"
-                copies.append(f"  var {spell(name)} = {given};")
+                    given = self.dialect.converted(given, now)
+                copies.append(f"  {self.dialect.variable(spell(name), now, given)}")
             else:
-                heads.append(f"{spell(name)}: {kind.name}")
+                heads.append((spell(name), kind))
         for name, value in self.names.items():
-            if name not in parameters and isinstance(value, (Scalar, Room)):
-                copies.append(f"  var {spell(name)}: {value.name};")
-        result = f" -> {self.made.result.name}" if self.made.result is not None else ""
-        self.made.text = "\n".join(
-            [f"fn {self.made.name}({', '.join(heads)}){result} {{", *copies, *self.lines, "}\n"]
-        )
+            if name in parameters or not isinstance(value, (Scalar, Room)):
+                continue
+            if not (isinstance(value, Room) and value.variable):
+                copies.append(f"  {self.dialect.declared(spell(name), value)}")
+        head = self.dialect.head(self.made.name, heads, self.made.result)
+        self.made.text = "\n".join([head, *copies, *self.lines, "}\n"])
 
     def refuse(self, node: ast.AST, why: str) -> SubsetError:
         """The error for a node; see ``Expressions.refuse``."""
@@ -151,8 +151,7 @@ class FunctionBody:
                 return
             case ast.Expr(value=ast.Call() as call):
                 text, value = self.expressions.write(call)
-                unused = "" if value is None else "_ = "
-                self.put(depth, f"{unused}{text};")
+                self.put(depth, f"{text};" if value is None else self.dialect.unused(text))
             case ast.Assign(targets=[ast.Tuple() as target], value=value):
                 self.unpack(target, value, depth)
             case ast.Assign(targets=[target], value=value):
@@ -176,7 +175,7 @@ class FunctionBody:
             case ast.Return():
                 self.give_back(node, depth)
             case _:
-                raise self.refuse(node, f"{type(node).__name__} has no WGSL")
+                raise self.refuse(node, f"{type(node).__name__} has no translation")
 
     def condition(self, test: ast.expr) -> str:
         """What stands between the brackets of ``if`` and ``while``."""
@@ -216,7 +215,7 @@ class FunctionBody:
             sign = ">"
         self.expressions.learn(node, target.id, I32)
         name = self.expressions.spelled(target.id)
-        if len(ends) < 3 and not _turns_inside(node):
+        if self.dialect.unrolls and len(ends) < 3 and not _turns_inside(node):
             self.unrolled(node, name, first, last, depth)
             return
         self.put(
@@ -232,7 +231,7 @@ class FunctionBody:
         """
         self.temporaries += 1
         end = f"end_{self.temporaries}"
-        self.put(depth, f"let {end} = {last};")
+        self.put(depth, self.dialect.kept(end, I32, last))
         self.put(depth, f"for ({name} = {first}; {name} + 3 < {end}; {name} = {name} + 1) {{")
         for turn in range(4):
             if turn:
@@ -244,7 +243,7 @@ class FunctionBody:
         self.put(depth, "}")
 
     def give_back(self, node: ast.Return, depth: int) -> None:
-        """``return``: of nothing, a number or a tuple, which is a struct in WGSL."""
+        """``return``: of nothing, a number or a tuple."""
         if node.value is None:
             self.put(depth, "return;")
             return
@@ -260,7 +259,7 @@ class FunctionBody:
                 for (text, value), item in zip(written, several.items, strict=True)
             ]
             self.made.result = several
-            self.put(depth, f"return {several.name}({', '.join(parts)});")
+            self.put(depth, f"return {self.dialect.several(several, parts)};")
             return
         text, value = self.expressions.write(node.value)
         if isinstance(value, Several):
@@ -295,6 +294,9 @@ class FunctionBody:
         if isinstance(kind, Several):
             raise self.refuse(target, "a tuple is taken apart where it is made")
         if isinstance(kind, Room):
+            if self.dialect.module_arrays and not kind.variable:
+                name = f"{self.made.name}_{target.id}"
+                kind = self.expressions.emitter.module_array(name, kind)
             self.expressions.learn(target, target.id, kind)
             return
         self.expressions.learn(target, target.id, kind)
@@ -315,9 +317,11 @@ class FunctionBody:
                     fixed.append((text, found))
                     continue
                 self.temporaries += 1
-                self.put(depth, f"let now_{self.temporaries} = {text};")
-                kind = run_time(found)
-                fixed.append((f"now_{self.temporaries}", kind))
+                now, kind = f"now_{self.temporaries}", run_time(found)
+                if isinstance(kind, Room):
+                    raise self.refuse(target, "an array has one name")
+                self.put(depth, self.dialect.kept(now, kind, text))
+                fixed.append((now, kind))
             for one, (text, found) in zip(target.elts, fixed, strict=True):
                 self.one_of_several(one, text, found, depth)
             return
@@ -326,7 +330,9 @@ class FunctionBody:
             if len(found.fields) != len(target.elts):
                 raise self.refuse(target, f"{len(found.fields)} fields")
             for one, member in zip(target.elts, found.fields.values(), strict=True):
-                written_member = member.text if isinstance(member, Uniform) else ""
+                written_member = ""
+                if isinstance(member, Uniform):
+                    written_member = self.dialect.uniform(member.text, member.scalar)
                 if isinstance(member, Constant):
                     written_member = self.expressions.literal(one, member.value)
                 self.one_of_several(one, written_member, member, depth)
@@ -335,9 +341,9 @@ class FunctionBody:
             raise self.refuse(target, "another number of values")
         self.temporaries += 1
         several = f"several_{self.temporaries}"
-        self.put(depth, f"let {several} = {text};")
+        self.put(depth, self.dialect.kept(several, found, text))
         for i, (one, kind) in enumerate(zip(target.elts, found.items, strict=True)):
-            self.one_of_several(one, f"{several}.v{i}", kind, depth)
+            self.one_of_several(one, self.dialect.part(several, i), kind, depth)
 
     def one_of_several(self, target: ast.expr, text: str, found: Value | None, depth: int) -> None:
         """Give one part of a tuple to a name or to an element of a room."""

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.color.four_wavelengths import picture_weights
-from airlight.color.upsampling import reflectance_basis
 from airlight.errors import Cancelled, ParameterError
 from airlight.gpu.device.device import Device
 from airlight.gpu.device.flat import FLAT_WIDTH, empty_flat_texture, read_texture, update_flat
@@ -134,18 +133,17 @@ class Pictures:
         if nm.size > WAVELENGTHS:
             raise ParameterError("wavelengths", nm.size, f"at most {WAVELENGTHS} on the GPU")
         if weights is None:
-            spectrum = solution.planet.star.irradiances if solution.planet is not None else None
-            weights = picture_weights(nm, spectrum)
+            weights = picture_weights(nm, solution.lights[0].spectrum)
         if np.shape(weights) != (nm.size, 3):
             raise ParameterError("weights", np.shape(weights), f"an array of shape ({nm.size}, 3)")
         points = None if self.device.software else FEW.points
-        self._shown_tables = shown_solution(solution, reflectance_basis(nm), points=points)
+        self._shown_tables = shown_solution(solution, solution.medium.map_basis, points=points)
         self._textures = SolutionTextures.of(
             self.device, solution, self._shown_tables, self._textures
         )
         self._solution = solution
         self._weights = np.zeros((WAVELENGTHS, 3))
-        self._weights[: nm.size] = np.asarray(weights) * solution.medium.solar_irradiance[:, None]
+        self._weights[: nm.size] = solution.lights[0].colors(weights)
         self._groups.clear()
         self._seen = b""
 
@@ -265,6 +263,7 @@ class Pictures:
         tone_map: str = "hable",
         encoding: str | None = "srgb",
         size: tuple[int, int] | None = None,
+        uniforms: Mapping[str, float] | None = None,
     ) -> None:
         """Draw into a texture.
 
@@ -284,11 +283,13 @@ class Pictures:
             One of ``ENCODINGS``; None for a target that encodes by itself.
         size : (int, int), optional
             Of the target, where it is not the camera's. [pixel]
+        uniforms : mapping, optional
+            Further numbers of the shaders, by name.
         """
         width, height = size or (scene.camera.width, scene.camera.height)
         numbers = self._numbers(scene, (width, height), exact, orders, disc)
         if exposure is not None:
-            numbers |= display_numbers(exposure, tone_map, encoding)
+            numbers |= {**display_numbers(exposure, tone_map, encoding), **(uniforms or {})}
         entry = "linear_picture" if exposure is None else "shown_picture"
         if not exact:
             self._draw_sky(numbers)
@@ -382,7 +383,7 @@ class Pictures:
         if numbers["keeps_peaks"]:
             passes.append((sky_peaks_shader(), ("first", "second")))
         for shader, layers in passes:
-            one = self._pass(shader, shader.entries[0], (_LINEAR, _LINEAR))
+            one = self._pass(shader, next(iter(shader.entries)), (_LINEAR, _LINEAR))
             one.run(encoder, self._bound(one), [self._layers[name] for name in layers])
         self.device.device.queue.submit([encoder.finish()])
         self._seen = seen

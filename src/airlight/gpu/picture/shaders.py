@@ -9,10 +9,13 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any, Final
 
-from airlight.gpu.device.fragment_pass import wgsl
+from airlight.gpu.device.flat import FLAT_WIDTH
+from airlight.gpu.emit.dialect import ShaderDialect
 from airlight.gpu.emit.emitter import Emitter
-from airlight.gpu.emit.shader_types import F32, I32, VEC4, Bundle, Constant, Room, Table, Value
-from airlight.gpu.picture.uniforms import struct_text, table_text, uniform
+from airlight.gpu.emit.shader_types import F32, I32, VEC4, Bundle, Constant, Room, Several, Value
+from airlight.gpu.emit.texture_table import TextureTable
+from airlight.gpu.emit.wgsl import WGSL
+from airlight.gpu.picture.uniforms import CHANNELS, struct_text, uniform
 from airlight.pixels.pixel import Display, Screen, displayed, pixel_light
 from airlight.pixels.shown import FIELD_TABLES, SCALAR_TABLES, SPECTRAL_TABLES, Shown
 from airlight.pixels.sky_table import Observer, sky_texel
@@ -35,11 +38,12 @@ class Shader:
     Attributes
     ----------
     name : str
-        Of its file.
-    text : str
-        WGSL.
-    entries : tuple of str
-        Its fragment functions.
+    dialect : ShaderDialect
+        Its language.
+    functions : str
+        What all its entry points need: uniforms, textures and functions.
+    entries : dict from str to str
+        Entry points: a fragment function each.
     textures : tuple of str
         What it reads, from ``TEXTURES``.
     emitter : Emitter
@@ -47,19 +51,45 @@ class Shader:
     """
 
     name: str
-    text: str
-    entries: tuple[str, ...]
+    dialect: ShaderDialect
+    functions: str
+    entries: dict[str, str]
     textures: tuple[str, ...]
     emitter: Emitter
 
+    @property
+    def text(self) -> str:
+        """The shader with all its entry points, for a language that allows several."""
+        return self.dialect.module([self.functions, *self.entries.values()])
+
+    def entry_text(self, entry: str) -> str:
+        """The shader with one entry point.
+
+        Parameters
+        ----------
+        entry : str
+            One of ``entries``.
+        """
+        return self.dialect.module([self.functions, self.entries[entry]])
+
 
 @cache
-def tables() -> dict[str, tuple[Table, str]]:
-    """Each table, and the texture that it stands in."""
-    found = {name: (Table(name, rank), "scalars") for name, rank in SCALAR_TABLES.items()}
-    found |= {name: (Table(name, 1, True), "spectra") for name in SPECTRAL_TABLES}
-    found |= {name: (Table(name, 1, True), "fields") for name in FIELD_TABLES}
-    return found | {"levels": (Table("levels", 2), "ground"), "texels": (Table("texels"), "ground")}
+def tables() -> dict[str, TextureTable]:
+    """Each table of the shaders."""
+    found = {}
+    for texture, ranks, spectral in (
+        ("scalars", SCALAR_TABLES, False),
+        ("spectra", dict.fromkeys(SPECTRAL_TABLES, 1), True),
+        ("fields", dict.fromkeys(FIELD_TABLES, 1), True),
+        ("ground", {"levels": 2, "texels": 1}, False),
+    ):
+        for name, rank in ranks.items():
+            where = f"frame.table_{name}"
+            found[name] = TextureTable(
+                name, texture, rank, spectral, f"{where}.x", where, 1, pair=rank == 4
+            )
+    layers = {name: TextureTable(name, texture, 1, True) for name, texture in _LAYERS.items()}
+    return found | layers
 
 
 def _bundle(kind: Any, fixed: Fixed = ()) -> Bundle:
@@ -70,9 +100,7 @@ def _bundle(kind: Any, fixed: Fixed = ()) -> Bundle:
         if name in known:
             fields[name] = Constant(known[name])
         elif name in tables():
-            fields[name] = tables()[name][0]
-        elif name in _LAYERS:
-            fields[name] = Table(name, 1, True)
+            fields[name] = tables()[name].table
         else:
             fields[name] = uniform(name)
     return Bundle(fields)
@@ -127,58 +155,96 @@ def display(fixed: Fixed = ()) -> Bundle:
 
 
 def assembled(
-    name: str, entries: tuple[str, ...], textures: tuple[str, ...], emitter: Emitter
+    name: str, entries: dict[str, str], textures: tuple[str, ...], emitter: Emitter
 ) -> Shader:
-    """A shader of a file of entry points and the functions that were emitted for it.
+    """A shader of its entry points and the functions that were emitted for them.
 
     Parameters
     ----------
     name : str
-        Of the file in ``gpu/wgsl``.
-    entries : tuple of str
+        Of the shader.
+    entries : dict from str to str
         Its entry points.
     textures : tuple of str
         What the shader reads, in the order of its bindings.
     emitter : Emitter
-        With the functions that the entry points call.
+        With the functions that the entry points call; in a language of shaders.
     """
-    lines = [struct_text()]
-    for i, texture in enumerate(textures):
-        lines.append(f"@group(0) @binding({i + 1}) var {texture}: texture_2d<f32>;\n")
-    lines += [table_text(table, where) for table, where in tables().values() if where in textures]
-    lines += [
-        f"fn read_{layer}(index: i32) -> vec4f {{\n"
-        f"  return textureLoad({texture}, vec2i(index & 2047, index >> 11), 0);\n}}\n"
-        for layer, texture in _LAYERS.items()
-        if texture in textures
-    ]
-    text = "\n".join([*lines, emitter.module(), wgsl(name)])
-    return Shader(name, text, entries, textures, emitter)
+    dialect = emitter.dialect
+    assert isinstance(dialect, ShaderDialect)
+    lines = [struct_text(dialect)]
+    lines += [dialect.texture(one, 0, i) for i, one in enumerate(textures, start=1)]
+    for table in tables().values():
+        if table.texture in textures:
+            slot = textures.index(table.texture) + 1
+            lines.append(table.reader(dialect, dialect.texture_name(table.texture, 0, slot)))
+    functions = "\n".join([*lines, emitter.module()])
+    return Shader(name, dialect, functions, entries, textures, emitter)
 
 
 @cache
-def sky_air_shader() -> Shader:
-    """The air's own light and that of the ground behind it, a texel a line of sight."""
-    return _sky_shader("sky_air", "air_texel", gathers=True, peaks=False)
+def sky_air_shader(dialect: ShaderDialect = WGSL) -> Shader:
+    """The air's own light and that of a white ground behind it, a texel a line of sight.
+
+    Parameters
+    ----------
+    dialect : ShaderDialect
+        The language.
+    """
+    return _sky_shader(dialect, "sky_air", "air_texel", (0, 1), gathers=True, peaks=False)
 
 
 @cache
-def sky_peaks_shader() -> Shader:
-    """What peaked constituents scatter once, without their phase functions."""
-    return _sky_shader("sky_peaks", "peaks_texel", gathers=False, peaks=True)
+def sky_peaks_shader(dialect: ShaderDialect = WGSL) -> Shader:
+    """What the two peaked constituents scatter once, without their phase functions.
+
+    Parameters
+    ----------
+    dialect : ShaderDialect
+        The language.
+    """
+    return _sky_shader(dialect, "sky_peaks", "peaks_texel", (2, 3), gathers=False, peaks=True)
 
 
-def _sky_shader(name: str, function: str, *, gathers: bool, peaks: bool) -> Shader:
-    emitter = Emitter()
+def _sky_shader(
+    dialect: ShaderDialect,
+    name: str,
+    function: str,
+    layers: tuple[int, int],
+    *,
+    gathers: bool,
+    peaks: bool,
+) -> Shader:
+    emitter = Emitter(dialect)
+    found = emitter.module_array("found", Room(4, VEC4))
     emitter.add(
         sky_texel, I32, I32, I32, I32, Constant(gathers), Constant(peaks), observer(), light(),
-        Room(4, VEC4), name=function,
+        found, name=function,
     )  # fmt: skip
-    return assembled(name, (name,), TEXTURES[:3], emitter)
+    columns, rows = (dialect.uniform(uniform(one).text, I32) for one in ("sky_columns", "sky_rows"))
+    places = ("number % columns", "number / columns", "columns", rows)
+    x, y = dialect.converted("at.x", I32), dialect.converted("at.y", I32)
+    body = [
+        dialect.kept("columns", I32, columns),
+        dialect.kept("number", I32, f"{y} * {FLAT_WIDTH} + {x}"),
+        *_filled("found", found, function, places, dialect),
+    ]
+    entry = dialect.fragment(name, 2, body, [f"found[{layer}]" for layer in layers])
+    return assembled(name, {name: entry}, TEXTURES[:3], emitter)
+
+
+def _filled(
+    name: str, array: Room, function: str, places: tuple[str, ...], dialect: ShaderDialect
+) -> list[str]:
+    """Statements that let a function fill an array."""
+    if array.variable:
+        return [f"{function}({', '.join(places)});"]
+    handed = ", ".join([*places, dialect.array_argument(name)])
+    return [dialect.declared(name, array), f"{function}({handed});"]
 
 
 @cache
-def picture_shader(exact: bool, fixed: Fixed = ()) -> Shader:
+def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL) -> Shader:
     """A pixel's light and what a display shows of it: from the table, or by its own march.
 
     Parameters
@@ -188,16 +254,36 @@ def picture_shader(exact: bool, fixed: Fixed = ()) -> Shader:
     fixed : tuple of (str, value)
         Whole numbers and switches of the uniforms that are known, in place of what stands there:
         a software device works out all sides of every choice.
+    dialect : ShaderDialect
+        The language.
     """
-    emitter = Emitter()
+    emitter = Emitter(dialect)
+    found = emitter.module_array("found", Room(1, VEC4))
     emitter.add(
         pixel_light, F32, F32, Constant(exact), observer(fixed), screen(fixed), light(fixed),
-        Room(1, VEC4), name="light_of_pixel",
+        found, name="light_of_pixel",
     )  # fmt: skip
-    emitter.add(displayed, F32, F32, F32, display(fixed), name="displayed")
-    return assembled(
-        "picture", ("linear_picture", "shown_picture"), TEXTURES[: 4 if exact else 8], emitter
-    )
+    shown = emitter.add(displayed, F32, F32, F32, display(fixed), name="displayed").result
+    assert isinstance(shown, Several)
+    row = f"at.y + {uniform('first_row').text}"
+    lines = [
+        *_filled("found", found, "light_of_pixel", ("at.x", row), dialect),
+        *(dialect.kept(one, F32, f"dot(found[0], frame.{one})") for one in CHANNELS),
+    ]
+    vector = f"{dialect.type_name(VEC4)}({{}}, 1.0)"
+    parts = [dialect.part("seen", i) for i in range(3)]
+    entries = {
+        "linear_picture": dialect.fragment(
+            "linear_picture", 1, lines, [vector.format(", ".join(CHANNELS))]
+        ),
+        "shown_picture": dialect.fragment(
+            "shown_picture",
+            1,
+            [*lines, dialect.kept("seen", shown, f"displayed({', '.join(CHANNELS)})")],
+            [vector.format(", ".join(parts))],
+        ),
+    }
+    return assembled("picture", entries, TEXTURES[: 4 if exact else 8], emitter)
 
 
 def all_shaders() -> tuple[Shader, ...]:

@@ -10,7 +10,6 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.upsampling import reflectance_basis
 from airlight.errors import ParameterError
 from airlight.gpu.device.device import Device
 from airlight.gpu.device.flat import FLAT_WIDTH, MOST_ROWS, flat_rows, flat_texture
@@ -97,9 +96,9 @@ class SolutionTables:
         ParameterError
             If there are more wavelengths or constituents than the shaders have room for.
         """
-        nm = solution.wavelengths
+        count = solution.wavelengths.size
         if shown is None:
-            shown = shown_solution(solution, reflectance_basis(nm))
+            shown = shown_solution(solution, solution.medium.map_basis)
         if shown.constituents > MOST_CONSTITUENTS:
             allowed = f"at most {MOST_CONSTITUENTS} on the GPU"
             raise ParameterError("constituents", shown.constituents, allowed)
@@ -107,10 +106,10 @@ class SolutionTables:
             {name: np.asarray(getattr(shown, name), float) for name in SCALAR_TABLES}, 1
         )
         spectra, more = laid_out(
-            {name: as_texels(getattr(shown, name), nm.size) for name in SPECTRAL_TABLES}, 4
+            {name: as_texels(getattr(shown, name), count) for name in SPECTRAL_TABLES}, 4
         )
         fields, most = laid_out(
-            {name: as_texels(getattr(shown, name), nm.size) for name in FIELD_TABLES}, 4
+            {name: as_texels(getattr(shown, name), count) for name in FIELD_TABLES}, 4
         )
         numbers = {
             name: float(getattr(shown, name))

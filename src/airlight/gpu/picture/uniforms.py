@@ -1,50 +1,45 @@
-"""The one uniform struct of all shaders, declared here for WGSL, for Python and for JavaScript."""
+"""The one uniform struct of all shaders, declared here for every language."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, Final
+from typing import Any, Final, get_type_hints
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.gpu.emit.shader_types import BOOL, F32, I32, Table, Uniform
-from airlight.pixels.shown import FIELD_TABLES, SCALAR_TABLES, SPECTRAL_TABLES
+from airlight.gpu.emit.dialect import ShaderDialect
+from airlight.gpu.emit.shader_types import BOOL, F32, I32, Scalar, Uniform
+from airlight.gpu.emit.wgsl import WGSL
+from airlight.pixels.pixel import Display, Screen
+from airlight.pixels.shown import FIELD_TABLES, SCALAR_TABLES, SPECTRAL_TABLES, Shown
+from airlight.pixels.sky_table import Observer
 
-#: Members of the struct, each a vec4f, and what its four numbers are called.
-MEMBERS: Final[dict[str, tuple[str, ...]]] = {
-    "shell": ("bottom", "top", "star_radius", "bend"),
-    "counts": ("constituents", "degree", "radii", "suns"),
-    "peaks": ("phase_nodes", "first_peak", "second_peak", "orders"),
-    "observer": ("r", "outside", "horizon_mu", "horizon_sine"),
-    "star": ("sun_x", "sun_z", "seen_x", "seen_z"),
-    "screen": ("width", "height", "field_of_view", "projection"),
-    "camera_right": ("right_x", "right_y", "right_z", "pixel_angle"),
-    "camera_up": ("up_x", "up_y", "up_z", "disc"),
-    "camera_forward": ("forward_x", "forward_y", "forward_z", "exact"),
-    "planet_x": ("xx", "xy", "xz", "mapped"),
-    "planet_y": ("yx", "yy", "yz", "map_levels"),
-    "planet_z": ("zx", "zy", "zz", "draws_disc"),
-    "red": ("red_0", "red_1", "red_2", "red_3"),
-    "green": ("green_0", "green_1", "green_2", "green_3"),
-    "blue": ("blue_0", "blue_1", "blue_2", "blue_3"),
-    "display": ("exposure", "tone_map", "encoding", "first_row"),
-    "sky": ("sky_columns", "sky_rows", "keeps_peaks"),
+#: Types of the fields of NamedTuples that are uniforms; what else they have are tables.
+_KINDS: Final = {float: F32, int: I32, bool: BOOL}
+#: Every number that shaders may ask for, with its type: the fields of what the formulas read, and
+#: what the host alone knows, the first row of a strip and whether pixels are marched.
+NUMBERS: Final[dict[str, Scalar]] = {
+    **{
+        name: _KINDS[kind]
+        for bundle in (Shown, Observer, Screen, Display)
+        for name, kind in get_type_hints(bundle).items()
+        if kind in _KINDS
+    },
+    "first_row": F32,
+    "exact": BOOL,
 }
-#: Numbers that are whole, and those that are switches.
-WHOLE: Final = frozenset(
-    {
-        "constituents", "degree", "radii", "suns", "phase_nodes", "first_peak", "second_peak",
-        "orders", "projection", "tone_map", "encoding", "sky_columns", "sky_rows", "map_levels",
-    }
-)  # fmt: skip
-SWITCHES: Final = frozenset({"outside", "exact", "mapped", "keeps_peaks", "draws_disc"})
+SWITCHES: Final = frozenset(name for name, kind in NUMBERS.items() if kind == BOOL)
+#: Vectors of their own: what a channel has of each wavelength.
+CHANNELS: Final = ("red", "green", "blue")
 #: Tables: a vec4f each, where it starts in its texture and the lengths of its first three axes.
 TABLES: Final = (*SCALAR_TABLES, *SPECTRAL_TABLES, *FIELD_TABLES, "levels", "texels")
 
+#: Vector and component of each number.
 _PLACES: Final = {
-    name: (member, "xyzw"[i]) for member, names in MEMBERS.items() for i, name in enumerate(names)
+    **{name: (f"numbers_{i // 4}", "xyzw"[i % 4]) for i, name in enumerate(NUMBERS)},
+    **{f"{channel}_{i}": (channel, "xyzw"[i]) for channel in CHANNELS for i in range(4)},
 }
 
 
@@ -54,55 +49,27 @@ def uniform(name: str) -> Uniform:
     Parameters
     ----------
     name : str
-        One of those in ``MEMBERS``.
+        One of ``NUMBERS``.
     """
-    member, component = _PLACES[name]
-    text = f"frame.{member}.{component}"
-    if name in WHOLE:
-        return Uniform(f"i32({text})", I32)
-    if name in SWITCHES:
-        return Uniform(f"({text} > 0.5)", BOOL)
-    return Uniform(text, F32)
+    vector, component = _PLACES[name]
+    return Uniform(f"frame.{vector}.{component}", NUMBERS[name])
 
 
 def vectors() -> tuple[str, ...]:
     """Names of all vec4f of the struct, in order."""
-    return (*MEMBERS, *(f"table_{name}" for name in TABLES))
+    numbers = dict.fromkeys(vector for vector, _ in _PLACES.values())
+    return (*numbers, *(f"table_{name}" for name in TABLES))
 
 
-def struct_text() -> str:
-    """The struct and its declaration in WGSL."""
-    members = "".join(f"  {name}: vec4f,\n" for name in vectors())
-    return f"struct Frame {{\n{members}}}\n@group(0) @binding(0) var<uniform> frame: Frame;\n"
-
-
-def table_text(table: Table, texture: str) -> str:
-    """The functions by which a shader reads a table: see ``Table``.
+def struct_text(dialect: ShaderDialect = WGSL) -> str:
+    """The struct and its declaration.
 
     Parameters
     ----------
-    table : Table
-        One of ``TABLES``.
-    texture : str
-        In which it stands.
-
-    Returns
-    -------
-    str
-        WGSL.
+    dialect : ShaderDialect
+        The language.
     """
-    name = f"frame.table_{table.name}"
-    lengths = f"i32({name}[axis + 1])"
-    if table.rank == 4:  # the innermost axis of the only such table is two long
-        lengths = f"select(i32({name}[min(axis, 2) + 1]), 2, axis == 3)"
-    component = "" if table.spectral else ".x"
-    return (
-        f"fn size_{table.name}(axis: i32) -> i32 {{ return {lengths}; }}\n"
-        f"fn read_{table.name}(index: i32) -> {table.element.name} {{\n"
-        f"  let at = index + i32({name}.x);\n"
-        f"  return textureLoad({texture}, vec2i(at & 2047, at >> 11), 0){component};\n"
-        "}\n"
-    )
+    return dialect.uniforms("frame", vectors(), 0, 0)
 
 
 def layout() -> dict[str, Any]:
@@ -130,7 +97,7 @@ def packed(
     Parameters
     ----------
     values : mapping
-        Every number of ``MEMBERS`` that is not 0.
+        Every number of ``layout`` that is not 0.
     tables : mapping
         For each table of ``TABLES``: start in its texture, and lengths of its axes.
 

@@ -9,12 +9,20 @@ from __future__ import annotations
 import numpy as np
 
 from airlight.kernel import inlined
-from airlight.kernel.lanes import LANES, load, room_of_lanes, splat
+from airlight.kernel.lanes import INVERSE_PI, LANES, load, room_of_lanes, splat
+from airlight.optics.reflection import sky_factor, star_factor
 from airlight.pixels.shown import MOST_CONSTITUENTS
 from airlight.solvers.moments.first_order import direct_light, fill_phases, scattered_once
 from airlight.solvers.moments.grid import row_of
 from airlight.solvers.moments.harmonics import degree_of
-from airlight.solvers.moments.sweep import contracted, gathered, sky_at, star_at_end, star_from_ray
+from airlight.solvers.moments.sweep import (
+    contracted,
+    gathered,
+    leaving_at_end,
+    sky_at,
+    star_at_end,
+    star_from_ray,
+)
 
 
 @inlined
@@ -43,7 +51,7 @@ def ray_and_star(index, sizes, tables):
 
 
 @inlined
-def radiance_once(index, sizes, tables, first_point, shares, strengths, reflections, depths):
+def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs, depths):
     """Radiance of a ray by light that is scattered or reflected once. [sr⁻¹]
 
     Texels (radius, direction, sun, azimuth).
@@ -74,7 +82,10 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, reflecti
     )
     if a < sizes.angles // 2:
         at_ground = star_at_end(tables.end, i, a, mu_s, nu)
-        radiance = radiance + load(reflections, LANES * ray) * direct_light(
+        factor = star_factor(
+            tables.ground, 0, at_ground, leaving_at_end(tables.end, i, a, tables.mu[i, a]), nu
+        )
+        radiance = radiance + factor * INVERSE_PI * load(throughs, LANES * ray) * direct_light(
             at_ground,
             sizes.bottom,
             sizes.top,
@@ -110,7 +121,7 @@ def row(index, sizes, tables, first_point, factors, packed):
 
 
 @inlined
-def radiance_again(index, sizes, tables, first_point, shares, rows, reflections, ground):
+def radiance_again(index, sizes, tables, first_point, shares, rows, throughs, irradiances):
     """Radiance of a ray by light that was scattered or reflected before. [sr⁻¹]
 
     Texels (radius, direction, sun, azimuth).
@@ -133,8 +144,9 @@ def radiance_again(index, sizes, tables, first_point, shares, rows, reflections,
     )
     if a < sizes.angles // 2:
         at_ground = star_at_end(tables.end, i, a, mu_s, nu)
-        radiance = radiance + load(reflections, LANES * ray) * sky_at(
-            ground, at_ground, tables.place, sizes.suns
+        factor = sky_factor(tables.ground, 0, leaving_at_end(tables.end, i, a, tables.mu[i, a]))
+        radiance = radiance + factor * INVERSE_PI * load(throughs, LANES * ray) * sky_at(
+            irradiances, at_ground, tables.place, sizes.suns
         )
     return radiance
 

@@ -5,15 +5,11 @@ For how a texel and its index go together see ``solver_rays``.
 
 from __future__ import annotations
 
-from typing import Final
-
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.solvers.moments.convergence import is_near
-
-#: Images that are combined into the next guess.
-IMAGES: Final = 5
+from airlight.solvers.moments.stopping import PASS_IMAGES
 
 
 @inlined
@@ -56,10 +52,10 @@ def sound(index, sizes, weights, images):
     """
     numbers = sizes.radii * sizes.suns * WAVELENGTHS
     lane = index % WAVELENGTHS
-    brightest = weights[WAVELENGTHS * IMAGES + lane]
+    brightest = weights[WAVELENGTHS * PASS_IMAGES + lane]
     at = index // WAVELENGTHS * sizes.terms * WAVELENGTHS + lane
     if index >= numbers:
-        brightest = weights[WAVELENGTHS * (IMAGES + 1) + lane]
+        brightest = weights[WAVELENGTHS * (PASS_IMAGES + 1) + lane]
         at = numbers * sizes.terms + index - numbers
     near = is_near(mixed(at, weights, images), images.image_0[at], brightest)
     return 1.0 if near else 0.0

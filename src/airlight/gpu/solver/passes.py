@@ -11,24 +11,28 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any, Final, Literal
 
-from airlight.gpu.device.fragment_pass import wgsl
+from airlight.gpu.device.flat import FLAT_WIDTH
+from airlight.gpu.emit.dialect import ShaderDialect
 from airlight.gpu.emit.emitter import Emitter
-from airlight.gpu.emit.shader_types import I32, VEC4, Bundle, Table, Value
+from airlight.gpu.emit.shader_types import F32, I32, VEC4, Bundle, Table, Value
+from airlight.gpu.emit.texture_table import TextureTable
+from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.solver import light, mixing, packing, rays
 from airlight.gpu.solver.tables import (
     SCALARS,
     SPECTRA,
     sizes_in_shader,
-    table_reader,
     tables_in_shader,
+    texture_table,
     uniform_fields,
 )
+from airlight.solvers.moments.stopping import PASS_IMAGES
 
 #: How a texture is read: four wavelengths a texel, or number by number.
 View = Literal["lanes", "numbers"]
 
 #: Images of the light, the last first.
-IMAGES: Final = tuple(f"image_{i}" for i in range(mixing.IMAGES))
+IMAGES: Final = tuple(f"image_{i}" for i in range(PASS_IMAGES))
 
 
 @dataclass(frozen=True)
@@ -85,12 +89,12 @@ ONCE: Final = (
     SolverPass("strength", rays.strength, "strengths"),
     SolverPass("factor", rays.factor, "factors"),
     SolverPass("share", rays.share, "shares"),
-    SolverPass("reflection", rays.reflection, "reflections"),
+    SolverPass("through", rays.through, "throughs"),
     SolverPass("projection", rays.projection, "projections"),
     SolverPass("depth", rays.depth, "depths", _ALONG, spanned=True),
     SolverPass(
         "radiance_once", light.radiance_once, "radiances", _ALONG,
-        (Reading("shares"), Reading("strengths"), Reading("reflections"), Reading("depths")),
+        (Reading("shares"), Reading("strengths"), Reading("throughs"), Reading("depths")),
         spanned=True,
     ),
     SolverPass("azimuthal", light.azimuthal, "azimuthals", readings=(Reading("radiances"),)),
@@ -127,7 +131,7 @@ SWEEP: Final = (
     SolverPass(
         "radiance_again", light.radiance_again, "radiances", _ALONG,
         (
-            Reading("shares"), Reading("rows"), Reading("reflections"),
+            Reading("shares"), Reading("rows"), Reading("throughs"),
             Reading("packed", from_sky=True),
         ),
         spanned=True,
@@ -150,36 +154,35 @@ MIX: Final = (
 PASSES: Final = {one.name: one for one in (*ONCE, *PACK, *SWEEP, *MIX)}
 
 
-def _reader(name: str, texture: str, view: View, from_sky: bool = False) -> str:
-    start = " + i32(solve.measures[3])" if from_sky else ""
-    if view == "lanes":
-        body = f"textureLoad({texture}, texel_place(index{start}), 0)"
-        return f"fn read_{name}(index: i32) -> vec4f {{ return {body}; }}\n"
-    body = f"textureLoad({texture}, texel_place(index >> 2u), 0)[index & 3]"
-    return f"fn read_{name}(index: i32) -> f32 {{ return {body}; }}\n"
+def _reading(name: str, one: Reading) -> TextureTable:
+    """A texture that a pass reads, as the table of an argument."""
+    start = "solve.measures.w" if one.from_sky else ""
+    spectral = one.view == "lanes"
+    return TextureTable(name, one.texture, 1, spectral, start, by_number=not spectral)
 
 
-def _weights_reader(spectral: bool) -> str:
-    if spectral:
-        return "fn read_weights(index: i32) -> vec4f { return mix.weights[index]; }\n"
-    return "fn read_weights(index: i32) -> f32 { return mix.weights[index >> 2u][index & 3]; }\n"
+def _weights_reader(dialect: ShaderDialect, spectral: bool) -> str:
+    text = "mix.weights[index]" if spectral else "mix.weights[index >> 2][index & 3]"
+    kind = VEC4 if spectral else F32
+    return dialect.function("read_weights", [("index", I32)], kind, [text])
 
 
 @cache
-def shader(name: str) -> str:
-    """The WGSL of a pass: bindings, emitted functions, entry point ``fill``.
+def shader(name: str, dialect: ShaderDialect = WGSL) -> str:
+    """The text of a pass: bindings, emitted functions, entry point ``fill``.
 
     Parameters
     ----------
     name : str
         One of ``PASSES``.
+    dialect : ShaderDialect
+        The language.
     """
     one = PASSES[name]
-    readers: list[str] = []
-    textures: list[str] = []
+    tables: list[TextureTable] = []
     arguments: list[Value] = [I32]
     handed: list[str] = []
-    uses_mix = False
+    readers: list[str] = []
     for given in one.givens:
         kind, _, view = given.partition(":")
         if kind == "sizes":
@@ -188,55 +191,57 @@ def shader(name: str) -> str:
             arguments.append(tables_in_shader())
         elif kind == "first_point":
             arguments.append(I32)
-            handed.append("i32(span.texels.z)")
+            handed.append(dialect.uniform("span.texels.z", I32))
         elif kind == "weights":
-            uses_mix = True
             spectral = name == "next_guess"
             arguments.append(Table("weights", 1, spectral))
-            readers.append(_weights_reader(spectral))
+            readers.append(_weights_reader(dialect, spectral))
         else:
-            spectral = view == "lanes"
-            arguments.append(Bundle({image: Table(image, 1, spectral) for image in IMAGES}))
-            for image in IMAGES:
-                textures.append(image)
-                readers.append(_reader(image, image, "lanes" if spectral else "numbers"))
+            as_read: View = "lanes" if view == "lanes" else "numbers"
+            images = [_reading(image, Reading(image, as_read)) for image in IMAGES]
+            arguments.append(Bundle({image.name: image.table for image in images}))
+            tables += images
     parameters = one.function.py_func.__code__.co_varnames[len(arguments) :]
     for parameter, reading in zip(parameters, one.readings, strict=False):
-        label = f"{parameter}_table"
-        arguments.append(Table(label, 1, reading.view == "lanes"))
-        readers.append(_reader(label, reading.texture, reading.view, reading.from_sky))
-        if reading.texture not in textures:
-            textures.append(reading.texture)
-    emitter = Emitter()
+        tables.append(_reading(f"{parameter}_table", reading))
+        arguments.append(tables[-1].table)
+    emitter = Emitter(dialect)
     made = emitter.add(one.function, *arguments)
     body = emitter.module()
-    used = [table for table in (*SCALARS, *SPECTRA) if f"_{table}(" in body]
-    if any(table in SCALARS for table in used):
-        textures.append("scalars")
-    if any(table in SPECTRA for table in used):
-        textures.append("spectra")
-    fields = "\n".join(f"  {field}: vec4f," for field in uniform_fields())
+    tables += [texture_table(one) for one in (*SCALARS, *SPECTRA) if f"_{one}(" in body]
+    textures = list(dict.fromkeys(table.texture for table in tables))
     lines = [
-        f"struct Solve {{\n{fields}\n}}",
-        "struct Span { texels: vec4f }",
-        "@group(0) @binding(0) var<uniform> solve: Solve;",
-        "@group(0) @binding(1) var<uniform> span: Span;",
+        dialect.uniforms("solve", uniform_fields(), 0, 0),
+        dialect.uniforms("span", ["texels"], 0, 1),
     ]
-    if uses_mix:
-        lines.append(f"struct Mix {{ weights: array<vec4f, {mixing.IMAGES + 2}> }}")
-        lines.append("@group(0) @binding(2) var<uniform> mix: Mix;")
-    lines += [
-        f"@group(0) @binding({number}) var {texture}: texture_2d<f32>;"
-        for number, texture in enumerate(textures, start=3)
-    ]
-    lines.append(
-        "fn texel_place(index: i32) -> vec2i { return vec2i(index & 2047, index >> 11u); }"
-    )
-    lines += [table_reader(table) for table in used] + readers
-    rest = "".join(f", {one}" for one in handed)
+    if readers:
+        lines.append(dialect.uniforms("mix", [("weights", PASS_IMAGES + 2)], 0, 2))
+    slots = {texture: slot for slot, texture in enumerate(textures, start=3)}
+    lines += [dialect.texture(texture, 0, slot) for texture, slot in slots.items()]
+    for table in tables:
+        texture = dialect.texture_name(table.texture, 0, slots[table.texture])
+        readers.append(table.reader(dialect, texture))
+    rest = "".join(f", {text}" for text in handed)
     if made.result == VEC4:
         filled = f"{made.name}(index{rest})"
     else:  # four numbers a texel
-        filled = f"vec4f({', '.join(f'{made.name}(4 * index + {k}{rest})' for k in range(4))})"
-    lines += [body, f"fn texel(index: i32) -> vec4f {{ return {filled}; }}"]
-    return "\n".join(lines) + "\n" + wgsl("flat_texel")
+        numbers = ", ".join(f"{made.name}(4 * index + {k}{rest})" for k in range(4))
+        filled = f"{dialect.type_name(VEC4)}({numbers})"
+    return dialect.module([*lines, *readers, body, _entry(dialect, filled)])
+
+
+def _entry(dialect: ShaderDialect, filled: str) -> str:
+    """Fill the texels of a flat texture whose numbers lie in a span."""
+    x, y = dialect.converted("at.x", I32), dialect.converted("at.y", I32)
+    body = [
+        dialect.kept("number", I32, f"{y} * {FLAT_WIDTH} + {x}"),
+        dialect.kept("first", I32, dialect.uniform("span.texels.x", I32)),
+        dialect.kept("last", I32, dialect.uniform("span.texels.y", I32) + " - 1"),
+        # Discarded invocations may go on: they must not follow rays that are not there.
+        dialect.kept("index", I32, "min(max(number, first), last)"),
+        dialect.kept("value", VEC4, filled),
+        "if (number != index) {",
+        "  discard;",
+        "}",
+    ]
+    return dialect.fragment("fill", 1, body, ["value"])

@@ -20,9 +20,7 @@ from airlight.gpu.solver.passes import (
 )
 from airlight.gpu.solver.tables import SCALARS, SPECTRA, uniform_fields
 from airlight.pixels.shown import WAVELENGTHS
-from airlight.solvers.light_paths import LightPaths
-from airlight.solvers.moments.grid import Grid
-from airlight.tables.columns import ColumnTable
+from airlight.solvers.moments.setup import Block, Setup
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -51,14 +49,8 @@ class SolverPlan:
 
     Attributes
     ----------
-    paths : LightPaths
-        Of the medium.
-    degree : int
-        Of the harmonics.
-    grid : Grid
-        The nodes.
-    table : ColumnTable
-        Columns towards the star.
+    block : Block
+        The set-up of its wavelengths: paths, degree, grid, rays, tables.
     sizes : dict
         ``Sizes`` by name.
     solve : array, shape (n, 4)
@@ -66,20 +58,24 @@ class SolverPlan:
     scalars, spectra : array, shapes (n,), (n, 4)
         The two textures of tables.
     spans : tuple of Span
-    thick : array, shape (4,)
-        From ``thickness``: how much the night counts. [1]
     """
 
-    paths: LightPaths
-    degree: int
-    grid: Grid
-    table: ColumnTable
+    block: Block
     sizes: dict[str, Any]
     solve: Float32Array
     scalars: Float32Array
     spectra: Float32Array
     spans: tuple[Span, ...]
-    thick: FloatArray
+
+    @property
+    def setup(self) -> Setup:
+        """What all wavelengths share."""
+        return self.block.setup
+
+    @property
+    def thick(self) -> FloatArray:
+        """How much the night counts, shape (4,); see ``Block``. [1]"""
+        return self.block.thick[:WAVELENGTHS]
 
     @property
     def nodes(self) -> int:
@@ -99,7 +95,7 @@ class SolverPlan:
             "strengths": points * n["constituents"],
             "factors": points * n["terms"],
             "shares": rays,
-            "reflections": rays,
+            "throughs": rays,
             "projections": -(-rays * (n["terms"] + 1) // WAVELENGTHS),
             "depths": (1 + most) * n["directions"],
             "rows": most * n["suns"] * (n["degree"] + 2),

@@ -5,7 +5,6 @@ All of it is the CPU's; what the GPU does follows from the plan.
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from itertools import pairwise
 from typing import Any, Final
 
@@ -16,42 +15,17 @@ from airlight.errors import AirlightError, ParameterError
 from airlight.gpu.solver.plan import SolverPlan, Span
 from airlight.gpu.solver.tables import COUNTS, MEASURES, SCALARS, SPECTRA, uniform_fields
 from airlight.kernel.lanes import LANES
-from airlight.optics.density_profile import DensitySegments
 from airlight.pixels.shown import MOST_CONSTITUENTS, WAVELENGTHS
 from airlight.solvers.light_paths import LightPaths
-from airlight.solvers.moments.harmonics import coefficient_count, harmonics
-from airlight.solvers.moments.iterate import (
-    even_azimuths,
-    grid_for,
-    nodes_of_rays,
-    weights_of_levels,
-)
-from airlight.solvers.moments.packing import filled, thickness
-from airlight.solvers.moments.rays import trace_rays
-from airlight.solvers.moments.reduced_optics import (
-    choose_degree,
-    column_rows,
-    make_air,
-    panel_ends,
-    scattering_depth,
-    transport_depth,
-)
 from airlight.solvers.moments.settings import Settings
-from airlight.solvers.moments.visible_rays import rays_in_sight
-from airlight.tables.column_ratios import mean_density_ratios
-from airlight.tables.columns import ColumnTable
+from airlight.solvers.moments.setup import Setup
 
-FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 #: Texels of a texture that one span of radii fills: 64 MB.
 _SPAN: Final = 4 << 20
-#: Tables of columns that are kept: they depend on the profiles alone.
-_KEPT: Final = 4
 #: Vertical depth, each scattering counted by 1 - g, beyond which the air is left to the CPU. [1]
 THICKEST: Final = 2.5
-
-_tables: OrderedDict[tuple[Any, ...], tuple[ColumnTable, FloatArray]] = OrderedDict()
 
 
 class ThickAir(AirlightError):
@@ -87,33 +61,12 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
         raise ParameterError(
             "constituents", constituents, f"at most {MOST_CONSTITUENTS} on the GPU"
         )
-    degree = choose_degree(medium, settings)
-    if transport_depth(medium).max() > THICKEST:
+    setup = Setup(paths=paths, settings=settings)
+    if setup.transport_depth.max() > THICKEST:
         raise ThickAir
-    grid, parts = grid_for(medium, settings)
-    gathering = grid._replace(radii=grid.radii[::parts])
-    ends = panel_ends(medium, grid, parts)
-    whole = trace_rays(
-        gathering,
-        medium.density,
-        medium.extinction.max(axis=1),
-        settings.zenith_angles,
-        nodes_of_rays(settings, parts, ends),
-        bend=paths.bend,
-        ends=ends,
-    )
-    air = make_air(medium, degree, slice(None))
-    rays, _ = rays_in_sight(whole, air)
-    azimuths = even_azimuths(degree, max(settings.azimuths, 3 * degree // 4))
-    expansion = harmonics(degree)
-    table, ratios = _columns(
-        medium.bottom_radius,
-        medium.top_radius,
-        medium.density,
-        (column_rows(medium, settings), settings.column_directions),
-    )
-    depth = scattering_depth(medium, degree)
-    level = _four(weights_of_levels(grid, depth))
+    block = setup.block(slice(None))
+    grid, rays, air = setup.grid, block.rays, block.air
+    azimuths, expansion, table = setup.azimuths, setup.expansion, setup.table
     arrays: dict[str, NDArray[Any]] = {
         "mu": rays.mu, "weight": rays.weight, "flux": rays.flux, "start": rays.start,
         "total": rays.total.reshape(-1), "end": rays.end, "radius": rays.radius,
@@ -123,57 +76,36 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
         "sun_cosines": grid.sun_cosines, "row": grid.row, "place": grid.place,
         "cosines": azimuths.cosines, "multiples": azimuths.multiples,
         "harmonic": expansion.start, "ahead": expansion.ahead, "back": expansion.back,
-        "ratios": ratios, "lift": paths.lift, "level": level.reshape(-1),
+        "ratios": setup.ratios, "lift": paths.lift,
+        "level": block.level[:, :WAVELENGTHS].reshape(-1),
         "extinction": _lanes(air.extinction), "moments": _lanes(air.moments),
-        "albedo": _lanes(air.albedo),
+        "albedo": _lanes(air.ground.albedo),
     }  # fmt: skip
     sizes: dict[str, Any] = {
-        "radii": gathering.radii.size,
+        "radii": setup.gathering.radii.size,
         "angles": rays.mu.shape[1],
         "suns": grid.sun_cosines.size,
         "turns": azimuths.cosines.size,
-        "degree": degree,
-        "terms": coefficient_count(degree),
+        "degree": setup.degree,
+        "terms": setup.terms,
         "constituents": constituents,
         "directions": table.values.shape[1],
         "levels": grid.radii.size,
-        "parts": parts,
+        "parts": setup.parts,
+        "law": air.ground.law,
         "bottom": grid.bottom_radius,
         "top": grid.top_radius,
         "star_radius": air.star_radius,
     }
     solve, scalars, spectra = _laid_out(arrays, sizes)
     return SolverPlan(
-        paths=paths,
-        degree=degree,
-        grid=grid,
-        table=table,
+        block=block,
         sizes=sizes,
         solve=solve,
         scalars=scalars,
         spectra=spectra,
         spans=_spans(rays.start, sizes),
-        thick=_four(thickness(depth)),
     )
-
-
-def _columns(
-    bottom: float, top: float, density: DensitySegments, shape: tuple[int, int]
-) -> tuple[ColumnTable, FloatArray]:
-    """The table of columns and its ratios, from the last few that were made."""
-    key = (bottom, top, shape, density.edges.tobytes(), density.coefficients.tobytes())
-    if key not in _tables:
-        table = ColumnTable.build(bottom, top, density, shape)
-        _tables[key] = table, mean_density_ratios(table)
-        while len(_tables) > _KEPT:
-            _tables.popitem(last=False)
-    _tables.move_to_end(key)
-    return _tables[key]
-
-
-def _four(values: NDArray[Any]) -> NDArray[Any]:
-    """Wavelengths (..., w) as four: the last one repeated."""
-    return filled(values)[..., :WAVELENGTHS]
 
 
 def _lanes(flat: Float32Array) -> Float32Array:
@@ -188,7 +120,7 @@ def _laid_out(
     uniform = dict.fromkeys(uniform_fields(), (0.0, 0.0, 0.0, 0.0))
     uniform["counts"] = tuple(sizes[name] for name in COUNTS[:4])
     uniform["more_counts"] = tuple(sizes[name] for name in COUNTS[4:8])
-    uniform["most_counts"] = (*(sizes[name] for name in COUNTS[8:]), 0.0, 0.0)
+    uniform["most_counts"] = (*(sizes[name] for name in COUNTS[8:]), 0.0)
     ground = sizes["levels"] * sizes["suns"] * (1 + sizes["terms"])
     uniform["measures"] = (*(sizes[name] for name in MEASURES), ground)
     textures: list[Float32Array] = []

@@ -20,7 +20,7 @@ from airlight.kernel import inlined
 from airlight.kernel.lanes import exponential, splat
 from airlight.solvers.moments.first_order import depth_in_row
 from airlight.solvers.moments.harmonics import degree_of, legendre_function
-from airlight.solvers.moments.sweep import optical_depth, reflected_share, strength_of
+from airlight.solvers.moments.sweep import optical_depth, strength_of, through_ray
 from airlight.solvers.moments.visible_rays import ray_share
 
 
@@ -81,15 +81,14 @@ def share(index, sizes, tables):
 
 
 @inlined
-def reflection(index, sizes, tables):
-    """Radiance at the start of a ray per irradiance of the ground at its end. [sr⁻¹]
+def through(index, sizes, tables):
+    """Transmittance of a ray that ends on the ground. [1]
 
     Texels (radius, direction); nothing for rays that miss the ground.
     """
     if index % sizes.angles >= sizes.angles // 2:
         return splat(0.0)
-    return reflected_share(
-        tables.albedo,
+    return through_ray(
         tables.extinction,
         tables.total,
         index * sizes.constituents,

@@ -2,7 +2,7 @@
 
 The passes (``solver_passes``) compute what the CPU's sweeps compute, by the same functions; the
 host runs them, reads the mean radiance at the nodes after each order (some 20 kB), and combines
-the last few images as the CPU does (``acceleration``). What the CPU does for thick air,
+the last few images, and stops, as the CPU does (``stopping``). What the CPU does for thick air,
 the inverse of a sweep along the vertical, is left out: in clear and in dusty air each order
 changes the light by much less than the one before, and five to fifteen sweeps arrive. Air in which
 light wanders for longer is left to the CPU.
@@ -10,16 +10,14 @@ light wanders for longer is left to the CPU.
 
 from __future__ import annotations
 
-from collections import deque
-from math import log
 from time import perf_counter
-from typing import Any, Final
+from typing import Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import Cancelled, ConvergenceError
+from airlight.errors import Cancelled
 from airlight.gpu.device.device import Device
 from airlight.gpu.solver.passes import IMAGES
 from airlight.gpu.solver.planning import plan_for
@@ -28,21 +26,13 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
-from airlight.solvers.moments.acceleration import mixing_weights
-from airlight.solvers.moments.convergence import counts, relative_change, what_follows
 from airlight.solvers.moments.iterate import Moments
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solvers.moments.stopping import Iteration, Stopping
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
-
-#: By so much the tolerance is smaller in thick air.
-STRICTER: Final = 0.9
-#: Part of the thickness by which a change in the night counts less.
-NIGHT: Final = 0.25
-#: The GPU gives up after so many sweeps: then the air is one for the CPU.
-MOST_SWEEPS: Final = 60
 
 #: A packed field of each solution, on the device that it was solved on.
 _fields: WeakKeyDictionary[MomentsSolution, tuple[Device, Any]] = WeakKeyDictionary()
@@ -81,7 +71,7 @@ def solve_on(
     ThickAir
         If light wanders in the air for many orders: the CPU solves it.
     ConvergenceError
-        If the tolerance is not reached within 60 sweeps.
+        If the tolerance is not reached within the orders that ``Stopping`` allows.
     Cancelled
         If ``cancel`` said so.
     """
@@ -91,16 +81,16 @@ def solve_on(
     count = medium.wavelengths.size
     with borrowed_sweeper(device) as sweeper:
         sweeper.load(plan)
-        sweeps, residual = _iterate(sweeper, settings, progress, cancel)
+        sweeps, residual = _iterate(sweeper, progress, cancel)
         field, sky = sweeper.light()
         fields = sweeper.packed_copy()
     moments = Moments(
-        degree=plan.degree,
-        grid=plan.grid,
-        parts=plan.sizes["parts"],
+        degree=plan.setup.degree,
+        grid=plan.setup.grid,
+        parts=plan.setup.parts,
         field=np.ascontiguousarray(field[..., :count]),
         sky=np.ascontiguousarray(sky[..., :count]),
-        columns=plan.table.values,
+        columns=plan.setup.table.values,
         sweeps=sweeps,
         residual=residual[:count],
     )
@@ -128,46 +118,31 @@ def fields_on(device: Device, solution: MomentsSolution) -> Any | None:
 
 
 def _iterate(
-    sweeper: GpuSweeper, settings: Settings, progress: Progress | None, cancel: Cancel | None
+    sweeper: GpuSweeper, progress: Progress | None, cancel: Cancel | None
 ) -> tuple[int, FloatArray]:
     """Sweeps until nothing changes: how many, and what is still to come."""
-    # Where many orders follow, what one more changes says less of what is still to come.
-    tolerance = settings.tolerance * (1.0 - STRICTER * float(sweeper.plan.thick.max()))
+    plan = sweeper.plan
+    iteration = Iteration(Stopping.of_passes(plan.setup.settings), plan.thick, WAVELENGTHS)
     sweeper.begin()
-    residuals: deque[FloatArray] = deque(maxlen=len(IMAGES))
-    largest = np.full(WAVELENGTHS, np.inf)
-    most = min(settings.max_sweeps, MOST_SWEEPS)
-    for sweep in range(1, most + 1):
+    while iteration.goes_on():
         if cancel is not None and cancel():
             raise Cancelled("cancelled")
         mean, sky, before = sweeper.sweep()
         if not (mean > 0.0).any():
             return 0, np.zeros(WAVELENGTHS)
-        change = relative_change(before, mean)
-        thick = sweeper.plan.thick
-        residuals.append((change * counts(mean, thick)).reshape(-1, WAVELENGTHS))
-        # Nothing but more orders brings light into the night: there it counts for more.
-        change *= counts(mean, NIGHT * thick)
-        largest = np.abs(change).max(axis=(0, 1)) * what_follows(residuals)
-        sweeper.combine(_weights(residuals, mean, sky))
+        iteration.judge(before, mean)
+        sweeper.combine(_weights(iteration.weights(), mean, sky))
         if progress is not None:
-            still = float(largest.max())
-            share = log(min(still, 1.0)) / log(tolerance) if still > tolerance else 1.0
-            progress(round(100 * share), 100, f"orders of scattering: still to come {still:.1e}")
-        if largest.max() <= tolerance and sweep > 1:
-            return sweep, largest
-    raise ConvergenceError(
-        f"after {most} sweeps the last still changed the light by {largest.max():.1e}, "
-        f"more than the tolerance {tolerance:g}"
-    )
+            still = float(iteration.to_come.max())
+            message = f"orders of scattering: still to come {still:.1e}"
+            progress(round(100 * iteration.share), 100, message)
+    return iteration.sweeps, iteration.to_come
 
 
-def _weights(residuals: deque[FloatArray], mean: Float32Array, sky: Float32Array) -> Float32Array:
-    """What ``combine`` takes."""
-    weights = np.zeros((len(IMAGES) + 2, WAVELENGTHS), np.float32)
-    for lane in range(WAVELENGTHS):
-        mixed = mixing_weights(np.stack([one[:, lane] for one in residuals]))
-        weights[: mixed.size, lane] = mixed[::-1]
-    weights[-2] = mean.max(axis=(0, 1))
-    weights[-1] = sky.max(axis=(0, 1))
-    return weights
+def _weights(weights: FloatArray, mean: Float32Array, sky: Float32Array) -> Float32Array:
+    """What ``combine`` takes: the last image's weight first, and two largest values."""
+    taken = np.zeros((len(IMAGES) + 2, WAVELENGTHS), np.float32)
+    taken[: weights.shape[0]] = weights[::-1]
+    taken[-2] = mean.max(axis=(0, 1))
+    taken[-1] = sky.max(axis=(0, 1))
+    return taken

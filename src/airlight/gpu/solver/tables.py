@@ -8,7 +8,9 @@ from __future__ import annotations
 
 from typing import Any, Final, NamedTuple
 
-from airlight.gpu.emit.shader_types import F32, I32, Bundle, Table, Uniform, Value
+from airlight.gpu.emit.shader_types import F32, I32, Bundle, Uniform, Value
+from airlight.gpu.emit.texture_table import TextureTable
+from airlight.optics.reflection import Reflection
 
 #: Tables of numbers and of four wavelengths that the host uploads, with their ranks.
 SCALARS: Final = {
@@ -20,7 +22,7 @@ SPECTRA: Final = ("extinction", "moments", "albedo")
 #: ``Sizes`` in the uniform, four to a vector.
 COUNTS: Final = (
     "radii", "angles", "suns", "turns", "degree", "terms", "constituents", "directions", "levels",
-    "parts",
+    "parts", "law",
 )  # fmt: skip
 MEASURES: Final = ("bottom", "top", "star_radius")
 
@@ -36,6 +38,8 @@ class Sizes(NamedTuple):
         Of the harmonics; how many of them; of the air; of the table of columns.
     levels, parts : int
         Radii of the grid; light is gathered at one of so many of them.
+    law : int
+        Of the ground's ``Reflection``.
     bottom, top, star_radius : float
         Radii of the ground and the top [m]; angular radius of the star [rad].
     """
@@ -50,6 +54,7 @@ class Sizes(NamedTuple):
     directions: Any
     levels: Any
     parts: Any
+    law: Any
     bottom: Any
     top: Any
     star_radius: Any
@@ -74,8 +79,10 @@ class Tables(NamedTuple):
         From ``star_lift``.
     level : array, shape (s·4,)
         From ``level_weights``, of four wavelengths.
-    extinction, moments, albedo :
+    extinction, moments :
         Of ``Air``; four wavelengths a texel.
+    ground : Reflection
+        Of ``Air``; its table of four wavelengths a texel is ``albedo``.
     """
 
     mu: Any
@@ -102,7 +109,7 @@ class Tables(NamedTuple):
     level: Any
     extinction: Any
     moments: Any
-    albedo: Any
+    ground: Any
 
 
 def uniform_fields() -> tuple[str, ...]:
@@ -119,7 +126,7 @@ def sizes_in_shader() -> Bundle:
     fields: dict[str, Value] = {}
     for at, name in enumerate(COUNTS):
         vector = ("counts", "more_counts", "most_counts")[at // 4]
-        fields[name] = Uniform(f"i32(solve.{vector}[{at % 4}])", I32)
+        fields[name] = Uniform(f"solve.{vector}[{at % 4}]", I32)
     for at, name in enumerate(MEASURES):
         fields[name] = Uniform(f"solve.measures[{at}]", F32)
     return Bundle(Sizes(**fields)._asdict())
@@ -127,23 +134,21 @@ def sizes_in_shader() -> Bundle:
 
 def tables_in_shader() -> Bundle:
     """``Tables`` as a shader reads them: from textures."""
-    fields: dict[str, Value] = {name: Table(name, rank) for name, rank in SCALARS.items()}
-    fields |= {name: Table(name, 1, True) for name in SPECTRA}
+    fields: dict[str, Value] = {name: texture_table(name).table for name in (*SCALARS, *SPECTRA)}
+    ground = Reflection(law=sizes_in_shader().fields["law"], albedo=fields.pop("albedo"))
+    fields["ground"] = Bundle(ground._asdict())
     return Bundle(Tables(**fields)._asdict())
 
 
-def table_reader(name: str) -> str:
-    """The functions ``read_`` and ``size_`` of one of ``Tables``, in WGSL.
+def texture_table(name: str) -> TextureTable:
+    """One of ``Tables`` in its texture.
 
     Parameters
     ----------
     name : str
         One of ``SCALARS`` or ``SPECTRA``.
     """
-    at = f"texel_place(index + i32(solve.{name}_start.x))"
+    start, lengths = f"solve.{name}_start.x", f"solve.{name}_shape"
     if name in SPECTRA:
-        body = f"fn read_{name}(index: i32) -> vec4f {{ return textureLoad(spectra, {at}, 0); }}\n"
-    else:
-        body = f"fn read_{name}(index: i32) -> f32 {{ return textureLoad(scalars, {at}, 0).x; }}\n"
-    size = f"fn size_{name}(axis: i32) -> i32 {{ return i32(solve.{name}_shape[axis]); }}\n"
-    return body + size
+        return TextureTable(name, "spectra", 1, True, start, lengths)
+    return TextureTable(name, "scalars", SCALARS[name], False, start, lengths)

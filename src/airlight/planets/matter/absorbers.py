@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from functools import cache
+from typing import Annotated, Any, Final
 
 import numpy as np
 import numpy.typing as npt
-from pydantic import BeforeValidator
 
 from airlight.errors import ParameterError
 from airlight.optics.gas_absorption import reference_coefficient, small_particle_absorption
 from airlight.planets.matter.matter import Absorber
-from airlight.planets.parameters import MISSING, Fraction, between, parameters
+from airlight.planets.matter.state_keys import density_key, radius_key
+from airlight.planets.parameters import MISSING, parameters
+from airlight.planets.schema.key import FileTable, Key, Wavelengths
+from airlight.planets.schema.kinds import Alternatives
+from airlight.planets.schema.measures import DOBSON, column_of_gas
+from airlight.planets.schema.section import Section, spectral_of, suggestion
 from airlight.planets.spectral import (
     Limits,
+    PerWavelength,
     Spectral,
-    check_spectral,
     narrowest,
     spectral,
     spectral_at,
@@ -25,8 +30,16 @@ from airlight.planets.spectral import (
 
 FloatArray = npt.NDArray[np.float64]
 
-_Column = Annotated[float, between(0.0, 1e33, "/m^2")]
-_NumberDensity = Annotated[float, between(0.0, 1e29, "/m^3")]
+
+def _column(section: Section, name: str, wavelengths: Wavelengths) -> float:
+    """Molecules above an area. [m⁻²]"""
+    return column_of_gas(section.required(name, "a column such as '345 DU'"), section.name_of(name))
+
+
+def _column_key(label: str, text: str, most: float, **more: Any) -> Key:
+    return Key(label=label, help=text, unit="1/m^2", range=(0.0, most), read=_column,
+               example="345 DU", shown=DOBSON, slider=(1.0, 2000.0), scale="log",
+               mode="advanced", **more)  # fmt: skip
 
 
 @parameters
@@ -39,7 +52,18 @@ class OzoneAbsorption(Absorber):
         Molecules above an area of ground. [m⁻²]
     """
 
-    column: Annotated[float, between(0.0, 1e25, "/m^2")]
+    keyword = "ozone"
+
+    column: Annotated[
+        float,
+        _column_key(
+            "ozone column",
+            "All the ozone above the ground.",
+            1e25,
+            name="ozone",
+            note="Spread over the profile, times the cross-section at 293 K.",
+        ),
+    ]
 
     @property
     def limits(self) -> Limits:
@@ -61,18 +85,46 @@ class OzoneAbsorption(Absorber):
         return reference_coefficient(self.column, vertical_column, ozone_cross_section(wavelengths))
 
 
-def _cross_section(value: Any) -> str | Spectral:
-    """A number, numbers per wavelength, or the name of a table of areas."""
+def _read_cross_section(section: Section, name: str, wavelengths: Wavelengths) -> Any:
+    """The name of a table, or the numbers of a file or a list. [m²]"""
+    allowed = "a table's name, a path to a CSV file, or such as '1.4e-21 cm^2'"
+    value = section.required(name, allowed)
+    field = section.name_of(name)
     if not isinstance(value, str):
-        return check_spectral(value, "cross_section", 0.0, 1e-10, "m^2")
+        return spectral_of(value, "m^2", field, wavelengths)
+    from airlight.spectra.tables import spectrum_names
+
+    if value in spectrum_names():
+        return value
+    if value.endswith(".csv"):
+        return _from_file(section, value, field)
+    if value[:1].isalpha():
+        raise ParameterError(field, value, suggestion(value, spectrum_names()))
+    return spectral_of(value, "m^2", field, wavelengths)
+
+
+def _from_file(section: Section, name: str, field: str) -> PerWavelength:
+    from airlight.spectra.tables import read_spectrum_file
+    from airlight.units import quantity
+
+    spectrum = read_spectrum_file(section.beside(name))
+    unit = quantity(f"1 {spectrum.unit}", "m^2", f"unit of {field}")
+    if spectrum.values.ndim != 1:
+        raise ParameterError(field, spectrum.columns, "a table with one column of values")
+    with section.blamed():
+        return PerWavelength(
+            wavelengths=tuple(spectrum.wavelengths.tolist()),
+            values=tuple((unit * spectrum.values).tolist()),
+        )
+
+
+@cache
+def _areas() -> tuple[str, ...]:
+    """Names of the tables of cross-sections that come with the package."""
     from airlight.spectra.tables import read_spectrum, spectrum_names
 
-    tables = [name for name in spectrum_names() if read_spectrum(name).unit == "m^2"]
-    if value not in tables:
-        raise ParameterError(
-            "cross_section", value, f"a number, or a table of areas: {', '.join(tables)}"
-        )
-    return value
+    tables = [read_spectrum(name) for name in spectrum_names()]
+    return tuple(one.name for one in tables if one.unit == "m^2")
 
 
 @parameters
@@ -104,10 +156,50 @@ class CrossSectionAbsorption(Absorber):
     [2.048e-06]
     """
 
-    cross_section: Annotated[Any, BeforeValidator(_cross_section)]
-    column: _Column | None = None
-    number_density: _NumberDensity | None = None
-    fraction: Fraction = 1.0
+    keyword = "cross_section"
+
+    cross_section: Annotated[
+        Any,
+        Key(
+            label="cross-section",
+            help="Area that one molecule blocks.",
+            note="One value or a list, the name of a table, or the path to a CSV file.",
+            unit="m^2",
+            range=(0.0, 1e-10),
+            spectral=True,
+            read=_read_cross_section,
+            shown="cm^2",
+            slider=(1e-26, 1e-16),
+            scale="log",
+            per="wavelengths",
+            words=_areas,
+            mode="advanced",
+        ),
+    ]
+    column: (
+        Annotated[float, _column_key("column", "All of the gas above the ground.", 1e33)] | None
+    ) = None
+    number_density: (
+        Annotated[
+            float,
+            density_key(
+                text="Molecules of the air in a cubic metre, where the profile is 1.",
+                least=0.0,
+                note="Instead of the column.",
+            ),
+        ]
+        | None
+    ) = None
+    fraction: Annotated[
+        float,
+        Key(
+            label="share",
+            help="Of the number density.",
+            range=(0.0, 1.0),
+            offered=lambda table: "number_density" in table,
+            mode="advanced",
+        ),
+    ] = 1.0
 
     def __post_init__(self) -> None:
         if (self.column is None) == (self.number_density is None):
@@ -173,10 +265,68 @@ class SmallParticleAbsorption(Absorber):
     circumference 2πr are refused.
     """
 
-    radius: Annotated[float, between(1e-10, 1e-5, "m")]
-    number_density: _NumberDensity
+    keyword = "small_particles"
+    extra_keys = (
+        Key(
+            name="index",
+            label="refractive index",
+            help="n + ik.",
+            kind="table",
+            table="index",
+            mode="advanced",
+            required=True,
+        ),
+    )
+
+    radius: Annotated[
+        float,
+        radius_key(
+            "radius",
+            "Of the particles.",
+            range=(1e-10, 1e-5),
+            shown="nm",
+            slider=(1.0, 100.0),
+            example="10 nm",
+        ),
+    ]
+    number_density: Annotated[
+        float,
+        density_key(
+            text="Particles in a cubic metre.", least=0.0, slider=(1e6, 1e18), example="1e9 /m^3"
+        ),
+    ]
     real: Annotated[Spectral, spectral(0.01, 20.0)]
     imaginary: Annotated[Spectral, spectral(0.0, 20.0)]
+
+    @classmethod
+    def declared(cls, table: FileTable | None = None) -> tuple[Key, ...]:
+        """The one key of the table of an absorber, which holds a table of its own."""
+        return (
+            Key(
+                name=cls.keyword,
+                label="small particles",
+                help="Much smaller than the wavelength.",
+                note="Their scattering is left out: 8π²r³N/λ · Im[(m²-1)/(m²+2)], m = n + ik."
+                " 5 % too small at 2πr = 0.3 λ; refused at wavelengths below 2πr.",
+                kind="table",
+                table=cls.keyword,
+                prefix="absorption",
+                mode="advanced",
+            ),
+        )
+
+    @classmethod
+    def read(cls, section: Section, wavelengths: Wavelengths = None) -> SmallParticleAbsorption:
+        """From the table within the absorber's; see ``Record.read``."""
+        within = section.section(cls.keyword, "a table with radius, number_density and index")
+        section.finish()
+        values = cls.read_values(within, wavelengths)
+        index = within.section("index", "a table such as { real = 1.5, imaginary = 0.1 }")
+        within.finish()
+        for part in ("real", "imaginary"):
+            values[part] = index.spectral(part, "1", "1.5", wavelengths)
+        index.finish()
+        return cls.made(within, values)
 
     @property
     def limits(self) -> Limits:
@@ -202,3 +352,13 @@ class SmallParticleAbsorption(Absorber):
             spectral_at(self.real, wavelengths),
             spectral_at(self.imaginary, wavelengths),
         )
+
+
+#: What ``absorption = { … }`` may be, by the key that tells them apart.
+ABSORBERS: Final[Alternatives[Absorber]] = Alternatives(
+    (
+        OzoneAbsorption,
+        CrossSectionAbsorption,
+        SmallParticleAbsorption,
+    )
+)

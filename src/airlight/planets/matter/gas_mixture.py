@@ -16,14 +16,22 @@ from airlight.optics.molecules import MOLECULES
 from airlight.planets.matter.gases import density_of_state, rayleigh_of
 from airlight.planets.matter.matter import Matter
 from airlight.planets.matter.phases import Rayleigh
-from airlight.planets.parameters import MISSING, between, finite, parameters
+from airlight.planets.matter.state_keys import (
+    density_key,
+    depolarisation_key,
+    pressure_key,
+    refractivity_key,
+    temperature_key,
+)
+from airlight.planets.parameters import MISSING, finite, parameters
+from airlight.planets.schema.key import Key, Wavelengths
+from airlight.planets.schema.section import Section, suggestion
 from airlight.planets.spectral import (
     Limits,
     PerWavelength,
     Spectral,
     check_spectral,
     narrowest,
-    spectral,
     spectral_at,
     spectral_limits,
 )
@@ -36,6 +44,8 @@ FRACTION_TOLERANCE: Final = 0.01
 REFRACTIVITY_TOLERANCE: Final = 0.1
 #: Depolarisation of a rod: nothing has more. [1]
 LARGEST_DEPOLARISATION: Final = 0.5
+#: Where temperature and pressure beside a refractivity belong.
+_MEASURED: Final = "of the state that the refractivity was measured at"
 
 
 def _composition(value: Any) -> tuple[tuple[str, float], ...]:
@@ -63,6 +73,31 @@ def _depolarisation(value: Any) -> Any:
     except ParameterError as error:
         allowed = "0 to 0.5, that of a rod, the least round molecule"
         raise ParameterError(error.field, error.value, allowed) from None
+
+
+def _read_composition(
+    section: Section, name: str, wavelengths: Wavelengths
+) -> tuple[tuple[str, float], ...]:
+    """Formula and fraction of each gas; a misspelt formula gets the nearest suggested."""
+    table = section.section(name, "a table such as { N2 = 0.79, O2 = 0.21 }")
+    fractions = []
+    for formula in table.names:
+        if formula not in MOLECULES:
+            allowed = suggestion(formula, tuple(MOLECULES))
+            raise ParameterError(f"a gas of {table.path}", formula, allowed)
+        fractions.append((formula, table.number(formula, SHARE.unit, SHARE.example)))
+    return tuple(fractions)
+
+
+#: Any key of the table ``composition``: the formula of a gas.
+SHARE: Final = Key(
+    name="*",
+    label="share",
+    help="Mole fraction; the other gases make room for it in proportion.",
+    range=(0.0, 1.0),
+    example="0.79",
+    mode="advanced",
+)
 
 
 @parameters
@@ -125,15 +160,75 @@ class GasMixture(Matter):
     '28.97 8434 2.547e+25'
     """
 
-    composition: Annotated[Any, BeforeValidator(_composition)]
-    temperature: Annotated[float, between(1.0, 1e5, "K")] | None = None
-    pressure: Annotated[float, between(1e-9, 1e10, "Pa")] | None = None
-    reference_density: Annotated[float, between(1e10, 1e29, "/m^3")] | None = None
-    gravity: Annotated[float, between(1e-3, 1e4, "m/s^2")] | None = None
-    depolarisation: Annotated[Any, BeforeValidator(_depolarisation)] | None = None
-    refractivity: Annotated[Any, spectral(0.0, 1.0)] | None = None
-    refractivity_temperature: Annotated[float, between(1.0, 1e5, "K")] | None = None
-    refractivity_pressure: Annotated[float, between(1e-9, 1e10, "Pa")] | None = None
+    keyword = "gas"
+    label = "gas"
+    help = "A gas by its composition."
+    example = "{ composition = { N2 = 0.79, … }, … }"
+    bends = True
+
+    composition: Annotated[
+        Any,
+        BeforeValidator(_composition),
+        Key(
+            label="composition",
+            help="Mole fractions.",
+            note="Their sum is 1 within 1 %, and they are divided by it.",
+            kind="table",
+            table="composition",
+            read=_read_composition,
+            mode="advanced",
+        ),
+    ]
+    temperature: Annotated[float, temperature_key(note="Required beside a pressure.")] | None = None
+    pressure: (
+        Annotated[
+            float,
+            pressure_key(note="It or a number density is required; both if they agree within 1 %."),
+        ]
+        | None
+    ) = None
+    reference_density: Annotated[float, density_key(name="number_density")] | None = None
+    gravity: (
+        Annotated[
+            float,
+            Key(
+                label="gravity",
+                help="With it the scale height follows, RT/(Mg).",
+                note="Required without a `profile`.",
+                unit="m/s^2",
+                range=(1e-3, 1e4),
+                example="9.80665 m/s^2",
+                slider=(0.1, 100.0),
+                scale="log",
+                mode="advanced",
+            ),
+        ]
+        | None
+    ) = None
+    depolarisation: (
+        Annotated[
+            Any,
+            depolarisation_key(note="That of a rod is 0.5; instead of the gases' King factors."),
+            BeforeValidator(_depolarisation),  # the last is asked first: its error says why
+        ]
+        | None
+    ) = None
+    refractivity: (
+        Annotated[
+            Any,
+            refractivity_key(
+                note="Instead of the gases' own. Refused if it is off the composition's by more"
+                " than 10 % at its state: n and the number density belong together."
+            ),
+        ]
+        | None
+    ) = None
+    refractivity_temperature: (
+        Annotated[float, temperature_key("refractivity temperature", _MEASURED)] | None
+    ) = None
+    refractivity_pressure: (
+        Annotated[float, pressure_key("refractivity pressure", _MEASURED)] | None
+    ) = None
 
     def __post_init__(self) -> None:
         if self.pressure is not None and self.temperature is None:
@@ -204,6 +299,10 @@ class GasMixture(Matter):
         if self.gravity is None:
             raise ParameterError("gravity", MISSING, "one, for the scale height")
         return rayleigh.scale_height(self.temperature, self.molar_mass, self.gravity)
+
+    def own_scale_height(self) -> float:
+        """The scale height, for a profile that is left out. [m]"""
+        return self.scale_height
 
     @property
     def _gas_limits(self) -> Limits:

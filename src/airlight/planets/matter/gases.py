@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Annotated, Any, Final, Literal, NamedTuple
+from typing import Annotated, Any, Final, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -11,14 +11,24 @@ import numpy.typing as npt
 from airlight.errors import ParameterError
 from airlight.optics import king_factor, rayleigh, refractive_index
 from airlight.optics.lorentz_lorenz import refractivity_at
+from airlight.planets.matter.matter import Scatterer
 from airlight.planets.matter.phases import Rayleigh
-from airlight.planets.parameters import MISSING, between, parameters
+from airlight.planets.matter.state_keys import (
+    density_key,
+    depolarisation_key,
+    pressure_key,
+    refractivity_key,
+    temperature_key,
+)
+from airlight.planets.parameters import MISSING, parameters
+from airlight.planets.schema.key import Key, Wavelengths
+from airlight.planets.schema.kinds import Alternatives
+from airlight.planets.schema.section import Section
 from airlight.planets.spectral import (
     EVERYWHERE,
     Limits,
     PerWavelength,
     Spectral,
-    spectral,
     spectral_at,
 )
 
@@ -26,10 +36,6 @@ FloatArray = npt.NDArray[np.float64]
 
 #: How far a number density and the temperature and pressure beside it may differ.
 STATE_TOLERANCE: Final = 0.01
-
-_NumberDensity = Annotated[float, between(1e10, 1e29, "/m^3")]
-_Temperature = Annotated[float, between(1.0, 1e5, "K")]
-_Pressure = Annotated[float, between(1e-9, 1e10, "Pa")]
 
 
 class _Gas(NamedTuple):
@@ -100,8 +106,64 @@ def rayleigh_of(depolarisations: FloatArray, wavelengths: npt.ArrayLike) -> Rayl
     return Rayleigh(depolarisation=PerWavelength(wavelengths=tuple(nm.tolist()), values=values))
 
 
+#: What a mass density needs beside it.
+_MASS_KEYS: Final = (
+    Key(
+        name="mass_density",
+        label="mass density",
+        help="Of the gas where its profile is 1.",
+        note="With the molar mass, instead of the number density.",
+        unit="kg/m^3",
+        range=(0.0, 1e6),
+        open_ends=True,
+        example="1.225 kg/m^3",
+        slider=(1e-4, 100.0),
+        typed=(1e-12, 1e6),
+        scale="log",
+        mode="advanced",
+    ),
+    Key(
+        name="molar_mass",
+        label="molar mass",
+        help="Of the gas.",
+        unit="kg/mol",
+        range=(1e-4, 1.0),
+        example="28.9644 g/mol",
+        shown="g/mol",
+        slider=(1.0, 100.0),
+        scale="log",
+        mode="advanced",
+    ),
+)
+
+
+class _Molecules(Scatterer):
+    """Molecules whose number density may follow from a mass density."""
+
+    extra_keys = _MASS_KEYS
+
+    @classmethod
+    def read_values(cls, section: Section, wavelengths: Wavelengths = None) -> dict[str, Any]:
+        """The fields, the number density from mass density and molar mass if those are given."""
+        values = super().read_values(section, wavelengths)
+        if not any(key.name in section for key in _MASS_KEYS):
+            return values
+        density, molar_mass = (
+            section.number(key.name, key.unit, key.example) for key in _MASS_KEYS
+        )
+        _MASS_KEYS[1].checked(molar_mass, section.name_of("molar_mass"))
+        if "number_density" in values:
+            given = section.raw("number_density")
+            raise ParameterError(
+                section.name_of("number_density"), given, "none beside a mass_density"
+            )
+        _MASS_KEYS[0].checked(density, section.name_of("mass_density"))
+        values["number_density"] = rayleigh.number_density_from_mass(density, molar_mass)
+        return values
+
+
 @parameters
-class GasScattering:
+class GasScattering(_Molecules):
     """Rayleigh scattering by a known gas.
 
     Parameters
@@ -120,10 +182,24 @@ class GasScattering:
     [4.848, 11.487, 28.71]
     """
 
-    gas: Literal["air", "co2"]
-    number_density: _NumberDensity | None = None
-    temperature: _Temperature | None = None
-    pressure: _Pressure | None = None
+    keyword = "rayleigh"
+
+    gas: Annotated[
+        str,
+        Key(
+            name="rayleigh",
+            label="gas",
+            help="A gas whose scattering is known.",
+            note="`air`: refractivity of Peck & Reeder (1972), King factor of Bates (1984), 230 to"
+            " 1690 nm; `co2`: Bideau-Mehu et al. (1973), Alms et al. (1975), 180.7 to 1694.5 nm.",
+            kind="choice",
+            words=lambda: tuple(GASES),
+            mode="advanced",
+        ),
+    ]
+    number_density: Annotated[float, density_key()] | None = None
+    temperature: Annotated[float, temperature_key()] | None = None
+    pressure: Annotated[float, pressure_key()] | None = None
 
     def __post_init__(self) -> None:
         density_of_state(self.number_density, self.temperature, self.pressure)
@@ -160,7 +236,7 @@ class GasScattering:
 
 
 @parameters
-class RefractiveScattering:
+class RefractiveScattering(_Molecules):
     """Rayleigh scattering by any gas whose refractivity is known at some state.
 
     Parameters
@@ -186,13 +262,38 @@ class RefractiveScattering:
     [6.6, 17.3, 23.0]
     """
 
-    refractivity: Annotated[Spectral, spectral(0.0, 1.0)]
-    number_density: _NumberDensity | None = None
-    temperature: _Temperature | None = None
-    pressure: _Pressure | None = None
-    ground_number_density: _NumberDensity | None = None
-    king_factor: Annotated[Any, spectral(1.0, 2.0)] = 1.0
-    depolarisation: Annotated[Any, spectral(0.0, 0.5)] = 0.0
+    keyword = "refractivity"
+
+    refractivity: Annotated[Spectral, refractivity_key("Of any gas, at the state given beside it.")]
+    number_density: Annotated[float, density_key()] | None = None
+    temperature: Annotated[float, temperature_key()] | None = None
+    pressure: Annotated[float, pressure_key()] | None = None
+    ground_number_density: (
+        Annotated[
+            float,
+            density_key(
+                "number density at the ground",
+                "Where the planet's own is another than that of the refractivity.",
+            ),
+        ]
+        | None
+    ) = None
+    king_factor: Annotated[
+        Spectral,
+        Key(
+            label="King factor",
+            help="1 for round molecules.",
+            range=(1.0, 2.0),
+            spectral=True,
+            example="1.049",
+            slider=(1.0, 1.3),
+            per="wavelengths",
+            mode="advanced",
+        ),
+    ] = 1.0
+    depolarisation: Annotated[Spectral, depolarisation_key(note="Instead of the King factor.")] = (
+        0.0
+    )
 
     def __post_init__(self) -> None:
         density_of_state(self.number_density, self.temperature, self.pressure)
@@ -239,3 +340,7 @@ class RefractiveScattering:
     def depolarisations(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """Depolarisation factor, shape (nl,). [1]"""
         return rayleigh.depolarisation_from_king_factor(self._king_factors(wavelengths))
+
+
+#: What ``scattering = { … }`` may be, by the key that tells them apart.
+SCATTERERS: Final[Alternatives[Scatterer]] = Alternatives((GasScattering, RefractiveScattering))

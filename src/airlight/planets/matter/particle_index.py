@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Final
+from abc import ABC, abstractmethod
+from functools import cache
+from typing import Annotated, Any, Final
 
 import numpy as np
 import numpy.typing as npt
 
 from airlight.optics.effective_medium import maxwell_garnett
 from airlight.optics.index_table import read_index
-from airlight.planets.parameters import Fraction, instance_of, parameters
+from airlight.planets.parameters import instance_of, parameters
+from airlight.planets.schema.key import Key, Wavelengths
+from airlight.planets.schema.kinds import Alternatives
+from airlight.planets.schema.record import Record
+from airlight.planets.schema.section import Section
 from airlight.planets.spectral import (
     Limits,
     PerWavelength,
     Spectral,
     narrowest,
-    spectral,
     spectral_at,
     spectral_limits,
 )
@@ -26,8 +31,53 @@ ComplexArray = npt.NDArray[np.complex128]
 _LONGEST_OWN: Final = 40
 
 
+class ParticleIndex(Record, ABC):
+    """A complex refractive index n + ik."""
+
+    @property
+    @abstractmethod
+    def limits(self) -> Limits:
+        """The wavelengths at which it is known. [nm]"""
+
+    @property
+    @abstractmethod
+    def own_wavelengths(self) -> tuple[float, ...]:
+        """The wavelengths that it was given at, few enough to compute at each. [nm]"""
+
+    @abstractmethod
+    def at(self, wavelengths: npt.ArrayLike) -> ComplexArray:
+        """n + ik at wavelengths within ``limits`` [nm], shape (nl,)."""
+
+
+@cache
+def index_words() -> tuple[str, ...]:
+    """Names of the tables of indices that come with the package."""
+    from airlight.optics.index_table import index_names
+
+    return tuple(index_names())
+
+
+def read_particle_index(section: Section, name: str, wavelengths: Wavelengths) -> ParticleIndex:
+    """The index that a key of a table gives: a table's name, a path, numbers or a mixture."""
+    allowed = "the name of a table, or a table such as { real = 1.5, … }"
+    value = section.required(name, allowed)
+    if isinstance(value, str):
+        table = value if value in index_words() else str(section.beside(value))
+        with section.blamed():
+            return TableIndex(table=table if table.endswith(".csv") else value)
+    within = section.section(name, allowed)
+    kind = MixedIndex if MixedIndex.keyword in within else GivenIndex
+    return kind.read(within, wavelengths)
+
+
+def index_key(label: str, text: str, **more: Any) -> Key:
+    """A key whose value is a refractive index."""
+    return Key(label=label, help=text, kind="choice", table="index", words=index_words,
+               read=read_particle_index, mode="advanced", **more)  # fmt: skip
+
+
 @parameters
-class GivenIndex:
+class GivenIndex(ParticleIndex):
     """A refractive index n + ik, given as numbers.
 
     Parameters
@@ -38,8 +88,36 @@ class GivenIndex:
         k, 0 to 10: light is only ever absorbed. [1]
     """
 
-    real: Annotated[Spectral, spectral(0.1, 10.0)]
-    imaginary: Annotated[Spectral, spectral(0.0, 10.0)] = 0.0
+    keyword = "real"
+
+    real: Annotated[
+        Spectral,
+        Key(
+            label="index, real part",
+            help="How much slower light is within.",
+            range=(0.1, 10.0),
+            spectral=True,
+            example="1.52",
+            slider=(1.0, 3.0),
+            per="wavelengths",
+            mode="advanced",
+        ),
+    ]
+    imaginary: Annotated[
+        Spectral,
+        Key(
+            label="index, imaginary part",
+            help="How much is swallowed within.",
+            range=(0.0, 10.0),
+            spectral=True,
+            example="0.006",
+            slider=(1e-6, 1.0),
+            scale="log",
+            per="wavelengths",
+            mode="advanced",
+            offered=lambda table: "real" in table,
+        ),
+    ] = 0.0
 
     @property
     def limits(self) -> Limits:
@@ -62,7 +140,7 @@ class GivenIndex:
 
 
 @parameters
-class TableIndex:
+class TableIndex(ParticleIndex):
     """A refractive index from a table.
 
     Parameters
@@ -92,7 +170,7 @@ class TableIndex:
 
 
 @parameters
-class MixedIndex:
+class MixedIndex(ParticleIndex):
     """A matrix that holds small grains of something else; Maxwell Garnett's rule.
 
     Parameters
@@ -102,9 +180,28 @@ class MixedIndex:
         Share of the inclusions in the volume, 0 to 1. [1]
     """
 
-    matrix: Annotated[GivenIndex | TableIndex, instance_of(GivenIndex, TableIndex)]
-    inclusions: Annotated[GivenIndex | TableIndex, instance_of(GivenIndex, TableIndex)]
-    fraction: Fraction
+    keyword = "matrix"
+
+    matrix: Annotated[
+        GivenIndex | TableIndex,
+        instance_of(GivenIndex, TableIndex),
+        index_key("matrix", "What the grains lie in.", prefix="matrix"),
+    ]
+    inclusions: Annotated[
+        GivenIndex | TableIndex,
+        instance_of(GivenIndex, TableIndex),
+        index_key("grains", "What lies in the matrix.", prefix="grains"),
+    ]
+    fraction: Annotated[
+        float,
+        Key(
+            label="share of the grains",
+            help="By volume (Maxwell Garnett).",
+            range=(0.0, 1.0),
+            example="0.02",
+            mode="advanced",
+        ),
+    ]
 
     @property
     def limits(self) -> Limits:
@@ -124,4 +221,5 @@ class MixedIndex:
         return maxwell_garnett(*parts, self.fraction)
 
 
-ParticleIndex = GivenIndex | TableIndex | MixedIndex
+#: What ``index = { … }`` may be, by the key that tells them apart; the name of a table is a word.
+INDICES: Final[Alternatives[ParticleIndex]] = Alternatives((GivenIndex, MixedIndex))

@@ -2,17 +2,43 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from typing import Annotated, Any, Final
 
 from airlight.optics import size_distribution as distribution
 from airlight.optics.size_distribution import Sizes
-from airlight.planets.parameters import between, parameters
+from airlight.planets.matter.state_keys import radius_key
+from airlight.planets.parameters import parameters
+from airlight.planets.schema.key import Key
+from airlight.planets.schema.kinds import Kinds
+from airlight.planets.schema.record import Record
 
-_Radius = Annotated[float, between(1e-10, 1e-3, "m")]
+
+class ParticleSizes(Record, ABC):
+    """How the radii of particles are distributed."""
+
+    @abstractmethod
+    def moment(self, power: float) -> float:
+        """Mean of r^power. [m^power]"""
+
+    @abstractmethod
+    def sizes(self, count: int) -> Sizes:
+        """Nodes over the distribution."""
+
+    @classmethod
+    def fresh(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
+        """What is usual, about the radius that the table had; see ``Record.fresh``."""
+        table = super().fresh(old, thickness)
+        radii = [value for name, value in old.items() if name.endswith("radius")]
+        return {
+            name: radii[0] if radii and name.endswith("radius") else value
+            for name, value in table.items()
+        }
 
 
 @parameters
-class GammaSizes:
+class GammaSizes(ParticleSizes):
     """Gamma distribution of radii, as Hansen & Travis (1974) write it.
 
     Parameters
@@ -23,8 +49,25 @@ class GammaSizes:
         Above 0, below 1/2. [1]
     """
 
-    effective_radius: _Radius
-    effective_variance: Annotated[float, between(0.0, 0.5, above=True, below=True)]
+    keyword = "gamma"
+
+    effective_radius: Annotated[
+        float, radius_key("effective radius", "Mean radius, weighted by area.")
+    ]
+    effective_variance: Annotated[
+        float,
+        Key(
+            label="effective variance",
+            help="How much the radii differ.",
+            range=(0.0, 0.5),
+            open_ends=True,
+            example="0.3",
+            slider=(0.01, 0.49),
+            typed=(1e-3, 0.499),
+            mode="advanced",
+            fresh=0.2,
+        ),
+    ]
 
     def moment(self, power: float) -> float:
         """Mean of r^power. [m^power]"""
@@ -36,7 +79,7 @@ class GammaSizes:
 
 
 @parameters
-class LogNormalSizes:
+class LogNormalSizes(ParticleSizes):
     """Log-normal distribution of radii.
 
     Parameters
@@ -47,8 +90,24 @@ class LogNormalSizes:
         σ_g, 1 to 5; 1 is one radius for all. [1]
     """
 
-    median_radius: _Radius
-    geometric_deviation: Annotated[float, between(1.0, 5.0)]
+    keyword = "log-normal"
+
+    median_radius: Annotated[
+        float,
+        radius_key("median radius", "Half of the particles are larger.", example="0.5 um"),
+    ]
+    geometric_deviation: Annotated[
+        float,
+        Key(
+            label="geometric deviation",
+            help="Two thirds of the radii lie within this factor of the median.",
+            range=(1.0, 5.0),
+            example="1.6",
+            slider=(1.0, 3.0),
+            mode="advanced",
+            fresh=1.5,
+        ),
+    ]
 
     def moment(self, power: float) -> float:
         """Mean of r^power. [m^power]"""
@@ -64,7 +123,7 @@ class LogNormalSizes:
 
 
 @parameters
-class SingleSize:
+class SingleSize(ParticleSizes):
     """All particles of one radius: their light shows every ripple.
 
     Parameters
@@ -73,7 +132,9 @@ class SingleSize:
         1e-10 to 1e-3. [m]
     """
 
-    radius: _Radius
+    keyword = "single"
+
+    radius: Annotated[float, radius_key("radius", "The same for all.")]
 
     def moment(self, power: float) -> float:
         """Mean of r^power. [m^power]"""
@@ -84,4 +145,10 @@ class SingleSize:
         return distribution.single_size(self.radius)
 
 
-ParticleSizes = GammaSizes | LogNormalSizes | SingleSize
+#: What ``sizes = { kind = … }`` may name.
+SIZES: Final[Kinds[ParticleSizes]] = Kinds(
+    (GammaSizes, LogNormalSizes, SingleSize),
+    label="sizes",
+    help="How the radii are distributed.",
+    mode="advanced",
+)

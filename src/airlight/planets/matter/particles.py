@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Annotated, Final, Literal
+from typing import Annotated, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -22,21 +22,27 @@ from airlight.planets.matter.mie_nodes import (
     node_wavelengths,
     phase_angles,
 )
-from airlight.planets.matter.particle_index import GivenIndex, MixedIndex, ParticleIndex, TableIndex
-from airlight.planets.matter.particle_sizes import (
-    GammaSizes,
-    LogNormalSizes,
-    ParticleSizes,
-    SingleSize,
-)
+from airlight.planets.matter.particle_index import ParticleIndex, index_key
+from airlight.planets.matter.particle_sizes import SIZES, ParticleSizes
 from airlight.planets.matter.phases import TabulatedPhase
-from airlight.planets.parameters import MISSING, between, instance_of, parameters
+from airlight.planets.matter.state_keys import depth_key
+from airlight.planets.parameters import MISSING, instance_of, parameters
+from airlight.planets.schema.key import Key, Wavelengths, always
+from airlight.planets.schema.section import Section
 from airlight.planets.spectral import Limits, narrowest
 
 FloatArray = npt.NDArray[np.float64]
 
 #: Radii that stand for a distribution in anomalous diffraction.
 _RADII: Final = 400
+
+
+#: Exact, and the approximation of van de Hulst.
+METHODS: Final = ("mie", "anomalous-diffraction")
+
+
+def _sizes(section: Section, name: str, wavelengths: Wavelengths) -> ParticleSizes:
+    return SIZES.read(section.section(name, "a table such as { kind = 'gamma', … }"))
 
 
 @parameters
@@ -66,6 +72,8 @@ class Particles(Matter):
 
     Examples
     --------
+    >>> from airlight.planets.matter.particle_index import GivenIndex
+    >>> from airlight.planets.matter.particle_sizes import SingleSize
     >>> dust = Particles(
     ...     index=GivenIndex(real=1.52, imaginary=0.006),
     ...     sizes=SingleSize(radius=1.6e-6),
@@ -76,12 +84,87 @@ class Particles(Matter):
     '1.863'
     """
 
-    index: Annotated[ParticleIndex, instance_of(GivenIndex, TableIndex, MixedIndex)]
-    sizes: Annotated[ParticleSizes, instance_of(GammaSizes, LogNormalSizes, SingleSize)]
-    method: Literal["mie", "anomalous-diffraction"] = "mie"
-    optical_depth: Annotated[float, between(0.0, 1e4)] | None = None
-    at: Annotated[float, between(WIDEST[0], WIDEST[1], "nm")] = 550.0
-    number_density: Annotated[float, between(0.0, 1e25, "/m^3")] | None = None
+    keyword = "particles"
+    label = "particles"
+    help = "Particles by what they are made of and how large they are."
+    example = "{ index = 'water', … }"
+
+    index: Annotated[
+        ParticleIndex,
+        instance_of(ParticleIndex),
+        index_key(
+            "material",
+            "What the particles are made of: their refractive index n + ik.",
+            note="The name of a table, the path to a CSV file, `{ real, imaginary }`, or"
+            " `{ matrix, inclusions, fraction }`.",
+        ),
+    ]
+    sizes: Annotated[
+        ParticleSizes,
+        instance_of(ParticleSizes),
+        Key(
+            label="sizes",
+            help="How large they are.",
+            kind="table",
+            table="sizes",
+            read=_sizes,
+            mode="advanced",
+        ),
+    ]
+    optical_depth: (
+        Annotated[
+            float,
+            depth_key(
+                "Of all of them straight up, at the wavelength below.",
+                note="Or a number density.",
+                mode="advanced",
+            ),
+        ]
+        | None
+    ) = None
+    number_density: (
+        Annotated[
+            float,
+            Key(
+                label="number density",
+                help="Particles in a cubic centimetre, where their profile is 1.",
+                unit="1/m^3",
+                range=(0.0, 1e25),
+                example="1e6 /m^3",
+                shown="/cm^3",
+                slider=(1e-2, 1e6),
+                scale="log",
+                mode="advanced",
+            ),
+        ]
+        | None
+    ) = None
+    at: Annotated[
+        float,
+        Key(
+            label="wavelength of the optical depth",
+            help="Where it is given.",
+            unit="nm",
+            range=WIDEST,
+            example="550 nm",
+            slider=(300.0, 1000.0),
+            mode="advanced",
+            offered=lambda table: "optical_depth" in table,
+        ),
+    ] = 550.0
+    method: Annotated[
+        str,
+        Key(
+            label="method",
+            help="Exact for spheres, or the approximation of van de Hulst.",
+            note="The latter needs a `phase_function` and takes 9 to 13 % off the extinction of"
+            " Martian dust.",
+            kind="choice",
+            words=lambda: METHODS,
+            mode="advanced",
+            offered=always,
+        ),
+    ] = "mie"
 
     def __post_init__(self) -> None:
         if (self.optical_depth is None) == (self.number_density is None):
@@ -94,6 +177,11 @@ class Particles(Matter):
         low, high = self.limits
         if self.optical_depth is not None and not low <= self.at <= high:
             raise ParameterError("at", self.at, f"{low:g} to {high:g} nm, as the index is known")
+
+    @property
+    def needs_phase(self) -> str:
+        """Anomalous diffraction, which has no phase function of its own."""
+        return "" if self.method == "mie" else "anomalous diffraction"
 
     @property
     def limits(self) -> Limits:

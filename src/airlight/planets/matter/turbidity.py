@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Final
+from typing import Annotated, Any, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -10,7 +10,9 @@ import numpy.typing as npt
 from airlight.errors import ParameterError
 from airlight.planets.matter.matter import Matter
 from airlight.planets.matter.phases import PhaseFunction
-from airlight.planets.parameters import MISSING, Fraction, between, parameters
+from airlight.planets.matter.state_keys import albedo_key, depth_key
+from airlight.planets.parameters import MISSING, parameters
+from airlight.planets.schema.key import Key, always
 from airlight.planets.spectral import EVERYWHERE, Limits
 
 FloatArray = npt.NDArray[np.float64]
@@ -28,8 +30,27 @@ def _no_phase_function() -> ParameterError:
     return ParameterError("phase_function", MISSING, "one, since turbidity has none of its own")
 
 
+def _turbidity_key(**more: Any) -> Key:
+    return Key(label="turbidity", help="1 is clear air, 2 clean, 10 thick haze.",
+               range=(1.0, 100.0), example="2", slider=(1.0, 10.0), mode="advanced",
+               **more)  # fmt: skip
+
+
+class _Haze(Matter):
+    """Matter that a phase function has to be given beside."""
+
+    @property
+    def needs_phase(self) -> str:
+        """Turbidity, which says nothing about it."""
+        return "turbidity"
+
+    def phase_function(self, wavelengths: npt.ArrayLike) -> PhaseFunction:
+        """None of its own: the constituent gives one."""
+        raise _no_phase_function()
+
+
 @parameters
-class Turbidity(Matter):
+class Turbidity(_Haze):
     """Haze whose scattering follows a power of the wavelength.
 
     Parameters
@@ -58,12 +79,66 @@ class Turbidity(Matter):
     [8.108, 2.027]
     """
 
-    turbidity: Annotated[float, between(1.0, 100.0)] | None = None
-    rayleigh_optical_depth: Annotated[float, between(0.0, 1e3)] | None = None
-    optical_depth: Annotated[float, between(0.0, 1e4)] | None = None
-    junge: Annotated[float, between(2.0, 6.0)] | None = None
-    angstrom: Annotated[float, between(0.0, 4.0)] | None = None
-    single_scattering_albedo: Fraction = 1.0
+    keyword = "turbidity"
+    label = "turbidity"
+    help = "Haze by one number; it needs a `phase_function`."
+    example = "{ optical_depth = 0.1, … }"
+
+    turbidity: Annotated[float, _turbidity_key(note="τ(550 nm) = (T-1) τ_R of the gas.")] | None = (
+        None
+    )
+    rayleigh_optical_depth: (
+        Annotated[
+            float,
+            Key(
+                label="optical depth of the gas",
+                help="At 550 nm; the haze has turbidity - 1 times as much.",
+                range=(0.0, 1e3),
+                slider=(1e-3, 10.0),
+                scale="log",
+                mode="advanced",
+            ),
+        ]
+        | None
+    ) = None
+    optical_depth: (
+        Annotated[
+            float,
+            depth_key(
+                "Of the haze straight up, at 550 nm.",
+                note="Instead of the turbidity.",
+                mode="advanced",
+            ),
+        ]
+        | None
+    ) = None
+    junge: (
+        Annotated[
+            float,
+            Key(
+                label="Junge exponent",
+                help="Of the sizes: 4 for haze that falls with the wavelength squared.",
+                note="Scattering and absorption fall like λ^-(v-2).",
+                range=(2.0, 6.0),
+                mode="advanced",
+            ),
+        ]
+        | None
+    ) = None
+    angstrom: (
+        Annotated[
+            float,
+            Key(
+                label="Ångström exponent",
+                help="Power of the wavelength that the haze falls with.",
+                note="Instead of the Junge exponent.",
+                range=(0.0, 4.0),
+                mode="advanced",
+            ),
+        ]
+        | None
+    ) = None
+    single_scattering_albedo: Annotated[float, albedo_key(mode="advanced", offered=always)] = 1.0
 
     def __post_init__(self) -> None:
         if (self.turbidity is None) == (self.optical_depth is None):
@@ -123,13 +198,9 @@ class Turbidity(Matter):
         share = 1.0 - self.single_scattering_albedo
         return share * self._extinction(wavelengths, vertical_column)
 
-    def phase_function(self, wavelengths: npt.ArrayLike) -> PhaseFunction:
-        """None of its own: the constituent gives one."""
-        raise _no_phase_function()
-
 
 @parameters
-class LiteralTurbidity(Matter):
+class LiteralTurbidity(_Haze):
     r"""Eq. 17 of the OpenSpace paper as it is printed, for v = 4.
 
     .. math:: \beta = 0.434\, C(T)\, \pi \left(\frac{2\pi}{\lambda}\right)^{v-2} K, \qquad
@@ -158,8 +229,23 @@ class LiteralTurbidity(Matter):
     '1.064e-04'
     """
 
-    turbidity: Annotated[float, between(1.0, 100.0)]
-    junge: Annotated[float, between(4.0, 4.0)] = 4.0
+    keyword = "turbidity_literal"
+    label = "turbidity"
+    help = "Haze as OpenSpace has it; it needs a `phase_function`."
+    example = "{ turbidity = 2 }"
+
+    turbidity: Annotated[
+        float, _turbidity_key(note="Eq. 17 as printed: 1.064e-4 /m at T = 2 and 550 nm.")
+    ]
+    junge: Annotated[
+        float,
+        Key(
+            label="Junge exponent",
+            help="The printed equation holds for 4 only.",
+            range=(4.0, 4.0),
+            mode="advanced",
+        ),
+    ] = 4.0
 
     @property
     def limits(self) -> Limits:
@@ -188,7 +274,3 @@ class LiteralTurbidity(Matter):
     ) -> FloatArray:
         """None, shape (nl,). [m⁻¹]"""
         return np.zeros(np.shape(wavelengths))
-
-    def phase_function(self, wavelengths: npt.ArrayLike) -> PhaseFunction:
-        """None of its own: the constituent gives one."""
-        raise _no_phase_function()

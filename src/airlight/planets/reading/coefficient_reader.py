@@ -7,17 +7,20 @@ from collections.abc import Callable
 from typing import Any, Final
 
 from airlight.errors import ParameterError
-from airlight.optics.rayleigh import number_density_from_mass
-from airlight.planets.matter.gases import GASES, GasScattering, RefractiveScattering
+from airlight.planets.matter.absorbers import ABSORBERS
+from airlight.planets.matter.gases import SCATTERERS
+from airlight.planets.matter.matter import Absorber, Scatterer
 from airlight.planets.matter.profiles import Profile
 from airlight.planets.parameters import MISSING
-from airlight.planets.planet import LARGEST_COEFFICIENT
-from airlight.planets.reading.absorption_reader import Absorption, read_absorption
-from airlight.planets.reading.toml_section import Section
-from airlight.planets.spectral import PerWavelength, Spectral, check_spectral
+from airlight.planets.planet import LARGEST_COEFFICIENT, Constituent
+from airlight.planets.reading.coefficient_keys import ALBEDO, DEPTH, EXTINCTION
+from airlight.planets.schema.key import Key, Wavelengths
+from airlight.planets.schema.record import fields_of
+from airlight.planets.schema.section import Section
+from airlight.planets.spectral import PerWavelength, Spectral
 
-Wavelengths = tuple[float, ...] | None
-Scattering = Spectral | GasScattering | RefractiveScattering
+_SCATTERING = fields_of(Constituent)["scattering"]
+_ABSORPTION = fields_of(Constituent)["absorption"]
 
 #: The sets of keys that say what a constituent scatters and absorbs.
 _FORMS: Final = (
@@ -30,13 +33,7 @@ _FORMS: Final = (
     ("optical_depth", "single_scattering_albedo"),
 )
 #: Every key of a constituent that gives a coefficient.
-COEFFICIENT_KEYS: Final = (
-    "scattering",
-    "absorption",
-    "extinction",
-    "single_scattering_albedo",
-    "optical_depth",
-)
+COEFFICIENTS: Final = tuple(dict.fromkeys(name for form in _FORMS for name in form))
 
 
 def read_coefficients(
@@ -44,7 +41,7 @@ def read_coefficients(
     wavelengths: Wavelengths,
     profile: Profile,
     thickness: float,
-) -> tuple[Scattering, Absorption]:
+) -> tuple[Spectral | Scatterer, Spectral | Absorber]:
     """Scattering and absorption coefficients at relative density 1.
 
     Parameters
@@ -63,7 +60,7 @@ def read_coefficients(
     scattering, absorption
         As ``Constituent`` takes them. [m⁻¹]
     """
-    given = tuple(sorted(key for key in COEFFICIENT_KEYS if key in section))
+    given = tuple(sorted(key for key in COEFFICIENTS if key in section))
     if given not in {tuple(sorted(form)) for form in _FORMS}:
         forms = "; ".join(" + ".join(form) for form in _FORMS)
         shown: Any = ", ".join(given) if given else MISSING
@@ -75,14 +72,45 @@ def read_coefficients(
         )
     if "optical_depth" in given or "extinction" in given:
         return _from_extinction(section, given, wavelengths, profile, thickness)
-    scattering = _scattering(section, wavelengths) if "scattering" in given else 0.0
+    scattering = read_scattering(section, wavelengths) if "scattering" in given else 0.0
     if "single_scattering_albedo" in given:
-        albedo = _fraction(section, wavelengths)
+        albedo = _given(ALBEDO, section, wavelengths)
         assert isinstance(scattering, (float, PerWavelength))
         return scattering, _combined(
             _absorption_beside, wavelengths, section, "absorption", scattering, albedo
         )
     return scattering, read_absorption(section, wavelengths)
+
+
+def read_scattering(section: Section, wavelengths: Wavelengths) -> Spectral | Scatterer:
+    """The key ``scattering``: a coefficient, or molecules that scatter. [m⁻¹]"""
+    if not isinstance(section.raw("scattering"), dict):
+        return section.spectral("scattering", "1/m", _SCATTERING.example, wavelengths)
+    allowed = "a coefficient or a table such as { rayleigh = 'air', … }"
+    return SCATTERERS.read(section.section("scattering", allowed), wavelengths)
+
+
+def read_absorption(section: Section, wavelengths: Wavelengths) -> Spectral | Absorber:
+    """The key ``absorption``: a coefficient, something that absorbs, or 0 if it is not there.
+
+    Parameters
+    ----------
+    section : Section
+        The constituent's table.
+    wavelengths : tuple of float or None
+        Those that its lists belong to. [nm]
+
+    Returns
+    -------
+    float, PerWavelength or Absorber
+        As ``Constituent`` takes it. [m⁻¹]
+    """
+    if "absorption" not in section:
+        return 0.0
+    if not isinstance(section.raw("absorption"), dict):
+        return section.spectral("absorption", "1/m", _ABSORPTION.example, wavelengths)
+    allowed = "a coefficient or a table such as { ozone = '345 DU' }"
+    return ABSORBERS.read(section.section("absorption", allowed), wavelengths)
 
 
 def _from_extinction(
@@ -93,23 +121,20 @@ def _from_extinction(
     thickness: float,
 ) -> tuple[Spectral, Spectral]:
     if "optical_depth" in given:
-        depth = section.spectral("optical_depth", "1", "0.05", wavelengths)
-        check_spectral(depth, section.name_of("optical_depth"), 0.0, 1e4)
+        depth = _given(DEPTH, section, wavelengths)
         column = _column(section, profile, thickness)
         extinction = _combined(lambda x: x / column, wavelengths, section, "extinction", depth)
     else:
-        extinction = section.spectral("extinction", "1/m", "4.44e-6 /m", wavelengths)
-        check_spectral(extinction, section.name_of("extinction"), 0.0, LARGEST_COEFFICIENT, "/m")
+        extinction = _given(EXTINCTION, section, wavelengths)
     if "single_scattering_albedo" in given:
-        albedo = _fraction(section, wavelengths)
+        albedo = _given(ALBEDO, section, wavelengths)
         return (
             _combined(lambda e, a: e * a, wavelengths, section, "scattering", extinction, albedo),
             _combined(
                 lambda e, a: e * (1.0 - a), wavelengths, section, "absorption", extinction, albedo
             ),
         )
-    scattering = section.spectral("scattering", "1/m", "3.996e-6 /m", wavelengths)
-    check_spectral(scattering, section.name_of("scattering"), 0.0, LARGEST_COEFFICIENT, "/m")
+    scattering = _given(_SCATTERING, section, wavelengths)
     pairs = zip(_listed(extinction, wavelengths), _listed(scattering, wavelengths), strict=True)
     for e, s in pairs:
         if s > e:
@@ -131,10 +156,10 @@ def _column(section: Section, profile: Profile, thickness: float) -> float:
     return column
 
 
-def _fraction(section: Section, wavelengths: Wavelengths) -> Spectral:
-    key = "single_scattering_albedo"
-    albedo = section.spectral(key, "1", "0.9", wavelengths)
-    return check_spectral(albedo, section.name_of(key), 0.0, 1.0)
+def _given(key: Key, section: Section, wavelengths: Wavelengths) -> Spectral:
+    """The value of a key that is there, within its range."""
+    value: Spectral = key.checked(key.read_from(section, wavelengths), section.name_of(key.name))
+    return value
 
 
 def _absorption_beside(scattering: float, albedo: float) -> float:
@@ -169,49 +194,3 @@ def _combined(
         assert wavelengths is not None
         return PerWavelength(wavelengths=wavelengths, values=results)
     return results[0]
-
-
-# --- gases ------------------------------------------------------------------------------------
-
-
-def _scattering(section: Section, wavelengths: Wavelengths) -> Scattering:
-    if not isinstance(section.raw("scattering"), dict):
-        return section.spectral("scattering", "1/m", "5.802e-6 /m", wavelengths)
-    gas = section.section("scattering", "a coefficient or a table such as { rayleigh = 'air', … }")
-    state: dict[str, Any] = {
-        "temperature": gas.optional_number("temperature", "K"),
-        "pressure": gas.optional_number("pressure", "Pa"),
-        "number_density": _number_density(gas),
-    }
-    if "rayleigh" in gas:
-        name = gas.choice("rayleigh", tuple(GASES))
-        gas.finish()
-        with gas.blamed():
-            return GasScattering(gas=name, **state)  # type: ignore[arg-type]
-    state["refractivity"] = gas.spectral("refractivity", "1", "2.78e-4", wavelengths)
-    state["ground_number_density"] = gas.optional_number("ground_number_density", "1/m^3")
-    for key, example in (("king_factor", "1.049"), ("depolarisation", "0.035")):
-        if key in gas:
-            state[key] = gas.spectral(key, "1", example, wavelengths)
-    gas.finish()
-    with gas.blamed():
-        return RefractiveScattering(**state)
-
-
-def _number_density(gas: Section) -> float | None:
-    """Molecules per volume, given or from mass density and molar mass. [m⁻³]"""
-    if "mass_density" not in gas and "molar_mass" not in gas:
-        return gas.optional_number("number_density", "1/m^3")
-    mass_density = gas.number("mass_density", "kg/m^3", "1.225 kg/m^3")
-    molar_mass = gas.number("molar_mass", "kg/mol", "28.9644 g/mol")
-    if not 1e-4 <= molar_mass <= 1.0:
-        raise ParameterError(gas.name_of("molar_mass"), molar_mass, "1e-4 to 1 kg/mol")
-    if "number_density" in gas:
-        raise ParameterError(
-            gas.name_of("number_density"), gas.raw("number_density"), "none beside a mass_density"
-        )
-    if not 0.0 < mass_density < 1e6:
-        raise ParameterError(
-            gas.name_of("mass_density"), mass_density, "more than 0, to 1e6 kg/m^3"
-        )
-    return number_density_from_mass(mass_density, molar_mass)

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cache
 from importlib import resources
 from pathlib import Path
 from typing import Any, Final
+
+from numpy.typing import ArrayLike
 
 from airlight.errors import FileError, ParameterError
 from airlight.kernel.threads import Cancel, Progress
@@ -16,7 +18,8 @@ from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.planets.reading.constituent_reader import read_constituent
 from airlight.planets.reading.overrides import overridden, with_hint
-from airlight.planets.reading.toml_section import Section, suggestion
+from airlight.planets.schema.record import fields_of
+from airlight.planets.schema.section import Section, suggestion
 
 #: The largest planet file. [byte]
 LARGEST_FILE: Final = 4_000_000
@@ -144,6 +147,10 @@ def _text(path: Path) -> str:
         raise FileError(path, f"is not UTF-8 text at byte {error.start}") from None
 
 
+def _own_wavelengths(planet: Planet) -> tuple[float, ...]:
+    return planet.wavelengths
+
+
 def read_planet(
     text: str,
     file: str,
@@ -179,16 +186,50 @@ def read_planet(
     ParameterError
         If something in it cannot be.
     """
-    values = planet_tables(text, file)
+    tables = planet_tables(text, file)
+    return read_tables(tables, file, folder, overrides, progress=progress, cancel=cancel)
+
+
+def read_tables(
+    tables: Mapping[str, Any],
+    file: str,
+    folder: Path | None = None,
+    overrides: Mapping[str, Any] | None = None,
+    *,
+    wavelengths: Callable[[Planet], ArrayLike] = _own_wavelengths,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Planet:
+    """A planet from the nested tables of a planet file.
+
+    Parameters
+    ----------
+    tables : mapping
+        As ``planet_tables`` gives them; not changed.
+    file, folder, overrides, progress, cancel
+        As for ``read_planet``.
+    wavelengths : callable
+        ``wavelengths(planet)``: where the planet is sampled to see whether it can be; whoever
+        asks for the medium there afterwards is given that one. The planet's own, if left out. [nm]
+
+    Returns
+    -------
+    Planet
+
+    Raises
+    ------
+    ParameterError
+        If something in the tables cannot be.
+    """
     try:
-        changed = overridden(values, overrides) if overrides is not None else values
+        changed = tables if overrides is None else overridden(tables, overrides)
         planet = _planet(Section(changed, folder=folder))
         # Refuse here, where the file is known.
-        Medium.from_planet(planet, planet.wavelengths, progress=progress, cancel=cancel)
+        Medium.from_planet(planet, wavelengths(planet), progress=progress, cancel=cancel)
         return planet
     except ParameterError as error:
         if overrides:
-            error = with_hint(error, values, overrides)
+            error = with_hint(error, tables, overrides)
         raise error.in_file(file) from None
 
 
@@ -216,33 +257,29 @@ def planet_tables(text: str, file: str) -> dict[str, Any]:
 
 
 def _planet(root: Section) -> Planet:
-    name = root.text("name", "the planet's name")
-    description = root.text("description", "a sentence", default="")
+    keys = fields_of(Planet)
     wavelengths = root.wavelengths()
-    refraction = root.text("refraction", "'none' or 'bouguer'", default="none")
+    own = {
+        field: key.read_from(root, wavelengths)
+        for field, key in keys.items()
+        if key.kind != "table" and not key.within
+    }
     shell = root.section("shell", "a table [shell] with bottom_radius and top_radius")
-    bottom = shell.number("bottom_radius", "m", "6360 km")
-    top = shell.number("top_radius", "m", "6460 km")
+    own |= {
+        field: key.read_from(shell, None) for field, key in keys.items() if key.within == "shell"
+    }
     shell.finish()
-    _check_shell(bottom, top)
-    ground = _ground(root.section("ground", "a table [ground] with an albedo"))
-    star = _star(root.section("star", "a table [star] with a spectrum and an angular_radius"))
+    _check_shell(own["bottom_radius"], own["top_radius"])
+    ground = Ground.read(root.section("ground", "a table [ground] with an albedo"))
+    star = Star.read(root.section("star", "a table [star] with a spectrum and an angular_radius"))
+    thickness = own["top_radius"] - own["bottom_radius"]
     constituents = tuple(
-        read_constituent(section, top - bottom)
+        read_constituent(section, thickness)
         for section in root.sections("constituents", "a list of tables [[constituents]]")
     )
     root.finish()
-    return Planet(
-        name=name,
-        description=description,
-        bottom_radius=bottom,
-        top_radius=top,
-        ground=ground,
-        star=star,
-        constituents=constituents,
-        own_wavelengths=wavelengths,
-        refraction=refraction,
-    )
+    given = {field: value for field, value in own.items() if value is not None}
+    return Planet(ground=ground, star=star, constituents=constituents, **given)
 
 
 def _check_shell(bottom: float, top: float) -> None:
@@ -251,34 +288,3 @@ def _check_shell(bottom: float, top: float) -> None:
         raise ParameterError("shell.bottom_radius", bottom, "more than 0 m")
     if not bottom < top:
         raise ParameterError("shell.top_radius", top, f"more than bottom_radius, {bottom:.10g} m")
-
-
-def _ground(section: Section) -> Ground:
-    wavelengths = section.wavelengths()
-    albedo = section.raw("albedo")
-    named = isinstance(albedo, str) and albedo[:1].isalpha()
-    values: dict[str, Any] = {
-        "albedo": albedo if named else section.spectral("albedo", "1", "0.1", wavelengths)
-    }
-    if "map" in section:
-        values["map"] = section.text("map", "the name of a map of the ground")
-    section.finish()
-    with section.blamed():
-        return Ground(**values)
-
-
-def _star(section: Section) -> Star:
-    wavelengths = section.wavelengths()
-    values: dict[str, Any] = {
-        "temperature": section.optional_number("temperature", "K"),
-        "distance": section.optional_number("distance", "m"),
-        "radius": section.optional_number("radius", "m"),
-        "angular_radius": section.optional_number("angular_radius", "deg"),
-    }
-    if "spectrum" in section:
-        values["spectrum"] = section.text("spectrum", "the name of a spectrum, 'astm-g173'")
-    if "irradiance" in section:
-        values["irradiance"] = section.spectral("irradiance", "W/m^2/nm", "1 W/m^2/nm", wavelengths)
-    section.finish()
-    with section.blamed():
-        return Star(**values)

@@ -1,4 +1,4 @@
-"""The projections by name; a new one is a file beside these and a line here."""
+"""Projections by name; a new one is a file beside these and a line here."""
 
 from __future__ import annotations
 

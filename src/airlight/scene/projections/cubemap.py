@@ -1,4 +1,4 @@
-"""Six square faces side by side, in the order and orientation that graphics interfaces expect."""
+"""Cube map: six square faces side by side, in the order and orientation of graphics interfaces."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def cube_ray(x, y, width, height, field_of_view):
 
 @compiled_loop
 def fill(x, y, width, height, field_of_view, out):
-    """The rays of a grid of pixels, into ``out``, shape (len(y), len(x), 3)."""
+    """Write the rays of a grid of pixels to ``out``, shape (len(y), len(x), 3)."""
     for row in range(y.size):
         for column in range(x.size):
             right, up, forward = cube_ray(x[column], y[row], width, height, field_of_view)
@@ -56,9 +56,9 @@ def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: f
     x, y : array, shape (nx,) and (ny,)
         Pixel coordinates from the left and the top edge. [pixel]
     width, height : int
-        Of the strip: six faces wide, one high. [pixel]
+        Size of the strip: six faces wide, one high. [pixel]
     field_of_view : float
-        A full turn; nothing else is allowed. [rad]
+        Angle of a full turn; no other is allowed. [rad]
 
     Returns
     -------
@@ -77,7 +77,7 @@ def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: f
 
 
 def pixel_angle(width: int, height: int, field_of_view: float) -> float:
-    """Angle of the middle pixel of a face. [rad]"""
+    """Angle of the central pixel of a face. [rad]"""
     return 2.0 / height
 
 

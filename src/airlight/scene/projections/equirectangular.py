@@ -1,4 +1,4 @@
-"""The panorama of the whole sphere: columns are equal steps of azimuth, rows of elevation."""
+"""Panorama of the whole sphere: columns are equal steps of azimuth, rows of elevation."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def panorama_ray(x, y, width, height, field_of_view):
 
 @compiled_loop
 def fill(x, y, width, height, field_of_view, out):
-    """The rays of a grid of pixels, into ``out``, shape (len(y), len(x), 3)."""
+    """Write the rays of a grid of pixels to ``out``, shape (len(y), len(x), 3)."""
     for row in range(y.size):
         for column in range(x.size):
             right, up, forward = panorama_ray(x[column], y[row], width, height, field_of_view)
@@ -32,7 +32,7 @@ def fill(x, y, width, height, field_of_view, out):
 
 
 def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: float) -> FloatArray:
-    """View vectors of a panorama whose middle looks straight ahead.
+    """View vectors of a panorama whose centre looks straight ahead.
 
     The left and the right edge are one meridian, straight behind the camera.
 
@@ -41,9 +41,9 @@ def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: f
     x, y : array, shape (nx,) and (ny,)
         Pixel coordinates from the left and the top edge. [pixel]
     width, height : int
-        Of the picture. [pixel]
+        Size of the picture. [pixel]
     field_of_view : float
-        A full turn; nothing else is allowed. [rad]
+        Angle of a full turn; no other is allowed. [rad]
 
     Returns
     -------

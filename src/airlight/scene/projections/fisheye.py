@@ -1,4 +1,4 @@
-"""The equidistant fisheye of dome masters: distance from the centre is the angle off the axis."""
+"""Equidistant fisheye of dome masters: distance from the centre is the angle off the axis."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def fisheye_ray(x, y, width, height, field_of_view):
 
 @compiled_loop
 def fill(x, y, width, height, field_of_view, out):
-    """The rays of a grid of pixels, into ``out``, shape (len(y), len(x), 3)."""
+    """Write the rays of a grid of pixels to ``out``, shape (len(y), len(x), 3)."""
     for row in range(y.size):
         for column in range(x.size):
             right, up, forward = fisheye_ray(x[column], y[row], width, height, field_of_view)
@@ -40,17 +40,17 @@ def fill(x, y, width, height, field_of_view, out):
 def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: float) -> FloatArray:
     """View vectors of the largest circle that fits the picture; zero outside it.
 
-    A camera that looks at the zenith has the azimuth it was turned to at the **bottom** of the
-    picture, as dome masters have it: the audience faces the bottom edge.
+    A camera that looks at the zenith has its azimuth at the **bottom** of the picture, as usual for
+    dome masters: the audience faces the bottom edge.
 
     Parameters
     ----------
     x, y : array, shape (nx,) and (ny,)
         Pixel coordinates from the left and the top edge. [pixel]
     width, height : int
-        Of the picture. [pixel]
+        Size of the picture. [pixel]
     field_of_view : float
-        Across the circle, up to a full turn. [rad]
+        Angle across the circle, up to a full turn. [rad]
 
     Returns
     -------
@@ -70,7 +70,7 @@ def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: f
 
 
 def pixel_angle(width: int, height: int, field_of_view: float) -> float:
-    """Angle of a pixel along a radius, the same everywhere. [rad]"""
+    """Angle of a pixel along a radius, the same over the picture. [rad]"""
     return field_of_view / min(width, height)
 
 

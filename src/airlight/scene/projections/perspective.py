@@ -1,4 +1,4 @@
-"""The pinhole camera: straight lines stay straight."""
+"""Pinhole camera: straight lines stay straight."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def perspective_ray(x, y, width, height, field_of_view):
 
 @compiled_loop
 def fill(x, y, width, height, field_of_view, out):
-    """The rays of a grid of pixels, into ``out``, shape (len(y), len(x), 3)."""
+    """Write the rays of a grid of pixels to ``out``, shape (len(y), len(x), 3)."""
     for row in range(y.size):
         for column in range(x.size):
             right, up, forward = perspective_ray(x[column], y[row], width, height, field_of_view)
@@ -33,16 +33,16 @@ def fill(x, y, width, height, field_of_view, out):
 
 
 def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: float) -> FloatArray:
-    """View vectors through a flat picture; the field of view is the horizontal one.
+    """View vectors through a flat picture; the field of view is horizontal.
 
     Parameters
     ----------
     x, y : array, shape (nx,) and (ny,)
         Pixel coordinates from the left and the top edge. [pixel]
     width, height : int
-        Of the picture. [pixel]
+        Size of the picture. [pixel]
     field_of_view : float
-        Between the left and the right edge. [rad]
+        Angle between the left and the right edge. [rad]
 
     Returns
     -------
@@ -62,7 +62,7 @@ def rays(x: FloatArray, y: FloatArray, width: int, height: int, field_of_view: f
 
 
 def pixel_angle(width: int, height: int, field_of_view: float) -> float:
-    """Angle of the middle pixel. [rad]"""
+    """Angle of the central pixel. [rad]"""
     return 2.0 * math.tan(0.5 * field_of_view) / width
 
 

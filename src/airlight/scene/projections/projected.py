@@ -1,4 +1,4 @@
-"""Any projection's view vector by its number, for a processor that has no table of functions."""
+"""View vector of any projection by its number, for processors without a table of functions."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ def projected_ray(projection, x, y, width, height, field_of_view):
     Parameters
     ----------
     projection : int
-        Its place in ``PROJECTIONS``, counted from 0.
+        Index in ``PROJECTIONS``, counted from 0.
     x, y : float
-        From the left and the top edge. [pixel]
+        Distances from the left and the top edge. [pixel]
     width, height : float
-        Of the picture. [pixel]
+        Size of the picture. [pixel]
     field_of_view : float
-        As the projection's ``rays`` takes it. [rad]
+        Field of view, as the projection's ``rays`` takes it. [rad]
 
     Returns
     -------
     right, up, forward : float
-        Of unit length, or 0 where the picture shows nothing. [1]
+        Components of a unit vector, or 0 where the picture shows nothing. [1]
 
     Examples
     --------
-    >>> projected_ray(1, 2.0, 2.0, 4.0, 4.0, 3.0)  # the middle of a fisheye
+    >>> projected_ray(1, 2.0, 2.0, 4.0, 4.0, 3.0)  # the centre of a fisheye
     (0.0, 0.0, 1.0)
     """
     if projection == 0:

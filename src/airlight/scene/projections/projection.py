@@ -1,4 +1,4 @@
-"""What a projection has to say about itself: the form that every projection's file fills in."""
+"""Interface that every projection's file implements."""
 
 from __future__ import annotations
 
@@ -13,30 +13,31 @@ FloatArray = NDArray[np.float64]
 
 @dataclass(frozen=True, kw_only=True)
 class Projection:
-    """A way to lay directions out on a picture.
+    """Projection of directions onto a picture.
 
     Parameters
     ----------
     name : str
-        As the camera and the command line call it.
+        Name for the camera and the command line.
     rays : callable
-        ``rays(x, y, width, height, field_of_view)`` gives the view vectors of the pixels in the
-        camera's frame (right, up, forward), shape (len(y), len(x), 3): of unit length, or zero
-        where the picture shows nothing. ``x``, ``y``: distances from the left and the top edge
-        in pixels, so that pixel i has its centre at i + 0.5. ``field_of_view``: radians.
+        Function ``rays(x, y, width, height, field_of_view)`` that gives the view vectors of the
+        pixels in the camera's frame (right, up, forward), shape (len(y), len(x), 3): of unit
+        length, or zero where the picture shows nothing. ``x``, ``y``: distances from the left and
+        the top edge in pixels, so that pixel i has its centre at i + 0.5. ``field_of_view``:
+        radians.
     pixel_angle : callable
-        ``pixel_angle(width, height, field_of_view)``: the angle that one pixel spans where the
-        picture looks straight ahead. [rad]
+        Function ``pixel_angle(width, height, field_of_view)`` that gives the angle of one pixel
+        where the picture looks straight ahead. [rad]
     fits : callable
-        ``fits(width, height)``: whether a picture may have this shape.
+        Function ``fits(width, height)``: whether a picture may have this size.
     shape : str
-        The allowed shapes in words, for the error.
+        Description of the allowed sizes, for the error.
     field_of_view : float
-        What a camera has that is not told. [deg]
+        Default field of view. [deg]
     field_of_view_limits : (float, float)
-        Smallest and largest allowed. [deg]
+        Smallest and largest allowed field of view. [deg]
     look_zenith : float
-        Where a camera looks that is not told. [deg]
+        Default zenith angle of the view. [deg]
     """
 
     name: str

@@ -1,1 +1,1 @@
-"""The notes' equations as they stand: trapezoids, a gather over the sphere, order by order."""
+"""The notes' equations as printed: trapezoids, a gather over the sphere, order by order."""

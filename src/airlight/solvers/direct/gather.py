@@ -1,4 +1,4 @@
-"""The gather pass: light of one order from all around, weighed with the phase functions."""
+"""The gather pass: light of one order from all directions, weighted by the phase functions."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import compiled_loop
 from airlight.planets.medium import Medium
-from airlight.solvers.direct.layout import Layout, angle_of, angle_place, radius_of, sun_of, view_of
+from airlight.solvers.direct.layout import Layout, angle_index, angle_of, radius_of, sun_of, view_of
 from airlight.solvers.direct.settings import Settings
 from airlight.solvers.direct.trapezoid import sphere
 
@@ -19,25 +19,25 @@ FloatArray = NDArray[np.float64]
 
 #: Nodes of the phase functions in u = sin(θ/2).
 _PHASE_NODES = 4097
-#: What the logarithm takes for zero. [1]
+#: Smallest argument of the logarithm. [1]
 _DARK = 1e-280
-#: A node nearer to the end of what can be than this part of a step gives no slope.
+#: Distance from the end of the possible range, in steps, below which a node gives no slope.
 _TOO_NEAR = 0.15
-#: Where what can be spans less than this part of a step, it is one angle.
+#: Width of the possible range, in steps, below which it counts as one angle.
 _NARROW = 0.3
-#: A value beyond what can be is continued over at most so many steps.
+#: Largest number of steps over which a value beyond the possible range is continued.
 _CONTINUED = 2.0
 
 
 class Directions(NamedTuple):
-    """From where light is gathered at each radius of the table.
+    """Directions from which light is gathered at each radius of the table.
 
     Attributes
     ----------
     zenith : array, shape (radii, nz)
         Zenith angles. [rad]
     azimuth : array, shape (na,)
-        From the sun's side to the other. [rad]
+        Azimuths from the sun's side to the opposite side. [rad]
     weights : array, shape (radii, nz, na)
         Solid angles, both mirrored directions together. [sr]
     """
@@ -48,7 +48,7 @@ class Directions(NamedTuple):
 
 
 def directions_for(axes: Layout, settings: Settings) -> Directions:
-    """Directions split at the horizon of each radius, if the rule is graded."""
+    """Make the directions, split at the horizon of each radius if the rule is graded."""
     rules = []
     for i in range(axes.radii):
         cuts: tuple[float, ...] = (0.0, np.pi)
@@ -66,18 +66,18 @@ def directions_for(axes: Layout, settings: Settings) -> Directions:
 def phase_nodes(
     medium: Medium, scatterers: NDArray[np.int64]
 ) -> tuple[FloatArray, NDArray[np.int64]]:
-    """Phase functions on even steps of sin(θ/2), each different one once.
+    """Phase functions on even steps of sin(θ/2), without repetitions.
 
     Parameters
     ----------
     medium : Medium
     scatterers : array, shape (ns,)
-        Places of the constituents that scatter.
+        Indices of the constituents that scatter.
 
     Returns
     -------
     values : array, shape (different, nodes)
-        [sr⁻¹]
+        Phase functions. [sr⁻¹]
     which : array, shape (ns·nl,)
         Row of ``values`` for each constituent and wavelength.
     """
@@ -99,15 +99,15 @@ def gather(
     Parameters
     ----------
     i : int
-        Place of the radius.
+        Index of the radius.
     axes, directions : Layout, Directions
-        Of the table, and of the gather.
+        Axes of the table, and directions of the gather.
     phase, which : array
-        From ``phase_nodes``. [sr⁻¹]
+        Arrays from ``phase_nodes``. [sr⁻¹]
     incoming : array, shape (suns, nl, nz, na)
         Light of one order at this radius, per irradiance of the star. [sr⁻¹]
     cos_psi, sin_psi : float
-        Of the azimuth that a table without angles holds. [1]
+        Cosine and sine of the azimuth of a table without angles. [1]
     normalise, logarithmic : bool
     out : array, shape (views, suns, angles, ns·nl)
         Receives the gathered light or its logarithm. [sr⁻¹]
@@ -115,7 +115,7 @@ def gather(
     zenith, azimuth = directions.zenith[i], directions.azimuth
     nz, na = zenith.size, azimuth.size
     count = nz * na
-    # Each direction's vector: up, towards the sun's side, across.
+    # Components of each direction: up, towards the sun's side, across.
     up, ahead, across = np.empty(count), np.empty(count), np.empty(count)
     half_weight = np.empty(count)
     for z in range(nz):
@@ -175,13 +175,13 @@ def gather(
 def complete(r, axes, out):
     """Continue the gathered light over angles that view and sun cannot have, at one radius.
 
-    Straight up or down, and with the sun overhead, one angle alone can be: there the shape is
+    Straight up or down, and with the sun overhead, only one angle is possible: there the shape is
     that of the neighbouring view or sun.
 
     Parameters
     ----------
     r : float
-        [m]
+        Radius. [m]
     axes : Layout
     out : array, shape (views, suns, angles, channels)
         Logarithms, changed in place.
@@ -192,7 +192,7 @@ def complete(r, axes, out):
         for j in range(axes.views):
             mu = view_of(j, r, axes)
             flat = sqrt(max((1.0 - mu) * (1.0 + mu) * (1.0 - mu_s) * (1.0 + mu_s), 0.0))
-            one, other = angle_place(mu * mu_s + flat, axes), angle_place(mu * mu_s - flat, axes)
+            one, other = angle_index(mu * mu_s + flat, axes), angle_index(mu * mu_s - flat, axes)
             low, high = min(one, other), max(one, other)
             if high - low > _NARROW:
                 continue_beyond(out[j, k], low, high)
@@ -213,20 +213,20 @@ def complete(r, axes, out):
 
 
 @compiled_loop
-def continue_alike(values, place, neighbour):
-    """Give a row that is known at one place the shape of its neighbour.
+def continue_alike(values, index, neighbour):
+    """Give a row that is known at one index the shape of its neighbour.
 
     Parameters
     ----------
     values : array, shape (angles, channels)
-        All the same; changed in place.
-    place : float
-        Where they belong.
+        Identical logarithms; changed in place.
+    index : float
+        Fractional index of the known angle.
     neighbour : array, shape (angles, channels)
     """
     n = values.shape[0]
-    node = min(max(int(place), 0), n - 2)
-    f = place - node
+    node = min(max(int(index), 0), n - 2)
+    f = index - node
     for q in range(values.shape[1]):
         own = values[node, q]
         there = (1.0 - f) * neighbour[node, q] + f * neighbour[node + 1, q]
@@ -238,15 +238,15 @@ def continue_alike(values, place, neighbour):
 def continue_beyond(values, low, high):
     """Continue a row of logarithms over angles that view and sun cannot have.
 
-    Nodes outside hold the value at the end of what can be. Interpolation up to that end would be
-    off by a part of a step; continued with the slope inside, it is right there.
+    Nodes outside hold the value at the end of the possible range. Interpolation up to that end
+    would be off by a part of a step; continued with the slope inside, it is exact there.
 
     Parameters
     ----------
     values : array, shape (angles, channels)
-        Changed in place.
+        Logarithms, changed in place.
     low, high : float
-        Places of the ends.
+        Fractional indices of the ends.
     """
     n = values.shape[0]
     first, last = ceil(low - 1e-9), floor(high + 1e-9)

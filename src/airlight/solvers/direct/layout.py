@@ -1,4 +1,4 @@
-"""Where the gathered light is known: the axes of its table, and the place of a point on them."""
+"""Table of gathered light: its axes, and the coordinates of a point on them."""
 
 from __future__ import annotations
 
@@ -33,8 +33,8 @@ _horizon_radius = transmittance.altitude_coordinate
 _horizon_radius_back = transmittance.radius_from_coordinate
 _bruneton_view = scattering.view_coordinate
 _bruneton_view_back = scattering.cosine_from_view
-_view_place = scattering.view_place
-_view_from_place = scattering.view_from_place
+_view_place = scattering.view_index
+_view_from_place = scattering.view_from_index
 _sun = scattering.sun_coordinate
 _sun_back = scattering.sun_from_coordinate
 _weighted_view = weighted_power.view_coordinate
@@ -49,11 +49,11 @@ class Layout(NamedTuple):
     Attributes
     ----------
     kind : int
-        Place of the mapping in ``MAPPINGS``.
+        Index of the mapping in ``MAPPINGS``.
     radii, views, suns, angles : int
         Numbers of nodes; one angle for the 3-D mappings.
     power : float
-        Of the power mappings. [1]
+        Exponent of the power mappings. [1]
     bottom, top : float
         Radii of ground and top. [m]
     lowest : float
@@ -72,7 +72,7 @@ class Layout(NamedTuple):
 
 
 def layout_for(medium: Medium, settings: Settings) -> Layout:
-    """The axes that the settings ask for, over a medium's shell."""
+    """Make the axes of the settings over a medium's shell."""
     bottom, top = medium.bottom_radius, medium.top_radius
     return Layout(
         MAPPINGS.index(settings.mapping),
@@ -89,7 +89,7 @@ def layout_for(medium: Medium, settings: Settings) -> Layout:
 
 @compiled_loop
 def radius_cell(r, axes):
-    """Neighbours of a radius among the nodes, and the share of the upper one."""
+    """Neighbours of a radius among the nodes, and the share of the upper."""
     if axes.kind <= _BRUNETON:
         x = _horizon_radius(r, axes.bottom, axes.top)
     elif axes.kind == _LINEAR:
@@ -196,7 +196,7 @@ def sun_of(k, axes):
 
 
 @kernel
-def _angle_place(nu, kind, n):
+def _angle_index(nu, kind, n):
     if n == 1:
         return 0.0
     if kind == _BRUNETON:
@@ -207,7 +207,7 @@ def _angle_place(nu, kind, n):
 @compiled_loop
 def angle_cell(nu, axes):
     """Neighbours of the cosine between view and sun, and the share of the second."""
-    return cell(_angle_place(nu, axes.kind, axes.angles), 0, axes.angles - 1)
+    return cell(_angle_index(nu, axes.kind, axes.angles), 0, axes.angles - 1)
 
 
 @compiled_loop
@@ -220,6 +220,6 @@ def angle_of(m, axes):
 
 
 @compiled_loop
-def angle_place(nu, axes):
-    """Place on the axis of angles, an index between 0 and the last. [1]"""
-    return _angle_place(nu, axes.kind, axes.angles)
+def angle_index(nu, axes):
+    """Fractional index on the axis of angles, between 0 and the last index. [1]"""
+    return _angle_index(nu, axes.kind, axes.angles)

@@ -1,4 +1,4 @@
-"""One line of sight: its points, and what light scattered or gathered there reaches its start."""
+"""Line of sight: its points, and the light scattered or gathered there that reaches its start."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from airlight.geometry.path import MAX_EDGES, place_edges
 from airlight.geometry.shell import horizon_cosine, radius_along
 from airlight.geometry.sun_disc import sun_elevation, visible_fraction
 from airlight.kernel import compiled_loop
+from airlight.optics.reflection import Reflection
 from airlight.planets.medium import Medium
 from airlight.solvers.direct.layout import Layout, angle_cell, radius_cell, sun_cell, view_cell
 from airlight.solvers.direct.settings import Settings
@@ -30,31 +31,34 @@ FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
 
-class Air(NamedTuple):
-    """What lines need of a medium.
+class LineOptics(NamedTuple):
+    """Properties of a medium that lines need.
 
     Attributes
     ----------
     bottom, top, star_radius : float
-        Radii of ground and top [m], and the star's [rad].
+        Radii of ground and top [m], and angular radius of the star [rad].
     scattering : array, shape (ns, nl)
-        Of the constituents that scatter. [m⁻¹]
+        Coefficients of the constituents that scatter. [m⁻¹]
     extinction : array, shape (nc, nl)
-        [m⁻¹]
+        Extinction coefficients. [m⁻¹]
     scatterers : array, shape (ns,)
-        Their places among all constituents.
+        Indices of these among all constituents.
     strongest : array, shape (nc,)
         Largest extinction at any wavelength. [m⁻¹]
     density : array, shape (nodes, nc)
-        From ``density_table``. [1]
+        Densities from ``density_table``. [1]
     corners : array, shape (n,)
         Altitudes at which a profile has a corner, ground and top included. [m]
     ratios : array, shape (radii, directions, nc, 2)
-        From ``mean_density_ratios``: columns to the star for the orders that are gathered. [1]
+        Table from ``mean_density_ratios``: columns to the star for the orders that are gathered.
+        [1]
     rule : tuple of arrays
         Nodes, weights and running integrals of the trapezoid.
+    ground : Reflection
+        Reflection by the ground, at all wavelengths.
     graded : bool
-        Whether the rule is for each leg of a ray; else for equal steps along all of it.
+        Whether the rule applies to each leg of a ray; otherwise to equal steps along all of it.
     """
 
     bottom: float
@@ -68,15 +72,16 @@ class Air(NamedTuple):
     corners: FloatArray
     ratios: FloatArray
     rule: tuple[FloatArray, FloatArray, FloatArray]
+    ground: Reflection
     graded: bool
 
 
-def air_of(medium: Medium, settings: Settings, steps: int) -> Air:
-    """The arrays of a medium as lines of so many steps take them."""
+def line_optics(medium: Medium, settings: Settings, steps: int) -> LineOptics:
+    """Arrays of a medium for lines of ``steps`` steps."""
     scatterers = np.flatnonzero(medium.scattering.max(axis=1) > 0.0)
     table = ColumnTable.build(medium.bottom_radius, medium.top_radius, medium.density)
     rule = (graded if settings.graded else uniform)(steps)
-    return Air(
+    return LineOptics(
         medium.bottom_radius,
         medium.top_radius,
         medium.star_angular_radius,
@@ -88,12 +93,13 @@ def air_of(medium: Medium, settings: Settings, steps: int) -> Air:
         medium.density.corners,
         mean_density_ratios(table),
         rule.as_tuple(),
+        medium.ground,
         settings.graded,
     )
 
 
 class Line(NamedTuple):
-    """Scratch for one line of sight with at most p points, and what ``prepare`` finds on it.
+    """Workspace of one line of sight with at most p points, and the results of ``prepare``.
 
     Attributes
     ----------
@@ -104,13 +110,13 @@ class Line(NamedTuple):
     through : array, shape (nl,)
         Transmittance of the whole line. [1]
     corners : array, shape (p, 4)
-        Of each point, the neighbours in radius and view as rows of the table.
+        Neighbours of each point in radius and view, as rows of the table.
     shares : array, shape (p, 4)
-        Of these rows. [1]
+        Shares of these rows. [1]
     edges, columns : array
-        Scratch.
+        Workspace for ``follow``.
     sun : tuple of arrays
-        Scratch for a ray to the star, as ``path``.
+        Workspace for a ray to the star, as ``path``.
     """
 
     path: tuple[FloatArray, ...]
@@ -123,8 +129,8 @@ class Line(NamedTuple):
     sun: tuple[FloatArray, ...]
 
 
-def new_line(air: Air) -> Line:
-    """Room for one line; each thread needs its own."""
+def new_line(air: LineOptics) -> Line:
+    """Workspace of one line; each thread needs its own."""
     constituents, wavelengths = air.extinction.shape
     points = air.rule[0].size * (MAX_EDGES if air.graded else 1)
     return Line(
@@ -141,16 +147,16 @@ def new_line(air: Air) -> Line:
 
 @compiled_loop
 def follow(r, mu, length, first_cut, second_cut, air, edges, path):
-    """Points, densities and columns along a stretch of a ray.
+    """Find points, densities and columns along a stretch of a ray.
 
     Parameters
     ----------
     r, mu, length : float
-        [m], [1], [m]
+        Start radius, zenith cosine and length. [m], [1], [m]
     first_cut, second_cut : float
-        Where the planet's shadow begins and ends; ignored by equal steps. [m]
+        Distances at which the planet's shadow begins and ends; ignored by equal steps. [m]
     air, edges, path :
-        See ``Air`` and ``Line``.
+        See ``LineOptics`` and ``Line``.
 
     Returns
     -------
@@ -175,7 +181,7 @@ def follow(r, mu, length, first_cut, second_cut, air, edges, path):
 
 @compiled_loop
 def prepare(r, mu, length, first_cut, second_cut, air, line):
-    """Follow a line and find what its points weigh at its start; returns their number."""
+    """Follow a line and find the weights of its points at its start; return their number."""
     count = follow(r, mu, length, first_cut, second_cut, air, line.edges, line.path)
     _, _, weight, density, column, total, _ = line.path
     source, through = line.source, line.through
@@ -200,7 +206,7 @@ def prepare(r, mu, length, first_cut, second_cut, air, line):
 
 @compiled_loop
 def place_rows(r, mu, count, axes, line):
-    """For each point of a prepared line, the rows of the table around its radius and view."""
+    """Find, for each point of a prepared line, the rows of the table around its radius and view."""
     distance, radius = line.path[0], line.path[1]
     for k in range(count):
         q = min(max(radius[k], axes.bottom), axes.top)
@@ -223,17 +229,17 @@ def add_gathered(r, mu_s, nu, count, axes, table, logarithmic, line, out):
     Parameters
     ----------
     r, mu_s, nu : float
-        Of the start. [m], [1]
+        Coordinates of the start. [m], [1]
     count : int
-        Points of the line.
+        Number of points of the line.
     axes : Layout
-        Of the table.
+        Axes of the table.
     table : array, shape (radii·views, suns, angles, ns·nl)
         Gathered light, or its logarithm. [1]
     logarithmic : bool
-        Which.
+        Whether it is the logarithm.
     line : Line
-        After ``prepare`` and ``place_rows``.
+        Line after ``prepare`` and ``place_rows``.
     out : array, shape (nl,)
         Receives the light, per irradiance of the star. [sr⁻¹]
     """
@@ -270,15 +276,15 @@ def add_once(r, mu_s, nu, count, phase, nested, air, line, out):
     Parameters
     ----------
     r, mu_s, nu : float
-        Of the start. [m], [1]
+        Coordinates of the start. [m], [1]
     count : int
-        Points of the line.
+        Number of points of the line.
     phase : array, shape (ns·nl,)
         Phase functions at nu. [sr⁻¹]
     nested : bool
-        Whether each column to the star is integrated by the rule; else it is looked up.
+        Whether each column to the star is integrated by the rule; otherwise it is looked up.
     air, line :
-        After ``prepare``.
+        Medium, and line after ``prepare``.
     out : array, shape (nl,)
         Receives the light, per irradiance of the star. [sr⁻¹]
     """

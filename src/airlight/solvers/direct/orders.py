@@ -1,4 +1,4 @@
-"""Order by order: the passes in turn, until an order adds next to nothing."""
+"""Orders of scattering: the passes in turn, until an order adds almost nothing."""
 
 from __future__ import annotations
 
@@ -19,42 +19,42 @@ from airlight.solvers.direct.gather import (
     phase_nodes,
 )
 from airlight.solvers.direct.layout import Layout, layout_for
-from airlight.solvers.direct.line import Air, air_of, axes_shape, new_line
-from airlight.solvers.direct.passes import direct_light, first_pass, lambert, next_pass, sky_light
+from airlight.solvers.direct.line import LineOptics, axes_shape, line_optics, new_line
+from airlight.solvers.direct.passes import direct_light, first_pass, next_pass, sky_light
 from airlight.solvers.direct.settings import Settings
 
 FloatArray = NDArray[np.float64]
 
-#: Texels darker than this part of the brightest do not decide when to stop. [1]
+#: Texels darker than this fraction of the brightest do not decide when to stop. [1]
 _FAINT = 1e-7
-#: A geometric rest is not trusted if the last order is so large a part of the one before. [1]
+#: Ratio of the last order to the previous one above which a geometric remainder is refused. [1]
 _TRUSTED_RATIO = 0.95
-#: In single texels that ratio is held below this. [1]
+#: Upper limit of that ratio in single texels. [1]
 _LARGEST_RATIO = 0.98
-#: Where no order is larger than this, the ratio is taken to be 0. [1]
+#: Where no order is larger than this, the ratio is taken as 0. [1]
 _DARK = 1e-250
 
 
 @dataclass(frozen=True, kw_only=True)
 class Orders:
-    """What the passes leave.
+    """Results of the passes.
 
     Attributes
     ----------
     axes : Layout
-        Of the tables.
+        Axes of the tables.
     total : array, shape (radii·views, suns, angles, ns·nl)
-        Gathered light of all orders together, its logarithm if so set. [sr⁻¹]
+        Gathered light of all orders together, or its logarithm, by the settings. [sr⁻¹]
     ground : array, shape (suns, nl)
-        Radiance of the ground by the sky, all orders together. [sr⁻¹]
+        Irradiance of the ground by the sky, all orders together. [1]
     each : list of array
         G⁽¹⁾, G⁽²⁾ … as ``total``, if they are kept.
     each_ground : list of array
-        A⁽²⁾, A⁽³⁾ … as ``ground``.
+        Those whose reflections are A⁽²⁾, A⁽³⁾ …, as ``ground``.
     count : int
-        Orders of radiance: one more than were gathered.
+        Number of orders of radiance: one more than were gathered.
     residual : array, shape (nl,)
-        Largest share of the last order in the sum, before the tail. [1]
+        Largest share of the last order in the sum, before the tail is added. [1]
     """
 
     axes: Layout
@@ -73,14 +73,14 @@ def solve_orders(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Orders:
-    """Scatter, light the ground, gather, and again.
+    """Compute the orders: scatter, light the ground, gather, repeat.
 
     Parameters
     ----------
     medium : Medium
     settings : Settings
     progress, cancel : callable, optional
-        See ``airlight.kernel.threads``; the total told is an estimate until the last order.
+        See ``airlight.kernel.threads``; the reported total is an estimate until the last order.
 
     Raises
     ------
@@ -104,7 +104,7 @@ def solve_orders(
             each.append(gathered)
         total = linear if total is None else total + linear
         count += 1
-        from_sky = work.from_sky  # A⁽ᵏ⁾, lit by the order before
+        from_sky = work.from_sky  # A⁽ᵏ⁾, lit by the previous order
         ground = ground + from_sky
         each_ground.append(from_sky)
         residual = _share(linear, total, medium.wavelengths.size)
@@ -145,9 +145,8 @@ class _Passes:
         cancel: Cancel | None,
     ) -> None:
         self.settings = settings
-        self.albedo = medium.ground_albedo
         self.axes: Layout = layout_for(medium, settings)
-        self.air: Air = air_of(medium, settings, settings.pass_steps)
+        self.air: LineOptics = line_optics(medium, settings, settings.pass_steps)
         self.directions: Directions = directions_for(self.axes, settings)
         self.phase, self.which = phase_nodes(medium, self.air.scatterers)
         self.progress, self.cancel = progress, cancel
@@ -155,7 +154,7 @@ class _Passes:
         line, lit = new_line(self.air), np.empty((suns.size, medium.wavelengths.size))
         for k, mu_s in enumerate(suns):
             direct_light(self.axes.bottom, mu_s, True, self.air, line, lit[k])
-        self.lit_by_star = lambert(self.albedo, lit)
+        self.lit_by_star = lit
         nz, na = self.directions.zenith.shape[1], self.directions.azimuth.size
         self.incoming = np.empty((self.axes.radii, suns.size, medium.wavelengths.size, nz, na))
         self.from_sky = np.zeros_like(lit)
@@ -170,9 +169,10 @@ class _Passes:
         )
 
     def _sky(self, air_light: FloatArray) -> None:
-        """The ambient pass: what the ground receives of light scattered by the air last."""
-        received = sky_light(self.directions.zenith[0], self.directions.weights[0], air_light[0])
-        self.from_sky = lambert(self.albedo, received)
+        """Ambient pass: irradiance of the ground by light scattered by the air last."""
+        self.from_sky = sky_light(
+            self.directions.zenith[0], self.directions.weights[0], air_light[0]
+        )
 
     def first(self) -> FloatArray:
         """S⁽¹⁾ + D·T."""
@@ -214,7 +214,7 @@ class _Passes:
         def one(i: int) -> None:
             next_pass(
                 i, self.axes, self.directions, gathered, self.settings.logarithmic, self.air,
-                new_line(self.air), lit, self.incoming[i],
+                new_line(self.air), lit, late, self.incoming[i],
             )  # fmt: skip
 
         self._all_radii(f"order {order}", one)
@@ -231,7 +231,7 @@ def _share(part: FloatArray, total: FloatArray, wavelengths: int) -> FloatArray:
 
 
 def _rest(last: FloatArray, before: FloatArray) -> FloatArray:
-    """What follows after the last order if every order is the same part of the one before."""
+    """Remainder after the last order if every order is the same fraction of the one before."""
     ratio = np.divide(last, before, out=np.zeros_like(last), where=before > _DARK)
     ratio = np.minimum(ratio, _LARGEST_RATIO)
     return np.asarray(last * ratio / (1.0 - ratio))

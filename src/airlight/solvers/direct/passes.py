@@ -1,4 +1,4 @@
-"""The passes over the table: light scattered once, light gathered before, light on the ground."""
+"""Passes over the table: light scattered once, light gathered before, light on the ground."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from airlight.geometry.path import ray_length, shadow_edges
 from airlight.geometry.shell import meets_ground
 from airlight.geometry.sun_disc import mean_cosine
-from airlight.kernel import compiled_loop
+from airlight.kernel import compiled_loop, inlined
+from airlight.optics.reflection import at_wavelength, leaving_cosine, sky_factor, star_factor
 from airlight.solvers.direct.layout import radius_of, sun_cell, sun_of
 from airlight.solvers.direct.line import (
     add_gathered,
@@ -22,7 +23,7 @@ from airlight.solvers.direct.line import (
 
 FloatArray = NDArray[np.float64]
 
-#: What the logarithm takes for zero. [1]
+#: Smallest argument of the logarithm. [1]
 _DARK = 1e-280
 
 
@@ -33,11 +34,11 @@ def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
     Parameters
     ----------
     i : int
-        Place of the radius.
+        Index of the radius.
     axes, directions, air, line :
-        See ``Layout``, ``Directions``, ``Air`` and ``Line``.
+        See ``Layout``, ``Directions``, ``LineOptics`` and ``Line``.
     phase, which : array
-        From ``phase_nodes``. [sr⁻¹]
+        Arrays from ``phase_nodes``. [sr⁻¹]
     lit_ground : array, shape (suns, nl)
         D, the radiance of the ground that the star lights. [sr⁻¹]
     out : array, shape (suns, nl, nz, na)
@@ -68,25 +69,30 @@ def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
                 else:
                     line.through[:] = 1.0
                 if meets_ground(r, mu, axes.bottom):
-                    add_ground(r, mu_s, nu, length, axes, lit_ground, False, line.through, light)
+                    add_ground(
+                        r, mu, mu_s, nu, length, axes, lit_ground, True, False, air.ground,
+                        line.through, light,
+                    )  # fmt: skip
                 for l in range(light.size):
                     out[k, l, z, a] = light[l]
 
 
 @compiled_loop
-def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, out):
+def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, by_star, out):
     """Light of the next order that arrives at one radius: S⁽ᵏ⁾ + A⁽ᵏ⁾·T.
 
     Parameters
     ----------
     i, axes, directions, air, line :
-        As in ``first_pass``.
+        Arguments of ``first_pass``.
     table : array, shape (radii·views, suns, angles, ns·nl)
         G⁽ᵏ⁻¹⁾, the gathered light, or its logarithm. [sr⁻¹]
     logarithmic : bool
-        Which.
+        Whether it is the logarithm.
     lit_ground : array, shape (suns, nl)
-        A⁽ᵏ⁾, the radiance of the ground that the sky lights. [sr⁻¹]
+        Irradiance of the ground by the sky, whose reflection is A⁽ᵏ⁾. [1]
+    by_star : bool
+        Whether the light comes from the star instead.
     out : array, shape (suns, nl, nz, na)
         Receives the light, per irradiance of the star. [sr⁻¹]
     """
@@ -111,58 +117,86 @@ def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, ou
                 add_gathered(r, mu_s, nu, count, axes, table, logarithmic, line, light)
                 if to_ground:
                     add_ground(
-                        r, mu_s, nu, length, axes, lit_ground, logarithmic, line.through, light
-                    )
+                        r, mu, mu_s, nu, length, axes, lit_ground, by_star, logarithmic,
+                        air.ground, line.through, light,
+                    )  # fmt: skip
                 for l in range(light.size):
                     out[k, l, z, a] = light[l]
 
 
 @compiled_loop
-def add_ground(r, mu_s, nu, length, axes, lit_ground, logarithmic, through, out):
+def add_ground(
+    r, mu, mu_s, nu, length, axes, lit_ground, by_star, logarithmic, ground, through, out
+):  # fmt: skip
     """Add the ground's light at the end of a line of sight.
 
     Parameters
     ----------
-    r, mu_s, nu, length : float
-        Of the start. [m], [1], [1], [m]
+    r, mu, mu_s, nu, length : float
+        Coordinates of the start, and length. [m], [1], [1], [1], [m]
     axes : Layout
-        Of the suns.
+        Axes of the table, with the suns.
     lit_ground : array, shape (suns, nl)
-        Radiance of the ground. [sr⁻¹]
+        Irradiance of the ground. [1]
+    by_star : bool
+        Whether the light comes from the star; otherwise from the sky.
     logarithmic : bool
-        How to interpolate it.
+        Whether to interpolate the logarithm.
+    ground : Reflection
+        Reflection by the ground.
     through : array, shape (nl,)
         Transmittance of the line. [1]
     out : array, shape (nl,)
-        [sr⁻¹]
+        Receives the light, per irradiance of the star. [sr⁻¹]
     """
     mu_s_ground = min(max((r * mu_s + length * nu) / axes.bottom, -1.0), 1.0)
     s0, s1, e = sun_cell(mu_s_ground, axes)
+    leaving = leaving_cosine(r, mu, axes.bottom)
     for l in range(out.size):
         low, high = lit_ground[s0, l], lit_ground[s1, l]
         if logarithmic and low > _DARK and high > _DARK:
             value = exp((1.0 - e) * log(low) + e * log(high))
         else:
             value = (1.0 - e) * low + e * high
-        out[l] += through[l] * value
+        out[l] += through[l] * reflected(ground, l, by_star, mu_s_ground, leaving, nu) * value
+
+
+@inlined
+def reflected(ground, l, by_star, mu_s, leaving, nu):
+    """Radiance of the ground at one wavelength, per irradiance. [sr⁻¹]
+
+    Parameters
+    ----------
+    ground : Reflection
+    l : int
+        Index of the wavelength.
+    by_star : bool
+        Whether the star lights it; otherwise the sky.
+    mu_s, leaving, nu : float
+        Cosines of ``star_factor``. [1]
+    """
+    here = at_wavelength(ground, l)
+    if by_star:
+        return star_factor(here, 0, mu_s, leaving, nu) / pi
+    return sky_factor(here, 0, leaving) / pi
 
 
 @compiled_loop
 def direct_light(r, mu_s, nested, air, line, out):
-    """Irradiance of a level surface by the star itself, per the star's.
+    """Irradiance of a level surface by the star itself, relative to the star's.
 
     Parameters
     ----------
     r, mu_s : float
-        [m], [1]
+        Radius, and zenith cosine of the star. [m], [1]
     nested : bool
-        Whether the column is integrated by the rule; else it is looked up.
+        Whether the column is integrated by the rule; otherwise it is looked up.
     air, line :
-        See ``Air`` and ``Line``.
+        See ``LineOptics`` and ``Line``.
     out : array, shape (nl,)
-        [1]
+        Receives the irradiance. [1]
     """
-    above = mean_cosine(mu_s, mu_s, air.star_radius)  # near the horizon the sine is the angle
+    above = mean_cosine(mu_s, mu_s, air.star_radius)  # near the horizon the sine equals the angle
     out[:] = 0.0
     if above <= 0.0:
         return
@@ -180,7 +214,7 @@ def sky_light(zenith: FloatArray, weights: FloatArray, incoming: FloatArray) -> 
     Parameters
     ----------
     zenith : array, shape (nz,)
-        [rad]
+        Zenith angles. [rad]
     weights : array, shape (nz, na)
         Solid angles. [sr]
     incoming : array, shape (suns, nl, nz, na)
@@ -189,12 +223,7 @@ def sky_light(zenith: FloatArray, weights: FloatArray, incoming: FloatArray) -> 
     Returns
     -------
     array, shape (suns, nl)
-        [1]
+        Irradiance. [1]
     """
     cosine = np.maximum(np.cos(zenith), 0.0)
     return np.asarray(np.einsum("za,klza->kl", weights * cosine[:, None], incoming))
-
-
-def lambert(albedo: FloatArray, irradiance: FloatArray) -> FloatArray:
-    """Radiance of a Lambert ground: albedo·E/π. [sr⁻¹ for irradiance in 1]"""
-    return albedo * irradiance / pi

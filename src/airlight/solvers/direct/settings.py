@@ -1,4 +1,4 @@
-"""How finely the direct solver works, and by which document."""
+"""Resolution of the direct solver, and the document that it follows."""
 
 from __future__ import annotations
 
@@ -8,53 +8,53 @@ from typing import Final
 from airlight.errors import ParameterError
 from airlight.solvers.quality import settings_by_name
 
-#: What the table of gathered light is laid out on.
+#: Mappings of the table of gathered light.
 MAPPINGS: Final = ("angle", "bruneton", "linear", "power", "weighted-power")
-#: Printed forms that differ from the corrected equations and still run.
+#: Printed forms that differ from the corrected equations and can be selected.
 LITERAL: Final = ("", "atmosphere-plus-1", "atmosphere-plus-2")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Settings:
-    """Sizes and rules of the direct solver.
+    """Resolution and rules of the direct solver.
 
     Attributes
     ----------
     mapping : str
-        Of the table of gathered light. ``bruneton`` is his 4-D mapping of (r, mu, mu_s, nu),
-        ``angle`` the same with the view direction and the angle to the sun in even steps of angle;
-        ``linear``, ``power`` and ``weighted-power`` are the 3-D mappings of Atmosphere Plus of
-        (h, φ, δ), which leave azimuth out.
+        Mapping of the table of gathered light. ``bruneton`` is the 4-D mapping of (r, mu, mu_s,
+        nu), ``angle`` the same with the view direction and the angle to the sun in even steps of
+        angle; ``linear``, ``power`` and ``weighted-power`` are the 3-D mappings of Atmosphere Plus
+        of (h, φ, δ), which omit azimuth.
     radii, views, suns, scatter_angles : int
         Shape of the table; the last is 1 for the 3-D mappings.
     power : float
         Exponent of the power and weighted power mappings. [1]
     azimuth : float
-        At which a 3-D table holds the gathered light. [deg]
+        Azimuth at which a 3-D table holds the gathered light. [deg]
     zenith_steps, azimuth_steps : int
-        Of the gather over the sphere: steps in Θ (on each side of the horizon if graded, over
-        all of it if not), and in Φ over the whole turn.
+        Steps of the gather over the sphere: in Θ (on each side of the horizon if graded, otherwise
+        over all of it), and in Φ over the whole turn.
     steps : int
-        Of the trapezoid on each stretch of a line of sight: between lowest point, corners of the
-        profiles, edges of the shadow and ends if graded, else all of it.
+        Steps of the trapezoid on each stretch of a line of sight, between lowest point, corners of
+        the profiles, edges of the shadow and ends if graded, otherwise over all of it.
     pass_steps : int
-        The same for the lines of the passes that fill the table.
+        Steps for the lines of the passes that fill the table.
     graded : bool
-        Whether trapezoids are graded and split at the horizon and the tangent point; if not, they
+        Whether trapezoids are graded and split at the horizon and the tangent point; otherwise they
         have equal steps, as printed.
     logarithmic : bool
-        Whether the table is interpolated in the logarithm; if not, linearly, as printed.
+        Whether the table is interpolated in the logarithm; otherwise linearly, as printed.
     orders : int
-        At most so many orders.
+        Largest number of orders.
     tolerance : float
-        The iteration stops when an order adds less than this, relative to the sum. [1]
+        Relative change by an order below which the iteration stops. [1]
     tail : bool
-        Whether the orders left out are added as a geometric series.
+        Whether the omitted orders are added as a geometric series.
     keep_orders : bool
-        Whether each order can be asked for by itself.
+        Whether each order can be requested separately.
     literal : str
-        ``atmosphere-plus-1`` gathers and attenuates each constituent by itself only, over black
-        ground; ``atmosphere-plus-2`` lets the lit ground join one order late and loses A⁽²⁾.
+        ``atmosphere-plus-1`` gathers and attenuates each constituent separately, over black ground;
+        ``atmosphere-plus-2`` adds the lit ground one order late and omits A⁽²⁾.
     """
 
     mapping: str = "angle"
@@ -107,11 +107,11 @@ class Settings:
 
     @property
     def flat(self) -> bool:
-        """Whether the table leaves azimuth out."""
+        """Whether the table omits azimuth."""
         return self.mapping not in ("angle", "bruneton")
 
     def as_text(self) -> str:
-        """All settings on one line, for reports and fingerprints."""
+        """Return all settings on one line, for reports and fingerprints."""
         return " ".join(f"{name}={value}" for name, value in asdict(self).items() if value != "")
 
 
@@ -127,7 +127,7 @@ QUALITIES: Final = {
     ),
 }  # fmt: skip
 
-#: The tables of the Atmosphere Plus notes: 32 heights, 64 view and 32 sun directions, 30 steps.
+#: Tables of the Atmosphere Plus notes: 32 heights, 64 view and 32 sun directions, 30 steps.
 ATMOSPHERE_PLUS: Final = Settings(
     mapping="weighted-power", radii=32, views=64, suns=32, scatter_angles=1, zenith_steps=12,
     azimuth_steps=24, steps=30, pass_steps=30, graded=False, logarithmic=False, orders=6,
@@ -136,7 +136,7 @@ ATMOSPHERE_PLUS: Final = Settings(
 
 
 def settings_for(quality: str | Settings) -> Settings:
-    """The settings of a named quality level, or settings as they are.
+    """Settings of a named quality level, or the given settings.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The direct solver's result: lines of sight through the tables of gathered light."""
+"""Result of the direct solver: lines of sight through the tables of gathered light."""
 
 from __future__ import annotations
 
@@ -16,20 +16,21 @@ from airlight.kernel import compiled_loop, disk
 from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.density_profile import DensitySegments
+from airlight.optics.reflection import leaving_cosine
 from airlight.planets.medium import Medium
 from airlight.solvers.direct.layout import layout_for
 from airlight.solvers.direct.line import (
-    Air,
+    LineOptics,
     add_gathered,
     add_once,
-    air_of,
     axes_shape,
+    line_optics,
     new_line,
     place_rows,
     prepare,
 )
 from airlight.solvers.direct.orders import Orders, solve_orders
-from airlight.solvers.direct.passes import add_ground, direct_light
+from airlight.solvers.direct.passes import add_ground, direct_light, reflected
 from airlight.solvers.direct.settings import Settings
 from airlight.solvers.direct.trapezoid import sphere
 from airlight.solvers.light_paths import only_straight
@@ -38,25 +39,25 @@ from airlight.solvers.solution import Report, Solution
 
 FloatArray = NDArray[np.float64]
 
-#: Lines of sight in one block of work.
+#: Lines of sight per block of work.
 _BLOCK = 64
-#: Steps in zenith and azimuth of the irradiance of the sky.
+#: Steps in zenith and azimuth for the irradiance of the sky.
 _SKY_STEPS = (12, 28)
 
 
 class DirectSolution(Solution):
-    """A solution by the direct solver.
+    """Solution by the direct solver.
 
     Parameters
     ----------
     medium : Medium
-        What was solved.
+        Medium that was solved.
     settings : Settings
-        How.
+        Settings of the solver.
     parts : list of (Medium, Orders)
-        One; for the literal first notes one for each constituent that scatters.
+        Medium and its orders; for the literal first notes one pair per constituent that scatters.
     seconds : float
-        What it took. [s]
+        Wall time. [s]
     """
 
     def __init__(
@@ -69,7 +70,7 @@ class DirectSolution(Solution):
         self.medium = medium
         self.settings = settings
         self.parts = parts
-        self._airs = [air_of(one, settings, settings.steps) for one, _ in parts]
+        self._airs = [line_optics(one, settings, settings.steps) for one, _ in parts]
         kept = max(len(orders.each) for _, orders in parts) + 1 if settings.keep_orders else 1
         self.highest_order = kept
         self.report = Report(
@@ -91,7 +92,7 @@ class DirectSolution(Solution):
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
-        air = air_of(self.medium, self.settings, self.settings.steps)
+        air = line_optics(self.medium, self.settings, self.settings.steps)
         out, line = np.empty((r.size, self.wavelengths.size)), new_line(air)
         for k in range(r.size):
             direct_light(r[k], mu_s[k], True, air, line, out[k])
@@ -120,7 +121,12 @@ class DirectSolution(Solution):
 
 
 def _radiance(
-    medium: Medium, orders: Orders, air: Air, settings: Settings, sight: Sight, order: int | None
+    medium: Medium,
+    orders: Orders,
+    air: LineOptics,
+    settings: Settings,
+    sight: Sight,
+    order: int | None,
 ) -> FloatArray:
     n, wavelengths = sight.r.size, medium.wavelengths.size
     out = np.zeros((n, wavelengths))
@@ -144,7 +150,6 @@ def _radiance(
             sight.length[rows],
             sight.to_ground[rows],
             np.ascontiguousarray(phase.reshape(phase.shape[0], -1)),
-            medium.ground_albedo,
             once,
             gathered,
             orders.axes,
@@ -162,10 +167,10 @@ def _radiance(
 
 @compiled_loop
 def _lines(
-    r, mu, mu_s, nu, length, to_ground, phase, albedo, once, gathered, axes, table, ground,
+    r, mu, mu_s, nu, length, to_ground, phase, once, gathered, axes, table, ground,
     logarithmic, air, line, out,
 ):  # fmt: skip
-    received = np.empty(albedo.size)
+    received = np.empty(out.shape[1])
     for k in range(r.size):
         line.through[:] = 1.0
         if length[k] > 0.0:
@@ -179,15 +184,17 @@ def _lines(
         if to_ground[k]:
             if gathered:
                 add_ground(
-                    r[k], mu_s[k], nu[k], length[k], axes, ground, logarithmic, line.through, out[k]
-                )
+                    r[k], mu[k], mu_s[k], nu[k], length[k], axes, ground, False, logarithmic,
+                    air.ground, line.through, out[k],
+                )  # fmt: skip
             if once:
                 mu_s_ground = (r[k] * mu_s[k] + length[k] * nu[k]) / air.bottom
-                direct_light(
-                    air.bottom, min(max(mu_s_ground, -1.0), 1.0), True, air, line, received
-                )
-                for l in range(albedo.size):
-                    out[k, l] += line.through[l] * albedo[l] * received[l] / np.pi
+                mu_s_ground = min(max(mu_s_ground, -1.0), 1.0)
+                direct_light(air.bottom, mu_s_ground, True, air, line, received)
+                leaving = leaving_cosine(r[k], mu[k], air.bottom)
+                for l in range(received.size):
+                    factor = reflected(air.ground, l, True, mu_s_ground, leaving, nu[k])
+                    out[k, l] += line.through[l] * factor * received[l]
 
 
 def solve(
@@ -198,16 +205,16 @@ def solve(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> DirectSolution:
-    """Solve a medium by the book, or read its solution from the cache.
+    """Solve a medium by the notes' equations, or read its solution from the cache.
 
     Parameters
     ----------
     medium : Medium
-        What to solve.
+        Medium to solve.
     settings : Settings
-        How.
+        Settings of the solver.
     cache : bool
-        Whether to look for the solution on disk and to leave it there.
+        Whether to read the solution from disk, and to keep it there.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -255,7 +262,7 @@ def _to_arrays(orders: Orders) -> dict[str, NDArray[Any]]:
 def _from_arrays(
     medium: Medium, settings: Settings, arrays: dict[str, NDArray[Any]] | None
 ) -> Orders | None:
-    """The orders that a cache file holds, or None if it holds something else."""
+    """Orders from a cache file, or None if it holds something else."""
     if arrays is None:
         return None
     axes = layout_for(medium, settings)
@@ -286,7 +293,7 @@ def _from_arrays(
 
 
 def alone(medium: Medium, index: int) -> Medium:
-    """A medium with one constituent only over black ground, as the first notes have it."""
+    """Medium with only one constituent over black ground, as in the first notes."""
     here = slice(index, index + 1)
     return replace(
         medium,

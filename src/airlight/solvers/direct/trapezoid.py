@@ -1,8 +1,8 @@
 r"""Trapezoid rules on a line, on a rectangle and on the sphere, uniform and graded.
 
-The uniform rules are those of the Atmosphere Plus notes. The graded one is the same rule after
-the substitution x = t - sin(2πt)/2π (Sidi 1993), whose slope vanishes at both ends: what the
-trapezoid gets wrong at the ends of a stretch is then gone: 16 steps integrate exp(-5x) to 1e-6
+The uniform rules are those of the Atmosphere Plus notes. The graded rule is the same rule after
+the substitution x = t - sin(2πt)/2π (Sidi 1993), whose slope vanishes at both ends and thereby
+removes the error of the trapezoid at the ends of a stretch: 16 steps integrate exp(-5x) to 1e-6
 instead of 8e-3.
 """
 
@@ -18,7 +18,7 @@ from airlight.geometry.quadrature import Rule
 
 FloatArray = NDArray[np.float64]
 
-#: How much of the graded turn's steps is drawn towards the sun. [1]
+#: Amplitude by which the graded turn's steps are concentrated towards the sun. [1]
 _TOWARDS_SUN = 0.7
 
 
@@ -28,12 +28,12 @@ def weights_1d(steps: int) -> FloatArray:
     Parameters
     ----------
     steps : int
-        At least 1.
+        Number of steps, at least 1.
 
     Returns
     -------
     array, shape (steps + 1,)
-        [1]
+        Weights in units of a step. [1]
 
     References
     ----------
@@ -50,16 +50,16 @@ def weights_2d(steps: int, steps_2: int) -> FloatArray:
     Parameters
     ----------
     steps, steps_2 : int
-        Along each side.
+        Number of steps along each side.
 
     Returns
     -------
     array, shape (steps + 1, steps_2 + 1)
-        [1]
+        Weights in units of a cell. [1]
 
     References
     ----------
-    Atmosphere Plus notes 2, section 4.2, where they stand as 1, 2 and 4 quarters. They are the
+    Atmosphere Plus notes 2, section 4.2, where they are given as 1, 2 and 4 quarters. They are the
     products of the weights of two nested rules: the notes' warning that nesting is less accurate
     (notes 1, section 1.8) does not hold.
 
@@ -74,7 +74,7 @@ def weights_2d(steps: int, steps_2: int) -> FloatArray:
 
 
 def uniform(steps: int) -> Rule:
-    """The trapezoid rule on [0, 1] with equal steps, ends included, and its running sums.
+    """Trapezoid rule on [0, 1] with equal steps, ends included, and its running sums.
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ def uniform(steps: int) -> Rule:
     Returns
     -------
     Rule
-        ``steps + 1`` nodes.
+        Rule with ``steps + 1`` nodes.
 
     Examples
     --------
@@ -101,7 +101,7 @@ def uniform(steps: int) -> Rule:
 
 
 def graded(steps: int) -> Rule:
-    """The trapezoid rule on [0, 1] in t with x = t - sin(2πt)/2π; the ends have no weight.
+    """Trapezoid rule on [0, 1] in t with x = t - sin(2πt)/2π; the ends have no weight.
 
     Parameters
     ----------
@@ -111,8 +111,8 @@ def graded(steps: int) -> Rule:
     Returns
     -------
     Rule
-        ``steps - 1`` nodes inside (0, 1). Its running integrals are those of cubics through four
-        neighbours.
+        Rule with ``steps - 1`` nodes inside (0, 1). Its running integrals are those of cubics
+        through four neighbours.
 
     References
     ----------
@@ -122,7 +122,7 @@ def graded(steps: int) -> Rule:
     Examples
     --------
     >>> import numpy as np
-    >>> rule = graded(16)  # 1e-6 off, sixteen equal steps 8e-3
+    >>> rule = graded(16)  # error 1e-6, with sixteen equal steps 8e-3
     >>> f"{rule.weights @ np.exp(-5 * rule.nodes):.6f}, exact {(1 - np.exp(-5)) / 5:.6f}"
     '0.198653, exact 0.198652'
     """
@@ -150,32 +150,32 @@ def _frozen(nodes: FloatArray, weights: FloatArray, running: FloatArray) -> Rule
 def sphere(
     zenith_steps: int, azimuth_steps: int, cuts: tuple[float, ...], *, grade: bool
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    r"""Directions for integrals over the sphere of what is even in azimuth.
+    r"""Directions for integrals over the sphere of functions that are even in azimuth.
 
     .. math:: \int_{4\pi} f\, d\omega = \int_0^{2\pi} \int_0^\pi f \sin\Theta\, d\Theta\, d\Phi
 
     The rule in Φ has ``azimuth_steps`` steps over the whole turn; of two directions that mirror
-    each other in the plane Φ = 0 only one is kept, with the weight of both. If graded, Φ = t -
-    0.7 sin t with equal steps in t: three times finer towards the sun, where haze is bright, and
-    as exact for what is smooth, since the whole turn has no ends.
+    each other in the plane Φ = 0 only one is kept, with the weight of both. If graded, Φ = t - 0.7
+    sin t with equal steps in t: three times finer towards the sun, where haze is bright, and as
+    exact for smooth functions, since the whole turn has no ends.
 
     Parameters
     ----------
     zenith_steps : int
-        Steps in Θ on each stretch.
+        Number of steps in Θ on each stretch.
     azimuth_steps : int
-        Steps in Φ over 2π, even.
+        Number of steps in Φ over 2π, even.
     cuts : tuple of float
-        Where stretches of Θ end, ascending, such as (0, horizon, π). [rad]
+        Ends of the stretches of Θ, ascending, such as (0, horizon, π). [rad]
     grade : bool
-        Whether each stretch and the turn have their graded rules; else uniform ones.
+        Whether each stretch and the turn have their graded rules; otherwise uniform ones.
 
     Returns
     -------
     zenith : array, shape (nz,)
-        Θ. [rad]
+        Zenith angles Θ. [rad]
     azimuth : array, shape (azimuth_steps / 2 + 1,)
-        Φ from 0 to π. [rad]
+        Azimuths Φ from 0 to π. [rad]
     weights : array, shape (nz, azimuth_steps / 2 + 1)
         Solid angles; the sum is 4π for cuts from 0 to π, within the rule's accuracy. [sr]
 

@@ -9,10 +9,68 @@ Source: D. G. Anderson (1965), J. ACM 12, 547; type II of Walker & Ni (2011), SI
 
 from __future__ import annotations
 
+from math import isfinite
+from typing import Final
+
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.kernel import compiled_loop
+
 FloatArray = NDArray[np.float64]
+
+#: A whisper on the diagonal: the changes become parallel near the end.
+RIDGE: Final = 1.0 + 1e-10
+
+
+@compiled_loop
+def combine(products, steps, weights):
+    """The combination of so many residuals that is smallest, with weights that add up to 1.
+
+    Parameters
+    ----------
+    products : array, shape ((steps - 1)·steps,)
+        For each change from one residual to the next a row: its products with all changes, then
+        with the last residual. Overwritten.
+    steps : int
+        Number of residuals.
+    weights : array, shape (steps,)
+        Receives the weights, the latest last; (0, …, 0, 1), plain iteration, where they cannot be
+        told.
+    """
+    unknowns = steps - 1
+    for i in range(steps):
+        weights[i] = 0.0
+    weights[unknowns] = 1.0
+    for k in range(unknowns):
+        products[k * steps + k] *= RIDGE
+    for k in range(unknowns):
+        best = k
+        for i in range(k + 1, unknowns):
+            if abs(products[i * steps + k]) > abs(products[best * steps + k]):
+                best = i
+        for j in range(steps):
+            kept = products[k * steps + j]
+            products[k * steps + j] = products[best * steps + j]
+            products[best * steps + j] = kept
+        for i in range(k + 1, unknowns):
+            share = products[i * steps + k] / products[k * steps + k]
+            for j in range(k, steps):
+                products[i * steps + j] -= share * products[k * steps + j]
+    # From the last row up, each solution takes the place of its row's right-hand side.
+    sound = True
+    for back in range(unknowns):
+        k = unknowns - 1 - back
+        total = products[k * steps + unknowns]
+        for j in range(k + 1, unknowns):
+            total -= products[k * steps + j] * products[j * steps + unknowns]
+        solved = total / products[k * steps + k]
+        products[k * steps + unknowns] = solved
+        sound = sound and isfinite(solved)
+    if sound:
+        for k in range(unknowns):
+            weights[k + 1] -= products[k * steps + unknowns]
+            weights[k] += products[k * steps + unknowns]
 
 
 def mixing_weights(residuals: FloatArray) -> FloatArray:
@@ -34,21 +92,8 @@ def mixing_weights(residuals: FloatArray) -> FloatArray:
     [0.5, 0.5]
     """
     steps = residuals.shape[0]
-    plain = np.zeros(steps)
-    plain[-1] = 1.0
-    if steps < 2:
-        return plain
+    weights = np.ones(steps)
     changes = np.diff(residuals, axis=0)
-    # Normal equations with a whisper of ridge: the changes become parallel near the end.
-    normal = changes @ changes.T
-    normal[np.diag_indices_from(normal)] *= 1.0 + 1e-10
-    try:
-        mix = np.linalg.solve(normal, changes @ residuals[-1])
-    except np.linalg.LinAlgError:
-        return plain
-    if not np.isfinite(mix).all():
-        return plain
-    weights = plain
-    weights[1:] -= mix
-    weights[:-1] += mix
+    products = np.hstack([changes @ changes.T, (changes @ residuals[-1])[:, None]])
+    combine(products.reshape(-1), steps, weights)
     return weights

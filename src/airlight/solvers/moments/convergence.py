@@ -1,6 +1,7 @@
-"""When the iteration has arrived, how far a guess is trusted, and what the next one is.
+"""How far a guess is trusted, how much of it still changes, and what the next one is.
 
-Everything here sees the light at all radii and suns, eight wavelengths at a time.
+Everything here sees the light at all radii and suns, some wavelengths at a time. What concerns one
+node or one wavelength is a kernel, so that a page runs the same; when to stop is in ``stopping``.
 """
 
 from __future__ import annotations
@@ -12,8 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import kernel, vectorized
-from airlight.kernel.lanes import LANES
-from airlight.solvers.moments.acceleration import mixing_weights
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -30,6 +29,8 @@ _LEAST: Final = 0.1
 #: The shrinkage of a sweep is taken to be no better than this.
 SHRINKAGE: Final = 0.3
 STALLED: Final = 0.75
+#: It is measured over so many sweeps.
+BACK: Final = 2
 
 
 def trust(mean: Float32Array, sidelit: FloatArray) -> Float32Array:
@@ -43,10 +44,24 @@ def trust(mean: Float32Array, sidelit: FloatArray) -> Float32Array:
     return np.asarray(bright / (bright + np.square(sidelit) + 1e-30), np.float32)
 
 
+@kernel
+def count_at(mean, brightest, thick):
+    """How much a relative change counts at a node: less in the night of thick air. [1]
+
+    Parameters
+    ----------
+    mean, brightest : float
+        Mean radiance there, and the largest at any node.
+    thick : float
+        Exponent, from 0 (each change counts alike) to 1 (by the light itself). [1]
+    """
+    return min(max(mean / (DIM * brightest), 1e-30), 1.0) ** thick
+
+
 def counts(mean: Float32Array, thick: FloatArray) -> FloatArray:
-    """How much a relative change counts, shape (r, s, 8): less in the night of thick air."""
-    bright = np.maximum(mean / (DIM * mean.max(axis=(0, 1))), 1e-30).astype(float)
-    return np.asarray(np.minimum(bright, 1.0) ** thick)
+    """``count_at`` of mean radiances (r, s, w)."""
+    light = mean.astype(float)
+    return np.asarray(vectorized(count_at)(light, light.max(axis=(0, 1)), thick))
 
 
 def or_at_least(
@@ -58,36 +73,69 @@ def or_at_least(
     return field, np.where(sky > _LEAST * swept_sky, sky, swept_sky)
 
 
+@kernel
+def change_at(before, after, brightest):
+    """Relative change of a node's mean radiance where it is not dark, else 0. [1]
+
+    Parameters
+    ----------
+    before, after : float
+        Mean radiance of a guess and of its image.
+    brightest : float
+        The image's largest at any node.
+    """
+    if after > DARK * brightest:
+        return (after - before) / after
+    return 0.0
+
+
 def relative_change(before: Float32Array, after: Float32Array) -> FloatArray:
-    """Relative change of the mean radiance where it is not dark, else 0; shape (r, s, 8)."""
+    """``change_at`` of mean radiances (r, s, w)."""
     old, new = before.astype(float), after.astype(float)
-    bright = new > DARK * new.max(axis=(0, 1))
-    return np.asarray(np.where(bright, (new - old) / np.where(bright, new, 1.0), 0.0))
+    return np.asarray(vectorized(change_at)(old, new, new.max(axis=(0, 1))))
+
+
+@kernel
+def rest_after(last, before, steps):
+    """All later changes together over the last one, ρ/(1 - ρ). [1]
+
+    ρ is by how much the changes shrank with each of the last steps.
+
+    Parameters
+    ----------
+    last, before : float
+        Size of the last change, and of the one so many steps before it.
+    steps : int
+        0 where there is none before: a half is assumed.
+    """
+    ratio = 0.5
+    if steps > 0 and before > 0.0:
+        ratio = last / before
+    if steps > 1:
+        ratio = ratio ** (1.0 / steps)
+    ratio = min(max(ratio, SHRINKAGE), STALLED)
+    return ratio / (1.0 - ratio)
 
 
 def what_follows(residuals: deque[FloatArray]) -> FloatArray:
-    """All later changes together over the last one, ρ/(1 - ρ), per lane. [1]
-
-    ρ is by how much the changes shrank with the last two sweeps, each.
-    """
+    """``rest_after`` the last one of residuals (n, w), from up to two steps before it."""
     sizes = [np.sqrt(np.square(one).sum(axis=0)) for one in residuals]
-    before = sizes[-min(len(sizes), 3)]
-    steps = max(min(len(sizes), 3) - 1, 1)
-    ratio = np.divide(sizes[-1], before, out=np.full_like(sizes[-1], 0.5), where=before > 0.0)
-    if len(sizes) == 1:
-        ratio[:] = 0.5
-    ratio = np.clip(ratio ** (1.0 / steps), SHRINKAGE, STALLED)
-    return np.asarray(ratio / (1.0 - ratio))
+    steps = min(len(sizes), BACK + 1) - 1
+    return np.asarray(vectorized(rest_after)(sizes[-1], sizes[-1 - steps], steps))
 
 
-def mix(
-    images: deque[Light], residuals: deque[FloatArray], used: int, trust: Float32Array
-) -> Light:
-    """The next guess: for each wavelength its own combination of the last images."""
-    weights = np.zeros((len(images), LANES), np.float32)
-    weights[-1] = 1.0
-    for lane in range(used):
-        weights[:, lane] = mixing_weights(np.stack([one[:, lane] for one in residuals]))
+def mix(images: deque[Light], weights: Float32Array, trust: Float32Array) -> Light:
+    """The next guess: for each wavelength its own combination of the last images.
+
+    Parameters
+    ----------
+    images : deque of Light
+        The latest last.
+    weights : array, shape (images, 8)
+        Of the images. [1]
+    trust : array, shape (r, s, 8)
+        From ``trust``. [1]
+    """
     last_field, last_sky = images[-1]
     field = np.zeros_like(last_field)
     sky = np.zeros_like(last_sky)

@@ -8,16 +8,18 @@ import numpy as np
 
 from airlight.geometry.bending import level_light, star_points
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import LANES, exponential, load, splat, store
+from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
 from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate
+from airlight.optics.reflection import star_factor
 from airlight.solvers.moments.harmonics import legendre_functions
 from airlight.solvers.moments.sweep import (
+    leaving_at_end,
     optical_depth,
     project,
-    reflected_share,
     star_at_end,
     star_from_point,
     star_from_ray,
+    through_ray,
 )
 
 
@@ -178,7 +180,7 @@ def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, 
         depths,
     ) = rays
     cosines, multiples = azimuths
-    extinction, moments, albedo, star_radius = air
+    extinction, moments, surface, star_radius = air
     suns = sun_cosines.size
     degree = multiples.shape[0] - 1
     terms = (degree + 1) * (degree + 2) // 2
@@ -224,9 +226,11 @@ def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, 
                     LANES * (k * constituents + c),
                     through * np.float32(amounts[first + k, c]),
                 )
-        reflected = splat(0.0)
+        through = splat(0.0)
+        leaving = 0.0
         if below:
-            reflected = reflected_share(albedo, extinction, totals[i, a], 0, constituents)
+            through = through_ray(extinction, totals[i, a], 0, constituents)
+            leaving = leaving_at_end(ends, i, a, mu)
         legendre_functions(mu, expansion, functions)
         exact = load(share, LANES * (i * angles + a))
         for j in range(suns):
@@ -241,7 +245,8 @@ def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, 
                 )  # fmt: skip
                 if below:
                     mu_sg = star_at_end(ends, i, a, mu_s, nu)
-                    radiance = radiance + reflected * direct_light(
+                    factor = star_factor(surface, 0, mu_sg, leaving, nu)
+                    radiance = radiance + factor * INVERSE_PI * through * direct_light(
                         mu_sg, bottom, top, star_radius, ground_depths, 0, directions, lift
                     )
                 for m in range(degree + 1):

@@ -6,7 +6,8 @@ import numpy as np
 
 from airlight.geometry.bending import level_light
 from airlight.kernel import compiled_loop
-from airlight.kernel.lanes import LANES, load, splat, store
+from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
+from airlight.optics.reflection import sky_factor, star_factor
 from airlight.solvers.moments.grid import row_of
 from airlight.solvers.moments.source import level_sky, level_star
 from airlight.solvers.moments.sweep import place_of
@@ -19,8 +20,28 @@ def ground_light(mu_s, orders, light, work):
 
     ``orders`` as in ``march``.
     """
+    _light_ground(mu_s, False, 0.0, 0.0, orders, light, work)
+
+
+@compiled_loop
+def ground_radiance(mu_s, leaving, nu, orders, light, work):
+    """Radiance of the ground per irradiance of the star, into ``work.received``. [sr⁻¹]
+
+    Parameters
+    ----------
+    mu_s, leaving, nu : float
+        As in ``star_factor``. [1]
+    orders, light, work :
+        As in ``march``.
+    """
+    _light_ground(mu_s, True, leaving, nu, orders, light, work)
+
+
+@compiled_loop
+def _light_ground(mu_s, reflects, leaving, nu, orders, light, work):
+    """``ground_radiance``, or ``ground_light`` where it does not reflect."""
     grid, air = light.grid, light.air
-    bottom, lanes = grid.bottom_radius, air.albedo.size
+    bottom, lanes = grid.bottom_radius, air.ground.albedo.size
     top = grid.top_radius
     from_low, from_high, below, above = level_light(
         bottom, mu_s, bottom, top, air.star_radius, light.lift
@@ -38,8 +59,15 @@ def ground_light(mu_s, orders, light, work):
             received = level_star(
                 work.here, work.there, from_low, from_high, air.extinction, constituents, lanes, at
             )
+            if reflects:
+                received = received * star_factor(air.ground, at, mu_s, leaving, nu)
         if orders != 1:
-            received = received + level_sky(light.sky, place, x - place, lanes, at)
+            sky = level_sky(light.sky, place, x - place, lanes, at)
+            if reflects:
+                sky = sky * sky_factor(air.ground, at, leaving)
+            received = received + sky
+        if reflects:
+            received = received * INVERSE_PI
         store(work.received, at, received)
 
 
@@ -47,7 +75,7 @@ def ground_light(mu_s, orders, light, work):
 def direct_irradiance(r, mu_s, light, work, out):
     """Irradiance of a level surface by the star, for arrays of radii and star cosines. [1]"""
     bottom, top = light.grid.bottom_radius, light.grid.top_radius
-    lanes = light.air.albedo.size
+    lanes = light.air.ground.albedo.size
     for k in range(r.size):
         from_low, from_high, low, high = level_light(
             r[k], mu_s[k], bottom, top, light.air.star_radius, light.lift
@@ -67,7 +95,7 @@ def sky_irradiance(r, mu_s, light, out):
     """Irradiance of a level surface by the sky, for arrays of radii and star cosines. [1]"""
     grid = light.grid
     bottom, top = grid.bottom_radius, grid.top_radius
-    suns, lanes = grid.sun_cosines.size, light.air.albedo.size
+    suns, lanes = grid.sun_cosines.size, light.air.ground.albedo.size
     for k in range(r.size):
         row = min(int(row_of(r[k], bottom, top, grid.row)), grid.radii.size - 2)
         # Linear in altitude: aloft the sky's light falls as the air above does, exponentially.

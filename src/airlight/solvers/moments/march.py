@@ -224,7 +224,7 @@ def march(packet, rays, orders, peaks, panels, rules, light, work):
     radii = light.grid.radii.size
     suns = light.grid.sun_cosines.size
     extinction, moments = light.air.extinction, light.air.moments
-    star_radius, lanes = light.air.star_radius, light.air.albedo.size
+    star_radius, lanes = light.air.star_radius, light.air.ground.albedo.size
     scattering, field, sun_table = light.scattering, light.field, light.columns
     expansion, table = light.expansion, light.density
     strongest, brightest = light.strongest, light.brightest

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from math import expm1, sqrt
 from typing import Any, Final
 
 import numpy as np
@@ -130,6 +130,12 @@ def level_weights(sun_cosines: FloatArray, dip: float, depth: FloatArray) -> Flo
     return np.asarray(day[:, None] * thickness(depth), np.float32)
 
 
-def thickness(depth: FloatArray) -> FloatArray:
+@kernel
+def thick_share(depth):
     """0 for clear air, 1 for thick, by the vertical scattering optical depth. [1]"""
-    return np.asarray(-np.expm1(-((depth / THICK) ** 4)))
+    return -expm1(-((depth / THICK) ** 4))
+
+
+def thickness(depth: FloatArray) -> FloatArray:
+    """``thick_share`` of several depths. [1]"""
+    return np.asarray(vectorized(thick_share)(depth))

@@ -11,14 +11,16 @@ measurements.
 
 from __future__ import annotations
 
+from math import exp
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import vectorized
+from airlight.kernel import kernel, vectorized
 from airlight.mappings.transmittance import radius_from_coordinate
 from airlight.optics.layer_edges import layer_edges
+from airlight.optics.reflection import Reflection
 from airlight.planets.medium import Medium
 from airlight.solvers.moments.grid import Grid
 from airlight.solvers.moments.levels import Depths, panel_cuts
@@ -41,6 +43,34 @@ NEGLIGIBLE: Final = 1e-6
 MOST_PEAK: Final = 0.98
 
 
+@kernel
+def is_peaked(beyond):
+    """Whether a phase function has a forward peak, by its first moment above the degree. [1]"""
+    return abs(beyond) > NEGLIGIBLE
+
+
+@kernel
+def cut_weight(depth):
+    """How far peaks are cut off, by the vertical scattering depth of what is peaked. [1]"""
+    return 1.0 - exp(-((depth / THIN) ** 2))
+
+
+@kernel
+def cut_part(beyond, weight):
+    """Part of a scattering that counts as none. [1]
+
+    Parameters
+    ----------
+    beyond : float
+        The phase function's first moment above the degree. [1]
+    weight : float
+        From ``cut_weight``. [1]
+    """
+    if is_peaked(beyond):
+        return min(max(beyond, 0.0), MOST_PEAK) * weight
+    return 0.0
+
+
 def peak_weight(medium: Medium, degree: int) -> FloatArray:
     """How far forward peaks are cut off, from 0 (thin) to 1 (thick), shape (nl,).
 
@@ -51,9 +81,9 @@ def peak_weight(medium: Medium, degree: int) -> FloatArray:
     degree : int
         Of the harmonics.
     """
-    peaked = np.abs(medium.phase_moments(degree + 1)[..., degree + 1]) > NEGLIGIBLE
+    peaked = vectorized(is_peaked)(medium.phase_moments(degree + 1)[..., degree + 1])
     depth = (medium.scattering * medium.columns[:, None] * peaked).sum(axis=0)
-    return np.asarray(1.0 - np.exp(-((depth / THIN) ** 2)))
+    return np.asarray(vectorized(cut_weight)(depth))
 
 
 def choose_degree(medium: Medium, settings: Settings) -> int:
@@ -76,8 +106,7 @@ def forward_peaks(medium: Medium, degree: int) -> FloatArray:
         Of the harmonics.
     """
     beyond = medium.phase_moments(degree + 1)[..., degree + 1]
-    peak = np.clip(beyond, 0.0, MOST_PEAK) * peak_weight(medium, degree)
-    return np.where(np.abs(beyond) > NEGLIGIBLE, peak, 0.0)
+    return np.asarray(vectorized(cut_part)(beyond, peak_weight(medium, degree)))
 
 
 def scattering_depth(medium: Medium, degree: int) -> FloatArray:
@@ -137,7 +166,7 @@ def make_air(medium: Medium, degree: int, block: slice) -> Air:
     return Air(
         extinction=pack(extinction - peak * scattering),
         moments=pack(np.moveaxis(smooth, 2, 1)),
-        albedo=pack(medium.ground_albedo[block]),
+        ground=Reflection(medium.ground.law, pack(medium.ground.albedo[block])),
         star_radius=float(medium.star_angular_radius),
     )
 

@@ -17,11 +17,16 @@ from airlight.kernel import compiled_loop, disk
 from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.lanes import LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.optics.reflection import leaving_cosine
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
-from airlight.solvers.moments.harmonics import coefficient_count, harmonics
-from airlight.solvers.moments.irradiance import direct_irradiance, ground_light, sky_irradiance
-from airlight.solvers.moments.iterate import Moments, grid_for, solve_moments, weights_of_levels
+from airlight.solvers.moments.harmonics import coefficient_count
+from airlight.solvers.moments.irradiance import (
+    direct_irradiance,
+    ground_radiance,
+    sky_irradiance,
+)
+from airlight.solvers.moments.iterate import Moments, solve_moments
 from airlight.solvers.moments.march import (
     NO_PEAKS,
     Light,
@@ -31,9 +36,9 @@ from airlight.solvers.moments.march import (
     new_workspace,
 )
 from airlight.solvers.moments.packing import filled, pack, pack_light
-from airlight.solvers.moments.reduced_optics import make_air, panel_ends, scattering_depth
+from airlight.solvers.moments.reduced_optics import make_air
 from airlight.solvers.moments.settings import Settings
-from airlight.solvers.moments.source import reflected
+from airlight.solvers.moments.setup import Setup
 from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Report, Solution
 from airlight.tables.column_ratios import mean_density_ratios
@@ -84,19 +89,22 @@ class MomentsSolution(Solution):
         )
 
     @cached_property
+    def setup(self) -> Setup:
+        """What the solve derived from the medium, as far as it is asked for again."""
+        return Setup(paths=self.paths, settings=self.settings)
+
+    @cached_property
     def light(self) -> Light:
         """What ``march`` needs, for all wavelengths."""
         moments, medium = self.moments, self.paths.medium
-
-        depth = scattering_depth(medium, moments.degree)
-        level = filled(weights_of_levels(moments.grid, depth))
+        level = self.setup.level(slice(None))
         field, sky = pack_light(filled(moments.field), filled(moments.sky), level, moments.parts)
         table = ColumnTable(medium.bottom_radius, medium.top_radius, moments.columns)
         return Light(
             grid=moments.grid,
             air=make_air(medium, moments.degree, slice(None)),
             scattering=pack(medium.scattering),
-            expansion=harmonics(moments.degree),
+            expansion=self.setup.expansion,
             field=field,
             sky=sky,
             columns=mean_density_ratios(table),
@@ -105,7 +113,7 @@ class MomentsSolution(Solution):
             brightest=medium.scattering.max(axis=1),
             lift=self.paths.lift,
             bend=self.paths.bend,
-            ends=panel_ends(medium, moments.grid, moments.parts),
+            ends=self.setup.ends,
         )
 
     def workspace(self, nodes: int, panels: int) -> Workspace:
@@ -114,7 +122,7 @@ class MomentsSolution(Solution):
             nodes * (2 * panels + 10 + 2 * self.light.ends.size),
             len(self.paths.medium.names),
             coefficient_count(self.moments.degree),
-            self.light.air.albedo.size,
+            self.light.air.ground.albedo.size,
         )
 
     def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
@@ -167,7 +175,7 @@ class MomentsSolution(Solution):
                 silent = [c for c in range(phases.shape[1]) if c not in scatterers]
                 phases[:, silent] = 0.0
             phase = pack(phases).reshape(phases.shape[0], -1)
-            result = np.empty((phase.shape[0], chosen.air.albedo.size), np.float32)
+            result = np.empty((phase.shape[0], chosen.air.ground.albedo.size), np.float32)
             _march_all(
                 sight.r[rows],
                 sight.mu[rows],
@@ -201,7 +209,7 @@ class MomentsSolution(Solution):
         return self._received(x, lambda light, out: sky_irradiance(x, mu_s, light, out))
 
     def _received(self, r: FloatArray, fill: Callable[[Light, Float32Array], None]) -> FloatArray:
-        result = np.empty((r.size, self.light.air.albedo.size), np.float32)
+        result = np.empty((r.size, self.light.air.ground.albedo.size), np.float32)
         fill(self.light, result)
         return result[:, : self.wavelengths.size].astype(float)
 
@@ -231,10 +239,11 @@ def _march_all(
                     angle = bend_angle(r[k], mu[k], light.bend, work.total[p, last])
                     mu_s_ground, _ = turned(mu_ground, mu_s_ground, nu[k], angle)
                 mu_s_ground = min(max(mu_s_ground, -1.0), 1.0)
-                ground_light(mu_s_ground, orders, light, work)
+                leaving = leaving_cosine(r[k], mu[k], bottom)
+                ground_radiance(mu_s_ground, leaving, nu[k], orders, light, work)
                 for at in range(0, bright.size, LANES):
-                    ground = reflected(load(work.received, at), load(light.air.albedo, at))
-                    store(bright, at, load(bright, at) + load(work.through[p], at) * ground)
+                    ground = load(work.through[p], at) * load(work.received, at)
+                    store(bright, at, load(bright, at) + ground)
             out[k] = bright
 
 
@@ -264,7 +273,7 @@ def solve(
     if cache:
         stored = disk.load(key)
         if stored is not None:
-            moments = _from_arrays(paths.medium, settings, stored)
+            moments = _from_arrays(Setup(paths=paths, settings=settings), stored)
             if moments is not None:
                 return MomentsSolution(medium, settings, moments, 0.0, paths)
     started = perf_counter()
@@ -291,20 +300,17 @@ def _key(medium: Medium, settings: Settings) -> str:
     return hashlib.sha256(text.encode()).hexdigest()[:40]
 
 
-def _from_arrays(
-    medium: Medium, settings: Settings, arrays: dict[str, NDArray[Any]]
-) -> Moments | None:
+def _from_arrays(setup: Setup, arrays: dict[str, NDArray[Any]]) -> Moments | None:
     """The moments that a cache file holds, or None if it holds something else."""
     try:
         degree, sweeps = (int(x) for x in arrays["counts"])
-        count, terms = medium.wavelengths.size, (degree + 1) * (degree + 2) // 2
-        grid, parts = grid_for(medium, settings)
-        radii = (grid.radii.size - 1) // parts + 1
-        shape = (radii, settings.suns, terms, count)
+        medium, suns = setup.medium, setup.settings.suns
+        count, radii = medium.wavelengths.size, setup.gathering.radii.size
+        shape = (radii, suns, coefficient_count(degree), count)
         sound = (
             arrays["field"].shape == shape
             and arrays["field"].dtype == np.float32
-            and arrays["sky"].shape == (radii, settings.suns, count)
+            and arrays["sky"].shape == (radii, suns, count)
             and arrays["residual"].shape == (count,)
             and arrays["columns"].shape[2] == len(medium.names)
             and bool(np.isfinite(arrays["field"]).all())
@@ -313,8 +319,8 @@ def _from_arrays(
             return None
         return Moments(
             degree=degree,
-            grid=grid,
-            parts=parts,
+            grid=setup.grid,
+            parts=setup.parts,
             field=arrays["field"],
             sky=arrays["sky"],
             columns=arrays["columns"],

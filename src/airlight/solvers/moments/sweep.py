@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
+from airlight.optics.reflection import Reflection, sky_factor
 from airlight.solvers.moments.grid import row_of
 from airlight.solvers.moments.harmonics import legendre_functions
 
@@ -36,15 +37,15 @@ class Air(NamedTuple):
         After the removal of forward peaks. [m⁻¹]
     moments : array, shape (nc·(N + 1)·8,)
         Scattering coefficient times Legendre moment, both after that removal. [m⁻¹]
-    albedo : array, shape (8,)
-        Of the ground. [1]
+    ground : Reflection
+        How the ground reflects.
     star_radius : float
         Angular radius of the star. [rad]
     """
 
     extinction: Float32Array
     moments: Float32Array
-    albedo: Float32Array
+    ground: Reflection
     star_radius: float
 
 
@@ -183,13 +184,19 @@ def gathered(turn, mu_along, first, points, local, rows, mu_s, nu, places, suns,
 
 
 @inlined
-def reflected_share(albedo, extinction, totals, first, constituents):
-    """Radiance at the start of a ray per irradiance of the ground at its end. [sr⁻¹]
+def through_ray(extinction, totals, first, constituents):
+    """Transmittance of a whole ray, whose columns ``totals[first:]`` holds. [1]"""
+    return exponential(0.0 - optical_depth(totals, first, extinction, constituents))
 
-    ``totals[first:]`` holds the columns over the whole ray.
+
+@inlined
+def leaving_at_end(ends, i, a, mu):
+    """Cosine of the zenith angle at which a ray's light leaves the ground. [1]
+
+    ``ends`` of ``Rays``. A star that stood where the ray leads would be seen there under the
+    opposite angle.
     """
-    through = exponential(0.0 - optical_depth(totals, first, extinction, constituents))
-    return load(albedo, 0) * INVERSE_PI * through
+    return max(0.0 - star_at_end(ends, i, a, mu, 1.0), 0.0)
 
 
 @inlined
@@ -269,7 +276,7 @@ def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, 
         depths,
     ) = rays
     cosines, multiples = azimuths
-    extinction, moments, albedo, _ = air
+    extinction, moments, surface, _ = air
     suns = sun_cosines.size
     degree = multiples.shape[0] - 1
     turns = cosines.size
@@ -316,7 +323,9 @@ def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, 
                     store(rows, target + LANES * (1 + m), total)
         reflected = splat(0.0)
         if below:
-            reflected = reflected_share(albedo, extinction, totals[i, a], 0, constituents)
+            through = through_ray(extinction, totals[i, a], 0, constituents)
+            factor = sky_factor(surface, 0, leaving_at_end(ends, i, a, mu))
+            reflected = factor * INVERSE_PI * through
         legendre_functions(mu, expansion, functions)
         exact = load(share, LANES * (i * angles + a))
         for j in range(suns):

@@ -19,14 +19,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop
-from airlight.kernel.lanes import LANES, exponential, load, splat, store
+from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
 from airlight.kernel.threads import Cancel, run_blocks
+from airlight.optics.reflection import sky_factor
 from airlight.solvers.moments.elimination import factorise, substitute
-from airlight.solvers.moments.grid import Grid, row_of
+from airlight.solvers.moments.grid import row_of
 from airlight.solvers.moments.harmonics import Harmonics, legendre_functions
 from airlight.solvers.moments.levels import finer_weights
-from airlight.solvers.moments.rays import Rays
-from airlight.solvers.moments.sweep import Air, optical_depth
+from airlight.solvers.moments.setup import Block
+from airlight.solvers.moments.sweep import leaving_at_end, optical_depth, through_ray
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -56,7 +57,7 @@ def couple_radius(i, grid, rays, share, mu_along, air, expansion, degree, order,
         Receives the weight of the ground's irradiance. [1]
     """
     bottom, top, radii, _, rows_at, _ = grid
-    extinction, moments, albedo, _ = air
+    extinction, moments, surface, _ = air
     highest = expansion.degree
     starts, ray_radii = rays.start, rays.radius
     amounts, depths, totals = rays.amount, rays.column, rays.total
@@ -94,8 +95,9 @@ def couple_radius(i, grid, rays, share, mu_along, air, expansion, degree, order,
                     low += LANES
                     high += LANES
         if a < angles // 2:
-            through = exponential(0.0 - optical_depth(totals[i, a], 0, extinction, constituents))
-            store(bounced, LANES * a, load(albedo, 0) * np.float32(1.0 / pi) * through)
+            through = through_ray(extinction, totals[i, a], 0, constituents)
+            leaving = leaving_at_end(rays.end, i, a, rays.mu[i, a])
+            store(bounced, LANES * a, sky_factor(surface, 0, leaving) * INVERSE_PI * through)
 
 
 class Wandering:
@@ -103,22 +105,16 @@ class Wandering:
 
     Parameters
     ----------
-    grid, rays, share, air, expansion :
+    block : Block
         Of the sweeps.
-    parts : int
-        See ``levels.finer``.
-    reach : two floats
-        How far light wanders sideways, and the length that the interpolation between sun
-        elevations adds, see ``sideways``. [m]
     cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
 
-    def __init__(
-        self, grid: Grid, rays: Rays, share: Float32Array, air: Air, expansion: Harmonics,
-        parts: int, reach: tuple[float, float], cancel: Cancel | None = None,
-    ) -> None:  # fmt: skip
-        wide, leak = (length / grid.bottom_radius for length in reach)
+    def __init__(self, block: Block, cancel: Cancel | None = None) -> None:
+        setup, rays, share, air = block.setup, block.rays, block.share, block.air
+        grid, expansion, parts = setup.grid, setup.expansion, setup.parts
+        wide, leak = (length / grid.bottom_radius for length in block.reach)
         self.spread = sideways(grid.sun_cosines, wide, leak)
         self.degree = min(expansion.degree, _DEGREE)
         self.order = min(expansion.degree, _ORDER)

@@ -1,1 +1,1 @@
-"""Backward Monte Carlo in the spherical shell: the referee without geometric approximation."""
+"""Backward Monte Carlo in the spherical shell, without geometric approximation: the referee."""

@@ -1,9 +1,9 @@
-"""Histories in rounds, until each line of sight is known well enough.
+"""Histories in rounds, until each line of sight is known accurately enough.
 
 Every line of sight and wavelength is a task of its own, traced independently of all others. A task
-begins with two blocks of histories; from their scatter follows how many more it needs, and it gets
-at most three times what it had. The decision looks at whole rounds only, and the sums are added in
-the order of the blocks: nothing depends on the number of threads.
+begins with two blocks of histories; their scatter determines how many more it needs, and it gets
+at most three times its previous number. The decision is made after whole rounds only, and the sums
+are added in the order of the blocks: nothing depends on the number of threads.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel.threads import Cancel, Progress, run_blocks
-from airlight.solvers.montecarlo.air import Air
 from airlight.solvers.montecarlo.histories import follow
+from airlight.solvers.montecarlo.history_optics import HistoryOptics
 from airlight.solvers.montecarlo.lit_air import new_lit
 from airlight.solvers.montecarlo.rays import new_trace
 from airlight.solvers.montecarlo.settings import Settings
@@ -26,13 +26,13 @@ from airlight.solvers.montecarlo.streams import stream
 
 FloatArray = NDArray[np.float64]
 
-#: Histories of a block: what a stream of random numbers is for.
+#: Number of histories of a block, which has its own stream of random numbers.
 BLOCK: Final = 8192
-#: Blocks of the first round.
+#: Number of blocks in the first round.
 _FIRST_ROUND: Final = 2
-#: A task that has seen no light after so many blocks gets no more.
+#: Number of blocks without light after which a task gets no more.
 _DARK: Final = 64
-#: Where the star is lower than this on a line of sight, half of the places are drawn in lit air;
+#: Where the star is lower than this on a line of sight, half of the points are drawn in lit air;
 #: elsewhere nearly all air is lit, and the choice would only cost time. [1]
 _LOW_STAR: Final = 0.0
 _LIT_SHARE: Final = 0.5
@@ -40,20 +40,21 @@ _LIT_SHARE: Final = 0.5
 
 @dataclass(frozen=True)
 class Estimate:
-    """What histories say about some lines of sight.
+    """Estimates by histories for some lines of sight.
 
     Attributes
     ----------
     total, total_error : array, shape (n, nl)
-        Radiance (or irradiance) per irradiance of the star and its standard error, orders known
-        before included. [sr⁻¹] or [1]
+        Radiance (or irradiance) per irradiance of the star and its standard error, including the
+        orders known beforehand. [sr⁻¹] or [1]
     parts, part_errors : array, shape (n, k + 1, nl)
-        Of each order; the last is all further ones. The parts of one line come from the same
-        histories: their errors are correlated, those of different lines or wavelengths are not.
+        Parts of each order; the last is the sum of all further ones. The parts of one line come
+        from the same histories: their errors are correlated, those of different lines or
+        wavelengths are not.
     histories : array of int, shape (n, nl)
-        How many were followed.
+        Number of histories followed.
     reached : array of bool, shape (n, nl)
-        Whether the error is as small as asked for.
+        Whether the error is as small as requested.
     """
 
     total: FloatArray
@@ -66,20 +67,20 @@ class Estimate:
 
 @dataclass(frozen=True)
 class Question:
-    """What is to be estimated.
+    """Quantities to be estimated.
 
     Attributes
     ----------
     starts : array, shape (n, 4)
         Radius [m], cosines of view zenith, star zenith and the angle between them [1].
     lengths : array, shape (n,)
-        Of the lines of sight; no histories where it is 0. [m]
+        Lengths of the lines of sight; no histories where it is 0. [m]
     hemisphere : bool
-        Whether the light from the upper hemisphere is asked for, rather than along a view.
+        Whether to estimate the light from the upper hemisphere, rather than along a view.
     known : array, shape (n, nl), or None
-        The first order, if it need not be sampled.
+        First order, if it need not be sampled.
     order : int or None
-        The order whose error decides; None is all orders together.
+        Order whose error decides; None is all orders together.
     """
 
     starts: FloatArray
@@ -91,7 +92,7 @@ class Question:
 
 def estimate(
     question: Question,
-    airs: Sequence[Air],
+    airs: Sequence[HistoryOptics],
     wavelengths: FloatArray,
     settings: Settings,
     *,
@@ -103,10 +104,10 @@ def estimate(
     Parameters
     ----------
     question : Question
-    airs : sequence of Air, length nl
-        The medium at each wavelength.
+    airs : sequence of HistoryOptics, length nl
+        Optical properties at each wavelength.
     wavelengths : array, shape (nl,)
-        They name the streams of random numbers. [nm]
+        Wavelengths, from which the streams of random numbers are derived. [nm]
     settings : Settings
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
@@ -114,7 +115,7 @@ def estimate(
     Raises
     ------
     Cancelled
-        If ``cancel`` said so.
+        If ``cancel`` returned True.
     """
     n, count = question.starts.shape[0], len(airs)
     bins = settings.kept_orders + 1
@@ -175,18 +176,18 @@ def estimate(
 
 
 def _run_block(
-    question: Question, line: int, air: Air, nm: float, block: int, settings: Settings,
+    question: Question, line: int, air: HistoryOptics, nm: float, block: int, settings: Settings,
     out: FloatArray,
 ) -> None:  # fmt: skip
-    """One block of histories of one task."""
+    """Run one block of histories of one task."""
     start = question.starts[line]
     r, mu, mu_s, nu = (float(one) for one in start)
-    # The stream belongs to the question itself, not to its place in a list of questions.
+    # The stream belongs to the question itself, not to its index in a list of questions.
     names = struct.unpack("<5Q", struct.pack("<5d", *(one + 0.0 for one in (r, mu, mu_s, nu, nm))))
     state = stream(settings.seed, *names, int(question.hemisphere), block)
     along = air.extinction
     paths = (new_trace(along), new_trace(along), new_trace(along), new_lit(along), new_lit(along))
-    room = np.zeros(air.scattering.size), np.zeros(settings.kept_orders + 1)
+    workspace = np.zeros(air.scattering.size), np.zeros(settings.kept_orders + 1)
     first_order = 1 if question.known is None else 2
     end_r = np.sqrt(max(r * r + question.lengths[line] * (question.lengths[line] + 2 * r * mu), 1))
     end_mu_s = (r * mu_s + question.lengths[line] * nu) / end_r
@@ -194,7 +195,7 @@ def _run_block(
     lit_share = _LIT_SHARE if lowest < _LOW_STAR else 0.0
     follow(
         BLOCK, (r, mu, mu_s, nu), question.hemisphere, first_order, lit_share, air, state, paths,
-        room, out,
+        workspace, out,
     )  # fmt: skip
 
 
@@ -209,7 +210,7 @@ def _statistics(sums: FloatArray, histories: NDArray[np.int64]) -> tuple[FloatAr
 def _judged(
     question: Question, means: FloatArray, errors: FloatArray, known: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """The value and the error of each task that decide when it is done, shape (tasks,)."""
+    """Value and error of each task that decide when it is done, shape (tasks,)."""
     if question.order is None:
         return means[:, -1] + known.ravel(), errors[:, -1]
     if question.order == 1 and question.known is not None:
@@ -221,12 +222,12 @@ def _more(
     question: Question, sums: FloatArray, blocks: NDArray[np.int64], known: FloatArray,
     open_: NDArray[np.bool_], settings: Settings, most: int,
 ) -> NDArray[np.int64]:  # fmt: skip
-    """How many blocks each task should have after the next round, shape (tasks,)."""
+    """Number of blocks of each task after the next round, shape (tasks,)."""
     means, errors = _statistics(sums, blocks * BLOCK)
     value, error = _judged(question, means, errors, known)
     allowed = settings.relative_error * value
     ratio = np.divide(error, allowed, out=np.full(value.size, 2.0), where=allowed > 0.0)
-    # A tenth more than the scatter asks for: the next round then usually is the last.
+    # A tenth more than estimated from the scatter, so that the next round is usually the last.
     need = np.where(ratio > 1.0, np.ceil(1.1 * blocks * np.square(np.minimum(ratio, 1e3))), blocks)
     dark = (value <= 0.0) & (blocks >= _DARK)
     wanted = np.minimum(np.minimum(need, 4 * blocks), most).astype(np.int64)

@@ -1,11 +1,11 @@
 """Histories of light, followed backwards from the observer to the star.
 
 A history starts at the observer and is forced to end its ray in an event: it scatters before the
-ray leaves the air (weight 1 - T), or is reflected by the ground (weight albedo T); which of the
-two is drawn in proportion to these weights. Each event sends its share of light from a random
-point of the star's disc (next-event estimation), then a new direction is drawn from the phase
-function of a constituent chosen in proportion to what it scatters there, or from Lambert's law.
-Absorption lowers the weight.
+ray leaves the air (weight 1 - T), or is reflected by the ground (weight A T, A the part of a beam
+from there that is sent back); which of the two is drawn in proportion to these weights. Each event
+sends its share of light from a random point of the star's disc (next-event estimation), then a new
+direction is drawn from the phase function of a constituent chosen in proportion to what it scatters
+there, or from Lambert's law, weighed by the ground's. Absorption lowers the weight.
 
 Histories end by Russian roulette alone: once the weight is below ``KEEP`` of what it was after the
 first event, a history goes on with probability weight/KEEP, and with a weight raised accordingly;
@@ -25,14 +25,15 @@ from typing import Final
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop, inlined
 from airlight.optics.density_profile import relative_density
+from airlight.optics.reflection import leaving_cosine, sky_factor, star_factor
 from airlight.solvers.montecarlo.lit_air import density_in_light, place_in_light, weigh
 from airlight.solvers.montecarlo.rays import place_at_depth, point_at, trace
 from airlight.solvers.montecarlo.scattering_angles import lobe_value, random_cosine
 from airlight.solvers.montecarlo.streams import uniform
 
-#: Roulette begins below this part of the weight after the first event. [1]
+#: Fraction of the weight after the first event below which roulette begins. [1]
 KEEP: Final = 0.5
-#: From this event on a history ends with a probability of 1/20 at least.
+#: Event from which a history ends with a probability of at least 1/20.
 LONG: Final = 100
 
 _INVERSE_PI: Final = 1.0 / pi
@@ -40,7 +41,7 @@ _INVERSE_PI: Final = 1.0 / pi
 
 @inlined
 def _turned(x, y, z, cosine, azimuth):
-    """A direction turned away from (x, y, z) by an angle, around it by an azimuth."""
+    """Rotate the direction (x, y, z) by an angle away from it and by an azimuth around it."""
     sine = sqrt(max((1.0 - cosine) * (1.0 + cosine), 0.0))
     a, b = sine * cos(azimuth), sine * sin(azimuth)
     # An orthonormal frame without a square root: Duff et al. (2017), JCGT 6(1), 1.
@@ -56,7 +57,7 @@ def _turned(x, y, z, cosine, azimuth):
 
 @compiled_loop
 def _from_star(r, mu, air, path):
-    """Transmittance from a point to space; 0 if the planet is in the way. [1]"""
+    """Transmittance from a point to space; 0 if the planet blocks the ray. [1]"""
     if meets_ground(r, mu, air.extinction.bottom):
         return 0.0
     _, depth = trace(r, mu, False, air.extinction, path)
@@ -65,9 +66,9 @@ def _from_star(r, mu, air, path):
 
 @compiled_loop
 def follow(
-    count, start, hemisphere, first_order, lit_share, air, state, paths, room, sums
+    count, start, hemisphere, first_order, lit_share, air, state, paths, workspace, sums
 ):  # fmt: skip
-    """Follow histories and add what they carry, and its square, to the sums of each order.
+    """Follow histories and add their contributions, and the squares, to the sums of each order.
 
     Parameters
     ----------
@@ -81,23 +82,23 @@ def follow(
     first_order : int
         Orders below this one are followed but not counted.
     lit_share : float
-        The part of the places that is drawn where the star shines; see ``lit_air``. [1]
-    air : Air
+        Share of the points that is drawn where the star shines; see ``lit_air``. [1]
+    air : HistoryOptics
     state : array, shape (1,)
-        The stream of random numbers.
+        State of the stream of random numbers.
     paths : tuple
-        Room for the rays from the observer, between events and to the star, each a ``Trace``, and
-        ``Lit`` for the first and the second.
-    room : tuple of arrays
-        Scratch: what each constituent scatters, shape (nc,), what a history brings of each
-        order, shape (k,).
+        Workspaces of the rays from the observer, between events and to the star, each a
+        ``Trace``, and ``Lit`` for the first and the second.
+    workspace : tuple of arrays
+        Scattering by each constituent, shape (nc,), and contributions of a history to each order,
+        shape (k,).
     sums : array, shape (2, k + 1)
         Sums and sums of squares of each order, the last order gathering all further ones, and
         then of all orders together.
     """
     start_r, start_mu, mu_s, nu = start
     first_path, next_path, star_path, first_lit, next_lit = paths
-    scattered, brought = room
+    scattered, brought = workspace
     bottom = air.extinction.bottom
     constituents = air.scattering.size
     orders = brought.size
@@ -138,7 +139,11 @@ def follow(
                 to_ground = meets_ground(r, mu, bottom)
                 panels, depth = trace(r, mu, to_ground, air.extinction, next_path)
             caught = -expm1(-depth)
-            reflected = air.albedo * exp(-depth) if to_ground else 0.0
+            leaving, returned, reflected = 0.0, 0.0, 0.0
+            if to_ground:
+                leaving = leaving_cosine(r, mu, bottom)
+                returned = sky_factor(air.ground, 0, leaving)
+                reflected = returned * exp(-depth)
             if not caught + reflected > 0.0:
                 break
             weight *= caught + reflected
@@ -202,7 +207,9 @@ def follow(
                 sun_mu = (x * a + y * b + z * c) / r
                 share = 0.0
                 if on_ground:
+                    turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
                     share = max(sun_mu, 0.0) * _INVERSE_PI
+                    share *= star_factor(air.ground, 0, max(sun_mu, 0.0), leaving, turn) / returned
                 else:
                     turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
                     for i in range(constituents):
@@ -222,7 +229,11 @@ def follow(
                 weight /= survival
             if on_ground:
                 cosine = sqrt(uniform(state))
-                u, v, w = _turned(x / r, y / r, z / r, cosine, 2.0 * pi * uniform(state))
+                a, b, c = _turned(x / r, y / r, z / r, cosine, 2.0 * pi * uniform(state))
+                turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
+                # Drawn by Lambert's law; any other reflection weights the direction.
+                weight *= star_factor(air.ground, 0, cosine, leaving, turn) / returned
+                u, v, w = a, b, c
             else:
                 chosen = constituents - 1
                 pick = uniform(state)
@@ -231,7 +242,7 @@ def follow(
                     if pick < 0.0:
                         chosen = i
                         break
-                while scattered[chosen] <= 0.0:  # rounding went past the last that scatters
+                while scattered[chosen] <= 0.0:  # rounding went past the last scatterer
                     chosen -= 1
                 cosine = random_cosine(air.lobes, chosen, state)
                 u, v, w = _turned(u, v, w, cosine, 2.0 * pi * uniform(state))

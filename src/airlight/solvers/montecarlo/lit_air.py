@@ -1,10 +1,10 @@
-"""Places along a ray chosen where the star shines: importance sampling for twilight.
+"""Points along a ray drawn where the star shines: importance sampling for twilight.
 
-When the star is low, most of what a ray would hit lies in the planet's shadow. Half of the places
+When the star is low, most of the air along a ray lies in the planet's shadow. Half of the points
 are then drawn from a density that follows the light scattered once, extinction times transmittance
-times the star's light. That light is read from a coarse table, which matters for the noise alone:
-each place carries the ratio of the true density to the mixture of both (the balance heuristic of
-Veach & Guibas 1995, doi:10.1145/218380.218498), at most 2.
+times the star's light. That light is read from a coarse table, which affects only the noise: the
+weight of each point is the ratio of the true density to the mixture of both (the balance heuristic
+of Veach & Guibas 1995, doi:10.1145/218380.218498), at most 2.
 """
 
 from __future__ import annotations
@@ -27,18 +27,18 @@ from airlight.solvers.montecarlo.rays import (
 
 FloatArray = NDArray[np.float64]
 
-#: Altitudes and elevations of the coarse table.
+#: Numbers of altitudes and elevations of the coarse table.
 _HEIGHTS: Final = 40
 _ELEVATIONS: Final = 80
 
 
 class Starlight(NamedTuple):
-    """How much of the star arrives, roughly.
+    """Approximate fraction of the star's light that arrives.
 
     Attributes
     ----------
     bottom, thickness : float
-        [m]
+        Radius of the ground and thickness of the shell. [m]
     values : array, shape (_HEIGHTS, _ELEVATIONS)
         Transmittance to space over the square roots of altitude and of the cosine's excess over
         the horizon's. [1]
@@ -50,12 +50,12 @@ class Starlight(NamedTuple):
 
 
 class Lit(NamedTuple):
-    """A ray's pieces and their share of the light.
+    """Pieces of a ray and their shares of the light.
 
     Attributes
     ----------
     mass : array, shape (p, n)
-        Of the piece around each point of each panel.
+        Mass of the piece around each point of each panel.
     depth : array, shape (p, n)
         Optical depth from the panel's start to each point.
     before : array, shape (p,)
@@ -68,13 +68,13 @@ class Lit(NamedTuple):
 
 
 def new_lit(extinction: Extinction) -> Lit:
-    """Room for one ray."""
+    """Workspace of one ray."""
     panels, nodes = most_panels(extinction), extinction.nodes.size
     return Lit(np.empty((panels, nodes)), np.empty((panels, nodes)), np.empty(panels))
 
 
 def make_starlight(extinction: Extinction) -> Starlight:
-    """The table for one wavelength."""
+    """Compute the table for one wavelength."""
     values = np.empty((_HEIGHTS, _ELEVATIONS))
     _fill(extinction, new_trace(extinction), values)
     return Starlight(extinction.bottom, extinction.top - extinction.bottom, values)
@@ -110,15 +110,15 @@ def _starlight(r, mu_s, light):
 
 @compiled_loop
 def weigh(r, mu, mu_s, nu, count, extinction, light, path, lit):
-    """What the star sends along a traced ray, piece by piece.
+    """Weigh the star's light along a traced ray, piece by piece.
 
     Parameters
     ----------
     r, mu, mu_s, nu : float
-        The ray's start, and cosines of its zenith angle, of the star's, and between them.
-        [m], [1]
+        Radius of the ray's start, and cosines of its zenith angle, of the star's, and of the angle
+        between them. [m], [1]
     count : int
-        Of panels, from ``trace``.
+        Number of panels, from ``trace``.
     extinction, light, path : Extinction, Starlight, Trace
     lit : Lit
         Receives the pieces.
@@ -126,7 +126,7 @@ def weigh(r, mu, mu_s, nu, count, extinction, light, path, lit):
     Returns
     -------
     float
-        Sum of the masses; 0 where all is dark.
+        Sum of the masses; 0 where everything is dark.
     """
     nodes, weights, running = extinction.nodes, extinction.weights, extinction.running
     n = nodes.size
@@ -154,25 +154,25 @@ def weigh(r, mu, mu_s, nu, count, extinction, light, path, lit):
 
 @compiled_loop
 def place_in_light(u, v, count, total, extinction, path, lit):
-    """A place drawn from the pieces.
+    """Draw a point from the pieces.
 
     Parameters
     ----------
     u, v : float
         Random numbers in (0, 1).
     count, total, extinction, path, lit :
-        As ``weigh`` took, returned and wrote them.
+        Arguments, result and outputs of ``weigh``.
 
     Returns
     -------
     panel, t, depth : int, float, float
-        Where, and the optical depth from the ray's start to there.
+        Panel and position of the point, and optical depth from the ray's start to it.
     """
     weights = extinction.weights
     wanted = u * total
     at, k = 0, 0
-    for place in range(count * weights.size):
-        at, k = place // weights.size, place % weights.size
+    for piece in range(count * weights.size):
+        at, k = piece // weights.size, piece % weights.size
         if lit.mass[at, k] > 0.0:
             wanted -= lit.mass[at, k]
             if wanted <= 0.0:
@@ -189,7 +189,7 @@ def place_in_light(u, v, count, total, extinction, path, lit):
 
 @compiled_loop
 def density_in_light(at, t, total, extinction, lit):
-    """The density with which ``place_in_light`` draws a place, per own variable of the panel."""
+    """Density with which ``place_in_light`` draws a point, per own variable of the panel."""
     weights = extinction.weights
     edge = 0.0
     for k in range(weights.size):

@@ -1,13 +1,13 @@
-"""Optical depth along a ray at one wavelength, and the place where a given depth is reached.
+"""Optical depth along a ray at one wavelength, and the point where a given depth is reached.
 
 A ray has one or two legs, cut at its lowest point; on a leg the radius is ``r = low + y²`` and y is
 the variable of Gauss-Legendre panels, as in ``geometry.path``. The running integrals of a panel
 give the depth at its points; between two of them the depth is inverted by safeguarded Newton steps
 on a three-point rule that begins at the nearer point.
 
-Extinction comes from a table over the square root of altitude, so fine that it errs by less than
-1e-6 of the ground's value; panels end where a profile jumps and, in thick air, where it has a
-corner. Columns are never looked up.
+Extinction comes from a table over the square root of altitude, fine enough for errors below 1e-6 of
+the ground's value; panels end where a profile jumps and, in thick air, where it has a corner.
+Columns are never looked up.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ from airlight.kernel import compiled_loop, inlined
 
 FloatArray = NDArray[np.float64]
 
-#: As in ``geometry.path``: beside the tangent point by less than this of the leg's height.
+#: Relative height of the tangent point below which a leg begins beside it; see ``geometry.path``.
 _BESIDE: Final = 0.02
-#: A panel thicker than this is integrated again up to where the depth was found, until it is not.
+#: Optical depth above which a panel is integrated again up to the depth found, until it is thinner.
 _THICK: Final = 6.0
 #: Three-point Gauss-Legendre on [0, 1].
 _THREE: Final = (0.11270166537925831, 0.5, 0.8872983346207417)
@@ -32,20 +32,20 @@ _SHARES: Final = (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
 
 
 class Extinction(NamedTuple):
-    """The air's extinction at one wavelength, and how rays through it are cut.
+    """Extinction of the air at one wavelength, and the division of rays into panels.
 
     Attributes
     ----------
     bottom, top : float
         Radii of ground and top. [m]
     table : array, shape (m,)
-        At even steps of the square root of altitude over thickness. [m⁻¹]
+        Extinction at even steps of the square root of altitude over thickness. [m⁻¹]
     cuts : array, shape (j,)
         Radii at which panels end, ascending. [m]
     panels : int
-        A leg has so many between two cuts.
+        Number of panels of a leg between two cuts.
     nodes, weights, running : array, shapes (n,), (n,), (n, n)
-        The rule of a panel.
+        Quadrature rule of a panel.
     """
 
     bottom: float
@@ -69,7 +69,7 @@ class Trace(NamedTuple):
     values : array, shape (p, n)
         Optical depth per panel's own variable, 0 to 1, at its points.
     again : array, shape (n,)
-        Scratch.
+        Workspace.
     """
 
     panels: FloatArray
@@ -78,12 +78,12 @@ class Trace(NamedTuple):
 
 
 def most_panels(extinction: Extinction) -> int:
-    """As many panels as a ray can have."""
+    """Largest number of panels of a ray."""
     return 2 * (extinction.cuts.size + 1) * extinction.panels
 
 
 def new_trace(extinction: Extinction) -> Trace:
-    """Room for one ray."""
+    """Workspace of one ray."""
     panels, nodes = most_panels(extinction), extinction.nodes.size
     return Trace(np.empty((panels, 6)), np.empty((panels, nodes)), np.empty(nodes))
 
@@ -99,7 +99,7 @@ def extinction_at(altitude, table, scale):
 
 @inlined
 def _per_y(y, low, beside, bottom, table, scale):
-    """Optical depth per y: extinction times ds/dy."""
+    """Extinction times ds/dy: optical depth per y."""
     square = y * y
     away = sqrt(beside * beside + square * (2.0 * low + square))
     slope = 2.0 * y * (low + square) / away if away > 0.0 else sqrt(2.0 * low)
@@ -108,7 +108,7 @@ def _per_y(y, low, beside, bottom, table, scale):
 
 @inlined
 def _fill(low, beside, start, end, bottom, table, scale, nodes, weights, values):
-    """One panel's values at its points, per own variable; returns its optical depth."""
+    """Fill one panel's values at its points, per own variable; return its optical depth."""
     width = abs(end - start)
     total = 0.0
     for k in range(nodes.size):
@@ -124,7 +124,7 @@ def _leg(
     start_r, end_r, tangent, sign, extinction, table, nodes, weights, cuts, trace_panels,
     trace_values, count,
 ):  # fmt: skip
-    """Panels of one leg; returns how many there are now, and the leg's optical depth."""
+    """Add the panels of one leg; return the number of panels, and the leg's optical depth."""
     bottom = extinction.bottom
     scale = (table.size - 1) / sqrt(extinction.top - bottom)
     high, low = max(start_r, end_r), min(start_r, end_r)
@@ -138,7 +138,7 @@ def _leg(
     depth = 0.0
     pieces = cuts.size + 1
     for piece in range(pieces):
-        # Pieces between cuts, in the order in which the ray meets them.
+        # Pieces between cuts, in their order along the ray.
         at = piece if sign > 0.0 else pieces - 1 - piece
         floor_r = cuts[at - 1] if at > 0 else 0.0
         ceiling_r = cuts[at] if at < cuts.size else 1e300
@@ -174,7 +174,7 @@ def trace(r, mu, to_ground, extinction, path):
     r, mu : float
         Start of the ray. [m], [1]
     to_ground : bool
-        Whether it ends there rather than at the top.
+        Whether the ray ends on the ground rather than at the top.
     extinction : Extinction
     path : Trace
         Receives the panels.
@@ -208,23 +208,23 @@ def trace(r, mu, to_ground, extinction, path):
 
 @compiled_loop
 def place_at_depth(depth, count, extinction, path):
-    """Where a traced ray reaches an optical depth.
+    """Find the point at which a traced ray reaches an optical depth.
 
     Parameters
     ----------
     depth : float
-        Below that of the whole ray. [1]
+        Depth, below that of the whole ray. [1]
     extinction : Extinction
-        As in ``trace``.
+        Extinction of ``trace``.
     count, path : int, Trace
-        What ``trace`` returned and wrote.
+        Result and output of ``trace``.
 
     Returns
     -------
     panel : int
-        In which it is.
+        Index of the panel.
     t : float
-        Where on the panel's own variable, 0 to 1.
+        Position on the panel's own variable, 0 to 1.
     """
     table, bottom = extinction.table, extinction.bottom
     nodes, weights, running = extinction.nodes, extinction.weights, extinction.running
@@ -256,7 +256,8 @@ def place_at_depth(depth, count, extinction, path):
             before = so_far
         if whole <= _THICK or upper >= n - 2:
             break
-        # The rule's error is a share of the whole: a shorter panel knows its beginning better.
+        # The rule's error is a share of the total: a shorter panel is more accurate at its
+        # beginning.
         end = start + (end - start) * nodes[upper + 1]
         values = path.again
         whole = _fill(low, beside, start, end, bottom, table, scale, nodes, weights, values)
@@ -268,7 +269,7 @@ def place_at_depth(depth, count, extinction, path):
     slope_left = _per_y(left, low, beside, bottom, table, scale)
     slope_right = _per_y(right, low, beside, bottom, table, scale)
     wanted = max(rest - before, 0.0)
-    # First for a slope that is linear between the points, scaled to what lies between them.
+    # Initial value for a density linear between the points, scaled to the depth between them.
     x = 0.5
     mean = 0.5 * (slope_left + slope_right) * width
     if mean > 0.0 and after > before:
@@ -295,23 +296,23 @@ def place_at_depth(depth, count, extinction, path):
 
 @compiled_loop
 def point_at(panel, t, r, mu, extinction):
-    """A point of a panel.
+    """Point of a panel.
 
     Parameters
     ----------
     panel : array, shape (6,)
-        Of a ``Trace``.
+        Panel of a ``Trace``.
     t : float
-        On its own variable, 0 to 1.
+        Position on its own variable, 0 to 1.
     r, mu, extinction : float, float, Extinction
-        As in ``trace``.
+        Arguments of ``trace``.
 
     Returns
     -------
     distance : float
-        From the start of the ray. [m]
+        Distance from the start of the ray. [m]
     extinction : float
-        There, as optical depths are computed with it. [m⁻¹]
+        Extinction at the point, as used for optical depths. [m⁻¹]
     slope : float
         Optical depth per own variable.
     """
@@ -334,9 +335,9 @@ def depth_within(at, t, base, before, extinction, path):
     Parameters
     ----------
     at, t : int, float
-        The panel, and the point on its own variable.
+        Index of the panel, and position on its own variable.
     base : int
-        The rule's point just below t; -1 is the panel's start.
+        Index of the rule's point just below t; -1 is the panel's start.
     before : float
         Optical depth from the panel's start to that point.
     extinction, path : Extinction, Trace

@@ -1,14 +1,14 @@
-"""Random scattering angles, distributed exactly as each phase function says.
+"""Random scattering angles, distributed exactly as each phase function.
 
-Every phase function that a planet can have becomes a kind, three numbers and, for tables, rows;
-compiled loops draw cosines from it and evaluate it. One more phase function is one more kind here,
-or none: whatever has values at angles can be handed over as a table's rows.
+Every phase function of a planet becomes a kind, three numbers and, for tables, rows; compiled loops
+draw cosines from it and evaluate it. Formulas whose distribution can be inverted have a kind of
+their own (``EXACT``); any other phase function is given by the rows of its ``sampled`` table.
 """
 
 from __future__ import annotations
 
 from math import acos, cos, exp, log, pi, sqrt
-from typing import Any, Final, NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,15 +16,8 @@ from numpy.typing import NDArray
 from airlight.kernel import compiled_loop, inlined, kernel
 from airlight.optics.phase_functions import cornette_shanks, henyey_greenstein, rayleigh
 from airlight.optics.phase_table import SMALLEST_LOGARITHMIC
-from airlight.planets.matter.phases import (
-    CornetteShanks,
-    DoubleHenyeyGreenstein,
-    HenyeyGreenstein,
-    Rayleigh,
-    TabulatedPhase,
-)
+from airlight.planets.matter.phases import FormulaPhase, PhaseRow
 from airlight.planets.medium import Medium
-from airlight.planets.spectral import spectral_at
 from airlight.solvers.montecarlo.streams import uniform
 
 FloatArray = NDArray[np.float64]
@@ -35,26 +28,33 @@ HENYEY: Final = 2
 DOUBLE_HENYEY: Final = 3
 CORNETTE: Final = 4
 TABLE: Final = 5
+#: Phase functions with a sampler of their own, by their names in planet files.
+EXACT: Final = {
+    "rayleigh": RAYLEIGH,
+    "henyey-greenstein": HENYEY,
+    "double-henyey-greenstein": DOUBLE_HENYEY,
+    "cornette-shanks": CORNETTE,
+}
 
 _LEAST: Final = float(SMALLEST_LOGARITHMIC)
 
 
 class Lobes(NamedTuple):
-    """The phase functions of all constituents at one wavelength.
+    """Phase functions of all constituents at one wavelength.
 
     Attributes
     ----------
     kinds : array of int, shape (nc,)
-        ``RAYLEIGH``, ... ``TABLE``; ``NOTHING`` does not scatter.
+        Kind of each: ``RAYLEIGH``, ... ``TABLE``; ``NOTHING`` does not scatter.
     parameters : array, shape (nc, 3)
-        Depolarisation; g; g₁, g₂, α; g; or of a table: first row, number of rows (1 or 2) and
-        the first row's share of the scattered light.
+        Depolarisation; g; g₁, g₂, α; g; or for a table: first row, number of rows (1 or 2) and the
+        first row's share of the scattered light.
     angles : array, shape (rows, m)
-        Of tables, ascending from 0 to π; padded with π. [rad]
+        Angles of tables, ascending from 0 to π; padded with π. [rad]
     values : array, shape (rows, m)
-        Normalised to 1. [sr⁻¹]
+        Values of tables, normalised to 1. [sr⁻¹]
     cumulative : array, shape (rows, m)
-        The part of the light that is scattered by less than the angle. [1]
+        Fraction of the light that is scattered by less than the angle. [1]
     """
 
     kinds: NDArray[np.int64]
@@ -65,20 +65,15 @@ class Lobes(NamedTuple):
 
 
 def lobes(medium: Medium, wavelength: int) -> Lobes:
-    """The phase functions of a medium at one of its wavelengths.
+    """Prepare the phase functions of a medium at one of its wavelengths.
 
-    Tables are normalised: a planet's may integrate to 1 within 0.001 only.
+    Tables are normalised here, as those of a planet integrate to 1 only within 0.001.
 
     Parameters
     ----------
     medium : Medium
     wavelength : int
-        Its index.
-
-    Raises
-    ------
-    TypeError
-        If a constituent has a phase function of an unknown kind.
+        Index of the wavelength.
     """
     count = len(medium.names)
     kinds, parameters = np.zeros(count, np.int64), np.zeros((count, 3))
@@ -87,26 +82,14 @@ def lobes(medium: Medium, wavelength: int) -> Lobes:
     for i, one in enumerate(medium.constituents):
         if not (one.scatters and medium.scattering[i, wavelength] > 0.0):
             continue
-        phase: Any = one.phase_function_at(nm)
-        if isinstance(phase, Rayleigh):
-            kinds[i] = RAYLEIGH
-            parameters[i, 0] = spectral_at(phase.depolarisation, nm)[0]
-        elif isinstance(phase, HenyeyGreenstein):
-            kinds[i] = HENYEY
-            parameters[i, 0] = spectral_at(phase.asymmetry, nm)[0]
-        elif isinstance(phase, CornetteShanks):
-            kinds[i] = CORNETTE
-            parameters[i, 0] = spectral_at(phase.asymmetry, nm)[0]
-        elif isinstance(phase, DoubleHenyeyGreenstein):
-            kinds[i] = DOUBLE_HENYEY
-            parameters[i, 0] = spectral_at(phase.asymmetry_1, nm)[0]
-            parameters[i, 1] = spectral_at(phase.asymmetry_2, nm)[0]
-            parameters[i, 2] = spectral_at(phase.weight, nm)[0]
-        elif isinstance(phase, TabulatedPhase):
-            kinds[i] = TABLE
-            parameters[i] = _add_rows(phase, float(nm[0]), rows)
+        phase = one.phase_function_at(nm)
+        if isinstance(phase, FormulaPhase) and phase.keyword in EXACT:
+            kinds[i] = EXACT[phase.keyword]
+            given = phase.parameters_at(nm)[:, 0]
+            parameters[i, : given.size] = given
         else:
-            raise TypeError(f"no sampler for {type(phase).__name__}")
+            kinds[i] = TABLE
+            parameters[i] = _add_rows(phase.sampled(float(nm[0])), rows)
     longest = max((row[0].size for row in rows), default=2)
     arrays = np.zeros((3, max(len(rows), 1), longest))
     arrays[0], arrays[2] = pi, 1.0
@@ -117,28 +100,19 @@ def lobes(medium: Medium, wavelength: int) -> Lobes:
 
 
 def _add_rows(
-    phase: TabulatedPhase, nm: float, rows: list[tuple[FloatArray, FloatArray, FloatArray]]
+    sampled: tuple[PhaseRow, ...], rows: list[tuple[FloatArray, FloatArray, FloatArray]]
 ) -> tuple[float, float, float]:
-    """Append the one or two rows that hold at a wavelength; the parameters of their mixture."""
-    weights = np.ones(1)
-    if phase.wavelengths:
-        order = np.argsort(phase.wavelengths)
-        known = np.asarray(phase.wavelengths)[order]
-        weights = np.empty(known.size)
-        for position, unit_row in zip(order, np.eye(known.size), strict=True):
-            weights[position] = np.interp(nm, known, unit_row)
-    used = np.flatnonzero(weights > 0.0)
+    """Append the one or two rows that apply at a wavelength; return parameters of their mixture."""
     first = len(rows)
-    angles = np.radians(np.asarray(phase.angles))
-    angles[-1] = pi
     light = []
-    for index in used:
-        values = np.asarray(phase.rows[index], dtype=float)
-        within = np.concatenate([[0.0], np.cumsum(cell_light(angles, values))])
-        light.append(weights[index] * within[-1])
-        rows.append((angles, values / within[-1], within / within[-1]))
+    for row in sampled:
+        angles = np.radians(row.angles)
+        angles[-1] = pi
+        within = np.concatenate([[0.0], np.cumsum(cell_light(angles, row.values))])
+        light.append(row.share * within[-1])
+        rows.append((angles, row.values / within[-1], within / within[-1]))
     share = light[0] / sum(light)
-    return float(first), float(len(used)), float(share)
+    return float(first), float(len(sampled)), float(share)
 
 
 def cell_light(angles: FloatArray, values: FloatArray) -> FloatArray:
@@ -151,12 +125,12 @@ def cell_light(angles: FloatArray, values: FloatArray) -> FloatArray:
     Parameters
     ----------
     angles, values : array, shape (m,)
-        [rad], [sr⁻¹]
+        Angles and phase function. [rad], [sr⁻¹]
 
     Returns
     -------
     array, shape (m - 1,)
-        [1]
+        Light in each ring. [1]
     """
     from airlight.geometry.quadrature import gauss_legendre
 
@@ -180,9 +154,9 @@ def rayleigh_cosine(u, depolarisation):
     Parameters
     ----------
     u : float
-        0 to 1.
+        Random number, 0 to 1.
     depolarisation : float
-        δ, γ = δ/(2-δ). [1]
+        Depolarisation factor δ, with γ = δ/(2-δ). [1]
 
     Examples
     --------
@@ -207,14 +181,14 @@ def henyey_greenstein_cosine(u, g):
     .. math:: \nu = \frac{s(1+g^2) + \frac{g}{2}\left(3 - g^2 + s^2(1+g^2)\right)}{(1+gs)^2},
               \quad s = 2u - 1
 
-    which is Witt's (1977) formula multiplied out.
+    This is Witt's (1977) formula, expanded.
 
     Parameters
     ----------
     u : float
-        0 to 1.
+        Random number, 0 to 1.
     g : float
-        Between -1 and 1.
+        Mean cosine, between -1 and 1.
 
     References
     ----------
@@ -234,7 +208,7 @@ def henyey_greenstein_cosine(u, g):
 
 @inlined
 def _table_value(angles, values, angle):
-    """A table's phase function: its logarithm is linear in the angle between two values."""
+    """Phase function of a table: its logarithm is linear in the angle between two values."""
     low, high = 0, angles.size - 1
     while high - low > 1:
         middle = (low + high) // 2
@@ -252,7 +226,7 @@ def _table_value(angles, values, angle):
 
 @inlined
 def _table_cosine(angles, values, cumulative, state):
-    """A cosine from a table: the ring by inversion, within the ring by rejection."""
+    """Draw a cosine from a table: the ring by inversion, within the ring by rejection."""
     u = uniform(state)
     low, high = 0, cumulative.size - 1
     while high - low > 1:
@@ -279,20 +253,20 @@ def _table_cosine(angles, values, cumulative, state):
 
 @compiled_loop
 def random_cosine(lobes, i, state):
-    """A cosine of the scattering angle, distributed as constituent i scatters.
+    """Draw a cosine of the scattering angle, distributed as constituent i scatters.
 
     Parameters
     ----------
     lobes : Lobes
     i : int
-        Of a constituent that scatters.
+        Index of a constituent that scatters.
     state : array, shape (1,)
-        A stream of random numbers.
+        Stream of random numbers.
 
     Returns
     -------
     float
-        -1 to 1. [1]
+        Cosine, -1 to 1. [1]
     """
     kind = lobes.kinds[i]
     first = lobes.parameters[i, 0]
@@ -304,7 +278,7 @@ def random_cosine(lobes, i, state):
         g = first if uniform(state) < lobes.parameters[i, 2] else lobes.parameters[i, 1]
         return henyey_greenstein_cosine(uniform(state), g)
     if kind == CORNETTE:
-        # Proportional to (1 + ν²) times Henyey-Greenstein: at least half are taken.
+        # Proportional to (1 + ν²) times Henyey-Greenstein: at least half are accepted.
         while True:
             nu = henyey_greenstein_cosine(uniform(state), first)
             if 2.0 * uniform(state) <= 1.0 + nu * nu:
@@ -317,7 +291,7 @@ def random_cosine(lobes, i, state):
 
 @compiled_loop
 def lobe_value(lobes, i, nu):
-    """The phase function of constituent i, normalised. [sr⁻¹]
+    """Phase function of constituent i, normalised. [sr⁻¹]
 
     Parameters
     ----------

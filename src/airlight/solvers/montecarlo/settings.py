@@ -1,4 +1,4 @@
-"""Quality levels of the Monte Carlo solver: how small the noise gets, and when it gives up."""
+"""Quality levels of the Monte Carlo solver: the noise aimed at, and the bound on histories."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from airlight.solvers.quality import settings_by_name
 
 @dataclass(frozen=True, kw_only=True)
 class Settings:
-    """When a Monte Carlo estimate is good enough.
+    """Stopping rule of a Monte Carlo estimate.
 
     Attributes
     ----------
     relative_error : float
-        A line of sight is done when its standard error is below this part of its radiance, at
-        every wavelength; 1e-6 to 1. [1]
+        Standard error over radiance, at every wavelength, at which a line of sight is done; 1e-6
+        to 1. [1]
     most_histories : int
-        A line of sight and wavelength gets no more, 1000 to 1e12; what was not reached is said in
-        the report.
+        Largest number of histories per line of sight and wavelength, 1000 to 1e12; the report
+        counts the lines that did not reach the error.
     seed : int
-        Of the random numbers, 0 to 2⁶⁴ - 1.
+        Seed of the random numbers, 0 to 2⁶⁴ - 1.
     kept_orders : int
         Orders of scattering whose parts are kept apart, 1 to 64; all further ones are summed.
     exact_first_order : bool
@@ -50,7 +50,7 @@ class Settings:
                 raise ParameterError(name, value, f"{kind}{low:g} to {high:.10g}")
 
     def as_text(self) -> str:
-        """All settings on one line, for reports."""
+        """Return all settings on one line, for reports."""
         return " ".join(f"{name}={value}" for name, value in asdict(self).items())
 
 
@@ -62,7 +62,7 @@ QUALITIES: Final = {
 
 
 def settings_for(quality: str | Settings) -> Settings:
-    """The settings of a named quality level, or settings as they are.
+    """Settings of a named quality level, or the given settings.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The Monte Carlo solver's result: it answers each question with histories of its own."""
+"""Result of the Monte Carlo solver, which answers each question with new histories."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import only_straight
-from airlight.solvers.montecarlo.air import make_air
 from airlight.solvers.montecarlo.estimate import Estimate, Question, estimate
+from airlight.solvers.montecarlo.history_optics import history_optics
 from airlight.solvers.montecarlo.settings import Settings
 from airlight.solvers.sight import Sight
 from airlight.solvers.single_scattering import reflected_once, single_scattering
@@ -31,20 +31,20 @@ FloatArray = NDArray[np.float64]
 
 @dataclass(frozen=True, kw_only=True)
 class MonteCarloReport(Report):
-    """How the last answer came about.
+    """Provenance of the last result.
 
     Attributes
     ----------
     solver, settings, sweeps, residual, seconds :
-        As in ``Report``; ``sweeps`` is the number of orders kept apart, ``residual`` the largest
-        standard error over radiance per wavelength, of the last answer.
+        Fields of ``Report``; ``sweeps`` is the number of orders kept apart, ``residual`` the
+        largest standard error over radiance per wavelength, of the last result.
     histories : int
-        Followed for the last answer.
+        Number of histories followed for the last result.
     unreached : int
-        Its lines of sight whose error is larger than asked for, at some wavelength: the bound on
-        histories was reached, or no light was found.
+        Number of its lines of sight whose error is larger than requested, at some wavelength: the
+        bound on histories was reached, or no light was found.
     lines : int
-        Its lines of sight.
+        Number of its lines of sight.
     """
 
     histories: int = 0
@@ -64,21 +64,21 @@ class MonteCarloReport(Report):
 
 
 class MonteCarloSolution(Solution):
-    """A solution by Monte Carlo: no table of radiance, every answer is traced.
+    """Solution by Monte Carlo: no table of radiance, every result is traced.
 
-    The same question with the same seed gives the same histories, to the last bit, whatever else
-    is asked. Errors of different lines of sight and of different wavelengths are independent; those
-    of the orders of one line are not. Order 1 is exact by quadrature unless the settings say
-    otherwise (irradiances are always sampled whole). Nothing is kept on disk.
+    The same question with the same seed gives the same histories, to the last bit, independent of
+    other questions. Errors of different lines of sight and of different wavelengths are
+    independent; those of the orders of one line are not. Order 1 is exact by quadrature unless the
+    settings say otherwise (irradiances are always sampled whole). Nothing is kept on disk.
 
     Parameters
     ----------
     medium : Medium
-        What is solved.
+        Medium to solve.
     settings : Settings
-        When an answer is good enough.
+        Stopping rule.
     progress, cancel : callable, optional
-        See ``airlight.kernel.threads``; for the answers.
+        See ``airlight.kernel.threads``; used for every result.
     """
 
     def __init__(
@@ -94,7 +94,7 @@ class MonteCarloSolution(Solution):
         self.progress = progress
         self.cancel = cancel
         self.highest_order = settings.kept_orders
-        self.airs = [make_air(medium, k) for k in range(medium.wavelengths.size)]
+        self.airs = [history_optics(medium, k) for k in range(medium.wavelengths.size)]
         self.report: MonteCarloReport = MonteCarloReport(
             solver="montecarlo",
             settings=settings.as_text(),
@@ -104,13 +104,13 @@ class MonteCarloSolution(Solution):
         )
 
     def trace(self, sight: Sight, *, order: int | None = None) -> Estimate:
-        """Everything that histories say about lines of sight.
+        """All estimates for lines of sight.
 
         Parameters
         ----------
         sight : Sight
         order : int, optional
-            The order whose error decides when it is enough; all orders together without it.
+            Order whose error decides when to stop; all orders together if left out.
         """
         started = perf_counter()
         known = self.first_order(sight) if self.settings.exact_first_order else None
@@ -144,17 +144,18 @@ class MonteCarloSolution(Solution):
         return got
 
     def first_order(self, sight: Sight) -> FloatArray:
-        """Light scattered or reflected once, by quadrature, per the star's, (n, nl). [sr⁻¹]
+        """Light scattered or reflected once, by quadrature, relative to the star's, (n, nl). [sr⁻¹]
 
-        The star's light and the phase function are averaged over its disc apart: within the
-        aureole of a sun on the horizon their product's mean differs by up to some parts in 1000.
+        The star's light and the phase function are averaged over its disc separately: within the
+        aureole of a sun on the horizon the mean of their product differs by up to some parts in
+        1000.
         """
         once = single_scattering(self.medium, sight, progress=self.progress, cancel=self.cancel)
         phases = disc_mean_phase(self.medium, sight.nu)
         return np.asarray((once * phases).sum(axis=1) + reflected_once(self.medium, sight))
 
     def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
-        """See ``Solution``; orders up to ``highest_order`` can be asked for."""
+        """See ``Solution``; orders up to ``highest_order`` can be requested."""
         got = self.trace(sight, order=order)
         return got.total if order is None else got.parts[:, order - 1]
 
@@ -177,18 +178,18 @@ class MonteCarloSolution(Solution):
         view_zenith: ArrayLike,
         azimuth: ArrayLike = 0.0,
     ) -> xarray.Dataset:
-        """Radiance with its standard error, and what each order of scattering brings.
+        """Radiance with its standard error, and the contribution of each order of scattering.
 
         Parameters
         ----------
         altitude, sun_zenith, view_zenith, azimuth : array
-            As ``radiance`` takes them. [m], [deg]
+            Arguments of ``radiance``. [m], [deg]
 
         Returns
         -------
         xarray.Dataset
             ``radiance`` and ``standard_error`` [W m⁻² sr⁻¹ nm⁻¹], ``histories`` and ``reached``
-            (whether the error is as small as asked), each of shape (..., wavelength);
+            (whether the error is as small as requested), each of shape (..., wavelength);
             ``order_radiance`` and ``order_standard_error`` of shape (..., order, wavelength);
             ``higher_radiance`` and ``higher_standard_error`` of all further orders together.
 
@@ -197,7 +198,7 @@ class MonteCarloSolution(Solution):
         ParameterError
             If a value is out of its range, or the shapes do not broadcast.
         Cancelled
-            If ``cancel`` said so.
+            If ``cancel`` returned True.
         """
         inputs = {
             "altitude": altitude,
@@ -207,7 +208,7 @@ class MonteCarloSolution(Solution):
         }
         sight, shape = self.lines_of_sight(**inputs)
         got = self.trace(sight)
-        sun = self.medium.solar_irradiance
+        sun = self.lights[0].irradiance
         unit = "W m-2 sr-1 nm-1"
         kept = self.settings.kept_orders
 
@@ -253,7 +254,7 @@ def disc_mean_phase(medium: Medium, nu: FloatArray) -> FloatArray:
     Returns
     -------
     array, shape (n, nc, nl)
-        [sr⁻¹]
+        Mean phase functions. [sr⁻¹]
     """
     radius = medium.star_angular_radius
     if radius <= 0.0:
@@ -278,18 +279,18 @@ def solve(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> MonteCarloSolution:
-    """Make a medium ready for histories.
+    """Prepare a medium for histories.
 
     Parameters
     ----------
     medium : Medium
-        What is solved.
+        Medium to solve.
     settings : Settings
-        When an answer is good enough.
+        Stopping rule.
     cache : bool
-        Not used: nothing is kept on disk.
+        Ignored: nothing is kept on disk.
     progress, cancel : callable, optional
-        See ``airlight.kernel.threads``; kept for the answers.
+        See ``airlight.kernel.threads``; kept for the results.
     """
     only_straight(medium, "the montecarlo solver")
     return MonteCarloSolution(medium, settings, progress=progress, cancel=cancel)

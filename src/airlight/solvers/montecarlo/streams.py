@@ -1,9 +1,9 @@
 """Streams of random numbers, one per line of sight, wavelength and block of histories.
 
-A stream's numbers follow from the seed and the three indices alone, so that a result does not
-depend on how many threads there are. All streams walk one cycle of 2⁶⁴ states from scattered
-starting points: two of n streams of m numbers overlap with a probability of about n² m / 2⁶⁴,
-which is 1e-5 for 10⁴ streams of 10⁶ numbers.
+The numbers of a stream follow from the seed and the indices alone, so that a result does not depend
+on the number of threads. All streams are parts of one cycle of 2⁶⁴ states from scattered starting
+points: two of n streams of m numbers overlap with a probability of about n² m / 2⁶⁴, which is 1e-5
+for 10⁴ streams of 10⁶ numbers.
 """
 
 from __future__ import annotations
@@ -33,19 +33,19 @@ def _mixed(number: int) -> int:
 
 
 def stream(seed: int, *indices: int) -> NDArray[np.uint64]:
-    """A stream's first state.
+    """Initial state of a stream.
 
     Parameters
     ----------
     seed : int
-        Of the whole run.
+        Seed of the whole run.
     *indices : int
-        What the stream is for.
+        Indices that identify the stream.
 
     Returns
     -------
     array, shape (1,)
-        For ``uniform``, which changes it.
+        State for ``uniform``, which changes it.
 
     Examples
     --------
@@ -60,12 +60,12 @@ def stream(seed: int, *indices: int) -> NDArray[np.uint64]:
 
 @inlined
 def uniform(state):
-    """The next number of a stream, uniform inside (0, 1).
+    """Next number of a stream, uniform inside (0, 1).
 
     Parameters
     ----------
     state : array, shape (1,)
-        From ``stream``.
+        State from ``stream``.
 
     References
     ----------

@@ -1,1 +1,1 @@
-"""What the source documents print otherwise, computed."""
+"""Errata of the source documents, computed."""

@@ -1,4 +1,4 @@
-"""What the Atmosphere Plus notes and the walk through Bruneton's transmittance print otherwise."""
+"""Errata of the Atmosphere Plus notes and of the walk through Bruneton's transmittance."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ AP1_REFRACTIVITY: Final = 3e-4
 AP1_RADIUS: Final = 6.371e6
 SCALE_HEIGHT: Final = 8e3
 #: Albedo of the ground for the order-by-order sums, and a table coarse enough to fill in a second:
-#: both sums are 0.4 % off, their ratio is not.
+#: both sums are 0.4 % too low or too high together, so that their ratio is unaffected.
 _GROUND: Final = 0.3
 _COARSE: Final = Settings(
     radii=10, views=12, suns=16, scatter_angles=6, zenith_steps=6, azimuth_steps=12, steps=12,
@@ -64,7 +64,7 @@ def first_notes() -> list[Erratum]:
 
 
 def later_notes(progress: Progress | None = None) -> list[Erratum]:
-    """The rows of AP2; one of them is solved, order by order."""
+    """The rows of AP2; the order-by-order row solves a planet."""
     return [
         _aerosol_absorption(),
         _ground_light(),

@@ -1,4 +1,4 @@
-"""All differences from the source documents, each with what it changes, computed."""
+"""Differences from the source documents, each with its computed effect."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ def errata(source: str | None = None, *, progress: Progress | None = None) -> tu
     Returns
     -------
     tuple of Erratum
-        In the order of the sources.
+        Rows in the order of the sources.
 
     Raises
     ------
     ParameterError
-        If there is no such source.
+        If ``source`` is unknown.
 
     Examples
     --------
@@ -66,7 +66,7 @@ def markdown(rows: tuple[Erratum, ...]) -> str:
     Parameters
     ----------
     rows : tuple of Erratum
-        From ``errata``.
+        Rows from ``errata``.
     """
     lines = [_TITLE, "", _INTRODUCTION, "", "| source | as printed | here | effect |"]
     lines.append("|---|---|---|---|")

@@ -1,4 +1,4 @@
-"""One difference from a source document: what is printed, what is done here, what it changes."""
+"""Difference from a source document: the printed form, the form used here, its effect."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Final
 
-#: Significant digits of the values: so many, or as many as tell both sides apart.
+#: Significant digits of the values: the fewest, and the most if needed to distinguish both sides.
 _FEWEST, _MOST = 4, 9
 
 #: The source documents, by the short names that the rows begin with.
@@ -26,17 +26,17 @@ class Erratum:
     Parameters
     ----------
     source : str
-        Where it stands: ``OS Eq 14``.
+        Position in the source, such as ``OS Eq 14``.
     printed, here : str
-        The text of the source, and what stands in its place.
+        Text of the source, and the form that replaces it.
     quantity : str
-        What is computed both ways; empty if no number follows.
+        Quantity computed both ways; empty if no number follows.
     unit : str
-        Of the numbers.
+        Unit of the numbers.
     as_printed, as_here : tuple of float
-        The quantity with what is printed and with what is done here; empty where it has none.
+        Values of the quantity by the printed form and by ours; empty where it has none.
     remark : str
-        The reason, in a few words.
+        Reason, in a few words.
 
     Examples
     --------
@@ -59,7 +59,7 @@ class Erratum:
 
     @property
     def effect(self) -> str:
-        """The quantity both ways, and the remark, on one line."""
+        """Quantity by both forms, and the remark, on one line."""
         if not self.quantity:
             return self.remark
         unit = f" {self.unit}" if self.unit else ""
@@ -69,12 +69,12 @@ class Erratum:
 
 
 def floats(values: Iterable[object]) -> tuple[float, ...]:
-    """Numbers of any kind as a tuple of floats."""
+    """Convert numbers of any type to a tuple of floats."""
     return tuple(float(value) for value in values)  # type: ignore[arg-type]
 
 
 def _both(printed: tuple[float, ...], here: tuple[float, ...]) -> tuple[str, str]:
-    """Both sides, each pair in as many digits as tell it apart."""
+    """Format both sides, each pair with enough digits to distinguish it."""
     if len(printed) != len(here):
         return _shown(printed), _shown(here)
     pairs = [_pair(a, b) for a, b in zip(printed, here, strict=True)]

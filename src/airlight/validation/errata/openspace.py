@@ -1,4 +1,4 @@
-"""What the formulas of the OpenSpace paper print otherwise."""
+"""Errata of the formulas of the OpenSpace paper."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ FloatArray = npt.NDArray[np.float64]
 #: Two lobes of the dust of Mars, g₁, g₂ and α, and the three columns that Table 1 prints for it.
 LOBES: Final = (0.889, 0.094, 0.743)
 PRINTED_LOBES: Final = ((0.03, 0.094, 0.743), (0.4, 0.89, 0.04), (0.67, 0.099, 0.01))
-#: Depolarisation of air in Table 1, and how far Fig 1 raises it.
+#: Depolarisation of air in Table 1, and the factor by which Fig 1 raises it.
 DEPOLARISATION: Final = 0.0279
 FACTOR: Final = 20.0
 

@@ -1,4 +1,4 @@
-"""What Table 1 of the OpenSpace paper prints otherwise."""
+"""Errata of Table 1 of the OpenSpace paper."""
 
 from __future__ import annotations
 
@@ -41,12 +41,12 @@ CO2_DEPOLARISATION: Final = 0.09
 #: Refractivity of air at 440 nm and of carbon dioxide at 680, 550 and 440 nm, as printed.
 PRINTED_AIR: Final = 2.8276e-4
 PRINTED_CO2: Final = (4.4661e-4, 4.5019e-4, 4.5558e-4)
-#: Molecules on Mars, as printed and in the unit they belong to. [m⁻³]
+#: Number density on Mars as printed, and in its proper unit. [m⁻³]
 PRINTED_MARS_DENSITY: Final = 2.8e35
 MARS_DENSITY: Final = 2.8e23
 #: Rayleigh coefficients of Mars, as printed. [m⁻¹]
 PRINTED_MARS: Final = (1.2871e-3, 3.0560e-3, 7.6406e-3)
-#: State of the air at the ground of Mars: NASA's Mars fact sheet, as the preset mars has it.
+#: State of the air at the ground of Mars: NASA's Mars fact sheet, as in the preset ``mars``.
 _MARS_TEMPERATURE: Final = 215.0
 _MARS_MOLAR_MASS: Final = 43.34e-3
 _MARS_GRAVITY: Final = 3.73
@@ -54,7 +54,7 @@ _MARS_GRAVITY: Final = 3.73
 DUST_RADIUS: Final = 1.6e-6
 DUST_INDEX: Final = (1.52 + 0.001j, 1.52 + 0.006j, 1.52 + 0.013j)
 PRINTED_K: Final = (0.31, 0.16, 0.27)
-#: Extinction of the dust that OpenSpace ships, 53.61771e-3/0.98979 per km. [m⁻¹]
+#: Extinction of the dust in OpenSpace's assets, 53.61771e-3/0.98979 per km. [m⁻¹]
 OPENSPACE_DUST: Final = 53.61771e-6 / 0.98979
 
 

@@ -1,4 +1,4 @@
-"""Two fits to measured skies: the aerosol's load, and where each scan really pointed."""
+"""Two fits to measured skies: the aerosol's load, and the true pointing of each scan."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FloatArray = NDArray[np.float64]
 #: Steps of the derivatives: of ln β and α [1], and of rotations [deg].
 _LOAD_STEP: Final = 0.05
 _TURN_STEP: Final = 0.3
-#: The most that a rotation moves in one iteration. [deg]
+#: Largest rotation in one iteration. [deg]
 _LARGEST_TURN: Final = 1.5
 
 
@@ -27,27 +27,26 @@ def fit_load(
     there: FloatArray,
     iterations: int = 2,
 ) -> tuple[Load, FloatArray]:
-    """Ångström's coefficients that bring a model nearest to a measurement in the square mean.
+    """Ångström's coefficients that minimise a model's mean square error.
 
-    Gauss and Newton's steps in (ln β, α); the derivatives, which hardly change, are those at the
-    start.
+    Gauss-Newton steps in (ln β, α); the derivatives hardly change and are kept from the start.
 
     Parameters
     ----------
     model : callable
-        Radiance for a load, shape (...).
+        Function that gives the radiance for a load, shape (...).
     measured : array, shape (...)
-        Same unit.
+        Measured radiance, in the same unit.
     start : Load
     there : array, shape (...)
-        The model at the start.
+        Radiance of the model at the start.
     iterations : int
-        Each costs one call of the model; the derivatives cost two in all.
+        Number of iterations; each costs one call of the model, the derivatives cost two in all.
 
     Returns
     -------
     Load, array of shape (...)
-        The best that was met, and the model there.
+        Best load found, and the model's radiance for it.
     """
 
     def at(x: FloatArray) -> FloatArray:
@@ -71,10 +70,10 @@ def fit_load(
 def fit_pointing(
     model: Callable[[FloatArray, FloatArray], FloatArray], scans: Scans, iterations: int = 4
 ) -> tuple[FloatArray, FloatArray]:
-    """Small rotations of the instrument, one per scan, that bring a model nearest.
+    """Small rotations of the instrument, one per scan, that minimise a model's error.
 
-    A diagnosis, not a score: three angles a scan are fitted to say how much of a model's error
-    could be the instrument's pointing.
+    This is a diagnosis, not a score: three angles per scan are fitted to find how much of a model's
+    error could be the instrument's pointing.
 
     Parameters
     ----------
@@ -82,15 +81,15 @@ def fit_pointing(
         Radiance for view zenith and azimuth [deg], each of shape (ns, nd); shape (ns, nd, nl).
     scans : Scans
     iterations : int
-        Each costs four calls of the model.
+        Number of iterations; each costs four calls of the model.
 
     Returns
     -------
     turns : array, shape (ns, 3)
-        Rotation vectors about the horizontal towards the sun, the horizontal to its right angle,
+        Rotation vectors about the horizontal towards the sun, the horizontal perpendicular to it,
         and the vertical. [deg]
     got : array, shape (ns, nd, nl)
-        The model in the turned directions.
+        Radiance of the model in the rotated directions.
     """
     turns = np.zeros((len(scans.time), 3))
     got = model(*_turned(scans, turns))
@@ -124,7 +123,7 @@ def _turned(scans: Scans, turns: FloatArray) -> tuple[FloatArray, FloatArray]:
     angle = np.linalg.norm(vector, axis=-1, keepdims=True)
     axis = np.divide(vector, angle, out=np.zeros_like(vector), where=angle > 0.0)
     along = (view * axis).sum(axis=-1, keepdims=True)
-    # Rodrigues's formula.
+    # Rodrigues' rotation formula.
     turned = (
         np.cos(angle) * view
         + np.sin(angle) * np.cross(np.broadcast_to(axis, view.shape), view)

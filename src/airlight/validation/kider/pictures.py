@@ -21,7 +21,7 @@ FloatArray = NDArray[np.float64]
 
 #: Edges of the bins in angle from the sun. [deg]
 ANGLE_EDGES: Final = (0.0, 8.0, 15.0, 25.0, 35.0, 45.0, 55.0, 65.0, 75.0, 90.0, 130.0)
-#: Relative differences are shown to this. [%]
+#: Limit of the colour scale of relative differences. [%]
 _WIDEST: Final = 40.0
 _UNIT: Final = "mW m⁻² sr⁻¹ nm⁻¹"
 
@@ -80,11 +80,11 @@ def domes(scans: Scans, got: FloatArray, chosen: Sequence[int], name: str) -> Pi
     ----------
     scans : Scans
     got : array, shape (ns, nd, nl)
-        A model's radiance. [W m⁻² sr⁻¹ nm⁻¹]
+        Radiance of a model. [W m⁻² sr⁻¹ nm⁻¹]
     chosen : sequence of int
-        Which scans, one per row.
+        Indices of the scans, one per row.
     name : str
-        Of the model.
+        Name of the model.
     """
     title = "Domes, measured and computed"
     figure = new_figure(title, size=(9.6, 3.1 * len(chosen)))

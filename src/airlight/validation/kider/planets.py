@@ -24,16 +24,17 @@ from airlight.validation.kider.scans import Scans
 
 FloatArray = NDArray[np.float64]
 
-#: Phase function of the aerosol of that day, 500 km away; AERONET.
+#: File of the aerosol's phase function of that day, measured 500 km away; AERONET.
 FILE: Final = "aeronet-egbert-2013-05-27-phase-function.csv"
-#: What its integral over the sphere may be off from 4π. [1]
+#: Allowed deviation of its integral over the sphere from 4π, relative. [1]
 _INTEGRAL_OFF: Final = 0.05
 
-#: Sea level, and 270 m above it, where the instrument stood. U.S. Standard Atmosphere 1976. [Pa]
+#: Pressure at sea level, and 270 m above it, the altitude of the instrument. U.S. Standard
+#: Atmosphere 1976. [Pa]
 SEA_LEVEL: Final = 101_325.0
 SITE: Final = SEA_LEVEL * (1.0 - 2.255_77e-5 * 270.0) ** 5.255_88
-#: From the sun on that day: 1.00014 - 0.01671 cos g - 0.00014 cos 2g au with g = 140.3°; the
-#: Astronomical Almanac's low-precision formula. [m]
+#: Distance from the sun on that day: 1.00014 - 0.01671 cos g - 0.00014 cos 2g au with g = 140.3°;
+#: the Astronomical Almanac's low-precision formula. [m]
 SUN_DISTANCE: Final = 1.0133 * ASTRONOMICAL_UNIT
 #: Full width at half height of the spectrometer's bands: an ASD FieldSpec's at 700 nm. [nm]
 BAND_WIDTH: Final = 3.0
@@ -65,41 +66,43 @@ class Load:
         return np.asarray(self.beta * (np.asarray(wavelengths, dtype=float) / 1e3) ** -self.alpha)
 
 
-#: That of all published models: Bruneton (2017), section 3.
+#: Load of all published models: Bruneton (2017), section 3.
 EVERYBODYS_LOAD: Final = Load(beta=0.04, alpha=0.8)
-#: Measured 500 km away that morning: optical depth at 440 nm 0.1139, 0.1180, 0.1245, 0.1252,
-#: 0.1283 and Ångström exponent from 440 to 870 nm 1.175, 1.119, 0.999, 0.929, 0.862, the means of
+#: Load measured 500 km away that morning: optical depth at 440 nm 0.1139, 0.1180, 0.1245, 0.1252,
+#: 0.1283 and Ångström exponent from 440 to 870 nm 1.175, 1.119, 0.999, 0.929, 0.862, means of
 #: the five almucantars that the phase function is the mean of. AERONET, Egbert, level 1.5, version
 #: 2; PI: N. O'Neill, I. Abboud, V. Fioletov.
 AERONET_LOAD: Final = Load(beta=0.12199 * 0.44**1.0166, alpha=1.0166)
 #: Single-scattering albedo of all published models; AERONET retrieved none.
 EVERYBODYS_ALBEDO: Final = 0.8
-#: That of clean continental air: Hess, Koepke & Schult (1998), BAMS 79, 831, Table 4, at 550 nm.
+#: Single-scattering albedo of clean continental air: Hess, Koepke & Schult (1998), BAMS 79, 831,
+#: Table 4, at 550 nm.
 CLEAN_ALBEDO: Final = 0.972
 
 
 @dataclass(frozen=True, kw_only=True)
 class Inputs:
-    """What a planet is made of; without arguments, what all published models were given.
+    """Ingredients of a planet; by default those given to all published models.
 
     Attributes
     ----------
     measured_sun : bool
-        The sun's spectrum as the instrument's bands and the day's distance have it, rather than
-        means over the 11.75 nm above each wavelength at 1 au.
+        Whether the sun's spectrum is averaged over the instrument's bands at the day's distance,
+        rather than over the 11.75 nm above each wavelength at 1 au.
     measured_air : bool
-        Refractivity of Peck & Reeder and King factor of Bates on a scale height of 8434 m, rather
-        than Penndorf's on 8 km.
+        Whether the air has the refractivity of Peck & Reeder, the King factor of Bates and a scale
+        height of 8434 m, rather than Penndorf's values and 8 km.
     pressure : float
-        At the ground. [Pa]
+        Pressure at the ground. [Pa]
     ozone : float
         [DU]
     load : Load
-        Of the aerosol.
+        Load of the aerosol.
     single_scattering_albedo : float
-        Of the aerosol. [1]
+        Single-scattering albedo of the aerosol. [1]
     aeronet_phase : bool
-        Its measured phase function, rather than Cornette and Shanks's with g = 0.7.
+        Whether the aerosol has its measured phase function, rather than Cornette and Shanks's with
+        g = 0.7.
     """
 
     measured_sun: bool = False
@@ -111,9 +114,9 @@ class Inputs:
     aeronet_phase: bool = False
 
 
-#: What all published models were given.
+#: Inputs of all published models.
 EVERYBODYS: Final = Inputs()
-#: All that is known of the day.
+#: Best known inputs of the day.
 BEST: Final = Inputs(
     measured_sun=True,
     measured_air=True,
@@ -125,8 +128,8 @@ BEST: Final = Inputs(
 
 
 def steps() -> list[tuple[str, Inputs]]:
-    """From everybody's inputs to the best, one ingredient at a time, each with its name."""
-    told: tuple[tuple[str, dict[str, Any]], ...] = (
+    """Inputs from everybody's to the best, changed one ingredient at a time, each with its name."""
+    named_steps: tuple[tuple[str, dict[str, Any]], ...] = (
         ("same inputs as everybody", {}),
         ("sun: 3 nm bands at 1.0133 au for 11.75 nm means at 1 au", {"measured_sun": True}),
         ("air: Peck & Reeder, Bates for Penndorf", {"measured_air": True}),
@@ -136,7 +139,7 @@ def steps() -> list[tuple[str, Inputs]]:
         ("aerosol: AERONET's optical depth and exponent", {"load": AERONET_LOAD}),
     )
     inputs, out = EVERYBODYS, []
-    for name, change in told:
+    for name, change in named_steps:
         inputs = replace(inputs, **change)
         out.append((name, inputs))
     return out
@@ -201,7 +204,7 @@ def penndorf_scattering(wavelengths: ArrayLike) -> RefractiveScattering:
 
 
 def band_irradiance(wavelengths: ArrayLike) -> FloatArray:
-    """The sun's irradiance in the instrument's bands, at the distance of the day.
+    """Irradiance of the sun in the instrument's bands, at the distance of the day.
 
     Parameters
     ----------
@@ -223,22 +226,22 @@ def band_irradiance(wavelengths: ArrayLike) -> FloatArray:
 
 
 def read_aeronet_phase(folder: Path, wavelengths: ArrayLike) -> TabulatedPhase:
-    """The aerosol's phase function as AERONET retrieved it, at other wavelengths.
+    """Read the aerosol's phase function retrieved by AERONET, interpolated in wavelength.
 
     Between the four wavelengths, and beyond the first, log p is linear in log λ at each angle;
-    each row is divided by its integral. At 360 nm this goes 82 nm beyond what was measured.
+    each row is divided by its integral. At 360 nm this extrapolates by 82 nm.
 
     Parameters
     ----------
     folder : Path
-        That of ``--data``.
+        Folder of reference data, as given by ``--data``.
     wavelengths : array, shape (n,)
         Ascending. [nm]
 
     Raises
     ------
     FileError
-        If the file cannot be read, or is no table of a phase function normalised to 4π.
+        If the file cannot be read, or is not a table of a phase function normalised to 4π.
     """
     file = folder / FILE
     try:
@@ -280,20 +283,20 @@ def read_aeronet_phase(folder: Path, wavelengths: ArrayLike) -> TabulatedPhase:
 
 
 def planet(inputs: Inputs, scans: Scans, data: Path) -> Planet:
-    """The planet of some inputs, known at the wavelengths of the scans.
+    """Planet of the given inputs, at the wavelengths of the scans.
 
     Parameters
     ----------
     inputs : Inputs
     scans : Scans
-        Gives the ground's albedo, and the sun's irradiance of all published models.
+        Source of the ground's albedo, and of the sun's irradiance of all published models.
     data : Path
         Folder of the AERONET file, read if the inputs ask for it.
 
     Raises
     ------
     FileError
-        If that file cannot be used.
+        If that file cannot be read.
     """
     nm = scans.wavelengths
     if inputs.measured_air:

@@ -1,4 +1,4 @@
-"""All that is computed of the measured skies: each ingredient, the fits, the floor."""
+"""Rows computed for the measured skies: each ingredient, the fits, the floor."""
 
 from __future__ import annotations
 
@@ -35,27 +35,27 @@ FloatArray = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Rows:
-    """What was computed of the measured skies.
+    """Results for the measured skies.
 
     Attributes
     ----------
     scans : Scans
     floor : float
-        Score of the measured skies made symmetric. [mW m⁻² sr⁻¹ nm⁻¹]
+        Score of the measured skies made symmetric, the floor of any model. [mW m⁻² sr⁻¹ nm⁻¹]
     ladder : list of (str, array)
         Radiance after each ingredient, from everybody's inputs to the best. [W m⁻² sr⁻¹ nm⁻¹]
     fitted : array, shape (ns, nd, nl)
         Best physics with the fitted load.
     load : Load
-        The fitted one.
+        Fitted load.
     clean : array
         Best physics with the single-scattering albedo of clean continental air.
     turns : array, shape (ns, 3)
-        How each scan is best turned. [deg]
+        Best rotation of each scan. [deg]
     turned : array
         Best physics in the turned directions.
     solution : MomentsSolution
-        Of the best physics.
+        Solution of the best physics.
     """
 
     scans: Scans
@@ -70,16 +70,16 @@ class Rows:
 
     @property
     def same(self) -> FloatArray:
-        """Everybody's inputs."""
+        """Radiance by everybody's inputs."""
         return self.ladder[0][1]
 
     @property
     def known(self) -> FloatArray:
-        """Best physics, nothing fitted."""
+        """Radiance by the best physics, nothing fitted."""
         return self.ladder[-1][1]
 
     def score(self, got: FloatArray, only: NDArray[np.bool_] | None = None) -> float:
-        """RMSE of a model, or over some directions (ns, nd) alone. [mW m⁻² sr⁻¹ nm⁻¹]"""
+        """RMSE of a model, optionally over some directions (ns, nd) only. [mW m⁻² sr⁻¹ nm⁻¹]"""
         if only is None:
             return total_rmse(got, self.scans.radiance)
         squares = np.square(got[only] - self.scans.radiance[only])
@@ -90,28 +90,28 @@ def compute(
     data: Path, *, quality: str = "default", progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Rows:  # fmt: skip
-    """Solve for every row and every ingredient.
+    """Solve for every ingredient and every fit.
 
     Parameters
     ----------
     data : Path
-        The folder that holds the skies and the aerosol's phase function.
+        Folder that holds the skies and the aerosol's phase function.
     quality : str
-        Of the moments solver.
+        Quality of the moments solver.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
     Raises
     ------
     FileError
-        If a file of the two cannot be used.
+        If either file cannot be read.
     Cancelled
-        If ``cancel`` said so.
+        If ``cancel`` returned True.
     """
     scans = read_scans(data)
-    told = steps()
-    # One solution a step, four for the fit, one for the other albedo; then the pointing.
-    tasks, done = len(told) + 6, 0
+    named_steps = steps()
+    # One solution per step, four for the fit, one for the other albedo; then the pointing.
+    tasks, done = len(named_steps) + 6, 0
 
     def solution(inputs: Inputs, message: str) -> MomentsSolution:
         nonlocal done
@@ -126,9 +126,9 @@ def compute(
     def radiance(inputs: Inputs, message: str) -> FloatArray:
         return scans.seen(solution(inputs, message))
 
-    ladder = [(name, radiance(inputs, name)) for name, inputs in told[:-1]]
-    known = solution(BEST, told[-1][0])
-    ladder.append((told[-1][0], scans.seen(known)))
+    ladder = [(name, radiance(inputs, name)) for name, inputs in named_steps[:-1]]
+    known = solution(BEST, named_steps[-1][0])
+    ladder.append((named_steps[-1][0], scans.seen(known)))
     load, fitted = fit_load(
         lambda load: radiance(replace(BEST, load=load), "fit of the aerosol's load"),
         scans.radiance,

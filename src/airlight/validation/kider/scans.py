@@ -17,7 +17,7 @@ FloatArray = NDArray[np.float64]
 
 #: Sky radiance above Ithaca, New York, on 27 May 2013.
 FILE: Final = "kider2013-05-27.npz"
-#: Scores are told in this. [mW/W]
+#: Scores are given in this unit. [mW/W]
 MILLI: Final = 1e3
 
 
@@ -32,13 +32,13 @@ class Scans:
     sun_zenith : array, shape (ns,)
         [deg]
     view_zenith, azimuth : array, shape (ns, nd)
-        Of the view; the azimuth is 0 on the sun's side of the axis of symmetry. [deg]
+        Zenith angle and azimuth of the view; azimuth 0 is on the sun's side. [deg]
     wavelengths : array, shape (nl,)
         [nm]
     radiance : array, shape (ns, nd, nl)
         [W m⁻² sr⁻¹ nm⁻¹]
     solar_irradiance, ground_albedo : array, shape (nl,)
-        Those that all published models were given. [W m⁻² nm⁻¹], [1]
+        Values given to all published models. [W m⁻² nm⁻¹], [1]
     """
 
     time: tuple[str, ...]
@@ -52,7 +52,7 @@ class Scans:
 
     @property
     def angle_from_sun(self) -> FloatArray:
-        """Between view and sun, shape (ns, nd). [deg]"""
+        """Angle between view and sun, shape (ns, nd). [deg]"""
         view, sun = np.radians(self.view_zenith), np.radians(self.sun_zenith)[:, None]
         around = np.cos(np.radians(self.azimuth))
         nu = np.cos(view) * np.cos(sun) + np.sin(view) * np.sin(sun) * around
@@ -64,14 +64,14 @@ class Scans:
         view_zenith: FloatArray | None = None,
         azimuth: FloatArray | None = None,
     ) -> FloatArray:
-        """What a solution has in the measured directions, shape (ns, nd, nl).
+        """Radiance of a solution in the measured directions, shape (ns, nd, nl).
 
         Parameters
         ----------
         solution : Solution
-            Solved at ``wavelengths``; its ground is where the instrument stands.
+            Solution at ``wavelengths``, whose ground is at the instrument's altitude.
         view_zenith, azimuth : array, shape (ns, nd), optional
-            Other directions. [deg]
+            Other directions than the measured ones. [deg]
 
         Returns
         -------
@@ -87,17 +87,17 @@ class Scans:
 
 
 def read_scans(folder: Path) -> Scans:
-    """The scans in a folder of reference data.
+    """Read the scans from a folder of reference data.
 
     Parameters
     ----------
     folder : Path
-        That of ``--data``.
+        Folder of reference data, as given by ``--data``.
 
     Raises
     ------
     FileError
-        If the file cannot be read, lacks an array, or its shapes or values cannot be.
+        If the file cannot be read, lacks an array, or has impossible shapes or values.
     """
     file = folder / FILE
     try:
@@ -163,7 +163,7 @@ def rmse_per_scan(got: FloatArray, measured: FloatArray) -> FloatArray:
 
 
 def total_rmse(got: FloatArray, measured: FloatArray) -> float:
-    """The score: root of the mean over scans of their squared root mean square errors.
+    """Score of a model: root of the mean over scans of their squared RMSE.
 
     Parameters
     ----------
@@ -191,12 +191,12 @@ def total_rmse(got: FloatArray, measured: FloatArray) -> float:
 
 
 def best_factor(got: FloatArray, measured: FloatArray) -> float:
-    """The one factor for all of a model's radiances that brings it nearest. [1]
+    """Common factor for all of a model's radiances that minimises its error. [1]
 
     Parameters
     ----------
     got, measured : array, shape (ns, nd, nl)
-        Same unit.
+        Radiances in the same unit.
     """
     return float((got * measured).sum() / np.square(got).sum())
 
@@ -206,7 +206,7 @@ def symmetric_part(scans: Scans) -> FloatArray:
 
     Each radiance becomes the mean of itself and of that in the mirrored direction, which is
     interpolated along its ring (the directions at one zenith angle, evenly spaced in azimuth) by
-    Catmull and Rom's cubic. No model without clouds can be nearer than this to the measurement.
+    Catmull and Rom's cubic. No model without clouds can be nearer to the measurement.
 
     Parameters
     ----------
@@ -229,7 +229,7 @@ def symmetric_part(scans: Scans) -> FloatArray:
 
 
 def _around_ring(values: FloatArray, azimuth: FloatArray, at: FloatArray) -> FloatArray:
-    """Values (n, nl) at evenly spaced azimuths [deg], between them by a periodic cubic."""
+    """Interpolate values (n, nl) at evenly spaced azimuths [deg] by a periodic cubic."""
     order = np.argsort(azimuth % 360.0)
     start = (azimuth % 360.0)[order[0]]
     steps = ((at - start) % 360.0) * (len(order) / 360.0)

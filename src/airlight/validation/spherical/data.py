@@ -1,4 +1,4 @@
-"""The two files of independent spherical radiances that ``--data`` names, as arrays."""
+"""Independent spherical radiances, read from the two files in the folder of ``--data``."""
 
 from __future__ import annotations
 
@@ -31,13 +31,13 @@ class Scene:
     Attributes
     ----------
     name : str
-        Of the air, as the file has it.
+        Name of the air, as in the file.
     albedo : float
-        Of the ground. [1]
+        Albedo of the ground. [1]
     geometry : LinesOfSight
-        Arrays of shape (n,). [m], [deg]
+        Lines of sight, arrays of shape (n,). [m], [deg]
     radiance, standard_error : array, shape (n, 3)
-        At 680, 550 and 440 nm, per irradiance of the sun. [sr⁻¹]
+        Values at 680, 550 and 440 nm, per irradiance of the sun. [sr⁻¹]
     """
 
     name: str
@@ -48,7 +48,7 @@ class Scene:
 
     @property
     def planet(self) -> Planet:
-        """The planet that the radiances belong to."""
+        """Planet that the radiances belong to."""
         match self.name:
             case "full-cornette-shanks":
                 return reference_earth(albedo=self.albedo, aerosol="cornette-shanks")
@@ -62,22 +62,22 @@ class Scene:
 
     @property
     def title(self) -> str:
-        """For tables."""
+        """Title for tables."""
         return f"{self.name}, albedo {self.albedo:g}"
 
 
 def read_scenes(folder: Path) -> list[Scene]:
-    """All scenes of the Monte Carlo file, in its order.
+    """Read the scenes of the Monte Carlo file, in its order.
 
     Parameters
     ----------
     folder : Path
-        That of ``--data``.
+        Folder of reference data, as given by ``--data``.
 
     Raises
     ------
     FileError
-        If the file cannot be read, or lacks a column, or holds what is no number.
+        If the file cannot be read, lacks a column, or holds a text that is not a number.
     """
     file = folder / MONTE_CARLO
     rows: dict[tuple[str, float], list[dict[str, str]]] = {}
@@ -114,24 +114,24 @@ def _scene(name: str, albedo: float, rows: list[dict[str, str]]) -> Scene:
 
 
 def read_bruneton(folder: Path) -> tuple[FloatArray, FloatArray]:
-    """The other file: lines of sight from the ground and their radiances.
+    """Read the radiances of Bruneton's implementation, for lines of sight from the ground.
 
     Parameters
     ----------
     folder : Path
-        That of ``--data``.
+        Folder of reference data, as given by ``--data``.
 
     Returns
     -------
     geometry : array, shape (n, 3)
         Sun zenith, view zenith, azimuth. [deg]
     radiance : array, shape (n, 3)
-        At 680, 550 and 440 nm. [W m⁻² sr⁻¹ nm⁻¹]
+        Radiance at 680, 550 and 440 nm. [W m⁻² sr⁻¹ nm⁻¹]
 
     Raises
     ------
     FileError
-        If the file cannot be read or is no table of six columns of numbers.
+        If the file cannot be read or is not a table of six columns of numbers.
     """
     file = folder / BRUNETON
     try:

@@ -25,24 +25,24 @@ def error_scatter(
     quality: str, suns: FloatArray, errors: FloatArray, channels: NDArray[np.intp],
     bars: tuple[float, float, float],
 ) -> Picture:  # fmt: skip
-    """Every error over the sun's zenith angle, by wavelength.
+    """Plot every error over the sun's zenith angle, by wavelength.
 
     Parameters
     ----------
     quality : str
     suns, errors : array, shape (n,)
-        At the observer [deg]; relative, signed [1].
+        Sun zenith angle at the observer [deg]; relative error, signed [1].
     channels : array of int, shape (n,)
-        Of ``WAVELENGTHS``.
+        Indices in ``WAVELENGTHS``.
     bars : (float, float, float)
-        Median, 95 % and largest that are allowed. [1]
+        Allowed median, 95 % quantile and largest error. [1]
     """
     title = f"Errors against Monte Carlo over sun zenith, {quality} quality"
     figure = new_figure(title, size=(9.0, 4.6))
     axes = figure.add_subplot()
     for channel, ink in enumerate(wavelength_ink(WAVELENGTHS)):
         chosen = channels == channel
-        # A little apart, so that one wavelength does not hide the next.
+        # Shifted slightly, so that one wavelength does not hide the next.
         axes.plot(
             suns[chosen] + 0.25 * (channel - 1),
             100.0 * errors[chosen],
@@ -71,15 +71,15 @@ def error_histograms(
     quality: str, suns: FloatArray, heights: FloatArray, errors: FloatArray,
     bars: tuple[float, float, float],
 ) -> Picture:  # fmt: skip
-    """Median, 95 % and largest error by sun zenith and by altitude.
+    """Plot the median, 95 % quantile and largest error by sun zenith and by altitude.
 
     Parameters
     ----------
     quality : str
     suns, heights, errors : array, shape (n,)
-        [deg], [m], relative [1].
+        Sun zenith angle [deg], altitude [m], relative error [1].
     bars : (float, float, float)
-        As in ``error_scatter``. [1]
+        Allowed errors, as in ``error_scatter``. [1]
     """
     title = f"Errors by sun zenith and by altitude, {quality} quality"
     figure = new_figure(title, size=(9.0, 4.2))

@@ -1,4 +1,4 @@
-"""The suite ``spherical``: against radiances of independent spherical codes, noon to twilight."""
+"""The suite ``spherical``: radiances of independent spherical codes, noon to twilight."""
 
 from __future__ import annotations
 
@@ -28,38 +28,38 @@ from airlight.validation.spherical.data import (
     read_scenes,
 )
 from airlight.validation.spherical.pictures import error_histograms, error_scatter
-from airlight.validation.suite import Bar, Cancel, Mark, Part, Progress, Suite, Table
+from airlight.validation.suite import Bar, Cancel, Mark, Part, Progress, ReportTable, Suite
 
 FloatArray = NDArray[np.float64]
 
-#: Median, 95 % and largest error that each quality may have. [1]
+#: Allowed median, 95 % and largest error of each quality. [1]
 BARS: Final = {"default": (0.003, 0.02, 0.05), "fine": (0.001, 0.007, 0.02)}
-#: The referee's standard errors that count as none in the lists.
+#: Number of the referee's standard errors that counts as no error in the lists.
 NOISE: Final = 3.0
-#: Cases are left out where the standard error is more of the radiance, or the radiance less.
+#: Largest relative standard error, and lowest radiance, of the cases that count.
 MOST_NOISE, LEAST_RADIANCE = 0.01, 1e-6
 #: Errors against Bruneton: away from the sun his tables are good to about 1 %, and we differ there
 #: by up to 3.2 %; on the sun's side they are good to 6 %.
 BRUNETON_BARS: Final = {"away": 0.035, "towards": 0.06}
-#: What errors are shown over.
+#: Abscissae of the error plots.
 _AXES: Final[tuple[Literal["sun_zenith", "altitude"], ...]] = ("sun_zenith", "altitude")
-#: How many of the worst cases are listed.
+#: Number of worst cases listed.
 WORST = 10
 
 
 @dataclass(frozen=True)
 class Judged:
-    """One scene by one quality, held against the referee.
+    """Comparison of one scene at one quality with the referee.
 
     Attributes
     ----------
     scene : Scene
     got : array, shape (n, 3)
-        Our radiance per irradiance. [sr⁻¹]
+        Radiance of our solver per irradiance. [sr⁻¹]
     error, beyond : array, shape (n, 3)
-        Relative errors as they are, and 0 within three of the referee's standard errors. [1]
+        Relative errors, raw and set to 0 within three of the referee's standard errors. [1]
     sure : array of bool, shape (n, 3)
-        Which count.
+        Mask of the values that count.
     """
 
     scene: Scene
@@ -70,23 +70,23 @@ class Judged:
 
     @property
     def summary(self) -> ErrorSummary:
-        """Of the errors as they are."""
+        """Metrics of the raw errors that count."""
         return summarise(self.error, self.sure)
 
     def largest_beyond(self, noise: float) -> float:
-        """Largest error of those that are more than so many standard errors. [1]"""
+        """Largest of the errors that exceed ``noise`` standard errors. [1]"""
         known, deviation = self.scene.radiance, self.scene.standard_error
         return summarise(beyond_noise(self.got, known, deviation, noise), self.sure).largest
 
 
 def judge(scene: Scene, got: FloatArray) -> Judged:
-    """Hold radiances against those of a scene.
+    """Compare radiances with those of a scene.
 
     Parameters
     ----------
     scene : Scene
     got : array, shape (n, 3)
-        Per irradiance of the sun. [sr⁻¹]
+        Radiance per irradiance of the sun. [sr⁻¹]
     """
     known, deviation = scene.radiance, scene.standard_error
     sure = (deviation < MOST_NOISE * known) & (known > LEAST_RADIANCE)
@@ -104,18 +104,18 @@ def spherical(
     Parameters
     ----------
     data : Path
-        The folder that holds them.
+        Folder that holds the files.
     qualities : tuple of str
-        Of the moments solver; the bars of each are known.
+        Qualities of the moments solver, of those that have bars.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
     Raises
     ------
     FileError
-        If neither file is there, or one cannot be read.
+        If neither file is there, or either cannot be read.
     Cancelled
-        If ``cancel`` said so.
+        If ``cancel`` returned True.
     """
     bars: list[Bar] = []
     parts: list[Part] = []
@@ -127,7 +127,7 @@ def spherical(
             for done, scene in enumerate(scenes):
                 if progress is not None:
                     progress(done, len(scenes), f"{quality} quality: {scene.title}")
-                # Its own progress would make the bar jump; what counts are the scenes.
+                # The solver's own progress would make the bar jump, so scenes are counted.
                 solution = solve(scene.planet, WAVELENGTHS, quality, cache=False, cancel=cancel)
                 got = solution.radiance(**scene.geometry).values
                 judged.append(judge(scene, got))
@@ -162,7 +162,7 @@ def spherical(
 
 
 def _bars(quality: str, judged: list[Judged]) -> list[Bar]:
-    """The worst scene decides."""
+    """Bars of the worst scene."""
     median, high, largest = BARS[quality]
     noise = largest_by_chance(sum(int(x.sure.sum()) for x in judged))
     got = (
@@ -208,7 +208,7 @@ def _parts(quality: str, judged: list[Judged]) -> list[Part]:
                 f"{100 * s.largest:.2f}",
             )
         )
-    scenes = Table(
+    scenes = ReportTable(
         title=f"Errors by scene, {quality} quality",
         columns=[
             "air", "albedo", "values", "median [%]", "95 % [%]",
@@ -235,8 +235,8 @@ def _parts(quality: str, judged: list[Judged]) -> list[Part]:
     ]
 
 
-def _worst(quality: str, judged: list[Judged]) -> Table:
-    """The cases with the largest errors beyond noise, all scenes together."""
+def _worst(quality: str, judged: list[Judged]) -> ReportTable:
+    """List the cases with the largest errors beyond noise, all scenes together."""
     found = []
     for one in judged:
         size = np.abs(one.beyond)
@@ -264,7 +264,7 @@ def _worst(quality: str, judged: list[Judged]) -> Table:
                 f"{abs(one.got[n, c] - known) / deviation:.1f}" if deviation > 0.0 else "",
             )
         )
-    return Table(
+    return ReportTable(
         title=f"The ten worst cases, {quality} quality",
         columns=[
             "air", "albedo", "altitude [km]", "sun zenith [°]", "view zenith [°]", "azimuth [°]",
@@ -276,7 +276,7 @@ def _worst(quality: str, judged: list[Judged]) -> Table:
     )  # fmt: skip
 
 
-def _bruneton(data: Path) -> tuple[Table, list[Bar]]:
+def _bruneton(data: Path) -> tuple[ReportTable, list[Bar]]:
     geometry, known = read_bruneton(data)
     sun, view, azimuth = geometry.T
     solution = solve(load_planet("earth-bruneton"), WAVELENGTHS, cache=False)
@@ -297,7 +297,7 @@ def _bruneton(data: Path) -> tuple[Table, list[Bar]]:
                 f"{100 * allowed:g}",
             )
         )
-    table = Table(
+    table = ReportTable(
         title="Bruneton 2017, observer on the ground",
         columns=[
             "sun zenith [°]", "view zenith [°]", "azimuth [°]", "ours, 680 550 440 nm",

@@ -13,14 +13,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, Final, Protocol
 
-import numpy as np
-from numpy.typing import NDArray
-
-from airlight.color.spectral import default_wavelengths, rgb_weights
+from airlight.color.spectral import rgb_weights
 from airlight.errors import Cancelled
+from airlight.gpu.solve_planet import PlanetSolver, live_solver
 from airlight.kernel.threads import Cancel, Progress
+from airlight.planets.picture_wavelengths import FloatArray, picture_wavelengths
 from airlight.planets.planet import Planet
-from airlight.planets.reading.reader import read_planet
+from airlight.planets.reading.reader import read_tables
 from airlight.viewer.background.error_line import one_line
 from airlight.viewer.session.constituent_switches import switched
 from airlight.viewer.session.solve_request import Versions, Wanted
@@ -32,10 +31,6 @@ PATIENCE: Final = 3.0
 MOST_KEPT: Final = 4
 #: Progress is reported no more often than this. [s]
 _REPORT_EVERY: Final = 0.1
-#: How many wavelengths a word stands for.
-COUNTS: Final = {"three": 3, "four": 4, "eight": 8, "sixteen": 16}
-
-FloatArray = NDArray[np.float64]
 
 
 class Followed(Protocol):
@@ -47,21 +42,6 @@ class Followed(Protocol):
 
     def follow(self, follower: Callable[[Versions], None]) -> Callable[[], None]:
         """Call something after every change, on the host's thread; returns how to stop."""
-
-
-class Solver(Protocol):
-    """What solves: ``solver(planet, wavelengths, quality, progress=, cancel=)``."""
-
-    def __call__(
-        self,
-        planet: Planet,
-        wavelengths: FloatArray,
-        quality: str,
-        *,
-        progress: Progress,
-        cancel: Cancel,
-    ) -> Any:
-        """The solution."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -114,25 +94,6 @@ class Status:
     error: str = ""
 
 
-def solve_on_cpu(
-    planet: Planet,
-    wavelengths: FloatArray,
-    quality: str,
-    *,
-    progress: Progress,
-    cancel: Cancel,
-) -> Any:
-    """The moments solver, without its cache on disk: edits are many, and few come back."""
-    from airlight.solvers import solve
-
-    return solve(planet, wavelengths, quality, cache=False, progress=progress, cancel=cancel)
-
-
-def evenly_spaced(planet: Planet, count: str) -> FloatArray:
-    """Wavelengths over the visible part of what a planet is known for, by a word. [nm]"""
-    return default_wavelengths(COUNTS[count], *planet.wavelength_limits)
-
-
 class Solving:
     """Solves what a session wants, on a thread of its own.
 
@@ -140,10 +101,10 @@ class Solving:
     ----------
     session : Session or SessionSide
         Followed from now on.
-    solver : Solver
-        See there; called on the thread.
+    solver : PlanetSolver, optional
+        See there; called on the thread. The processor's without it.
     wavelengths : callable
-        ``wavelengths(planet, count)`` with a word of ``COUNTS``.
+        ``wavelengths(planet, count)`` with a word of ``picture_wavelengths``.
     on_change : callable, optional
         Called on the thread when ``latest`` or ``status`` has changed; it should do no more than
         wake the host.
@@ -157,12 +118,12 @@ class Solving:
         self,
         session: Followed,
         *,
-        solver: Solver = solve_on_cpu,
-        wavelengths: Callable[[Planet, str], FloatArray] = evenly_spaced,
+        solver: PlanetSolver | None = None,
+        wavelengths: Callable[[Planet, str], FloatArray] = picture_wavelengths,
         on_change: Callable[[], None] | None = None,
     ) -> None:
         self._session = session
-        self._solver = solver
+        self._solver = live_solver() if solver is None else solver
         self._wavelengths = wavelengths
         self._on_change = on_change
         self._condition = threading.Condition()
@@ -304,13 +265,19 @@ class Solving:
         return newer
 
     def _planet(self, wanted: Wanted, cancel: Cancel) -> Planet:
-        text = wanted.state.text
-        planet = self._planets.get(text)
+        key = wanted.state.tables_key
+        planet = self._planets.get(key)
         if planet is None:
             report = self._reporter(wanted, "reading the planet")
             report(0, 0, "")
-            planet = read_planet(text, wanted.state.source, progress=report, cancel=cancel)
-            self._planets[text] = planet
+            planet = read_tables(
+                wanted.state.tables,
+                wanted.state.source,
+                wavelengths=lambda planet: self._wavelengths(planet, wanted.wavelengths),
+                progress=report,
+                cancel=cancel,
+            )
+            self._planets[key] = planet
             while len(self._planets) > MOST_KEPT:
                 self._planets.popitem(last=False)
         return switched(planet, wanted.state.off)

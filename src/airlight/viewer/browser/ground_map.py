@@ -22,7 +22,7 @@ _KINDS: Final = {".jpg": "jpeg", ".jpeg": "jpeg", ".png": "png"}
 
 
 def ground_map(name: str | None) -> dict[str, Any] | None:
-    """A map of the ground for ``web/ground.js``.
+    """A map of the ground for ``web/drawing/ground.js``.
 
     Parameters
     ----------

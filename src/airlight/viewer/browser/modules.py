@@ -1,21 +1,25 @@
 """The JavaScript of the viewer as one module: for a page in one file, and for a notebook.
 
-The files in ``web/`` are plain ES modules that import each other by relative names. A page opened
-from disk cannot load modules beside it, and a notebook wants one text: so they are joined, each in
-a function of its own, in the order in which they need each other.
+The files in ``web/`` and its folders are plain ES modules that import each other by relative names.
+A page opened from disk cannot load modules beside it, and a notebook wants one text: so they are
+joined, each in a function of its own, in the order in which they need each other.
 """
 
 from __future__ import annotations
 
+import json
+import posixpath
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from importlib import resources
 from typing import Final
 
 from airlight.errors import FileError
+from airlight.viewer.browser.formulas import formulas_text
+from airlight.viewer.navigation import keys
 
 #: ``import { a, b as c } from "./file.js";``, at the start of a line, over one or several lines.
-_IMPORT: Final = re.compile(r'^import \{([^}]*)\} from "\./([\w.]+)";\n', re.MULTILINE)
+_IMPORT: Final = re.compile(r'^import \{([^}]*)\} from "(\.[\w./]+)";\n', re.MULTILINE)
 #: ``export`` before a named declaration.
 _EXPORT: Final = re.compile(
     r"^export (?=(?:const|let|class|function\*?|async function)\s+([\w$]+))", re.MULTILINE
@@ -24,19 +28,33 @@ _EXPORT: Final = re.compile(
 _OTHER: Final = re.compile(r"^(?:import|export)\b.*$", re.MULTILINE)
 
 
+def _keys_module() -> str:
+    """The table of keys as a module."""
+    return f"export const KEYS = {json.dumps(keys.as_json('page'), ensure_ascii=False)};\n"
+
+
+#: Modules that are made of what Python declares.
+GENERATED: Final[Mapping[str, Callable[[], str]]] = {
+    "generated/formulas.js": formulas_text,
+    "generated/keys.js": _keys_module,
+}
+
+
 def web_file(name: str) -> str:
     """The text of a file of the viewer that runs in a browser.
 
     Parameters
     ----------
     name : str
-        In the folder ``web``.
+        Path in the folder ``web``, with ``/``; or one of ``GENERATED``.
 
     Raises
     ------
     FileError
         If there is none.
     """
+    if name in GENERATED:
+        return GENERATED[name]()
     file = resources.files("airlight.viewer") / "web" / name
     if not file.is_file():
         raise FileError(name, "is no file of the viewer's web folder")
@@ -49,7 +67,7 @@ def join_modules(entry: str, read: Callable[[str], str] = web_file) -> str:
     Parameters
     ----------
     entry : str
-        The file's name; what it exports, the joined module exports.
+        The file's path in the folder; what it exports, the joined module exports.
     read : callable
         Gives the text of a file.
 
@@ -84,10 +102,11 @@ def join_modules(entry: str, read: Callable[[str], str] = web_file) -> str:
             raise FileError(name, f"imports itself by way of {' and '.join(above)}")
         if name in done:
             return
+        folder = posixpath.dirname(name)
         text = read(name)
-        for needed in _IMPORT.findall(text):
-            add(needed[1], (*above, name))
-        body = _IMPORT.sub(_taken, text)
+        for _, target in _IMPORT.findall(text):
+            add(_resolved(folder, target), (*above, name))
+        body = _IMPORT.sub(lambda found: _taken(found, folder), text)
         if name != entry:
             body = _closed(name, body)
         done.append(name)
@@ -97,9 +116,14 @@ def join_modules(entry: str, read: Callable[[str], str] = web_file) -> str:
     return "\n".join(parts)
 
 
-def _taken(match: re.Match[str]) -> str:
+def _resolved(folder: str, target: str) -> str:
+    """Path in the folder ``web`` of what a file in ``folder`` imports."""
+    return posixpath.normpath(posixpath.join(folder, target))
+
+
+def _taken(match: re.Match[str], folder: str) -> str:
     names = [part.strip().replace(" as ", ": ") for part in match[1].split(",") if part.strip()]
-    return f"const {{ {', '.join(names)} }} = {_variable(match[2])};\n"
+    return f"const {{ {', '.join(names)} }} = {_variable(_resolved(folder, match[2]))};\n"
 
 
 def _variable(name: str) -> str:

@@ -8,15 +8,17 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
-from typing import Any, Final
+from typing import Any
 
 from airlight.errors import AirlightError
 from airlight.gpu.device.device import NoDevice, open_device
-from airlight.viewer.background.solving import Solver, Solving, solve_on_cpu
-from airlight.viewer.background.solving_by import solver_by
+from airlight.gpu.solve_planet import PlanetSolver, live_solver
+from airlight.planets.picture_wavelengths import LIVE, picture_wavelengths
+from airlight.viewer.background.solving import Solving
 from airlight.viewer.browser.modules import join_modules, web_file
-from airlight.viewer.browser.package import planet_tables, program, wavelengths_for
+from airlight.viewer.browser.package import planet_tables, program
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.session.session import Session
 
@@ -26,16 +28,13 @@ try:
 except ImportError as error:
     raise ImportError("a viewer in a notebook needs pip install 'airlight[notebook]'") from error
 
-#: What the buttons of the viewer ask for.
-COMMANDS: Final = ("undo", "redo", "reset", "keep", "swap", "rest")
 
-
-def quickest_solver() -> Solver:
+def quickest_solver() -> PlanetSolver:
     """The solver of this machine's GPU, or of its processor where there is none."""
     try:
-        return solver_by("auto", open_device())
+        return live_solver("auto", open_device())
     except NoDevice:
-        return solve_on_cpu
+        return live_solver("cpu")
 
 
 class Viewer(anywidget.AnyWidget):
@@ -83,6 +82,7 @@ class Viewer(anywidget.AnyWidget):
     message = traitlets.Unicode().tag(sync=True)
     can = traitlets.Dict().tag(sync=True)
     command = traitlets.Dict().tag(sync=True)
+    gesture = traitlets.Dict().tag(sync=True)
     height = traitlets.Int(540).tag(sync=True)
     device = traitlets.Unicode("auto").tag(sync=True)
 
@@ -111,7 +111,7 @@ class Viewer(anywidget.AnyWidget):
         self._solving = solving(
             self.session,
             solver=quickest_solver(),
-            wavelengths=wavelengths_for,
+            wavelengths=partial(picture_wavelengths, most=LIVE),
             on_change=self._wake,
         )
         self._ending = (unfollow, self._solving.close)
@@ -149,6 +149,7 @@ class Viewer(anywidget.AnyWidget):
                 "redo": session.can_redo,
                 "swap": session.has_other,
                 "showing": session.showing,
+                "camera": session.shares_camera,
             },
         }
 
@@ -204,10 +205,15 @@ class Viewer(anywidget.AnyWidget):
         self._tell()
 
     def _edit(self, news: Mapping[str, Value]) -> None:
+        """Take over what was done in the browser, as steps like those of its own history."""
+        gesture, self.gesture = self.gesture, {}
+        name, held = str(gesture.get("name", "")), bool(gesture.get("held", False))
         view = {path: value for path, value in news.items() if path.startswith("view.")}
-        if len(view) > 1:
-            self.session.move(view)  # type: ignore[arg-type]
+        if len(view) > 1 or (view and "name" in gesture and name not in view):
+            self.session.move(view, gesture=name, held=held)  # type: ignore[arg-type]
             news = {path: value for path, value in news.items() if path not in view}
+        if held and name in news and self.session.dragged != name:
+            self.session.begin_drag(name)
         for path, value in news.items():
             self.session.set(path, value)
 
@@ -220,11 +226,16 @@ class Viewer(anywidget.AnyWidget):
             "keep": session.store_b,
             "swap": session.swap,
             "rest": session.end_drag,
+            "one camera": lambda: self._share_camera(True),
+            "two cameras": lambda: self._share_camera(False),
         }
         act = acts.get(change["new"].get("name", ""))
         if act is not None:
             self._try(act)
             self._tell()
+
+    def _share_camera(self, shared: bool) -> None:
+        self.session.shares_camera = shared
 
     def _try(self, act: Callable[[], object]) -> None:
         try:

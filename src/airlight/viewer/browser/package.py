@@ -1,7 +1,8 @@
 """What the viewer in a browser is given: the shaders, how they follow each other, and the tables.
 
 The plan and the shaders are the same for every planet; tables and uniforms belong to a solution.
-The names are those of ``gpu.uniforms`` and ``gpu.shaders``; ``web/picture.js`` reads all this.
+The names are those of ``gpu.uniforms`` and ``gpu.shaders``; ``web/drawing/picture.js`` reads all
+this.
 """
 
 from __future__ import annotations
@@ -13,7 +14,6 @@ from numpy.typing import NDArray
 
 from airlight.color.encoding import ENCODINGS
 from airlight.color.exposure import MIDDLE_GREY
-from airlight.color.four_wavelengths import few_wavelengths, picture_weights
 from airlight.color.tone_maps import TONE_MAPS, tone_map_named
 from airlight.color.xyz import luminance, rgb_to_xyz
 from airlight.constants import LUMINOUS_EFFICACY
@@ -23,11 +23,12 @@ from airlight.gpu.picture.solution_textures import SolutionTables
 from airlight.gpu.picture.uniforms import layout
 from airlight.pixels.picture_numbers import ORDERS
 from airlight.pixels.shown import WAVELENGTHS
-from airlight.planets.planet import Planet
 from airlight.scene.projections import PROJECTIONS
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.viewer.browser.ground_map import ground_map
 from airlight.viewer.browser.web_shaders import CORNERS, web_shaders
+from airlight.viewer.navigation.viewpoints import as_json as viewpoints
+from airlight.viewer.parameters.view_parameters import VIEW_VALUES
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -45,7 +46,7 @@ _PEAKS: Final = ("first", "second")
 
 
 def plan() -> dict[str, Any]:
-    """The passes of a picture, and where each uniform stands: see ``web/program.js``."""
+    """The passes of a picture, and where each uniform stands: see ``web/drawing/program.js``."""
     columns, rows = SKY_SHAPE
     where = layout()
     places = {name: [start, 1] for name, start in where["numbers"].items()}
@@ -98,22 +99,14 @@ def program() -> dict[str, Any]:
         },
         "encodings": list(ENCODINGS),
         "orders": ORDERS,
-        "luminance": [float(x) for x in luminance(np.eye(3))],
+        "view_uniforms": {
+            one.uniform: {"path": one.path, "options": list(one.options)}
+            for one in VIEW_VALUES
+            if one.uniform
+        },
         "xyz": [[float(x) for x in row] for row in rgb_to_xyz(np.eye(3))],
         "efficacy": LUMINOUS_EFFICACY,
     }
-
-
-def wavelengths_for(planet: Planet, count: str) -> FloatArray:
-    """Wavelengths that a browser draws with: three or four, the nearest to what is asked. [nm]
-
-    Examples
-    --------
-    >>> from airlight.planets import load_planet
-    >>> wavelengths_for(load_planet("mars-rayleigh"), "sixteen").size
-    4
-    """
-    return few_wavelengths(3 if count == "three" else 4, *planet.wavelength_limits)
 
 
 def planet_tables(
@@ -132,8 +125,8 @@ def planet_tables(
     -------
     numbers : dict
         As JSON takes them: ``uniforms`` by name, ``radius`` of the ground and ``thickness`` of the
-        shell [m], ``star`` (angular radius [rad]), ``paths`` of light where it is bent, and
-        ``ground``, its map.
+        shell [m], ``star`` (angular radius [rad]), ``paths`` of light where it is bent,
+        ``ground``, its map, and ``viewpoints``.
     tables : dict
         Format and numbers of each texture.
     """
@@ -142,20 +135,19 @@ def planet_tables(
     uniforms: dict[str, Any] = dict(made.numbers)
     for name, place in made.places.items():
         uniforms[f"table_{name}"] = [*place, 0, 0, 0][:4]
-    if weights is None:
-        spectrum = None if solution.planet is None else solution.planet.star.irradiances
-        weights = picture_weights(solution.wavelengths, spectrum)
+    star = solution.lights[0]
     shown = np.zeros((WAVELENGTHS, 3))
-    shown[: len(weights)] = weights * medium.solar_irradiance[:, None]
+    shown[: solution.wavelengths.size] = star.colors(weights)
     for channel, column in zip(("red", "green", "blue"), shown.T, strict=True):
         uniforms |= {f"{channel}_{i}": float(value) for i, value in enumerate(column)}
     numbers = {
         "uniforms": uniforms,
         "radius": float(medium.bottom_radius),
         "thickness": float(medium.thickness),
-        "star": float(medium.star_angular_radius),
+        "star": float(star.angular_radius),
         "paths": light_paths(solution),
         "ground": ground_map(medium.ground_map),
+        "viewpoints": viewpoints(medium.bottom_radius, medium.top_radius),
     }
     tables = {
         "scalars": ("r32float", made.scalars),
@@ -176,5 +168,8 @@ def light_paths(solution: MomentsSolution) -> dict[str, Any] | None:
         "excess": [float(f"{x:.9g}") for x in paths.optical_radius(true) - true],
         "bottom": float(paths.shell.bottom),
         "top": float(paths.shell.top),
-        "lift": [[float(f"{x:.7g}") for x in row] for row in paths.lift[:, :, 0]],
+        "lift": {
+            "values": [float(f"{x:.7g}") for x in paths.lift[:, :, 0].ravel()],
+            "shape": [*paths.lift.shape[:2], 1],
+        },
     }

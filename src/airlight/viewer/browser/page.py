@@ -13,17 +13,17 @@ from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
 from airlight.exports.whole_file import check_target, whole_file
+from airlight.gpu.solve_planet import solve_planet
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets import load_planet
-from airlight.solvers import solve
-from airlight.viewer.browser.package import planet_tables, program, wavelengths_for
+from airlight.planets.picture_wavelengths import LIVE, picture_wavelengths
+from airlight.viewer.browser.package import planet_tables, program
 from airlight.viewer.browser.page_solver import amount_parameters, solver_data
 from airlight.viewer.browser.page_text import page_text
 from airlight.viewer.browser.tables_text import DIGITS, as_text, deflated, rounded
 from airlight.viewer.parameters.parameter import Parameter, Value
-from airlight.viewer.parameters.view_parameters import view_parameters
+from airlight.viewer.parameters.view_parameters import VIEW_VALUES
 from airlight.viewer.session.session import Session
-from airlight.viewer.session.solve_request import SOLVED
 
 #: A page larger than this is refused. [byte]
 LARGEST: Final = 3_000_000
@@ -56,7 +56,7 @@ class Page:
 
 def page_parameters() -> tuple[Parameter, ...]:
     """The declared parameters that a page can change: all of the view that need no solution."""
-    return tuple(one for one in view_parameters() if one.path not in SOLVED)
+    return tuple(one for one in VIEW_VALUES if one.part != "planet")
 
 
 def page_data(
@@ -173,10 +173,10 @@ def export_page(
     world = load_planet(planet, dict(changes or {}), progress=progress)
     title = f"{world.name} – airlight"
     for level in dict.fromkeys((quality, "preview")):
-        solution = solve(
+        solution = solve_planet(
             world,
-            wavelengths=tuple(wavelengths_for(world, wavelengths)),
-            quality=level,
+            picture_wavelengths(world, wavelengths, most=LIVE),
+            level,
             cache=cache,
             progress=progress,
             cancel=cancel,

@@ -1,15 +1,14 @@
 """What a page is given to solve the planet anew: the passes, the air's numbers, the amounts.
 
 Only what leaves rays and densities as they are can be changed: how much each constituent scatters
-and absorbs, and how bright the ground is. ``web/edited_air.js`` makes the coefficients from it, and
-``web/solver.js`` runs the passes.
+and absorbs, and how bright the ground is. ``web/solving/edited_air.js`` makes the
+coefficients from it, and ``web/solving/solver.js`` runs the passes.
 """
 
 from __future__ import annotations
 
 import json
 from dataclasses import replace
-from math import acos
 from typing import Any, Final
 
 import numpy as np
@@ -17,17 +16,15 @@ from numpy.typing import NDArray
 
 from airlight.gpu.solver.plan import SolverPlan
 from airlight.gpu.solver.planning import THICKEST, ThickAir, plan_for
-from airlight.gpu.solver.solver import MOST_SWEEPS, NIGHT, STRICTER
 from airlight.gpu.solver.tables import SCALARS
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.planets.medium import BENDING
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments import convergence
-from airlight.solvers.moments import reduced_optics as air
-from airlight.solvers.moments.levels import THICK
-from airlight.solvers.moments.packing import filled, level_weights
+from airlight.solvers.moments.packing import filled
 from airlight.solvers.moments.settings import QUALITIES, Settings
 from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solvers.moments.stopping import Stopping
 from airlight.viewer.browser.tables_text import DIGITS, as_text, deflated, rounded
 from airlight.viewer.browser.web_shaders import solver_shaders
 from airlight.viewer.parameters.parameter import Parameter
@@ -73,7 +70,7 @@ def amount_parameters(solution: MomentsSolution) -> tuple[Parameter, ...]:
 def solver_data(
     solution: MomentsSolution, settings: Settings | None = None
 ) -> dict[str, Any] | None:
-    """What ``web/solver.js`` reads, as JSON takes it.
+    """What ``web/solving/solver.js`` reads, as JSON takes it.
 
     Parameters
     ----------
@@ -95,41 +92,32 @@ def solver_data(
     except ThickAir:
         return None
     made = plan.as_dict()
+    stopping = Stopping.of_passes(chosen)
     del made["shaders"]
     drawn = paths.medium
-    dip = acos(plan.grid.bottom_radius / plan.grid.top_radius)
     return {
         "plan": made,
         "uniforms": [float(x) for x in plan.solve.reshape(-1)],
         "scalars": _tables(plan, made["tables"]),
         "shaders": deflated(json.dumps(solver_shaders())),
-        "tolerance": chosen.tolerance,
-        "most_sweeps": min(chosen.max_sweeps, MOST_SWEEPS),
-        "stricter": STRICTER,
-        "night": NIGHT,
-        "dark": convergence.DARK,
-        "dim": convergence.DIM,
-        "shrinkage": [convergence.SHRINKAGE, convergence.STALLED],
+        "tolerance": stopping.tolerance,
+        "most_sweeps": stopping.most_sweeps,
+        "stricter": stopping.stricter,
+        "night": stopping.night,
+        "back": convergence.BACK,
         "air": {
             "names": [name for name in drawn.names if name != BENDING],
             "scattering": _four(drawn.scattering),
             "absorption": _four(drawn.absorption),
-            "phases": _four(np.moveaxis(drawn.phase_moments(plan.degree + 1), 2, 1)),
+            "phases": _four(np.moveaxis(drawn.phase_moments(plan.setup.degree + 1), 2, 1)),
             "columns": [float(x) for x in drawn.columns],
             "albedo": _four(drawn.ground_albedo),
-            "day": [
-                float(x)
-                for x in level_weights(plan.grid.sun_cosines, dip, np.array([np.inf]))[:, 0]
-            ],
-            "thin": air.THIN,
-            "negligible": air.NEGLIGIBLE,
-            "most_peak": air.MOST_PEAK,
-            "thick": THICK,
+            "day": [float(x) for x in plan.setup.daylight],
             "thickest": THICKEST,
         },
         "picture": {
             "shared": SHARED,
-            "ends": [float(x) for x in air.panel_ends(drawn, plan.grid, plan.sizes["parts"])],
+            "ends": [float(x) for x in plan.setup.ends],
             "levels": int(plan.sizes["levels"]),
         },
     }

@@ -16,7 +16,7 @@ DIGITS: Final = 12
 
 
 def as_text(values: Float32Array, stride: int = 1) -> str:
-    """Numbers as base64 of their deflated differences, as ``web/package.js`` reads them.
+    """Numbers as base64 of their deflated differences, as ``web/drawing/package.js`` reads them.
 
     What is deflated are the differences of the numbers' bit patterns, small ones next to 0
     whatever their sign, their bytes sorted by their place within a number: neighbours in a smooth

@@ -5,77 +5,56 @@ from __future__ import annotations
 from functools import cache
 from typing import Any, Final
 
-from airlight.gpu.device.fragment_pass import declared_bindings, wgsl
-from airlight.gpu.emit.translated import entry_points, translated
-from airlight.gpu.picture.shaders import Shader, picture_shader, sky_air_shader, sky_peaks_shader
+from airlight.gpu.device.fragment_pass import declared_bindings
+from airlight.gpu.emit.glsl import GLSL
+from airlight.gpu.emit.wgsl import WGSL
+from airlight.gpu.picture.shaders import picture_shader, sky_air_shader, sky_peaks_shader
 from airlight.gpu.solver.passes import PASSES, shader
 
-#: The vertex function of all passes, and its file.
+#: The vertex function of all passes.
 CORNERS: Final = "full_screen_triangle"
-#: The fragment function of the solver's passes, and what their modules are called.
+#: The fragment function of the solver's passes.
 FILL: Final = "fill"
-_SOLVER: Final = "solver_{name}"
-
-
-def shaders() -> tuple[Shader, ...]:
-    """The shaders of a picture by the table of the sky."""
-    return (sky_air_shader(), sky_peaks_shader(), picture_shader(False))
-
-
-@cache
-def web_texts() -> dict[str, str]:
-    """The WGSL of every module by its name: what the GLSL is made of."""
-    return {CORNERS: wgsl(CORNERS), **{shader.name: shader.text for shader in shaders()}}
 
 
 @cache
 def web_shaders() -> dict[str, dict[str, Any]]:
-    """Every shader as ``web/program.js`` takes it: WGSL, and GLSL by entry point.
+    """Every shader of a picture by the table of the sky, as ``web/drawing/program.js`` takes it.
 
-    Raises
-    ------
-    FileError
-        If the GLSL is not of this WGSL.
+    Returns
+    -------
+    dict
+        By name: ``wgsl``, and ``glsl`` by entry point.
     """
-    texts = web_texts()
-    corners = translated(CORNERS, CORNERS, texts[CORNERS])
-    found = {}
-    for name, text in texts.items():
-        if name == CORNERS:
-            continue
-        entries = {entry: translated(name, entry, text) for _, entry in entry_points(text)}
-        found[name] = {"wgsl": f"{texts[CORNERS]}\n{text}", "glsl": {CORNERS: corners, **entries}}
+    found: dict[str, dict[str, Any]] = {}
+    for dialect in (WGSL, GLSL):
+        for one in (
+            sky_air_shader(dialect),
+            sky_peaks_shader(dialect),
+            picture_shader(False, (), dialect),
+        ):
+            texts = found.setdefault(one.name, {})
+            if dialect is WGSL:
+                texts["wgsl"] = f"{WGSL.triangle}\n{one.text}"
+            else:
+                entries = {entry: one.entry_text(entry) for entry in one.entries}
+                texts["glsl"] = {CORNERS: GLSL.triangle, **entries}
     return found
 
 
 @cache
-def solver_texts() -> dict[str, str]:
-    """The WGSL of the solver's passes by the names of their modules."""
-    return {_SOLVER.format(name=name): shader(name) for name in sorted(PASSES)}
-
-
-@cache
 def solver_shaders() -> dict[str, dict[str, Any]]:
-    """Every pass of the solver as ``web/solver.js`` takes it, with the slots that it reads.
-
-    Raises
-    ------
-    FileError
-        If the GLSL is not of this WGSL.
-    """
-    corners = wgsl(CORNERS)
-    vertex = translated(CORNERS, CORNERS, corners)
+    """Every pass of the solver as ``web/solving/solver.js`` takes it, with its slots."""
     found = {}
     for name in sorted(PASSES):
-        module = _SOLVER.format(name=name)
-        text = solver_texts()[module]
+        text = shader(name)
         slots = {
             one.name: (f"{one.group}/{one.binding}", "texture" in one.layout)
             for one in declared_bindings(text, name)
         }
         found[name] = {
-            "wgsl": f"{corners}\n{text}",
-            "glsl": {CORNERS: vertex, FILL: translated(module, FILL, text)},
+            "wgsl": f"{WGSL.triangle}\n{text}",
+            "glsl": {CORNERS: GLSL.triangle, FILL: shader(name, GLSL)},
             "uniforms": {one: slot for one, (slot, texture) in slots.items() if not texture},
             "reads": {slot: one for one, (slot, texture) in slots.items() if texture},
         }

@@ -1,11 +1,11 @@
-"""Places worth seeing: from the ground to the whole planet, wherever the air ends."""
+"""Viewpoints worth seeing: from the ground to the whole planet, wherever the air ends."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
 
 from airlight.scene.observer import horizon_zenith
 
@@ -14,7 +14,7 @@ _FAR: Final = 2.4
 
 
 @dataclass(frozen=True, kw_only=True)
-class Place:
+class Viewpoint:
     """An observer, and what the camera looks at.
 
     Attributes
@@ -42,28 +42,28 @@ class Place:
 
 
 #: Altitudes of the air of 100 km: 2 m, 35 km, 400 km.
-PLACES: Final = (
-    Place(name="ground", sentence="the sky from the ground", altitude=2e-5,
-          below_horizon=-8.0, aside=60.0, sun_zenith=60.0),
-    Place(name="aloft", sentence="the limb from within the air, as from a balloon at 35 km",
-          altitude=0.35, below_horizon=2.0, aside=60.0, sun_zenith=70.0),
-    Place(name="orbit", sentence="the limb from above the air, as from 400 km",
-          altitude=4.0, below_horizon=4.0, aside=60.0, sun_zenith=75.0),
-    Place(name="planet", sentence="the whole planet", altitude=-_FAR,
-          below_horizon=math.inf, aside=0.0, sun_zenith=50.0),
-    Place(name="sunset", sentence="the setting sun from the ground", altitude=2e-5,
-          below_horizon=-6.0, aside=0.0, sun_zenith=89.0),
+VIEWPOINTS: Final = (
+    Viewpoint(name="ground", sentence="the sky from the ground", altitude=2e-5,
+                  below_horizon=-8.0, aside=60.0, sun_zenith=60.0),
+    Viewpoint(name="aloft", sentence="the limb from within the air, as from a balloon at 35 km",
+              altitude=0.35, below_horizon=2.0, aside=60.0, sun_zenith=70.0),
+    Viewpoint(name="orbit", sentence="the limb from above the air, as from 400 km",
+              altitude=4.0, below_horizon=4.0, aside=60.0, sun_zenith=75.0),
+    Viewpoint(name="planet", sentence="the whole planet", altitude=-_FAR,
+              below_horizon=math.inf, aside=0.0, sun_zenith=50.0),
+    Viewpoint(name="sunset", sentence="the setting sun from the ground", altitude=2e-5,
+              below_horizon=-6.0, aside=0.0, sun_zenith=89.0),
 )  # fmt: skip
 
 
 def view_of(
-    place: Place, *, bottom_radius: float, top_radius: float, bearing: float
+    viewpoint: Viewpoint, *, bottom_radius: float, top_radius: float, bearing: float
 ) -> Mapping[str, float]:
-    """Camera and sun of a place, as ``Session.move`` takes them.
+    """Camera and sun of a viewpoint, as ``Session.move`` takes them.
 
     Parameters
     ----------
-    place : Place
+    viewpoint : Viewpoint
     bottom_radius, top_radius : float
         Of the planet. [m]
     bearing : float
@@ -71,19 +71,38 @@ def view_of(
 
     Examples
     --------
-    >>> view = view_of(PLACES[2], bottom_radius=6360e3, top_radius=6460e3, bearing=180.0)
+    >>> view = view_of(VIEWPOINTS[2], bottom_radius=6360e3, top_radius=6460e3, bearing=180.0)
     >>> view["view.altitude"], view["view.heading"]
     (400000.0, 240.0)
     """
-    altitude = place.altitude * (top_radius - bottom_radius)
-    if place.altitude < 0.0:
-        altitude = -place.altitude * bottom_radius
-    zenith = horizon_zenith(altitude, bottom_radius) + place.below_horizon
+    altitude = viewpoint.altitude * (top_radius - bottom_radius)
+    if viewpoint.altitude < 0.0:
+        altitude = -viewpoint.altitude * bottom_radius
+    zenith = horizon_zenith(altitude, bottom_radius) + viewpoint.below_horizon
     return {
         "view.altitude": float(f"{altitude:.6g}"),
         "view.look_zenith": min(max(zenith, 0.0), 180.0),
-        "view.heading": (bearing + place.aside) % 360.0,
+        "view.heading": (bearing + viewpoint.aside) % 360.0,
         "view.roll": 0.0,
         "view.field_of_view": 60.0,
-        "view.sun_zenith": place.sun_zenith,
+        "view.sun_zenith": viewpoint.sun_zenith,
     }
+
+
+def as_json(bottom_radius: float, top_radius: float) -> list[dict[str, Any]]:
+    """The viewpoints of a planet as a page takes them: the heading is counted from the sun's.
+
+    Parameters
+    ----------
+    bottom_radius, top_radius : float
+        [m]
+    """
+    ends = {"bottom_radius": bottom_radius, "top_radius": top_radius}
+    return [
+        {
+            "name": one.name,
+            "sentence": one.sentence,
+            "view": dict(view_of(one, **ends, bearing=0.0)),
+        }
+        for one in VIEWPOINTS
+    ]

@@ -124,6 +124,7 @@ class GpuPainter:
             orders=request.orders,
             exposure=exposure,
             tone_map=request.tone_map,
+            uniforms=request.uniforms,
         )
         texture.wait()
         self._last = Picture(

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal, Protocol
 
 from airlight.scene import Scene
@@ -32,6 +32,8 @@ class Request:
         One of ``airlight.color.tone_maps.TONE_MAPS``.
     orders : str
         ``all``, ``single`` (scattered or reflected once) or ``multiple`` (all but once).
+    uniforms : mapping
+        Values of the view that are numbers of the shaders, by name; see ``uniforms_of``.
     """
 
     solution: MomentsSolution
@@ -40,6 +42,7 @@ class Request:
     automatic: bool = False
     tone_map: str = "hable"
     orders: Orders = "all"
+    uniforms: Mapping[str, float] = field(default_factory=dict)
 
     def same_light(self, other: Request | None) -> bool:
         """Whether the other's frame would be the same, before exposure and tone map."""
@@ -58,6 +61,7 @@ class Request:
             and self.exposure == other.exposure
             and self.automatic == other.automatic
             and self.tone_map == other.tone_map
+            and self.uniforms == other.uniforms
         )
 
 

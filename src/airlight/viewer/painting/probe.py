@@ -13,7 +13,6 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.upsampling import reflectance_basis
 from airlight.color.xyz import chromaticity, luminance, rgb_to_xyz
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
@@ -181,7 +180,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
     star = _star(solution, scene, direction, through, bool(drawn.to_ground[0]))
     spectra = _spectra(solution, sight, seen[3]) + ([(STAR, star)] if star.any() else [])
     total = np.sum([values for _, values in spectra], axis=0)
-    weights = color_weights(solution) / medium.solar_irradiance[:, None]
+    weights = color_weights(solution) / solution.lights[0].irradiance[:, None]
     rgb = total @ weights
     xyz = rgb_to_xyz(rgb)
     x, y = chromaticity(xyz) if xyz.sum() > 0.0 else (0.0, 0.0)
@@ -215,7 +214,7 @@ def _spectra(
 ) -> list[tuple[str, FloatArray]]:
     """Name and spectral radiance of each part but the star. [W m⁻² sr⁻¹ nm⁻¹]"""
     parts = radiance_parts(solution, sight)
-    sun = solution.medium.solar_irradiance
+    sun = solution.lights[0].irradiance
     once = [
         (f"scattered once by {name}", parts.scattered_once[0, c] * sun)
         for c, name in enumerate(solution.medium.names)
@@ -244,15 +243,15 @@ def _star(
     to_ground: bool,
 ) -> FloatArray:
     """Radiance of the star's own disc, 0 beside it, shape (nl,). [W m⁻² sr⁻¹ nm⁻¹]"""
-    medium = solution.medium
-    alpha = medium.star_angular_radius
+    star, position = solution.lights[0], scene.lights[0]
+    alpha = star.angular_radius
     nothing = np.zeros_like(through)
     if alpha <= 0.0 or to_ground:
         return nothing
     outside = leaving_direction(direction[np.newaxis], solution, scene.altitude)[0]
-    if float(np.linalg.norm(outside - scene.sun_direction)) > 2.0 * math.sin(0.5 * alpha):
+    if float(np.linalg.norm(outside - position.direction)) > 2.0 * math.sin(0.5 * alpha):
         return nothing
-    return np.asarray(through * medium.solar_irradiance / sun_solid_angle(alpha))
+    return np.asarray(through * star.irradiance / sun_solid_angle(alpha))
 
 
 def _ground(
@@ -280,7 +279,7 @@ def _ground(
         footprint = scene.camera.pixel_angle * distance / (bottom * math.sqrt(slant))
         level = math.log2(max(footprint * image.levels[0].shape[0] / math.pi, 1.0))
         color = image.sample(latitude, longitude, level)
-        mapped = np.clip(reflectance_basis(medium.wavelengths) @ color, 0.0, 1.0)
+        mapped = np.clip(medium.map_basis @ color, 0.0, 1.0)
         albedo = medium.ground_albedo
         plain = np.divide(mapped, albedo, out=np.zeros_like(mapped), where=albedo > 0.0)
     return distance, latitude, longitude, plain

@@ -7,8 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Final
 
-from airlight.color.spectral import default_wavelengths
 from airlight.errors import Cancelled
+from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.solvers import solve
 from airlight.viewer.background.error_line import one_line
 from airlight.viewer.painting.picture_source import Request
@@ -145,5 +145,5 @@ class Probing:
                 asked is not None and asked[0].solution is not request.solution
             )
 
-        nm = default_wavelengths(FINER, *planet.wavelength_limits)
+        nm = picture_wavelengths(planet, FINER)
         return solve(planet, nm, request.solution.settings, cache=False, cancel=newer)

@@ -1,8 +1,8 @@
 """The one declared list: every parameter of a planet file, for any planet.
 
 Window, notebook and page make their controls from it. The tables of the file are walked, and each
-key is known by its declaration in ``planet_keys`` and ``composition_keys``; a key that is not
-declared is an error, so that the list is complete.
+key is known by its declaration in ``planets.reading.tables``; a key that is not declared is an
+error, so that the list is complete.
 """
 
 from __future__ import annotations
@@ -14,12 +14,12 @@ from pathlib import Path
 from typing import Any, Final
 
 from airlight.errors import ParameterError
-from airlight.planets.reading.toml_section import suggestion
-from airlight.viewer.parameters.key import Key
-from airlight.viewer.parameters.measures import listed, number_in
+from airlight.planets.reading.tables import keys_of
+from airlight.planets.schema.key import Key
+from airlight.planets.schema.measures import listed, number_in
+from airlight.planets.schema.section import suggestion
 from airlight.viewer.parameters.nested_tables import Tables, get, joined, steps_of
 from airlight.viewer.parameters.parameter import Parameter
-from airlight.viewer.parameters.planet_keys import TABLES
 from airlight.viewer.parameters.view_parameters import VIEW_GROUPS
 
 #: Groups of a planet that are not constituents.
@@ -82,13 +82,15 @@ def key_at(tables: Tables, path: str) -> Key:
     ParameterError
         If nothing is declared there.
     """
+    place: Any = tables
     kind, found = "planet", None
     for step in steps_of(path):
-        if isinstance(step, int):
-            continue
-        if found is not None:
-            kind = found.table
-        found = _declared(kind, step, path)
+        if isinstance(step, str):
+            kind = kind if found is None else found.table
+            found = _declared(kind, step, path, place if isinstance(place, dict) else None)
+            place = place.get(step) if isinstance(place, dict) else None
+        else:
+            place = place[step] if isinstance(place, list) and step < len(place) else None
     assert found is not None
     return found
 
@@ -98,9 +100,9 @@ def value_at(tables: Tables, parameter: Parameter) -> float | str:
     key = key_at(tables, parameter.path)
     value = get(tables, parameter.path)
     if value is None:
-        value = key.default
+        value = _left_out(key)
     if parameter.kind == "number":
-        return number_in(value, key.unit, key.bare, parameter.path)
+        return number_in(value, key.shown_unit, key.unit, parameter.path)
     return str(value)
 
 
@@ -131,11 +133,11 @@ def _spelled(value: Any, kind: str, path: str, folder: Path | None) -> Any:
         return value
     result = {}
     for name, one in value.items():
-        key = _declared(kind, name, joined(path, name))
+        key = _declared(kind, name, joined(path, name), value)
         if isinstance(one, (dict, list)) and key.table and not _flat(one):
             one = _spelled(one, key.table, joined(path, name), folder)
         elif isinstance(one, str) and key.kind == "number" and "," in one:
-            one = listed(one, key.bare)
+            one = listed(one, key.unit)
         elif isinstance(one, str) and one.endswith(".csv") and folder is not None:
             one = str((folder / one).resolve())
         result[name] = one
@@ -147,34 +149,42 @@ def _flat(value: Any) -> bool:
     return isinstance(value, list) and not any(isinstance(one, dict) for one in value)
 
 
-def _declared(kind: str, name: str, path: str) -> Key:
-    for key in TABLES.get(kind, ()):
-        if key.name in (name, "*"):
-            return key
-    names = tuple(key.name for key in TABLES.get(kind, ()))
+def _declared(kind: str, name: str, path: str, table: Tables | None) -> Key:
+    """The declaration of a key of a table: by the table's own kind, else by any that has it."""
+    for declared in (keys_of(kind, table), keys_of(kind)) if kind else ():
+        for key in declared:
+            if key.name in (name, "*"):
+                return key
+    names = tuple(key.name for key in keys_of(kind, table)) if kind else ()
     where = path.rpartition(".")[0] or "the file"
     raise ParameterError(f"a key of {where}", name, suggestion(name, names) or "none")
+
+
+def _left_out(key: Key) -> Any:
+    """What an editor shows for a key that the file leaves out."""
+    return key.stand_in or key.default
 
 
 # --- the walk ---------------------------------------------------------------------------------
 
 
 def _table(table: Tables, place: _Place) -> Iterator[Parameter]:
-    declared = TABLES[place.kind]
-    order = [key.name for key in declared]
     for name in table:
-        _declared(place.kind, name, joined(place.path, name))
+        _declared(place.kind, name, joined(place.path, name), table)
+    declared = keys_of(place.kind, table)
+    order = [key.name for key in declared]
     if order == ["*"]:
         for name, value in table.items():
             key = replace(declared[0], label=name)
             yield from _value(key, value, joined(place.path, name), place)
         return
-    axes = {**place.axes, **{name: table[name] for name in order if name in table}}
+    declared += tuple(key for key in keys_of(place.kind) if key.name not in order)
+    axes = {**place.axes, **{key.name: table[key.name] for key in declared if key.name in table}}
     place = replace(place, axes=axes)
     for key in declared:
         value = table.get(key.name)
-        if value is None and key.default is not None and key.when(table):
-            value = key.default
+        if value is None and key.name in order and key.offered(table):
+            value = _left_out(key)
         if value is not None:
             yield from _value(key, value, joined(place.path, key.name), place)
 
@@ -196,9 +206,10 @@ def _value(key: Key, value: Any, path: str, place: _Place) -> Iterator[Parameter
     elif isinstance(value, list):
         yield from _items(key, value, path, place)
     elif key.kind == "text" or (isinstance(value, str) and value.endswith(".csv")):
-        yield _parameter(key, path, place, kind="text", least=key.least, most=key.most)
+        least, most = key.range if key.kind == "text" else (0.0, math.inf)
+        yield _parameter(key, path, place, kind="text", least=max(least, 0.0), most=most)
     elif key.kind == "choice" or (isinstance(value, str) and value[:1].isalpha()):
-        words = key.words()
+        words = (*key.words(), *([key.stand_in] if key.stand_in else []))
         options = words if value in words else (*words, str(value))
         yield _parameter(key, path, place, kind="choice", options=options)
     else:
@@ -216,14 +227,9 @@ def _within(key: Key, path: str, place: _Place, table: Tables) -> _Place:
     """The place of a table that stands at a key."""
     if key.table in _GROUPED and place.kind == "planet":
         return _Place(path, key.table, key.table, "", {})
-    word = key.label if key.table == "index" and key.name in ("matrix", "inclusions") else ""
-    if key.table == "scattering":
-        word = "scattering"
-    if key.table in ("absorption", "small_particles"):
-        word = "absorption"
-    prefix = f"{place.prefix}{word}: " if word and not place.prefix else place.prefix
-    if key.table == "index" and word:
-        prefix = f"{word}: "
+    prefix = place.prefix
+    if key.prefix and (not prefix or key.table == place.kind):
+        prefix = f"{key.prefix}: "
     return replace(place, path=path, kind=key.table, prefix=prefix)
 
 
@@ -244,22 +250,23 @@ def _items(key: Key, values: list[Any], path: str, place: _Place) -> Iterator[Pa
 
 
 def _number(key: Key, value: Any, path: str, place: _Place) -> Parameter:
-    now = number_in(value, key.unit, key.bare, path)
-    low, high = min(key.low, now), max(key.high, now)
+    now = number_in(value, key.shown_unit, key.unit, path)
+    ends, (least, most) = key.ends, key.limits
+    low, high = min(ends[0], now), max(ends[1], now)
     if place.kind == "shell":
         low, high = _shell_range(key, now, place.axes, path)
     if key.scale == "log" and low <= 0.0:
-        low = key.low
+        low = ends[0]
     return _parameter(
         key,
         path,
         place,
         kind="number",
-        unit=key.unit,
+        unit=key.shown_unit,
         low=low,
         high=high,
-        least=key.least,
-        most=key.most,
+        least=least,
+        most=most,
         scale=key.scale,
         step=1.02 if key.scale == "log" else 0.005 * (high - low) or 0.01,
     )
@@ -268,9 +275,10 @@ def _number(key: Key, value: Any, path: str, place: _Place) -> Parameter:
 def _shell_range(key: Key, now: float, shell: Mapping[str, Any], path: str) -> tuple[float, float]:
     """Slider's ends for a radius: about the planet's own, and the top above the ground. [km]"""
     if key.name == "top_radius" and "bottom_radius" in shell:
-        bottom = number_in(shell["bottom_radius"], key.unit, key.bare, path)
+        bottom = number_in(shell["bottom_radius"], key.shown_unit, key.unit, path)
         return bottom, bottom + 4.0 * max(now - bottom, 1e-6 * bottom)
-    return max(0.1 * now, key.least), min(10.0 * now, key.most)
+    least, most = key.limits
+    return max(0.1 * now, least), min(10.0 * now, most)
 
 
 def _parameter(key: Key, path: str, place: _Place, **more: Any) -> Parameter:

@@ -7,11 +7,13 @@ heading less the sun's bearing: see ``scene_of``.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any, Final
 
 from airlight.color.exposure import DEFAULT_EXPOSURE
 from airlight.color.tone_maps import TONE_MAPS
 from airlight.scene.camera import Camera
+from airlight.scene.flight import LOWEST_ALTITUDE
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.scene import HIGHEST_ALTITUDE, Scene
 from airlight.viewer.parameters.parameter import Parameter, Value
@@ -24,90 +26,100 @@ QUALITIES: Final = ("preview", "default", "fine")
 ORDERS: Final = ("all", "single", "multiple")
 #: How many wavelengths are solved.
 WAVELENGTHS: Final = ("three", "four", "eight", "sixteen")
-#: Lowest altitude that can be flown at. [m]
-LOWEST_ALTITUDE: Final = 1.0
 
 
-def _angle(path: str, label: str, group: str, text: str) -> Parameter:
-    return Parameter(path=path, label=label, group=group, help=text, unit="deg", low=0.0,
-                     high=360.0, least=0.0, most=360.0, step=1.0, wraps=True)  # fmt: skip
+@dataclass(frozen=True, kw_only=True)
+class ViewValue(Parameter):
+    """One value of the view: all that window, notebook, page, address and shaders know about it.
+
+    Attributes
+    ----------
+    default : float, str or bool
+        What a view starts with. [unit]
+    part : str
+        What a change of it makes anew: ``planet`` (the solution), ``view`` (the light of the
+        picture) or ``display`` (the colours that are shown of it).
+    uniform : str
+        The number of the shaders that this value is, if there is one: a number itself, a choice
+        as the place among its options, a switch as 0 or 1.
+    """
+
+    default: Value
+    part: str = "view"
+    uniform: str = ""
 
 
-def _choice(path: str, label: str, group: str, options: tuple[str, ...], text: str) -> Parameter:
-    return Parameter(path=path, label=label, group=group, help=text, kind="choice",
-                     options=options)  # fmt: skip
+def _turning(path: str, label: str, group: str, text: str, **more: Any) -> ViewValue:
+    """An angle that goes round."""
+    return ViewValue(path=path, label=label, group=group, help=text, unit="deg", step=1.0,
+                     wraps=True, **more)  # fmt: skip
 
 
-_CAMERA: Final = (
-    Parameter(path="view.altitude", label="altitude", group="camera", unit="m",
+_ROUND: Final = {"low": 0.0, "high": 360.0, "least": 0.0, "most": 360.0}
+_HALF_ROUND: Final = {"low": -180.0, "high": 180.0, "least": -180.0, "most": 180.0}
+
+
+def _choice(
+    path: str, label: str, group: str, options: tuple[str, ...], text: str, **more: Any
+) -> ViewValue:
+    return ViewValue(path=path, label=label, group=group, help=text, kind="choice",
+                     options=options, **more)  # fmt: skip
+
+
+#: Every value of the view, in the order in which it is shown. One more slider is one more line
+#: here; if its number is a uniform's, it reaches the shaders by that name.
+VIEW_VALUES: Final = (
+    ViewValue(path="view.altitude", label="altitude", group="camera", unit="m",
               low=LOWEST_ALTITUDE, high=1e9, least=0.0, most=HIGHEST_ALTITUDE, scale="log",
-              step=1.1, help="Of the observer above the ground."),
-    Parameter(path="view.latitude", label="latitude", group="camera", unit="deg", low=-90.0,
+              step=1.1, help="Of the observer above the ground.", default=2.0),
+    ViewValue(path="view.latitude", label="latitude", group="camera", unit="deg", low=-90.0,
               high=90.0, least=-90.0, most=90.0, step=1.0,
-              help="Of the point below the observer, north positive."),
-    Parameter(path="view.longitude", label="longitude", group="camera", unit="deg", low=-180.0,
-              high=180.0, least=-180.0, most=180.0, step=1.0, wraps=True,
-              help="Of the point below the observer, east positive."),
-    Parameter(path="view.look_zenith", label="look zenith", group="camera", unit="deg", low=0.0,
+              help="Of the point below the observer, north positive.", default=0.0),
+    _turning("view.longitude", "longitude", "camera",
+             "Of the point below the observer, east positive.", **_HALF_ROUND, default=0.0),
+    ViewValue(path="view.look_zenith", label="look zenith", group="camera", unit="deg", low=0.0,
               high=180.0, least=0.0, most=180.0, step=1.0,
-              help="Angle of the line of sight from the zenith: 90 is level."),
-    _angle("view.heading", "heading", "camera",
-           "Compass bearing that the camera looks in: 0 north, 90 east."),
-    Parameter(path="view.roll", label="roll", group="camera", unit="deg", low=-180.0, high=180.0,
-              least=-180.0, most=180.0, step=1.0, wraps=True,
-              help="Turns the camera clockwise about its line of sight."),
-    Parameter(path="view.field_of_view", label="field of view", group="camera", unit="deg",
-              low=1.0, high=170.0, least=1e-3, most=360.0, step=1.0,
+              help="Angle of the line of sight from the zenith: 90 is level.", default=88.0),
+    _turning("view.heading", "heading", "camera",
+             "Compass bearing that the camera looks in: 0 north, 90 east.", **_ROUND,
+             default=180.0),
+    _turning("view.roll", "roll", "camera",
+             "Turns the camera clockwise about its line of sight.", **_HALF_ROUND, default=0.0),
+    ViewValue(path="view.field_of_view", label="field of view", group="camera", unit="deg",
+              low=1.0, high=170.0, least=1e-3, most=360.0, step=1.0, default=60.0,
               help="Between the left and the right edge, up to 170; across a fisheye's circle."),
     _choice("view.projection", "projection", "camera", tuple(PROJECTIONS),
-            "How directions are laid out on the picture."),
-)  # fmt: skip
-
-_SUN: Final = (
-    Parameter(path="view.sun_zenith", label="sun zenith", group="sun", unit="deg", low=0.0,
-              high=180.0, least=0.0, most=180.0, step=0.5,
+            "How directions are laid out on the picture.", default="perspective"),
+    ViewValue(path="view.sun_zenith", label="sun zenith", group="sun", unit="deg", low=0.0,
+              high=180.0, least=0.0, most=180.0, step=0.5, default=60.0,
               help="Angle of the sun from the observer's zenith: beyond 90 it has set."),
-    _angle("view.sun_azimuth", "sun bearing", "sun", "Compass bearing of the sun: 180 south."),
-)  # fmt: skip
-
-_DISPLAY: Final = (
-    Parameter(path="display.automatic", label="automatic exposure", group="display",
-              kind="switch", help="Shows the picture's mean as middle grey."),
-    Parameter(path="display.exposure", label="exposure", group="display", unit="EV", low=-12.0,
-              high=20.0, least=-100.0, most=100.0, step=0.25,
+    _turning("view.sun_azimuth", "sun bearing", "sun", "Compass bearing of the sun: 180 south.",
+             **_ROUND, default=180.0),
+    ViewValue(path="display.automatic", label="automatic exposure", group="display",
+              kind="switch", help="Shows the picture's mean as middle grey.", default=True,
+              part="display"),
+    ViewValue(path="display.exposure", label="exposure", group="display", unit="EV", low=-12.0,
+              high=20.0, least=-100.0, most=100.0, step=0.25, default=0.0, part="display",
               help="Light is multiplied by 2 to this power; when automatic, on top of it."),
     _choice("display.tone_map", "tone map", "display", tuple(TONE_MAPS),
-            "How bright light is fitted into what a display shows."),
-)  # fmt: skip
-
-_LIGHT: Final = (
+            "How bright light is fitted into what a display shows.", default="hable",
+            part="display", uniform="tone_map"),
     _choice("light.orders", "orders of scattering", "light", ORDERS,
-            "All light, that scattered or reflected once, or that scattered more often."),
+            "All light, that scattered or reflected once, or that scattered more often.",
+            default="all"),
     _choice("light.quality", "quality", "light", QUALITIES,
-            "Of the solution that follows the preview."),
+            "Of the solution that follows the preview.", default="default", part="planet"),
     _choice("light.wavelengths", "wavelengths", "light", WAVELENGTHS,
-            "How many are solved: more give truer colours; a graphics card takes up to four."),
+            "How many are solved: more give truer colours; a graphics card takes up to four.",
+            default="four", part="planet"),
 )  # fmt: skip
 
+#: By path.
+VIEW_VALUE: Final[Mapping[str, ViewValue]] = {one.path: one for one in VIEW_VALUES}
 #: What a view starts with.
-DEFAULTS: Final[Mapping[str, Value]] = {
-    "view.altitude": 2.0,
-    "view.latitude": 0.0,
-    "view.longitude": 0.0,
-    "view.look_zenith": 88.0,
-    "view.heading": 180.0,
-    "view.roll": 0.0,
-    "view.field_of_view": 60.0,
-    "view.projection": "perspective",
-    "view.sun_zenith": 60.0,
-    "view.sun_azimuth": 180.0,
-    "display.automatic": True,
-    "display.exposure": 0.0,
-    "display.tone_map": "hable",
-    "light.orders": "all",
-    "light.quality": "default",
-    "light.wavelengths": "four",
-}
+DEFAULTS: Final[Mapping[str, Value]] = {one.path: one.default for one in VIEW_VALUES}
+#: Values of the view that need a new solution, beside the constituents' switches.
+SOLVED: Final = tuple(one.path for one in VIEW_VALUES if one.part == "planet")
 #: Exposure that suits the sunlit Earth, where it is not automatic. [EV]
 FIXED_EXPOSURE: Final = DEFAULT_EXPOSURE
 
@@ -130,7 +142,7 @@ def view_parameters(constituents: tuple[str, ...] = ()) -> tuple[Parameter, ...]
                   help=f"Whether {name} scatters and absorbs.")
         for index, name in enumerate(constituents)
     )  # fmt: skip
-    return (*_CAMERA, *_SUN, *_DISPLAY, *_LIGHT, *switches)
+    return (*VIEW_VALUES, *switches)
 
 
 def switch_path(index: int) -> str:
@@ -142,6 +154,26 @@ def switch_path(index: int) -> str:
     'light.constituents[2]'
     """
     return f"light.constituents[{index}]"
+
+
+def uniforms_of(view: Mapping[str, Value]) -> dict[str, float]:
+    """The shaders' numbers that are values of the view, by the names of their uniforms.
+
+    Parameters
+    ----------
+    view : mapping
+        Values by path.
+
+    Examples
+    --------
+    >>> uniforms_of({**DEFAULTS, "display.tone_map": tuple(TONE_MAPS)[2]})
+    {'tone_map': 2.0}
+    """
+    return {
+        one.uniform: float(one.options.index(str(value)) if one.options else value)
+        for one, value in ((one, view[one.path]) for one in VIEW_VALUES)
+        if one.uniform
+    }
 
 
 def scene_of(view: Mapping[str, Any], width: int, height: int) -> Scene:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from airlight.planets.matter.gas_mixture import GasMixture
-from airlight.planets.matter.gases import GasScattering, RefractiveScattering
 from airlight.planets.parameters import replace
 from airlight.planets.planet import Planet
 
@@ -38,8 +36,5 @@ def switched(planet: Planet, off: tuple[int, ...]) -> Planet:
         else one
         for index, one in enumerate(planet.constituents)
     )
-    gases = (GasScattering, RefractiveScattering, GasMixture)
-    bends = any(isinstance(one.scattering, gases) or isinstance(one.matter, gases)
-                for one in constituents)  # fmt: skip
-    refraction = planet.refraction if bends else "none"
+    refraction = planet.refraction if any(one.bends for one in constituents) else "none"
     return replace(planet, constituents=constituents, refraction=refraction)

@@ -2,30 +2,23 @@
 
 from __future__ import annotations
 
-import math
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 
 from airlight.constants import SOLAR_RADIUS
 from airlight.optics.phase_table import moments
-from airlight.planets.reading.constituent_reader import OZONE_TABLE
-from airlight.viewer.parameters.measures import number_in, text_of
+from airlight.planets.ground_and_star import BLACK_BODY
+from airlight.planets.matter.phases import PHASES
+from airlight.planets.reading.tables import TABLES
+from airlight.planets.schema.kinds import Kinds
+from airlight.planets.schema.measures import number_in, text_of
 from airlight.viewer.parameters.nested_tables import Tables, get, put
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.parameter_list import key_at
-from airlight.viewer.parameters.planet_keys import BLACK_BODY
 
-#: Parts of the shell's thickness that a fresh profile gets.
-_FRESH_HEIGHT: Final = 0.08
-_FRESH_CENTER: Final = 0.25
-_FRESH_WIDTH: Final = 0.15
 #: IAU 2015 Resolution B3: nominal effective temperature of the sun.
 _SUN_TEMPERATURE: Final = "5772 K"
-#: Asymmetry of a fresh phase function of particles.
-_FRESH_ASYMMETRY: Final = 0.7
-#: Radius of fresh particles.
-_FRESH_RADIUS: Final = "0.5 um"
 
 
 def edited(tables: Tables, parameter: Parameter, value: Value) -> Tables:
@@ -71,7 +64,7 @@ def edited(tables: Tables, parameter: Parameter, value: Value) -> Tables:
         return _mixed(tables, path, value)
     if path == "shell.bottom_radius":
         tables = _lifted(tables, value)
-    tables = put(tables, path, text_of(value, key.unit))
+    tables = put(tables, path, text_of(value, key.shown_unit))
     table, _, last = path.partition(".phase_function.")
     if last.startswith(("values[", "angles[")):
         return _normalised(tables, f"{table}.phase_function")
@@ -135,7 +128,7 @@ def _with_phase(tables: Tables, constituent: str) -> Tables:
     """The constituent with a phase function, if it has none yet."""
     if get(tables, f"{constituent}.phase_function") is not None:
         return tables
-    fresh = {"kind": "henyey-greenstein", "asymmetry": _FRESH_ASYMMETRY}
+    fresh = PHASES.fresh("henyey-greenstein", {}, 1e3 * _thickness(tables))
     return put(tables, f"{constituent}.phase_function", fresh)
 
 
@@ -150,53 +143,9 @@ def _star(old: Tables, spectrum: str) -> Tables:
 
 def _fresh(tables: Tables, path: str, kind: str) -> Tables:
     """A table of another kind, filled with what is usual."""
-    old: Tables = get(tables, path)
-    last = path.rpartition(".")[2]
-    if last == "profile":
-        return {"kind": kind, **_fresh_profile(kind, _thickness(tables))}
-    if last == "sizes":
-        return {"kind": kind, **_fresh_sizes(kind, old)}
-    return {"kind": kind, **_fresh_phase(kind)}
-
-
-def _height(share: float, thickness: float) -> str:
-    return str(text_of(float(f"{share * thickness:.4g}"), "km"))
-
-
-def _fresh_profile(kind: str, thickness: float) -> Tables:
-    height = _height(_FRESH_HEIGHT, thickness)
-    if kind == "exponential":
-        return {"scale_height": height}
-    if kind == "tent":
-        center = _height(_FRESH_CENTER, thickness)
-        return {"center": center, "half_width": _height(_FRESH_WIDTH, thickness)}
-    if kind == "layered":
-        per_km = float(f"{-1.0 / (_FRESH_HEIGHT * thickness):.4g}")
-        return {"layers": [{"exp_term": 1.0, "exp_scale": text_of(per_km, "/km")}]}
-    if kind == "tabulated":
-        return {"table": OZONE_TABLE}
-    return {}
-
-
-def _fresh_sizes(kind: str, old: Tables) -> Tables:
-    radii = [value for key, value in old.items() if key.endswith("radius")]
-    radius: Any = radii[0] if radii else _FRESH_RADIUS
-    if kind == "gamma":
-        return {"effective_radius": radius, "effective_variance": 0.2}
-    if kind == "log-normal":
-        return {"median_radius": radius, "geometric_deviation": 1.5}
-    return {"radius": radius}
-
-
-def _fresh_phase(kind: str) -> Tables:
-    if kind == "rayleigh":
-        return {}
-    if kind == "double-henyey-greenstein":
-        return {"asymmetry_1": 0.85, "asymmetry_2": -0.2, "weight": 0.9}
-    if kind == "tabulated":
-        even = float(f"{0.25 / math.pi:.10g}")
-        return {"angles": ["0 deg", "90 deg", "180 deg"], "values": [even, even, even]}
-    return {"asymmetry": _FRESH_ASYMMETRY}
+    kinds = TABLES[key_at(tables, path).table]
+    assert isinstance(kinds, Kinds)
+    return kinds.fresh(kind, get(tables, path), 1e3 * _thickness(tables))
 
 
 def restored(tables: Tables, base: Tables, path: str) -> Tables:

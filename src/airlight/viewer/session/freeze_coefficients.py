@@ -8,16 +8,11 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ParameterError
-from airlight.planets.matter.phases import (
-    CornetteShanks,
-    DoubleHenyeyGreenstein,
-    HenyeyGreenstein,
-    Rayleigh,
-)
 from airlight.planets.matter.profiles import Exponential
-from airlight.planets.planet import Constituent, Planet
-from airlight.planets.spectral import spectral_at
-from airlight.viewer.parameters.measures import text_of
+from airlight.planets.planet import Planet
+from airlight.planets.reading.coefficient_reader import COEFFICIENTS
+from airlight.planets.reading.tables import MATTER
+from airlight.planets.schema.measures import text_of
 from airlight.viewer.parameters.nested_tables import Tables, put
 
 FloatArray = npt.NDArray[np.float64]
@@ -25,27 +20,18 @@ FloatArray = npt.NDArray[np.float64]
 #: Where coefficients are given, besides the planet's own wavelengths: the ends and the middle of
 #: what is seen, as far as the planet is known there. [nm]
 WAVELENGTHS: Final = (360.0, 440.0, 550.0, 680.0, 830.0)
-#: Keys that say what a constituent is made of, or give coefficients in other words.
-_REPLACED: Final = (
-    "gas",
-    "particles",
-    "turbidity",
-    "turbidity_literal",
-    "extinction",
-    "single_scattering_albedo",
-    "optical_depth",
-    "wavelengths",
-    "scattering",
-    "absorption",
-    "phase_function",
-)
+#: Keys that say what a constituent is made of.
+_MADE_OF: Final = tuple(one.keyword for one in MATTER)
+#: Those that a frozen constituent has otherwise.
+_REPLACED: Final = (*_MADE_OF, *COEFFICIENTS, "wavelengths", "phase_function", "amount")
 
 
 def is_advanced(constituent: Tables) -> bool:
     """Whether a constituent's table says what it is made of, rather than coefficients."""
-    made = ("gas", "particles", "turbidity", "turbidity_literal")
     forms = (constituent.get(key) for key in ("scattering", "absorption"))
-    return any(key in constituent for key in made) or any(isinstance(one, dict) for one in forms)
+    return any(key in constituent for key in _MADE_OF) or any(
+        isinstance(one, dict) for one in forms
+    )
 
 
 def as_standard(tables: Tables, planet: Planet, index: int) -> Tables:
@@ -88,7 +74,7 @@ def as_standard(tables: Tables, planet: Planet, index: int) -> Tables:
     new["wavelengths"] = [text_of(float(one_nm), "nm") for one_nm in nm]
     if scattering.any():
         new["scattering"] = _per_km(scattering)
-        new["phase_function"] = _phase(one, nm)
+        new["phase_function"] = one.phase_function_at(nm).frozen(nm)
     if absorption.any() or not scattering.any():
         new["absorption"] = _per_km(absorption)
     return put(tables, f"constituents[{index}]", new)
@@ -105,28 +91,3 @@ def _per_km(values: FloatArray) -> Any:
     """One text if all are the same, else one for each wavelength."""
     texts = [text_of(float(f"{1e3 * value:.7g}"), "/km") for value in values]
     return texts[0] if len(set(texts)) == 1 else texts
-
-
-#: Phase functions of few parameters: the word of the file, and the parameters.
-_SMOOTH: Final[dict[type, tuple[str, tuple[str, ...]]]] = {
-    Rayleigh: ("rayleigh", ("depolarisation",)),
-    HenyeyGreenstein: ("henyey-greenstein", ("asymmetry",)),
-    CornetteShanks: ("cornette-shanks", ("asymmetry",)),
-    DoubleHenyeyGreenstein: ("double-henyey-greenstein", ("asymmetry_1", "asymmetry_2", "weight")),
-}
-
-
-def _phase(one: Constituent, nm: FloatArray) -> Tables:
-    """The phase function that it has, or for a table a lobe of the same mean cosine."""
-    phase = one.phase_function_at(nm)
-    if type(phase) in _SMOOTH:
-        kind, names = _SMOOTH[type(phase)]
-        fields = {name: _listed(spectral_at(getattr(phase, name), nm)) for name in names}
-        return {"kind": kind, **fields}
-    mean = one.phase_moments(nm, 1)
-    return {"kind": "henyey-greenstein", "asymmetry": _listed(mean[:, 1] / mean[:, 0])}
-
-
-def _listed(values: FloatArray) -> Any:
-    numbers = [float(f"{value:.6g}") for value in values]
-    return numbers[0] if len(set(numbers)) == 1 else numbers

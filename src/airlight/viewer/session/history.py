@@ -1,38 +1,60 @@
-"""What was changed, one step after another, for undo and redo."""
+"""What was changed, one step after another, for undo and redo.
+
+The page keeps its steps by the same rules, in ``web/state/history.js``.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
-#: Edits of one parameter that follow each other so quickly are one step. [s]
+#: Edits of one thing that follow each other so quickly are one step. [s]
 TOGETHER: Final = 0.5
 #: The most steps that are kept.
 MOST_STEPS: Final = 1000
 
 
-@dataclass
-class Step:
-    """One change.
+@dataclass(frozen=True, kw_only=True)
+class Change:
+    """Part of what is edited: never changed itself.
 
     Attributes
     ----------
-    part : str
-        Of the session's state.
-    path : str
-        What was changed, for joining edits of one drag.
-    before, after : object
-        The part as it was and as it became; neither is changed any more.
+    planet : object
+        The whole planet, or None where it is left as it is.
+    view : mapping
+        Values of the view by path; other paths are left as they are.
+    """
+
+    planet: Any = None
+    view: Mapping[str, Any] = field(default_factory=dict)
+
+    def over(self, earlier: Change) -> Change:
+        """One change of an earlier one and this."""
+        planet = earlier.planet if self.planet is None else self.planet
+        return Change(planet=planet, view={**earlier.view, **self.view})
+
+
+@dataclass
+class Step:
+    """One step.
+
+    Attributes
+    ----------
+    name : str
+        What was changed: the path of a parameter, or the name of a gesture.
+    before, after : Change
+        What it changed, as it was and as it became.
     time : float
         Of the last edit that joined it. [s]
     open : bool
         Whether a drag still adds to it.
     """
 
-    part: str
-    path: str
-    before: Any
-    after: Any
+    name: str
+    before: Change
+    after: Change
     time: float
     open: bool = False
 
@@ -54,19 +76,25 @@ class History:
         """Whether there is a step to do again."""
         return bool(self._undone)
 
-    def joins(self, part: str, path: str, time: float) -> Step | None:
-        """The last step, if an edit of this path now belongs to it."""
+    def joined(self, name: str, time: float) -> Step | None:
+        """The last step, if an edit of this name now belongs to it."""
         if not self._done or self._undone:
             return None
         last = self._done[-1]
-        if (last.part, last.path) != (part, path):
+        if last.name != name:
             return None
         return last if last.open or time - last.time <= TOGETHER else None
 
-    def add(self, step: Step) -> None:
-        """A new step."""
+    def record(self, step: Step) -> None:
+        """A new edit: a step of its own, or part of the last one."""
+        last = self.joined(step.name, step.time)
+        if last is not None:
+            last.before = last.before.over(step.before)
+            last.after = step.after.over(last.after)
+            last.time, last.open = step.time, last.open or step.open
+            return
         self._undone.clear()
-        self._done.append(step)
+        self._done.append(replace(step))
         del self._done[:-MOST_STEPS]
 
     def close(self) -> None:
@@ -87,6 +115,6 @@ class History:
         if not self._undone:
             return None
         step = self._undone.pop()
-        step.time = float("-inf")
+        step.open, step.time = False, float("-inf")
         self._done.append(step)
         return step

@@ -72,23 +72,32 @@ class PlanetState:
         kept = self._parameters if same_keys else []
         return replace(self, tables=tables, _parameters=kept)
 
+    def with_off(self, off: tuple[int, ...]) -> PlanetState:
+        """The planet with other constituents switched off; the list of parameters stays."""
+        return replace(self, off=off)
+
     @property
     def groups(self) -> tuple[str, ...]:
         """Groups of the constituents, in their order."""
         constituents = self.tables["constituents"]
         return tuple(group_of(constituents, index) for index in range(len(constituents)))
 
-    @cached_property
+    @property
     def text(self) -> str:
         """The planet file of its tables."""
         return planet_file(self.tables)
+
+    @cached_property
+    def tables_key(self) -> str:
+        """A fingerprint of the tables."""
+        return hashlib.sha256(repr(self.tables).encode()).hexdigest()[:32]
 
     @property
     def changes(self) -> tuple[tuple[str, Any, Any], ...]:
         """Paths that differ from what it came with, and both values."""
         return tuple(differences(self.base, self.tables))
 
-    @cached_property
+    @property
     def key(self) -> str:
         """A fingerprint of what has to be solved: the tables and the switches."""
-        return hashlib.sha256(f"{self.off}\n{self.text}".encode()).hexdigest()[:32]
+        return f"{self.tables_key} {self.off}"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping
 from typing import Any, Final
 from urllib.parse import quote, unquote
@@ -17,7 +18,9 @@ from airlight.viewer.session.planet_state import PlanetState
 #: Letters that stay as they are in the address.
 _PLAIN: Final = ",:[]{}\"'!*()"
 #: Keys of a state.
-_KEYS: Final = ("planet", "set", "off", "view")
+_KEYS: Final = ("planet", "set", "off", "view", "air")
+#: What a page solves for itself, by its path there: the keys of a planet file that say the same.
+_AMOUNT: Final = re.compile(r"air\.amounts\[(\d+)\]")
 
 
 def state_of(planet: PlanetState, view: Mapping[str, Value]) -> dict[str, Any]:
@@ -84,7 +87,7 @@ def read_state(
             raise ParameterError("state", key, ", ".join(_KEYS))
     name = state["planet"]
     planet = current if name == current.source else PlanetState.opened(name)
-    changes = state.get("set", {})
+    changes = {**_table(state, "set"), **_of_page(_table(state, "air"))}
     tables = planet.base
     if changes:
         tables = spelled_out(overridden(planet.base, changes))
@@ -95,6 +98,24 @@ def read_state(
     except (AttributeError, TypeError, KeyError):
         raise ParameterError("state.set", changes, "keys of a planet file") from None
     return planet, _view(state)
+
+
+def _table(state: Mapping[str, Any], name: str) -> Mapping[str, Any]:
+    given = state.get(name, {})
+    if not isinstance(given, Mapping):
+        raise ParameterError(f"state.{name}", given, "a table of values by path")
+    return given
+
+
+def _of_page(air: Mapping[str, Any]) -> dict[str, Any]:
+    """A page's amounts as keys of the planet file."""
+    found = {}
+    for path, value in air.items():
+        amount = _AMOUNT.fullmatch(path)
+        if amount is None and path != "air.ground":
+            raise ParameterError("state.air", path, "air.amounts[…], air.ground")
+        found[f"constituents[{amount[1]}].amount" if amount else "ground.brightness"] = value
+    return found
 
 
 def _checked_value(planet: PlanetState, parameter: Any) -> Value:
@@ -115,9 +136,7 @@ def _off(state: Mapping[str, Any], tables: Mapping[str, Any]) -> tuple[int, ...]
 
 
 def _view(state: Mapping[str, Any]) -> dict[str, Value]:
-    given = state.get("view", {})
-    if not isinstance(given, Mapping):
-        raise ParameterError("state.view", given, "a table of values by path")
+    given = _table(state, "view")
     known = {one.path: one for one in view_parameters()}
     view = dict(DEFAULTS)
     for path, value in given.items():

@@ -13,17 +13,19 @@ from typing import Any
 from airlight.errors import ParameterError
 from airlight.exports.whole_file import whole_file
 from airlight.planets.planet import Planet
-from airlight.planets.reading.reader import read_planet
+from airlight.planets.reading.reader import read_tables
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.parameters.view_parameters import view_parameters
 from airlight.viewer.session import saved_state
 from airlight.viewer.session.comparing import Difference, differing
-from airlight.viewer.session.editing import Editing, Side
+from airlight.viewer.session.editing import Editing
 from airlight.viewer.session.freeze_coefficients import as_standard, is_advanced
+from airlight.viewer.session.history import Change
 from airlight.viewer.session.planet_file import planet_file
-from airlight.viewer.session.solve_request import SOLVED, Versions, Wanted
+from airlight.viewer.session.side import Side
+from airlight.viewer.session.solve_request import Versions, Wanted
 
-__all__ = ["SOLVED", "Session", "Versions", "Wanted"]
+__all__ = ["Session", "Versions", "Wanted"]
 
 
 class Session(Editing):
@@ -89,7 +91,7 @@ class Session(Editing):
         if group not in state.groups:
             raise ParameterError("constituent", group, ", ".join(state.groups))
         if planet is None:
-            planet = read_planet(state.text, state.source)
+            planet = read_tables(state.tables, state.source)
         index = state.groups.index(group)
         self.replace_tables(f"constituents[{index}]", as_standard(state.tables, planet, index))
 
@@ -121,7 +123,7 @@ class Session(Editing):
 
     def store_b(self) -> None:
         """Keep what is shown as the other side; edits from now on are of this one alone."""
-        self._other = Side(self._side.planet, dict(self._side.view))
+        self._other = Side(self._side.planet, self._side.view, self._clock)
 
     def swap(self) -> None:
         """Show the other side; the first time it is a copy of this one."""
@@ -135,7 +137,7 @@ class Session(Editing):
             self._other.view = view
         self._side, self._other = self._other, self._side
         self._showing = "B" if self._showing == "A" else "A"
-        self._grown("planet", "view", "display")
+        self._grown({"planet", "view", "display"})
 
     def forget_other(self) -> None:
         """One side again: the one that is shown, as A."""
@@ -173,7 +175,7 @@ class Session(Editing):
         return saved_state.state_of(self.planet, self._side.view)
 
     def from_state(self, state: Mapping[str, Any]) -> None:
-        """Show what ``to_state`` had kept.
+        """Show what ``to_state`` had kept: one step to undo.
 
         Raises
         ------
@@ -181,8 +183,7 @@ class Session(Editing):
             If it cannot be; nothing is changed then.
         """
         planet, view = saved_state.read_state(state, self.planet)
-        self._change("planet", "state", planet)
-        self._change("view", "state", view)
+        self._changed(self._side.change("state", Change(planet=planet, view=view)))
 
 
 def _side_differences(first: Side, second: Side, shares: bool) -> Iterator[Difference]:

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import NamedTuple
 
 from airlight.viewer.session.planet_state import PlanetState
-
-#: Parameters of the view that need a new solution, beside the constituents' switches.
-SOLVED: Final = ("light.quality", "light.wavelengths")
 
 
 class Versions(NamedTuple):
@@ -51,10 +48,3 @@ class Wanted(NamedTuple):
     def key(self) -> tuple[str, str]:
         """Equal where the same has to be solved, the quality apart."""
         return self.state.key, self.wavelengths
-
-
-def version_of(path: str) -> str:
-    """The counter that a parameter of the view belongs to."""
-    if path in SOLVED:
-        return "planet"
-    return "display" if path.startswith("display.") else "view"

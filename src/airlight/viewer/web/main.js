@@ -1,8 +1,8 @@
 /** The page in one file: reads what is in it, and keeps the address in step with the state. */
-import { Edits } from "./edits.js";
-import { textOf } from "./package.js";
-import { Picture } from "./picture.js";
-import { Viewer } from "./viewer.js";
+import { Edits } from "./solving/edits.js";
+import { textOf } from "./drawing/package.js";
+import { Picture } from "./drawing/picture.js";
+import { Viewer } from "./ui/viewer.js";
 
 /** So long after the last change the address follows. [ms] */
 const CALM = 300;
@@ -43,4 +43,5 @@ viewer.state.follow(() => {
 });
 addEventListener("hashchange", takeAddress);
 takeAddress();
+viewer.parts.canvas.focus({ preventScroll: true });
 window.airlight = viewer;

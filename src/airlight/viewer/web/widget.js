@@ -1,7 +1,7 @@
 /** The viewer in a notebook: the front end of `airlight.viewer.browser.notebook.Viewer`. */
-import { Picture } from "./picture.js";
-import { RemoteState } from "./remote_state.js";
-import { Viewer } from "./viewer.js";
+import { Picture } from "./drawing/picture.js";
+import { RemoteState } from "./state/remote_state.js";
+import { Viewer } from "./ui/viewer.js";
 
 function render({ model, el }) {
   const ending = [];
@@ -30,7 +30,11 @@ function render({ model, el }) {
   on("picture", () => viewer.take(model.get("picture")));
   on("title", () => viewer.retitle(model.get("title")));
   on("status", () => viewer.showStatus());
-  on("can", () => viewer.updateTools());
+  on("can", () => {
+    state.showing = model.get("can").showing;
+    state.sharesCamera = model.get("can").camera;
+    viewer.updateTools();
+  });
   on("message", () => viewer.say(model.get("message")));
   on("height", () => {
     place.style.height = `${model.get("height")}px`;

@@ -4,56 +4,12 @@ from __future__ import annotations
 
 from typing import Final
 
+from airlight.viewer.navigation.keys import as_json
 from airlight.viewer.window import style
 
 #: Width of the whole, and of the column of keys. [logical pixel]
 _WIDTH: Final = 840.0
 _KEYS: Final = 112.0
-#: What can be done, in groups: heading, then keys and what they do.
-HELP: Final[tuple[tuple[str, tuple[tuple[str, str], ...]], ...]] = (
-    (
-        "Fly",
-        (
-            ("drag", "look around"),
-            ("W S", "forward, back"),
-            ("A D", "left, right"),
-            ("E Q", "up, down"),
-            ("wheel", "towards the ground, or away"),
-            ("Shift  Ctrl", "with these: four times as fast, as slow"),
-            ("1 … 5", "ground, 35 km, 400 km, whole planet, sunset"),
-        ),
-    ),
-    (
-        "Light",
-        (
-            ("right drag", "move the sun across the sky"),
-            ("T", "let time pass, or stop it"),
-            ("+ −", "brighter, darker by a third of a stop"),
-            ("X", "automatic exposure"),
-        ),
-    ),
-    (
-        "Read and compare",
-        (
-            ("P, click", "probe: spectrum and colour of a point"),
-            ("B", "keep this planet and view as B"),
-            ("C", "A and B side by side, with a line to drag"),
-            ("V", "change A and B over"),
-        ),
-    ),
-    (
-        "Edit",
-        (
-            ("Ctrl+click", "type a number into a slider"),
-            ("Ctrl+Z  Ctrl+Y", "undo, redo"),
-            ("Ctrl+S", "save the picture"),
-            ("Ctrl+Shift+S", "save the planet file"),
-            ("Tab", "hide or show the panels"),
-            ("F1 or H", "this help"),
-            ("Ctrl+Q", "close the window"),
-        ),
-    ),
-)
 
 
 def draw_help(width: float, height: float) -> bool:
@@ -85,7 +41,7 @@ def draw_help(width: float, height: float) -> bool:
     imgui.begin("help", None, flags)
     imgui.pop_style_var()
     if imgui.begin_table("columns", 2):
-        for index, (heading, rows) in enumerate(HELP):
+        for index, (heading, rows) in enumerate(as_json("window")["help"]):
             if index % 2 == 0:
                 imgui.table_next_row()
             imgui.table_next_column()

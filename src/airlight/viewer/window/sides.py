@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import cast
 
+from airlight.gpu.solve_planet import PlanetSolver
 from airlight.planets.planet import Planet
-from airlight.viewer.background.solving import Solved, Solver, Solving, Status
-from airlight.viewer.background.solving_by import shown_wavelengths
+from airlight.viewer.background.solving import Solved, Solving, Status
 from airlight.viewer.painting.picture_source import Orders, Painter, Picture, Request
 from airlight.viewer.painting.picture_thread import PictureThread
-from airlight.viewer.parameters.view_parameters import scene_of
+from airlight.viewer.parameters.view_parameters import scene_of, uniforms_of
 from airlight.viewer.session.compared_side import SessionSide
 from airlight.viewer.session.session import Session
 
@@ -23,7 +23,7 @@ class Sides:
     session : Session
     painter : callable
         Makes a painter; called once for each side.
-    solver : Solver
+    solver : PlanetSolver, optional
         Called on threads of ``Solving``.
     wake : callable
         Called from any thread when there is something new.
@@ -33,7 +33,7 @@ class Sides:
         self,
         session: Session,
         painter: Callable[[], Painter],
-        solver: Solver,
+        solver: PlanetSolver | None,
         wake: Callable[[], None],
     ) -> None:
         self._session = session
@@ -60,7 +60,6 @@ class Sides:
             self._solvings[side] = Solving(
                 SessionSide(self._session, side),
                 solver=self._solver,
-                wavelengths=shown_wavelengths,
                 on_change=self._wake,
             )
         solved = self._solvings[side].latest
@@ -81,6 +80,7 @@ class Sides:
             automatic=bool(view["display.automatic"]),
             tone_map=str(view["display.tone_map"]),
             orders=cast(Orders, view["light.orders"]),
+            uniforms=uniforms_of(view),
         )
 
     def picture(self, side: str = "") -> Picture | None:

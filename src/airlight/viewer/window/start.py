@@ -14,12 +14,13 @@ import numpy as np
 from airlight.errors import FileError
 from airlight.exports.whole_file import check_target
 from airlight.gpu.device.device import Device, NoDevice, open_device
+from airlight.gpu.solve_planet import live_solver
 from airlight.scene import look_at
-from airlight.viewer.background.solving_by import solver_by
-from airlight.viewer.navigation.viewpoints import PLACES, view_of
+from airlight.viewer.navigation.viewpoints import VIEWPOINTS, view_of
 from airlight.viewer.painting.picture_cpu import CpuPainter
 from airlight.viewer.painting.picture_source import Painter
 from airlight.viewer.parameters.parameter import Value
+from airlight.viewer.session.saved_state import from_fragment
 from airlight.viewer.session.session import Session
 from airlight.viewer.window.canvas import DesktopPlace, OffscreenPlace, WindowError
 from airlight.viewer.window.window import Window
@@ -41,7 +42,7 @@ class Start:
     Parameters
     ----------
     planet : str
-        Name of a preset, or the path of a planet file.
+        Name of a preset, the path of a planet file, or the address of a page.
     other : str, optional
         A planet to compare it with.
     changes : tuple of str
@@ -98,7 +99,7 @@ def show(start: Start) -> None:
     except NoDevice as error:
         place.close()
         raise WindowError(f"the window needs a graphics device: {error.reason}") from error
-    painter, solver = painter_by(start.device, device), solver_by(start.device, device)
+    painter, solver = painter_by(start.device, device), live_solver(start.device, device)
     window = Window(session, place, device.device, painter, solver)
     if start.other is not None:
         window.panel.compare_with(start.other)
@@ -113,7 +114,7 @@ def show(start: Start) -> None:
 
 def opened(start: Start) -> Session:
     """A session as it was asked for, with nothing to undo."""
-    session = Session(start.planet)
+    session = _session_of(start.planet)
     if start.changes:
         from airlight.planets.reading.overrides import overridden, parsed
 
@@ -121,7 +122,8 @@ def opened(start: Start) -> Session:
         session.replace_tables("--set", changed)
     for path, value in start.view.items():
         session.set(path, value)
-    if start.look is None and start.look_at is None and not set(start.view) & _PLACED:
+    placed = "#" in start.planet or bool(set(start.view) & _PLACED)
+    if start.look is None and start.look_at is None and not placed:
         session.move(_first_view(session))
     view = session.view
     target, word, aside = start.look, start.look_at, 0.0
@@ -138,6 +140,18 @@ def opened(start: Start) -> Session:
         bearing = float(view["view.sun_azimuth"])
         heading = (bearing + target[1] + aside) % 360.0
         session.move({"view.look_zenith": target[0], "view.heading": heading})
+    session.forget_steps()
+    return session
+
+
+def _session_of(planet: str) -> Session:
+    """A session on a planet by its name or file, or on what the address of a page shows."""
+    _, sign, fragment = planet.partition("#")
+    if not sign:
+        return Session(planet)
+    state = from_fragment(fragment)
+    session = Session(str(state.get("planet", "")))
+    session.from_state(state)
     return session
 
 
@@ -145,7 +159,7 @@ def _first_view(session: Session) -> Mapping[str, float]:
     """The sky from the ground, a little aside from the sun."""
     bottom, top = (1e3 * float(session.value(f"shell.{end}_radius")) for end in ("bottom", "top"))
     bearing = float(session.view["view.sun_azimuth"])
-    return view_of(PLACES[0], bottom_radius=bottom, top_radius=top, bearing=bearing)
+    return view_of(VIEWPOINTS[0], bottom_radius=bottom, top_radius=top, bearing=bearing)
 
 
 def painter_by(choice: Literal["auto", "gpu", "cpu"], device: Device) -> Callable[[], Painter]:

@@ -124,6 +124,14 @@ def hint(text: str, *, width: float = 300.0) -> None:
         imgui.end_tooltip()
 
 
+def item_place() -> tuple[float, float, float, float]:
+    """Where the last thing was drawn: left, top, right, bottom. [logical pixel]"""
+    from imgui_bundle import imgui
+
+    low, high = imgui.get_item_rect_min(), imgui.get_item_rect_max()
+    return low.x, low.y, high.x, high.y
+
+
 def button(
     icon: str, name: str, sentence: str, act: Callable[[], object], *, on: bool = True
 ) -> None:

@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any, Final
 
 from airlight.viewer.window import style
 from airlight.viewer.window.canvas import MISSING_EXTRA, WindowError
+
+#: What ImGui does about an end that is missing, besides adding it: raise, print, show.
+_STRICT: Final = (
+    "config_error_recovery_enable_assert",
+    "config_error_recovery_enable_debug_log",
+    "config_error_recovery_enable_tooltip",
+)
 
 
 class WindowSurface:
@@ -72,6 +80,32 @@ class WindowSurface:
         """Whether a list or a menu is open over the rest."""
         any_of = self._imgui.PopupFlags_.any_popup.value
         return bool(self._imgui.is_popup_open("", any_of))
+
+    @contextmanager
+    def balanced(self) -> Iterator[None]:
+        """End whatever is begun and not ended within: windows, tables, styles.
+
+        Without it ImGui would refuse the end of this frame, and every frame after it.
+        """
+        internal, style_now = self._imgui.internal, self._imgui.get_style()
+        state, alpha = internal.ErrorRecoveryState(), style_now.alpha
+        internal.error_recovery_store_state(state)
+        try:
+            yield
+        except BaseException:
+            # Each end that is missing counts as an error of its own, which here it is not.
+            io = self._imgui.get_io()
+            settings = {name: getattr(io, name) for name in _STRICT}
+            try:
+                for name in _STRICT:
+                    setattr(io, name, False)
+                internal.error_recovery_try_to_recover_state(state)
+            finally:
+                for name, value in settings.items():
+                    setattr(io, name, value)
+                # After begin_disabled(False) ImGui "recovers" an opacity that it never kept: 0.
+                style_now.alpha = alpha
+            raise
 
     def draw(self, gui: Callable[[], None]) -> None:
         """Clear the surface and draw what ``gui`` says."""

@@ -52,8 +52,7 @@ class ParameterRows:
         room = imgui.get_content_region_avail().x
         imgui.set_next_item_width(room - 118.0)
         _, self.search = imgui.input_text_with_hint("##search", "find a parameter", self.search)
-        low, high = imgui.get_item_rect_min(), imgui.get_item_rect_max()
-        self.places["search"] = (low.x, low.y, high.x, high.y)
+        self.places["search"] = style.item_place()
         imgui.same_line(room - 92.0)
         imgui.begin_disabled(hidden == 0)
         _, self.advanced = imgui.checkbox("advanced", self.advanced)

@@ -163,17 +163,21 @@ def _plot(probe: Probe) -> None:
         | implot.Flags_.no_legend.value
     )
     implot.push_style_var(implot.StyleVar_.plot_padding, imgui.ImVec2(6.0, 6.0))
-    if implot.begin_plot("##spectrum", imgui.ImVec2(-1.0, -1.0), flags):
-        implot.setup_axes("wavelength [nm]", unit)
-        first, last = float(nm[0]), float(nm[-1])
-        always = imgui.Cond_.always.value
-        implot.setup_axis_limits(implot.ImAxis_.x1.value, first, max(last, first + 1.0), always)
-        highest = max(1.1 * top * scale, 1e-30)
-        implot.setup_axis_limits(implot.ImAxis_.y1.value, 0.0, highest, always)
-        for name, values in lines.items():
-            implot.plot_line(name, nm, np.ascontiguousarray(scale * values[order]))
-        implot.end_plot()
-    implot.pop_style_var()
+    is_drawn = implot.begin_plot("##spectrum", imgui.ImVec2(-1.0, -1.0), flags)
+    try:  # the surface balances what ImGui began, but knows nothing of plots
+        if is_drawn:
+            implot.setup_axes("wavelength [nm]", unit)
+            first, last = float(nm[0]), float(nm[-1])
+            always = imgui.Cond_.always.value
+            implot.setup_axis_limits(implot.ImAxis_.x1.value, first, max(last, first + 1.0), always)
+            highest = max(1.1 * top * scale, 1e-30)
+            implot.setup_axis_limits(implot.ImAxis_.y1.value, 0.0, highest, always)
+            for name, values in lines.items():
+                implot.plot_line(name, nm, np.ascontiguousarray(scale * values[order]))
+    finally:
+        if is_drawn:
+            implot.end_plot()
+        implot.pop_style_var()
 
 
 def scaled_unit(top: float) -> tuple[float, str]:

@@ -67,8 +67,7 @@ def parameter_row(
     style.hint(_explained(parameter, default))
     if moved:
         changed = new
-    low, high = imgui.get_item_rect_min(), imgui.get_item_rect_max()
-    place, reset = (low.x, low.y, high.x, high.y), False
+    place, reset = style.item_place(), False
     if differs:
         imgui.same_line(0.0, 3.0)
         imgui.push_style_color(imgui.Col_.button, imgui.ImVec4(0.0, 0.0, 0.0, 0.0))

@@ -8,7 +8,7 @@ from pathlib import Path
 from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import planet_names
 from airlight.viewer.navigation.flight import Flight
-from airlight.viewer.navigation.viewpoints import PLACES
+from airlight.viewer.navigation.viewpoints import VIEWPOINTS
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.session.session import Session
 from airlight.viewer.window import style
@@ -45,6 +45,9 @@ class SidePanel:
         Whether two pictures are shown side by side, and whether a click reads a point.
     opens : str
         The name of a tab that the next frame brings to the front.
+    places : dict
+        Where controls of the head were drawn last: ``planet``, the names in its list, ``undo``
+        and ``redo``: left, top, right, bottom. [logical pixel]
     """
 
     def __init__(
@@ -68,17 +71,19 @@ class SidePanel:
         self.compares = False
         self.probes = False
         self.opens = ""
+        self.places: dict[str, tuple[float, float, float, float]] = {}
         self._dragged = ""
 
     def draw(self, into: Rectangle) -> None:
         """Draw the panel."""
         from imgui_bundle import imgui
 
-        self._values.refresh()
         imgui.set_next_window_pos(imgui.ImVec2(into.left, into.top))
         imgui.set_next_window_size(imgui.ImVec2(into.width, into.height))
         imgui.begin("side", None, fixed_window_flags())
         self._head()
+        # Only now: the head may have opened another planet, whose rows are to be drawn.
+        self._values.refresh()
         if imgui.begin_tab_bar("tabs"):
             for name, draw in (
                 ("Planet", self._planet),
@@ -111,18 +116,22 @@ class SidePanel:
         ):
             for name in names:
                 picked, _ = imgui.selectable(name, name == source)
+                self.places[name] = style.item_place()
                 if picked:
                     self._attempt(lambda name=name: session.open(name))  # type: ignore[misc]
             imgui.end_combo()
+        self.places["planet"] = style.item_place()
         style.hint("another planet in place of this one")
         imgui.same_line()
         style.button(
             style.UNDO, "undo", "undo (Ctrl+Z)", lambda: self._do("undo"), on=session.can_undo
         )
+        self.places["undo"] = style.item_place()
         imgui.same_line()
         style.button(
             style.REDO, "redo", "redo (Ctrl+Y)", lambda: self._do("redo"), on=session.can_redo
         )
+        self.places["redo"] = style.item_place()
         imgui.same_line()
         style.button(
             "reset",
@@ -179,11 +188,11 @@ class SidePanel:
         from imgui_bundle import imgui
 
         imgui.begin_child("view rows")
-        for index, place in enumerate(PLACES):
+        for index, place in enumerate(VIEWPOINTS):
             if index:
                 imgui.same_line()
             if imgui.button(place.name):
-                self._do(f"place {index + 1}")
+                self._do(f"viewpoint {index + 1}")
             style.hint(f"{place.sentence} ({index + 1})")
         icon, words = (style.PAUSE, "stop the sun") if self.plays else (style.PLAY, "let time pass")
         style.button(icon, "time", f"{words} (T)", lambda: self._do("time"))

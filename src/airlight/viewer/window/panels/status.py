@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Mapping
 from dataclasses import dataclass
 from time import perf_counter
+from typing import Any
 
+from airlight.viewer.background.solving import Solved
+from airlight.viewer.background.solving import Status as Solving
+from airlight.viewer.painting.picture_source import Picture
 from airlight.viewer.window import style
 from airlight.viewer.window.picture_area import Rectangle
 
@@ -68,6 +73,60 @@ class Status:
     working: str = ""
     message: str = ""
     error: str = ""
+
+
+def where_text(view: Mapping[str, Any]) -> str:
+    """Where the observer is, and the sun."""
+    zenith = float(view["view.sun_zenith"])
+    return f"{_length(float(view['view.altitude']))} up    sun {zenith:.1f}° from the zenith"
+
+
+def picture_text(shown: Picture) -> str:
+    """Who made a picture, how large, in what time."""
+    fine = "" if shown.finished else ", finer follows"
+    return f"{shown.by}: {shown.width}×{shown.height} in {_seconds(shown.seconds)}{fine}"
+
+
+def working_text(status: Solving) -> str:
+    """What is being solved; empty if nothing is."""
+    if not status.busy:
+        return ""
+    part = f" {100 * status.done // status.total} %" if status.total else ""
+    return f"{status.doing}{part} …"
+
+
+def solver_text(solved: Solved | None, status: Solving) -> str:
+    """Quality and time of a solution, and what is being solved."""
+    done = "" if solved is None else f"{solved.quality}: {_seconds(solved.seconds)}"
+    return ", ".join(one for one in (done, working_text(status)) if one)
+
+
+def _length(metres: float) -> str:
+    """A length in m or km.
+
+    Examples
+    --------
+    >>> _length(2.0), _length(35e3), _length(1.529e7), _length(4.2e11)
+    ('2 m', '35 km', '15290 km', '4.2e+08 km')
+    """
+    if metres < 1e3:
+        return f"{metres:.4g} m"
+    kilometres = metres / 1e3
+    digits = ".0f" if 1e4 <= kilometres < 1e7 else ".4g"
+    return f"{kilometres:{digits}} km"
+
+
+def _seconds(seconds: float) -> str:
+    """A time in ms or s.
+
+    Examples
+    --------
+    >>> _seconds(0.0421), _seconds(3.14159), _seconds(0.0)
+    ('42 ms', '3.1 s', 'at once')
+    """
+    if seconds <= 0.0:
+        return "at once"
+    return f"{1e3 * seconds:.0f} ms" if seconds < 1.0 else f"{seconds:.1f} s"
 
 
 def draw_status(status: Status, into: Rectangle) -> None:

@@ -1,4 +1,4 @@
-"""What the rows of the panels show: values and defaults of the session, read once a change."""
+"""What the rows of the panels show: parameters, values and defaults, read once a change."""
 
 from __future__ import annotations
 
@@ -8,43 +8,47 @@ from airlight.errors import AirlightError
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.parameter_list import value_at
 from airlight.viewer.parameters.view_parameters import DEFAULTS
-from airlight.viewer.session.session import Session
+from airlight.viewer.session.session import Session, Versions
 
 
 class PanelValues:
-    """Values of a session's parameters, kept until one changes.
+    """Parameters of a session as they were at the last ``refresh``, all of one moment.
+
+    A row may edit the session while the others are drawn: they go on with what they began with.
 
     Parameters
     ----------
     session : Session
+
+    Attributes
+    ----------
+    parameters : tuple of Parameter
+        All of them.
+    of_planet : tuple of Parameter
+        Those of the planet's file.
     """
 
     def __init__(self, session: Session) -> None:
         self._session = session
-        self._key: object = None
-        self._base_key: object = None
+        self._versions: Versions | None = None
+        self._planet = session.planet
         self._values: Mapping[str, Value] = {}
         self._defaults: dict[str, Value] = {}
         self.parameters: tuple[Parameter, ...] = ()
+        self.of_planet: tuple[Parameter, ...] = ()
 
     def refresh(self) -> None:
-        """Read what changed since the last call."""
+        """Read what changed since the last call; if that fails, the next call tries again."""
         session = self._session
-        key = (session.versions, session.planet)
-        if self._key == key:
+        planet = session.planet
+        if self._versions == session.versions and self._planet is planet:
             return
-        self._key = key
-        self.parameters = session.parameters
-        self._values = session.values
-        base_key = (id(session.planet.base), session.planet.parameters)
-        if self._base_key != base_key:
-            self._base_key = base_key
+        parameters, of_planet, values = session.parameters, planet.parameters, session.values
+        if self._planet.base is not planet.base or self.of_planet is not of_planet:
             self._defaults = {}
-
-    @property
-    def of_planet(self) -> tuple[Parameter, ...]:
-        """Those of the planet's file."""
-        return self._session.planet.parameters
+        self._planet = planet
+        self.parameters, self.of_planet, self._values = parameters, of_planet, values
+        self._versions = session.versions
 
     @property
     def of_view(self) -> tuple[Parameter, ...]:
@@ -66,7 +70,7 @@ class PanelValues:
             return True
         if path not in self._defaults:
             try:
-                self._defaults[path] = value_at(self._session.planet.base, parameter)
+                self._defaults[path] = value_at(self._planet.base, parameter)
             except (AirlightError, AttributeError, TypeError, KeyError, IndexError):
                 return self.value(parameter)
         return self._defaults[path]

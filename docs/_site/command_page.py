@@ -1,0 +1,70 @@
+"""The page of the command line, from the commands themselves."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+from page_files import write_pages
+
+HEAD = """# Commands
+
+`airlight COMMAND --help` prints what stands here. `PLANET` is the name of a preset (see `airlight
+planets`) or the path of a [planet file](../planet-files.md). Numbers may carry their unit:
+`400km`, `85deg`. Every error is one line, and the exit status is then 2.
+"""
+
+
+def write(path: Path) -> None:
+    """Write the page."""
+    import typer.main
+
+    from airlight.cli.app import app
+
+    root: Any = typer.main.get_command(app)
+    parts = [HEAD]
+    for name, command in root.commands.items():
+        parts.extend(_command(name, command))
+    write_pages(path.parent, {path.name: "\n".join(parts)})
+
+
+def _command(name: str, command: Any) -> list[str]:
+    arguments = [one for one in command.params if one.param_type_name == "argument"]
+    options = [one for one in command.params if one.param_type_name == "option"]
+    usage = " ".join(
+        ["airlight", name, *(_metavar(one) for one in arguments), "[OPTIONS]" if options else ""]
+    ).strip()
+    parts = [f"## {name}\n", f"```text\n{usage}\n```\n", _prose(command.help) + "\n"]
+    if arguments or options:
+        parts.append("| | |\n|---|---|")
+        parts.extend(f"| `{_metavar(one)}` | {_cell(one.help)} |" for one in arguments)
+        parts.extend(f"| {_flags(one)} | {_cell(one.help)}{_default(one)} |" for one in options)
+        parts.append("")
+    lines = re.findall(r"airlight [a-z].*", command.epilog or "")
+    if lines:
+        parts.append("```text\n" + "\n".join(line.rstrip() for line in lines) + "\n```\n")
+    return parts
+
+
+def _metavar(parameter: Any) -> str:
+    return (parameter.metavar or parameter.name or "").upper()
+
+
+def _flags(option: Any) -> str:
+    flags = ", ".join(f"`{flag}`" for flag in [*option.opts, *option.secondary_opts])
+    return flags if option.is_flag else f"{flags} `{_metavar(option)}`"
+
+
+def _default(option: Any) -> str:
+    if option.default in (None, False, True, "", (), []) or callable(option.default):
+        return ""
+    return f" (default: `{option.default}`)"
+
+
+def _prose(text: str | None) -> str:
+    return "\n\n".join(" ".join(part.split()) for part in (text or "").split("\n\n"))
+
+
+def _cell(text: str | None) -> str:
+    return " ".join((text or "").split()).replace("|", "\\|").replace("<", "&lt;")

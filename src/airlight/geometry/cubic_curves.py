@@ -1,0 +1,155 @@
+"""Cubic curves through points: with given slopes, monotone, and splines.
+
+The curves equal SciPy's ``PchipInterpolator`` and ``CubicSpline``, whose import takes as long as a
+picture; the tests compare them.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+FloatArray = NDArray[np.float64]
+
+
+def cubic_curve(x: FloatArray, y: FloatArray, slopes: FloatArray, at: ArrayLike) -> FloatArray:
+    """Evaluate the cubic curve with the given values and slopes.
+
+    Parameters
+    ----------
+    x : array, shape (n,)
+        Points, strictly ascending, at least two.
+    y, slopes : array, shape (n, k...)
+        Values and derivatives at ``x``.
+    at : array, shape (m...)
+        Points of evaluation; beyond the ends the outermost cubic is continued.
+
+    Returns
+    -------
+    array, shape (m..., k...)
+
+    Examples
+    --------
+    >>> x = np.array([0.0, 1.0, 3.0])
+    >>> cubic_curve(x, x**3, 3.0 * x**2, [0.5, 2.0])
+    array([0.125, 8.   ])
+    """
+    at = np.asarray(at, dtype=np.float64)
+    k = np.clip(np.searchsorted(x, at, side="right") - 1, 0, x.size - 2)
+    trailing = (..., *(None,) * (y.ndim - 1))
+    step = (x[k + 1] - x[k])[trailing]
+    t = (at - x[k])[trailing] / step
+    rise = y[k + 1] - y[k]
+    # As an excess over the chord, so that a straight line is exact to the last digit.
+    bend = (slopes[k] * step - rise) * (1.0 - t) - (slopes[k + 1] * step - rise) * t
+    return np.asarray(y[k] + t * (rise + (1.0 - t) * bend))
+
+
+def monotone_slopes(x: FloatArray, y: FloatArray) -> FloatArray:
+    """Slopes of a cubic curve that rises and falls only where its points do (PCHIP).
+
+    Inside, the slope is 0 at a turn, otherwise the harmonic mean of the two chords' slopes,
+    weighted by the steps; at the ends it follows from three points, limited so that the shape is
+    kept.
+
+    Parameters
+    ----------
+    x : array, shape (n,)
+        Points, strictly ascending, at least two.
+    y : array, shape (n,)
+
+    Returns
+    -------
+    array, shape (n,)
+
+    References
+    ----------
+    Fritsch & Butland (1984), SIAM J. Sci. Stat. Comput. 5, 300, eq. 5, with Brodlie's weights,
+    doi:10.1137/0905021; the ends: Moler (2004), Numerical Computing with MATLAB, ch. 3.6.
+
+    Examples
+    --------
+    >>> monotone_slopes(np.arange(4.0), np.array([0.0, 1.0, 1.0, 2.0]))
+    array([1.5, 0. , 0. , 1.5])
+    """
+    step = np.diff(x)
+    chord = np.diff(y) / step
+    if x.size == 2:
+        return np.repeat(chord, 2)
+    slopes = np.zeros(x.size)
+    before, after = chord[:-1], chord[1:]
+    same = before * after > 0.0
+    first = (2.0 * step[1:] + step[:-1])[same]
+    second = (step[1:] + 2.0 * step[:-1])[same]
+    slopes[1:-1][same] = (first + second) / (first / before[same] + second / after[same])
+    slopes[0] = _end_slope(step[0], step[1], chord[0], chord[1])
+    slopes[-1] = _end_slope(step[-1], step[-2], chord[-1], chord[-2])
+    return slopes
+
+
+def _end_slope(step: float, next_step: float, chord: float, next_chord: float) -> float:
+    """Slope at an end from three points, with the sign of the outermost chord or 0."""
+    slope = ((2.0 * step + next_step) * chord - step * next_chord) / (step + next_step)
+    if np.sign(slope) != np.sign(chord):
+        return 0.0
+    if np.sign(chord) != np.sign(next_chord) and abs(slope) > 3.0 * abs(chord):
+        return 3.0 * chord
+    return slope
+
+
+def spline_slopes(x: FloatArray, y: FloatArray) -> FloatArray:
+    """Slopes of the not-a-knot cubic spline through points, which is twice differentiable.
+
+    The two outermost intervals at either end share one cubic; three points give the parabola, two
+    the straight line.
+
+    Parameters
+    ----------
+    x : array, shape (n,)
+        Points, strictly ascending, at least two, at most some hundreds: the system is solved
+        densely.
+    y : array, shape (n, ...)
+
+    Returns
+    -------
+    array, shape (n, ...)
+
+    References
+    ----------
+    de Boor (1978), A Practical Guide to Splines, ch. IV, eqs. 8 and 12.
+
+    Examples
+    --------
+    >>> x = np.array([1.0, 2.0, 4.0, 5.0])
+    >>> spline_slopes(x, x**3).round(12)  # a cubic is its own spline: 3x²
+    array([ 3., 12., 48., 75.])
+    """
+    step = np.diff(x)
+    trailing = (..., *(None,) * (y.ndim - 1))
+    chord = np.diff(y, axis=0) / step[trailing]
+    if x.size == 2:
+        return np.repeat(chord, 2, axis=0)
+    if x.size == 3:
+        middle = (step[1] * chord[0] + step[0] * chord[1]) / (step[0] + step[1])
+        return np.stack([2.0 * chord[0] - middle, middle, 2.0 * chord[1] - middle])
+    system = np.zeros((x.size, x.size))
+    wanted = np.empty_like(chord, shape=y.shape)
+    inner = np.arange(1, x.size - 1)
+    system[inner, inner - 1] = step[1:]
+    system[inner, inner] = 2.0 * (step[:-1] + step[1:])
+    system[inner, inner + 1] = step[:-1]
+    low, high = step[:-1][trailing], step[1:][trailing]
+    wanted[1:-1] = 3.0 * (high * chord[:-1] + low * chord[1:])
+    system[0, :2], wanted[0] = _no_knot(step[0], step[1], chord[0], chord[1])
+    system[-1, :-3:-1], wanted[-1] = _no_knot(step[-1], step[-2], chord[-1], chord[-2])
+    slopes = np.linalg.solve(system, wanted.reshape(x.size, -1))
+    return np.asarray(slopes, np.float64).reshape(y.shape)
+
+
+def _no_knot(
+    step: float, next_step: float, chord: FloatArray, next_chord: FloatArray
+) -> tuple[tuple[float, float], FloatArray]:
+    """Not-a-knot condition at an end: one cubic over the two outermost intervals."""
+    both = step + next_step
+    right = ((step + 2.0 * both) * next_step * chord + step**2 * next_chord) / both
+    return (next_step, both), np.asarray(right)

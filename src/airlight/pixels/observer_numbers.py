@@ -1,0 +1,45 @@
+"""What shaders are told of an observer and a star, as plain numbers: for hosts in any language."""
+
+from __future__ import annotations
+
+import math
+
+
+def observer_numbers(
+    r: float, bottom: float, sun_x: float, sun_y: float, seen: float, star_radius: float
+) -> tuple[float, float, float, float, float]:
+    """The uniforms of an observer and a star that follow from where they stand.
+
+    Parameters
+    ----------
+    r, bottom : float
+        Optical radii of observer and ground. [m]
+    sun_x, sun_y : float
+        Level parts of the direction towards the star. [1]
+    seen : float
+        Cosine of the zenith angle at which the star is seen. [1]
+    star_radius : float
+        Angular radius of the star. [rad]
+
+    Returns
+    -------
+    horizon_mu, horizon_sine : float
+        Cosine and sine of the horizon's zenith angle. [1]
+    sun_level, seen_x : float
+        Level part of the direction towards the star, and of that in which it is seen. [1]
+    disc : float
+        Radiance of the star's disc per irradiance; 0 for a point. [sr⁻¹]
+
+    Examples
+    --------
+    >>> observer_numbers(2.0, 1.0, 0.6, 0.0, 0.8, 0.0)[1:]
+    (0.5, 0.6, 0.6, 0.0)
+    """
+    half = math.sin(0.5 * star_radius)
+    return (
+        -math.sqrt(max((r - bottom) * (r + bottom), 0.0)) / r,
+        bottom / r,
+        math.hypot(sun_x, sun_y),
+        math.sqrt(max((1.0 - seen) * (1.0 + seen), 0.0)),
+        1.0 / (4.0 * math.pi * half * half) if star_radius > 0.0 else 0.0,
+    )

@@ -1,0 +1,141 @@
+"""Phase functions by a formula: molecules, and particles with one lobe or two."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Final
+
+from airlight.optics import phase_functions
+from airlight.planets.matter.phases.phase_function import FormulaPhase
+from airlight.planets.parameters import parameters
+from airlight.planets.schema.key import Key, always
+from airlight.planets.spectral import Spectral
+
+#: Largest ``|g|``: beyond it the forward lobe is narrower than the sun's disc.
+LARGEST_ASYMMETRY: Final = 0.999
+#: What a fresh phase function of particles has.
+FRESH_ASYMMETRY: Final = 0.7
+
+
+def asymmetry_key(label: str, text: str, fresh: float = FRESH_ASYMMETRY, **more: Any) -> Key:
+    """The mean cosine of a lobe, or what stands for it."""
+    return Key(label=label, help=text, range=(-LARGEST_ASYMMETRY, LARGEST_ASYMMETRY),
+               slider=(-0.99, 0.99), spectral=True, per="wavelengths", fresh=fresh,
+               **more)  # fmt: skip
+
+
+@parameters
+class Rayleigh(FormulaPhase):
+    """Molecules, or anything much smaller than the wavelength.
+
+    Parameters
+    ----------
+    depolarisation : float or PerWavelength
+        δ, 0 to 0.5. [1]
+    """
+
+    keyword = "rayleigh"
+    molecular = True
+    formula = staticmethod(phase_functions.rayleigh)
+
+    depolarisation: Annotated[
+        Spectral,
+        Key(
+            label="depolarisation",
+            help="How far its molecules are from round: 0 for round ones.",
+            range=(0.0, 0.5),
+            spectral=True,
+            example="0.035",
+            per="wavelengths",
+            offered=always,
+        ),
+    ] = 0.0
+
+
+@parameters
+class HenyeyGreenstein(FormulaPhase):
+    """Particles with one lobe.
+
+    Parameters
+    ----------
+    asymmetry : float or PerWavelength
+        g, the mean cosine, -0.999 to 0.999. [1]
+    """
+
+    keyword = "henyey-greenstein"
+    formula = staticmethod(phase_functions.henyey_greenstein)
+
+    asymmetry: Annotated[
+        Spectral,
+        asymmetry_key("asymmetry g", "1 is all forward, 0 even, -1 all backward.", example="0.8"),
+    ]
+
+
+@parameters
+class CornetteShanks(FormulaPhase):
+    """Particles with one lobe that tends to Rayleigh's as g tends to 0.
+
+    Parameters
+    ----------
+    asymmetry : float or PerWavelength
+        g, positive forward, -0.999 to 0.999; not exactly the mean cosine. [1]
+    """
+
+    keyword = "cornette-shanks"
+    formula = staticmethod(phase_functions.cornette_shanks)
+
+    asymmetry: Annotated[
+        Spectral,
+        asymmetry_key(
+            "asymmetry g",
+            "1 is all forward, 0 even, -1 all backward.",
+            example="0.8",
+            note="The mean cosine is 3g(4+g²)/(5(2+g²)).",
+        ),
+    ]
+
+
+@parameters
+class DoubleHenyeyGreenstein(FormulaPhase):
+    """Particles with two lobes: weight·HG(asymmetry_1) + (1 - weight)·HG(asymmetry_2).
+
+    Parameters
+    ----------
+    asymmetry_1, asymmetry_2 : float or PerWavelength
+        Mean cosine of each lobe, -0.999 to 0.999. [1]
+    weight : float or PerWavelength
+        Share of the first lobe, 0 to 1. [1]
+    """
+
+    keyword = "double-henyey-greenstein"
+    formula = staticmethod(phase_functions.double_henyey_greenstein)
+
+    asymmetry_1: Annotated[
+        Spectral,
+        asymmetry_key(
+            "asymmetry of the first lobe",
+            "1 is all forward, -1 backward.",
+            0.85,
+            example="0.889",
+        ),
+    ]
+    asymmetry_2: Annotated[
+        Spectral,
+        asymmetry_key(
+            "asymmetry of the second lobe",
+            "1 is all forward, -1 backward.",
+            -0.2,
+            example="0.094",
+        ),
+    ]
+    weight: Annotated[
+        Spectral,
+        Key(
+            label="weight of the first lobe",
+            help="The second lobe has the rest.",
+            range=(0.0, 1.0),
+            spectral=True,
+            example="0.743",
+            per="wavelengths",
+            fresh=0.9,
+        ),
+    ]

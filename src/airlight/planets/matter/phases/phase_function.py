@@ -1,0 +1,150 @@
+"""What every phase function promises, and what follows from its values alone."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from typing import Any, ClassVar, Final, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.kernel import vectorized
+from airlight.optics.legendre import legendre_moments
+from airlight.planets.schema.record import Record, fields_of
+from airlight.planets.spectral import Limits, PerWavelength, spectral_at, spectral_limits
+
+FloatArray = npt.NDArray[np.float64]
+
+#: How far from 1 the integral of a phase function may be.
+INTEGRAL_TOLERANCE: Final = 1e-3
+#: How far a formula may be from the straight logarithm between two angles of its table. [1]
+_TABLE_TOLERANCE: Final = 1e-5
+#: Angles that a table begins with, and how often its widest steps are halved.
+_FIRST_ANGLES: Final = 181
+_MOST_HALVINGS: Final = 24
+#: Digits of a parameter that is written into a planet file.
+_DIGITS: Final = 6
+
+
+class PhaseRow(NamedTuple):
+    """Values over the scattering angle, and the row's share in the phase function.
+
+    Attributes
+    ----------
+    share : float
+        [1]
+    angles : array, shape (m,)
+        Ascending from 0 to 180; the logarithm is linear between them. [deg]
+    values : array, shape (m,)
+        [sr⁻¹]
+    """
+
+    share: float
+    angles: FloatArray
+    values: FloatArray
+
+
+class PhaseFunction(Record, ABC):
+    """Where scattered light goes, as a parameter object; its integral over the sphere is 1.
+
+    Attributes
+    ----------
+    molecular : bool
+        Whether it is that of molecules: then given scattering coefficients follow λ⁻⁴.
+    """
+
+    molecular: ClassVar[bool] = False
+
+    @property
+    @abstractmethod
+    def limits(self) -> Limits:
+        """The wavelengths at which it is known. [nm]"""
+
+    @abstractmethod
+    def values(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
+        """The phase function, shape of nu (...) and wavelengths (nl,) to (..., nl). [sr⁻¹]"""
+
+    @abstractmethod
+    def sampled(self, wavelength: float) -> tuple[PhaseRow, ...]:
+        """Tables to draw random angles from at a wavelength [nm]: one, or two that are mixed."""
+
+    def moments(self, wavelengths: npt.ArrayLike, degree: int) -> FloatArray:
+        """Legendre moments as ``optics.legendre`` defines them, shape (nl, degree + 1). [1]"""
+        nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+        return legendre_moments(lambda nu: np.moveaxis(self.values(nu, nm), 0, -1), degree)
+
+    def frozen(self, wavelengths: FloatArray) -> dict[str, Any]:
+        """A table of a planet file that gives it at a few wavelengths by few numbers.
+
+        Without such numbers of its own, a Henyey-Greenstein function of the same mean cosine.
+
+        Parameters
+        ----------
+        wavelengths : array, shape (nl,)
+            [nm]
+        """
+        mean = self.moments(wavelengths, 1)
+        return {"kind": "henyey-greenstein", "asymmetry": written(mean[:, 1] / mean[:, 0])}
+
+
+class FormulaPhase(PhaseFunction):
+    """A phase function by a formula of the cosine and of its fields, in their order.
+
+    A new one is a frozen class (``@parameters``) with a ``keyword``, its ``formula`` and fields
+    declared by ``Key``; its name in ``PHASES`` makes reader, editors and solvers know it.
+
+    Attributes
+    ----------
+    formula : callable
+        The ``@kernel`` of nu and the fields, as a ``staticmethod``. [sr⁻¹]
+    """
+
+    formula: ClassVar[Callable[..., float]]
+
+    def _given(self) -> tuple[float | PerWavelength, ...]:
+        return tuple(getattr(self, name) for name in fields_of(type(self)))
+
+    def parameters_at(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """The formula's parameters, shape (np, nl). [1]"""
+        return np.array([spectral_at(one, wavelengths) for one in self._given()])
+
+    @property
+    def limits(self) -> Limits:
+        """The wavelengths at which it is known. [nm]"""
+        return spectral_limits(*self._given())
+
+    def values(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
+        """The phase function, shape of nu (...) and wavelengths (nl,) to (..., nl). [sr⁻¹]"""
+        cosines = np.asarray(nu, dtype=np.float64)[..., None]
+        formula: Any = vectorized(type(self).formula)
+        return np.asarray(formula(cosines, *self.parameters_at(wavelengths)))
+
+    def sampled(self, wavelength: float) -> tuple[PhaseRow, ...]:
+        """A table whose straight logarithms are the formula to a part in 100 000."""
+        angles = np.linspace(0.0, 180.0, _FIRST_ANGLES)
+        for _ in range(_MOST_HALVINGS):
+            between = 0.5 * (angles[:-1] + angles[1:])
+            values, true = self._at_angles(angles, wavelength), self._at_angles(between, wavelength)
+            straight = np.sqrt(values[:-1] * values[1:])
+            coarse = np.abs(straight - true) > _TABLE_TOLERANCE * true
+            if not coarse.any():
+                break
+            angles = np.sort(np.concatenate([angles, between[coarse]]))
+        return (PhaseRow(1.0, angles, self._at_angles(angles, wavelength)),)
+
+    def _at_angles(self, angles: FloatArray, wavelength: float) -> FloatArray:
+        return np.asarray(self.values(np.cos(np.radians(angles)), [wavelength])[..., 0])
+
+    def frozen(self, wavelengths: FloatArray) -> dict[str, Any]:
+        """Itself, its parameters at these wavelengths; see ``PhaseFunction.frozen``."""
+        names = [key.name for key in fields_of(type(self)).values()]
+        given = self.parameters_at(wavelengths)
+        rows = {name: written(row) for name, row in zip(names, given, strict=True)}
+        return {"kind": self.keyword, **rows}
+
+
+def written(values: FloatArray) -> Any:
+    """Numbers as a planet file has them: one if all are the same, else one per wavelength."""
+    listed = [float(f"{value:.{_DIGITS}g}") for value in values]
+    return listed[0] if len(set(listed)) == 1 else listed

@@ -1,0 +1,29 @@
+"""The density profiles that a constituent can have: one more is a class of its own, listed here."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from airlight.planets.matter.profiles.formulas import BulkGas, Exponential, Tent, Uniform
+from airlight.planets.matter.profiles.layered import Layer, Layered
+from airlight.planets.matter.profiles.profile import Profile
+from airlight.planets.matter.profiles.tabulated import Tabulated
+from airlight.planets.schema.kinds import Kinds
+
+__all__ = [
+    "PROFILES", "BulkGas", "Exponential", "Layer", "Layered", "Profile", "Tabulated", "Tent",
+    "Uniform",
+]  # fmt: skip
+
+#: What ``profile = { kind = … }`` may name.
+PROFILES: Final[Kinds[Profile]] = Kinds(
+    (
+        Exponential,
+        Tent,
+        Layered,
+        Tabulated,
+        Uniform,
+    ),
+    label="profile",
+    help="The form of its density over altitude.",
+)

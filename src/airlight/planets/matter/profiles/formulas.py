@@ -1,0 +1,178 @@
+"""Density profiles by a formula: exponential, tent, uniform."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from airlight.optics import density_profile
+from airlight.optics.density_profile import Row
+from airlight.optics.rayleigh import scale_height
+from airlight.planets.matter.profiles.profile import Profile
+from airlight.planets.parameters import parameters
+from airlight.planets.schema.key import Key, Wavelengths
+from airlight.planets.schema.record import Record
+from airlight.planets.schema.section import Section
+
+
+@parameters
+class BulkGas(Record):
+    """An isothermal gas whose scale height is RT/(Mg).
+
+    Parameters
+    ----------
+    temperature : float
+        [K]
+    molar_mass : float
+        M. [kg mol⁻¹]
+    gravity : float
+        g. [m s⁻²]
+    """
+
+    temperature: Annotated[
+        float,
+        Key(
+            label="temperature",
+            help="T of RT/(Mg).",
+            unit="K",
+            range=(0.0, 1e30),
+            open_ends=True,
+            example="288.15 K",
+            slider=(20.0, 1000.0),
+            typed=(1e-3, 1e9),
+            scale="log",
+            mode="advanced",
+        ),
+    ]
+    molar_mass: Annotated[
+        float,
+        Key(
+            label="molar mass",
+            help="M of RT/(Mg).",
+            unit="kg/mol",
+            range=(0.0, 1e30),
+            open_ends=True,
+            example="28.9644 g/mol",
+            shown="g/mol",
+            slider=(1.0, 100.0),
+            typed=(1e-6, 1e9),
+            scale="log",
+            mode="advanced",
+        ),
+    ]
+    gravity: Annotated[
+        float,
+        Key(
+            label="gravity",
+            help="g of RT/(Mg).",
+            unit="m/s^2",
+            range=(0.0, 1e30),
+            open_ends=True,
+            example="9.80665 m/s^2",
+            slider=(0.1, 100.0),
+            typed=(1e-6, 1e9),
+            scale="log",
+            mode="advanced",
+        ),
+    ]
+
+
+def _scale_height(section: Section, name: str, wavelengths: Wavelengths) -> float:
+    """A length, or that of a gas by its bulk parameters. [m]"""
+    if not isinstance(section.raw(name), dict):
+        return section.number(name, "m", "8 km")
+    gas = BulkGas.read(section.section(name, "a length such as '8 km'"))
+    return scale_height(gas.temperature, gas.molar_mass, gas.gravity)
+
+
+def height_key(label: str, text: str, **more: Any) -> Key:
+    """A height over which a density falls: thinner layers than a metre are surfaces."""
+    return Key(label=label, help=text, unit="m", range=(1.0, 1e9), shown="km",
+               slider=(0.1, 100.0), scale="log", **more)  # fmt: skip
+
+
+@parameters
+class Exponential(Profile):
+    """exp(-h/H).
+
+    Parameters
+    ----------
+    scale_height : float
+        H, 1 to 1e9. [m]
+
+    Examples
+    --------
+    >>> f"{Exponential(scale_height=8000.0).column(100e3):.4f}"
+    '7999.9702'
+    """
+
+    keyword = "exponential"
+
+    scale_height: Annotated[
+        float,
+        height_key(
+            "scale height",
+            "Each such step up thins it by a factor of e.",
+            note="Or from bulk parameters, RT/(Mg): `{ temperature, molar_mass, gravity }`.",
+            read=_scale_height,
+            example="8 km",
+            table="bulk",
+            fresh_share=0.08,
+        ),
+    ]
+
+    def row(self, thickness: float) -> Row:
+        """Segments over a shell of this thickness [m]; see ``optics.density_profile``."""
+        return density_profile.exponential(self.scale_height, thickness)
+
+
+@parameters
+class Tent(Profile):
+    """``max(0, 1 - |h - center|/half_width)``.
+
+    Parameters
+    ----------
+    center : float
+        Altitude of the peak. [m]
+    half_width : float
+        From the peak to where the density is 0. [m]
+    """
+
+    keyword = "tent"
+
+    center: Annotated[
+        float,
+        Key(
+            label="centre",
+            help="Altitude where it is densest.",
+            unit="m",
+            range=(0.0, 1e9),
+            example="25 km",
+            shown="km",
+            slider=(0.0, 100.0),
+            fresh_share=0.25,
+        ),
+    ]
+    half_width: Annotated[
+        float,
+        height_key(
+            "half width",
+            "From the altitude where it is densest to where it ends.",
+            example="15 km",
+            fresh_share=0.15,
+        ),
+    ]
+
+    def row(self, thickness: float) -> Row:
+        """Segments over a shell of this thickness [m]; see ``optics.density_profile``."""
+        return density_profile.tent(self.center, self.half_width, thickness)
+
+
+@parameters
+class Uniform(Profile):
+    """1 everywhere in the shell."""
+
+    keyword = "uniform"
+
+    def row(self, thickness: float) -> Row:
+        """Segments over a shell of this thickness [m]; see ``optics.density_profile``."""
+        return density_profile.uniform(thickness)

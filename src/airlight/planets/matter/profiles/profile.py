@@ -1,0 +1,25 @@
+"""What every density profile promises."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+
+from airlight.optics import density_profile
+from airlight.optics.density_profile import Row
+from airlight.planets.schema.record import Record
+
+
+class Profile(Record, ABC):
+    """Relative density over altitude, as a parameter object.
+
+    A new profile is a frozen class (``@parameters``) with a ``keyword``, fields declared by ``Key``
+    and a ``row``; its name in ``PROFILES`` makes reader, editors and solvers know it.
+    """
+
+    @abstractmethod
+    def row(self, thickness: float) -> Row:
+        """Segments over a shell of this thickness [m]; see ``optics.density_profile``."""
+
+    def column(self, thickness: float) -> float:
+        """Vertical column over a shell of this thickness [m]. [m]"""
+        return density_profile.row_column(self.row(thickness))

@@ -1,0 +1,117 @@
+"""A density profile from a table of altitudes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Annotated, Any, Final
+
+import numpy as np
+
+from airlight.errors import ParameterError
+from airlight.optics.density_profile import Row
+from airlight.planets.matter.profiles.profile import Profile
+from airlight.planets.parameters import ascending, parameters
+from airlight.planets.schema.key import Key, Wavelengths
+from airlight.planets.schema.section import Section
+
+#: The most rows of a table.
+MOST_ROWS = 1000
+#: The table of densities that comes with the package, by name.
+OZONE_TABLE: Final = "ozone-afgl1986-us-standard"
+
+
+@parameters
+class Tabulated(Profile):
+    """A table of altitudes and densities.
+
+    Parameters
+    ----------
+    altitudes : tuple of float
+        Strictly ascending, 2 to 1000 of them. [m]
+    densities : tuple of float
+        As many, relative, not negative. [1]
+
+    Notes
+    -----
+    See ``optics.tabulated_profile`` for what lies between and beyond the rows.
+    """
+
+    keyword = "tabulated"
+    extra_keys = (
+        Key(
+            name="table",
+            label="table",
+            help="A table of densities that comes with the package.",
+            note="Instead of altitudes and densities.",
+            kind="choice",
+            words=lambda: (OZONE_TABLE,),
+        ),
+    )
+
+    altitudes: Annotated[
+        tuple[float, ...],
+        Key(
+            label="altitude",
+            help="Altitudes of the rows of the table, each above the one before it.",
+            note="Required without a `table`. Beyond its ends the table goes on exponentially,"
+            " never growing upwards.",
+            unit="m",
+            range=(0.0, 1e9),
+            listed=True,
+            example="0, 10, 20 km",
+            shown="km",
+            slider=(0.0, 100.0),
+            mode="advanced",
+        ),
+    ]
+    densities: Annotated[
+        tuple[float, ...],
+        Key(
+            label="density",
+            help="Relative density in each row.",
+            note="Interpolated in the logarithm with a monotone cubic; straight lines next to a"
+            " density of 0.",
+            range=(0.0, 1e6),
+            listed=True,
+            example="1, 0.3, 0.1",
+            slider=(1e-6, 1.0),
+            scale="log",
+            per="altitudes",
+            per_unit="km",
+            mode="advanced",
+        ),
+    ]
+
+    def __post_init__(self) -> None:
+        if not 2 <= len(self.altitudes) <= MOST_ROWS:
+            raise ParameterError("altitudes", self.altitudes, f"2 to {MOST_ROWS} altitudes")
+        if len(self.densities) != len(self.altitudes):
+            raise ParameterError(
+                "densities", self.densities, f"one for each of {len(self.altitudes)} altitudes"
+            )
+        ascending(self.altitudes, "altitudes", "m")
+        if float(np.min(np.diff(self.altitudes))) < 1e-3:
+            raise ParameterError("altitudes", self.altitudes, "steps of at least 1 mm")
+
+    def row(self, thickness: float) -> Row:
+        """Segments over a shell of this thickness [m]; see ``optics.density_profile``."""
+        from airlight.optics.tabulated_profile import tabulated
+
+        return tabulated(self.altitudes, self.densities, thickness)
+
+    @classmethod
+    def read_values(cls, section: Section, wavelengths: Wavelengths = None) -> dict[str, Any]:
+        """Altitudes and densities, given or from a table of the package."""
+        if "table" not in section:
+            return super().read_values(section, wavelengths)
+        from airlight.optics.gas_absorption import ozone_profile_afgl1986
+
+        section.choice("table", (OZONE_TABLE,))
+        altitudes, densities = ozone_profile_afgl1986()
+        relative = densities / densities.max()
+        return {"altitudes": tuple(altitudes.tolist()), "densities": tuple(relative.tolist())}
+
+    @classmethod
+    def fresh(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
+        """A table that comes with the package; see ``Record.fresh``."""
+        return {"table": OZONE_TABLE}

@@ -1,0 +1,78 @@
+"""At which wavelengths a planet is computed for a picture: one policy for everybody who draws.
+
+Pictures that are looked at for long have sixteen, evenly spaced; pictures that follow a hand, and
+all that a texel of a graphics device holds, have the few that show colours best.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.color.four_wavelengths import CHOSEN, few_wavelengths
+from airlight.color.spectral import default_wavelengths
+from airlight.errors import ParameterError
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
+
+FloatArray = npt.NDArray[np.float64]
+
+#: Wavelengths of a picture if nobody says: of a still one, and of one that a device draws.
+STILL: Final = 16
+LIVE: Final = 4
+#: How many wavelengths a word stands for.
+COUNTS: Final = {"three": 3, "four": 4, "eight": 8, "sixteen": 16}
+
+
+def picture_wavelengths(
+    planet: Planet, choice: int | str | None = None, *, most: int | None = None
+) -> FloatArray:
+    """Wavelengths of a picture.
+
+    Parameters
+    ----------
+    planet : Planet
+        Known between its limits.
+    choice : int or str, optional
+        A number: so many over the visible, evenly spaced; three are 680, 550 and 440 nm. A word
+        of ``COUNTS``: few are chosen for their colours, many are evenly spaced. Without it
+        sixteen, or the four chosen ones where no more fit.
+    most : int, optional
+        What fits where the picture is drawn: 3 or 4; a word that asks for more gets 4.
+
+    Returns
+    -------
+    array, shape (n,)
+        [nm]
+
+    Raises
+    ------
+    ParameterError
+        If there is no such word, or no visible wavelength that the planet is known at.
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> picture_wavelengths(load_planet("mars-rayleigh"), "sixteen", most=4).size
+    4
+    >>> picture_wavelengths(load_planet("earth"), 3)
+    array([680., 550., 440.])
+    >>> picture_wavelengths(load_planet("earth"), "three")
+    array([450., 550., 620.])
+    """
+    limits = planet.wavelength_limits
+    if isinstance(choice, str) and choice not in COUNTS:
+        raise ParameterError("wavelengths", choice, ", ".join(COUNTS))
+    if choice is None:
+        count, fitted = (STILL, False) if most is None or most >= STILL else (LIVE, True)
+    elif isinstance(choice, str):
+        count = COUNTS[choice]
+        if most is not None and count > most:
+            count = LIVE
+        fitted = count in CHOSEN
+    else:
+        count, fitted = choice, False
+    return few_wavelengths(count, *limits) if fitted else default_wavelengths(count, *limits)

@@ -1,0 +1,27 @@
+"""Keys of a constituent that are no fields of it: its coefficients in other words."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from airlight.planets.matter.state_keys import albedo_key, depth_key
+from airlight.planets.planet import coefficient_key
+from airlight.planets.schema.key import Key
+
+EXTINCTION: Final = coefficient_key(
+    "extinction",
+    "Scattering and absorption together, where its profile is 1.",
+    name="extinction",
+    example="4.44e-6 /m",
+    note="Not below the scattering.",
+)
+ALBEDO: Final = albedo_key(name="single_scattering_albedo", spectral=True, per="wavelengths")
+DEPTH: Final = depth_key(
+    "Of the whole air straight up.",
+    name="optical_depth",
+    spectral=True,
+    per="wavelengths",
+    note="Divided by the profile's column when the file is read.",
+)
+#: In the order in which an editor shows them.
+COEFFICIENT_KEYS: Final[tuple[Key, ...]] = (EXTINCTION, ALBEDO, DEPTH)

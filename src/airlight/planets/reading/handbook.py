@@ -1,0 +1,141 @@
+"""The tables of ``docs/planet-files.md``: every key as it is declared."""
+
+from __future__ import annotations
+
+import inspect
+import math
+import re
+from collections.abc import Iterator
+from typing import Any, Final
+
+from airlight.planets.reading.tables import TABLES, keys_of
+from airlight.planets.schema.key import Key
+from airlight.planets.schema.kinds import Alternatives, Kinds
+
+_BLOCK: Final = re.compile(r"<!-- keys: (\w+) -->\n.*?<!-- end of keys -->", flags=re.DOTALL)
+#: Words that a cell lists; of more it says that there are tables.
+_MOST_WORDS: Final = 6
+
+
+def filled(page: str) -> str:
+    """The page with every block between ``<!-- keys: kind -->`` and its end written anew.
+
+    Parameters
+    ----------
+    page : str
+        Markdown.
+
+    Raises
+    ------
+    KeyError
+        If a block names no kind of table.
+    """
+
+    def block(match: re.Match[str]) -> str:
+        return f"<!-- keys: {match[1]} -->\n{key_table(match[1])}<!-- end of keys -->"
+
+    return _BLOCK.sub(block, page)
+
+
+def key_table(kind: str) -> str:
+    """The keys of one kind of table, as a table in Markdown.
+
+    Parameters
+    ----------
+    kind : str
+        One of ``TABLES``.
+
+    Examples
+    --------
+    >>> print(key_table("bulk").splitlines()[2])
+    | `temperature` | 0.001 to 1e9 K | required | T of RT/(Mg). |
+    """
+    lines: list[str] = []
+    table = TABLES[kind]
+    keys = keys_of(kind)
+    if isinstance(table, Kinds):
+        lines += _of_kinds(table)
+        keys = tuple(key for key in keys if key.name != "kind")
+        lines += [""] if keys else []
+    if keys:
+        lines += ["| key | value | left out | meaning |", "|---|---|---|---|"]
+        which = table.keywords if isinstance(table, Alternatives) else ()
+        for key in keys:
+            left_out = _left_out(key, one_of=key.name in which)
+            lines.append(_row(_cell(f"`{key.name}`"), _value(key), left_out, _meaning(key)))
+    return "\n".join(lines) + "\n"
+
+
+def _of_kinds(kinds: Kinds[Any]) -> Iterator[str]:
+    """A line for each kind: the word, its keys, and the first line of its class."""
+    yield "| `kind` | keys | |"
+    yield "|---|---|---|"
+    for one in kinds.classes:
+        names = ", ".join(f"`{key.name}`" for key in one.declared())
+        summary = (inspect.getdoc(one) or "").splitlines()[0]
+        yield _row(f'`"{one.keyword}"`', names, _cell(summary.replace("``", "`")))
+
+
+def _row(*cells: str) -> str:
+    return f"| {' | '.join(cells)} |".replace("|  |", "| |")
+
+
+def _cell(text: str) -> str:
+    return text.replace("|", "\\|")
+
+
+def _value(key: Key) -> str:
+    """What may stand there: words, a table, a range in the unit that it is edited in."""
+    parts = []
+    words = key.words()
+    if key.kind == "text":
+        parts.append("text")
+    elif key.kind == "table":
+        parts.append("a table")
+    elif key.kind == "number":
+        parts.append(_range(key))
+        if key.spectral:
+            parts.append("a list")
+        elif key.listed:
+            parts[-1] += ", a list"
+    if words:
+        few = len(words) <= _MOST_WORDS
+        parts.append(", ".join(f'`"{word}"`' for word in words) if few else "a word, below")
+    if key.table and key.kind != "table":
+        parts.append("a table")
+    return " or ".join(parts)
+
+
+def _range(key: Key) -> str:
+    unit = "" if key.shown_unit == "1" else f" {key.shown_unit}"
+    low, high = key.limits
+    if math.isfinite(low) and math.isfinite(high):
+        return f"{_number(low)} to {_number(high)}{unit}"
+    return f"a number{unit and f' of{unit}'}"
+
+
+def _number(value: float) -> str:
+    """Four digits, without the plus and the zeros of an exponent.
+
+    Examples
+    --------
+    >>> _number(1e6), _number(1e-11), _number(0.5)
+    ('1e6', '1e-11', '0.5')
+    """
+    return re.sub(r"e([+-])0*", lambda sign: "e" + sign[1].strip("+"), f"{value:.4g}")
+
+
+def _left_out(key: Key, *, one_of: bool) -> str:
+    if one_of:
+        return "one of these"
+    if key.required:
+        return "required"
+    default = key.default
+    if isinstance(default, float):
+        unit = "" if key.unit == "1" or default == 0.0 else f" {key.unit}"
+        return f"{_number(default)}{unit}"
+    return f"{default}" if isinstance(default, str) else ""
+
+
+def _meaning(key: Key) -> str:
+    return _cell(" ".join(part for part in (key.help, key.note) if part))

@@ -1,0 +1,109 @@
+"""Every kind of table of a planet file with its keys, for reader, editors and handbook."""
+
+from __future__ import annotations
+
+from typing import Final, Protocol
+
+from airlight.planets.ground_and_star import Ground, Star
+from airlight.planets.matter.absorbers import ABSORBERS, SmallParticleAbsorption
+from airlight.planets.matter.gas_mixture import SHARE, GasMixture
+from airlight.planets.matter.gases import SCATTERERS
+from airlight.planets.matter.matter import Matter
+from airlight.planets.matter.particle_index import INDICES
+from airlight.planets.matter.particle_sizes import SIZES
+from airlight.planets.matter.particles import Particles
+from airlight.planets.matter.phases import PHASES
+from airlight.planets.matter.profiles import PROFILES, BulkGas, Layer
+from airlight.planets.matter.turbidity import LiteralTurbidity, Turbidity
+from airlight.planets.planet import Constituent, Planet
+from airlight.planets.reading.coefficient_keys import COEFFICIENT_KEYS
+from airlight.planets.schema.key import WAVELENGTHS, FileTable, Key
+from airlight.planets.schema.record import fields_of
+
+#: What a constituent may be made of, by the key of its table.
+MATTER: Final[tuple[type[Matter], ...]] = (
+    GasMixture,
+    Particles,
+    Turbidity,
+    LiteralTurbidity,
+)
+
+
+class KindOfTable(Protocol):
+    """Anything that declares the keys of one kind of table."""
+
+    def declared(self, table: FileTable | None = None) -> tuple[Key, ...]:
+        """The keys that this table may have, or any table of the kind."""
+
+
+class _Listed:
+    """A kind of table whose keys are a list."""
+
+    def __init__(self, *keys: Key) -> None:
+        self._keys = keys
+
+    def declared(self, table: FileTable | None = None) -> tuple[Key, ...]:
+        """The list."""
+        return self._keys
+
+
+def _planet() -> _Listed:
+    """The keys of a whole file: those of a planet, with the shell's in a table of their own."""
+    own = Planet.declared()
+    first = next(i for i, key in enumerate(own) if key.kind == "table")
+    shell = Key(name="shell", label="shell", help="Where the air lies.", kind="table",
+                table="shell", required=True)  # fmt: skip
+    return _Listed(*own[:first], shell, *own[first:])
+
+
+def _constituent() -> _Listed:
+    """A constituent's fields, its coefficients in other words, and what it may be made of."""
+    own = {key.name: key for key in Constituent.declared()}
+    phase = own.pop("phase_function")
+    made_of = [
+        Key(name=one.keyword, label=one.label, help=one.help, kind="table", table=one.keyword)
+        for one in MATTER
+    ]
+    first = [own.pop("name"), own.pop("profile"), WAVELENGTHS]
+    return _Listed(*first, *own.values(), *COEFFICIENT_KEYS, *made_of, phase)
+
+
+#: By the name that ``Key.table`` uses.
+TABLES: Final[dict[str, KindOfTable]] = {
+    "planet": _planet(),
+    "shell": _Listed(*(key for key in fields_of(Planet).values() if key.within == "shell")),
+    "ground": Ground,
+    "star": Star,
+    "constituent": _constituent(),
+    "profile": PROFILES,
+    "bulk": BulkGas,
+    "layer": Layer,
+    "phase_function": PHASES,
+    **{one.keyword: one for one in MATTER},
+    "composition": _Listed(SHARE),
+    "scattering": SCATTERERS,
+    "absorption": ABSORBERS,
+    "small_particles": _Listed(
+        *fields_of(SmallParticleAbsorption).values(), *SmallParticleAbsorption.extra_keys
+    ),
+    "index": INDICES,
+    "sizes": SIZES,
+}
+
+
+def keys_of(kind: str, table: FileTable | None = None) -> tuple[Key, ...]:
+    """The keys of a kind of table.
+
+    Parameters
+    ----------
+    kind : str
+        One of ``TABLES``.
+    table : mapping, optional
+        A table of that kind; its own words narrow the keys that it may have.
+
+    Examples
+    --------
+    >>> [key.name for key in keys_of("profile", {"kind": "tent"})]
+    ['kind', 'center', 'half_width']
+    """
+    return TABLES[kind].declared(table)

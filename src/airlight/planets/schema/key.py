@@ -1,0 +1,263 @@
+"""One key of a planet file, declared once: range, unit, default, words, and how it is edited.
+
+A ``Key`` stands in the annotation of a parameter object's field, where it checks the field's
+values; reader, ``--set``, the lists of controls and the handbook's tables read the same.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from pydantic import BeforeValidator, GetCoreSchemaHandler, ValidationInfo
+from pydantic_core import CoreSchema
+
+from airlight.errors import ParameterError
+from airlight.planets.parameters import inside, numbers
+from airlight.planets.schema.measures import converted
+from airlight.planets.schema.section import Section
+from airlight.planets.spectral import LONGEST, SHORTEST, check_spectral
+
+Wavelengths = tuple[float, ...] | None
+#: A table of a planet file, as the TOML parser gives it.
+FileTable = Mapping[str, Any]
+
+
+def always(table: FileTable) -> bool:
+    """Offered to every table that leaves the key out."""
+    return True
+
+
+def never(table: FileTable) -> bool:
+    """Not offered where the file leaves the key out."""
+    return False
+
+
+class Made:
+    """Base of parameter objects: one that stands where a table may has checked itself."""
+
+
+def _no_words() -> tuple[str, ...]:
+    return ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Key:
+    """The declaration of one key of one kind of table.
+
+    Attributes
+    ----------
+    label, help : str
+        A few words; a sentence.
+    name : str
+        As the file writes it, if the field has another name; ``*`` in a table whose keys are names.
+    note : str
+        More for the handbook: sentences after ``help``.
+    kind : str
+        ``number`` (also lists of numbers, and ``words`` instead), ``choice``, ``text``, ``table``.
+    unit : str
+        Of the field, of ``range``, and of a number that the file gives without one.
+    range : (float, float)
+        Lowest and highest allowed value; of a text, how many letters. [unit]
+    open_ends : bool
+        Whether the ends themselves are refused.
+    example : str
+        A value as a file may write it, for errors.
+    spectral : bool
+        Whether a list beside ``wavelengths`` may stand here.
+    listed : bool
+        Whether it is a list of numbers.
+    read : callable, optional
+        ``read(section, name, wavelengths)`` where the file's form is not the field's.
+    required : bool, optional
+        Whether the file has to give it; as the field has no default, if left out.
+    default : object
+        What stands for a key that is left out, if not the field's default.
+    offered : callable
+        Whether an editor shows the key to a table that leaves it out.
+    shown : str
+        The unit that it is edited in; ``unit`` if left out.
+    slider : (float, float), optional
+        The ends of its slider; ``range`` if left out. [shown]
+    typed : (float, float), optional
+        What an editor takes, if less than ``range``. [shown]
+    scale : str
+        ``linear`` or ``log``, of the slider.
+    fresh : object
+        What an editor puts in for it when it makes a table of this kind, as a file writes it.
+    fresh_share : float, optional
+        The same, as a share of the shell's thickness.
+    words : callable
+        The words that may stand here, looked up when asked for.
+    stand_in : str
+        The word by which an editor shows a table that has to leave the key out.
+    table : str
+        The kind of table, or of each table of a list, that may stand here.
+    prefix : str
+        Put before the labels of the keys within that table.
+    per, per_unit : str
+        The key whose list says what each item of a list here belongs to; the unit it is shown in.
+    mode : str
+        ``standard`` or ``advanced``: by coefficients, or by what the air is made of.
+    within : str
+        The table of the file that the key of a planet stands in, if not at the top.
+    """
+
+    label: str
+    help: str
+    name: str = ""
+    note: str = ""
+    kind: str = "number"
+    unit: str = "1"
+    range: tuple[float, float] = (-math.inf, math.inf)
+    open_ends: bool = False
+    example: str = "1"
+    spectral: bool = False
+    listed: bool = False
+    read: Callable[[Section, str, Wavelengths], Any] | None = None
+    required: bool | None = None
+    default: Any = None
+    offered: Callable[[FileTable], bool] = never
+    shown: str = ""
+    slider: tuple[float, float] | None = None
+    typed: tuple[float, float] | None = None
+    scale: str = "linear"
+    fresh: Any = None
+    fresh_share: float | None = None
+    words: Callable[[], tuple[str, ...]] = _no_words
+    stand_in: str = ""
+    table: str = ""
+    prefix: str = ""
+    per: str = ""
+    per_unit: str = "nm"
+    mode: str = "standard"
+    within: str = ""
+
+    # --- of the field -------------------------------------------------------------------------
+
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        return BeforeValidator(self._validated).__get_pydantic_core_schema__(source, handler)
+
+    def _validated(self, value: Any, info: ValidationInfo) -> Any:
+        return self.checked(value, info.field_name or "value")
+
+    def checked(self, value: Any, field: str) -> Any:
+        """A field's value within the range.
+
+        Raises
+        ------
+        ParameterError
+            If it is not.
+        """
+        low, high = self.range
+        if self.table and isinstance(value, Made):
+            return value
+        if self.kind == "choice" and self.words is not _no_words:
+            if value not in self.words():
+                raise ParameterError(field, value, " or ".join(map(repr, self.words())))
+        elif self.kind == "text" and math.isfinite(high):
+            if not isinstance(value, str) or not low <= len(value) <= high:
+                raise ParameterError(field, value, f"{low:.0f} to {high:.0f} letters")
+        elif self.kind == "number" and math.isfinite(high):
+            if self.words is not _no_words and isinstance(value, str):
+                if value in self.words():
+                    return value
+                allowed = f"{low:g} to {high:g} {self.unit_text}".rstrip()
+                raise ParameterError(field, value, f"{allowed}, or {', '.join(self.words())}")
+            if self.listed:
+                return numbers(value, field, low, high, self.unit_text)
+            if self.spectral:
+                return check_spectral(value, field, low, high, self.unit_text)
+            ends = self.open_ends
+            return inside(value, field, low, high, self.unit_text, above=ends, below=ends)
+        return value
+
+    @property
+    def unit_text(self) -> str:
+        """The unit as errors show it: ``/m`` for ``1/m``, nothing for ``1``."""
+        return self.unit.removeprefix("1")
+
+    @property
+    def unit_words(self) -> str:
+        """The unit as tables show it: ``W m⁻² nm⁻¹`` for ``W/m^2/nm``, nothing for ``1``.
+
+        Examples
+        --------
+        >>> Key(label="g", help="-", unit="m/s^2").unit_words
+        'm s⁻²'
+        """
+        top, *below = self.unit.split("/")
+        parts = ([] if top == "1" else [top]) + [_inverse(part) for part in below]
+        return " ".join(parts)
+
+    # --- of the file --------------------------------------------------------------------------
+
+    def read_from(self, section: Section, wavelengths: Wavelengths) -> Any:
+        """What a table of the file holds for the key, in ``unit``; None if it leaves it out.
+
+        Raises
+        ------
+        ParameterError
+            If it is missing though required, or no value of its kind.
+        """
+        name = self.name
+        if not self.required and name not in section:
+            return None
+        if self.read is not None:
+            return self.read(section, name, wavelengths)
+        if self.kind == "choice":
+            return section.choice(name, self.words())
+        if self.kind == "text":
+            return section.text(name, self.example)
+        if self.listed:
+            return section.numbers(name, self.unit, self.example)
+        if self.spectral:
+            return section.spectral(name, self.unit, self.example, wavelengths)
+        return section.number(name, self.unit, self.example)
+
+    # --- of an editor -------------------------------------------------------------------------
+
+    @property
+    def shown_unit(self) -> str:
+        """The unit that it is edited in."""
+        return self.shown or self.unit.removeprefix("1") or "1"
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Lowest and highest value that an editor takes. [shown]"""
+        if self.typed is not None or self.kind != "number":
+            return self.typed or self.range
+        return tuple(  # type: ignore[return-value]
+            converted(end, self.unit, self.shown_unit) if math.isfinite(end) else end
+            for end in self.range
+        )
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """The ends of the slider. [shown]"""
+        return self.slider or self.limits
+
+
+def _inverse(unit: str) -> str:
+    """One over a unit: ``s⁻²`` for ``s^2``."""
+    name, _, power = unit.partition("^")
+    return f"{name}⁻{'¹²³'[int(power or 1) - 1]}"
+
+
+#: The list of wavelengths that the other lists of a table belong to.
+WAVELENGTHS = Key(
+    name="wavelengths",
+    label="wavelength",
+    help="The wavelengths that the lists of this part belong to.",
+    unit="nm",
+    range=(SHORTEST, LONGEST),
+    slider=(300.0, 1000.0),
+    listed=True,
+    example="680, 550, 440 nm",
+    mode="advanced",
+    required=False,
+)

@@ -1,0 +1,121 @@
+"""Texts with a unit as numbers in a declared unit, and back."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from typing import Any
+
+from airlight.units import quantities, quantity
+
+#: Columns of gas, which have a unit of their own.
+DOBSON = "DU"
+
+
+@cache
+def _factor(unit: str, bare: str) -> float:
+    """Of what a unit is of the other."""
+    if unit == DOBSON:
+        return column_of_gas("1 DU", "column")
+    return 1.0 if unit == bare else quantity(f"1 {unit}", bare)
+
+
+def converted(number: float, unit: str, shown: str) -> float:
+    """A number of one unit in another of the same kind.
+
+    Examples
+    --------
+    >>> converted(1000.0, "m", "km"), converted(1e-3, "1/m", "/km")
+    (1.0, 1.0)
+    """
+    # The shortest number that means the same: 5.802e-6 /m is 0.005802 /km.
+    return float(f"{number / _factor(shown, unit):.14g}")
+
+
+def column_of_gas(value: Any, field: str) -> float:
+    """Molecules above an area, from a text such as ``345 DU`` or ``9.3e22 /m^2``. [m⁻²]
+
+    Examples
+    --------
+    >>> f"{column_of_gas('345 DU', 'ozone'):.3e}"
+    '9.269e+22'
+    """
+    if isinstance(value, str) and (match := re.fullmatch(r"\s*(\S{1,40}?)\s*DU\s*", value)):
+        from airlight.optics.gas_absorption import column_from_dobson
+
+        return column_from_dobson(quantity(match[1], "1", field))
+    return quantity(value, "1/m^2", field)
+
+
+def number_in(value: Any, unit: str, bare: str, field: str) -> float:
+    """What a file holds, as a number in a unit.
+
+    Parameters
+    ----------
+    value : object
+        A number, or a text with a unit, as a planet file has it.
+    unit : str
+        Of the result.
+    bare : str
+        The unit that a number without one is in.
+    field : str
+        Named in the error.
+
+    Raises
+    ------
+    ParameterError
+        If it is no quantity of that kind.
+
+    Examples
+    --------
+    >>> number_in("6360 km", "km", "m", "radius"), number_in(6360e3, "km", "m", "radius")
+    (6360.0, 6360.0)
+    >>> number_in("345 DU", "DU", "1/m^2", "ozone")
+    345.0
+    """
+    if unit == DOBSON:
+        found = column_of_gas(value, field)
+    else:
+        found = quantity(value, bare, field)
+    return converted(found, bare, unit)
+
+
+def text_of(number: float, unit: str) -> float | str:
+    """A number in a unit as a file holds it: with the unit, if it has one.
+
+    Examples
+    --------
+    >>> text_of(6400.0, "km"), text_of(0.3, "1")
+    ('6400 km', 0.3)
+    """
+    if unit == "1":
+        return number
+    whole = repr(int(number)) if number == int(number) and abs(number) < 1e15 else repr(number)
+    return f"{whole} {unit}"
+
+
+def listed(text: str, bare: str) -> list[Any]:
+    """The items of a list that is written as one text with commas.
+
+    Examples
+    --------
+    >>> listed("0, 5, 12.5 km", "m")
+    ['0 km', '5 km', '12.5 km']
+    """
+    items = [item.strip() for item in text.split(",")]
+    numbers = quantities(text, bare)
+    unit = items[-1].lstrip("+-.0123456789eE").strip()
+    return [
+        _with_unit(item, unit, number, bare) for item, number in zip(items, numbers, strict=True)
+    ]
+
+
+def _with_unit(item: str, unit: str, number: float, bare: str) -> str:
+    """The item with the last one's unit if it has none and means the same with it."""
+    if unit:
+        try:
+            if quantity(f"{item} {unit}", bare) == number:
+                return f"{item} {unit}"
+        except ValueError:
+            pass
+    return item

@@ -1,0 +1,137 @@
+"""Parameter objects that are tables of a planet file: read, and made fresh, by their keys."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+from typing import Annotated, Any, ClassVar, Final, Self, get_args, get_origin
+
+from airlight.errors import ParameterError
+from airlight.planets.schema.key import WAVELENGTHS, FileTable, Key, Made, Wavelengths
+from airlight.planets.schema.measures import converted, text_of
+from airlight.planets.schema.section import Section
+
+
+class Record(Made):
+    """Base of parameter objects whose fields are declared by ``Key``.
+
+    Attributes
+    ----------
+    keyword : str
+        The word, or the key, by which a planet file asks for this kind of table.
+    has_wavelengths : bool
+        Whether the table has a list of wavelengths of its own.
+    extra_keys : tuple of Key
+        Keys of the table that are no fields: other forms of saying them.
+    """
+
+    keyword: ClassVar[str] = ""
+    has_wavelengths: ClassVar[bool] = False
+    extra_keys: ClassVar[tuple[Key, ...]] = ()
+
+    @classmethod
+    def declared(cls, table: FileTable | None = None) -> tuple[Key, ...]:
+        """The keys of its table, in the order of the fields."""
+        own = tuple(key for key in fields_of(cls).values() if not key.within)
+        return (*own, *([WAVELENGTHS] if cls.has_wavelengths else []), *cls.extra_keys)
+
+    @classmethod
+    def read(cls, section: Section, wavelengths: Wavelengths = None) -> Self:
+        """The object that a table of a planet file gives.
+
+        Parameters
+        ----------
+        section : Section
+        wavelengths : tuple of float, optional
+            Those that its lists belong to, if the table has none of its own. [nm]
+
+        Raises
+        ------
+        ParameterError
+            If something in it cannot be, or a key is left that nobody knows.
+        """
+        values = cls.read_values(section, wavelengths)
+        section.finish()
+        return cls.made(section, values)
+
+    @classmethod
+    def read_values(cls, section: Section, wavelengths: Wavelengths = None) -> dict[str, Any]:
+        """What the table gives, by field; keys that it leaves out are not there."""
+        if cls.has_wavelengths:
+            wavelengths = section.wavelengths()
+        found = {
+            field: key.read_from(section, wavelengths) for field, key in fields_of(cls).items()
+        }
+        return {field: value for field, value in found.items() if value is not None}
+
+    @classmethod
+    def made(cls, section: Section, values: Mapping[str, Any]) -> Self:
+        """The object of these fields; errors name the key of the file."""
+        names = {field: key.name for field, key in fields_of(cls).items()}
+        with section.blamed():
+            try:
+                return cls(**values)
+            except ParameterError as error:
+                field = names.get(error.field, error.field)
+                raise ParameterError(field, error.value, error.allowed) from None
+
+    @classmethod
+    def fresh(cls, old: FileTable, thickness: float) -> dict[str, Any]:
+        """What an editor puts into a table that becomes one of this kind.
+
+        Parameters
+        ----------
+        old : mapping
+            The table that it replaces.
+        thickness : float
+            Thickness of the shell. [m]
+
+        Returns
+        -------
+        dict
+            As a planet file has it, without the word that names the kind.
+        """
+        table: dict[str, Any] = {}
+        for key in fields_of(cls).values():
+            if key.fresh_share is not None:
+                height = converted(key.fresh_share * thickness, key.unit, key.shown_unit)
+                table[key.name] = text_of(float(f"{height:.4g}"), key.shown_unit)
+            elif key.fresh is not None:
+                table[key.name] = key.fresh
+        return table
+
+
+_FIELDS: Final[dict[type[Any], dict[str, Key]]] = {}
+
+
+def fields_of(cls: type[Any]) -> dict[str, Key]:
+    """The declarations of a class's fields, names and defaults filled in."""
+    if cls not in _FIELDS:
+        _FIELDS[cls] = _declared_fields(cls)
+    return _FIELDS[cls]
+
+
+def _declared_fields(cls: type[Any]) -> dict[str, Key]:
+    annotated = cls.__pydantic_fields__
+    found = {}
+    for field in dataclasses.fields(cls):
+        info = annotated[field.name]
+        key = _key_in(Annotated[info.annotation, *info.metadata, None])
+        if key is not None:
+            given = field.default is not dataclasses.MISSING
+            found[field.name] = dataclasses.replace(
+                key,
+                name=key.name or field.name,
+                default=field.default if key.default is None and given else key.default,
+                required=not given if key.required is None else key.required,
+            )
+    return found
+
+
+def _key_in(hint: Any) -> Key | None:
+    """The declaration within an annotation, if there is one."""
+    if get_origin(hint) is Annotated:
+        for one in hint.__metadata__:
+            if isinstance(one, Key):
+                return one
+    return next((key for key in map(_key_in, get_args(hint)) if key is not None), None)

@@ -1,0 +1,173 @@
+"""Flight over a planet: movement of observer, camera and sun by keys, mouse and wheel.
+
+Level movement follows a great circle at one altitude; the camera keeps its angle to the zenith and
+its angle to the course, the sun its direction in space. Every speed is proportional to the distance
+to the ground. All values are plain numbers, in the subset of Python that becomes JavaScript too.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+from airlight.scene.great_circle import DEGREE, RADIAN, carried_star, compass, travelled
+from airlight.scene.scene import HIGHEST_ALTITUDE
+
+#: Lowest altitude of flight. [m]
+LOWEST_ALTITUDE: Final = 1.0
+#: Speed over distance to the ground. [1/s]
+RATE: Final = 0.8
+#: Distance added to that to the ground, so that an observer can leave it. [m]
+FOOTING: Final = 5.0
+#: Factor of altitude and field of view per notch of the wheel. [1]
+NOTCH: Final = 1.15
+#: Upper limit of the factor by which a turn of the compass is wider near the zenith. [1]
+_WIDEST_TURN: Final = 5.0
+
+
+def within(altitude: float) -> float:
+    """Nearest allowed altitude of flight. [m]
+
+    Examples
+    --------
+    >>> within(-3.0), within(1e15)
+    (1.0, 1000000000000.0)
+    """
+    return min(max(altitude, LOWEST_ALTITUDE), HIGHEST_ALTITUDE)
+
+
+def climbed(altitude: float, look_zenith: float, ahead: float, up: float, reach: float) -> float:
+    """Altitude after flying ahead and up. [m]
+
+    Parameters
+    ----------
+    altitude : float
+        Altitude at the start. [m]
+    look_zenith : float
+        Zenith angle of the line of sight, which ahead follows. [deg]
+    ahead, up : float
+        Speeds relative to the usual speed. [1]
+    reach : float
+        Duration, in units in which the usual speed covers the distance to the ground. [1]
+
+    Examples
+    --------
+    >>> climbed(95.0, 90.0, 0.0, 1.0, math.log(2.0))  # twice as far from 5 m below the ground
+    195.0
+    """
+    climb = ahead * math.cos(look_zenith * RADIAN) + up
+    return within((altitude + FOOTING) * math.exp(climb * reach) - FOOTING)
+
+
+def course_of(look_zenith: float, heading: float, right: float, ahead: float) -> float:
+    """Compass bearing of a movement to the right and ahead. [deg]"""
+    return heading + math.atan2(right, ahead * math.sin(look_zenith * RADIAN)) * DEGREE
+
+
+def angle_flown(
+    altitude: float,
+    higher: float,
+    look_zenith: float,
+    right: float,
+    ahead: float,
+    reach: float,
+    bottom_radius: float,
+) -> float:
+    """Distance flown over the ground, seen from the planet's centre. [rad]
+
+    Parameters
+    ----------
+    altitude, higher : float
+        Altitudes at the start and at the end. [m]
+    look_zenith : float
+        Zenith angle of the line of sight. [deg]
+    right, ahead : float
+        Speeds relative to the usual speed. [1]
+    reach : float
+        Duration; see ``climbed``. [1]
+    bottom_radius : float
+        Radius of the planet. [m]
+    """
+    middle = 0.5 * (altitude + higher)
+    level = math.hypot(ahead * math.sin(look_zenith * RADIAN), right)
+    return level * reach * (middle + FOOTING) / (bottom_radius + middle)
+
+
+def turned(
+    latitude: float,
+    longitude: float,
+    heading: float,
+    sun_zenith: float,
+    sun_azimuth: float,
+    course: float,
+    angle: float,
+) -> tuple[float, float, float, float, float]:
+    """Position, heading and sun after moving on a great circle. [deg]
+
+    Parameters
+    ----------
+    latitude, longitude, heading, sun_zenith, sun_azimuth : float
+        Values at the start; heading and azimuth are compass bearings. [deg]
+    course : float
+        Compass bearing at the start of the path. [deg]
+    angle : float
+        Length of the path, seen from the planet's centre. [rad]
+
+    Returns
+    -------
+    latitude, longitude, heading, sun_zenith, sun_azimuth : float
+        Values at the end; the camera keeps its angle to the course. [deg]
+    """
+    new_latitude, new_longitude, new_course = travelled(latitude, longitude, course, angle)
+    zenith, azimuth = carried_star(sun_zenith, sun_azimuth, course, angle, new_course)
+    new_heading = compass(new_course + heading - course)
+    return new_latitude, new_longitude, new_heading, zenith, azimuth
+
+
+def looked(look_zenith: float, heading: float, right: float, down: float) -> tuple[float, float]:
+    """Zenith angle of the line of sight, and heading, after the camera has turned. [deg]
+
+    Parameters
+    ----------
+    look_zenith, heading : float
+        Values before the turn. [deg]
+    right, down : float
+        Angles on the picture. [deg]
+
+    Examples
+    --------
+    >>> looked(90.0, 350.0, 20.0, -5.0)
+    (85.0, 10.0)
+    """
+    widen = 1.0 / max(math.sin(look_zenith * RADIAN), 1.0 / _WIDEST_TURN)
+    return min(max(look_zenith + down, 0.0), 180.0), compass(heading + right * widen)
+
+
+def risen(altitude: float, notches: float) -> float:
+    """Altitude after turning the wheel: higher for notches above 0. [m]"""
+    return within((altitude + FOOTING) * math.exp(notches * math.log(NOTCH)) - FOOTING)
+
+
+def sun_dragged(zenith: float, azimuth: float, right: float, down: float) -> tuple[float, float]:
+    """Zenith angle and bearing of the sun, moved by angles over the sky. [deg]
+
+    Beyond the zenith it continues down the other side.
+
+    Parameters
+    ----------
+    zenith, azimuth : float
+        Direction before the movement. [deg]
+    right, down : float
+        Angles of the movement. [deg]
+
+    Examples
+    --------
+    >>> sun_dragged(20.0, 90.0, 0.0, -30.0)
+    (10.0, 270.0)
+    """
+    lower = zenith + down
+    over = lower < 0.0 or lower > 180.0
+    far = 360.0 - lower if lower > 180.0 else -lower
+    reached = far if over else lower
+    half = 180.0 if over else 0.0
+    return min(max(reached, 0.0), 180.0), compass(azimuth + right + half)

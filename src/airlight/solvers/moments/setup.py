@@ -1,0 +1,287 @@
+"""What a solve derives from a medium before light is followed: once, for every processor.
+
+``Setup`` is what all wavelengths share, ``Block`` what wavelengths that run together add to it. The
+sweeps of the processor, the passes of the GPU, the plan of a page and the march of a solution read
+them, so that none of them derives a grid, a ray or a depth of its own.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections import OrderedDict
+from dataclasses import dataclass
+from functools import cached_property
+from math import acos, pi
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.optics.density_profile import DensitySegments
+from airlight.planets.medium import Medium
+from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.moments.grid import Grid, make_grid
+from airlight.solvers.moments.harmonics import Harmonics, coefficient_count, harmonics
+from airlight.solvers.moments.levels import FEW_NODES, Depths
+from airlight.solvers.moments.packing import filled, level_weights, thickness
+from airlight.solvers.moments.rays import Rays, trace_rays
+from airlight.solvers.moments.reduced_optics import (
+    choose_degree,
+    column_rows,
+    make_air,
+    optical_depths,
+    panel_ends,
+    scattering_depth,
+    transport_depth,
+)
+from airlight.solvers.moments.settings import Settings
+from airlight.solvers.moments.sweep import Air, Azimuths
+from airlight.solvers.moments.visible_rays import rays_in_sight
+from airlight.tables.column_ratios import mean_density_ratios
+from airlight.tables.columns import ColumnTable
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+#: Mean radiance below this part of its largest value comes from the side rather than from above
+#: and below: where the transport depth is small, where it is large, and the depth between.
+_SIDELIT: Final = (1e-4, 2e-2)
+_WANDERS: Final = 5.0
+#: Tables of columns that are kept: edits of coefficients leave them as they are.
+_KEPT: Final = 4
+
+_tables: OrderedDict[tuple[Any, ...], tuple[ColumnTable, FloatArray]] = OrderedDict()
+_lock = threading.Lock()
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Setup:
+    """Degree, nodes, rays and tables of a solve; each is made when first asked for.
+
+    Parameters
+    ----------
+    paths : LightPaths
+        Of a medium with any number of wavelengths and constituents.
+    settings : Settings
+        How finely.
+    """
+
+    paths: LightPaths
+    settings: Settings
+
+    @property
+    def medium(self) -> Medium:
+        """The medium in which rays are straight."""
+        return self.paths.medium
+
+    @cached_property
+    def degree(self) -> int:
+        """Degree of the harmonics."""
+        return choose_degree(self.medium, self.settings)
+
+    @property
+    def terms(self) -> int:
+        """Moments of a node."""
+        return coefficient_count(self.degree)
+
+    @cached_property
+    def depths(self) -> Depths:
+        """Optical depths that the radii follow."""
+        return optical_depths(self.medium, self.degree)
+
+    @cached_property
+    def _nodes(self) -> tuple[Grid, int]:
+        medium, settings = self.medium, self.settings
+        return make_grid(
+            medium.bottom_radius, medium.top_radius, settings.radii, settings.suns, self.depths
+        )
+
+    @property
+    def grid(self) -> Grid:
+        """Nodes in radius and in sun elevation."""
+        return self._nodes[0]
+
+    @property
+    def parts(self) -> int:
+        """Radii of the grid for each one at which light is gathered."""
+        return self._nodes[1]
+
+    @cached_property
+    def gathering(self) -> Grid:
+        """The grid with those radii alone at which light is gathered."""
+        return self.grid._replace(radii=self.grid.radii[:: self.parts])
+
+    @cached_property
+    def dip(self) -> float:
+        """Dip of the horizon, seen from the top of the shell. [rad]"""
+        return acos(self.grid.bottom_radius / self.grid.top_radius)
+
+    @cached_property
+    def ends(self) -> FloatArray:
+        """Altitudes at which panels of rays end. [m]"""
+        return panel_ends(self.medium, self.grid, self.parts)
+
+    @property
+    def ray_nodes(self) -> int:
+        """Points a panel of a sweep's ray."""
+        if self.parts > 1:
+            return min(self.settings.nodes, FEW_NODES)
+        if self.ends.size:  # several panels a leg need fewer points each
+            return max(FEW_NODES, 3 * self.settings.nodes // 5)
+        return self.settings.nodes
+
+    @cached_property
+    def rays(self) -> Rays:
+        """Rays of a sweep, for all wavelengths."""
+        return trace_rays(
+            self.gathering,
+            self.medium.density,
+            self.medium.extinction.max(axis=1),
+            self.settings.zenith_angles,
+            self.ray_nodes,
+            bend=self.paths.bend,
+            ends=self.ends,
+        )
+
+    @cached_property
+    def azimuths(self) -> Azimuths:
+        """Azimuths of a sweep: no fewer than the harmonics need."""
+        return even_azimuths(self.degree, max(self.settings.azimuths, 3 * self.degree // 4))
+
+    @cached_property
+    def expansion(self) -> Harmonics:
+        """Harmonics of the moments."""
+        return harmonics(self.degree)
+
+    @cached_property
+    def _columns(self) -> tuple[ColumnTable, FloatArray]:
+        medium = self.medium
+        shape = (column_rows(medium, self.settings), self.settings.column_directions)
+        return _columns(medium.bottom_radius, medium.top_radius, medium.density, shape)
+
+    @property
+    def table(self) -> ColumnTable:
+        """Columns towards the star."""
+        return self._columns[0]
+
+    @property
+    def ratios(self) -> FloatArray:
+        """``mean_density_ratios`` of that table. [1]"""
+        return self._columns[1]
+
+    @cached_property
+    def scattering_depth(self) -> FloatArray:
+        """Vertical scattering optical depth without forward peaks, shape (nl,). [1]"""
+        return scattering_depth(self.medium, self.degree)
+
+    @cached_property
+    def transport_depth(self) -> FloatArray:
+        """Vertical depth in which each scattering counts by 1 - g, shape (nl,). [1]"""
+        return transport_depth(self.medium)
+
+    @property
+    def daylight(self) -> FloatArray:
+        """Level weights of infinitely thick air, shape (s,): 0 at night, 1 by day. [1]"""
+        weights = level_weights(self.grid.sun_cosines, self.dip, np.array([np.inf]))
+        return weights[:, 0].astype(float)
+
+    def level(self, which: slice) -> Float32Array:
+        """Level weights of some wavelengths in whole groups of eight, shape (s, 8). [1]"""
+        depth = self.scattering_depth[which]
+        return np.asarray(filled(level_weights(self.grid.sun_cosines, self.dip, depth)))
+
+    def block(self, which: slice) -> Block:
+        """The set-up of wavelengths that run together.
+
+        Parameters
+        ----------
+        which : slice
+            At most eight wavelengths.
+        """
+        air = make_air(self.medium, self.degree, which)
+        rays, share = rays_in_sight(self.rays, air)
+        transport = self.transport_depth[which]
+        thick = filled(thickness(self.scattering_depth[which]))
+        low, high = _SIDELIT
+        wanders = np.maximum(filled(transport) / _WANDERS, 1.0)
+        wide = self.depths.reach
+        return Block(
+            setup=self,
+            which=which,
+            air=air,
+            rays=rays,
+            share=share,
+            level=self.level(which),
+            thick=thick,
+            sidelit=thick * np.minimum(low * wanders**3, high),
+            # A layer of transport depth τ loses π²/(3τ²) of its light by a scattering: diffusion.
+            reach=(wide, 6.0 / pi**2 * wide * float(transport.max())),
+        )
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Block:
+    """Wavelengths that run together, in whole groups of eight lanes.
+
+    Attributes
+    ----------
+    setup : Setup
+        What all wavelengths share.
+    which : slice
+        These wavelengths among all.
+    air : Air
+        Their optics.
+    rays : Rays
+        With the points that any of them sees.
+    share : array, shape (r·a·8,)
+        Of ``rays_in_sight``. [1]
+    level : array, shape (s, 8)
+        Of ``level_weights``. [1]
+    thick : array, shape (8,)
+        Of ``thickness``, from 0 to 1: where the tolerance becomes absolute. [1]
+    sidelit : array, shape (8,)
+        Part of the largest mean radiance below which light comes from the side. [1]
+    reach : two floats
+        How far light wanders sideways, and the length that the interpolation between sun
+        elevations adds, see ``vertical_coupling.sideways``. [m]
+    """
+
+    setup: Setup
+    which: slice
+    air: Air
+    rays: Rays
+    share: Float32Array
+    level: Float32Array
+    thick: FloatArray
+    sidelit: FloatArray
+    reach: tuple[float, float]
+
+    @property
+    def used(self) -> int:
+        """Lanes that stand for a wavelength of their own."""
+        return len(range(*self.which.indices(self.setup.medium.wavelengths.size)))
+
+
+def even_azimuths(degree: int, count: int) -> Azimuths:
+    """Midpoints of ``count`` even steps over half a turn."""
+    phi = (np.arange(count) + 0.5) * (pi / count)
+    multiples = np.cos(np.arange(degree + 1)[:, None] * phi) * (2.0 * pi / count)
+    return Azimuths(np.cos(phi), multiples.astype(np.float32))
+
+
+def _columns(
+    bottom: float, top: float, density: DensitySegments, shape: tuple[int, int]
+) -> tuple[ColumnTable, FloatArray]:
+    """The table of columns and its ratios, from the last few that were made."""
+    key = (bottom, top, shape, density.edges.tobytes(), density.coefficients.tobytes())
+    with _lock:
+        if key in _tables:
+            _tables.move_to_end(key)
+            return _tables[key]
+    table = ColumnTable.build(bottom, top, density, shape)
+    made = table, mean_density_ratios(table)
+    with _lock:
+        _tables[key] = made
+        while len(_tables) > _KEPT:
+            _tables.popitem(last=False)
+    return made

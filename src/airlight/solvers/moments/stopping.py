@@ -1,0 +1,164 @@
+"""When the orders of scattering have arrived: one rule for sweeps, passes and pages.
+
+After each order the mean radiances at the nodes are compared with those before
+(``convergence.relative_change``, ``counts``); what all further orders would add is estimated from
+how the changes shrink (``what_follows``); where that is below the tolerance the iteration ends.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from math import log
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import ConvergenceError
+from airlight.solvers.moments.acceleration import mixing_weights
+from airlight.solvers.moments.convergence import counts, relative_change, what_follows
+from airlight.solvers.moments.settings import Settings
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+#: Images of the light that the acceleration combines: of the processor's sweeps, and of passes,
+#: where each is a texture that the shader reads.
+SWEEP_IMAGES: Final = 7
+PASS_IMAGES: Final = 5
+#: Passes give up after so many orders: then the air is one for the processor.
+MOST_PASSES: Final = 60
+
+
+@dataclass(frozen=True, kw_only=True)
+class Stopping:
+    """The numbers of the rule, and where they differ by processor.
+
+    Attributes
+    ----------
+    tolerance : float
+        Largest change that may be still to come, relative to the sum. [1]
+    most_sweeps : int
+        The iteration gives up after so many orders.
+    images : int
+        How many of the last images are combined into the next guess.
+    stricter : float
+        By this part the tolerance is smaller in thick air. Sweeps are completed by the inverse
+        along the vertical, so that the last change is nearly all that was missing: 0. Passes have
+        no inverse; there many small orders follow, and the last says less of them. [1]
+    night : float
+        Part of the thickness by which a change in the night counts less when the rule decides to
+        stop. What the inverse leaves open in the night of thick air cannot be seen: 1. In passes
+        nothing but more orders brings light there: less. [1]
+    """
+
+    tolerance: float
+    most_sweeps: int
+    images: int
+    stricter: float
+    night: float
+
+    @classmethod
+    def of_sweeps(cls, settings: Settings) -> Stopping:
+        """The rule of the processor, whose sweeps are completed along the vertical."""
+        return cls(
+            tolerance=settings.tolerance,
+            most_sweeps=settings.max_sweeps,
+            images=SWEEP_IMAGES,
+            stricter=0.0,
+            night=1.0,
+        )
+
+    @classmethod
+    def of_passes(cls, settings: Settings) -> Stopping:
+        """The rule of a graphics device, in Python and in a page: orders alone, in float32."""
+        return cls(
+            tolerance=settings.tolerance,
+            most_sweeps=min(settings.max_sweeps, MOST_PASSES),
+            images=PASS_IMAGES,
+            stricter=0.9,
+            night=0.25,
+        )
+
+    def tolerance_in(self, thick: FloatArray) -> float:
+        """The tolerance in air as thick as its thickest lane. [1]"""
+        return self.tolerance * (1.0 - self.stricter * float(thick.max()))
+
+
+class Iteration:
+    """Follows successive orders: what is still to come, and how to go on.
+
+    Parameters
+    ----------
+    stopping : Stopping
+        The rule.
+    thick : array, shape (w,)
+        Of ``Block``: where the tolerance becomes absolute. [1]
+    used : int
+        Lanes that stand for a wavelength of their own; the others follow and do not count.
+
+    Attributes
+    ----------
+    sweeps : int
+        Orders that were judged.
+    to_come : array, shape (used,)
+        Largest relative change by all further orders. [1]
+    """
+
+    def __init__(self, stopping: Stopping, thick: FloatArray, used: int) -> None:
+        self.stopping, self.thick, self.used = stopping, thick, used
+        self.tolerance = stopping.tolerance_in(thick)
+        self.sweeps = 0
+        self.to_come = np.full(used, np.inf)
+        self._residuals: deque[FloatArray] = deque(maxlen=stopping.images)
+
+    def goes_on(self) -> bool:
+        """Whether another order is needed.
+
+        Raises
+        ------
+        ConvergenceError
+            If it is, and the rule gives up.
+        """
+        if self.sweeps > 1 and self.to_come.max() <= self.tolerance:
+            return False
+        if self.sweeps >= self.stopping.most_sweeps:
+            raise ConvergenceError(
+                f"after {self.sweeps} sweeps the last still changed the light by "
+                f"{self.to_come.max():.1e}, more than the tolerance {self.tolerance:g}"
+            )
+        return True
+
+    def judge(self, before: Float32Array, after: Float32Array) -> None:
+        """Take up one more order.
+
+        Parameters
+        ----------
+        before, after : array, shape (r, s, w)
+            Mean radiance of the guess, and of its image. [1]
+        """
+        change = relative_change(before, after)
+        steering = change * counts(after, self.thick)
+        self._residuals.append(steering.reshape(-1, self.thick.size))
+        deciding = change * counts(after, self.stopping.night * self.thick)
+        largest = np.abs(deciding).max(axis=(0, 1)) * what_follows(self._residuals)
+        self.to_come = largest[: self.used]
+        self.sweeps += 1
+
+    def weights(self) -> FloatArray:
+        """Weights of the last images in the next guess, shape (images so far, w), latest last."""
+        residuals = np.stack(self._residuals)
+        weights = np.zeros((residuals.shape[0], self.thick.size))
+        weights[-1] = 1.0
+        for lane in range(self.used):
+            weights[:, lane] = mixing_weights(residuals[:, :, lane])
+        return weights
+
+    @property
+    def share(self) -> float:
+        """How far it has come, by logarithm: 0 at a change of 1, 1 at the tolerance."""
+        largest = float(self.to_come.max())
+        if largest <= self.tolerance:
+            return 1.0
+        return log(min(largest, 1.0)) / log(self.tolerance)

@@ -1,0 +1,73 @@
+"""The formulas that a page works out by itself, in JavaScript: emitted, and kept nowhere."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any, Final
+
+from airlight.color.exposure import exposure_of
+from airlight.color.xyz import luminance_of
+from airlight.geometry.bending import raised_star
+from airlight.gpu.emit.emitter import Emitter
+from airlight.gpu.emit.javascript import JAVASCRIPT
+from airlight.gpu.emit.shader_types import F32, I32, Room, Table, Value
+from airlight.pixels.observer_numbers import observer_numbers
+from airlight.scene import flight, great_circle, sun_time
+from airlight.scene.directions import camera_frame, direction_of
+from airlight.scene.observer import ground_axes
+from airlight.scene.projections import PROJECTIONS
+from airlight.solvers.moments.acceleration import combine
+from airlight.solvers.moments.convergence import change_at, count_at, rest_after
+from airlight.solvers.moments.packing import thick_share
+from airlight.solvers.moments.reduced_optics import cut_part, cut_weight, is_peaked
+
+#: Each formula with what its arguments are; without that, numbers. An array that a formula writes
+#: to may have any length.
+FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
+    direction_of: (),
+    camera_frame: (),
+    ground_axes: (),
+    observer_numbers: (),
+    raised_star: (F32, F32, F32, F32, Table("lift", 3)),
+    luminance_of: (),
+    exposure_of: (Table("bright"), F32),
+    great_circle.compass: (),
+    flight.climbed: (),
+    flight.course_of: (),
+    flight.angle_flown: (),
+    flight.turned: (),
+    flight.looked: (),
+    flight.risen: (),
+    flight.sun_dragged: (),
+    sun_time.sun_at: (),
+    sun_time.time_of: (),
+    change_at: (),
+    count_at: (),
+    rest_after: (F32, F32, I32),
+    combine: (Room(1), I32, Room(1)),
+    is_peaked: (),
+    cut_weight: (),
+    cut_part: (),
+    thick_share: (),
+}
+
+
+@cache
+def emitted_formulas() -> Emitter:
+    """All formulas in JavaScript, with what they call."""
+    emitter = Emitter(JAVASCRIPT)
+    for function, given in FORMULAS.items():
+        plain = getattr(function, "py_func", function)
+        emitter.add(function, *(given or (F32,) * plain.__code__.co_argcount))
+    for name, form in PROJECTIONS.items():
+        emitter.add(form.pixel_angle, F32, F32, F32, name=f"pixel_angle_{name}")
+    return emitter
+
+
+@cache
+def formulas_text() -> str:
+    """The module ``generated/formulas.js``: a function each, and pixel angles by projection."""
+    angles = ", ".join(f"{name}: pixel_angle_{name}" for name in PROJECTIONS)
+    table = f"export const PIXEL_ANGLES = {{ {angles} }};\n"
+    return f"{emitted_formulas().functions_text()}\n{table}"

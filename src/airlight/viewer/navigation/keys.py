@@ -1,0 +1,192 @@
+"""What keys and mouse do on a picture: one table for the window, the page and the notebook.
+
+Each row is a line of the help, and says which keys it binds. What a host cannot offer is bound to
+the other one alone: a browser keeps Ctrl with a letter for itself (Ctrl+W closes the page), has no
+file of the planet to write and shows one picture; a window has no touch screen.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Final, Literal
+
+from airlight.scene.flight import FOOTING, NOTCH, RATE
+from airlight.viewer.navigation.viewpoints import VIEWPOINTS
+from airlight.viewer.session.history import MOST_STEPS, TOGETHER
+
+Host = Literal["window", "page"]
+
+#: Hosts of a row that all have.
+_ALL: Final[tuple[Host, ...]] = ("window", "page")
+
+#: How quickly and how far.
+RATES: Final[Mapping[str, float]] = {
+    "fly": RATE,  # distances to the ground a second [1/s]
+    "footing": FOOTING,  # added to that distance [m]
+    "turn": 0.5,  # fields of view a second that keys turn the camera by [1/s]
+    "widen": 1.0,  # logarithm of the field of view's growth, by keys [1/s]
+    "notch": NOTCH,  # growth of altitude and of field of view by a notch of the wheel [1]
+    "wheel": 100.0,  # of a browser's units, for one notch [pixel]
+    "stop": 1.0 / 3.0,  # exposure [EV]
+    "time": 1800.0,  # sun's time over a clock's, at first [1]
+    "longest_step": 0.1,  # after a pause nobody wants to be far away [s]
+    "click": 3.0,  # a press that moves less is a click [logical pixel]
+    "steps": MOST_STEPS,  # that can be undone
+    "together": TOGETHER,  # edits of one thing that follow so quickly are one step [s]
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Row:
+    """One line of the help, and what it binds.
+
+    Attributes
+    ----------
+    group : str
+        Heading that it stands under.
+    keys, text : str
+        What is pressed and what that does, for people.
+    held : mapping from str to (str, float)
+        Movements while a key is down: axis and sign, by the key's name in lower case.
+    factors : mapping from str to float
+        Keys that make everything faster or slower while they are down. [1]
+    once : mapping from str to str
+        Commands by key, with ``Control+`` and ``Shift+`` before its name.
+    hosts : tuple of str
+        Who offers it.
+    """
+
+    group: str
+    keys: str
+    text: str
+    held: Mapping[str, tuple[str, float]] = field(default_factory=dict)
+    factors: Mapping[str, float] = field(default_factory=dict)
+    once: Mapping[str, str] = field(default_factory=dict)
+    hosts: tuple[Host, ...] = _ALL
+
+
+_WINDOW: Final[tuple[Host, ...]] = ("window",)
+_PAGE: Final[tuple[Host, ...]] = ("page",)
+
+_FLY: Final = (
+    Row(group="Fly", keys="drag", text="look around"),
+    Row(group="Fly", keys="W S, ↑ ↓", text="ahead, back",
+        held={"w": ("ahead", 1.0), "s": ("ahead", -1.0),
+              "arrowup": ("ahead", 1.0), "arrowdown": ("ahead", -1.0)}),
+    Row(group="Fly", keys="A D, ← →", text="left, right",
+        held={"a": ("right", -1.0), "d": ("right", 1.0),
+              "arrowleft": ("right", -1.0), "arrowright": ("right", 1.0)}),
+    Row(group="Fly", keys="E Q, Page ↑ ↓", text="up, down",
+        held={"e": ("up", 1.0), "q": ("up", -1.0),
+              "pageup": ("up", 1.0), "pagedown": ("up", -1.0)}),
+    Row(group="Fly", keys="wheel", text="towards the ground, or away", hosts=_WINDOW),
+    Row(group="Fly", keys="wheel, pinch", text="towards the ground, or away", hosts=_PAGE),
+    Row(group="Fly", keys="Shift, Alt", text="with these: four times as fast, as slow",
+        factors={"shift": 4.0, "alt": 0.25}),
+    Row(group="Fly", keys="Ctrl", text="as Alt, once a key is down",
+        factors={"control": 0.25}, hosts=_WINDOW),
+    Row(group="Fly", keys="I K, J L", text="look up, down, left, right",
+        held={"i": ("tilt", -1.0), "k": ("tilt", 1.0), "j": ("turn", -1.0), "l": ("turn", 1.0)}),
+    Row(group="Fly", keys="N M, Ctrl+wheel", text="narrower, wider field of view",
+        held={"n": ("widen", -1.0), "m": ("widen", 1.0)}),
+    Row(group="Fly", keys=f"1 … {len(VIEWPOINTS)}",
+        text=", ".join(one.name for one in VIEWPOINTS),
+        once={str(n): f"viewpoint {n}" for n in range(1, len(VIEWPOINTS) + 1)}),
+)  # fmt: skip
+
+_LIGHT: Final = (
+    Row(group="Light", keys="right drag", text="move the sun; with Ctrl or Shift any drag does"),
+    Row(group="Light", keys="T", text="let time pass, or stop it", once={"t": "time"}),
+    Row(group="Light", keys="+ −", text="brighter, darker by a third of a stop",
+        once={"+": "brighter", "=": "brighter", "Shift+=": "brighter", "Shift++": "brighter",
+              "-": "darker"}),
+    Row(group="Light", keys="X", text="automatic exposure", once={"x": "automatic exposure"}),
+)  # fmt: skip
+
+_READ: Final = (
+    Row(group="Read and compare", keys="P, click", text="probe: spectrum and colour of a point",
+        once={"p": "probe"}, hosts=_WINDOW),
+    Row(group="Read and compare", keys="P", text="probe: light and colour where one points",
+        once={"p": "probe"}, hosts=_PAGE),
+    Row(group="Read and compare", keys="B", text="keep this planet and view as B",
+        once={"b": "keep as b"}),
+    Row(group="Read and compare", keys="C", text="A and B side by side, with a line to drag",
+        once={"c": "compare"}, hosts=_WINDOW),
+    Row(group="Read and compare", keys="V", text="change A and B over", once={"v": "swap"}),
+)  # fmt: skip
+
+_EDIT: Final = (
+    Row(group="Edit", keys="Ctrl+click", text="type a number into a slider", hosts=_WINDOW),
+    Row(group="Edit", keys="Ctrl+Z", text="undo", once={"Control+z": "undo"}),
+    Row(group="Edit", keys="Ctrl+Y", text="redo; Ctrl+Shift+Z too",
+        once={"Control+y": "redo", "Control+Shift+z": "redo"}),
+    Row(group="Edit", keys="Ctrl+S", text="save the picture", once={"Control+s": "save picture"}),
+    Row(group="Edit", keys="Ctrl+Shift+S", text="save the planet file",
+        once={"Control+Shift+s": "save planet"}, hosts=_WINDOW),
+    Row(group="Edit", keys="Tab", text="hide or show the panels; Esc shows them",
+        once={"Tab": "panels", "Escape": "leave"}),
+    Row(group="Edit", keys="F1, H", text="this help", once={"F1": "help", "h": "help"}),
+    Row(group="Edit", keys="Ctrl+Q", text="close the window", once={"Control+q": "close"},
+        hosts=_WINDOW),
+)  # fmt: skip
+
+#: The whole table, in the order of the help.
+TABLE: Final = (*_FLY, *_LIGHT, *_READ, *_EDIT)
+
+
+def rows_of(host: Host) -> tuple[Row, ...]:
+    """The rows that a host offers.
+
+    Examples
+    --------
+    >>> any("compare" in row.once.values() for row in rows_of("page"))
+    False
+    """
+    return tuple(row for row in TABLE if host in row.hosts)
+
+
+def _together(name: str, host: Host) -> dict[str, Any]:
+    return {key: value for row in rows_of(host) for key, value in getattr(row, name).items()}
+
+
+#: What the window's keys do: while they are held, how much faster, once.
+HELD: Final[Mapping[str, tuple[str, float]]] = _together("held", "window")
+FACTORS: Final[Mapping[str, float]] = _together("factors", "window")
+ONCE: Final[Mapping[str, str]] = _together("once", "window")
+
+
+def chord(key: str, *, control: bool, shift: bool) -> str:
+    """A key with its modifier keys, as ``Row.once`` spells it.
+
+    Examples
+    --------
+    >>> chord("Z", control=True, shift=True), chord("Tab", control=False, shift=False)
+    ('Control+Shift+z', 'Tab')
+    """
+    words = ["Control"] * control + ["Shift"] * shift
+    return "+".join([*words, key.lower() if len(key) == 1 else key])
+
+
+def as_json(host: Host) -> dict[str, Any]:
+    """The table as a page takes it: ``help`` by group, bindings as a row has them, ``rates``."""
+    found: dict[str, list[list[str]]] = {}
+    for row in rows_of(host):
+        found.setdefault(row.group, []).append([row.keys, row.text])
+    return {
+        "help": [[group, lines] for group, lines in found.items()],
+        **{name: _together(name, host) for name in ("held", "factors", "once")},
+        "rates": dict(RATES),
+    }
+
+
+def markdown(host: Host) -> str:
+    """The table as the documentation shows it.
+
+    Examples
+    --------
+    >>> print(markdown("page").splitlines()[2])
+    | drag | look around |
+    """
+    lines = [f"| {row.keys} | {row.text} |" for row in rows_of(host)]
+    return "\n".join(["| mouse, key | what it does |", "|---|---|", *lines])

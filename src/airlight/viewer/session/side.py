@@ -1,0 +1,221 @@
+"""One state that is edited: a planet, a view, and the steps that led there."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from collections.abc import Set as AbstractSet
+from typing import Any, Final
+
+from airlight.errors import ParameterError
+from airlight.planets.schema.section import suggestion
+from airlight.viewer.parameters.parameter import Parameter, Value
+from airlight.viewer.parameters.parameter_list import value_at
+from airlight.viewer.parameters.view_parameters import DEFAULTS, view_parameters
+from airlight.viewer.session.edits import edited, restored
+from airlight.viewer.session.history import Change, History, Step
+from airlight.viewer.session.planet_state import PlanetState
+
+#: How the paths of a constituent's switch and of its keys begin.
+_SWITCH: Final = "light.constituents["
+_CONSTITUENT: Final = "constituents["
+
+
+def _index(path: str) -> int:
+    """Place of a constituent by the path of its switch.
+
+    Examples
+    --------
+    >>> _index("light.constituents[2]")
+    2
+    """
+    return int(path[len(_SWITCH) : -1])
+
+
+class Side:
+    """What a session edits; two of them are compared.
+
+    Parameters
+    ----------
+    planet : PlanetState
+    view : mapping
+        Values by path.
+    clock : callable
+        Seconds that only grow, for joining quick edits into one step.
+
+    Notes
+    -----
+    Whatever edits tells which paths of the view it has changed, and ``planet`` if that is another.
+    """
+
+    def __init__(
+        self,
+        planet: PlanetState,
+        view: Mapping[str, Value],
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self.planet = planet
+        self.view = dict(view)
+        self.history = History()
+        self._clock = clock
+        self.dragged = ""
+        self._listed: tuple[Any, tuple[str, ...], Any, dict[str, Parameter]] | None = None
+
+    # --- what there is ------------------------------------------------------------------------
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """The declared list for the planet, and for the view."""
+        planet, groups = self.planet.parameters, self.planet.groups
+        if self._listed is None or self._listed[0] is not planet or self._listed[1] != groups:
+            whole = (*planet, *view_parameters(groups))
+            self._listed = (planet, groups, whole, {one.path: one for one in whole})
+        return self._listed[2]
+
+    def parameter(self, path: str) -> Parameter:
+        """A parameter by its path; constituents by place or by name.
+
+        Raises
+        ------
+        ParameterError
+            If there is none: the nearest is suggested.
+        """
+        full = self._full(path)
+        whole = self.parameters
+        assert self._listed is not None
+        if full in self._listed[3]:
+            return self._listed[3][full]
+        known = tuple(one.path for one in whole)
+        near = suggestion(full, known)
+        hint = near[near.index(" (did") :] if " (did" in near else ""
+        raise ParameterError("path", path, f"a parameter of the list{hint}")
+
+    def _full(self, path: str) -> str:
+        """The path with a constituent's place instead of its name."""
+        for index, one in enumerate(self.planet.tables["constituents"]):
+            name = str(one.get("name", ""))
+            inside = name and path.startswith((f"{name}.", f"{name}["))
+            if inside and name not in self.planet.tables:
+                return f"{_CONSTITUENT}{index}]{path[len(name) :]}"
+        return path
+
+    def value(self, parameter: Parameter) -> Value:
+        """A parameter's value. [parameter.unit]"""
+        path = parameter.path
+        if path in self.view:
+            return self.view[path]
+        if path.startswith(_SWITCH):
+            return _index(path) not in self.planet.off
+        return value_at(self.planet.tables, parameter)
+
+    # --- edits --------------------------------------------------------------------------------
+
+    def assign(self, parameter: Parameter, value: Value) -> AbstractSet[str]:
+        """Give a parameter a value that it takes, joined with those of the same drag."""
+        path = parameter.path
+        if path in self.view:
+            return self.record(path, Change(view={path: value}), held=path == self.dragged)
+        if path.startswith(_SWITCH):
+            planet = self._switched(_index(path), bool(value))
+        else:
+            # A drag starts from where it began, so that what goes along with it comes back.
+            joined = self.history.joined(path, self._clock())
+            is_number = parameter.kind == "number"
+            start = joined.before.planet if joined and is_number else self.planet
+            planet = start.with_tables(edited(start.tables, parameter, value), same_keys=is_number)
+        return self.record(path, Change(planet=planet), held=path == self.dragged)
+
+    def _switched(self, index: int, on: bool) -> PlanetState:
+        off = set(self.planet.off) - {index} if on else {*self.planet.off, index}
+        return self.planet.with_off(tuple(sorted(off)))
+
+    def record(self, name: str, after: Change, *, held: bool = False) -> AbstractSet[str]:
+        """Make a change that is a step to undo, or part of the last one.
+
+        Parameters
+        ----------
+        name : str
+            Of the step: changes of one name join while it is held, or if they are quick.
+        after : Change
+        held : bool
+            Whether the step goes on until ``end_drag``, however long that takes.
+        """
+        before = Change(
+            planet=None if after.planet is None else self.planet,
+            view={path: self.view[path] for path in after.view},
+        )
+        self.history.record(Step(name, before, after, self._clock(), open=held))
+        return self.put(after)
+
+    def change(self, name: str, after: Change) -> AbstractSet[str]:
+        """Make a change that is a step of its own; none if nothing changes."""
+        planet = None if after.planet == self.planet else after.planet
+        view = {path: value for path, value in after.view.items() if value != self.view[path]}
+        if planet is None and not view:
+            return set()
+        self.end_drag()
+        changed = self.record(name, Change(planet=planet, view=view))
+        self.end_drag()
+        return changed
+
+    def put(self, after: Change) -> AbstractSet[str]:
+        """Take a change over without a step."""
+        changed = {path for path, value in after.view.items() if value != self.view[path]}
+        self.view = {**self.view, **after.view}
+        if after.planet is not None:
+            self.planet = after.planet
+            changed.add("planet")
+        return changed
+
+    def begin_drag(self, path: str) -> None:
+        """All edits of a parameter until ``end_drag`` are one step."""
+        self.end_drag()
+        self.dragged = self.parameter(path).path
+
+    def end_drag(self) -> None:
+        """The next edit is a step of its own."""
+        self.dragged = ""
+        self.history.close()
+
+    # --- back to what it came with ------------------------------------------------------------
+
+    def reset(self, what: str) -> AbstractSet[str]:
+        """Back to what the planet came with, and the view started with, as one step.
+
+        Parameters
+        ----------
+        what : str
+            The path of a parameter, the name of a group, or nothing for everything.
+
+        Raises
+        ------
+        ParameterError
+            If there is no such parameter or group.
+        """
+        if not what or what in {one.group for one in self.parameters}:
+            return self.change(what, self._group_reset(what))
+        path = self.parameter(what).path
+        if path in self.view:
+            return self.change(path, Change(view={path: DEFAULTS[path]}))
+        if path.startswith(_SWITCH):
+            return self.change(path, Change(planet=self._switched(_index(path), True)))
+        tables = restored(self.planet.tables, self.planet.base, path)
+        return self.change(path, Change(planet=self.planet.with_tables(tables)))
+
+    def _group_reset(self, group: str) -> Change:
+        paths = {one.path for one in self.parameters if not group or one.group == group}
+        view = {path: DEFAULTS[path] for path in paths if path in self.view}
+        state = self.planet
+        if not group or any(path.startswith(_SWITCH) for path in paths):
+            state = state.with_off(())
+        if not group:
+            return Change(planet=state.with_tables(state.base), view=view)
+        tables = state.tables
+        for path in sorted(paths - set(view)):
+            if path.startswith(_CONSTITUENT):
+                tables = restored(tables, state.base, path[: path.index("]") + 1])
+            elif not path.startswith("light."):
+                tables = restored(tables, state.base, path.split(".")[0].split("[")[0])
+        if tables is not state.tables:
+            state = state.with_tables(tables)
+        return Change(planet=state, view=view)

@@ -1,0 +1,106 @@
+/**
+ * A list of passes, as the Python host declares it, on a device.
+ *
+ * A plan has `layout`, which maps each field of the uniform struct to its place and length in
+ * floats, `size`, the length of the struct, and `passes`; each pass has `name`, `shader`, `entry`,
+ * `vertex`, `uniforms` (the slot "group/binding" of the struct), `reads` (slot to name of a
+ * table or target) and `targets` (`{name, format, width, height}` each, or none for the canvas).
+ */
+export class Program {
+  /**
+   * @param {object} device See devices/device.js.
+   * @param {object} plan
+   * @param {Object<string, object>} shaders By name: `wgsl`, and `glsl` with `vertex` and one text
+   *     for each entry.
+   */
+  constructor(device, plan, shaders) {
+    this.device = device;
+    this.plan = plan;
+    this.shaders = shaders;
+    this.uniforms = new Float32Array(plan.size);
+    this.textures = new Map();
+    this.compiled = new Map();
+  }
+
+  /** Compile all passes and make their targets. */
+  async build() {
+    const { device } = this;
+    const work = this.plan.passes.map(async (pass) => {
+      const shader = this.shaders[pass.shader];
+      const formats = pass.targets.length ? pass.targets.map((one) => one.format) : ["screen"];
+      const text = {
+        wgsl: shader.wgsl,
+        glsl: { vertex: shader.glsl[pass.vertex], fragment: shader.glsl[pass.entry] },
+        vertex: pass.vertex,
+        entry: pass.entry,
+        uniforms: pass.uniforms,
+        reads: Object.keys(pass.reads),
+      };
+      this.compiled.set(pass.name, await device.pipeline(text, formats));
+    });
+    await Promise.all(work);
+    for (const { name, format, width, height } of this.plan.passes.flatMap((p) => p.targets)) {
+      if (!this.textures.has(name)) this.textures.set(name, device.target(format, width, height));
+    }
+    return this;
+  }
+
+  /** Set a field of the uniform struct: a number, or its first numbers. */
+  set(field, value) {
+    const place = this.plan.layout[field];
+    if (!place) throw new Error(`the shaders know no ${field}`);
+    if (typeof value === "number") this.uniforms[place[0]] = value;
+    else this.uniforms.set(value, place[0]);
+  }
+
+  /** Set several fields. */
+  setAll(values) {
+    for (const [field, value] of Object.entries(values)) this.set(field, value);
+  }
+
+  /** Give a target another size; what it held is gone. */
+  resize(name, width, height) {
+    const before = this.textures.get(name);
+    if (before.width === width && before.height === height) return;
+    this.textures.set(name, this.device.target(before.format, width, height));
+    this.device.release(before);
+  }
+
+  /** Set the table that passes read by this name. */
+  setTable(name, format, numbers) {
+    const before = this.textures.get(name);
+    this.textures.set(name, this.device.flatTexture(format, numbers));
+    if (before) this.device.release(before);
+  }
+
+  /** Let passes read a texture that is on the device already by this name; it is kept here. */
+  takeTexture(name, texture) {
+    const before = this.textures.get(name);
+    this.textures.set(name, texture);
+    if (before && before !== texture) this.device.release(before);
+  }
+
+  /** Run passes by their names, in this order. */
+  run(...names) {
+    for (const name of names) this.runIn(name, null);
+  }
+
+  /** Run a pass in an area of its targets: left, top, width and height. */
+  runIn(name, area) {
+    const pass = this.plan.passes.find((one) => one.name === name);
+    const reads = Object.entries(pass.reads).map(([slot, one]) => [slot, this.textures.get(one)]);
+    const targets = pass.targets.map((one) => this.textures.get(one.name));
+    this.device.run(
+      this.compiled.get(name),
+      this.uniforms,
+      Object.fromEntries(reads),
+      targets.length ? targets : null,
+      area,
+    );
+  }
+
+  /** A promise of the numbers of a target, or of an area of it. */
+  read(name, area) {
+    return this.device.read(this.textures.get(name), area);
+  }
+}

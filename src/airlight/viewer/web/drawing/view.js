@@ -1,0 +1,47 @@
+/**
+ * From the view's parameters to what the shaders are told: directions in the observer's frame.
+ *
+ * The frame has z to the zenith, x to the sun's side and y to the left of x; azimuth grows
+ * clockwise seen from above. The formulas are Python's: scene/directions.py and scene/observer.py.
+ */
+import { camera_frame, direction_of, ground_axes } from "../generated/formulas.js";
+
+const RADIAN = Math.PI / 180;
+
+/** Width over height of projections that have a shape of their own. */
+const SHAPES = { equirectangular: 2, cubemap: 6 };
+
+/** Nine numbers as three rows. */
+function rows(nine) {
+  return [0, 3, 6].map((start) => nine.slice(start, start + 3));
+}
+
+/** The largest picture of a projection's shape within a window. [pixel] */
+export function fitting(projection, width, height) {
+  const ratio = SHAPES[projection];
+  if (!ratio) return [Math.max(1, width), Math.max(1, height)];
+  const side = Math.max(1, Math.min(height, Math.floor(width / ratio)));
+  return [ratio * side, side];
+}
+
+/**
+ * The camera that a view shows.
+ *
+ * @param {Object<string, number | string>} values Of the view's parameters, by path.
+ * @param {Object<string, [number, number]>} limits Fields of view of each projection. [deg]
+ * @returns {{axes: number[][], sun: number[], fieldOfView: number, projection: string,
+ *     ground: number[][]}} The field of view in radians.
+ */
+export function cameraOf(values, limits) {
+  const projection = values["view.projection"];
+  const [low, high] = limits[projection];
+  const bearing = values["view.sun_azimuth"];
+  const azimuth = (((values["view.heading"] - bearing) % 360) + 360) % 360;
+  return {
+    projection,
+    axes: rows(camera_frame(values["view.look_zenith"], azimuth, values["view.roll"])),
+    sun: direction_of(values["view.sun_zenith"], 0),
+    fieldOfView: Math.min(Math.max(values["view.field_of_view"], low), high) * RADIAN,
+    ground: rows(ground_axes(values["view.latitude"], values["view.longitude"], bearing)),
+  };
+}

@@ -1,0 +1,70 @@
+/** The uniforms that belong to the view; their names are those of gpu/picture/uniforms.py. */
+import { PIXEL_ANGLES, observer_numbers, raised_star } from "../generated/formulas.js";
+
+/**
+ * Uniforms of the observer and the star.
+ *
+ * @param {object} planet `radius`, `thickness` [m], `star` [rad], and `paths` where light is bent.
+ * @param {number} altitude [m]
+ * @param {number[]} sun Towards the star, in the observer's frame.
+ */
+export function observerNumbers(planet, altitude, sun) {
+  const { radius, thickness, star, paths } = planet;
+  const outside = altitude >= thickness;
+  const r = paths ? opticalRadius(planet, altitude) : radius + altitude;
+  const bottom = paths ? paths.bottom : radius;
+  const bent = paths && !outside;
+  const seen = bent ? raised_star(r, sun[2], bottom, paths.top, paths.lift) : sun[2];
+  const [horizonMu, horizonSine, level, seenLevel, disc] = observer_numbers(
+    r,
+    bottom,
+    sun[0],
+    sun[1],
+    seen,
+    star,
+  );
+  return {
+    r: Math.fround(bottom) + (r - bottom),
+    outside: Number(outside),
+    horizon_mu: horizonMu,
+    horizon_sine: horizonSine,
+    sun_x: level,
+    sun_z: sun[2],
+    seen_x: seenLevel,
+    seen_z: seen,
+    disc,
+    draws_disc: Number(star > 0),
+  };
+}
+
+/** Uniforms of the camera. */
+export function cameraNumbers(camera, width, height, projections) {
+  const { projection, fieldOfView: field, axes, ground } = camera;
+  const numbers = {
+    width,
+    height,
+    field_of_view: field,
+    projection: Object.keys(projections).indexOf(projection),
+    pixel_angle: PIXEL_ANGLES[projection](width, height, field),
+  };
+  ["right", "up", "forward"].forEach((name, i) => {
+    "xyz".split("").forEach((c, j) => {
+      numbers[`${name}_${c}`] = axes[i][j];
+    });
+  });
+  "xyz".split("").forEach((name, i) => {
+    "xyz".split("").forEach((c, j) => {
+      numbers[name + c] = ground[i][j];
+    });
+  });
+  return numbers;
+}
+
+/** Distance from the centre at which light, drawn straight, passes an observer. [m] */
+function opticalRadius({ radius, thickness, paths }, altitude) {
+  if (altitude > thickness) return radius + altitude;
+  const { excess } = paths;
+  const x = (altitude / thickness) * (excess.length - 1);
+  const node = Math.min(Math.floor(x), excess.length - 2);
+  return radius + altitude + excess[node] + (x - node) * (excess[node + 1] - excess[node]);
+}

@@ -1,0 +1,80 @@
+/** Solves the planet anew whenever its parameters change: the newest edit wins. */
+import { editOf, editedAir, isPlain } from "./edited_air.js";
+import { editedPicture } from "./edited_picture.js";
+import { Solver } from "./solver.js";
+
+/** Paths that need a solution. */
+const SOLVED = /^air\./;
+
+export class Edits {
+  /**
+   * @param {object} viewer With `device`, `state`, `take` and `say`.
+   * @param {object} description Of the solver, see solver.js.
+   * @param {object} plain The picture of the planet as it is, see drawing/picture.js.
+   */
+  constructor(viewer, description, plain) {
+    this.viewer = viewer;
+    this.description = description;
+    this.plain = plain;
+    this.solver = null;
+    this.wanted = editOf(description.air, viewer.state.values);
+    this.shown = null;
+    this.work = null;
+    this.text = "";
+    this.stop = viewer.state.follow((changed) => {
+      if ([...changed].some((path) => SOLVED.test(path))) this.follow();
+    });
+    if (!isPlain(this.wanted)) this.follow();
+  }
+
+  follow() {
+    this.wanted = editOf(this.description.air, this.viewer.state.values);
+    this.work ??= this.solve().finally(() => {
+      this.work = null;
+    });
+  }
+
+  /** A promise that the picture shows the newest edit. */
+  async settled() {
+    await this.work;
+  }
+
+  async solve() {
+    while (this.shown !== this.wanted) {
+      const edit = this.wanted;
+      try {
+        this.viewer.say("");
+        await this.show(edit);
+      } catch (error) {
+        this.viewer.say(error.message);
+      }
+      this.shown = edit;
+    }
+  }
+
+  async show(edit) {
+    const { viewer, description, plain } = this;
+    this.text = "";
+    if (isPlain(edit)) return viewer.take(plain);
+    const air = editedAir(description.air, edit);
+    this.text = "solving";
+    viewer.showStatus();
+    const began = performance.now();
+    this.solver ??= await Solver.make(viewer.device, description);
+    const light = await this.solver.light(air, () => edit !== this.wanted || viewer.closed);
+    if (!light) return;
+    const { sweeps, residual } = this.solver;
+    const seconds = ((performance.now() - began) / 1000).toPrecision(2);
+    this.text = `${sweeps} orders in ${seconds} s, ${residual.toExponential(0)} to come`;
+    await viewer.take(await editedPicture(plain, this.solver, air, light, edit.ground));
+  }
+
+  /** A few words about the solution. */
+  status() {
+    return this.text;
+  }
+
+  close() {
+    this.stop();
+  }
+}

@@ -1,0 +1,76 @@
+/**
+ * Declared parameters: what a value may be, where it lies on a slider, how it is written.
+ *
+ * A parameter is an object as viewer/parameters/parameter.py declares it and `as_json` writes it.
+ */
+
+/**
+ * The value as a parameter takes it.
+ *
+ * @param {object} parameter
+ * @param {number | string | boolean} value
+ * @returns {number | string | boolean}
+ * @throws {RangeError} One line: what is allowed.
+ */
+export function checked(parameter, value) {
+  const refuse = (allowed) => {
+    throw new RangeError(`${parameter.path} is ${value}; allowed: ${allowed}`);
+  };
+  if (parameter.kind === "switch") {
+    return typeof value === "boolean" ? value : refuse("true or false");
+  }
+  if (parameter.kind === "choice") {
+    return parameter.options.includes(value) ? value : refuse(parameter.options.join(", "));
+  }
+  if (parameter.kind === "text") {
+    return typeof value === "string" ? value : refuse("a text");
+  }
+  const { least = -Infinity, most = Infinity } = parameter;
+  const unit = parameter.unit === "1" ? "" : ` ${parameter.unit}`;
+  const number = typeof value === "number" ? value : NaN;
+  if (!Number.isFinite(number)) refuse(`${least} to ${most}${unit}`);
+  if (parameter.wraps) return wrapped(number, least, most);
+  // A slider's end may miss the limit by rounding.
+  const slack = (limit) => (Number.isFinite(limit) ? 1e-12 * Math.abs(limit) : 0);
+  if (number < least - slack(least) || number > most + slack(most)) {
+    refuse(`${least} to ${most}${unit}`);
+  }
+  return Math.min(Math.max(number, least), most);
+}
+
+/** A number brought round into a range. */
+export function wrapped(number, least, most) {
+  const span = most - least;
+  return least + ((((number - least) % span) + span) % span);
+}
+
+/** The number at a share of the slider, 0 at its low and 1 at its high end. */
+export function numberAt(parameter, share) {
+  const { low, high, scale } = parameter;
+  if (scale !== "log") return low + (high - low) * share;
+  return low * (high / low) ** share;
+}
+
+/** The share of the slider at which a number lies, held between 0 and 1. */
+export function shareOf(parameter, number) {
+  const { low, high, scale } = parameter;
+  const share =
+    scale === "log"
+      ? Math.log(Math.max(number, low) / low) / Math.log(high / low)
+      : (number - low) / (high - low);
+  return Math.min(Math.max(share, 0), 1);
+}
+
+/** A number from a slider: no more digits than the slider can tell apart. */
+export function rounded(parameter, number) {
+  const fine =
+    parameter.scale === "log" ? Math.abs(number) : Math.abs(parameter.high - parameter.low);
+  if (!(fine > 0)) return number;
+  const digits = Math.min(Math.max(3 - Math.floor(Math.log10(fine)), -12), 20);
+  return digits >= 0 ? Number(number.toFixed(digits)) : Math.round(number * 10 ** digits) / 10 ** digits;
+}
+
+/** A number as it is shown in a field: at most six digits. */
+export function written(number) {
+  return typeof number === "number" ? String(Number(number.toPrecision(6))) : String(number);
+}

@@ -1,0 +1,89 @@
+/** A state whose planet and history live in Python; every change goes there too. */
+import { State } from "./state.js";
+
+export class RemoteState extends State {
+  /**
+   * @param {object} model Of the widget: `values` and `gesture` to Python, `values` and `can` from
+   *     there, `command` to Python.
+   */
+  constructor(model) {
+    super(model.get("parameters"), model.get("values"));
+    this.model = model;
+    this.commands = 0;
+    this.waiting = null;
+    this.holding = false;
+  }
+
+  get canUndo() {
+    return Boolean(this.model.get("can").undo);
+  }
+
+  get canRedo() {
+    return Boolean(this.model.get("can").redo);
+  }
+
+  get hasOther() {
+    return Boolean(this.model.get("can").swap);
+  }
+
+  record(name, before, after, held) {
+    this.holding ||= held;
+    this.sendLater({ name, held });
+  }
+
+  move(changes) {
+    this.sendLater({ name: "", held: false });
+    super.move(changes);
+  }
+
+  /** All changes of one gesture in one frame go together. */
+  sendLater(gesture) {
+    if (this.waiting && this.waiting.name !== gesture.name) this.send();
+    if (!this.waiting) requestAnimationFrame(() => this.send());
+    this.waiting = gesture;
+  }
+
+  send() {
+    if (!this.waiting) return;
+    this.model.set("gesture", { ...this.waiting, count: ++this.commands });
+    this.waiting = null;
+    this.model.set("values", { ...this.values });
+    this.model.save_changes();
+  }
+
+  /** Something that Python does to its session. */
+  command(name) {
+    this.send();
+    this.model.set("command", { name, count: ++this.commands });
+    this.model.save_changes();
+  }
+
+  undo() {
+    this.command("undo");
+  }
+
+  redo() {
+    this.command("redo");
+  }
+
+  reset() {
+    this.command("reset");
+  }
+
+  keepOther() {
+    this.command("keep");
+  }
+
+  swap() {
+    this.command("swap");
+  }
+
+  shareCamera(shared) {
+    this.command(shared ? "one camera" : "two cameras");
+  }
+
+  rest() {
+    if (this.holding) this.command("rest");
+    this.holding = false;
+  }
+}

@@ -1,0 +1,78 @@
+/** What buttons and keys do, by the names of navigation/keys.py, and the buttons themselves. */
+import { KEYS } from "../generated/keys.js";
+
+/**
+ * @param {Viewer} viewer
+ * @returns {Object<string, () => void>} Actions by name.
+ */
+export function actionsOf(viewer) {
+  const { state, parts, flight } = viewer;
+  const expose = (stops) =>
+    state.set({ "display.exposure": state.get("display.exposure") + stops });
+  const viewpoints = Array.from({ length: 9 }, (_, i) => [
+    `viewpoint ${i + 1}`,
+    () => viewer.viewpoints[i] && flight.goTo(viewer.viewpoints[i]),
+  ]);
+  return {
+    ...Object.fromEntries(viewpoints),
+    undo: () => state.undo(),
+    redo: () => state.redo(),
+    reset: () => state.reset(),
+    "keep as b": () => state.keepOther(),
+    swap: () => state.swap(),
+    "one camera": () => state.shareCamera(!state.sharesCamera),
+    advanced: () => viewer.toggleAdvanced(),
+    "save picture": () => viewer.save(),
+    help: () => {
+      parts.help.hidden = !parts.help.hidden;
+    },
+    panels: () => parts.root.classList.toggle("airlight-hidden"),
+    leave: () => {
+      parts.help.hidden = true;
+      parts.root.classList.remove("airlight-hidden");
+    },
+    probe: () => {
+      parts.probe.hidden = !parts.probe.hidden;
+    },
+    time: () => flight.play(),
+    brighter: () => expose(KEYS.rates.stop),
+    darker: () => expose(-KEYS.rates.stop),
+    "automatic exposure": () => {
+      const automatic = state.get("display.automatic");
+      // The picture stays as bright as it was when the camera stops to adjust.
+      const exposure = automatic ? (viewer.picture?.exposure ?? 0) : 0;
+      state.rest();
+      state.set({ "display.automatic": !automatic, "display.exposure": exposure });
+      state.rest();
+    },
+  };
+}
+
+/** The buttons: action, text, explanation, and what they are at the moment. */
+export const BUTTONS = [
+  ["undo", "undo", "Take back the last change (Ctrl+Z).", (s) => ({ disabled: !s.canUndo })],
+  ["redo", "redo", "Bring back what was taken back (Ctrl+Y).", (s) => ({ disabled: !s.canRedo })],
+  ["reset", "reset", "Everything as it began.", () => ({})],
+  ["keep as b", "keep as B", "Keep what is shown, to compare it (B).", () => ({})],
+  [
+    "swap",
+    "A/B",
+    "Show the other of the two (V).",
+    (s) => ({ disabled: !s.hasOther, pressed: s.showing === "B" }),
+  ],
+  [
+    "one camera",
+    "one camera",
+    "Both are seen from the same place under the same sun.",
+    (s) => ({ pressed: s.sharesCamera }),
+  ],
+  [
+    "advanced",
+    "advanced",
+    "Show the parameters of the air's composition too.",
+    (s, viewer) => ({ pressed: viewer.controls?.advanced ?? false }),
+  ],
+  ["save picture", "save picture", "As a PNG (Ctrl+S).", () => ({})],
+  ["time", "time", "Let time pass, or stop it (T).", (s, v) => ({ pressed: v.flight.playing })],
+  ["help", "help", "Keys and mouse (F1).", () => ({})],
+];

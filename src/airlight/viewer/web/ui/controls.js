@@ -1,0 +1,165 @@
+/** The panel: one control for each declared parameter, in groups that fold. */
+import { checked, numberAt, rounded, shareOf, written } from "../state/parameters.js";
+
+/** Groups that stand first, unfolded: those of the view. */
+const FIRST = ["camera", "sun", "display", "light"];
+/** What the label of a list's item ends with. */
+const ITEM = / (at \S+ \S+|\d+)$/;
+/** Positions of a slider. */
+const STEPS = 1000;
+
+/** A new element with properties and children. */
+export function element(tag, properties = {}, ...children) {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  return made;
+}
+
+export class Controls {
+  /**
+   * @param {HTMLElement} place Filled with the controls.
+   * @param {State} state
+   * @param {(text: string) => void} explain Called with the help of the control in use.
+   */
+  constructor(place, state, explain) {
+    this.place = place;
+    this.state = state;
+    this.explain = explain;
+    this.rows = new Map();
+    this.folded = new Map();
+    this.advanced = false;
+    this.build();
+    this.stop = state.follow((changed) => this.update(changed));
+  }
+
+  /** Make the controls anew, as after a change of the declared list. */
+  build() {
+    this.rows.clear();
+    const groups = new Map();
+    const all = [...this.state.parameters.values()];
+    const own = (parameter) => Number(FIRST.includes(parameter.group));
+    for (const parameter of all.sort((a, b) => own(b) - own(a))) {
+      if (parameter.mode === "advanced" && !this.advanced) continue;
+      const group = this.fold(groups, parameter.group, this.place, parameter.group);
+      const list = parameter.part_of
+        ? this.fold(groups, parameter.part_of, group.body, parameter.label.replace(ITEM, ""))
+        : group;
+      const row = this.row(parameter);
+      this.rows.set(parameter.path, row);
+      list.body.append(row.element);
+    }
+    const tops = [...groups.values()].filter((one) => one.top);
+    this.place.replaceChildren(...tops.map((one) => one.element));
+    this.update(new Set(this.rows.keys()));
+  }
+
+  fold(groups, name, place, label) {
+    if (groups.has(name)) return groups.get(name);
+    const body = element("div", { className: "airlight-body" });
+    const fold = element("details", {}, element("summary", { textContent: label }), body);
+    fold.open = this.folded.get(name) ?? FIRST.includes(name);
+    fold.addEventListener("toggle", () => this.folded.set(name, fold.open));
+    const made = { element: fold, body, top: place === this.place };
+    if (!made.top) place.append(fold);
+    groups.set(name, made);
+    return made;
+  }
+
+  row(parameter) {
+    const make = { number: numberRow, choice: choiceRow, switch: switchRow, text: textRow };
+    const set = (value, held = false) => {
+      try {
+        this.state.set({ [parameter.path]: value }, parameter.path, held);
+        row.element.classList.remove("airlight-wrong");
+      } catch (error) {
+        row.element.classList.add("airlight-wrong");
+        this.explain(error.message);
+      }
+    };
+    const row = make[parameter.kind](parameter, set, () => this.state.rest());
+    row.element.title = parameter.help;
+    row.element.dataset.path = parameter.path;
+    const help = () => this.explain(`${parameter.label}: ${parameter.help}`);
+    row.element.addEventListener("pointerenter", help);
+    row.element.addEventListener("focusin", help);
+    return row;
+  }
+
+  update(changed) {
+    for (const path of changed) {
+      const row = this.rows.get(path);
+      if (!row) continue;
+      row.element.classList.remove("airlight-wrong");
+      row.show(this.state.get(path));
+    }
+  }
+
+  close() {
+    this.stop();
+    this.place.replaceChildren();
+  }
+}
+
+function labelled(parameter, ...inputs) {
+  const unit = parameter.kind === "number" && parameter.unit !== "1" ? ` [${parameter.unit}]` : "";
+  const label = element("span", { className: "airlight-label" }, parameter.label + unit);
+  return element("label", { className: `airlight-row airlight-${parameter.kind}` }, label, ...inputs);
+}
+
+function numberRow(parameter, set, rest) {
+  const field = element("input", { type: "text", inputMode: "decimal", spellcheck: false });
+  const slider = element("input", { type: "range", min: 0, max: STEPS, step: 1 });
+  field.ariaLabel = parameter.label;
+  slider.ariaLabel = `${parameter.label}, slider`;
+  slider.addEventListener("input", () => {
+    const number = rounded(parameter, numberAt(parameter, slider.valueAsNumber / STEPS));
+    const { least = -Infinity, most = Infinity } = parameter;
+    set(Math.min(Math.max(number, least), most), true);
+  });
+  slider.addEventListener("change", rest);
+  field.addEventListener("change", () => {
+    const text = field.value.trim().replace(",", ".");
+    set(text === "" ? NaN : Number(text));
+  });
+  field.addEventListener("keydown", (event) => {
+    const way = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+    if (!way) return;
+    event.preventDefault();
+    const number = Number(field.value);
+    const { step, scale } = parameter;
+    const moved = scale === "log" ? number * step ** way : number + way * step;
+    try {
+      set(checked(parameter, rounded(parameter, moved)));
+    } catch {
+      // An arrow at the end of the range does nothing.
+    }
+  });
+  return {
+    element: labelled(parameter, field, slider),
+    show(value) {
+      if (document.activeElement !== field || Number(field.value) !== value) {
+        field.value = written(value);
+      }
+      slider.value = String(Math.round(STEPS * shareOf(parameter, value)));
+    },
+  };
+}
+
+function choiceRow(parameter, set) {
+  const options = parameter.options.map((name) => element("option", { value: name }, name));
+  const list = element("select", {}, ...options);
+  list.addEventListener("change", () => set(list.value));
+  return { element: labelled(parameter, list), show: (value) => void (list.value = value) };
+}
+
+function switchRow(parameter, set) {
+  const box = element("input", { type: "checkbox" });
+  box.addEventListener("change", () => set(box.checked));
+  return { element: labelled(parameter, box), show: (value) => void (box.checked = value) };
+}
+
+function textRow(parameter, set) {
+  const field = element("input", { type: "text", spellcheck: false });
+  field.addEventListener("change", () => set(field.value));
+  return { element: labelled(parameter, field), show: (value) => void (field.value = value) };
+}

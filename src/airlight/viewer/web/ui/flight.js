@@ -1,0 +1,200 @@
+/**
+ * Keys, mouse and wheel turned into the view, as navigation/flight.py does it for the window.
+ *
+ * The formulas are emitted from scene/flight.py and its neighbours, the table of keys from
+ * navigation/keys.py.
+ */
+import {
+  angle_flown,
+  climbed,
+  compass,
+  course_of,
+  looked,
+  risen,
+  sun_at,
+  sun_dragged,
+  time_of,
+  turned,
+} from "../generated/formulas.js";
+import { KEYS } from "../generated/keys.js";
+
+const { held: HELD, factors: FACTORS, rates: RATES } = KEYS;
+/** What flying on a great circle changes, in the order of `turned`. */
+const CARRIED = ["latitude", "longitude", "heading", "sun_zenith", "sun_azimuth"];
+
+/** Values of the view by their names. */
+function numbers(values, ...names) {
+  return names.map((name) => values[`view.${name}`]);
+}
+
+/**
+ * The view after flying for a while.
+ *
+ * @param {Object<string, number>} values Of the view's parameters.
+ * @param {number} right
+ * @param {number} ahead
+ * @param {number} up In parts of the usual speed.
+ * @param {number} seconds [s]
+ * @param {number} radius Of the planet's ground. [m]
+ * @returns {Object<string, number>} The values that changed.
+ */
+export function flown(values, right, ahead, up, seconds, radius) {
+  const [altitude, tilt, heading] = numbers(values, "altitude", "look_zenith", "heading");
+  const reach = RATES.fly * seconds;
+  const higher = climbed(altitude, tilt, ahead, up, reach);
+  const changed = ahead === 0 && up === 0 ? {} : { "view.altitude": higher };
+  const angle = angle_flown(altitude, higher, tilt, right, ahead, reach, radius);
+  if (angle > 0) {
+    const course = course_of(tilt, heading, right, ahead);
+    const moved = turned(...numbers(values, ...CARRIED), course, angle);
+    CARRIED.forEach((name, i) => (changed[`view.${name}`] = moved[i]));
+  }
+  return changed;
+}
+
+export class Flight {
+  /**
+   * @param {State} state
+   * @param {() => void} request Called when something begins to move, so that frames come.
+   * @param {() => number} radius Of the planet's ground. [m]
+   */
+  constructor(state, request, radius) {
+    this.state = state;
+    this.request = request;
+    this.radius = radius;
+    this.down = new Map();
+    this.now = null;
+    this.playing = false;
+  }
+
+  get moving() {
+    return [...this.down.values()].some((name) => name in HELD);
+  }
+
+  /**
+   * A key goes down; whether it is one of the flight's.
+   *
+   * @param {string} code Of the key, which stays the same whatever is pressed with it.
+   * @param {string} key
+   */
+  press(code, key) {
+    const name = key.toLowerCase();
+    if (!(name in HELD) && !(name in FACTORS)) return false;
+    if (!this.moving) this.now = null;
+    if (!this.down.has(code)) this.down.set(code, name);
+    this.request();
+    return true;
+  }
+
+  /** A key goes up; without one all do, as when the page loses the keyboard. */
+  release(code = null) {
+    const moving = this.moving;
+    if (code === null) this.down.clear();
+    else this.down.delete(code);
+    if (moving && !this.moving) this.state.rest();
+  }
+
+  /** Let time pass, or stop it. */
+  play() {
+    this.playing = !this.playing;
+    this.now = null;
+    this.request();
+  }
+
+  /**
+   * Move as the keys and the time say; called before each frame.
+   *
+   * @param {number} now [ms]
+   * @returns {boolean} Whether something moves, so that another frame must follow.
+   */
+  advance(now) {
+    if (!this.moving && !this.playing) return false;
+    const passed = this.now === null ? 1 / 60 : (now - this.now) / 1000;
+    const seconds = Math.min(Math.max(passed, 0), RATES.longest_step);
+    this.now = now;
+    if (this.moving) this.step(seconds);
+    if (this.playing) {
+      const latitude = this.state.get("view.latitude");
+      const [declination, hour] = time_of(latitude, ...this.sun());
+      const later = hour + (seconds * RATES.time) / 3600;
+      this.state.take(sunValues(sun_at(latitude, declination, later % 24)));
+    }
+    return true;
+  }
+
+  step(seconds) {
+    const names = [...this.down.values()];
+    const ways = { right: 0, ahead: 0, up: 0, turn: 0, tilt: 0, widen: 0 };
+    for (const name of new Set(names.filter((one) => one in HELD))) {
+      const [axis, sign] = HELD[name];
+      ways[axis] += sign;
+    }
+    const factors = new Set(names.filter((one) => one in FACTORS));
+    const time = [...factors].reduce((product, one) => product * FACTORS[one], seconds);
+    const { values } = this.state;
+    const length = Math.hypot(ways.right, ways.ahead, ways.up);
+    const changed = length
+      ? flown(values, ways.right, ways.ahead, ways.up, time / length, this.radius())
+      : {};
+    const view = { ...values, ...changed };
+    const field = view["view.field_of_view"];
+    if (ways.turn || ways.tilt) {
+      const angle = RATES.turn * field * time;
+      Object.assign(changed, lookedValues(view, ways.turn * angle, ways.tilt * angle));
+    }
+    if (ways.widen) {
+      const factor = Math.exp(ways.widen * RATES.widen * time);
+      Object.assign(changed, this.widened(field * factor));
+    }
+    this.state.set(changed, "keys");
+  }
+
+  /** The mouse has moved by parts of the picture's width: the picture follows it. */
+  look(right, down) {
+    const field = this.state.get("view.field_of_view");
+    this.state.set(lookedValues(this.state.values, -right * field, -down * field), "look");
+  }
+
+  /** The mouse drags the sun by parts of the picture's width. */
+  dragSun(right, down) {
+    const field = this.state.get("view.field_of_view");
+    this.state.set(sunValues(sun_dragged(...this.sun(), right * field, down * field)), "sun");
+  }
+
+  /** The wheel has turned: away from the ground for notches above 0. */
+  rise(notches, held = false) {
+    const altitude = risen(this.state.get("view.altitude"), notches);
+    this.state.set({ "view.altitude": altitude }, "wheel", held);
+  }
+
+  /** The wheel has turned to change the field of view: wider for notches above 0. */
+  widen(notches) {
+    const field = this.state.get("view.field_of_view") * RATES.notch ** notches;
+    this.state.set(this.widened(field), "field of view", false);
+  }
+
+  widened(field) {
+    const { least, most } = this.state.parameters.get("view.field_of_view");
+    return { "view.field_of_view": Math.min(Math.max(field, least), most) };
+  }
+
+  sun() {
+    return numbers(this.state.values, "sun_zenith", "sun_azimuth");
+  }
+
+  /** A viewpoint, whose heading is counted from the sun's. */
+  goTo({ view }) {
+    const heading = compass(view["view.heading"] + this.state.get("view.sun_azimuth"));
+    this.state.set({ ...view, "view.heading": heading });
+    this.state.rest();
+  }
+}
+
+function lookedValues(values, right, down) {
+  const [tilt, heading] = looked(...numbers(values, "look_zenith", "heading"), right, down);
+  return { "view.look_zenith": tilt, "view.heading": heading };
+}
+
+function sunValues([zenith, azimuth]) {
+  return { "view.sun_zenith": zenith, "view.sun_azimuth": azimuth };
+}

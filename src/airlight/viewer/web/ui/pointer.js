@@ -1,0 +1,73 @@
+/** Mouse, wheel and touch on the picture. */
+import { KEYS } from "../generated/keys.js";
+
+const { rates: RATES, factors: FACTORS } = KEYS;
+/** Pixels of a wheel's line and page. */
+const LINE = 30;
+const SHEET = 300;
+/** Most notches of one turn of the wheel. */
+const MOST_NOTCHES = 6;
+
+export class Pointer {
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {Flight} flight
+   */
+  constructor(canvas, flight) {
+    this.canvas = canvas;
+    this.flight = flight;
+    this.points = new Map();
+    this.movesSun = false;
+    this.ending = new AbortController();
+    const listen = (name, act, more = {}) =>
+      canvas.addEventListener(name, act, { signal: this.ending.signal, ...more });
+    listen("pointerdown", (event) => this.press(event));
+    listen("pointermove", (event) => this.move(event));
+    for (const name of ["pointerup", "pointercancel"]) listen(name, (event) => this.lift(event));
+    listen("wheel", (event) => this.wheel(event), { passive: false });
+    listen("contextmenu", (event) => event.preventDefault());
+  }
+
+  press(event) {
+    this.canvas.focus({ preventScroll: true });
+    this.canvas.setPointerCapture(event.pointerId);
+    this.points.set(event.pointerId, [event.clientX, event.clientY]);
+    this.movesSun = event.shiftKey || event.ctrlKey || event.button === 2;
+  }
+
+  move(event) {
+    const before = this.points.get(event.pointerId);
+    if (!before) return;
+    const others = [...this.points].filter(([id]) => id !== event.pointerId);
+    const here = [event.clientX, event.clientY];
+    this.points.set(event.pointerId, here);
+    if (others.length) {
+      const [, other] = others[0];
+      const spread = (point) => Math.hypot(point[0] - other[0], point[1] - other[1]);
+      const factor = Math.max(spread(before), 1) / Math.max(spread(here), 1);
+      this.flight.rise(Math.log(factor) / Math.log(RATES.notch), true);
+      return;
+    }
+    const parts = here.map((x, i) => (x - before[i]) / this.canvas.clientWidth);
+    if (this.movesSun) this.flight.dragSun(...parts);
+    else this.flight.look(...parts);
+  }
+
+  lift(event) {
+    if (this.points.delete(event.pointerId)) this.flight.state.rest();
+  }
+
+  wheel(event) {
+    event.preventDefault();
+    // With Shift a browser may turn the wheel sideways.
+    const turned = event.deltaY || event.deltaX;
+    const pixels = turned * (event.deltaMode === 1 ? LINE : event.deltaMode === 2 ? SHEET : 1);
+    const notches = Math.min(Math.max(pixels / RATES.wheel, -MOST_NOTCHES), MOST_NOTCHES);
+    if (event.ctrlKey) this.flight.widen(notches);
+    else this.flight.rise(notches * (event.shiftKey ? FACTORS.shift : 1));
+  }
+
+  close() {
+    this.ending.abort();
+  }
+}

@@ -1,0 +1,123 @@
+"""What keys and buttons of the window do, by the names of ``navigation.keys``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from airlight.viewer.navigation.keys import RATES
+from airlight.viewer.navigation.viewpoints import VIEWPOINTS, Viewpoint, view_of
+from airlight.viewer.painting.picture_source import Picture
+from airlight.viewer.session.session import Session
+from airlight.viewer.window.messages import Messages
+from airlight.viewer.window.panels.save import SaveDialog
+from airlight.viewer.window.panels.side import SidePanel
+
+
+class Actions:
+    """Does them, each by its name.
+
+    Parameters
+    ----------
+    session : Session
+    panel : SidePanel
+        Knows whether time passes, and whether there is a probe and a comparison.
+    dialog : SaveDialog
+    messages : Messages
+    shown : callable
+        The picture of the side that is edited, or None.
+    close : callable
+        Ends the window.
+
+    Attributes
+    ----------
+    shows_panels, shows_help : bool
+        Whether there is anything but the picture, and whether the help lies over it.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        panel: SidePanel,
+        dialog: SaveDialog,
+        messages: Messages,
+        shown: Callable[[], Picture | None],
+        close: Callable[[], None],
+    ) -> None:
+        self._session = session
+        self._panel = panel
+        self._dialog = dialog
+        self._messages = messages
+        self._shown = shown
+        self.shows_panels = True
+        self.shows_help = False
+        self._known: dict[str, Callable[[], object]] = {
+            "undo": session.undo,
+            "redo": session.redo,
+            "reset": session.reset,
+            "save picture": lambda: dialog.ask("picture"),
+            "save planet": lambda: dialog.ask("planet"),
+            "close": close,
+            "help": self._toggle_help,
+            "leave": self._leave,
+            "panels": self._toggle_panels,
+            "probe": self._toggle_probe,
+            "keep as b": self._keep_as_b,
+            "compare": self._toggle_comparison,
+            "swap": session.swap,
+            "time": self._toggle_time,
+            "automatic exposure": self._toggle_exposure,
+            "brighter": lambda: self._expose(RATES["stop"]),
+            "darker": lambda: self._expose(-RATES["stop"]),
+        }
+        for number, viewpoint in enumerate(VIEWPOINTS, 1):
+            self._known[f"viewpoint {number}"] = lambda one=viewpoint: self._go(one)  # type: ignore[misc]
+
+    def do(self, action: str) -> None:
+        """Do one; if it cannot be, say so."""
+        self._messages.attempt(self._known[action])
+
+    def _go(self, viewpoint: Viewpoint) -> None:
+        session = self._session
+        bottom, top = (
+            1e3 * float(session.value(f"shell.{end}_radius")) for end in ("bottom", "top")
+        )
+        bearing = float(session.view["view.sun_azimuth"])
+        view = view_of(viewpoint, bottom_radius=bottom, top_radius=top, bearing=bearing)
+        session.change_view(f"viewpoint {viewpoint.name}", view)
+
+    def _toggle_help(self) -> None:
+        self.shows_help = not self.shows_help
+
+    def _toggle_panels(self) -> None:
+        self.shows_panels = not self.shows_panels
+
+    def _toggle_probe(self) -> None:
+        self._panel.probes = not self._panel.probes
+
+    def _toggle_time(self) -> None:
+        self._panel.plays = not self._panel.plays
+
+    def _leave(self) -> None:
+        self.shows_help, self._dialog.asks = False, ""
+        self.shows_panels = True
+
+    def _keep_as_b(self) -> None:
+        self._session.store_b()
+        self._messages.say("kept as B: C shows both side by side, V changes them over")
+
+    def _toggle_comparison(self) -> None:
+        if not self._panel.compares and not self._session.has_other:
+            self._session.store_b()
+        self._panel.compares = not self._panel.compares
+
+    def _toggle_exposure(self) -> None:
+        automatic = bool(self._session.view["display.automatic"])
+        shown = self._shown()
+        # The picture stays as bright as it was when the camera stops to adjust.
+        exposure = shown.exposure if automatic and shown is not None else 0.0
+        view = {"display.automatic": not automatic, "display.exposure": exposure}
+        self._session.change_view("automatic exposure", view)
+
+    def _expose(self, stops: float) -> None:
+        exposure = float(self._session.view["display.exposure"])
+        self._session.set("display.exposure", exposure + stops)

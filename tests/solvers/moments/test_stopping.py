@@ -1,0 +1,114 @@
+"""When orders of scattering have arrived: series whose sums are known."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight.errors import ConvergenceError
+from airlight.solvers.moments.acceleration import mixing_weights
+from airlight.solvers.moments.settings import settings_for
+from airlight.solvers.moments.stopping import Iteration, Stopping
+
+THIN, THICK = np.zeros(2), np.ones(2)
+SWEEPS = Stopping.of_sweeps(settings_for("preview"))
+PASSES = Stopping.of_passes(settings_for("preview"))
+
+
+def light(values):
+    """Mean radiances of two radii, one sun and two wavelengths: bright, and a value beside it."""
+    return np.array([[[1.0, 1.0]], [[values, values]]], np.float32)
+
+
+def follow(iteration, ratio, orders):
+    """Sums of the first orders of a geometric series, at both radii alike."""
+    total = 0.0
+    for order in range(orders):
+        before, total = total, total + ratio**order
+        iteration.judge(np.full((2, 1, 2), before), np.full((2, 1, 2), total))
+    return total
+
+
+@pytest.mark.parametrize("ratio", [0.35, 0.5, 0.7])
+def test_what_is_to_come_of_a_geometric_series_is_told(ratio):
+    # After n orders all further ones add ratio^n/(1 - ratio), relative to the sum so far.
+    iteration = Iteration(SWEEPS, THIN, 2)
+    total = follow(iteration, ratio, 16)
+    expected = ratio**16 / (1.0 - ratio) / total
+    # The changes it sees are relative to sums that still grow: by 0.5 % at the slowest.
+    assert_allclose(iteration.to_come, expected, rtol=0.02)
+
+
+def test_it_goes_on_until_the_tolerance_is_met():
+    # Of halves, 1 % is met when 2^(1 - n) / 2 falls below it: after eight orders.
+    iteration = Iteration(SWEEPS, THIN, 2)
+    assert iteration.goes_on()
+    follow(iteration, 0.5, 6)
+    assert iteration.goes_on()
+    assert 0.0 < iteration.share < 1.0
+    iteration = Iteration(SWEEPS, THIN, 2)
+    follow(iteration, 0.5, 8)
+    assert not iteration.goes_on()
+    assert iteration.share == 1.0
+
+
+def test_one_order_never_suffices():
+    # A first guess that is the answer already cannot be told from one that stands still.
+    iteration = Iteration(SWEEPS, THIN, 2)
+    iteration.judge(light(0.5), light(0.5))
+    assert iteration.to_come.max() == 0.0
+    assert iteration.goes_on()
+    iteration.judge(light(0.5), light(0.5))
+    assert not iteration.goes_on()
+
+
+def test_giving_up_says_what_was_still_to_come():
+    # Light that leaps to and fro never arrives.
+    iteration = Iteration(PASSES, THIN, 2)
+    for order in range(PASSES.most_sweeps):
+        assert iteration.goes_on()
+        iteration.judge(light(0.5 + order % 2), light(0.5 + (order + 1) % 2))
+    with pytest.raises(ConvergenceError, match=f"after {PASSES.most_sweeps} sweeps"):
+        iteration.goes_on()
+
+
+def test_lanes_without_a_wavelength_do_not_count():
+    # The second lane changes by half, but nobody asked for it.
+    iteration = Iteration(SWEEPS, THIN, 1)
+    for _ in range(3):
+        iteration.judge(np.ones((1, 1, 2)) * [1.0, 0.5], np.ones((1, 1, 2)))
+    assert iteration.to_come.shape == (1,)
+    assert not iteration.goes_on()
+    assert_allclose(iteration.weights()[:, 1], [0.0, 0.0, 1.0])
+
+
+def test_the_night_of_thick_air_counts_less_for_sweeps_than_for_passes():
+    # A node 1e-4 as bright changes by a tenth: in thin air that counts whole; in thick air by
+    # its light over 0.05 of the brightest, 1/500, for sweeps, and the fourth root of it for passes.
+    def to_come(stopping, thick):
+        iteration = Iteration(stopping, thick, 2)
+        iteration.judge(light(0.9e-4), light(1e-4))
+        return float(iteration.to_come.max())
+
+    thin = to_come(SWEEPS, THIN)
+    assert_allclose(thin, 0.1, rtol=1e-5)
+    assert_allclose(to_come(PASSES, THIN), thin)
+    assert_allclose(to_come(SWEEPS, THICK), thin / 500.0, rtol=1e-5)
+    assert_allclose(to_come(PASSES, THICK), thin / 500.0**0.25, rtol=1e-5)
+    assert PASSES.tolerance_in(THICK) < SWEEPS.tolerance_in(THICK) == SWEEPS.tolerance
+
+
+def test_mixed_residuals_are_as_small_as_least_squares_make_them():
+    # The same by NumPy's least squares over the changes, for residuals of any direction.
+    residuals = np.random.default_rng(7).normal(size=(5, 40))
+    changes = np.diff(residuals, axis=0)
+    best = np.linalg.lstsq(changes.T, residuals[-1], rcond=None)[0]
+    weights = mixing_weights(residuals)
+    assert_allclose(weights.sum(), 1.0, rtol=1e-12)
+    assert_allclose(weights @ residuals, residuals[-1] - best @ changes, atol=1e-8)
+
+
+def test_residuals_that_stand_still_are_not_mixed():
+    # No combination of equal residuals is smaller: the equations are singular.
+    assert_allclose(mixing_weights(np.ones((4, 6))), [0.0, 0.0, 0.0, 1.0])

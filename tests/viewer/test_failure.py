@@ -1,0 +1,196 @@
+"""A window whose parts fail amid a frame: it says so, draws the rest, and recovers."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.testing import assert_array_equal
+
+from airlight.errors import AirlightError, ParameterError
+from airlight.gpu.device.device import Device
+from airlight.viewer.painting.picture_source import Picture, Request
+from airlight.viewer.painting.probe import Part, Probe
+from airlight.viewer.painting.probing import Reading
+from airlight.viewer.session.session import Session
+from airlight.viewer.window import overlay_help
+from airlight.viewer.window.canvas import OffscreenPlace
+from airlight.viewer.window.panels import parameters as panel_parameters
+from airlight.viewer.window.panels import probe as panel_probe
+from airlight.viewer.window.panels import side as panel_side
+from airlight.viewer.window.panels import status as panel_status
+from airlight.viewer.window.panels.save import SaveDialog
+from airlight.viewer.window.window import Window
+
+SIZE = (1280, 720)
+STATUS = 690  # the line with times, different in each frame, begins below
+
+Breaks = Callable[[Window, pytest.MonkeyPatch, BaseException], None]
+
+
+class Idle:
+    """A painter that is never asked, since nothing is ever solved."""
+
+    def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
+        raise AssertionError("nothing was solved")
+
+    def close(self) -> None:
+        pass
+
+
+def unsolved(*_: Any, **__: Any) -> Any:
+    raise AirlightError("not solved here")
+
+
+class Read:
+    """A probe that has read a point."""
+
+    def __init__(self) -> None:
+        nm, light = (440.0, 550.0, 680.0), (0.1, 0.2, 0.1)
+        probe = Probe(
+            view_zenith=90.0, azimuth=0.0, wavelengths=nm, radiance=light, luminance=10.0,
+            chromaticity=(0.3, 0.3), rgb=(1.0, 1.0, 1.0), names=("air",),
+            optical_depth=((0.2, 0.1, 0.05),), transmittance=(0.8, 0.9, 0.95), distance=np.inf,
+            latitude=None, longitude=None,
+            parts=(Part(name="single scattering", radiance=light, luminance=10.0),),
+        )  # fmt: skip
+        self.reading = Reading(probe=probe, spectrum=probe, quality="all", place=(0.5, 0.5))
+        self.working = self.error = ""
+        self.busy = False
+
+    def close(self) -> None:
+        pass
+
+
+@pytest.fixture
+def place() -> OffscreenPlace:
+    pytest.importorskip("imgui_bundle")
+    return OffscreenPlace(SIZE)
+
+
+@pytest.fixture
+def window(place: OffscreenPlace, device: Device) -> Iterator[Window]:
+    session = Session("earth")
+    session.store_b()
+    session.set("shell.top_radius", 6500.0)
+    window = Window(session, place, device.device, Idle, unsolved)
+    window._probing.close()
+    window._probing = Read()  # type: ignore[assignment]
+    yield window
+    window.close()
+
+
+def failing(fault: BaseException) -> Callable[..., Any]:
+    def fail(*_: Any, **__: Any) -> Any:
+        raise fault
+
+    return fail
+
+
+def breaks(where: Any, name: str) -> Breaks:
+    """A function of a module or of a class fails."""
+    return lambda window, patch, fault: patch.setattr(where, name, failing(fault))
+
+
+def breaks_plot(window: Window, patch: pytest.MonkeyPatch, fault: BaseException) -> None:
+    from imgui_bundle import implot
+
+    patch.setattr(implot, "plot_line", failing(fault))
+
+
+def breaks_dialog(window: Window, patch: pytest.MonkeyPatch, fault: BaseException) -> None:
+    class Broken(SaveDialog):
+        planet_path = property(failing(fault))  # type: ignore[assignment]
+
+    dialog = Broken.__new__(Broken)
+    dialog.asks, dialog._fresh = "planet", False
+    patch.setattr(window, "_dialog", dialog)
+
+
+def breaks_disabled(window: Window, patch: pytest.MonkeyPatch, fault: BaseException) -> None:
+    from imgui_bundle import imgui
+
+    patch.setattr(imgui, "checkbox", failing(fault))
+
+
+#: Part, tab, and what fails: each between a begin and an end.
+PARTS: tuple[tuple[str, str, Breaks], ...] = (
+    ("flight", "Planet", lambda w, patch, fault: patch.setattr(w, "_step", failing(fault))),
+    ("request", "Planet", lambda w, patch, fault: patch.setattr(w, "_follow", failing(fault))),
+    ("picture", "Planet", lambda w, patch, fault: patch.setattr(w.area, "draw", failing(fault))),
+    ("side panel", "Planet", breaks(panel_parameters, "parameter_row")),
+    ("side panel", "Planet", breaks_disabled),
+    ("side panel", "View", breaks(panel_side, "_speed")),
+    ("side panel", "Compare", breaks(panel_side, "_text")),
+    ("probe", "Planet", breaks(panel_probe, "_row")),
+    ("probe", "Planet", breaks_plot),
+    ("help", "Planet", breaks(overlay_help.style, "colored")),
+    ("save dialog", "Planet", breaks_dialog),
+    ("status line", "Planet", breaks(panel_status, "_fitting")),
+)
+
+
+def drawn(window: Window, place: OffscreenPlace, frames: int) -> np.ndarray:
+    """The window above its status line, after some frames."""
+    for _ in range(frames):
+        place.run(window.draw)
+    assert place.picture is not None
+    return place.picture[:STATUS].copy()
+
+
+def opened(window: Window, place: OffscreenPlace, part: str, tab: str) -> np.ndarray:
+    """The window with a part and a tab open, at rest."""
+    window.panel.opens, window.panel.probes = tab, part == "probe"
+    if part == "help":
+        window.do("help")
+    if part == "save dialog":
+        window.do("save planet")
+    return drawn(window, place, 4)
+
+
+@pytest.mark.parametrize(
+    ("part", "tab", "broken"), PARTS, ids=[f"{one[0]} {i}" for i, one in enumerate(PARTS)]
+)
+@pytest.mark.parametrize(
+    "raised",
+    [lambda: ParameterError("albedo", 2, "0 to 1"), lambda: KeyError("no row")],
+    ids=["ParameterError", "KeyError"],
+)
+def test_a_part_that_fails_is_named_and_drawn_again_once_it_can_be(
+    window: Window,
+    place: OffscreenPlace,
+    caplog: pytest.LogCaptureFixture,
+    part: str,
+    tab: str,
+    broken: Breaks,
+    raised: Callable[[], Exception],
+) -> None:
+    # Had a begin stayed without its end, or a style pushed, the window would not be the same.
+    before, frames, fault = opened(window, place, part, tab), window.frames, raised()
+    with pytest.MonkeyPatch.context() as patch:
+        broken(window, patch, fault)
+        with caplog.at_level(logging.WARNING):
+            drawn(window, place, 3)
+        assert window.problem.startswith(f"{part}: ")
+        assert window.problem.endswith(str(fault))
+    assert window.frames == frames + 3
+    assert [(one.name, one.exc_info is not None) for one in caplog.records] == [
+        ("airlight.viewer.background.error_line", True)
+    ]
+    after = drawn(window, place, 3)
+    assert part not in window.problem
+    assert_array_equal(after, before)
+
+
+def test_an_interrupt_ends_the_frame_and_leaves_the_window_whole(
+    window: Window, place: OffscreenPlace, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = opened(window, place, "side panel", "Planet")
+    with monkeypatch.context() as patch:
+        patch.setattr(panel_parameters, "parameter_row", failing(KeyboardInterrupt()))
+        with pytest.raises(KeyboardInterrupt):
+            place.run(window.draw)
+    assert_array_equal(drawn(window, place, 3), before)

@@ -1,0 +1,144 @@
+"""What a page works out by formulas that were emitted as JavaScript: Python's numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight.solvers.moments.acceleration import mixing_weights
+from airlight.viewer.browser.formulas import emitted_formulas
+
+COUNT = 60
+RNG = np.random.default_rng(5)
+
+
+def numbers(low: float, high: float) -> np.ndarray:
+    return RNG.uniform(low, high, COUNT)
+
+
+ANGLES = (numbers(0.0, 180.0), numbers(-360.0, 360.0), numbers(-360.0, 360.0))
+BOTTOM, TOP = 6360e3, 6460e3
+STAR = (numbers(BOTTOM, TOP), numbers(-0.1, 1.0), BOTTOM, TOP, RNG.uniform(0.0, 0.01, (8, 12, 1)))
+LATITUDES, BEARINGS, ZENITHS = numbers(-90.0, 90.0), numbers(0.0, 360.0), numbers(0.0, 180.0)
+ALTITUDES, SPEEDS = RNG.lognormal(9.0, 6.0, COUNT), (numbers(-1.0, 1.0), numbers(-1.0, 1.0))
+WAY = (BEARINGS[::-1], numbers(0.0, 2.0))
+PIXELS = (numbers(64.0, 2000.0), numbers(64.0, 2000.0), numbers(0.01, 2.9))
+POSITIVE = np.geomspace(1e-8, 10.0, COUNT)
+STEPS = 4
+#: What writes to an array is compared in a test of its own.
+FILLING = {"combine"}
+#: Arguments of each function: numbers, or tables, which are the same for all.
+CASES: dict[str, tuple[Any, ...]] = {
+    "direction_of": ANGLES[:2],
+    "camera_frame": ANGLES,
+    "ground_axes": ANGLES,
+    "observer_numbers": (
+        numbers(BOTTOM, TOP), BOTTOM, numbers(-1.0, 1.0), numbers(-1.0, 1.0), numbers(-1.0, 1.0),
+        np.maximum(numbers(-0.005, 0.005), 0.0),
+    ),
+    "horizon_cosine": (numbers(BOTTOM, TOP), BOTTOM),
+    "place_of_star": STAR,
+    "raised_star": STAR,
+    "luminance_of": (numbers(0.0, 9.0), numbers(0.0, 9.0), numbers(0.0, 9.0)),
+    "exposure_of": (np.sort(RNG.lognormal(0.0, 3.0, 500)), numbers(0.01, 9.0)),
+    "compass": (numbers(-2000.0, 2000.0),),
+    "within": (numbers(-5.0, 5.0),),
+    "climbed": (ALTITUDES, ZENITHS, *SPEEDS, numbers(0.0, 0.4)),
+    "course_of": (ZENITHS, BEARINGS, *SPEEDS),
+    "angle_flown": (ALTITUDES, ALTITUDES[::-1], ZENITHS, *SPEEDS, numbers(0.0, 0.4), BOTTOM),
+    "bearing_of": (*SPEEDS, BEARINGS),
+    "travelled": (LATITUDES, numbers(-180.0, 180.0), *WAY),
+    "carried_star": (ZENITHS, BEARINGS, *WAY, numbers(0.0, 360.0)),
+    "turned": (LATITUDES, numbers(-180.0, 180.0), numbers(0.0, 360.0), ZENITHS, BEARINGS, *WAY),
+    "looked": (ZENITHS, BEARINGS, numbers(-90.0, 90.0), numbers(-200.0, 200.0)),
+    "risen": (ALTITUDES, numbers(-20.0, 20.0)),
+    "sun_dragged": (ZENITHS, BEARINGS, numbers(-90.0, 90.0), numbers(-200.0, 200.0)),
+    "sun_at": (LATITUDES, numbers(-90.0, 90.0), numbers(0.0, 24.0)),
+    "time_of": (LATITUDES, ZENITHS, BEARINGS),
+    "pixel_angle_perspective": PIXELS,
+    "pixel_angle_fisheye": PIXELS,
+    "pixel_angle_equirectangular": PIXELS,
+    "pixel_angle_cubemap": PIXELS,
+    "change_at": (POSITIVE, POSITIVE[::-1], 10.0),
+    "count_at": (POSITIVE, 10.0, numbers(0.0, 1.0)),
+    "rest_after": (POSITIVE, POSITIVE[::-1], RNG.integers(0, 3, COUNT)),
+    "squared": (numbers(-3.0, 3.0),),
+    "is_peaked": (numbers(-2e-6, 2e-6),),
+    "cut_weight": (POSITIVE,),
+    "cut_part": (numbers(-1.0, 1.2), numbers(0.0, 1.0)),
+    "thick_share": (POSITIVE,),
+}  # fmt: skip
+
+
+def functions() -> dict[str, Callable[..., Any]]:
+    """Python's function by the name of the emitted one."""
+    return {one.name: one.function for one in emitted_formulas().emitted.values()}
+
+
+def is_table(argument: Any) -> bool:
+    """Whether an argument is handed over as a whole."""
+    return isinstance(argument, np.ndarray) and argument.shape != (COUNT,)
+
+
+def rows_of(arguments: tuple[Any, ...]) -> list[list[Any]]:
+    """The arguments of each call."""
+    columns = [
+        [one] * COUNT if is_table(one) else np.broadcast_to(one, COUNT).tolist()
+        for one in arguments
+    ]
+    return [list(row) for row in zip(*columns, strict=True)]
+
+
+def in_javascript(argument: Any) -> Any:
+    """A table as the page has it."""
+    if not is_table(argument):
+        return argument
+    return {"values": argument.ravel().tolist(), "shape": list(argument.shape)}
+
+
+def test_every_formula_of_a_page_is_compared() -> None:
+    # A formula that is new in a page must come with its case.
+    assert set(functions()) == set(CASES) | FILLING
+
+
+@pytest.fixture(scope="module")
+def calls(chromium: Any) -> Any:
+    """``calls(name, rows)``: what the emitted function gives, or fills, for each row."""
+    from airlight.viewer.browser.modules import join_modules, web_file
+
+    names = ", ".join(functions())
+    entry = f'import {{ {names} }} from "./generated/formulas.js";\n'
+    entry += f"Object.assign(window, {{ {names} }});"
+    script = join_modules("test.js", lambda file: entry if file == "test.js" else web_file(file))
+    page = chromium.new_page()
+    page.evaluate(f"() => {{ {script} }}")
+    call = """([name, rows, filled]) => rows.map((row) => {
+      const result = window[name](...row);
+      return [filled === null ? result : row[filled]].flat().map(Number);
+    })"""
+    yield lambda name, rows, filled=None: page.evaluate(call, [name, rows, filled])
+    page.close()
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_formula_in_javascript_is_python_s(name: str, calls: Callable[..., Any]) -> None:
+    # Python itself; both in double precision, whose sines differ by a rounding or two.
+    plain = getattr(functions()[name], "py_func", functions()[name])
+    rows = rows_of(CASES[name])
+    wanted = [np.ravel(plain(*row)) for row in rows]
+    seen = calls(name, [[in_javascript(one) for one in row] for row in rows])
+    assert_allclose(seen, wanted, rtol=1e-12, atol=1e-14)
+
+
+def test_the_weights_of_the_next_guess_are_python_s(calls: Callable[..., Any]) -> None:
+    # Elimination in the same order: a few roundings of float64; none where nothing can be told.
+    residuals = RNG.normal(size=(STEPS, 12))
+    for values in (residuals, np.zeros_like(residuals)):
+        changes = np.diff(values, axis=0)
+        products = np.hstack([changes @ changes.T, (changes @ values[-1])[:, None]])
+        seen = calls("combine", [[products.ravel().tolist(), STEPS, [0.0] * STEPS]], 2)
+        assert_allclose(seen[0], mixing_weights(values), rtol=1e-9)

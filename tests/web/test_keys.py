@@ -1,0 +1,228 @@
+"""Every key of the table, pressed in a page: each does what its row says."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import painted
+import pytest
+from numpy.testing import assert_allclose
+from waiting import until
+
+from airlight.viewer.browser.page import page_parameters
+from airlight.viewer.browser.page_text import page_text
+from airlight.viewer.navigation.flight import Flight
+from airlight.viewer.navigation.keys import as_json
+from airlight.viewer.navigation.viewpoints import VIEWPOINTS, view_of
+from airlight.viewer.navigation.viewpoints import as_json as viewpoints
+from airlight.viewer.parameters.view_parameters import DEFAULTS
+from airlight.viewer.session.session import Session
+
+RADIUS, THICKNESS = 6.36e6, 1e5
+TABLE = as_json("page")
+START = {**DEFAULTS, "view.altitude": 1000.0, "view.latitude": 10.0, "display.automatic": False}
+#: What a held key moves, and which way, by its axis.
+MOVES = {
+    "ahead": "view.latitude",  # it looks south
+    "right": "view.longitude",
+    "up": "view.altitude",
+    "turn": "view.heading",
+    "tilt": "view.look_zenith",
+    "widen": "view.field_of_view",
+}
+#: Keys as a browser's driver spells them.
+NAMES = {"arrowup": "ArrowUp", "arrowdown": "ArrowDown", "arrowleft": "ArrowLeft",
+         "arrowright": "ArrowRight", "pageup": "PageUp", "pagedown": "PageDown"}  # fmt: skip
+
+
+@pytest.fixture
+def page(opened: Callable[..., Any], tmp_path: Path) -> Any:
+    """A page with a painted sky, ready for keys."""
+    data = {
+        "title": "keys", "planet": "painted", "note": "",
+        "parameters": [one.as_json() for one in page_parameters()],
+        "values": {one.path: START[one.path] for one in page_parameters()},
+        "picture": {**painted.page(), "radius": RADIUS,
+                    "viewpoints": viewpoints(RADIUS, RADIUS + THICKNESS)},
+    }  # fmt: skip
+    file = tmp_path / "keys.html"
+    file.write_text(page_text("keys", data), encoding="utf-8")
+    page = opened(file, "?device=webgl2")
+    page.evaluate("airlight.ready")
+    return page
+
+
+def now(page: Any, path: str) -> Any:
+    return page.evaluate("(path) => airlight.state.get(path)", path)
+
+
+@pytest.mark.parametrize("axis", MOVES)
+def test_held_keys_move_their_way(axis: str, page: Any) -> None:
+    # the window's flight, stepped once, says which way
+    keys = {key: way for key, way in TABLE["held"].items() if way[0] == axis}
+    assert {sign for _, sign in keys.values()} == {-1.0, 1.0}
+    for key in keys:
+        session = Session("earth-atmosphere-plus")
+        for path, value in START.items():
+            session.set(path, value)
+        flight = Flight(session)
+        assert flight.press(key)
+        flight.step(0.05)
+        wanted = session.value(MOVES[axis]) - START[MOVES[axis]]
+        page.evaluate("airlight.state.reset()")
+        page.keyboard.down(NAMES.get(key, key))
+        until(page, f"airlight.state.get('{MOVES[axis]}') !== {START[MOVES[axis]]}")
+        page.keyboard.up(NAMES.get(key, key))
+        got = now(page, MOVES[axis]) - START[MOVES[axis]]
+        assert got * wanted > 0.0, key
+        # let go, it stands still, and all of it was one step
+        assert page.evaluate("airlight.flight.moving") is False
+        page.keyboard.press("Control+z")
+        assert now(page, MOVES[axis]) == START[MOVES[axis]]
+
+
+@pytest.mark.parametrize("factor", TABLE["factors"])
+def test_keys_that_change_the_speed(factor: str, page: Any) -> None:
+    # the logarithm of the altitude grows by 0.8 a second, times the factor; steps of one length
+    def climbed() -> float:
+        return page.evaluate(
+            """() => {
+              const { flight, state } = airlight;
+              const before = state.get("view.altitude") + 5;
+              flight.now = 0;
+              flight.advance(50);
+              return Math.log((state.get("view.altitude") + 5) / before);
+            }"""
+        )
+
+    page.evaluate("airlight.flight.request = () => {}")  # no frames but ours
+    page.keyboard.down("e")
+    plain = climbed()
+    page.keyboard.down(factor.capitalize())
+    changed = climbed()
+    page.keyboard.up(factor.capitalize())
+    page.keyboard.up("e")
+    assert_allclose(plain, 0.8 * 0.05, rtol=1e-9)
+    assert_allclose(changed, plain * TABLE["factors"][factor], rtol=1e-9)
+
+
+def test_keys_that_do_something_once(page: Any) -> None:
+    # what is seen after each; all keys of the table are pressed
+    left = dict(TABLE["once"])
+
+    def press(key: str) -> str:
+        page.keyboard.press(key)
+        return left.pop(key)
+
+    for index, viewpoint in enumerate(VIEWPOINTS):
+        assert press(str(index + 1)) == f"viewpoint {index + 1}"
+        view = view_of(
+            viewpoint, bottom_radius=RADIUS, top_radius=RADIUS + THICKNESS, bearing=180.0
+        )
+        for path, value in view.items():
+            assert_allclose(now(page, path), value, rtol=1e-12, err_msg=path)
+    press("Control+z")
+    assert_allclose(now(page, "view.altitude"), 2.4 * RADIUS)
+    press("Control+y")
+    assert now(page, "view.sun_zenith") == 89.0
+    page.keyboard.press("Control+z")
+    press("Control+Shift+z")
+    assert now(page, "view.sun_zenith") == 89.0
+    for key, stops in (("+", 1), ("=", 1), ("Shift+=", 1), ("Shift++", 1), ("-", -1)):
+        before = now(page, "display.exposure")
+        press(key)
+        assert_allclose(now(page, "display.exposure") - before, stops / 3.0, err_msg=key)
+    press("x")
+    assert now(page, "display.automatic") is True
+    assert now(page, "display.exposure") == 0.0
+    press("t")
+    until(page, "airlight.state.get('view.sun_zenith') !== 89")
+    page.keyboard.press("t")
+    assert page.evaluate("airlight.flight.playing") is False
+    press("b")
+    assert page.evaluate("airlight.state.hasOther") is True
+    press("v")
+    assert page.evaluate("airlight.state.showing") == "B"
+    press("p")
+    assert page.evaluate("airlight.parts.probe.hidden") is True
+    for key in ("F1", "h"):
+        press(key)
+        assert page.locator(".airlight-help").is_visible() is (key == "F1")
+    press("Tab")
+    assert page.locator(".airlight-panel").is_visible() is False
+    page.keyboard.press("h")
+    press("Escape")
+    assert page.locator(".airlight-panel").is_visible() is True
+    assert page.locator(".airlight-help").is_visible() is False
+    with page.expect_download() as download:
+        press("Control+s")
+    assert download.value.suggested_filename == "keys.png"
+    assert left == {}
+
+
+def test_keys_stay_with_what_is_typed_or_slid(page: Any) -> None:
+    # a field takes letters, a slider its arrows; the picture is left alone
+    field = page.locator("[data-path='view.altitude'] input[type=text]")
+    field.click()
+    page.keyboard.type("w3")
+    assert now(page, "view.latitude") == START["view.latitude"]
+    page.keyboard.press("Escape")
+    slider = page.locator("[data-path='view.roll'] input[type=range]")
+    slider.focus()
+    slider.press("ArrowRight")
+    assert now(page, "view.roll") > 0.0
+    assert now(page, "view.latitude") == START["view.latitude"]
+    assert page.evaluate("airlight.flight.moving") is False
+
+
+def test_help_lists_the_table(page: Any) -> None:
+    # the same rows, in the same order
+    page.get_by_role("button", name="help", exact=True).click()
+    shown = page.evaluate(
+        """[...document.querySelectorAll(".airlight-help > div")].map((group) => [
+          group.querySelector("h3").textContent,
+          [...group.querySelectorAll("tr")].map((row) =>
+            [...row.children].map((cell) => cell.textContent)),
+        ])"""
+    )
+    assert shown == TABLE["help"]
+
+
+def test_any_drag_with_ctrl_or_shift_moves_the_sun(page: Any) -> None:
+    # parts of the picture's width are parts of the field of view, as in the window
+    box = page.locator("canvas").bounding_box()
+    x, y = box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"]
+    for modifier, button in (("Shift", "left"), ("Control", "left"), ("", "right")):
+        page.evaluate("airlight.state.reset()")
+        if modifier:
+            page.keyboard.down(modifier)
+        page.mouse.move(x, y)
+        page.mouse.down(button=button)
+        page.mouse.move(x + 0.25 * box["width"], y)
+        page.mouse.up(button=button)
+        if modifier:
+            page.keyboard.up(modifier)
+        moved = now(page, "view.sun_azimuth") - START["view.sun_azimuth"]
+        assert_allclose(moved, 0.25 * 60.0, rtol=1e-6, err_msg=modifier)
+        assert now(page, "view.heading") == START["view.heading"]
+
+
+def test_wheel_climbs_by_notches_and_with_ctrl_widens(page: Any) -> None:
+    # 1.15 a notch, four notches with Shift
+    box = page.locator("canvas").bounding_box()
+    page.mouse.move(box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"])
+    for modifier, path, wanted in (
+        ("", "view.altitude", 1005.0 * 1.15 - 5.0),
+        ("Shift", "view.altitude", 1005.0 * 1.15**4 - 5.0),
+        ("Control", "view.field_of_view", 60.0 * 1.15),
+    ):
+        page.evaluate("airlight.state.reset()")
+        if modifier:
+            page.keyboard.down(modifier)
+        page.mouse.wheel(0, 100)
+        until(page, f"airlight.state.get('{path}') !== {START[path]}")
+        if modifier:
+            page.keyboard.up(modifier)
+        assert_allclose(now(page, path), wanted, rtol=1e-9, err_msg=modifier)
