@@ -24,7 +24,7 @@ from airlight.gpu.emit.shader_types import F32, VEC4, Room
 from airlight.gpu.picture.pictures import Pictures, scene_numbers
 from airlight.gpu.picture.shaders import TEXTURES, assembled, light
 from airlight.gpu.picture.uniforms import packed
-from airlight.kernel.lanes import room_of_lanes
+from airlight.kernel.lanes import LANES, room_of_lanes
 from airlight.pixels.march import march_line
 from airlight.pixels.shown import MOST_CONSTITUENTS
 from airlight.pixels.sky_table import phases_towards
@@ -67,7 +67,7 @@ def means(
     found = []
     for altitude in altitudes:
         scene = flown(float(altitude), earth)
-        drawn = pictures.frame(scene, disc=False).rgb, render(earth, scene, orders="all").rgb
+        drawn = pictures.frame(scene, disc=False).rgb, render(earth, scene, exact=True).rgb
         found.append([rgb_to_xyz(rgb)[..., 1].mean() for rgb in drawn])
     return tuple(np.array(found).T)  # type: ignore[return-value]
 
@@ -105,7 +105,7 @@ def stretch(r, mu, mu_s, nu, half_sine, length, light, result):
     """Light of the air between an observer and an object, as the shaders march it."""
     phase = room_of_lanes(MOST_CONSTITUENTS)
     totals = np.empty(MOST_CONSTITUENTS)
-    phases_towards(half_sine, True, light, phase)
+    phases_towards(half_sine, True, light, LANES, phase)
     march_line(r, mu, mu_s, nu, length, 2, True, False, phase, light, totals, result)
 
 

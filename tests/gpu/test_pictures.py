@@ -2,18 +2,18 @@
 
 Both march the same solution; the GPU in single precision, panel by panel, and with a table of the
 sky between them where it is not asked to march every pixel. Pixels that the rim of the star's disc
-crosses are left out: the processor counts samples in them, the GPU lets the light fall from one
-pixel to the next. What they get in all is compared instead.
+crosses are left out; what they get in all is compared with a disc that is sampled many times a
+pixel.
 """
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
+from sampled_disc import add_sun_disc
 
 from airlight import (
     Camera,
@@ -35,9 +35,10 @@ from airlight.gpu.device.flat import read_texture
 from airlight.gpu.picture import pictures as pictures_module
 from airlight.gpu.picture.pictures import Pictures
 from airlight.gpu.picture.solution_textures import fitting_levels
+from airlight.pixels import march_points
 from airlight.planets import Constituent
-from airlight.render.render import color_weights
-from airlight.render.sun_disc import add_sun_disc, leaving_direction
+from airlight.render.drawing import color_weights
+from airlight.render.sun_disc import leaving_direction
 from airlight.scene.surface_map import surface_map
 from airlight.solvers.moments.solution import MomentsSolution
 
@@ -166,10 +167,9 @@ def test_a_marched_picture_has_the_processor_s_radiance(
     # of larger numbers.
     # Single precision makes 1e-4, of lines that graze the ground 2e-3, fewer points 5e-3. Light
     # below 1e-4 of the picture's is nobody's.
-    renderer = sys.modules["airlight.render.render"]
-    monkeypatch.setitem(renderer.MARCHES, "preview", renderer._FINE)
+    monkeypatch.setitem(march_points.BY_PANELS, 1, march_points.MANY)
     solution, seen = lit(name), scene_of(PLANETS[name](), scene)
-    wanted = render(solution, seen).rgb.astype(float)
+    wanted = render(solution, seen, exact=True).rgb.astype(float)
     rgb = shows(name).frame(seen, exact=True).rgb
     assert np.isfinite(rgb).all()
     bright = np.abs(wanted).max(axis=2)
@@ -187,7 +187,7 @@ def test_a_picture_from_the_table_is_shown_as_the_processor_s(
     # 2/255, tone mapped and encoded: less than anybody sees. The table has a quarter of the texels
     # that it has by default.
     solution, seen = lit(name), scene_of(PLANETS[name](), scene)
-    wanted = render(solution, seen).rgb
+    wanted = render(solution, seen, exact=True).rgb
     exposure = automatic_exposure(wanted)
     shown = to_display(shows(name).frame(seen).rgb, exposure).astype(int)
     difference = np.abs(shown - to_display(wanted, exposure)).max(axis=2)
@@ -198,7 +198,7 @@ def test_a_picture_from_the_table_is_shown_as_the_processor_s(
 def test_orders_are_drawn_apart_as_by_the_processor(orders: str, lit: Lit, shows: Shows) -> None:
     # Bounds as above: of the march, and of the table.
     seen = scene_of(PLANETS["earth, with a map"](), "in orbit")
-    wanted = render(lit(), seen, orders=orders).rgb
+    wanted = render(lit(), seen, orders=orders, exact=True).rgb
     marched = shows().frame(seen, exact=True, orders=orders).rgb
     bright = np.abs(wanted).max(axis=2, keepdims=True) + 1e-4 * np.abs(wanted).max()
     assert_array_equal(np.abs(marched - wanted) < 0.01 * bright, True)
@@ -215,7 +215,7 @@ def test_default_quality_is_drawn_as_well(
     seen = scene_of(load_planet("earth"), "aloft")
     pictures = Pictures(device)
     pictures.show(solution)
-    wanted = render(solution, seen).rgb
+    wanted = render(solution, seen, exact=True).rgb
     free = away_from_the_rim(solution, seen)
     bright = np.abs(wanted).max(axis=2, keepdims=True) + 1e-4 * np.quantile(wanted, 0.99)
     error = np.abs(pictures.frame(seen, exact=True).rgb - wanted) / bright
@@ -283,7 +283,7 @@ def disc_total(pictures: Pictures, seen: Scene) -> np.ndarray:
 
 
 def processor_total(solution: MomentsSolution, seen: Scene) -> np.ndarray:
-    """The same by the processor."""
+    """The same by samples."""
     rgb = np.zeros((seen.camera.height, seen.camera.width, 3), np.float32)
     add_sun_disc(rgb, solution, seen, color_weights(solution))
     return np.asarray((rgb * solid_angles(seen.camera)[..., None]).sum(axis=(0, 1)))
@@ -298,7 +298,7 @@ def test_a_point_star_has_no_disc(device: Device, lit: Lit) -> None:
     pictures.show(solution)
     seen = scene_of(planet, "sunset")
     rgb = pictures.frame(seen, exact=True).rgb
-    wanted = render(solution, seen).rgb
+    wanted = render(solution, seen, exact=True).rgb
     bright = np.abs(wanted).max(axis=2, keepdims=True)
     assert_array_equal(np.abs(rgb - wanted) <= 0.01 * bright, True)
 

@@ -184,7 +184,10 @@ def star_on_level(x, mu_s, lift):
 
 
 def sky_between(row, sky, azimuth, table):
-    return picture.between_texels(table, 8, 6, row, sky, azimuth)
+    column, right = picture.texel_before(7.0 * azimuth, 0, 7)
+    line, down = picture.texel_before(5.0 * row, 0, 5)
+    near = (line if sky else line + 6) * 8 + column
+    return picture.between_texels(table, near, 8, right, down, LANES, 0)
 
 
 def depth_of_row(first, column, extinction):
@@ -307,8 +310,9 @@ CASES = [
     Case(star_on_level, (bending.level_light,), (R, uniform(0.02, 0.2)), {"lift": LIFT},
          atol=32 * 12 * EPS),
     # A fourth power of what stands between texels.
-    Case(sky_between, (picture.between_texels,), (UNIT, uniform(0.0, 1.0) < 0.5,
-         uniform(0.0, 1.0)), {}, {"table": lanes(8 * 12)}, atol=4 * 16 * 8 * EPS),
+    Case(sky_between, (picture.between_texels, picture.texel_before), (UNIT,
+         uniform(0.0, 1.0) < 0.5, uniform(0.0, 1.0)), {}, {"table": lanes(8 * 12)},
+         atol=4 * 16 * 8 * EPS),
     Case(depth_of_row, (sweep.optical_depth,), (RNG.integers(0, 20, COUNT),),
          {"column": RNG.uniform(0.0, 2.0, 24)}, SPECTRA),
     Case(star_at_point, (sweep.star_from_point,), (RNG.integers(0, 5, COUNT), MU, UNIT),
@@ -389,11 +393,16 @@ def test_a_formula_with_tables_on_the_gpu_is_the_processor_s(
 #: another way of the processor to the same light: the test, and the functions.
 WHOLE = {
     "test_pictures.py::test_a_marched_picture_has_the_processor_s_radiance": (
-        "pixel_light", "reflectance", "look", "phases_towards", "march_line", "place_panel",
-        "panel_columns", "columns_along", "ground_received", "camera_direction",
+        "pixel_light", "sight", "reflectance", "ground_color", "look", "line_of_sight",
+        "star_on_ground", "phases_towards", "march_line", "place_panel", "panel_columns",
+        "columns_along", "ground_received", "camera_direction",
     ),
-    "test_pictures.py::test_a_picture_from_the_table_is_shown_as_the_processor_s": ("phase_of",),
-    "test_pictures.py::test_the_shader_fills_the_table_as_the_processor_does": ("sky_texel",),
+    "test_pictures.py::test_a_picture_from_the_table_is_shown_as_the_processor_s": (
+        "phase_of", "air_between", "bent_to_ground",
+    ),
+    "test_pictures.py::test_the_shader_fills_the_table_as_the_processor_does": (
+        "sky_texel", "direction_of_texel",
+    ),
     "test_pictures.py::test_the_disc_s_light_does_not_depend_on_how_it_is_shared_out": (
         "star_disc", "leaving_air", "_point_like",
     ),

@@ -13,7 +13,7 @@ from airlight.optics.layer_edges import layer_edges
 from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Tent
 from airlight.render import render
-from airlight.render.render import color_weights
+from airlight.render.drawing import color_weights
 from airlight.solvers.moments.solution import MomentsSolution
 
 Lit = Callable[..., MomentsSolution]

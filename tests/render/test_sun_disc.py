@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 
 import numpy as np
@@ -12,25 +11,29 @@ from numpy.testing import assert_allclose, assert_array_equal
 from airlight import Camera, Planet, Scene, look_at
 from airlight.color.spectral import rgb_weights
 from airlight.color.xyz import rgb_to_xyz
-from airlight.render import render
-from airlight.render.render import color_weights
-from airlight.render.sun_disc import add_sun_disc
+from airlight.render.drawing import Drawing
 from airlight.solvers.moments.solution import MomentsSolution
 
 Lit = Callable[..., MomentsSolution]
 Starred = Callable[[float], Planet]
 
 
+def drawn(solution: MomentsSolution, scene: Scene, *, disc: bool) -> np.ndarray:
+    """A picture with or without the disc, in float64."""
+    camera = scene.camera
+    rgb = np.zeros((camera.height, camera.width, 3), np.float32)
+    drawing = Drawing(solution, scene, disc=disc)
+    drawing.fill_sky()
+    drawing.draw(0, camera.height, rgb)
+    return rgb.astype(np.float64)
+
+
 @pytest.fixture
-def disc(monkeypatch: pytest.MonkeyPatch) -> Callable[[MomentsSolution, Scene], np.ndarray]:
-    """What the disc adds to a picture, in float64."""
+def disc() -> Callable[[MomentsSolution, Scene], np.ndarray]:
+    """What the disc adds to a picture."""
 
     def only(solution: MomentsSolution, scene: Scene) -> np.ndarray:
-        with_disc = render(solution, scene).rgb.astype(np.float64)
-        with pytest.MonkeyPatch.context() as patch:
-            module = sys.modules["airlight.render.render"]
-            patch.setattr(module, "add_sun_disc", lambda *anything: None)
-            return with_disc - render(solution, scene).rgb
+        return drawn(solution, scene, disc=True) - drawn(solution, scene, disc=False)
 
     return only
 
@@ -100,8 +103,7 @@ def test_a_disc_of_few_pixels_keeps_its_energy(
             field_of_view=90.0 if projection in ("perspective", "fisheye") else None,
         )  # fmt: skip
         scene = Scene(camera=camera, altitude=400e3, sun_zenith=75.0 + float(shift) / 3.0)
-        added = np.zeros((size[1], size[0], 3), np.float32)
-        add_sun_disc(added, solution, scene, color_weights(solution))
+        added = disc(solution, scene)
         row = np.flatnonzero(added[..., 1].any(axis=1))
         angles = solid_angles(camera, slice(row.min(), row.max() + 1)) if row.size else np.zeros(1)
         lit_rows = added[row.min() : row.max() + 1] if row.size else np.zeros((1, 3))

@@ -98,10 +98,17 @@ def render(
         typer.Option(
             metavar="NAME",
             help="Who draws: cpu; gpu, at most four wavelengths, and where it cannot the processor "
-            "with a line that says why; auto, gpu where there is a real one. Each marches through "
-            "the air pixel by pixel.",
+            "with a line that says why; auto, gpu where there is a real one.",
         ),
     ] = "cpu",
+    exact: Annotated[
+        bool,
+        typer.Option(
+            "--exact",
+            help="March through the air pixel by pixel. Without it the air's light is read from a "
+            "table of what the observer sees around himself, to a few parts in 10000.",
+        ),
+    ] = False,
     latitude: Annotated[
         str, typer.Option(metavar="ANGLE", help="Of the ground below, for its map.")
     ] = "32deg",
@@ -184,11 +191,11 @@ def render(
 
             pictures = Pictures(gpu)
             pictures.show(solution, weights)
-            frame = pictures.frame(scene, exact=True, progress=report)
+            frame = pictures.frame(scene, exact=exact, progress=report)
         else:
             from airlight.render import render as render_frame
 
-            frame = render_frame(solution, scene, progress=report)
+            frame = render_frame(solution, scene, exact=exact, progress=report)
     metadata = {"planet": world.name, "device": PROCESSOR, **scene.metadata(), **frame.metadata}
     if weights is not None:
         metadata["colour"] = "from four wavelengths, fitted to the star"

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Final
+from collections.abc import Mapping
+from typing import Any, Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from airlight.color.encoding import ENCODINGS
 from airlight.color.exposure import exposure_factor
@@ -12,9 +14,15 @@ from airlight.color.tone_maps import TONE_MAPS
 from airlight.errors import ParameterError
 from airlight.geometry.bending import seen_star
 from airlight.pixels.observer_numbers import observer_numbers
-from airlight.scene import Scene
+from airlight.pixels.pixel import Screen
+from airlight.pixels.sky_by_processor import SkyLayers
+from airlight.pixels.sky_table import Observer
+from airlight.scene import Camera, Scene
 from airlight.scene.projections import PROJECTIONS
 from airlight.solvers.moments.solution import MomentsSolution
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
 
 #: What ``orders`` may be, as the shaders count them.
 ORDERS: Final = {"all": 2, "single": 1, "multiple": 0}
@@ -69,6 +77,56 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     for name, row in zip("xyz", scene.ground_frame, strict=True):
         numbers |= {f"{name}{c}": float(value) for c, value in zip("xyz", row, strict=True)}
     return numbers
+
+
+def observer_from(numbers: Mapping[str, float]) -> Observer:
+    """Who looks, from the numbers of a scene and of the orders of scattering."""
+    values: dict[str, Any] = {name: float(numbers[name]) for name in Observer._fields}
+    values["outside"] = bool(values["outside"])
+    values["orders"] = int(values["orders"])
+    return Observer(**values)
+
+
+def screen_from(
+    numbers: Mapping[str, float],
+    camera: Camera,
+    ground: tuple[FloatArray, Float32Array] | None,
+    layers: SkyLayers,
+) -> Screen:
+    """The camera, the ground's map and the table of the sky, as the processor reads them.
+
+    Parameters
+    ----------
+    numbers : mapping
+        Of the scene, and whether the star's disc is drawn.
+    camera : Camera
+    ground : tuple of arrays
+        From ``SurfaceMap.flat``; None without a map.
+    layers : SkyLayers
+        Of a window of the table, which knows its own sizes.
+    """
+    levels, texels = ground or (np.zeros((1, 3)), np.zeros(3, np.float32))
+    values: dict[str, Any] = {
+        name: float(numbers[name]) for name in Screen._fields if name in numbers
+    }
+    values |= {
+        "width": float(camera.width),
+        "height": float(camera.height),
+        "projection": int(numbers["projection"]),
+        "draws_disc": bool(numbers["draws_disc"]),
+        "mapped": ground is not None,
+        "map_levels": len(levels),
+        "levels": levels,
+        "texels": texels,
+        "sky_columns": 0,
+        "sky_rows": 0,
+        "keeps_peaks": layers.first.size > 1,
+        "sky_air": layers.air,
+        "sky_ground": layers.ground,
+        "sky_first": layers.first,
+        "sky_second": layers.second,
+    }
+    return Screen(**values)
 
 
 def display_numbers(exposure: float, tone_map: str, encoding: str | None) -> dict[str, float]:

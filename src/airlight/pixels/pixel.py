@@ -9,14 +9,17 @@ import numpy as np
 
 from airlight.color.encoding import encoded
 from airlight.color.tone_maps import tone_mapped
+from airlight.geometry.bending import bend_angle
 from airlight.geometry.shell import first_meeting
-from airlight.kernel import inlined
+from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, load, maximum, minimum, room_of_lanes, splat, store
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle, row_from_impact
 from airlight.pixels.shown import MOST_CONSTITUENTS
 from airlight.pixels.sky_table import half_sine_between, look, phases_towards
 from airlight.pixels.star_disc import camera_direction, star_disc
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
+from airlight.solvers.moments.source import through_columns
+from airlight.tables.column_ratios import columns_to_top
 
 
 class Screen(NamedTuple):
@@ -105,44 +108,58 @@ def displayed(red, green, blue, display):
     )
 
 
+@kernel
+def texel_before(coordinate, first, last):
+    """The texel before a coordinate, and the share of the way to the next.
+
+    Parameters
+    ----------
+    coordinate : float
+        Counted in texels; held between the first and the last. [1]
+    first, last : int
+        Of the texels that there are.
+
+    Examples
+    --------
+    >>> texel_before(2.25, 0, 7), texel_before(9.0, 0, 7), texel_before(1.0, 2, 7)
+    ((2, 0.25), (6, 1.0), (2, 0.0))
+    """
+    held = min(max(coordinate, float(first)), float(last))
+    texel = min(int(held), last - 1)
+    return texel, held - texel
+
+
 @inlined
-def between_texels(table, columns, rows, row, sky, azimuth):
-    """What the table of the sky holds between its texels.
+def between_texels(table, near, stride, right, down, lanes, at):
+    """What a layer of the table of the sky holds between four of its texels.
 
     Parameters
     ----------
     table : array
-        A layer of it, of fourth roots.
-    columns, rows : int
-        As in ``sky_texel``.
-    row : float
-        Coordinate from the horizon, 0 to 1. [1]
-    sky : bool
-        Which half.
-    azimuth : float
-        From the star's vertical plane, in half turns. [1]
+        The layer, of fourth roots.
+    near, stride : int
+        First of the four texels, and how many there are in a row.
+    right, down : float
+        Shares of the way to the next texel and to the next row. [1]
+    lanes, at : int
+        Lanes of a texel, and the first of those that are read.
     """
-    x = min(max(azimuth, 0.0), 1.0) * (columns - 1)
-    column = min(int(x), columns - 2)
-    e = np.float32(x - column)
-    y = row * (rows - 1)
-    line = min(int(y), rows - 2)
-    f = np.float32(y - line)
+    e, f = np.float32(right), np.float32(down)
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
-    near = LANES * ((line if sky else line + rows) * columns + column)
-    far = near + LANES * columns
+    upper = lanes * near + at
+    lower = upper + lanes * stride
     root = (
-        load(table, near) * (g * h)
-        + load(table, near + LANES) * (g * e)
-        + load(table, far) * (f * h)
-        + load(table, far + LANES) * (f * e)
+        load(table, upper) * (g * h)
+        + load(table, upper + lanes) * (g * e)
+        + load(table, lower) * (f * h)
+        + load(table, lower + lanes) * (f * e)
     )
     square = root * root
     return square * square
 
 
 @inlined
-def phase_of(half_sine, constituent, light):
+def phase_of(half_sine, constituent, light, lanes, at):
     """Phase function of one constituent, from the table of all. [sr⁻¹]
 
     Parameters
@@ -152,31 +169,111 @@ def phase_of(half_sine, constituent, light):
     constituent : int
     light : Shown
         The solution.
+    lanes, at : int
+        As in ``between_texels``.
     """
     u = half_sine * (light.phase_nodes - 1)
     node = min(int(u), light.phase_nodes - 2)
     f = np.float32(u - node)
-    at = LANES * (node * light.constituents + constituent)
-    low = load(light.phase, at)
-    return low + f * (load(light.phase, at + LANES * light.constituents) - low)
+    first = lanes * (node * light.constituents + constituent) + at
+    low = load(light.phase, first)
+    return low + f * (load(light.phase, first + lanes * light.constituents) - low)
 
 
 @inlined
-def reflectance(x, y, z, sine, impact, cosine, angle, observer, screen, light):
-    """Reflectance of the ground where a line of sight ends. [1]
+def air_between(near, stride, right, down, half_sine, screen, light, lanes, at):
+    """Light of the air from the table of the sky, with exact phase functions of its peaks. [sr⁻¹]
+
+    Parameters
+    ----------
+    near, stride, right, down, lanes, at :
+        As in ``between_texels``.
+    half_sine : float
+        sin(θ/2) of the angle to where the star is seen. [1]
+    screen, light : Screen, Shown
+        The table and the solution.
+    """
+    total = between_texels(screen.sky_air, near, stride, right, down, lanes, at)
+    if light.first_peak >= 0:
+        total = total + phase_of(half_sine, light.first_peak, light, lanes, at) * between_texels(
+            screen.sky_first, near, stride, right, down, lanes, at
+        )
+    if light.second_peak >= 0:
+        total = total + phase_of(half_sine, light.second_peak, light, lanes, at) * between_texels(
+            screen.sky_second, near, stride, right, down, lanes, at
+        )
+    return total
+
+
+@inlined
+def sight(x, y, z, observer, light):
+    """What a line of sight passes, and its row in the table of the sky.
+
+    Parameters
+    ----------
+    x, y, z : float
+        Direction in the observer's frame; zero for none. [1]
+    observer, light : Observer, Shown
+
+    Returns
+    -------
+    sine, row : float
+        Of its zenith angle; coordinate of its row in its half of the table. [1]
+    through_air, to_ground : bool
+        Whether it passes air, and whether it ends on the ground.
+    """
+    sine = sqrt(x * x + y * y)
+    shown = x != 0.0 or y != 0.0 or z != 0.0
+    if observer.outside:
+        impact = observer.r * sine
+        inside = shown and z < 0.0 and impact < light.top
+        to_ground = inside and impact < light.bottom
+        return sine, row_from_impact(impact, light.bottom, light.top), inside, to_ground
+    angle_up = angle_above_horizon(z, sine, observer.horizon_mu, observer.horizon_sine)
+    row = row_from_angle(angle_up, observer.horizon_mu)
+    return sine, row, shown, shown and angle_up < 0.0
+
+
+@inlined
+def bent_to_ground(z, sine, observer, light, columns):
+    """Angle by which a line of sight that ends on the ground has been bent. [rad]
+
+    Parameters
+    ----------
+    z, sine : float
+        Cosine and sine of its zenith angle. [1]
+    observer, light : Observer, Shown
+    columns : array, shape (nc,)
+        Scratch. [m]
+    """
+    bottom, top = light.bottom, light.top
+    impact = min(observer.r * sine, bottom)
+    slant = sqrt(max((bottom - impact) * (bottom + impact), 0.0)) / bottom
+    columns_to_top(bottom, slant, bottom, top, light.columns, columns)
+    column = columns[light.constituents - 1]
+    if not observer.outside:
+        columns_to_top(observer.r, -z, bottom, top, light.columns, columns)
+        column = max(column - columns[light.constituents - 1], 0.0)
+    return bend_angle(bottom, slant, light.bend, column)
+
+
+@inlined
+def ground_color(x, y, z, sine, angle, observer, screen, light, color):
+    """Colour of the map where a line of sight ends, into ``color`` (3,). [1]
 
     Parameters
     ----------
     x, y, z : float
         Direction in the observer's frame. [1]
-    sine, impact : float
-        Of its zenith angle [1]; its line's nearest distance to the centre. [m]
-    cosine, angle : float
-        Of the slant on the ground [1]; by which the line has been bent. [rad]
+    sine, angle : float
+        Of its zenith angle [1]; by which it has been bent. [rad]
     observer, screen, light : Observer, Screen, Shown
+    color : array, shape (3,)
+        Receives linear sRGB reflectance. [1]
     """
-    color = np.empty(3)
-    across, up = first_meeting(min(impact, light.bottom), sine, light.bottom)
+    impact = min(observer.r * sine, light.bottom)
+    cosine = sqrt(max((light.bottom - impact) * (light.bottom + impact), 0.0)) / light.bottom
+    across, up = first_meeting(impact, sine, light.bottom)
     scale = across / max(sine, 1e-30)
     px, py, pz = scale * x, scale * y, up
     px, py, pz = moved_on(px, py, pz, x, y, z, cosine, angle, light.bottom)
@@ -188,9 +285,26 @@ def reflectance(x, y, z, sine, impact, cosine, angle, observer, screen, light):
     reach = sqrt(px * px + py * py + (pz - observer.r) * (pz - observer.r))
     level = map_level(screen.pixel_angle, reach, cosine, light.bottom, screen.levels[0, 1])
     map_color(screen.texels, screen.levels, latitude, longitude, level, color)
+
+
+@inlined
+def reflectance(color, mapped, light, lanes, at):
+    """Reflectance of the ground: of a colour of the map, or the solver's albedo. [1]
+
+    Parameters
+    ----------
+    color : array, shape (3,)
+        Linear sRGB reflectance. [1]
+    mapped : bool
+    light : Shown
+    lanes, at : int
+        As in ``between_texels``.
+    """
+    if not mapped:
+        return load(light.albedo, at)
     total = splat(0.0)
     for c in range(3):
-        total = total + load(light.basis, LANES * c) * np.float32(color[c])
+        total = total + load(light.basis, lanes * c + at) * np.float32(color[c])
     return minimum(maximum(total, splat(0.0)), splat(1.0))
 
 
@@ -206,52 +320,40 @@ def pixel_light(px, py, exact, observer, screen, light, result):
         Constant: a march for the pixel itself instead of the table of the sky.
     observer, screen, light : Observer, Screen, Shown
     """
+    color = np.empty(3)
+    columns = np.empty(MOST_CONSTITUENTS)
     x, y, z = camera_direction(px, py, screen)
     total = splat(0.0)
-    sine = sqrt(x * x + y * y)
-    impact = observer.r * sine
-    angle_up = angle_above_horizon(z, sine, observer.horizon_mu, observer.horizon_sine)
-    to_ground = angle_up < 0.0
-    inside = True
-    row = row_from_angle(angle_up, observer.horizon_mu)
-    if observer.outside:
-        inside = z < 0.0 and impact < light.top
-        to_ground = inside and impact < light.bottom
-        row = row_from_impact(impact, light.bottom, light.top)
-    shown = x != 0.0 or y != 0.0 or z != 0.0
-    if shown and inside:
-        cos_azimuth = x / sine if sine > 0.0 else 1.0
+    sine, row, through_air, to_ground = sight(x, y, z, observer, light)
+    if through_air:
         half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
         ground = splat(0.0)
         bent = 0.0
         if exact:
             phase = room_of_lanes(MOST_CONSTITUENTS)
             found = room_of_lanes(4)
-            phases_towards(half_sine, True, light, phase)
+            cos_azimuth = x / sine if sine > 0.0 else 1.0
+            phases_towards(half_sine, True, light, LANES, phase)
             bent = look(z, sine, cos_azimuth, to_ground, True, False, observer, light, phase, found)
             total = load(found, 0)
             ground = load(found, LANES)
         else:
-            columns, rows = screen.sky_columns, screen.sky_rows
-            azimuth = atan2(abs(y), x) / pi
-            total = between_texels(screen.sky_air, columns, rows, row, not to_ground, azimuth)
+            stride, rows = screen.sky_columns, screen.sky_rows
+            column, right = texel_before(atan2(abs(y), x) / pi * (stride - 1), 0, stride - 1)
+            line, down = texel_before(row * (rows - 1), 0, rows - 1)
+            near = (line + rows if to_ground else line) * stride + column
+            total = air_between(near, stride, right, down, half_sine, screen, light, LANES, 0)
             if to_ground:
-                ground = between_texels(screen.sky_ground, columns, rows, row, False, azimuth)
-            if light.first_peak >= 0:
-                total = total + phase_of(half_sine, light.first_peak, light) * between_texels(
-                    screen.sky_first, columns, rows, row, not to_ground, azimuth
-                )
-            if light.second_peak >= 0:
-                total = total + phase_of(half_sine, light.second_peak, light) * between_texels(
-                    screen.sky_second, columns, rows, row, not to_ground, azimuth
-                )
+                ground = between_texels(screen.sky_ground, near, stride, right, down, LANES, 0)
+                if light.bend > 0.0:
+                    bent = bent_to_ground(z, sine, observer, light, columns)
         if to_ground:
-            albedo = load(light.albedo, 0)
             if screen.mapped:
-                cosine = sqrt(max((light.bottom - impact) * (light.bottom + impact), 0.0))
-                cosine = cosine / light.bottom
-                albedo = reflectance(x, y, z, sine, impact, cosine, bent, observer, screen, light)
-            total = total + ground * albedo
-    if shown and screen.draws_disc and not to_ground:
-        total = total + star_disc(px, py, observer, screen, light)
+                ground_color(x, y, z, sine, bent, observer, screen, light, color)
+            total = total + ground * reflectance(color, screen.mapped, light, LANES, 0)
+    if screen.draws_disc and not to_ground:
+        part = star_disc(px, py, x, y, z, observer, screen, light, columns)
+        if part > 0.0:
+            through = through_columns(columns, light.extinction, light.constituents, LANES, 0)
+            total = total + through * np.float32(part)
     store(result, 0, total)

@@ -20,8 +20,6 @@ Float32Array = NDArray[np.float32]
 WAVELENGTHS: Final = 4
 #: Constituents that a shader has room for, "bending" among them.
 MOST_CONSTITUENTS: Final = 8
-#: Points of a panel: for steep stretches by day, for most, for those that graze the ground.
-POINTS: Final = (8, 12, 24)
 #: Numbers of points that all kinds may have, and the turns of loops that Mesa's software renderer
 #: allows a shader, less some for what is not a march.
 _EVEN: Final = (24, 20, 16, 12, 8)
@@ -187,23 +185,16 @@ def shown_solution(
     Parameters
     ----------
     solution : MomentsSolution
-        Of any number of wavelengths on the CPU; at most ``WAVELENGTHS`` fit a texel.
+        Of any number of wavelengths and constituents; shaders have room for few.
     basis : array, shape (nl, 3)
         Reflectance of a red, a green and a blue ground. [1]
     peaks : bool
         Whether peaked constituents are kept apart.
     points : tuple of int
-        Of a panel: ``POINTS``, or ``even_points`` without it.
-
-    Raises
-    ------
-    ParameterError
-        If there are more constituents than a shader has room for.
+        Of a panel: those of ``MarchPoints``, or ``even_points`` without it.
     """
     light, medium = solution.light, solution.paths.medium
     count = len(medium.names)
-    if count > MOST_CONSTITUENTS:
-        raise ParameterError("constituents", count, f"at most {MOST_CONSTITUENTS} on the GPU")
     kept = (*(peaked_constituents(solution) if peaks else ()), -1, -1)
     expansion = light.expansion
     return Shown(

@@ -86,6 +86,65 @@ def half_sine_between(x, y, z, sun_x, sun_z):
 
 
 @inlined
+def line_of_sight(mu, sine, cos_azimuth, to_ground, observer, light):
+    """The stretch of a line of sight that lies in the air.
+
+    Parameters
+    ----------
+    mu, sine, cos_azimuth, to_ground, observer, light :
+        As in ``look``.
+
+    Returns
+    -------
+    r, start_mu, start_mu_s, nu, length : float
+        Where it starts [m], cosines of its and of the star's zenith angle there [1] and between
+        line and star [1], and how long it is. [m]
+    """
+    nu = min(max(sine * cos_azimuth * observer.sun_x + mu * observer.sun_z, -1.0), 1.0)
+    r, start_mu, start_mu_s = observer.r, mu, observer.sun_z
+    if observer.outside:
+        impact = observer.r * sine
+        r = light.top
+        across, up = first_meeting(min(impact, light.top), sine, light.top)
+        start_mu = -sqrt(max((light.top - impact) * (light.top + impact), 0.0)) / light.top
+        start_mu_s = star_from(across, up, light.top, cos_azimuth, observer.sun_x, observer.sun_z)
+    length = distance_to_top(r, start_mu, light.top)
+    if to_ground:
+        length = distance_to_bottom(r, start_mu, light.bottom)
+    return r, start_mu, start_mu_s, nu, length
+
+
+@inlined
+def star_on_ground(sine, cos_azimuth, r, start_mu, nu, length, column, observer, light):
+    """Cosine of the star's zenith angle where a line of sight ends, and how far it was bent.
+
+    Parameters
+    ----------
+    sine, cos_azimuth, observer, light :
+        As in ``look``.
+    r, start_mu, nu, length : float
+        Of ``line_of_sight``.
+    column : float
+        Of the last constituent, along the line. [m]
+
+    Returns
+    -------
+    mu_s, angle : float
+        [1], [rad]
+    """
+    impact = observer.r * sine
+    across, up = first_meeting(min(impact, light.bottom), sine, light.bottom)
+    mu_s = star_from(across, up, light.bottom, cos_azimuth, observer.sun_x, observer.sun_z)
+    angle = 0.0
+    if light.bend > 0.0:
+        angle = bend_angle(r, start_mu, light.bend, column)
+        slant = (r * start_mu + length) / light.bottom
+        mu_s, _ = turned(slant, mu_s, nu, angle)
+        mu_s = min(max(mu_s, -1.0), 1.0)
+    return mu_s, angle
+
+
+@inlined
 def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phase, result):
     """Light along one line of sight, and that of a ground behind the air.
 
@@ -113,17 +172,9 @@ def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phas
     totals = np.empty(MOST_CONSTITUENTS)
     received = room_of_lanes(1)
     along = room_of_lanes(4)
-    nu = min(max(sine * cos_azimuth * observer.sun_x + mu * observer.sun_z, -1.0), 1.0)
-    r, start_mu, start_mu_s = observer.r, mu, observer.sun_z
-    impact = observer.r * sine
-    if observer.outside:
-        r = light.top
-        across, up = first_meeting(min(impact, light.top), sine, light.top)
-        start_mu = -sqrt(max((light.top - impact) * (light.top + impact), 0.0)) / light.top
-        start_mu_s = star_from(across, up, light.top, cos_azimuth, observer.sun_x, observer.sun_z)
-    length = distance_to_top(r, start_mu, light.top)
-    if to_ground:
-        length = distance_to_bottom(r, start_mu, light.bottom)
+    r, start_mu, start_mu_s, nu, length = line_of_sight(
+        mu, sine, cos_azimuth, to_ground, observer, light
+    )
     march_line(
         r, start_mu, start_mu_s, nu, length, observer.orders, gathers, peaks, phase, light, totals,
         along,
@@ -131,13 +182,10 @@ def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phas
     ground = splat(0.0)
     angle = 0.0
     if gathers and to_ground:
-        across, up = first_meeting(min(impact, light.bottom), sine, light.bottom)
-        mu_s = star_from(across, up, light.bottom, cos_azimuth, observer.sun_x, observer.sun_z)
-        if light.bend > 0.0:
-            angle = bend_angle(r, start_mu, light.bend, totals[light.constituents - 1])
-            slant = (r * start_mu + length) / light.bottom
-            mu_s, _ = turned(slant, mu_s, nu, angle)
-            mu_s = min(max(mu_s, -1.0), 1.0)
+        mu_s, angle = star_on_ground(
+            sine, cos_azimuth, r, start_mu, nu, length, totals[light.constituents - 1], observer,
+            light,
+        )  # fmt: skip
         ground_received(mu_s, observer.orders, light, received)
         ground = reflected(load(received, 0), splat(1.0)) * load(along, LANES)
     store(result, 0, load(along, 0))
@@ -148,7 +196,7 @@ def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phas
 
 
 @inlined
-def phases_towards(half_sine, keeps_peaks, light, phase):
+def phases_towards(half_sine, keeps_peaks, light, lanes, phase):
     """Phase functions of all constituents; 0 for the peaked ones unless these are kept. [sr⁻¹]
 
     Parameters
@@ -158,15 +206,49 @@ def phases_towards(half_sine, keeps_peaks, light, phase):
     keeps_peaks : bool
     light : Shown
         The solution.
+    lanes : int
+        Of a constituent.
     phase : array, shape (c·w,)
         Written.
     """
-    read_phase(half_sine, light.phase, light.phase_nodes, LANES * light.constituents, phase)
+    read_phase(half_sine, light.phase, light.phase_nodes, lanes * light.constituents, phase)
     if not keeps_peaks:
-        if light.first_peak >= 0:
-            store(phase, LANES * light.first_peak, splat(0.0))
-        if light.second_peak >= 0:
-            store(phase, LANES * light.second_peak, splat(0.0))
+        for at in range(0, lanes, LANES):
+            if light.first_peak >= 0:
+                store(phase, lanes * light.first_peak + at, splat(0.0))
+            if light.second_peak >= 0:
+                store(phase, lanes * light.second_peak + at, splat(0.0))
+
+
+@inlined
+def direction_of_texel(column, row, columns, rows, observer, light):
+    """Line of sight of a texel.
+
+    Parameters
+    ----------
+    column, row, columns, rows, observer, light :
+        As in ``sky_texel``.
+
+    Returns
+    -------
+    mu, sine, cos_azimuth : float
+        Cosine and sine of its zenith angle, cosine of its azimuth. [1]
+    half_sine : float
+        sin(θ/2) of the angle to where the star is seen. [1]
+    """
+    sky = row < rows
+    at = row_coordinate(row, rows, observer.outside)
+    cos_azimuth = cos(pi * column / (columns - 1))
+    if observer.outside:
+        sine = impact_from_row(at, sky, light.bottom, light.top) / observer.r
+        mu = -sqrt(max((1.0 - sine) * (1.0 + sine), 0.0))
+    else:
+        mu, sine = direction_from_row(at, sky, observer.horizon_mu, observer.horizon_sine)
+    side = sqrt(max((1.0 - cos_azimuth) * (1.0 + cos_azimuth), 0.0))
+    half_sine = half_sine_between(
+        sine * cos_azimuth, sine * side, mu, observer.seen_x, observer.seen_z
+    )
+    return mu, sine, cos_azimuth, half_sine
 
 
 @kernel
@@ -209,20 +291,10 @@ def sky_texel(column, row, columns, rows, gathers, peaks, observer, light, resul
     """
     phase = room_of_lanes(MOST_CONSTITUENTS)
     found = room_of_lanes(4)
-    sky = row < rows
-    at = row_coordinate(row, rows, observer.outside)
-    azimuth = pi * column / (columns - 1)
-    cos_azimuth = cos(azimuth)
-    if observer.outside:
-        sine = impact_from_row(at, sky, light.bottom, light.top) / observer.r
-        mu = -sqrt(max((1.0 - sine) * (1.0 + sine), 0.0))
-    else:
-        mu, sine = direction_from_row(at, sky, observer.horizon_mu, observer.horizon_sine)
-    side = sqrt(max((1.0 - cos_azimuth) * (1.0 + cos_azimuth), 0.0))
-    half_sine = half_sine_between(
-        sine * cos_azimuth, sine * side, mu, observer.seen_x, observer.seen_z
+    mu, sine, cos_azimuth, half_sine = direction_of_texel(
+        column, row, columns, rows, observer, light
     )
-    phases_towards(half_sine, False, light, phase)
-    look(mu, sine, cos_azimuth, not sky, gathers, peaks, observer, light, phase, found)
+    phases_towards(half_sine, False, light, LANES, phase)
+    look(mu, sine, cos_azimuth, row >= rows, gathers, peaks, observer, light, phase, found)
     for layer in range(4):
         store(result, LANES * layer, fourth_root(load(found, LANES * layer)))

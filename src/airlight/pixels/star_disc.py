@@ -12,12 +12,9 @@ import numpy as np
 
 from airlight.geometry.bending import bend_angle
 from airlight.kernel import inlined, kernel
-from airlight.kernel.lanes import LANES, splat
 from airlight.mappings.sky_view import angle_above_horizon
-from airlight.pixels.shown import MOST_CONSTITUENTS
 from airlight.pixels.sky_table import half_sine_between
 from airlight.scene.projections.projected import projected_ray
-from airlight.solvers.moments.source import through_columns
 from airlight.tables.column_ratios import columns_to_top
 
 #: A disc of fewer pixels' radius is shown as points.
@@ -25,9 +22,9 @@ SMALL = 1.5
 #: Points of it, on so many rings and spokes.
 RINGS = 3
 SPOKES = 8
-#: A pixel and its neighbours: right, below, left, above.
-_PLACES = 5
-_NUMBERS = 15
+#: A pixel, its neighbours on the right, below, on the left and above, and half the way to each.
+_PLACES = 9
+_NUMBERS = 27
 #: Neighbours farther away than so many pixels are on another part of the picture.
 _APART = 3.0
 #: Pixels that are flatter than this share of a square, as at the poles of a panorama, lie too
@@ -150,52 +147,86 @@ def covered(apart, radius, pixel):
 
 
 @inlined
-def star_disc(px, py, observer, screen, light):
-    """Radiance of the star's disc through the air, per irradiance. [sr⁻¹]
+def star_disc(px, py, x, y, z, observer, screen, light, columns):
+    """Radiance of the star's disc in a pixel but for the air, per irradiance. [sr⁻¹]
 
     Parameters
     ----------
     px, py : float
         The pixel. [pixel]
+    x, y, z : float
+        Where it looks; zero for nowhere. [1]
     observer, screen, light : Observer, Screen, Shown
+    columns : array, shape (nc,)
+        Receives those of the air in front of it. [m]
     """
-    columns = np.empty(MOST_CONSTITUENTS)
-    x, y, z = camera_direction(px, py, screen)
+    if x == 0.0 and y == 0.0 and z == 0.0:
+        return 0.0
     lx, ly, lz, free = leaving_air(x, y, z, observer, light, columns)
     apart = 2.0 * half_sine_between(lx, ly, lz, observer.sun_x, observer.sun_z)
     pixel = screen.pixel_angle
     # Two pixels' diagonals: farther no point of a disc is shared out.
     if not free or apart > light.star_radius + 3.0 * pixel:
-        return splat(0.0)
+        return 0.0
     part = covered(apart, light.star_radius, pixel) * screen.disc
     if light.star_radius < SMALL * pixel:
-        part = _point_like(px, py, part, observer, screen, light)
-    through = through_columns(columns, light.extinction, light.constituents, LANES, 0)
-    return through * np.float32(part)
+        part = _point_like(px, py, part, observer, screen, light, columns)
+    return part
 
 
 @inlined
-def _point_like(px, py, otherwise, observer, screen, light):
+def _point_like(px, py, otherwise, observer, screen, light, columns):
     """Radiance of a small disc in a pixel, per irradiance outside the air. [sr⁻¹]"""
     steps = np.empty(_NUMBERS)
     fits = np.empty(_PLACES)
-    columns = np.empty(MOST_CONSTITUENTS)
-    for place in range(_PLACES):
-        aside = 1.0 if place == 1 else (-1.0 if place == 3 else 0.0)
-        below = 1.0 if place == 2 else (-1.0 if place == 4 else 0.0)
+    # The pixel itself last: its columns are kept.
+    for turn in range(_PLACES):
+        place = _PLACES - 1 - turn
+        way = 0.5 if place > 4 else 1.0
+        side = place - 4 if place > 4 else place
+        aside = way if side == 1 else (-way if side == 3 else 0.0)
+        below = way if side == 2 else (-way if side == 4 else 0.0)
         x, y, z = camera_direction(px + aside, py + below, screen)
         nx, ny, nz, free = leaving_air(x, y, z, observer, light, columns)
-        if place > 0:
-            nx, ny, nz = nx - steps[0], ny - steps[1], nz - steps[2]
         steps[3 * place] = nx
         steps[3 * place + 1] = ny
         steps[3 * place + 2] = nz
-        near = nx * nx + ny * ny + nz * nz < (_APART * screen.pixel_angle) ** 2
-        fits[place] = 1.0 if free and near else 0.0
-    u = 3 if fits[1] > 0.5 else 9
-    v = 6 if fits[2] > 0.5 else 12
-    if fits[u // 3] < 0.5 or fits[v // 3] < 0.5:
+        fits[place] = 1.0 if free else 0.0
+    for place in range(1, _PLACES):
+        apart = 0.0
+        for c in range(3):
+            steps[3 * place + c] -= steps[c]
+            apart += steps[3 * place + c] * steps[3 * place + c]
+        if apart >= (_APART * screen.pixel_angle) ** 2:
+            fits[place] = 0.0
+    if fits[1] + fits[3] < 0.5 or fits[2] + fits[4] < 0.5:
         return otherwise
+    # A pixel reaches half the way to its neighbours on both sides, which need not be as far.
+    half_right, half_left = fits[1] / (fits[1] + fits[3]), fits[3] / (fits[1] + fits[3])
+    half_below, half_above = fits[2] / (fits[2] + fits[4]), fits[4] / (fits[2] + fits[4])
+    u, v = 3, 6
+    if fits[5] + fits[6] + fits[7] + fits[8] > 3.5:
+        half_right, half_left, half_below, half_above = 1.0, 1.0, 1.0, 1.0
+        u, v = 15, 18
+    ux = half_right * steps[u] - half_left * steps[u + 6]
+    uy = half_right * steps[u + 1] - half_left * steps[u + 7]
+    uz = half_right * steps[u + 2] - half_left * steps[u + 8]
+    vx = half_below * steps[v] - half_above * steps[v + 6]
+    vy = half_below * steps[v + 1] - half_above * steps[v + 7]
+    vz = half_below * steps[v + 2] - half_above * steps[v + 8]
+    wide = ux * ux + uy * uy + uz * uz
+    slant = ux * vx + uy * vy + uz * vz
+    area = sqrt(max(wide * (vx * vx + vy * vy + vz * vz) - slant * slant, 0.0))
+    if area < _FLAT * screen.pixel_angle * screen.pixel_angle:
+        return otherwise
+    # Shares are counted on the way to the neighbours between which the disc stands: both pixels
+    # then count the same way, and the shares are one in all.
+    dx, dy, dz = observer.sun_x - steps[0], -steps[1], observer.sun_z - steps[2]
+    u, v = 3, 6
+    if fits[1] < 0.5 or (fits[3] > 0.5 and dx * ux + dy * uy + dz * uz < 0.0):
+        u = 9
+    if fits[2] < 0.5 or (fits[4] > 0.5 and dx * vx + dy * vy + dz * vz < 0.0):
+        v = 12
     ux, uy, uz = steps[u], steps[u + 1], steps[u + 2]
     vx, vy, vz = steps[v], steps[v + 1], steps[v + 2]
     right = sqrt(ux * ux + uy * uy + uz * uz)
@@ -205,10 +236,9 @@ def _point_like(px, py, otherwise, observer, screen, light):
     slant = ux * vx + uy * vy + uz * vz
     vx, vy, vz = vx - slant * ux, vy - slant * uy, vz - slant * uz
     upright = sqrt(vx * vx + vy * vy + vz * vz)
-    if right * upright < _FLAT * screen.pixel_angle * screen.pixel_angle:
+    if upright == 0.0:
         return otherwise
-    dx, dy, dz = observer.sun_x - steps[0], -steps[1], observer.sun_z - steps[2]
     across = dx * ux + dy * uy + dz * uz
     down = (dx * vx + dy * vy + dz * vz) / upright
     part = shared_out(across, down, light.star_radius, right, slant, upright)
-    return part / (right * upright)
+    return part / area

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
 
 import numpy as np
@@ -43,6 +43,21 @@ class SurfaceMap:
         edges = np.sin(np.linspace(0.5 * math.pi, -0.5 * math.pi, full.shape[0] + 1))
         bands = 0.5 * (edges[:-1] - edges[1:])
         return np.asarray(bands @ full.mean(axis=1, dtype=np.float64))
+
+    @cached_property
+    def flat(self) -> tuple[NDArray[np.float64], NDArray[np.float32]]:
+        """All levels one after another, as ``map_color`` reads them.
+
+        Returns
+        -------
+        levels : array, shape (n, 3)
+            Start, height and width of each.
+        texels : array, flat
+            Linear sRGB reflectance. [1]
+        """
+        starts = np.cumsum([0, *(one.size for one in self.levels[:-1])])
+        shapes = [(at, *one.shape[:2]) for at, one in zip(starts, self.levels, strict=True)]
+        return np.array(shapes, float), np.concatenate([one.reshape(-1) for one in self.levels])
 
     def level(self, footprint: ArrayLike) -> NDArray[np.float64]:
         """Level whose pixels are as large as the footprint of a picture's pixel.

@@ -25,16 +25,18 @@ from airlight.gpu.picture.shaders import (
 from airlight.gpu.picture.solution_textures import SolutionTextures
 from airlight.gpu.picture.uniforms import SWITCHES, packed
 from airlight.kernel.threads import Cancel, Progress
+from airlight.pixels.march_points import FEW
 from airlight.pixels.picture_numbers import (
     CHOICES,
     NOT_THE_SKYS,
     display_numbers,
+    observer_from,
     order_number,
     scene_numbers,
 )
-from airlight.pixels.shown import POINTS, WAVELENGTHS, Shown, shown_solution
+from airlight.pixels.shown import WAVELENGTHS, Shown, as_texels, shown_solution
 from airlight.pixels.sky_by_processor import filled_sky
-from airlight.pixels.sky_table import Observer
+from airlight.pixels.sky_window import SkyWindow
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.solvers.moments.solution import MomentsSolution
@@ -134,7 +136,7 @@ class Pictures:
             weights = picture_weights(nm, solution.lights[0].spectrum)
         if np.shape(weights) != (nm.size, 3):
             raise ParameterError("weights", np.shape(weights), f"an array of shape ({nm.size}, 3)")
-        points = None if self.device.software else POINTS
+        points = None if self.device.software else FEW.points
         self._shown_tables = shown_solution(solution, solution.medium.map_basis, points=points)
         self._textures = SolutionTextures.of(
             self.device, solution, self._shown_tables, self._textures
@@ -388,15 +390,15 @@ class Pictures:
 
     def _upload_sky(self, numbers: Mapping[str, float]) -> None:
         """The table of the sky from the processor's own march."""
-        values: dict[str, Any] = {name: float(numbers[name]) for name in Observer._fields}
-        values["outside"] = bool(values["outside"])
-        values["orders"] = int(values["orders"])
-        observer = Observer(**values)
         assert self._shown_tables is not None
-        layers = filled_sky(self._shown(), self._shown_tables, observer, self._sky_shape)
+        layers = filled_sky(
+            self._shown(), self._shown_tables, observer_from(numbers),
+            SkyWindow.whole(*self._sky_shape), FEW,
+        )  # fmt: skip
         names = ("air", "behind", "first", "second")[: 4 if numbers["keeps_peaks"] else 2]
         for name, layer in zip(names, layers, strict=False):
-            update_flat(self.device, self._layers[name], 0, layer)
+            if layer.size > 1:
+                update_flat(self.device, self._layers[name], 0, as_texels(layer, WAVELENGTHS))
 
     def _places(self) -> dict[str, tuple[int, ...]]:
         assert self._textures is not None

@@ -10,11 +10,13 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.errors import ParameterError
 from airlight.gpu.device.device import Device
 from airlight.gpu.device.flat import FLAT_WIDTH, MOST_ROWS, flat_rows, flat_texture
 from airlight.gpu.solver.solver import fields_on
 from airlight.pixels.shown import (
     FIELD_TABLES,
+    MOST_CONSTITUENTS,
     SCALAR_TABLES,
     SPECTRAL_TABLES,
     Shown,
@@ -97,6 +99,9 @@ class SolutionTables:
         count = solution.wavelengths.size
         if shown is None:
             shown = shown_solution(solution, solution.medium.map_basis)
+        if shown.constituents > MOST_CONSTITUENTS:
+            allowed = f"at most {MOST_CONSTITUENTS} on the GPU"
+            raise ParameterError("constituents", shown.constituents, allowed)
         scalars, places = laid_out(
             {name: np.asarray(getattr(shown, name), float) for name in SCALAR_TABLES}, 1
         )

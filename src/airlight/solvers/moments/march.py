@@ -18,6 +18,7 @@ from airlight.geometry.bending import bend_angle, star_points, turned
 from airlight.geometry.path import MAX_EDGES, place_edges, shadow_edges
 from airlight.geometry.shell import radius_along
 from airlight.kernel import compiled_loop
+from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.solvers.moments.grid import Grid, row_of
 from airlight.solvers.moments.harmonics import Harmonics, directed_functions
@@ -33,6 +34,9 @@ from airlight.tables.columns import cut_at_corners, trace_resolved
 
 #: Rays that march side by side: neighbours read the same moments, which then stay in the cache.
 PACKET: Final = 16
+
+#: No constituent's light is kept apart.
+NO_PEAKS: Final = (-1, -1)
 
 #: A stretch is steep if it is so much shorter, of the shell's thickness; and in full daylight if
 #: the star's zenith cosine is larger at both ends. Eight points then err by less than 1e-3.
@@ -108,6 +112,8 @@ class Workspace(NamedTuple):
         Irradiance of the ground by ``ground_light``. [1]
     radiance, through : array, shape (PACKET, w)
         Radiance of the air [sr⁻¹] and transmittance [1], of ``march``.
+    first, second : array, shape (PACKET, w)
+        Light of the peaks of ``march`` over their phase functions. [1]
     """
 
     edges: FloatArray
@@ -128,6 +134,8 @@ class Workspace(NamedTuple):
     received: Float32Array
     radiance: Float32Array
     through: Float32Array
+    first: Float32Array
+    second: Float32Array
 
 
 def new_workspace(points: int, constituents: int, terms: int, lanes: int) -> Workspace:
@@ -151,6 +159,8 @@ def new_workspace(points: int, constituents: int, terms: int, lanes: int) -> Wor
         received=np.empty(lanes, np.float32),
         radiance=np.empty((PACKET, lanes), np.float32),
         through=np.empty((PACKET, lanes), np.float32),
+        first=np.empty((PACKET, lanes), np.float32),
+        second=np.empty((PACKET, lanes), np.float32),
     )
 
 
@@ -183,7 +193,7 @@ def new_packet(width: int) -> Packet:
 
 
 @compiled_loop
-def march(packet, rays, orders, panels, rules, light, work):
+def march(packet, rays, orders, peaks, panels, rules, light, work):
     """Radiance of stretches of air per irradiance of the star, and their transmittance.
 
     Parameters
@@ -194,6 +204,9 @@ def march(packet, rays, orders, panels, rules, light, work):
         How many of them there are.
     orders : int
         1: the star's light scattered once; 0: all the rest; 2: both together.
+    peaks : (int, int)
+        Constituents whose share of the star's light, scattered once, is found without their phase
+        functions too; ``NO_PEAKS`` for none.
     panels : int
         Panels a leg.
     rules : three tuples of arrays
@@ -203,9 +216,9 @@ def march(packet, rays, orders, panels, rules, light, work):
         The solution.
     work : Workspace
         Receives ``radiance`` and ``through``, the latter with forward peaks counted as
-        unscattered.
+        unscattered; ``first`` and ``second``, of ``peaks``.
     """
-    # Arrays are taken out of their tuples once: inside the loop each access would count references.
+    packet, light, work = borrowed((packet, light, work))
     bottom, top = light.grid.bottom_radius, light.grid.top_radius
     place_table, row_table = light.grid.place, light.grid.row
     radii = light.grid.radii.size
@@ -223,6 +236,8 @@ def march(packet, rays, orders, panels, rules, light, work):
     distance, radius, weight = work.distance, work.radius, work.weight
     density, column, total = work.density, work.column, work.total
     radiance, through = work.radiance, work.through
+    first_light, second_light = work.first, work.second
+    first_peak, second_peak = peaks
     starts, cosines, sun_cosines, angles, lengths, phases = packet
     constituents = table.shape[1]
     block = (1 + (degree + 1) * (degree + 2) // 2) * lanes
@@ -249,6 +264,8 @@ def march(packet, rays, orders, panels, rules, light, work):
         faint[p] = FAINT * min(depth, 1.0) if day else 0.0
         for at in range(0, lanes, LANES):
             store(radiance[p], at, splat(0.0))
+            store(first_light[p], at, splat(0.0))
+            store(second_light[p], at, splat(0.0))
             store(through[p], at, through_columns(total[p], extinction, constituents, lanes, at))
     for k in range(most):
         for p in range(rays):
@@ -300,14 +317,23 @@ def march(packet, rays, orders, panels, rules, light, work):
             a10 = a00 + suns * block
             for at in range(0, lanes, LANES):
                 source = splat(0.0)
+                through_air = through_columns(depths, extinction, constituents, lanes, at)
                 if seen > 0.0:
-                    source = scattered_star(
-                        rho, scattering, phase, constituents, lanes, at
-                    ) * star_at(seen, here, there, high > low, extinction, constituents, lanes, at)
+                    star = star_at(
+                        seen, here, there, high > low, extinction, constituents, lanes, at
+                    )
+                    source = star * scattered_star(rho, scattering, phase, constituents, lanes, at)
+                    if first_peak >= 0:
+                        once = through_air * star * load(scattering, lanes * first_peak + at)
+                        once = once * (w * rho[first_peak])
+                        store(first_light[p], at, load(first_light[p], at) + once)
+                    if second_peak >= 0:
+                        once = through_air * star * load(scattering, lanes * second_peak + at)
+                        once = once * (w * rho[second_peak])
+                        store(second_light[p], at, load(second_light[p], at) + once)
                 if gathers:
                     source = source + gathered_light(
                         rho, moments, field, functions, a00, a10, block, w00, w01, w10, w11,
                         degree, constituents, lanes, at,
                     )  # fmt: skip
-                through_air = through_columns(depths, extinction, constituents, lanes, at)
                 store(bright, at, load(bright, at) + through_air * source * w)

@@ -28,6 +28,7 @@ from airlight.solvers.moments.irradiance import (
 )
 from airlight.solvers.moments.iterate import Moments, solve_moments
 from airlight.solvers.moments.march import (
+    NO_PEAKS,
     Light,
     Workspace,
     march,
@@ -225,7 +226,7 @@ def _march_all(
             packet.r[p], packet.mu[p], packet.length[p] = r[k], mu[k], length[k]
             packet.mu_s[p], packet.nu[p] = mu_s[k], nu[k]
             packet.phase[p] = phase[k]
-        march(packet, rays, orders, panels, rules, light, work)
+        march(packet, rays, orders, NO_PEAKS, panels, rules, light, work)
         for p in range(rays):
             k = first + p
             bright = work.radiance[p]

@@ -1,0 +1,44 @@
+"""Arrays that a compiled loop reads without counting its references to them.
+
+Numba counts a reference each time that an array is taken out of a tuple, by an atomic instruction
+on a counter that all threads share: half the time of a loop over pixels. A loop whose caller keeps
+the arrays for it needs no count.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from numba import types
+from numba.core import cgutils
+from numba.extending import intrinsic
+
+
+@intrinsic
+def borrowed(typing_context: Any, value: Any) -> Any:
+    """The same array, or tuple of arrays, without an owner: not to outlive the call it is used in.
+
+    Parameters
+    ----------
+    value : array, number or tuple of them
+        Kept by the caller of the compiled loop.
+    """
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        return _without_owner(context, builder, signature.args[0], arguments[0])
+
+    return value(value), build
+
+
+def _without_owner(context: Any, builder: Any, kind: Any, value: Any) -> Any:
+    if isinstance(kind, types.Array):
+        array = context.make_array(kind)(context, builder, value=value)
+        array.meminfo = cgutils.get_null_value(array.meminfo.type)
+        array.parent = cgutils.get_null_value(array.parent.type)
+        return array._getvalue()
+    if isinstance(kind, types.BaseTuple):
+        for index, part in enumerate(kind.types):
+            member = builder.extract_value(value, index)
+            member = _without_owner(context, builder, part, member)
+            value = builder.insert_value(value, member, index)
+    return value

@@ -1,0 +1,183 @@
+"""Rows of pixels by the processor: from the table of the sky, or each pixel by its own march."""
+
+from __future__ import annotations
+
+from math import atan2, pi
+
+import numpy as np
+
+from airlight.kernel import compiled_loop, inlined
+from airlight.kernel.borrowing import borrowed
+from airlight.kernel.lanes import LANES, load, splat, store
+from airlight.pixels.lines_by_processor import aim, ground_behind
+from airlight.pixels.pixel import (
+    air_between,
+    bent_to_ground,
+    between_texels,
+    ground_color,
+    reflectance,
+    sight,
+    texel_before,
+)
+from airlight.pixels.sky_table import half_sine_between, phases_towards
+from airlight.pixels.star_disc import camera_direction, star_disc
+from airlight.solvers.moments.march import NO_PEAKS, PACKET, march
+from airlight.solvers.moments.source import through_columns
+
+
+@inlined
+def _finish(
+    px, py, x, y, z, sine, through_air, to_ground, bent, air, ground, observer, screen, shown,
+    weights, reach, color, columns, sums, out,
+):  # fmt: skip
+    """Add the ground and the star's disc to the air of a pixel, and turn it into linear sRGB."""
+    lanes = shown.albedo.size
+    part = 0.0
+    if to_ground and screen.mapped:
+        ground_color(x, y, z, sine, bent, observer, screen, shown, color)
+    if screen.draws_disc and not to_ground:
+        apart = 2.0 * half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
+        if apart < reach:
+            part = star_disc(px, py, x, y, z, observer, screen, shown, columns)
+    red, green, blue = splat(0.0), splat(0.0), splat(0.0)
+    for at in range(0, lanes, LANES):
+        total = splat(0.0)
+        if through_air:
+            total = load(air, at)
+        if to_ground:
+            total = total + load(ground, at) * reflectance(color, screen.mapped, shown, lanes, at)
+        if part > 0.0:
+            through = through_columns(columns, shown.extinction, shown.constituents, lanes, at)
+            total = total + through * np.float32(part)
+        red = red + total * load(weights, at)
+        green = green + total * load(weights, lanes + at)
+        blue = blue + total * load(weights, 2 * lanes + at)
+    store(sums, 0, red)
+    store(sums, LANES, green)
+    store(sums, 2 * LANES, blue)
+    for c in range(3):
+        total = np.float32(0.0)
+        for lane in range(LANES):
+            total += sums[LANES * c + lane]
+        out[c] = total
+
+
+@compiled_loop
+def draw_rows(first, last, window, observer, screen, shown, weights, reach, out):
+    """Pixels of some rows from the table of the sky.
+
+    Parameters
+    ----------
+    first, last : int
+        Rows ``first`` to ``last`` - 1.
+    window : SkyWindow
+        What there is of the table.
+    observer, screen, shown : Observer, Screen, Shown
+    weights : array, shape (3·w,)
+        Linear sRGB per radiance over irradiance. [W m⁻² sr⁻¹ sr]
+    reach : float
+        Nothing of the star's disc is seen so far from where the star is seen. [rad]
+    out : array, shape (height, width, 3)
+        Receives linear sRGB; pixels that see nothing are not touched.
+    """
+    screen, shown, weights, out = borrowed((screen, shown, weights, out))
+    lanes = shown.albedo.size
+    air, ground = np.empty(lanes, np.float32), np.empty(lanes, np.float32)
+    color, columns = np.zeros(3), np.empty(shown.constituents)
+    sums = np.empty(3 * LANES, np.float32)
+    stride = window.last_column - window.first_column + 1
+    ground_texels = stride * (window.last_sky - window.first_sky + 1)
+    for j in range(first, last):
+        for i in range(out.shape[1]):
+            px, py = i + 0.5, j + 0.5
+            x, y, z = camera_direction(px, py, screen)
+            sine, row, through_air, to_ground = sight(x, y, z, observer, shown)
+            bent = 0.0
+            if through_air:
+                half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
+                column, right = texel_before(
+                    atan2(abs(y), x) / pi * (window.columns - 1),
+                    window.first_column,
+                    window.last_column,
+                )
+                lowest, highest, start = window.first_sky, window.last_sky, 0
+                if to_ground:
+                    lowest, highest = window.first_ground, window.last_ground
+                    start = ground_texels
+                line, down = texel_before(row * (window.rows - 1), lowest, highest)
+                near = start + (line - lowest) * stride + column - window.first_column
+                for at in range(0, lanes, LANES):
+                    value = air_between(
+                        near, stride, right, down, half_sine, screen, shown, lanes, at
+                    )
+                    store(air, at, value)
+                    if to_ground:
+                        value = between_texels(
+                            screen.sky_ground, near, stride, right, down, lanes, at
+                        )
+                        store(ground, at, value)
+                if to_ground and screen.mapped and shown.bend > 0.0:
+                    bent = bent_to_ground(z, sine, observer, shown, columns)
+            _finish(
+                px, py, x, y, z, sine, through_air, to_ground, bent, air, ground, observer,
+                screen, shown, weights, reach, color, columns, sums, out[j, i],
+            )  # fmt: skip
+
+
+@compiled_loop
+def march_rows(
+    first, last, observer, screen, shown, light, panels, rules, packet, work, weights, reach, out
+):
+    """The same, each pixel by its own march.
+
+    Parameters
+    ----------
+    first, last, observer, screen, shown, weights, reach, out :
+        As in ``draw_rows``.
+    light, panels, rules, packet, work :
+        As in ``march``.
+    """
+    screen, shown, weights, out = borrowed((screen, shown, weights, out))
+    light, packet, work = borrowed((light, packet, work))
+    lanes = shown.albedo.size
+    ground = np.empty(lanes, np.float32)
+    color, columns = np.zeros(3), np.empty(shown.constituents)
+    sums = np.empty(3 * LANES, np.float32)
+    width = out.shape[1]
+    pixels = np.empty(PACKET, np.int64)
+    lines, marched = 0, 0
+    for pixel in range(first * width, last * width):
+        px, py = pixel % width + 0.5, pixel // width + 0.5
+        x, y, z = camera_direction(px, py, screen)
+        sine, _, through_air, to_ground = sight(x, y, z, observer, shown)
+        if through_air:
+            cos_azimuth = x / sine if sine > 0.0 else 1.0
+            half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
+            aim(lines, z, sine, cos_azimuth, to_ground, observer, shown, packet)
+            phases_towards(half_sine, True, shown, lanes, packet.phase[lines])
+            pixels[lines] = pixel
+            lines += 1
+        else:
+            _finish(
+                px, py, x, y, z, sine, False, False, 0.0, ground, ground, observer, screen,
+                shown, weights, reach, color, columns, sums, out[pixel // width, pixel % width],
+            )  # fmt: skip
+        if lines < PACKET and pixel < last * width - 1:
+            continue
+        marched, lines = lines, 0
+        march(packet, marched, observer.orders, NO_PEAKS, panels, rules, light, work)
+        for p in range(marched):
+            j, i = pixels[p] // width, pixels[p] % width
+            px, py = i + 0.5, j + 0.5
+            x, y, z = camera_direction(px, py, screen)
+            sine, _, through_air, to_ground = sight(x, y, z, observer, shown)
+            bent = 0.0
+            if to_ground:
+                cos_azimuth = x / sine if sine > 0.0 else 1.0
+                bent = ground_behind(
+                    p, sine, cos_azimuth, observer, shown, light, packet, work, ground
+                )
+            _finish(
+                px, py, x, y, z, sine, True, to_ground, bent, work.radiance[p], ground, observer,
+                screen, shown, weights, reach, color, columns, sums, out[j, i],
+            )  # fmt: skip

@@ -1,0 +1,147 @@
+"""The part of a table of the sky that a picture sees, and how fine the table is."""
+
+from __future__ import annotations
+
+from math import ceil, floor, sqrt
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.mappings.sky_view import row_from_angle, row_from_impact
+from airlight.pixels.sky_table import Observer
+from airlight.scene import Camera
+from airlight.scene.projections import PROJECTIONS
+
+FloatArray = NDArray[np.float64]
+
+#: Azimuths over half a turn, and rows of each half, of the coarsest table.
+COARSEST: Final = (256, 128)
+#: A finer one has at most so many times as many of each.
+_FINEST: Final = 4.0
+#: Pixels for which there is a texel; where the coarsest table has more, it is not worth filling.
+_PIXELS_A_TEXEL: Final = 48
+_FEWEST_PIXELS_A_TEXEL: Final = 2
+#: Pixels between two samples of a picture.
+_STEP: Final = 8
+
+
+class SkyWindow(NamedTuple):
+    """The part of a table of the sky that is filled.
+
+    Attributes
+    ----------
+    columns, rows : int
+        Azimuths of the whole table over half a turn, and rows of each half.
+    first_column, last_column : int
+        Azimuths that there are.
+    first_sky, last_sky, first_ground, last_ground : int
+        Rows that there are, counted from the horizon in each half.
+    """
+
+    columns: int
+    rows: int
+    first_column: int
+    last_column: int
+    first_sky: int
+    last_sky: int
+    first_ground: int
+    last_ground: int
+
+    @classmethod
+    def whole(cls, columns: int, rows: int) -> SkyWindow:
+        """All of a table."""
+        return cls(columns, rows, 0, columns - 1, 0, rows - 1, 0, rows - 1)
+
+    @property
+    def texels(self) -> int:
+        """How many there are."""
+        lines = self.last_sky - self.first_sky + self.last_ground - self.first_ground + 2
+        return lines * (self.last_column - self.first_column + 1)
+
+
+def sky_window(camera: Camera, observer: Observer, bottom: float, top: float) -> SkyWindow | None:
+    """The part of the table of the sky that a camera sees.
+
+    As fine as it may be while there are many more pixels than texels.
+
+    Parameters
+    ----------
+    camera : Camera
+    observer : Observer
+        Who looks.
+    bottom, top : float
+        Radii of the ground and of the shell's top. [m]
+
+    Returns
+    -------
+    SkyWindow or None
+        None where a march for each pixel is less work.
+    """
+    azimuths, sky, ground = _seen_ranges(camera, observer, bottom, top)
+    coarse = _window(COARSEST, azimuths, sky, ground)
+    pixels = camera.width * camera.height
+    if coarse.texels * _FEWEST_PIXELS_A_TEXEL > pixels:
+        return None
+    finer = min(max(sqrt(pixels / (_PIXELS_A_TEXEL * coarse.texels)), 1.0), _FINEST)
+    shape = (round(finer * COARSEST[0]), round(finer * COARSEST[1]))
+    return _window(shape, azimuths, sky, ground)
+
+
+def _window(
+    shape: tuple[int, int],
+    azimuths: tuple[float, float],
+    sky: tuple[float, float],
+    ground: tuple[float, float],
+) -> SkyWindow:
+    """Texels around ranges of azimuth, in half turns, and of the rows' coordinates."""
+    ends: list[int] = []
+    for (low, high), count in zip((azimuths, sky, ground), (shape[0], shape[1], shape[1]),
+                                  strict=True):  # fmt: skip
+        first = min(max(floor(low * (count - 1)), 0), count - 2)
+        ends += [first, min(max(ceil(high * (count - 1)), first + 1), count - 1)]
+    return SkyWindow(*shape, *ends)
+
+
+def _seen_ranges(
+    camera: Camera, observer: Observer, bottom: float, top: float
+) -> tuple[tuple[float, float], tuple[float, float], tuple[float, float]]:
+    """Ranges of azimuth, in half turns, and of both halves' rows that pixels may have. [1]"""
+    form = PROJECTIONS[camera.projection]
+    assert camera.field_of_view is not None
+    x = np.linspace(0.0, camera.width, max(2, -(-camera.width // _STEP) + 1))
+    y = np.linspace(0.0, camera.height, max(2, -(-camera.height // _STEP) + 1))
+    fov = np.radians(camera.field_of_view)
+    rays = form.rays(x, y, camera.width, camera.height, fov) @ camera.axes
+    rays = rays[np.any(rays != 0.0, axis=-1)]
+    margin = _STEP * camera.pixel_angle  # no pixel is farther from a sample
+    zenith = np.arctan2(np.hypot(rays[:, 0], rays[:, 1]), rays[:, 2])
+    azimuth = np.abs(np.arctan2(rays[:, 1], rays[:, 0]))
+    if observer.outside:
+        lowest = np.clip(zenith + margin, 0.5 * np.pi, np.pi)
+        passes = observer.r * np.sin(lowest) < top
+        zenith, azimuth = zenith[passes], azimuth[passes]
+    if zenith.size == 0:
+        return (0.0, 0.0), (0.0, 0.0), (0.0, 0.0)
+    around = np.sin(min(margin, 0.5 * np.pi)) / np.maximum(np.sin(zenith), 1e-9)
+    turn = np.where(around < 1.0, np.arcsin(np.minimum(around, 1.0)), np.pi)
+    azimuths = (
+        float(np.clip((azimuth - turn) / np.pi, 0.0, 1.0).min()),
+        float(np.clip((azimuth + turn) / np.pi, 0.0, 1.0).max()),
+    )
+    high, low = float(zenith.min()) - margin, float(zenith.max()) + margin
+    if observer.outside:
+        # The line's nearest distance falls from the horizontal down.
+        farthest, nearest = (
+            observer.r * float(np.sin(np.clip(angle, 0.5 * np.pi, np.pi))) for angle in (high, low)
+        )
+        sky = (max(nearest, bottom), min(max(farthest, bottom), top))
+        ground = (min(farthest, bottom), min(nearest, bottom))
+        ends = ((row_from_impact(one, bottom, top) for one in half) for half in (sky, ground))
+        rows = [float(one) for half in ends for one in half]
+    else:
+        horizon = float(np.arctan2(observer.horizon_sine, observer.horizon_mu))
+        up, down = horizon - high, horizon - low
+        angles = (max(down, 0.0), max(up, 0.0), min(up, 0.0), min(down, 0.0))
+        rows = [float(row_from_angle(one, observer.horizon_mu)) for one in angles]
+    return azimuths, (rows[0], rows[1]), (rows[2], rows[3])

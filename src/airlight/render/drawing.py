@@ -1,0 +1,114 @@
+"""A picture that the processor draws: what it reads, and its rows."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.quadrature import gauss_legendre
+from airlight.kernel.threads import Cancel, Progress
+from airlight.pixels.march_points import march_points
+from airlight.pixels.picture_numbers import (
+    observer_from,
+    order_number,
+    scene_numbers,
+    screen_from,
+)
+from airlight.pixels.rows_by_processor import draw_rows, march_rows
+from airlight.pixels.shown import shown_solution
+from airlight.pixels.sky_by_processor import SkyLayers, filled_sky
+from airlight.pixels.sky_window import sky_window
+from airlight.scene import Scene
+from airlight.scene.surface_map import surface_map
+from airlight.solvers.moments.march import new_packet
+from airlight.solvers.moments.solution import MomentsSolution
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+
+class Drawing:
+    """A picture and all that its rows are drawn from.
+
+    Parameters
+    ----------
+    solution, scene, orders, exact :
+        As in ``render``.
+    disc : bool
+        Whether the star's own disc is drawn.
+
+    Attributes
+    ----------
+    window : SkyWindow or None
+        The part of a table of the sky that the picture reads; None where each pixel is marched.
+    """
+
+    def __init__(
+        self,
+        solution: MomentsSolution,
+        scene: Scene,
+        *,
+        orders: str = "all",
+        exact: bool = False,
+        disc: bool = True,
+    ) -> None:
+        camera, light = scene.camera, solution.light
+        numbers = scene_numbers(scene, solution) | {"orders": order_number(orders)}
+        numbers["draws_disc"] = float(disc and orders == "all" and numbers["disc"] > 0.0)
+        self._numbers, self._camera = numbers, camera
+        self._solution, self._points = solution, march_points(solution)
+        self._observer = observer_from(numbers)
+        self.window = None
+        if not exact:
+            bottom, top = light.grid.bottom_radius, light.grid.top_radius
+            self.window = sky_window(camera, self._observer, bottom, top)
+        self._shown = shown_solution(
+            solution, solution.medium.map_basis, peaks=self.window is not None,
+            points=self._points.points,
+        )  # fmt: skip
+        name = solution.medium.ground_map
+        self._ground = None if name is None else surface_map(name).flat
+        self._screen = screen_from(numbers, camera, self._ground, SkyLayers.none())
+        self._weights = _lane_weights(solution)
+        alpha = solution.medium.star_angular_radius
+        self._reach = 2.0 * (alpha + 3.0 * camera.pixel_angle) + solution.paths.largest_bend
+
+    def fill_sky(self, *, cancel: Cancel | None = None, progress: Progress | None = None) -> None:
+        """Fill the table of the sky, if there is one; before any row is drawn."""
+        if self.window is None:
+            return
+        layers = filled_sky(
+            self._solution, self._shown, self._observer, self.window, self._points,
+            cancel=cancel, progress=progress,
+        )  # fmt: skip
+        self._screen = screen_from(self._numbers, self._camera, self._ground, layers)
+
+    def draw(self, first: int, last: int, rgb: Float32Array) -> None:
+        """Draw rows ``first`` to ``last`` - 1 into a black picture, linear sRGB."""
+        if self.window is not None:
+            draw_rows(
+                first, last, self.window, self._observer, self._screen, self._shown,
+                self._weights, self._reach, rgb,
+            )  # fmt: skip
+            return
+        light, points = self._solution.light, self._points
+        march_rows(
+            first, last, self._observer, self._screen, self._shown, light, points.panels,
+            tuple(gauss_legendre(count).as_tuple() for count in points.points),
+            new_packet(light.scattering.size),
+            self._solution.workspace(max(points.points), points.panels), self._weights,
+            self._reach, rgb,
+        )  # fmt: skip
+
+
+def color_weights(solution: MomentsSolution) -> FloatArray:
+    """Linear sRGB per radiance over irradiance at each wavelength, shape (nl, 3)."""
+    return solution.lights[0].colors()
+
+
+def _lane_weights(solution: MomentsSolution) -> Float32Array:
+    """The same as the rows read them: shape (3·w,), zero in lanes without a wavelength."""
+    weights = color_weights(solution)
+    padded = np.zeros((3, solution.light.air.ground.albedo.size), np.float32)
+    padded[:, : weights.shape[0]] = weights.T
+    return padded.reshape(-1)

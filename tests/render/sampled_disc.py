@@ -1,0 +1,206 @@
+"""The star's disc by many samples a pixel: slow, and the judge of the disc that is drawn."""
+
+from __future__ import annotations
+
+from math import cos, pi
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.bending import seen_star
+from airlight.render.sun_disc import leaving_direction, straight_sight, sun_solid_angle
+from airlight.scene import Scene
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.tables.columns import columns
+
+FloatArray = NDArray[np.float64]
+
+#: Samples across a pixel that the rim of the disc crosses.
+_SAMPLES: Final = 5
+#: Rings and spokes of samples on a disc that is smaller than a pixel.
+_RINGS: Final = 4
+_SPOKES: Final = 12
+
+
+def add_sun_disc(
+    rgb: NDArray[np.float32], solution: MomentsSolution, scene: Scene, weights: FloatArray
+) -> None:
+    """Add the star's disc to a picture.
+
+    Its radiance is irradiance over solid angle, times the transmittance along each pixel's own
+    line of sight. Where light is bent, the disc is where the lines of sight lead that leave the
+    air within it: lifted, and flattened near the horizon. Limb darkening is left out: the disc is
+    even. A point star (angular radius 0)
+    is not drawn.
+
+    Parameters
+    ----------
+    rgb : array, shape (height, width, 3)
+        Linear sRGB, added to.
+    solution : MomentsSolution
+        Whose medium the light passes.
+    scene : Scene
+        Camera and star.
+    weights : array, shape (nl, 3)
+        Linear sRGB per radiance over irradiance.
+    """
+    alpha = solution.medium.star_angular_radius
+    if alpha <= 0.0:
+        return
+    sun = scene.sun_direction
+    seen = seen_direction(sun, solution, scene.altitude)
+    pixel = scene.camera.pixel_angle
+    reach = 2.0 * (alpha + pixel) + solution.paths.largest_bend
+    # The cheap test first: most rows are far from the star.
+    rows = [
+        row
+        for row in range(rgb.shape[0])
+        if (scene.camera.directions(slice(row, row + 1))[0] @ seen > cos(min(reach, pi))).any()
+    ]
+    if alpha < pixel:
+        _add_small_disc(rgb, rows, solution, scene, weights)
+        return
+    solid_angle = sun_solid_angle(alpha)
+    offsets = (np.arange(_SAMPLES) + 0.5) / _SAMPLES - 0.5
+    for row in rows:
+        directions = scene.camera.directions(slice(row, row + 1))[0]
+        near = directions @ seen > cos(min(reach, pi))
+        whole = np.zeros(near.shape, bool)
+        outside = leaving_direction(directions[near], solution, scene.altitude)
+        whole[near] = _angle(outside, sun) < alpha - 1.5 * pixel
+        if whole.any():
+            light = _through(directions[whole], solution, scene.altitude) @ weights
+            rgb[row, whole] += light / solid_angle
+        rim = np.flatnonzero(near & ~whole)
+        total = np.zeros((rim.size, 3))
+        for dy in offsets:
+            for dx in offsets:
+                at = scene.camera.directions(slice(row, row + 1), offset=(dx, dy))[0][rim]
+                outside = leaving_direction(at, solution, scene.altitude)
+                inside = _angle(outside, sun) < alpha
+                if inside.any():
+                    light = _through(at[inside], solution, scene.altitude) @ weights
+                    total[inside] += light / solid_angle
+        rgb[row, rim] += total / _SAMPLES**2
+
+
+def _add_small_disc(
+    rgb: NDArray[np.float32],
+    rows: list[int],
+    solution: MomentsSolution,
+    scene: Scene,
+    weights: FloatArray,
+) -> None:
+    """Share out a disc smaller than a pixel: each of its samples goes to the nearest pixel.
+
+    Pixels then hold irradiance over their own solid angle, so that no light is lost or made.
+    """
+    if not rows:
+        return
+    block = slice(rows[0], rows[-1] + 1)
+    camera, sun = scene.camera, scene.sun_direction
+    corners = [
+        camera.directions(block, offset=offset)
+        for offset in ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5))
+    ]
+    solid_angles = 0.5 * np.linalg.norm(
+        np.cross(corners[2] - corners[0], corners[3] - corners[1]), axis=-1
+    )
+    middles = camera.directions(block).reshape(-1, 3)
+    samples = np.stack(
+        [
+            seen_direction(one, solution, scene.altitude)
+            for one in _disc_samples(sun, solution.medium.star_angular_radius)
+        ]
+    )
+    squeeze = squeezed(sun, solution, scene.altitude)
+    light = _through(samples, solution, scene.altitude) @ weights * (squeeze / len(samples))
+    nearest = np.argmax(samples @ middles.T, axis=1)
+    # Outside a fisheye's circle nothing is seen; a sample must also lie on its pixel.
+    seen = np.any(middles[nearest] != 0.0, axis=1) & (solid_angles.ravel()[nearest] > 0.0)
+    distance = np.linalg.norm(middles[nearest] - samples, axis=1)
+    seen &= distance < 1.5 * np.sqrt(np.maximum(solid_angles.ravel()[nearest], 1e-30))
+    flat = rgb[block].reshape(-1, 3)
+    np.add.at(
+        flat,
+        nearest[seen],
+        (light[seen] / solid_angles.ravel()[nearest[seen], None]).astype(np.float32),
+    )
+
+
+def _disc_samples(sun: FloatArray, angular_radius: float) -> FloatArray:
+    """Directions that stand for equal parts of the star's disc, shape (n, 3)."""
+    ring, spoke = np.meshgrid(np.arange(_RINGS), np.arange(_SPOKES), indexing="ij")
+    radius = angular_radius * np.sqrt((ring + 0.5) / _RINGS)
+    # Half a spoke off the vertical: mirror images of each other, and none on the mirror itself.
+    turn = (spoke + 0.5) * (2.0 * pi / _SPOKES)
+    side = np.cross(sun, (0.0, 1.0, 0.0) if abs(sun[1]) < 0.9 else (1.0, 0.0, 0.0))
+    side /= np.linalg.norm(side)
+    other = np.cross(sun, side)
+    tangent = np.cos(turn)[..., None] * side + np.sin(turn)[..., None] * other
+    samples = np.cos(radius)[..., None] * sun + np.sin(radius)[..., None] * tangent
+    return np.asarray(samples.reshape(-1, 3))
+
+
+def _angle(directions: FloatArray, sun: FloatArray) -> FloatArray:
+    """Angle to the star, from the length of the difference; π where there is no direction."""
+    half = 0.5 * np.linalg.norm(directions - sun, axis=-1)
+    seen = np.any(directions != 0.0, axis=-1)
+    return np.asarray(np.where(seen, 2.0 * np.arcsin(np.minimum(half, 1.0)), pi))
+
+
+def _through(directions: FloatArray, solution: MomentsSolution, altitude: float) -> FloatArray:
+    """Transmittance to space along directions, 0 where the ground is in the way, (n, nl). [1]"""
+    sight, medium = straight_sight(directions, solution, altitude), solution.paths.medium
+    depth = columns(
+        sight.r, sight.mu, sight.length, medium.bottom_radius, medium.density, nodes=16, panels=2
+    )
+    through = np.exp(-(depth @ medium.extinction))
+    through[sight.to_ground] = 0.0
+    return np.asarray(through)
+
+
+def seen_direction(direction: FloatArray, solution: MomentsSolution, altitude: float) -> FloatArray:
+    """Where a star at a true direction is seen: above it, where light is bent.
+
+    Below the horizon's true place, where nothing is seen of it, the lift is that of the horizon.
+
+    Parameters
+    ----------
+    direction : array, shape (3,)
+        Unit vector in the local frame.
+    solution : MomentsSolution
+    altitude : float
+        Of the observer. [m]
+
+    Returns
+    -------
+    array, shape (3,)
+        Unit vector.
+    """
+    seen, _ = _seen(direction, solution, altitude)
+    level = float(np.hypot(direction[0], direction[1]))
+    if seen == direction[2] or level == 0.0:
+        return direction
+    scale = np.sqrt(max((1.0 - seen) * (1.0 + seen), 0.0)) / level
+    return np.array([direction[0] * scale, direction[1] * scale, seen])
+
+
+def squeezed(direction: FloatArray, solution: MomentsSolution, altitude: float) -> float:
+    """How much smaller than without air a star's disc is seen at a true direction. [1]"""
+    return _seen(direction, solution, altitude)[1]
+
+
+def _seen(direction: FloatArray, solution: MomentsSolution, altitude: float) -> tuple[float, float]:
+    """Sine of the elevation at which a star is seen, and its squeeze; from space that it has. [1]
+
+    Outside the shell light goes straight until it enters: what is seen through the air is where
+    ``leaving_direction`` says, pixel by pixel.
+    """
+    paths, true = solution.paths, float(direction[2])
+    if paths.shell is None or solution.medium.thickness <= altitude:
+        return true, 1.0
+    x = float(paths.optical_radius(np.array(solution.medium.bottom_radius + altitude)))
+    seen, squeeze, _ = seen_star(x, true, paths.shell.bottom, paths.shell.top, paths.lift)
+    return float(seen), float(squeeze)
