@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from airlight.mappings.sky_view import row_from_angle, row_from_impact
 from airlight.pixels.sky_table import Observer
 from airlight.scene import Camera
-from airlight.scene.projections import PROJECTIONS
+from airlight.scene.projections.projected import projected_rays
 
 FloatArray = NDArray[np.float64]
 
@@ -107,12 +107,12 @@ def _seen_ranges(
     camera: Camera, observer: Observer, bottom: float, top: float
 ) -> tuple[tuple[float, float], tuple[float, float], tuple[float, float]]:
     """Ranges of azimuth, in half turns, and of both halves' rows that pixels may have. [1]"""
-    form = PROJECTIONS[camera.projection]
     assert camera.field_of_view is not None
     x = np.linspace(0.0, camera.width, max(2, -(-camera.width // _STEP) + 1))
     y = np.linspace(0.0, camera.height, max(2, -(-camera.height // _STEP) + 1))
     fov = np.radians(camera.field_of_view)
-    rays = form.rays(x, y, camera.width, camera.height, fov) @ camera.axes
+    rays = projected_rays(camera.projection, x, y, camera.width, camera.height, fov)
+    rays = rays @ camera.axes
     rays = rays[np.any(rays != 0.0, axis=-1)]
     margin = _STEP * camera.pixel_angle  # no pixel is farther from a sample
     zenith = np.arctan2(np.hypot(rays[:, 0], rays[:, 1]), rays[:, 2])
