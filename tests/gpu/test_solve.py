@@ -9,8 +9,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import load_planet
-from airlight.gpu.solve_planet import fits, live_solver, solve_planet
 from airlight.gpu.solver.solver import fields_on
+from airlight.paint.solve_planet import fits, live_solver, solve_planet
 from airlight.pixels.shown import MOST_CONSTITUENTS
 from airlight.planets import replace as planet_replace
 

@@ -13,7 +13,7 @@ from numpy.testing import assert_allclose
 
 from airlight import Camera, Scene, load_planet
 from airlight.gpu.device.device import Device
-from airlight.gpu.solve_planet import live_solver
+from airlight.paint.solve_planet import live_solver
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.viewer.painting.picture_cpu import CpuPainter

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import sys
 import time
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
 from airlight.cli import options
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
-from airlight.cli.render_device import PROCESSOR, Choice, device_for
 from airlight.errors import ParameterError
+
+if TYPE_CHECKING:
+    from airlight.paint.drawing_device import Choice
+    from airlight.planets.planet import Planet
+    from airlight.scene import Scene
+    from airlight.scene.frame import Frame
 
 EPILOG = examples(
     "airlight render earth -o earth.png",
@@ -94,7 +100,7 @@ def render(
     ] = None,
     quality: options.Quality = "default",
     device: Annotated[
-        Choice,
+        Literal["auto", "cpu", "gpu"],
         typer.Option(
             metavar="NAME",
             help="Who draws: cpu; gpu, at most four wavelengths, and where it cannot the processor "
@@ -127,8 +133,6 @@ def render(
     """
     started = time.perf_counter()
     from airlight.exports.picture import picture_suffix, write_picture
-    from airlight.scene import Camera, Scene
-    from airlight.scene import look_at as looking_at
 
     picture_suffix(output)
     ev = options.exposure(exposure)
@@ -136,29 +140,18 @@ def render(
     world = options.planet(planet, set_)
     height = options.length(altitude, "--altitude")
     sun = options.angle(sun_zenith, "--sun-zenith")
-    if look is not None and look_at is not None:
-        raise ParameterError("--look", look, "one of --look and --look-at")
-    target: tuple[float | None, float] = (None, 0.0)
-    if look is not None:
-        target = options.direction(look, "--look")
-    elif look_at is not None or projection == "perspective":
-        target = looking_at(
-            look_at or "horizon",
-            altitude=max(height, 0.0),
-            sun_zenith=sun,
-            bottom_radius=world.bottom_radius,
-        )
-    if look is None and look_at is None and projection == "perspective":
-        target = (target[0], _ACROSS)
     columns, rows = options.picture_size(size, projection)
+    zenith, azimuth = _target(look, look_at, projection, height, sun, world)
+    from airlight.scene import Camera, Scene
+
     scene = Scene(
         camera=Camera(
             projection=projection,
             width=columns,
             height=rows,
             field_of_view=None if fov is None else options.angle(fov, "--fov"),
-            look_zenith=target[0],
-            look_azimuth=target[1],
+            look_zenith=zenith,
+            look_azimuth=azimuth,
             roll=options.angle(roll, "--roll"),
         ),
         altitude=height,
@@ -167,40 +160,9 @@ def render(
         longitude=options.angle(longitude, "--longitude"),
         sun_azimuth=options.angle(sun_azimuth, "--sun-azimuth"),
     )
-    nm = None if wavelengths is None else options.wavelengths(wavelengths, world)
-    if nm is not None and len(nm) < 3:
-        allowed = "rgb, 3 to 99, or three or more wavelengths: a picture has colours"
-        raise ParameterError("--wavelengths", wavelengths, allowed)
-    from airlight.planets.picture_wavelengths import LIVE, picture_wavelengths
-
-    gpu = device_for(device, world, LIVE if nm is None else len(nm), columns)
-    weights = None
-    if nm is None:
-        nm = tuple(picture_wavelengths(world, most=None if gpu is None else LIVE).tolist())
-        if gpu is not None:
-            from airlight.color.four_wavelengths import fitted_weights
-
-            weights = fitted_weights(nm, world.star.irradiances)
-
-    from airlight.gpu.solve_planet import solve_planet
-
-    with shown_progress() as report:
-        solution = solve_planet(world, nm, quality, cache=not no_cache, progress=report)
-        if gpu is not None:
-            from airlight.gpu.picture.pictures import Pictures
-
-            pictures = Pictures(gpu)
-            pictures.show(solution, weights)
-            frame = pictures.frame(scene, exact=exact, progress=report)
-        else:
-            from airlight.render import render as render_frame
-
-            frame = render_frame(solution, scene, exact=exact, progress=report)
-    metadata = {"planet": world.name, "device": PROCESSOR, **scene.metadata(), **frame.metadata}
-    if weights is not None:
-        metadata["colour"] = "from four wavelengths, fitted to the star"
-    if set_:
-        metadata["changes"] = "; ".join(set_)
+    frame = _painted(world, scene, wavelengths, quality, device, exact=exact, cache=not no_cache)
+    changes = {"changes": "; ".join(set_)} if set_ else {}
+    metadata = {"planet": world.name, **scene.metadata(), **frame.metadata, **changes}
     written = write_picture(
         output, frame.rgb, metadata, exposure=ev, tone_map=tone_map, encoding=encoding
     )
@@ -209,6 +171,60 @@ def render(
     print(
         f"{written.path}  {columns}x{rows}  {written.size / 1e3:.0f} kB  {seconds:.1f} s  {light}"
     )
+
+
+def _target(
+    look: str | None,
+    look_at: str | None,
+    projection: str,
+    altitude: float,
+    sun_zenith: float,
+    planet: Planet,
+) -> tuple[float | None, float]:
+    """Direction of the camera: zenith angle, None for the projection's own, and azimuth. [deg]"""
+    from airlight.scene import look_at as looking_at
+
+    if look is not None and look_at is not None:
+        raise ParameterError("--look", look, "one of --look and --look-at")
+    if look is not None:
+        return options.direction(look, "--look")
+    if look_at is None and projection != "perspective":
+        return None, 0.0
+    zenith, azimuth = looking_at(
+        look_at or "horizon",
+        altitude=max(altitude, 0.0),
+        sun_zenith=sun_zenith,
+        bottom_radius=planet.bottom_radius,
+    )
+    return zenith, azimuth if look_at is not None else _ACROSS
+
+
+def _painted(
+    planet: Planet,
+    scene: Scene,
+    wavelengths: str | None,
+    quality: str,
+    device: Choice,
+    *,
+    exact: bool,
+    cache: bool,
+) -> Frame:
+    """The frame, with progress on the standard error stream."""
+    from airlight.paint.paint_scene import FEWEST, paint_scene
+
+    nm = None if wavelengths is None else options.wavelengths(wavelengths, planet)
+    if nm is not None and len(nm) < FEWEST:
+        allowed = "rgb, 3 to 99, or three or more wavelengths: a picture has colours"
+        raise ParameterError("--wavelengths", wavelengths, allowed)
+
+    def refused(reason: str) -> None:
+        print(f"airlight: the processor renders instead: {reason}", file=sys.stderr)
+
+    with shown_progress() as report:
+        return paint_scene(
+            planet, scene, wavelengths=nm, quality=quality, device=device, exact=exact, cache=cache,
+            refused=refused, progress=report,
+        )  # fmt: skip
 
 
 def _check_tone_map(name: str) -> None:

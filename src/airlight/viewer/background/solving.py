@@ -15,8 +15,8 @@ from typing import Any, Final, Protocol
 
 from airlight.color.spectral import rgb_weights
 from airlight.errors import Cancelled
-from airlight.gpu.solve_planet import PlanetSolver, live_solver
 from airlight.kernel.threads import Cancel, Progress
+from airlight.paint.solve_planet import PlanetSolver, live_solver
 from airlight.planets.picture_wavelengths import FloatArray, picture_wavelengths
 from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import read_tables

@@ -14,7 +14,7 @@ from typing import Any
 
 from airlight.errors import AirlightError
 from airlight.gpu.device.device import NoDevice, open_device
-from airlight.gpu.solve_planet import PlanetSolver, live_solver
+from airlight.paint.solve_planet import PlanetSolver, live_solver
 from airlight.planets.picture_wavelengths import LIVE, picture_wavelengths
 from airlight.viewer.background.solving import Solving
 from airlight.viewer.browser.modules import join_modules, web_file

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
 from airlight.exports.whole_file import check_target, whole_file
-from airlight.gpu.solve_planet import solve_planet
 from airlight.kernel.threads import Cancel, Progress
+from airlight.paint.solve_planet import solve_planet
 from airlight.planets import load_planet
 from airlight.planets.picture_wavelengths import LIVE, picture_wavelengths
 from airlight.viewer.browser.package import planet_tables, program

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import cast
 
-from airlight.gpu.solve_planet import PlanetSolver
+from airlight.paint.solve_planet import PlanetSolver
 from airlight.planets.planet import Planet
 from airlight.viewer.background.solving import Solved, Solving, Status
 from airlight.viewer.painting.picture_source import Orders, Painter, Picture, Request

@@ -14,7 +14,7 @@ import numpy as np
 from airlight.errors import FileError
 from airlight.exports.whole_file import check_target
 from airlight.gpu.device.device import Device, NoDevice, open_device
-from airlight.gpu.solve_planet import live_solver
+from airlight.paint.solve_planet import live_solver
 from airlight.scene import look_at
 from airlight.viewer.navigation.viewpoints import VIEWPOINTS, view_of
 from airlight.viewer.painting.picture_cpu import CpuPainter

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from time import perf_counter
 from typing import Any, Final
 
-from airlight.gpu.solve_planet import PlanetSolver
+from airlight.paint.solve_planet import PlanetSolver
 from airlight.viewer.background.error_line import Faults
 from airlight.viewer.navigation.flight import Flight
 from airlight.viewer.navigation.keys import RATES

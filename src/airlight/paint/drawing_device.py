@@ -1,0 +1,54 @@
+"""The device that draws a picture, and the reason why it is not the one asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Literal
+
+if TYPE_CHECKING:
+    from airlight.gpu.device.device import Device
+    from airlight.planets.planet import Planet
+
+#: Who is asked to draw.
+Choice = Literal["auto", "cpu", "gpu"]
+
+
+def drawing_device(
+    choice: Choice,
+    planet: Planet,
+    wavelengths: int,
+    width: int,
+    refused: Callable[[str], None] | None = None,
+) -> Device | None:
+    """Device that can draw a picture, or None for the processor.
+
+    Parameters
+    ----------
+    choice : "auto", "cpu" or "gpu"
+        ``auto`` takes no device in software, and refuses silently; ``gpu`` takes either.
+    planet : Planet
+        Planet whose constituents the shaders must hold.
+    wavelengths : int
+        Number of wavelengths.
+    width : int
+        Width of the picture. [pixel]
+    refused : callable, optional
+        Receives the reason, one line, where ``gpu`` has to leave the work to the processor.
+    """
+    if choice == "cpu":
+        return None
+    from airlight.errors import ParameterError
+    from airlight.gpu.device.device import NoDevice, open_device
+    from airlight.paint.solve_planet import check_room
+
+    try:
+        check_room(planet, wavelengths)
+        device = open_device()
+        widest = device.device.limits["max-texture-dimension-2d"]
+        if width > widest:
+            raise ParameterError("--size", width, f"at most {widest} pixels in a row on the GPU")
+    except (NoDevice, ParameterError) as reason:
+        if choice == "gpu" and refused is not None:
+            refused(str(reason))
+        return None
+    return None if choice == "auto" and device.software else device

@@ -1,0 +1,116 @@
+"""``paint_scene``: a planet and a scene become a frame, on the processor or on a device."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Final
+
+from airlight.errors import ParameterError
+from airlight.paint.drawing_device import Choice, drawing_device
+from airlight.paint.solve_planet import solve_planet
+from airlight.planets.picture_wavelengths import LIVE, picture_wavelengths
+from airlight.scene.frame import Frame
+
+if TYPE_CHECKING:
+    from airlight.kernel.threads import Cancel, Progress
+    from airlight.planets.planet import Planet
+    from airlight.scene import Scene
+
+#: The frame's ``device`` where no other draws.
+PROCESSOR: Final = "processor"
+#: Fewest wavelengths that have colours.
+FEWEST: Final = 3
+
+
+def paint_scene(
+    planet: Planet,
+    scene: Scene,
+    *,
+    wavelengths: Sequence[float] | None = None,
+    quality: str = "default",
+    device: Choice = "cpu",
+    exact: bool = False,
+    orders: str = "all",
+    cache: bool = True,
+    refused: Callable[[str], None] | None = None,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Frame:
+    """Solve a planet and draw what a camera sees of it.
+
+    Parameters
+    ----------
+    planet : Planet
+    scene : Scene
+        Observer, star and camera.
+    wavelengths : sequence of float, optional
+        At least three. By default sixteen over the visible; on a device the four that show colours
+        best, with a matrix fitted to the star. [nm]
+    quality : str
+        As for ``airlight.solve``.
+    device : "cpu", "gpu" or "auto"
+        ``gpu`` leaves to the processor what the device has no room for; ``auto`` takes a device
+        where there is a real one.
+    exact : bool
+        Whether each pixel is marched, instead of read from a table of the sky.
+    orders : str
+        As for ``airlight.render``.
+    cache : bool
+        Whether the processor looks for the solution on disk first, and leaves it there.
+    refused : callable, optional
+        Receives the reason, one line, where ``gpu`` has to leave the work to the processor.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Returns
+    -------
+    Frame
+        Linear sRGB radiance; its metadata name the device.
+
+    Raises
+    ------
+    ParameterError
+        If there are fewer than three wavelengths, or one is outside what the planet covers; if
+        there is no such quality or order.
+    ConvergenceError
+        If the orders of scattering do not converge.
+    Cancelled
+        If ``cancel`` said so.
+
+    Examples
+    --------
+    >>> from airlight import Camera, Scene, load_planet
+    >>> earth = load_planet("earth-atmosphere-plus")
+    >>> scene = Scene(altitude=2.0, sun_zenith=60.0, camera=Camera(width=8, height=6))
+    >>> frame = paint_scene(earth, scene, wavelengths=(680, 550, 440), quality="preview")
+    >>> frame.rgb.shape, frame.metadata["device"]
+    ((6, 8, 3), 'processor')
+    """
+    if wavelengths is not None and len(wavelengths) < FEWEST:
+        raise ParameterError("wavelengths", list(wavelengths), f"{FEWEST} or more, or none given")
+    count = LIVE if wavelengths is None else len(wavelengths)
+    chosen = drawing_device(device, planet, count, scene.camera.width, refused)
+    weights, colour = None, {}
+    nm = wavelengths
+    if nm is None:
+        nm = tuple(picture_wavelengths(planet, most=None if chosen is None else LIVE).tolist())
+        if chosen is not None:
+            from airlight.color.four_wavelengths import fitted_weights
+
+            weights = fitted_weights(nm, planet.star.irradiances)
+            colour = {"colour": "from four wavelengths, fitted to the star"}
+    solution = solve_planet(planet, nm, quality, cache=cache, progress=progress, cancel=cancel)
+    if chosen is None:
+        from airlight.render import render
+
+        frame = render(
+            solution, scene, exact=exact, orders=orders, progress=progress, cancel=cancel
+        )
+    else:
+        from airlight.gpu.picture.pictures import Pictures
+
+        pictures = Pictures(chosen)
+        pictures.show(solution, weights)
+        frame = pictures.frame(scene, exact=exact, orders=orders, progress=progress, cancel=cancel)
+    return replace(frame, metadata={"device": PROCESSOR, **frame.metadata, **colour})
