@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+from importlib.util import find_spec
 from pathlib import Path
 from types import GenericAlias, ModuleType, UnionType
 from typing import Any, get_origin
@@ -55,6 +56,8 @@ def _public_object(name: str) -> tuple[Any, str]:
     """A name of ``airlight`` and how it is imported; ``render`` is a package that can be called."""
     import airlight
 
+    if find_spec(f"airlight.{name}") is not None:  # the package takes the function's place
+        importlib.import_module(f"airlight.{name}")
     value = getattr(airlight, name)
     if isinstance(value, ModuleType):
         return getattr(value, name), f"airlight.{name}.{name}.{name}"
