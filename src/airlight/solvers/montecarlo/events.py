@@ -1,0 +1,176 @@
+"""Events of a history: their points, their share of the star's light, the directions after them.
+
+Every function is inlined into ``histories.follow``; random numbers are drawn in the order in which
+they are written here.
+"""
+
+from __future__ import annotations
+
+from math import cos, exp, log1p, pi, sin, sqrt
+from typing import Final
+
+from airlight.kernel import inlined
+from airlight.optics.density_profile import relative_density
+from airlight.optics.reflection import star_factor
+from airlight.solvers.montecarlo.lit_air import density_in_light, place_in_light
+from airlight.solvers.montecarlo.rays import place_at_depth, point_at
+from airlight.solvers.montecarlo.scattering_angles import lobe_value, random_cosine
+from airlight.solvers.montecarlo.streams import uniform
+
+#: Fraction of the weight after the first event below which roulette begins. [1]
+KEEP: Final = 0.5
+#: Event from which a history ends with a probability of at least 1/20.
+LONG: Final = 100
+#: Largest probability of survival from that event on. [1]
+LONG_SURVIVAL: Final = 0.95
+
+_INVERSE_PI: Final = 1.0 / pi
+
+
+@inlined
+def turned(x, y, z, cosine, azimuth):
+    """Rotate the direction (x, y, z) by an angle away from it and by an azimuth around it."""
+    sine = sqrt(max((1.0 - cosine) * (1.0 + cosine), 0.0))
+    a, b = sine * cos(azimuth), sine * sin(azimuth)
+    # An orthonormal frame without a square root: Duff et al. (2017), JCGT 6(1), 1.
+    sign = 1.0 if z >= 0.0 else -1.0
+    p = -1.0 / (sign + z)
+    q = x * y * p
+    u = cosine * x + a * (1.0 + sign * x * x * p) + b * q
+    v = cosine * y + a * sign * q + b * (sign + y * y * p)
+    w = cosine * z - a * sign * x - b * y
+    scale = 1.0 / sqrt(u * u + v * v + w * w)
+    return u * scale, v * scale, w * scale
+
+
+@inlined
+def start_vectors(mu, mu_s, nu):
+    """Horizontal components of the view (x, y) and of the direction to the star (x). [1]"""
+    sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
+    sun_x = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
+    around = 1.0
+    if sine * sun_x > 0.0:
+        around = min(max((nu - mu * mu_s) / (sine * sun_x), -1.0), 1.0)
+    return sine * around, sine * sqrt(max((1.0 - around) * (1.0 + around), 0.0)), sun_x
+
+
+@inlined
+def draw_in_air(r, mu, panels, depth, caught, total, lit_share, air, path, lit, state):
+    """Draw the point of a scattering event on a traced ray.
+
+    Parameters
+    ----------
+    r, mu : float
+        Start of the ray. [m], [1]
+    panels, depth : int, float
+        Result of ``trace``.
+    caught : float
+        Probability of a scattering or absorption on the ray, 1 - exp(-depth). [1]
+    total, lit_share : float
+        Result of ``weigh``, 0 if light is not considered; share of the points drawn in light. [1]
+    air, path, lit, state :
+        See ``follow``.
+
+    Returns
+    -------
+    along, strength : float
+        Distance along the ray [m] and extinction there [m⁻¹].
+    mixture : float
+        Density with which the point was drawn over exponential attenuation; 0 for a point that
+        cannot be used. [1]
+    """
+    if total > 0.0 and uniform(state) < lit_share:
+        at, t, wanted = place_in_light(
+            uniform(state), uniform(state), panels, total, air.extinction, path, lit
+        )
+    else:
+        wanted = min(-log1p(-uniform(state) * caught), depth)
+        at, t = place_at_depth(wanted, panels, air.extinction, path)
+    along, strength, slope = point_at(path.panels[at], t, r, mu, air.extinction)
+    mixture = 1.0
+    if total > 0.0:
+        by_depth = slope * exp(-wanted) / caught
+        by_light = density_in_light(at, t, total, air.extinction, lit)
+        mixture = 0.0
+        if by_depth > 0.0:
+            mixture = (1.0 - lit_share) + lit_share * by_light / by_depth
+    return along, strength, mixture
+
+
+@inlined
+def scattering_shares(altitude, air, shares):
+    """Scattering coefficient at an altitude [m⁻¹]; write each constituent's share to ``shares``."""
+    total = 0.0
+    for i in range(shares.size):
+        amount = 0.0
+        if air.lobes.kinds[i] > 0:
+            amount = air.scattering[i] * relative_density(
+                altitude, air.edges[i], air.coefficients[i]
+            )
+        shares[i] = amount
+        total += amount
+    if total > 0.0:
+        for i in range(shares.size):
+            shares[i] /= total
+    return total
+
+
+@inlined
+def towards_star(sun_x, sun_z, disc, state):
+    """Draw a direction to the star's disc, ``disc`` being 1 - cos of its angular radius. [1]"""
+    a, b, c = sun_x, 0.0, sun_z
+    if disc > 0.0:
+        cosine = 1.0 - disc * uniform(state)
+        a, b, c = turned(a, b, c, cosine, 2.0 * pi * uniform(state))
+    return a, b, c
+
+
+@inlined
+def scattered_share(turn, air, shares):
+    """Share of the star's light that the air scatters back along the history. [sr⁻¹]"""
+    share = 0.0
+    for i in range(shares.size):
+        if shares[i] > 0.0:
+            share += shares[i] * lobe_value(air.lobes, i, turn)
+    return share
+
+
+@inlined
+def reflected_share(mu_s, leaving, turn, returned, air):
+    """Share of the star's light that the ground reflects back along the history. [sr⁻¹]"""
+    share = max(mu_s, 0.0) * _INVERSE_PI
+    return share * (star_factor(air.ground, 0, max(mu_s, 0.0), leaving, turn) / returned)
+
+
+@inlined
+def roulette(weight, reference, event, state):
+    """Weight of a history that goes on; 0 of one that ends.
+
+    Once the weight is below ``KEEP`` of ``reference``, the history survives with probability
+    weight/(KEEP reference), and with a weight raised accordingly; from event ``LONG`` on at most
+    with ``LONG_SURVIVAL``.
+    """
+    survival = min(weight / (KEEP * reference), 1.0)
+    if event >= LONG:
+        survival = min(survival, LONG_SURVIVAL)
+    if survival < 1.0:
+        if uniform(state) >= survival:
+            return 0.0
+        weight /= survival
+    return weight
+
+
+@inlined
+def scattered_direction(u, v, w, air, shares, state):
+    """Draw a constituent by its share, and the direction after scattering by it. [1]"""
+    chosen = shares.size - 1
+    pick = uniform(state)
+    for i in range(shares.size):
+        pick -= shares[i]
+        if pick < 0.0:
+            chosen = i
+            break
+    while shares[chosen] <= 0.0:  # rounding went past the last scatterer
+        chosen -= 1
+    cosine = random_cosine(air.lobes, chosen, state)
+    return turned(u, v, w, cosine, 2.0 * pi * uniform(state))
