@@ -126,23 +126,33 @@ def picture_size(text: str | None, projection: str) -> tuple[int, int]:
     >>> picture_size("512", "cubemap")
     (3072, 512)
     """
+    from airlight.scene.projections import PROJECTIONS
+
+    form = PROJECTIONS[projection]
     if text is None:
-        return {
-            "fisheye": (1024, 1024),
-            "equirectangular": (2048, 1024),
-            "cubemap": (6 * 512, 512),
-        }.get(projection, (1280, 720))
+        return form.size
     match = re.fullmatch(r"\s*(\d{1,6})\s*(?:[xX×]\s*(\d{1,6})\s*)?", text)
     if match is None:
         raise ParameterError("--size", text, "WIDTHxHEIGHT such as 1280x720, or one number")
     width = int(match[1])
     if match[2] is not None:
         return width, int(match[2])
-    if projection == "cubemap":
-        return 6 * width, width
-    if projection == "equirectangular":
-        return width, width // 2
-    return width, width
+    return form.sized(width)
+
+
+def projection(text: str) -> str:
+    """Check the name of a projection.
+
+    Examples
+    --------
+    >>> projection("fisheye")
+    'fisheye'
+    """
+    from airlight.scene.projections import PROJECTIONS
+
+    if text not in PROJECTIONS:
+        raise ParameterError("--projection", text, ", ".join(PROJECTIONS))
+    return text
 
 
 def exposure(text: str) -> float | Literal["auto"]:

@@ -67,7 +67,7 @@ def render(
         ),
     ] = None,
     projection: Annotated[
-        Literal["perspective", "fisheye", "equirectangular", "cubemap"],
+        str,
         typer.Option(
             metavar="NAME",
             help="perspective, fisheye (dome master), equirectangular (panorama) or cubemap.",
@@ -137,6 +137,7 @@ def render(
     picture_suffix(output)
     ev = options.exposure(exposure)
     _check_tone_map(tone_map)
+    projection = options.projection(projection)
     world = options.planet(planet, set_)
     height = options.length(altitude, "--altitude")
     sun = options.angle(sun_zenith, "--sun-zenith")

@@ -56,7 +56,7 @@ def view(
         str | None, typer.Option(metavar="ANGLE", help="Between the picture's sides.")
     ] = None,
     projection: Annotated[
-        Literal["perspective", "fisheye", "equirectangular", "cubemap"] | None,
+        str | None,
         typer.Option(metavar="NAME", help="perspective, fisheye, equirectangular or cubemap."),
     ] = None,
     size: Annotated[
@@ -113,7 +113,10 @@ def view(
             "view.longitude": (longitude, options.angle, "--longitude"),
             "view.sun_azimuth": (sun_azimuth, options.angle, "--sun-azimuth"),
         },
-        choices={"view.projection": projection, "display.tone_map": tone_map},
+        choices={
+            "view.projection": projection and options.projection(projection),
+            "display.tone_map": tone_map,
+        },
         ev=options.exposure(exposure),
         quality=quality,
     )

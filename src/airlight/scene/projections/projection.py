@@ -22,10 +22,14 @@ class Projection:
     pixel_angle : callable
         Function ``pixel_angle(width, height, field_of_view)`` that gives the angle of one pixel
         where the picture looks straight ahead. [rad]
-    fits : callable
-        Function ``fits(width, height)``: whether a picture may have this size.
+    aspect : int or None
+        Width over height that a picture must have; None for any. [1]
     shape : str
-        Description of the allowed sizes, for the error.
+        Description of that, for the error.
+    size : (int, int)
+        Default width and height. [pixel]
+    sized : callable
+        Function ``sized(number)`` that gives width and height where one number is given. [pixel]
     field_of_view : float
         Default field of view. [deg]
     field_of_view_limits : (float, float)
@@ -37,8 +41,14 @@ class Projection:
     name: str
     ray: Callable[[float, float, float, float, float], tuple[float, float, float]]
     pixel_angle: Callable[[int, int, float], float]
-    fits: Callable[[int, int], bool]
-    shape: str
     field_of_view: float
     field_of_view_limits: tuple[float, float]
     look_zenith: float
+    aspect: int | None = None
+    shape: str = "any shape"
+    size: tuple[int, int] = (1280, 720)
+    sized: Callable[[int], tuple[int, int]] = lambda number: (number, number)
+
+    def fits(self, width: int, height: int) -> bool:
+        """Whether a picture may have this size. [pixel]"""
+        return self.aspect is None or width == self.aspect * height

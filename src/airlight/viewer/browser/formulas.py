@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from functools import cache
 from typing import Any, Final
@@ -67,7 +68,11 @@ def emitted_formulas() -> Emitter:
 
 @cache
 def formulas_text() -> str:
-    """The module ``generated/formulas.js``: a function each, and pixel angles by projection."""
+    """The module ``generated/formulas.js``: a function each, and what depends on the projection."""
     angles = ", ".join(f"{name}: pixel_angle_{name}" for name in PROJECTIONS)
-    table = f"export const PIXEL_ANGLES = {{ {angles} }};\n"
-    return f"{emitted_formulas().functions_text()}\n{table}"
+    aspects = {name: form.aspect for name, form in PROJECTIONS.items()}
+    tables = (
+        f"export const PIXEL_ANGLES = {{ {angles} }};\n"
+        f"export const ASPECTS = {json.dumps(aspects)};\n"
+    )
+    return f"{emitted_formulas().functions_text()}\n{tables}"

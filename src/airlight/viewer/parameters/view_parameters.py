@@ -224,7 +224,7 @@ def fitting(projection: str, width: int, height: int) -> tuple[int, int]:
     >>> fitting("equirectangular", 1280, 720), fitting("perspective", 1280, 720)
     ((1280, 640), (1280, 720))
     """
-    ratio = {"equirectangular": 2, "cubemap": 6}.get(projection)
+    ratio = PROJECTIONS[projection].aspect
     if ratio is None:
         return max(1, width), max(1, height)
     side = max(1, min(height, width // ratio))

@@ -4,12 +4,9 @@
  * The frame has z to the zenith, x to the sun's side and y to the left of x; azimuth grows
  * clockwise seen from above. The formulas are Python's: scene/directions.py and scene/observer.py.
  */
-import { camera_frame, direction_of, ground_axes } from "../generated/formulas.js";
+import { ASPECTS, camera_frame, direction_of, ground_axes } from "../generated/formulas.js";
 
 const RADIAN = Math.PI / 180;
-
-/** Width over height of projections that have a shape of their own. */
-const SHAPES = { equirectangular: 2, cubemap: 6 };
 
 /** Nine numbers as three rows. */
 function rows(nine) {
@@ -18,7 +15,7 @@ function rows(nine) {
 
 /** The largest picture of a projection's shape within a window. [pixel] */
 export function fitting(projection, width, height) {
-  const ratio = SHAPES[projection];
+  const ratio = ASPECTS[projection];
   if (!ratio) return [Math.max(1, width), Math.max(1, height)];
   const side = Math.max(1, Math.min(height, Math.floor(width / ratio)));
   return [ratio * side, side];
