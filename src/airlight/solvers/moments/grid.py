@@ -25,7 +25,7 @@ _LOOKUP = 8192
 
 
 class Grid(NamedTuple):
-    """The nodes of a solution.
+    """Nodes of a solution.
 
     Attributes
     ----------
@@ -53,7 +53,7 @@ class Grid(NamedTuple):
 def make_grid(
     bottom_radius: float, top_radius: float, radii: int, suns: int, depths: Depths
 ) -> tuple[Grid, int]:
-    """Make the grid of a shell; light is gathered at every ``parts``-th of its radii.
+    """Make the grid of a shell.
 
     Parameters
     ----------
@@ -63,6 +63,12 @@ def make_grid(
         Numbers of nodes; thick air gets more radii.
     depths : Depths
         Depths at even steps of the square root of altitude, from the ground to the top.
+
+    Returns
+    -------
+    grid : Grid
+    parts : int
+        Step, in radii of the grid, between those at which light is gathered.
     """
     dip = degrees(acos(bottom_radius / top_radius))
     width, shift = 0.6 * dip, 0.3 * dip

@@ -52,7 +52,7 @@ _BLOCK = 2048
 
 
 class MomentsSolution(Solution):
-    """A solution by the moments solver.
+    """Solution by the moments solver.
 
     Parameters
     ----------

@@ -30,7 +30,7 @@ def star_at(seen, low_columns, high_columns, spread, extinction, constituents, l
     seen : float
         Visible part of the star, from ``star_points``. [1]
     low_columns, high_columns : array, shape (nc,)
-        Columns from the point to space, towards the two points that stand for the star. [m]
+        Columns from the point to space, towards the two points that represent the star. [m]
     spread : bool
         Whether these two differ.
     extinction, constituents, lanes, at :
@@ -148,7 +148,7 @@ def level_star(below, above, from_low, from_high, extinction, constituents, lane
 
     Parameters
     ----------
-    below, above : array, shape (nc,)
+    Columns towards the two points that represent the star. [m]
         Columns towards the two points that stand for the star. [m]
     from_low, from_high : float
         Weights from ``level_light``. [1]

@@ -27,7 +27,7 @@ Float32Array = NDArray[np.float32]
 #: each is a texture that the shader reads.
 SWEEP_IMAGES: Final = 7
 PASS_IMAGES: Final = 5
-#: Passes give up after so many orders: such air is left to the CPU.
+#: Number of orders after which passes give up: such air is left to the CPU.
 MOST_PASSES: Final = 60
 
 
