@@ -38,8 +38,8 @@ BENDING: Final = "bending"
 BENDING_WAVELENGTH: Final = 550.0
 #: Largest number of wavelengths of one medium.
 MOST_WAVELENGTHS: Final = 2000
-#: Media that a planet keeps, since reader, solver and pictures ask for the same, and their largest
-#: number of wavelengths.
+#: Number of media that a planet keeps, since reader, solver and pictures request the same, and
+#: their largest number of wavelengths.
 MOST_KEPT: Final = 2
 MOST_KEPT_WAVELENGTHS: Final = 64
 

@@ -41,7 +41,7 @@ def picture_wavelengths(
         ``COUNTS``: few are chosen for their colours, many are evenly spaced. By default sixteen, or
         the four chosen wavelengths where no more fit.
     most : int, optional
-        Limit where the picture is drawn: 3 or 4; a word that asks for more gets 4.
+        Limit where the picture is drawn: 3 or 4; a word for more wavelengths gets 4.
 
     Returns
     -------

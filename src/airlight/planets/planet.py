@@ -217,7 +217,7 @@ class Constituent(Record):
         Parameters
         ----------
         wavelengths, thickness
-            As for ``scattering_coefficients``; a column of gas is spread over the shell too.
+            See ``scattering_coefficients``; a column of gas is spread over the shell too.
             [nm], [m]
         """
         if isinstance(self.absorption, Absorber):
@@ -235,7 +235,7 @@ class Constituent(Record):
         Parameters
         ----------
         wavelengths, thickness
-            As for ``scattering_coefficients``. [nm], [m]
+            See ``scattering_coefficients``. [nm], [m]
 
         Raises
         ------
@@ -314,7 +314,7 @@ class Planet(Record):
     ground : Ground
     star : Star
     constituents : tuple of Constituent
-        At least one, at most 64.
+        Constituents, 1 to 64.
     own_wavelengths : tuple of float, optional
         Default wavelengths of the planet. [nm]
     description : str, optional

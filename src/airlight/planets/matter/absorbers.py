@@ -300,7 +300,7 @@ class SmallParticleAbsorption(Absorber):
 
     @classmethod
     def declared(cls, table: FileTable | None = None) -> tuple[Key, ...]:
-        """Single key of an absorber's table, which holds a table of its own."""
+        """Single key of an absorber's table, which holds a nested table."""
         return (
             Key(
                 name=cls.keyword,

@@ -85,7 +85,7 @@ class Matter(Record, ABC):
 
     @property
     def needs_phase(self) -> str:
-        """Name of matter without its own phase function, so that the file gives one; else empty."""
+        """Name of matter without its own phase function, so that the file gives one; or empty."""
         return ""
 
     def own_scale_height(self) -> float | None:

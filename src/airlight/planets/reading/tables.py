@@ -48,7 +48,7 @@ class _Listed:
 
 
 def _planet() -> _Listed:
-    """Keys of a whole file: those of a planet, with the shell's in a table of their own."""
+    """Keys of a whole file: those of a planet, with the shell's in a nested table."""
     own = Planet.declared()
     first = next(i for i, key in enumerate(own) if key.kind == "table")
     shell = Key(name="shell", label="shell", help="Where the air lies.", kind="table",

@@ -51,7 +51,7 @@ class PhaseFunction(Record, ABC):
     Attributes
     ----------
     molecular : bool
-        Whether it is that of molecules: then given scattering coefficients follow λ⁻⁴.
+        Whether it belongs to molecules: then given scattering coefficients follow λ⁻⁴.
     """
 
     molecular: ClassVar[bool] = False
@@ -98,7 +98,7 @@ class FormulaPhase(PhaseFunction):
     Attributes
     ----------
     formula : callable
-        The ``@kernel`` of nu and the fields, as a ``staticmethod``. [sr⁻¹]
+        Formula: the ``@kernel`` of nu and the fields, as a ``staticmethod``. [sr⁻¹]
     """
 
     formula: ClassVar[Callable[..., float]]
