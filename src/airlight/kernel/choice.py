@@ -19,9 +19,9 @@ def chosen_kernel(name: str, choices: Sequence[Any], module: str) -> Any:
     ----------
     name : str
         Name of the kernel.
-    Kernels of the same arguments and results; counted from 0. The last is also called for all
-    larger numbers.
-        numbers.
+    choices : sequence of kernels
+        Kernels of the same arguments and results; counted from 0. The last is also called for all
+        larger numbers.
     module : str
         ``__name__`` of the module that lists the choices: compiled code on disk is keyed by its
         file and its imports.

@@ -196,7 +196,7 @@ class Constituent(Record):
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
         thickness : float
             Thickness of the shell, over which an optical depth is spread. [m]
         """
@@ -272,7 +272,7 @@ class Constituent(Record):
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
         degree : int
             Highest degree l.
         """
@@ -287,7 +287,7 @@ class Constituent(Record):
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
 
         Raises
         ------
