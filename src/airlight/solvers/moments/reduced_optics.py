@@ -50,10 +50,7 @@ def is_peaked(beyond):
 
 @kernel
 def cut_weight(depth):
-    """Weight of the removal of forward peaks, by the vertical scattering depth of what is peaked.
-
-    From 0 (thin) to 1 (thick). [1]
-    """
+    """Weight of the removal of forward peaks, by the scattering depth of what is peaked. [1]"""
     return 1.0 - exp(-((depth / THIN) ** 2))
 
 

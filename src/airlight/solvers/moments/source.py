@@ -148,8 +148,8 @@ def level_star(below, above, from_low, from_high, extinction, constituents, lane
 
     Parameters
     ----------
-    Columns towards the two points that represent the star. [m]
-        Columns towards the two points that stand for the star. [m]
+    below, above : array, shape (nc,)
+        Columns towards the two points that represent the star. [m]
     from_low, from_high : float
         Weights from ``level_light``. [1]
     extinction, constituents, lanes, at :
