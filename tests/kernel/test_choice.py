@@ -1,4 +1,4 @@
-"""A chosen kernel answers as the kernels it was made of."""
+"""A chosen kernel gives the results of the kernels it was made of."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def through_all(x, y, out):
 
 
 def test_each_number_has_its_kernel_and_the_last_answers_beyond() -> None:
-    # 2 + 3, exchanged, nothing; from Python and from a compiled loop.
+    # 2 + 3, exchanged, zero; from Python and from a compiled loop.
     assert [either(which, 2.0, 3.0) for which in range(3)] == [(5.0, 2.0), (3.0, 2.0), (0.0, 0.0)]
     out = np.empty((4, 2))
     through_all(2.0, 3.0, out)

@@ -1,4 +1,4 @@
-"""Results on disk: whole or not there."""
+"""Results on disk: complete or absent."""
 
 from __future__ import annotations
 
@@ -131,7 +131,7 @@ def planet(reference_earth: Callable[..., Planet]) -> Planet:
 
 
 def sky(planet: Planet, **options: object) -> tuple[float, np.ndarray]:
-    """Seconds that the solution took (0 from the cache) and some of its radiances."""
+    """Time of the solution (0 from the cache) [s], and some of its radiances."""
     solution = solve(planet, [550.0], "preview", **options)  # type: ignore[arg-type]
     views = np.linspace(0.0, 180.0, 19)
     radiance = solution.radiance(altitude=1e3, sun_zenith=70.0, view_zenith=views, azimuth=30.0)

@@ -20,7 +20,7 @@ def forget() -> None:
 
 @pytest.fixture
 def write(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Write:
-    """Write a module of a package of the test's own."""
+    """Write a module of the test's own package."""
     monkeypatch.setattr(fingerprints, "_PACKAGE", tmp_path)
     forget()
 

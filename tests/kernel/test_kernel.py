@@ -1,4 +1,4 @@
-"""A formula compiled once answers scalars, arrays and other kernels alike."""
+"""A formula compiled once gives the same for scalars, arrays and other kernels."""
 
 from __future__ import annotations
 
@@ -89,16 +89,16 @@ def _run_with_cache(folder: Path | str, kind: str = "float64") -> str:
 
 
 def test_a_kernel_and_its_array_function_share_a_cache_in_peace(tmp_path: Path) -> None:
-    # Straight up from 6400 km to 6500 km are 100 km; the second process reads what the first
-    # compiled. An entry of the one kind taken for the other crashes the process.
+    # Straight up from 6400 km to 6500 km are 100 km; the second process reads the code that the
+    # first compiled. An entry of one kind taken for the other crashes the process.
     first, second = _run_with_cache(tmp_path), _run_with_cache(tmp_path)
     assert first == second == "100000.0 100000.0\n"
     assert list((tmp_path / "kernels").rglob("*.nbi"))
 
 
 def test_processes_do_not_overwrite_each_others_code(tmp_path: Path) -> None:
-    # The second process finds no index, as one that has looked a moment before the first wrote it.
-    # Numba alone would give its code, of other types, the first one's name.
+    # The second process finds no index, as if it had looked just before the first wrote it.
+    # Numba alone would give its code, of other types, the first's name.
     assert _run_with_cache(tmp_path) == "100000.0 100000.0\n"
     kept = {file: file.read_bytes() for file in tmp_path.rglob("*.nbc")}
     assert len(kept) >= 2
@@ -110,7 +110,7 @@ def test_processes_do_not_overwrite_each_others_code(tmp_path: Path) -> None:
 
 
 def test_formulas_work_where_nothing_can_be_kept() -> None:
-    # A file is where the folder should be: nothing can be written below it.
+    # A file has the folder's name: nothing can be written below it.
     assert _run_with_cache(os.devnull) == "100000.0 100000.0\n"
 
 

@@ -1,4 +1,4 @@
-"""Eight lanes do what eight float32 numbers do."""
+"""Eight lanes compute the same as eight float32 numbers."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def copy_from(x, first, out, to):
 
 
 def exponentials(x: np.ndarray) -> np.ndarray:
-    """e^x by lanes; the length of x is filled up to a multiple of eight."""
+    """e^x by lanes; the length of x is extended to a multiple of eight."""
     filled = np.resize(np.asarray(x, np.float32), -(-len(x) // LANES) * LANES)
     out = np.empty_like(filled)
     all_exponentials(filled, out)

@@ -1,4 +1,4 @@
-"""Planet files that are right, for tests that break them."""
+"""Valid planet files, for tests that damage them."""
 
 from __future__ import annotations
 
@@ -38,11 +38,11 @@ absorption = ["0.65e-6 /m", "1.881e-6 /m", "0.085e-6 /m"]
 
 @pytest.fixture
 def good() -> str:
-    """The file of the issue, flat sunlight apart."""
+    """The file of the issue, except for a flat solar spectrum."""
     return GOOD
 
 
 @pytest.fixture
 def composed() -> str:
-    """A file by composition, with every kind of absorber."""
+    """File by composition, with every kind of absorber."""
     return Path(__file__).with_name("composed.toml").read_text(encoding="utf-8")

@@ -40,7 +40,7 @@ def test_a_column_has_its_golden_optical_depth_however_it_is_given(cross_section
 
 
 def test_oxygen_is_equations_13_and_14_of_openspace():
-    # β(h) = σ N₀ 0.2095 exp(-h/H), put together by hand at 0, 8 and 24 km
+    # β(h) = σ N₀ 0.2095 exp(-h/H), computed by hand at 0, 8 and 24 km
     sigma = np.array([1e-29, 2e-29, 3e-29])
     oxygen = Constituent(
         name="oxygen",

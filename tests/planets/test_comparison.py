@@ -1,4 +1,4 @@
-"""What differs between two planets, and by how much."""
+"""Differences between two planets, and their size."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ GREEN = (550.0,)
 
 
 def found(rows, part, quantity):
-    """The one row of a part and quantity."""
+    """The only row of a part and quantity."""
     (row,) = [row for row in rows if (row.part, row.quantity) == (part, quantity)]
     return row
 
@@ -51,7 +51,7 @@ def test_the_other_way_round_the_differences_change_sign():
 
 
 def test_the_misprint_of_atmosphere_plus_changes_the_albedo_from_0_9_to_0_476():
-    # 3.996/4.44 and 3.996/8.396, and what follows for the whole air
+    # 3.996/4.44 and 3.996/8.396, and the resulting values of the whole air
     names = ("earth-atmosphere-plus", "earth-atmosphere-plus-literal")
     rows = compare(*(load_planet(name) for name in names), GREEN)
     albedo = found(rows, "aerosol", "single-scattering albedo")
@@ -59,7 +59,7 @@ def test_the_misprint_of_atmosphere_plus_changes_the_albedo_from_0_9_to_0_476():
     depth = found(rows, "aerosol", "optical depth")
     # 1.2 km within 100 km
     assert_allclose(depth.absolute, (8.396e-6 - 4.44e-6) * 1200.0, rtol=1e-12)
-    # nothing else of the aerosol, and of the whole air its depth and albedo alone: what scatters
+    # nothing else of the aerosol, and of the whole air only its depth and albedo: the scattering
     # is the same in both
     assert quantities(rows) == {
         ("aerosol", "absorption coefficient"),
@@ -170,10 +170,10 @@ def test_a_gas_says_what_follows_from_its_composition():
     assert_allclose(values["scale height", "m"], height, rtol=1e-4)
     assert values["number density", "m⁻³"] == (2.8e23,)
     assert_allclose(values["King factor", ""], (6 + 0.27) / (6 - 0.63), rtol=1e-12)
-    # Lorentz-Lorenz keeps the proportion to 2e-4
+    # the Lorentz-Lorenz relation changes the proportion by at most 2e-4
     assert_allclose(values["n - 1", ""], 4.5019e-4 * 2.8e23 / 2.68678e25, rtol=3e-4)
     assert values["depolarisation", ""] == (0.09,)
-    # what is given by coefficients is made of nothing
+    # a constituent given by coefficients has no matter
     assert made_of(load_planet("earth-openspace").constituents[1], GREEN) == {}
 
 

@@ -1,4 +1,4 @@
-"""However a planet file is damaged, the answer is one clear line or a medium without a NaN."""
+"""Damaged planet files: the answer is one clear line or a medium without a NaN."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ NASTY = (
 
 @st.composite
 def damaged(draw):
-    """The bytes of a preset with up to four wounds."""
+    """Bytes of a preset with up to four damages."""
     content = bytearray(draw(st.sampled_from(TEXTS)).encode())
     for _ in range(draw(st.integers(1, 4))):
         at = draw(st.integers(0, max(0, len(content) - 1)))
@@ -102,7 +102,7 @@ def test_two_hundred_damaged_files_never_give_a_traceback_or_a_nan(tmp_path_fact
 
 @pytest.mark.parametrize("which", ["good", "composed"])
 def test_every_nasty_value_at_every_place_of_a_file(request, which):
-    # all single wounds of the value kind, none left to chance
+    # all single damages of a value, none chosen at random
     whole = request.getfixturevalue(which)
     places = [(m.start(), m.end()) for m in re.finditer(r"(?<== )[^={}\[\]\n]+(?=[,}\n])", whole)]
     places += [(m.start(), m.end()) for m in re.finditer(r"(?<== )[\[{].*(?=\n)", whole)]

@@ -1,4 +1,4 @@
-"""What docs/planet-files.md shows works as shown."""
+"""Examples of docs/planet-files.md work as shown."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def test_the_page_names_every_gas_with_its_limits():
 
 
 def test_the_particles_of_the_page_are_read():
-    # the block of the page in the place of the aerosol's coefficients
+    # the block of the page instead of the aerosol's coefficients
     whole, _, dust = blocks("toml")
     start = whole.index('scattering = "3.996e-6 /m"')
     stop = whole.index("[[constituents]]", start)
@@ -97,7 +97,7 @@ def test_the_tables_of_the_page_are_those_of_the_declarations():
 
 
 def test_a_range_of_a_declaration_is_the_one_that_is_checked_and_printed():
-    # one number, three readers: the class, the file, the page
+    # one number in three uses: the class, the file, the page
     assert "| `half_width` | 0.001 to 1e6 km | required |" in key_table("profile")
     (key,) = [one for one in keys_of("profile", {"kind": "tent"}) if one.name == "half_width"]
     assert key.range == (1.0, 1e9)

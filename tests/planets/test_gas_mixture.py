@@ -1,4 +1,4 @@
-"""Gases by composition: what follows from it, and what is refused."""
+"""Gases by composition: derived quantities and refused input."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ def test_openspace_standard_set_follows_from_its_refractivity_and_state():
 
 
 def test_first_atmosphere_plus_set_follows_from_its_refractivity_and_density():
-    # n = 1.0003, N = 2.545e25, round molecules: half the last digits of 6.55, 17.3, 23.0
+    # n = 1.0003, N = 2.545e25, isotropic molecules: half the last digits of 6.55, 17.3, 23.0
     gas = GasMixture(
         composition=DRY_AIR, reference_density=2.545e25, refractivity=3e-4, depolarisation=0.0
     )
@@ -114,7 +114,7 @@ def test_first_atmosphere_plus_set_follows_from_its_refractivity_and_density():
 
 
 def test_one_gas_alone_is_that_gas():
-    # the mean of one is itself
+    # the mean of one value is that value
     mixture = GasMixture(composition={"CO2": 1.0}, temperature=215.0, pressure=610.0)
     single = GasScattering(gas="co2", temperature=215.0, pressure=610.0)
     assert_allclose(beta(mixture), single.coefficients(NM), rtol=1e-14)
@@ -150,7 +150,7 @@ def test_a_mixture_scatters_what_its_gases_scatter_into_every_direction(composit
 
 def test_the_cross_section_of_the_mean_refractivity_is_too_small():
     # Eberhard (2010): the mean of squares exceeds the square of the mean, so that the common
-    # short cut underestimates; hydrogen with a refractivity four times helium's by a quarter
+    # approximation underestimates; hydrogen with a refractivity four times helium's by a quarter
     half = GasMixture(composition={"H2": 0.5, "He": 0.5}, temperature=273.15, pressure=101_325.0)
     short_cut = rayleigh.cross_section(
         NM, half.refractivities(NM), half.number_density, half.king_factors(NM)
@@ -172,7 +172,7 @@ def test_refractivity_follows_the_density_as_lorentz_and_lorenz_say():
 
 
 def test_a_given_refractivity_is_moved_from_its_state_to_the_gas():
-    # at its own state it is itself, and its cross-section does not know the gas's pressure
+    # at its own state it is unchanged, and its cross-section does not depend on the gas's pressure
     given = {"refractivity": 2.93e-4, "refractivity_temperature": 273.15}
     gas = replace(AIR, **given, refractivity_pressure=101_325.0)
     same = replace(gas, temperature=273.15)
@@ -182,7 +182,7 @@ def test_a_given_refractivity_is_moved_from_its_state_to_the_gas():
 
 
 def test_fractions_within_a_percent_of_1_are_divided_by_their_sum():
-    # 0.99 and 1.01 times the same air are the same air; a gas of fraction 0 is none
+    # 0.99 and 1.01 times the same air are the same air; a gas of fraction 0 is dropped
     for factor in (0.992, 1.008):
         other = {name: factor * fraction for name, fraction in DRY_AIR.items()}
         gas = replace(AIR, composition={**other, "SO2": 0.0})

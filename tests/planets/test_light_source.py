@@ -1,4 +1,4 @@
-"""Light sources: what shines, beside where it stands."""
+"""Light sources: their properties, apart from their direction."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def solution():
 
 
 def test_a_scene_and_its_solution_have_as_many_lights(solution):
-    # They belong together one by one: a direction here, a disc and an irradiance there.
+    # They correspond in order: a direction here, a disc and an irradiance there.
     assert len(Scene().lights) == len(solution.lights) == 1
 
 
@@ -42,7 +42,7 @@ def test_a_medium_alone_knows_its_light_where_it_was_sampled():
 
 
 def test_the_light_itself_has_the_star_s_colour(solution):
-    # Of radiance 1 per irradiance at every wavelength, as a white mirror has: the sun's own XYZ.
+    # Of radiance 1 per irradiance at every wavelength, like a white mirror: the sun's own XYZ.
     (light,) = solution.lights
     spectrum = solution.planet.star.irradiances
     assert_allclose(light.colors().sum(axis=0), sun_color(spectrum), rtol=1e-9)
@@ -56,7 +56,7 @@ def test_a_light_stands_where_the_sun_stood(solution):
 
 
 def test_radiance_is_irradiance_times_the_solution_at_the_light(solution):
-    # What sums over lights will use: the relative radiance, whatever the source.
+    # The terms of a future sum over lights: the relative radiance, whatever the source.
     sight, _ = solution.lines_of_sight(altitude=0.0, sun_zenith=60.0, view_zenith=30.0, azimuth=9.0)
     expected = solution.relative_radiance(sight)[0] * solution.lights[0].irradiance
     got = solution.radiance(altitude=0.0, sun_zenith=60.0, view_zenith=30.0, azimuth=9.0)

@@ -145,7 +145,7 @@ def test_optical_depths_at_550_nm_are_those_cited(name, part, cited):
     medium = medium_of(name)
     depth = medium.vertical_optical_depth[medium.names.index(part), 1]
     print(f"{name:28s} {part:16s} {depth:.5f}, cited {cited:.5f}")
-    # King factors and shells that end below infinity: 2.5 %
+    # King factors and shells of finite height: 2.5 %
     assert_allclose(depth, cited, rtol=0.025)
 
 

@@ -1,4 +1,4 @@
-"""Keys of a planet file changed before it is read."""
+"""Changes of single keys of a planet file before it is read."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def read(path, value):
 
 
 def test_an_override_equals_the_same_key_edited_in_the_file():
-    # the definition: the file with other text in that place
+    # the definition: the file with another text for that key
     edited = FILE.replace('"8 km"', '"9 km"').replace("0.2, 0.3", "0.25, 0.3")
     changed = read_planet(
         FILE,
@@ -52,7 +52,7 @@ def test_an_override_equals_the_same_key_edited_in_the_file():
 
 
 def test_twice_the_dust_is_twice_its_optical_depth():
-    # optical depth is what is set: dust of Mars at 550 nm, the rest untouched
+    # the optical depth is set: dust of Mars at 550 nm, the rest unchanged
     nm = [680.0, 550.0, 440.0]
     before = Medium.from_planet(load_planet("mars"), nm).vertical_optical_depth
     path = "dust.particles.optical_depth"
@@ -73,14 +73,14 @@ def _tables(name):
 
 
 def test_a_name_with_dots_and_a_name_that_is_a_table_are_both_found():
-    # "air v1.2" is one name; "ground" is the table, and the constituent only by its place
+    # "air v1.2" is one name; "ground" is the table, and the constituent only by its index
     assert read("air v1.2.scattering.pressure", "2 bar").constituents[0].scattering.pressure == 2e5
     assert read("ground.albedo", 0.5).ground.albedo == 0.5
     assert read("constituents[1].absorption", "2e-6 /m").constituents[1].absorption == 2e-6
 
 
 def test_none_takes_a_key_away_and_makes_room_for_another():
-    # a star is an irradiance or a temperature: one must go before the other comes
+    # a star has an irradiance or a temperature: one must be removed before the other is set
     with pytest.raises(ParameterError, match="one of spectrum, irradiance, temperature"):
         read("star.spectrum", "astm-g173")
     sun = read_planet(

@@ -25,7 +25,7 @@ name = "dust"
 profile = { kind = "exponential", scale_height = "11 km" }
 wavelengths = "680, 550, 440 nm"
 """
-#: Small particles: nothing here takes long.
+#: Small particles, which are computed quickly.
 SMALL = """
 sizes = { kind = "single", radius = "0.05 um" }
 optical_depth = 0.5
@@ -40,7 +40,7 @@ def _matter(text):
 
 
 def test_particles_are_read_with_all_their_units():
-    # What stands in the file, in SI.
+    # The numbers of the file, in SI.
     found = _matter("""
 [constituents.particles]
 index = { real = 1.52, imaginary = [0.001, 0.006, 0.013] }
@@ -57,7 +57,7 @@ number_density = "1 /cm^3"
 
 
 def test_named_and_mixed_indices_and_other_sizes_are_read():
-    # What stands in the file, in SI.
+    # The numbers of the file, in SI.
     found = _matter(f"""
 [constituents.particles]
 index = {{ matrix = {{ real = 1.5 }}, inclusions = "hematite", fraction = 0.02 }}
@@ -79,7 +79,7 @@ optical_depth = 0.5
 
 
 def test_a_table_beside_the_planet_file_is_found(tmp_path):
-    # A relative path starts at the planet file, not where the program was started.
+    # A relative path starts at the planet file, not at the working directory.
     rows = "# source: me\nwavelength_nm,real,imaginary\n400,1.4,0\n800,1.4,0\n"
     (tmp_path / "mine.csv").write_text(rows)
     file = tmp_path / "dusty.toml"
@@ -99,7 +99,7 @@ def test_optical_depth_is_spread_over_the_profile():
 
 
 def test_absorption_comes_on_top_of_particles():
-    # The shared promise of matter: its own absorption plus what is given.
+    # The contract of all matter: its own absorption plus the given one.
     text = (
         TOP
         + 'absorption = "1e-6 /m"\n'
@@ -110,7 +110,7 @@ def test_absorption_comes_on_top_of_particles():
 
 
 def test_haze_by_turbidity_is_read():
-    # What stands in the file.
+    # The numbers of the file.
     found = _matter(
         PHASE + "turbidity = { turbidity = 2.0, junge = 4.0, rayleigh_optical_depth = 0.0973 }\n"
     )

@@ -23,7 +23,7 @@ FINE = GammaSizes(effective_radius=2e-7, effective_variance=0.1)
 
 @pytest.fixture(autouse=True)
 def _nothing_kept(monkeypatch, tmp_path):
-    """Neither memory nor disk from another test."""
+    """Clear what other tests kept in memory and on disk."""
     monkeypatch.setattr(mie_nodes, "_kept", {})
     monkeypatch.setattr(disk, "cache_folder", lambda: tmp_path)
     particles._phase.cache_clear()
@@ -50,7 +50,7 @@ def test_golden_dust_goes_through_a_planet():
     depth = medium.vertical_optical_depth[0]
     assert_allclose(depth[1], 0.5, rtol=1e-12)
     assert_allclose(depth / depth[1] * 2.267, [2.135, 2.267, 2.382], rtol=0, atol=1e-3)
-    # One size has rings, which 0.1° steps show to 1e-3.
+    # A single size has rings, which 0.1° steps resolve to 1e-3.
     assert_allclose(medium.phase_moments(1)[0, :, 1], [0.750, 0.792, 0.880], rtol=0, atol=1.5e-3)
 
 
@@ -74,7 +74,7 @@ def test_number_density_counts_cross_sections():
     ],
 )
 def test_interpolation_between_nodes_is_within_half_a_per_cent(index, sizes):
-    # Second method: the same theory exactly half-way between the nodes, where the error is largest.
+    # Second method: the same theory exactly half-way between nodes, where the error is largest.
     haze = Particles(index=index, sizes=sizes, optical_depth=0.1)
     nodes = np.array(mie_nodes.bracketing(haze._nodes, np.linspace(550.0, 630.0, 30)))
     middle = np.sqrt(nodes[1:] * nodes[:-1])
@@ -95,7 +95,7 @@ def test_wavelengths_that_the_index_was_given_at_are_exact():
 
 
 def test_phase_functions_integrate_to_one_and_keep_the_mean_cosine():
-    # Laws, for any wavelength between nodes; 2e-4 is what straight lines between angles cost.
+    # Laws, for any wavelength between nodes; 2e-4 is the error of straight lines between angles.
     haze = Particles(index=DUST, sizes=FINE, optical_depth=0.1)
     nm = np.array([445.0, 500.0, 610.0, 688.0])
     moments = haze.phase_function(nm).moments(nm, 1)
@@ -104,7 +104,7 @@ def test_phase_functions_integrate_to_one_and_keep_the_mean_cosine():
 
 
 def test_results_are_kept_in_memory_and_on_disk(monkeypatch):
-    # What is kept is bit for bit what was computed, and nothing is computed again.
+    # Kept results equal the computed ones bit for bit, and nothing is computed again.
     haze = Particles(index=DUST, sizes=FINE, optical_depth=0.1)
     first = haze.cross_sections(RGB), haze.phase_function(RGB)
     particles._phase.cache_clear()
@@ -136,7 +136,7 @@ def test_another_particle_finds_nothing_kept(monkeypatch):
 
 
 def test_a_damaged_file_is_computed_anew(tmp_path):
-    # A file that cannot be trusted counts as not there.
+    # A damaged file counts as absent.
     index, sizes = GivenIndex(real=1.5), SingleSize(radius=1e-7)
     (good,) = mie_nodes.mie_nodes(index, sizes, [550.0])
     mie_nodes._kept.clear()
@@ -147,7 +147,7 @@ def test_a_damaged_file_is_computed_anew(tmp_path):
 
 
 def test_progress_is_reported_and_work_can_be_cancelled():
-    # One step for each wavelength; a cancelled planet is no planet.
+    # One step for each wavelength; a cancelled read returns no planet.
     dust = Particles(index=DUST, sizes=FINE, optical_depth=0.5)
     steps = []
     with pytest.raises(Cancelled):
@@ -158,7 +158,7 @@ def test_progress_is_reported_and_work_can_be_cancelled():
 
 
 def test_five_hundred_wavelengths_cost_no_more_than_the_nodes(monkeypatch):
-    # 430 to 690 nm lie between 13 nodes; a plot asks for hundreds of wavelengths.
+    # 430 to 690 nm lie between 13 nodes; a plot has hundreds of wavelengths.
     calls = []
     compute = mie_nodes._computed
     monkeypatch.setattr(mie_nodes, "_computed", lambda *a: calls.append(a) or compute(*a))
@@ -199,7 +199,7 @@ def test_dust_with_hematite_reddens_the_light_that_it_scatters():
 
 
 def test_the_sizes_of_one_radius_agree():
-    # σ_g = 1 is one radius for all.
+    # σ_g = 1 is a single radius.
     one = LogNormalSizes(median_radius=1e-6, geometric_deviation=1.0)
     assert_array_equal(one.sizes(9).radii, SingleSize(radius=1e-6).sizes(9).radii)
     assert_allclose(one.moment(3), 1e-18, rtol=1e-12)
@@ -259,7 +259,7 @@ def test_particles_too_large_are_refused_by_constituent():
 
 
 def test_planet_of_particles_is_a_planet():
-    # Round trip of limits: what the index covers, and no more.
+    # Round trip of limits: the range of the index, and no more.
     dust = Particles(index=DUST, sizes=FINE, optical_depth=0.5)
     planet = _planet(dust)
     assert isinstance(planet, Planet)

@@ -1,4 +1,4 @@
-"""At which wavelengths a planet is computed for a picture."""
+"""Wavelengths at which a planet is computed for a picture."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def earth():
 
 @pytest.mark.parametrize("word", list(COUNTS))
 def test_few_are_chosen_for_their_colours_and_many_evenly_spaced(earth, word):
-    # The chosen ones stand in color.four_wavelengths, with why; even ones have one step.
+    # The chosen wavelengths are in color.four_wavelengths, with reasons; even ones have one step.
     nm = picture_wavelengths(earth, word)
     assert nm.size == COUNTS[word]
     if nm.size in CHOSEN:
@@ -30,7 +30,7 @@ def test_few_are_chosen_for_their_colours_and_many_evenly_spaced(earth, word):
 
 @pytest.mark.parametrize("word", list(COUNTS))
 def test_no_more_than_fit_are_given(earth, word):
-    # A page holds three or four: the nearest to what is asked.
+    # A page holds three or four: the number nearest to the requested one.
     assert picture_wavelengths(earth, word, most=4).size == min(COUNTS[word], 4)
 
 
@@ -40,7 +40,7 @@ def test_without_a_word_a_still_picture_has_sixteen_and_a_device_four(earth):
 
 
 def test_a_number_means_evenly_spaced_ones(earth):
-    # Three are the classical red, green and blue of the three-wavelength mode, not the chosen ones.
+    # Three are the classical red, green and blue of the three-wavelength mode, not the chosen.
     assert_array_equal(picture_wavelengths(earth, 3), [680.0, 550.0, 440.0])
     assert picture_wavelengths(earth, 9).size == 9
 

@@ -1,4 +1,4 @@
-"""Planets made in Python: checked where they are made, varied with ``replace``."""
+"""Planets made in Python: checked when they are made, varied with ``replace``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The page of planets: its optical depths are what the presets have, and what their sources say."""
+"""The page of planets: its optical depths are those of the presets and of their sources."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def optical_depth(one: Constituent, wavelength: float, thickness: float) -> floa
 
 @pytest.mark.parametrize("row", rows(), ids=lambda row: f"{row.preset} {row.parts}")
 def test_vertical_optical_depths_are_those_of_the_sources(row: Row) -> None:
-    # the source stands in the row; how far off is allowed, and why, below the table
+    # the source is in the row; the tolerance and its reason below the table
     planet = load_planet(row.preset)
     parts = {one.name: one for one in planet.constituents}
     chosen = [parts[name.strip()] for name in row.parts.split("+")]

@@ -1,4 +1,4 @@
-"""The planets that ship: each is what its sources say, each number is cited."""
+"""Planets of the package: each agrees with its sources, each number is cited."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def test_planets_of_their_own_cover_the_visible(name):
 
 def test_earth_is_the_reference_of_the_golden_tables():
     medium = medium_of("earth")
-    # 15 °C, Peck-Reeder, Bates: measured air; ours is composed of its gases, each measured
+    # 15 °C, Peck-Reeder, Bates: measured air; the preset is composed of its gases, each measured
     # elsewhere, which agree with it to 0.2 %
     assert_allclose(1e6 * medium.scattering[0], [4.848, 11.487, 28.710], rtol=2e-3)
     # H 8434 m, half the last printed digit

@@ -1,4 +1,4 @@
-"""Planet files: what they mean, and one clear line for everything that is wrong with one."""
+"""Planet files: their meaning, and one clear line for every error in them."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ def test_scale_height_and_density_follow_from_bulk_parameters(good):
 
 
 def test_air_from_its_refractivity_matches_the_first_atmosphere_plus_notes(good):
-    # AP1 1.6 with the digits put right: (6.55, 17.3, 23.0)e-6 at 650, 510, 475 nm
+    # AP1 1.6 with corrected digits: (6.55, 17.3, 23.0)e-6 at 650, 510, 475 nm
     gas = (
         'scattering = { refractivity = 3e-4, number_density = "2.545e25 /m^3", king_factor = 1.0 }'
     )
@@ -297,7 +297,7 @@ def test_wavelengths_that_are_none_are_refused(good, wavelengths):
 
 
 def test_a_tabulated_phase_function_keeps_its_values_and_its_integral(good):
-    # Henyey-Greenstein written out at 1° steps: its moments are g^l
+    # Henyey-Greenstein tabulated at 1° steps: its moments are g^l
     angles = np.arange(181.0)
     g = 0.5
     rows = (1 - g * g) / (4 * np.pi * (1 + g * g - 2 * g * np.cos(np.radians(angles))) ** 1.5)
@@ -371,7 +371,7 @@ def test_files_with_windows_line_ends_and_a_byte_order_mark_are_read(good, tmp_p
 
 
 def test_tables_are_read_as_their_text_is(good):
-    # two ways to the same planet; the tables stay as they are
+    # two ways to the same planet; the tables are not changed
     tables = tomllib.loads(good)
     before = copy.deepcopy(tables)
     assert read_tables(tables, "test.toml") == read_planet(good, "test.toml")
@@ -379,7 +379,7 @@ def test_tables_are_read_as_their_text_is(good):
 
 
 def test_the_medium_that_the_reader_made_is_the_one_that_is_solved(good):
-    # sampled once where the solver asks for it; another planet or wavelength is sampled anew
+    # sampled once for reader and solver; another planet or wavelength is sampled anew
     planet = read_tables(tomllib.loads(good), "test.toml", wavelengths=lambda planet: [600.0])
     medium = Medium.from_planet(planet, [600.0])
     kept = vars(planet)["_media"]

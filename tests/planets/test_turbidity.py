@@ -38,7 +38,7 @@ def test_literal_turbidity_is_eq_17_as_printed():
     # The specification: 1.064e-4 /m at T = 2 and 550 nm; half the last printed digit.
     haze = LiteralTurbidity(turbidity=2.0)
     assert_allclose(haze.scattering_coefficients([550.0], 1.0), 1.064e-4, rtol=0, atol=5e-8)
-    # C(T) is proportional to T - 1, and no haze is left at T = 1.
+    # C(T) is proportional to T - 1, and there is no haze at T = 1.
     twice = LiteralTurbidity(turbidity=3.0).scattering_coefficients([550.0], 1.0)
     assert_allclose(twice, 2 * haze.scattering_coefficients([550.0], 1.0), rtol=1e-13)
     assert_array_equal(LiteralTurbidity(turbidity=1.0).scattering_coefficients([550.0], 1.0), [0])

@@ -16,12 +16,12 @@ from numba.extending import intrinsic
 
 @intrinsic
 def borrowed(typing_context: Any, value: Any) -> Any:
-    """The same array, or tuple of arrays, without an owner: not to outlive the call it is used in.
+    """Return the same array, or tuple of arrays, without an owner: valid only within the call.
 
     Parameters
     ----------
     value : array, number or tuple of them
-        Kept by the caller of the compiled loop.
+        Arrays or numbers that the caller of the compiled loop keeps.
     """
 
     def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:

@@ -20,11 +20,11 @@ def chosen_kernel(name: str, choices: Sequence[Any], module: str) -> Any:
     name : str
         Name of the kernel.
     choices : sequence of kernels
-        Of the same arguments and results; counted from 0. The last one also answers to all larger
-        numbers.
+        Kernels of the same arguments and results; counted from 0. The last is also called for all
+        larger numbers.
     module : str
-        ``__name__`` of the module that lists the choices: its file, and what it imports, is what
-        compiled code on disk is kept by.
+        ``__name__`` of the module that lists the choices: compiled code on disk is keyed by its
+        file and its imports.
 
     Returns
     -------

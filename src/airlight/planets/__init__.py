@@ -1,4 +1,4 @@
-"""Planets: what they are made of, the files that say so, and the medium that solvers read."""
+"""Planets: their composition, their files, and the medium that solvers read."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What differs between two planets, and by how much: parameters and what follows from them."""
+"""Differences between two planets: parameters and the optical quantities that follow."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from airlight.planets.spectral import narrowest
 FloatArray = npt.NDArray[np.float64]
 Value = float | str | None
 
-#: Numbers closer than this, relative to the larger, do not differ.
+#: Relative difference, to the larger number, below which numbers count as equal.
 SAME: Final = 1e-6
-#: The part that stands for the whole air.
+#: Part name for all constituents together.
 ALL: Final = "all"
-#: A mean cosine below this is that of a symmetric phase function.
+#: Mean cosines below this count as those of a symmetric phase function.
 _ROUNDING: Final = 1e-12
-#: Smallest and largest scattering angle of the phase functions that are compared. [deg]
+#: Smallest and largest scattering angle at which phase functions are compared. [deg]
 _LOBES: Final = (("phase function forward", 1.0), ("phase function backward", -1.0))
 
 
@@ -38,13 +38,13 @@ class Difference:
     part : str
         ``planet``, ``shell``, ``ground``, ``star``, the name of a constituent, or ``all`` of them.
     quantity : str
-        What it is.
+        Name of the quantity.
     unit : str
-        Of the values if they are numbers; empty without one.
+        Unit of numerical values; empty without a unit.
     wavelength : float or None
-        Where it depends on wavelength. [nm]
+        Wavelength of a quantity that depends on it. [nm]
     first, second : float, str or None
-        The values; None where a planet does not have it.
+        Values; None where a planet does not have the quantity.
 
     Examples
     --------
@@ -69,7 +69,7 @@ class Difference:
 
     @property
     def percent(self) -> float | None:
-        """Of the first, if both are numbers and the first is not 0. [%]"""
+        """Difference over the first value, if both are numbers and the first is not 0. [%]"""
         if self.absolute is None or self.first == 0.0:
             return None
         assert isinstance(self.first, float)
@@ -77,12 +77,12 @@ class Difference:
 
 
 def common_wavelengths(first: Planet, second: Planet) -> tuple[float, ...]:
-    """Wavelengths at which both planets are known: the first's own, or the second's, or others.
+    """Wavelengths at which both planets are known: the first's, or the second's, or others.
 
     Returns
     -------
     tuple of float
-        Empty if there are none. [nm]
+        Wavelengths; empty if there are none. [nm]
     """
     low, high = narrowest([first.wavelength_limits, second.wavelength_limits])
     for listed in (first.wavelengths, second.wavelengths, RED_GREEN_BLUE):
@@ -95,14 +95,14 @@ def common_wavelengths(first: Planet, second: Planet) -> tuple[float, ...]:
 def compare(
     first: Planet, second: Planet, wavelengths: tuple[float, ...] | None = None
 ) -> tuple[Difference, ...]:
-    """What differs between two planets.
+    """List the differences between two planets.
 
     Parameters
     ----------
     first, second : Planet
-        In the standard and in the advanced mode, or any two.
+        Planets in the standard and in the advanced mode, or any two.
     wavelengths : tuple of float, optional
-        Where what depends on wavelength is compared; ``common_wavelengths`` if left out. [nm]
+        Wavelengths at which spectral values are compared; ``common_wavelengths`` by default. [nm]
 
     Returns
     -------
@@ -110,7 +110,7 @@ def compare(
         Parameters of planet, shell, ground and star, then each constituent by name with its
         parameters, column, optical depth, single-scattering albedo and phase function, then the
         whole air. A constituent that one planet lacks has an optical depth of 0 there, and its
-        parameters are not listed. What differs by less than a part in a million is left out.
+        parameters are not listed. Differences of less than a part in a million are left out.
 
     Examples
     --------
@@ -129,7 +129,7 @@ def compare(
 
 
 def differs(first: Value, second: Value) -> bool:
-    """Whether two values are not the same, numbers to a part in a million."""
+    """Whether two values differ, numbers by more than a part in a million."""
     if isinstance(first, float) and isinstance(second, float):
         return not math.isclose(first, second, rel_tol=SAME, abs_tol=0.0)
     return first != second
@@ -152,7 +152,7 @@ def _rows(
 
 
 def _bodies(first: Planet, second: Planet, nm: tuple[float, ...]) -> Iterator[Difference]:
-    """Parameters of everything but the constituents."""
+    """Differences of the planet, its shell, ground and star."""
 
     def row(part: str, quantity: str, unit: str, a: Value, b: Value) -> Difference:
         return Difference(part=part, quantity=quantity, unit=unit, first=a, second=b)
@@ -174,7 +174,7 @@ def _bodies(first: Planet, second: Planet, nm: tuple[float, ...]) -> Iterator[Di
     yield from _rows("star", "irradiance", "W m⁻² nm⁻¹", nm, *light)
 
 
-#: Fields that are compared by what follows from them, or are words about the planet.
+#: Fields that are compared by quantities that follow from them, or that describe the planet.
 _TREATED: Final = (
     "name", "description", "bottom_radius", "top_radius", "ground", "star", "constituents",
     "own_wavelengths", "albedo", "spectrum", "irradiance", "temperature", "distance", "radius",
@@ -183,7 +183,7 @@ _TREATED: Final = (
 
 
 def _own_fields(part: str, first: Any, second: Any) -> Iterator[Difference]:
-    """Every other field of the planet, its ground or its star, with its declared unit."""
+    """Differences of the other fields of the planet, ground or star, with their declared units."""
     for name, key in fields_of(type(first)).items():
         if name not in _TREATED:
             sides = [_plain(getattr(side, name)) for side in (first, second)]
@@ -196,7 +196,7 @@ def _plain(value: Any) -> Value:
 
 
 def _air(first: Planet, second: Planet, nm: tuple[float, ...]) -> Iterator[Difference]:
-    """Each constituent by name, then all of them."""
+    """Differences of each constituent by name, then of all of them."""
     planets = (first, second)
     light = [_Light(planet, nm) if nm else None for planet in planets]
     names = dict.fromkeys(one.name for planet in planets for one in planet.constituents)
@@ -236,7 +236,7 @@ def _parameters(
 
 
 class _Light:
-    """What a planet's constituents, and all of them, do to vertical light."""
+    """Optical quantities of a planet's constituents, and of all of them, for vertical light."""
 
     def __init__(self, planet: Planet, nm: tuple[float, ...]) -> None:
         medium = Medium.from_planet(planet, nm)
@@ -253,7 +253,7 @@ class _Light:
         self.lobes = [_with_sum(lobe, lobe * share) for lobe in lobes]
 
     def of(self, name: str) -> dict[tuple[str, str], FloatArray] | None:
-        """Quantities of a constituent, or of ``all``, shape (nl,); None if there is no such."""
+        """Quantities of a constituent, or of ``all``, shape (nl,); None if it does not exist."""
         if name not in self.names:
             return None
         i = self.names.index(name) if name != ALL else -1

@@ -1,4 +1,4 @@
-"""The ground below the air and the star above it."""
+"""Ground below the air and star above it."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ from airlight.planets.spectral import (
 
 FloatArray = npt.NDArray[np.float64]
 
-#: The spectrum that stands for the sun, as measured at 1 au.
+#: Name of the solar spectrum, as measured at 1 au.
 SUN: Final = "astm-g173"
-#: What an editor calls a star that is given by its temperature.
+#: Name in an editor of a star that is given by its temperature.
 BLACK_BODY: Final = "black body"
 
 
 @cache
 def reflectances() -> tuple[str, ...]:
-    """Names of the tables of reflectances that come with the package."""
+    """Names of the reflectance tables in the package."""
     from airlight.spectra.tables import read_spectrum, spectrum_names
 
     tables = [read_spectrum(name) for name in spectrum_names()]
@@ -42,7 +42,7 @@ def reflectances() -> tuple[str, ...]:
 
 
 def _read_albedo(section: Section, name: str, wavelengths: Wavelengths) -> Any:
-    """A number, a list, or the name of a table."""
+    """Read a number, a list, or the name of a table."""
     given = section.raw(name)
     if isinstance(given, str) and given[:1].isalpha():
         return given
@@ -51,17 +51,17 @@ def _read_albedo(section: Section, name: str, wavelengths: Wavelengths) -> Any:
 
 @parameters
 class Ground(Record):
-    """A ground that reflects alike into all directions (Lambert).
+    """Lambertian ground: it reflects equally into all directions.
 
     Parameters
     ----------
     albedo : float, PerWavelength or str
-        Share of light that is reflected, 0 to 1, or the name of a table of it. [1]
+        Fraction of light that is reflected, 0 to 1, or the name of a table of it. [1]
     map : str, optional
         Name of a picture of the ground, used where the ground is seen; the light that the ground
         sends back into the air comes from ``albedo``.
     brightness : float
-        Factor of albedo and picture, 0 to 100; no albedo gets beyond 1. [1]
+        Factor of albedo and picture, 0 to 100; no albedo exceeds 1. [1]
     """
 
     has_wavelengths = True
@@ -109,13 +109,13 @@ class Ground(Record):
 
     @property
     def limits(self) -> Limits:
-        """The wavelengths at which the albedo is known. [nm]"""
+        """Wavelengths at which the albedo is known. [nm]"""
         if isinstance(self.albedo, str):
             return table_limits(self.albedo)
         return spectral_limits(self.albedo)
 
     def albedos(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """The albedo, shape (nl,). [1]"""
+        """Albedo at wavelengths [nm], shape (nl,). [1]"""
         if isinstance(self.albedo, str):
             from airlight.spectra.tables import read_spectrum
 
@@ -131,7 +131,7 @@ def _read_spectrum(section: Section, name: str, wavelengths: Wavelengths) -> str
 
 @parameters
 class Star(Record):
-    """The light that comes in: a measured spectrum, given values, or a black body.
+    """Incoming light: a measured spectrum, given values, or a black body.
 
     Exactly one of ``spectrum``, ``irradiance`` and ``temperature`` is given.
 
@@ -140,16 +140,16 @@ class Star(Record):
     spectrum : str, optional
         ``"astm-g173"``, the sun at 1 au; it is scaled to ``distance``.
     irradiance : float or PerWavelength, optional
-        At the planet, 0 to 1e9. [W m⁻² nm⁻¹]
+        Irradiance at the planet, 0 to 1e9. [W m⁻² nm⁻¹]
     temperature : float, optional
-        Of a black body, seen at ``distance``; needs ``radius``. [K]
+        Temperature of a black body, seen at ``distance``; needs ``radius``. [K]
     distance : float, optional
-        From the star to the planet; 1 au if the spectrum is the sun's. [m]
+        Distance from the star to the planet; 1 au for the solar spectrum. [m]
     radius : float, optional
-        Of the star; the nominal solar radius if the spectrum is the sun's. [m]
+        Radius of the star; the nominal solar radius for the solar spectrum. [m]
     angular_radius : float, optional
-        Half the angle that the star fills in the sky, 0 (a point) to 30; from radius and
-        distance if it is not given. [deg]
+        Half the angle that the star subtends, 0 (a point) to 30; from radius and distance by
+        default. [deg]
 
     Examples
     --------
@@ -295,7 +295,7 @@ class Star(Record):
 
     @property
     def angular_radius_degrees(self) -> float:
-        """Half the angle that the star fills in the sky. [deg]"""
+        """Half the angle that the star subtends at the planet. [deg]"""
         if self.angular_radius is not None:
             return self.angular_radius
         assert self._radius is not None
@@ -304,7 +304,7 @@ class Star(Record):
 
     @property
     def limits(self) -> Limits:
-        """The wavelengths at which the light is known. [nm]"""
+        """Wavelengths at which the light is known. [nm]"""
         if self.spectrum is not None:
             return table_limits(self.spectrum)
         if self.irradiance is not None:

@@ -1,9 +1,9 @@
-"""The light sources of a scene: the star today; a second star or a moon by the same door.
+"""Light sources of a scene: the star today; a second star or a moon has the same interface.
 
-A solution holds the light of one source of irradiance 1 under all its elevations, so each further
-source costs one more look-up: the radiance of a place is the sum over ``lights`` of irradiance
-times the solution at that light's direction. What stands here is what a source is, seen from the
-planet; where it stands in the sky is the scene's (``Scene.lights``, in the same order).
+A solution holds the light of one source of irradiance 1 at all its elevations, so each further
+source costs one more look-up: the radiance at a point is the sum over ``lights`` of irradiance
+times the solution at that light's direction. This module holds a source's properties, seen from the
+planet; its direction is the scene's (``Scene.lights``, in the same order).
 """
 
 from __future__ import annotations
@@ -22,21 +22,21 @@ FloatArray = npt.NDArray[np.float64]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LightSource:
-    """A disc at infinity that lights the planet.
+    """Disc at infinity that lights the planet.
 
     Attributes
     ----------
     name : str
-        ``"star"``.
+        Name of the source: ``"star"``.
     angular_radius : float
-        [rad]
+        Angular radius of the disc. [rad]
     wavelengths : array, shape (nl,)
-        [nm]
+        Wavelengths of the samples. [nm]
     irradiance : array, shape (nl,)
-        At the planet, on a plane that faces the source. [W m⁻² nm⁻¹]
+        Irradiance at the planet, on a plane that faces the source. [W m⁻² nm⁻¹]
     spectrum : callable or None
-        ``spectrum(wavelengths)``, the same at any wavelengths; None where only the samples are
-        known: then colours take the sun's shape between them.
+        ``spectrum(wavelengths)``, the irradiance at any wavelengths; None where only the samples
+        are known: then colours use the sun's spectral shape between them.
     """
 
     name: str
@@ -51,7 +51,7 @@ class LightSource:
         Parameters
         ----------
         weights : array, shape (nl, 3), optional
-            Linear sRGB per radiance; ``picture_weights`` without it.
+            Linear sRGB per radiance; ``picture_weights`` by default.
         """
         if weights is None:
             weights = picture_weights(self.wavelengths, self.spectrum)

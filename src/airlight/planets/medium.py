@@ -1,4 +1,4 @@
-"""The medium: a planet sampled at wavelengths, as plain arrays that kernels can read."""
+"""Medium: a planet sampled at wavelengths, as plain arrays that kernels can read."""
 
 from __future__ import annotations
 
@@ -34,28 +34,28 @@ PHASE_NODES: Final = 4097
 LARGEST_OPTICAL_DEPTH: Final = 1e4
 #: Name of the constituent whose column is the bending of light.
 BENDING: Final = "bending"
-#: The wavelength whose bending stands for all. [nm]
+#: Wavelength whose bending is used for all. [nm]
 BENDING_WAVELENGTH: Final = 550.0
-#: The most wavelengths that one medium is sampled at.
+#: Largest number of wavelengths of one medium.
 MOST_WAVELENGTHS: Final = 2000
-#: Media that a planet keeps, since reader, solver and pictures ask for the same, and their most
-#: wavelengths.
+#: Number of media that a planet keeps, since reader, solver and pictures request the same, and
+#: their largest number of wavelengths.
 MOST_KEPT: Final = 2
 MOST_KEPT_WAVELENGTHS: Final = 64
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Medium:
-    """A planet at ``nl`` wavelengths, with ``nc`` constituents.
+    """Planet sampled at ``nl`` wavelengths, with ``nc`` constituents.
 
     Parameters
     ----------
     bottom_radius, top_radius : float
-        Of the ground and of the top of the air. [m]
+        Radii of the ground and of the top of the air. [m]
     wavelengths : array, shape (nl,)
-        In the order asked for. [nm]
+        Wavelengths in the order given. [nm]
     names : tuple of str, length nc
-        Of the constituents.
+        Names of the constituents.
     scattering, absorption : array, shape (nc, nl)
         Coefficients at relative density 1. [m⁻¹]
     density : DensitySegments
@@ -64,19 +64,19 @@ class Medium:
         Phase functions on the uniform grid u = sin(θ/2) in [0, 1], nu = 1 - 2u²; zero for a
         constituent that does not scatter. [sr⁻¹]
     ground_albedo : array, shape (nl,)
-        [1]
+        Albedo of the ground. [1]
     ground_map : str or None
         Name of a picture of the ground.
     solar_irradiance : array, shape (nl,)
-        At the planet, on a plane that faces the star. [W m⁻² nm⁻¹]
+        Irradiance at the planet, on a plane that faces the star. [W m⁻² nm⁻¹]
     star_angular_radius : float
-        [rad]
+        Angular radius of the star. [rad]
     refractivity : array, shape (nc,)
-        n - 1 of each constituent at relative density 1, at 550 nm or the nearest wavelength that
-        the planet is known at; zero if light goes straight. One value bends all wavelengths
-        alike: the bending of air differs by 3 % over the visible. [1]
+        n - 1 of each constituent at relative density 1, at 550 nm or the nearest wavelength known;
+        zero without refraction. One value bends all wavelengths alike: the bending of air differs
+        by 3 % over the visible. [1]
     constituents : tuple of Constituent
-        What the arrays were sampled from.
+        Constituents from which the arrays were sampled.
     map_brightness : float
         Factor of the picture of the ground. [1]
 
@@ -106,7 +106,7 @@ class Medium:
 
     @property
     def lights(self) -> tuple[LightSource, ...]:
-        """The light sources, sampled at the wavelengths: one today, the star."""
+        """Light sources, sampled at the wavelengths: today only the star."""
         star = LightSource(
             name="star",
             angular_radius=self.star_angular_radius,
@@ -117,7 +117,7 @@ class Medium:
 
     @property
     def ground(self) -> Reflection:
-        """How the ground reflects, at all wavelengths."""
+        """Reflection by the ground, at all wavelengths."""
         return Reflection(LAWS["lambert"], self.ground_albedo)
 
     @classmethod
@@ -129,22 +129,22 @@ class Medium:
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> Medium:
-        """Sample a planet; what was sampled last is kept with the planet.
+        """Sample a planet; the last samples are kept with the planet.
 
         Parameters
         ----------
         planet : Planet
         wavelengths : array, shape (nl,)
-            Within ``planet.wavelength_limits``. [nm]
+            Wavelengths within ``planet.wavelength_limits``. [nm]
         progress, cancel : callable, optional
-            See ``airlight.kernel.threads``: particles take seconds where they are met first.
+            See ``airlight.kernel.threads``: new particles take seconds.
 
         Raises
         ------
         ParameterError
-            If a wavelength is outside, or the planet cannot be: the constituent is named.
+            If a wavelength is outside, or the planet is impossible: the constituent is named.
         Cancelled
-            If ``cancel`` said so.
+            If ``cancel`` returned True.
         """
         nm = _checked_wavelengths(planet, wavelengths)
         kept: dict[bytes, Medium] = vars(planet).setdefault("_media", {})
@@ -214,13 +214,13 @@ class Medium:
 
     @cached_property
     def bent_shell(self) -> BentShell | None:
-        """The shell by optical radius, or None if light goes straight."""
+        """Shell by optical radius, or None without refraction."""
         if not self.refractivity.any():
             return None
         return BentShell.build(self.density, self.refractivity, self.bottom_radius, self.top_radius)
 
     def drawn_straight(self) -> Medium:
-        """The medium in which rays are straight: by optical radius if light is bent, else itself.
+        """Medium in which rays are straight: by optical radius if light is bent, otherwise itself.
 
         It has one more constituent, "bending", which neither scatters nor absorbs; see
         ``optics.bent_density``.
@@ -262,7 +262,7 @@ class Medium:
         )
 
     def phase_function(self, nu: npt.ArrayLike) -> FloatArray:
-        """Phase functions, exact rather than from the table.
+        """Exact phase functions, not interpolated in the table.
 
         Parameters
         ----------
@@ -272,7 +272,7 @@ class Medium:
         Returns
         -------
         array, shape (..., nc, nl)
-            [sr⁻¹]
+            Phase functions. [sr⁻¹]
         """
         return np.stack(
             [one.phase_values(nu, self.wavelengths) for one in self.constituents], axis=-2
@@ -284,7 +284,7 @@ class Medium:
         Parameters
         ----------
         degree : int
-            The last l.
+            Highest degree l.
 
         Returns
         -------
@@ -292,12 +292,12 @@ class Medium:
             g_0 = 1; all zero for a constituent that does not scatter. [1]
         """
         moments = self._moments(degree)
-        # What is left of a table's integral is within INTEGRAL_TOLERANCE: energy is kept exactly.
+        # A table's integral is 1 within INTEGRAL_TOLERANCE; the division conserves energy exactly.
         scatters = moments[..., :1] > 0.0
         return np.divide(moments, moments[..., :1], out=np.zeros_like(moments), where=scatters)
 
     def _moments(self, degree: int) -> FloatArray:
-        """Legendre moments as integrated, g_0 not made 1; shape (nc, nl, degree + 1). [1]"""
+        """Legendre moments as integrated, g_0 not set to 1; shape (nc, nl, degree + 1). [1]"""
         return np.stack([one.phase_moments(self.wavelengths, degree) for one in self.constituents])
 
     def fingerprint(self) -> str:
@@ -333,7 +333,7 @@ class Medium:
         }
 
     def _check(self) -> None:
-        """Refuse what slipped through the checks of the parts: nothing here is NaN or absurd."""
+        """Refuse values that passed the checks of the parts but are NaN or absurd."""
         for name, array in self._arrays().items():
             if not np.isfinite(array).all():
                 raise ParameterError(name, float(array[~np.isfinite(array)][0]), "finite numbers")

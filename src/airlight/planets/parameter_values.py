@@ -1,7 +1,7 @@
-"""The numbers that a constituent was given, each with its name and unit, from any of its parts.
+"""Given numbers of a constituent, each with its name and unit, from any of its parts.
 
 Constituents are made of nested parameter objects: profiles, gases, particles, phase functions.
-Here they become one flat table, so that two of them can be laid side by side.
+Here they become one flat table, so that two of them can be compared.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ from airlight.planets.planet import Constituent
 from airlight.planets.schema.record import fields_of
 from airlight.planets.spectral import PerWavelength
 
-#: What is known: name, unit, wavelength [nm] or None.
+#: Key of a value: name, unit, wavelength [nm] or None.
 Key = tuple[str, str, float | None]
 
-#: Longer tuples are said by their length and checksum.
+#: Longest tuple that is listed; longer ones are shown by their length and checksum.
 _LONGEST: Final = 8
-#: What a gas or particles work out from what they were given, with the unit.
+#: Derived quantities of gases and particles, with their units.
 _DERIVED: Final = {
     "molar_mass": "kg mol⁻¹",
     "scale_height": "m",
@@ -45,20 +45,20 @@ _DERIVED_SPECTRA: Final = {
 def parameter_values(
     constituent: Constituent, thickness: float, wavelengths: tuple[float, ...]
 ) -> dict[Key, float | str]:
-    """Everything that a constituent was given, and its column.
+    """Collect all given values of a constituent, and its column.
 
     Parameters
     ----------
     constituent : Constituent
     thickness : float
-        Of the shell. [m]
+        Thickness of the shell. [m]
     wavelengths : tuple of float
-        Within its limits: where values that depend on wavelength are taken. [nm]
+        Wavelengths within its limits, at which spectral values are taken. [nm]
 
     Returns
     -------
     dict
-        From (name, unit, wavelength or None) to a number in that unit or a word.
+        Map from (name, unit, wavelength or None) to a number in that unit or a word.
 
     Examples
     --------
@@ -131,7 +131,7 @@ def _listed(values: Any, label: str, unit: str, nm: tuple[float, ...]) -> Iterat
 
 
 def _derived(value: Any, label: str, nm: tuple[float, ...]) -> Iterator[Any]:
-    """What the object works out by itself, if it is a gas."""
+    """Derived quantities of the object, if it is a gas."""
     given = {field.name for field in dataclasses.fields(value)}
     for name, unit in _DERIVED.items():
         with contextlib.suppress(ParameterError):  # a gas without gravity has no scale height
@@ -153,7 +153,7 @@ def _joined(label: str, name: str) -> str:
 
 
 def _kind(value: Any) -> str:
-    """What a planet file calls it: ``henyey-greenstein``; else its class: ``ozone-absorption``."""
+    """Kind in a planet file, ``henyey-greenstein``, or the class, ``ozone-absorption``."""
     if isinstance(value, (Profile, PhaseFunction, ParticleSizes)):
         return value.keyword
     return re.sub(r"(?<=[a-z])(?=[A-Z])", "-", type(value).__name__).lower()
@@ -162,18 +162,18 @@ def _kind(value: Any) -> str:
 def made_of(
     constituent: Constituent, wavelengths: tuple[float, ...] = ()
 ) -> dict[tuple[str, str], tuple[float | str, ...]]:
-    """What a gas, particles or an absorber were given, and what follows from it.
+    """Collect the given values of a gas, particles or an absorber, and the derived ones.
 
     Parameters
     ----------
     constituent : Constituent
     wavelengths : tuple of float
-        Where values that depend on wavelength are taken. [nm]
+        Wavelengths at which spectral values are taken. [nm]
 
     Returns
     -------
     dict
-        From (name, unit) to one value, or one for each wavelength; empty for a constituent
+        Map from (name, unit) to one value, or one for each wavelength; empty for a constituent
         that is given by its coefficients.
 
     Examples

@@ -1,4 +1,4 @@
-"""Parameter objects: frozen, keyword only, checked where they are made, with one-line errors."""
+"""Parameter objects: frozen, keyword only, checked when they are made, with one-line errors."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ Instance = TypeVar("Instance")
 
 
 class _Missing:
-    """Stands for a value that is not there: an error about it reads ``… is missing``."""
+    """Marker of a value that was not given: an error about it reads ``… is missing``."""
 
     def __repr__(self) -> str:
         return "missing"
 
 
-#: The value that errors show for a field that was not given.
+#: Value that errors show for a field that was not given.
 MISSING = _Missing()
 
 
@@ -52,7 +52,7 @@ def parameters(cls: Class) -> Class:
 
 
 def _parameter_error(owner: str, error: pydantic.ValidationError) -> ParameterError:
-    """The first complaint of pydantic, as one line."""
+    """First error of pydantic, as one line."""
     first = error.errors(include_url=False)[0]
     own = first.get("ctx", {}).get("error")
     if isinstance(own, ParameterError):
@@ -64,19 +64,19 @@ def _parameter_error(owner: str, error: pydantic.ValidationError) -> ParameterEr
 
 
 def replace(instance: Instance, **changes: Any) -> Instance:
-    """A copy of a parameter object with some fields changed, checked again.
+    """Copy a parameter object with some fields changed, checked again.
 
     Parameters
     ----------
     instance : parameter object
-        A ``Planet``, a ``Constituent``, a profile, …
+        Parameter object: a ``Planet``, a ``Constituent``, a profile, …
     **changes
         Fields and their new values.
 
     Raises
     ------
     ParameterError
-        If a field does not exist or the changed object cannot be.
+        If a field does not exist or the changed object is invalid.
 
     Examples
     --------
@@ -94,7 +94,7 @@ def replace(instance: Instance, **changes: Any) -> Instance:
 
 
 def finite(value: Any, field: str, allowed: str = "a finite number") -> float:
-    """A number as a float, or a ``ParameterError`` with the name of its field."""
+    """Convert a number to a float, or raise a ``ParameterError`` with the name of its field."""
     if isinstance(value, (bool, str, bytes)):
         raise ParameterError(field, value, allowed)
     try:
@@ -109,7 +109,7 @@ def finite(value: Any, field: str, allowed: str = "a finite number") -> float:
 def inside(
     value: Any, field: str, low: float, high: float, unit: str, *, above: bool, below: bool
 ) -> float:
-    """``value`` if it lies between low and high; ``above`` and ``below`` leave the ends out."""
+    """Return ``value`` if it lies from low to high; ``above`` and ``below`` exclude the ends."""
     lower = f"more than {low:g}" if above else f"{low:g}"
     upper = f"less than {high:g}" if below else f"{high:g}"
     allowed = f"{lower} to {upper} {unit}".rstrip()
@@ -122,16 +122,16 @@ def inside(
 def between(
     low: float, high: float, unit: str = "", *, above: bool = False, below: bool = False
 ) -> BeforeValidator:
-    """A check that a field is a finite number in a range.
+    """Validator of a field: a finite number in a range.
 
     Parameters
     ----------
     low, high : float
-        The ends, which belong to the range.
+        Ends, which belong to the range.
     unit : str
-        Shown in the error.
+        Unit in the error.
     above, below : bool
-        Leave the lower or the upper end out.
+        Whether the lower or the upper end is excluded.
     """
 
     def check(value: Any, info: ValidationInfo) -> float:
@@ -141,7 +141,7 @@ def between(
 
 
 def numbers(value: Any, field: str, low: float, high: float, unit: str = "") -> tuple[float, ...]:
-    """A sequence of finite numbers in a range, as a tuple of floats."""
+    """Convert a sequence of finite numbers in a range to a tuple of floats."""
     if isinstance(value, np.ndarray):
         value = value.tolist()
     if isinstance(value, (str, bytes, dict)) or not isinstance(value, Iterable):
@@ -155,7 +155,7 @@ def numbers(value: Any, field: str, low: float, high: float, unit: str = "") -> 
 
 
 def all_between(low: float, high: float, unit: str = "") -> BeforeValidator:
-    """A check that a field is a list of finite numbers, each in a range."""
+    """Validator of a field: a list of finite numbers, each in a range."""
 
     def check(value: Any, info: ValidationInfo) -> tuple[float, ...]:
         return numbers(value, info.field_name or "value", low, high, unit)
@@ -164,7 +164,7 @@ def all_between(low: float, high: float, unit: str = "") -> BeforeValidator:
 
 
 def ascending(values: tuple[float, ...], field: str, unit: str = "") -> None:
-    """Refuse a list that does not grow strictly."""
+    """Refuse a list that is not strictly ascending."""
     for index in range(1, len(values)):
         if values[index] <= values[index - 1]:
             raise ParameterError(
@@ -175,7 +175,7 @@ def ascending(values: tuple[float, ...], field: str, unit: str = "") -> None:
 
 
 def instance_of(*classes: type[Any]) -> BeforeValidator:
-    """A check that a field is an object of one of the classes."""
+    """Validator of a field: an object of one of the classes."""
 
     def check(value: Any, info: ValidationInfo) -> Any:
         if not isinstance(value, classes):
@@ -187,7 +187,7 @@ def instance_of(*classes: type[Any]) -> BeforeValidator:
 
 
 def one_of(*words: str) -> BeforeValidator:
-    """A check that a field is one of several words."""
+    """Validator of a field: one of several words."""
 
     def check(value: Any, info: ValidationInfo) -> Any:
         if value not in words:
@@ -201,5 +201,5 @@ def one_of(*words: str) -> BeforeValidator:
 Length = Annotated[float, between(0.0, 1e9, "m")]
 #: Scale heights: thinner layers than a metre are surfaces. [m]
 ScaleHeight = Annotated[float, between(1.0, 1e9, "m")]
-#: A share of a whole. [1]
+#: Fraction of a whole. [1]
 Fraction = Annotated[float, between(0.0, 1.0)]

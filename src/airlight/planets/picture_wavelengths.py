@@ -1,7 +1,7 @@
-"""At which wavelengths a planet is computed for a picture: one policy for everybody who draws.
+"""Wavelengths at which a planet is computed for a picture: one policy for all renderers.
 
-Pictures that are looked at for long have sixteen, evenly spaced; pictures that follow a hand, and
-all that a texel of a graphics device holds, have the few that show colours best.
+Still pictures have sixteen, evenly spaced; interactive pictures, and everything that a texel of a
+graphics device holds, have the few that reproduce colours best.
 """
 
 from __future__ import annotations
@@ -20,38 +20,38 @@ if TYPE_CHECKING:
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Wavelengths of a picture if nobody says: of a still one, and of one that a device draws.
+#: Default number of wavelengths: of a still picture, and of a picture drawn by a device.
 STILL: Final = 16
 LIVE: Final = 4
-#: How many wavelengths a word stands for.
+#: Number of wavelengths of each word.
 COUNTS: Final = {"three": 3, "four": 4, "eight": 8, "sixteen": 16}
 
 
 def picture_wavelengths(
     planet: Planet, choice: int | str | None = None, *, most: int | None = None
 ) -> FloatArray:
-    """Wavelengths of a picture.
+    """Choose the wavelengths of a picture.
 
     Parameters
     ----------
     planet : Planet
-        Known between its limits.
+        Planet, known between its limits.
     choice : int or str, optional
-        A number: so many over the visible, evenly spaced; three are 680, 550 and 440 nm. A word
-        of ``COUNTS``: few are chosen for their colours, many are evenly spaced. Without it
-        sixteen, or the four chosen ones where no more fit.
+        A number: as many over the visible, evenly spaced; three are 680, 550 and 440 nm. A word of
+        ``COUNTS``: few are chosen for their colours, many are evenly spaced. By default sixteen, or
+        the four chosen wavelengths where no more fit.
     most : int, optional
-        What fits where the picture is drawn: 3 or 4; a word that asks for more gets 4.
+        Limit where the picture is drawn: 3 or 4; a word for more wavelengths gets 4.
 
     Returns
     -------
     array, shape (n,)
-        [nm]
+        Wavelengths. [nm]
 
     Raises
     ------
     ParameterError
-        If there is no such word, or no visible wavelength that the planet is known at.
+        If the word is unknown, or the planet is known at no visible wavelength.
 
     Examples
     --------

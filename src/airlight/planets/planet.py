@@ -1,4 +1,4 @@
-"""A planet: ground, shell of air, star, and what the air is made of."""
+"""Planet: ground, shell of air, star, and the constituents of the air."""
 
 from __future__ import annotations
 
@@ -30,30 +30,30 @@ from airlight.planets.spectral import (
 
 FloatArray = npt.NDArray[np.float64]
 
-#: The wavelengths that stand for red, green and blue. [nm] Bruneton (2008).
+#: Wavelengths of red, green and blue. [nm] Bruneton (2008).
 RED_GREEN_BLUE: Final = (680.0, 550.0, 440.0)
-#: Largest coefficient: light that gets no farther than a metre. [m⁻¹]
+#: Largest coefficient: a mean free path of a metre. [m⁻¹]
 LARGEST_COEFFICIENT: Final = 1.0
-#: The most constituents of a planet.
+#: Largest number of constituents of a planet.
 MOST_CONSTITUENTS: Final = 64
 
 
 def coefficient_key(label: str, text: str, **more: Any) -> Key:
-    """A coefficient at relative density 1."""
+    """Key of a coefficient at relative density 1."""
     return Key(label=label, help=text, unit="1/m", range=(0.0, LARGEST_COEFFICIENT), shown="/km",
                slider=(1e-7, 1.0), scale="log", spectral=True, per="wavelengths",
                **{"example": "5.802e-6 /m", **more})  # fmt: skip
 
 
 def _coefficients_alone(constituent: Mapping[str, Any]) -> bool:
-    """Whether a missing absorption means none: beside nothing that says it otherwise."""
+    """Whether a missing absorption means none: no other key determines it."""
     others = ("extinction", "single_scattering_albedo", "optical_depth", "absorption")
     return not any(name in constituent for name in others)
 
 
 @parameters
 class Constituent(Record):
-    """One thing that the air is made of.
+    """One constituent of the air.
 
     Parameters
     ----------
@@ -66,18 +66,18 @@ class Constituent(Record):
     absorption : float, PerWavelength or Absorber
         Coefficient at relative density 1, 0 to 1. [m⁻¹]
     phase_function : Rayleigh, CornetteShanks, …, optional
-        Needed if it scatters; a gas and ``matter`` have their own, which one given here replaces.
+        Needed if it scatters; replaces the phase function of a gas or of ``matter``.
     matter : Matter, optional
-        What it is made of, a gas mixture or particles; then ``scattering`` is not given, and
+        Substance, a gas mixture or particles; then ``scattering`` is not given, and ``absorption``
         ``absorption`` comes on top of the matter's own.
     amount : float
-        Factor of what it scatters and absorbs at all wavelengths, 0 to 100; a gas bends light as
-        without it. [1]
+        Factor of scattering and absorption at all wavelengths, 0 to 100; the bending of light by a
+        gas is unchanged. [1]
 
     Notes
     -----
-    Given scattering coefficients beside a ``Rayleigh`` phase function follow λ⁻⁴ between and
-    beyond their wavelengths. All else is linear between them and held for 10 nm beyond.
+    Given scattering coefficients beside a ``Rayleigh`` phase function follow λ⁻⁴ between and beyond
+    their wavelengths. All other values are linear between them and constant for 10 nm beyond.
     """
 
     name: Annotated[
@@ -160,14 +160,14 @@ class Constituent(Record):
 
     @property
     def _substance(self) -> Matter | Scatterer | None:
-        """What scatters by itself, with a phase function of its own; None if coefficients do."""
+        """Substance with its own scattering and phase function; None if coefficients are given."""
         if self.matter is not None:
             return self.matter
         return self.scattering if isinstance(self.scattering, Scatterer) else None
 
     @property
     def bends(self) -> bool:
-        """Whether it is a gas whose refractivity is known, so that it bends light."""
+        """Whether it is a gas of known refractivity, so that it bends light."""
         return self._substance is not None and self._substance.bends
 
     @property
@@ -183,7 +183,7 @@ class Constituent(Record):
 
     @property
     def limits(self) -> Limits:
-        """The wavelengths at which everything about it is known. [nm]"""
+        """Wavelengths at which all its properties are known. [nm]"""
         own = (self._substance, self.absorption, self.phase_function)
         limits = [part.limits for part in own if isinstance(part, Record)]
         given = [self.absorption, *([] if self._follows_fourth_power else [self.scattering])]
@@ -196,9 +196,9 @@ class Constituent(Record):
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
         thickness : float
-            Of the shell, over which an optical depth is spread. [m]
+            Thickness of the shell, over which an optical depth is spread. [m]
         """
         return self.amount * self._scattering(wavelengths, thickness)
 
@@ -217,7 +217,7 @@ class Constituent(Record):
         Parameters
         ----------
         wavelengths, thickness
-            As for ``scattering_coefficients``; a column of gas is spread over the shell too.
+            See ``scattering_coefficients``; a column of gas is spread over the shell too.
             [nm], [m]
         """
         if isinstance(self.absorption, Absorber):
@@ -230,12 +230,12 @@ class Constituent(Record):
         return self.amount * total
 
     def refractivities(self, wavelengths: npt.ArrayLike, thickness: float) -> FloatArray:
-        """n - 1 of a gas at relative density 1, shape (nl,); 0 for anything else. [1]
+        """Refractivity n - 1 of a gas at relative density 1, shape (nl,); otherwise 0. [1]
 
         Parameters
         ----------
         wavelengths, thickness
-            As for ``scattering_coefficients``. [nm], [m]
+            See ``scattering_coefficients``. [nm], [m]
 
         Raises
         ------
@@ -272,9 +272,9 @@ class Constituent(Record):
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
         degree : int
-            The last l.
+            Highest degree l.
         """
         nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
         if not self.scatters:
@@ -282,12 +282,12 @@ class Constituent(Record):
         return self.phase_function_at(nm).moments(nm, degree)
 
     def phase_function_at(self, wavelengths: npt.ArrayLike) -> PhaseFunction:
-        """The phase function given, or that of the gas or matter, known at these wavelengths.
+        """Phase function given, or that of the gas or matter, known at these wavelengths.
 
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
 
         Raises
         ------
@@ -303,24 +303,24 @@ class Constituent(Record):
 
 @parameters
 class Planet(Record):
-    """A round ground under a shell of air, lit by a star.
+    """Spherical ground under a shell of air, lit by a star.
 
     Parameters
     ----------
     name : str
         1 to 60 letters.
     bottom_radius, top_radius : float
-        Of the ground and of the top of the air, from the centre. [m]
+        Radii of the ground and of the top of the air, from the centre. [m]
     ground : Ground
     star : Star
     constituents : tuple of Constituent
-        At least one, at most 64.
+        Constituents, 1 to 64.
     own_wavelengths : tuple of float, optional
-        The wavelengths that stand for the planet where none are asked for. [nm]
+        Default wavelengths of the planet. [nm]
     description : str, optional
-        What the numbers are and where they come from, in a sentence or two.
+        Nature and sources of the numbers, in a sentence or two.
     refraction : str, optional
-        ``"bouguer"``: the gases bend light; ``"none"``: it goes straight.
+        ``"bouguer"``: the gases bend light; ``"none"``: rays are straight.
 
     Examples
     --------
@@ -468,15 +468,15 @@ class Planet(Record):
 
     @property
     def wavelength_limits(self) -> Limits:
-        """The wavelengths at which every part is known, lowest and highest. [nm]"""
+        """Wavelengths at which every part is known, lowest and highest. [nm]"""
         return narrowest([(SHORTEST, LONGEST), *self._limits_by_part().values()])
 
     @property
     def wavelengths(self) -> tuple[float, ...]:
-        """The planet's own wavelengths. [nm]
+        """Own wavelengths of the planet. [nm]
 
-        Those it names; else 680, 550 and 440 if every part is known there; else those of the
-        first part that names any.
+        ``own_wavelengths`` if given; otherwise 680, 550 and 440 if every part is known there;
+        otherwise those of the first part that names any.
         """
         if self.own_wavelengths is not None:
             return self.own_wavelengths

@@ -1,4 +1,4 @@
-"""A value that depends on wavelength: one number, or numbers at given wavelengths."""
+"""Values that depend on wavelength: one number, or numbers at given wavelengths."""
 
 from __future__ import annotations
 
@@ -13,30 +13,30 @@ from airlight.errors import ParameterError
 from airlight.planets.parameters import all_between, finite, inside, numbers, parameters
 
 FloatArray = npt.NDArray[np.float64]
-#: The lowest and the highest wavelength at which something is known. [nm]
+#: Lowest and highest wavelength at which something is known. [nm]
 Limits = tuple[float, float]
 
-#: How far beyond its wavelengths a value is held, and no farther. [nm]
+#: Distance beyond its wavelengths over which a value is held. [nm]
 BEYOND: Final = 10.0
-#: Known everywhere. [nm]
+#: Limits of a value that is known everywhere. [nm]
 EVERYWHERE: Final[Limits] = (0.0, math.inf)
-#: Wavelengths that a planet may be asked for or described at. [nm]
+#: Range of the wavelengths at which a planet may be sampled or described. [nm]
 SHORTEST: Final = 10.0
 LONGEST: Final = 1e6
-#: The most wavelengths of one list.
+#: Largest number of wavelengths of one list.
 MOST_WAVELENGTHS: Final = 10_000
 
 
 @parameters
 class PerWavelength:
-    """Values at given wavelengths; linear between them, held up to 10 nm beyond them.
+    """Values at given wavelengths; linear between them, constant up to 10 nm beyond them.
 
     Parameters
     ----------
     wavelengths : tuple of float
-        In any order, none twice. [nm]
+        Wavelengths in any order, without repetitions. [nm]
     values : tuple of float
-        As many.
+        Values, one per wavelength.
 
     Examples
     --------
@@ -57,18 +57,18 @@ class PerWavelength:
 
     @property
     def limits(self) -> Limits:
-        """The wavelengths at which the value is known, the 10 nm included. [nm]"""
+        """Wavelengths at which the value is known, the 10 nm included. [nm]"""
         return min(self.wavelengths) - BEYOND, max(self.wavelengths) + BEYOND
 
     def at(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """The value at wavelengths within ``limits`` [nm], shape (...)."""
+        """Value at wavelengths within ``limits`` [nm], shape (...)."""
         order = np.argsort(self.wavelengths)
         known = np.asarray(self.wavelengths)[order]
         nm = np.asarray(wavelengths, dtype=np.float64)
         return np.asarray(np.interp(nm, known, np.asarray(self.values)[order]))
 
     def at_fourth_power(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """The value at any wavelength [nm], shape (...), as λ⁻⁴ with a factor.
+        """Value at any wavelength [nm], shape (...), as λ⁻⁴ with a factor.
 
         The factor is linear between the given wavelengths and constant beyond them: the law of
         Rayleigh scattering, which the given values need not follow exactly.
@@ -93,7 +93,7 @@ Spectral = float | PerWavelength
 
 
 def spectral(low: float, high: float, unit: str = "") -> BeforeValidator:
-    """A check that a field is a number or ``PerWavelength``, each value in a range."""
+    """Validator of a field: a number or ``PerWavelength``, each value in a range."""
 
     def check(value: Any, info: ValidationInfo) -> Any:
         return check_spectral(value, info.field_name or "value", low, high, unit)
@@ -102,7 +102,7 @@ def spectral(low: float, high: float, unit: str = "") -> BeforeValidator:
 
 
 def check_spectral(value: Any, field: str, low: float, high: float, unit: str = "") -> Spectral:
-    """The number or ``PerWavelength``, or an error that names the value out of range."""
+    """Return the number or ``PerWavelength``, or raise an error with the value out of range."""
     if isinstance(value, PerWavelength):
         numbers(value.values, field, low, high, unit)
         return value
@@ -110,19 +110,19 @@ def check_spectral(value: Any, field: str, low: float, high: float, unit: str = 
 
 
 def spectral_at(value: Spectral, wavelengths: npt.ArrayLike) -> FloatArray:
-    """The value at each wavelength [nm], shape (n,)."""
+    """Value at each wavelength [nm], shape (n,)."""
     if isinstance(value, PerWavelength):
         return value.at(wavelengths)
     return np.full(np.shape(wavelengths), finite(value, "value"))
 
 
 def spectral_limits(*values: Spectral) -> Limits:
-    """The wavelengths at which all the values are known. [nm]"""
+    """Wavelengths at which all the values are known. [nm]"""
     return narrowest(value.limits for value in values if isinstance(value, PerWavelength))
 
 
 def narrowest(limits: Any) -> Limits:
-    """The overlap of several limits; lowest above highest if there is none. [nm]"""
+    """Overlap of several limits; lowest above highest if there is none. [nm]"""
     low, high = EVERYWHERE
     for one_low, one_high in limits:
         low, high = max(low, one_low), min(high, one_high)
@@ -130,7 +130,7 @@ def narrowest(limits: Any) -> Limits:
 
 
 def table_limits(name: str) -> Limits:
-    """The wavelengths at which a table of ``airlight.spectra`` is known, 10 nm included. [nm]"""
+    """Wavelengths at which a table of ``airlight.spectra`` is known, 10 nm included. [nm]"""
     from airlight.spectra.tables import read_spectrum
 
     wavelengths = read_spectrum(name).wavelengths

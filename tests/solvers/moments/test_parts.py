@@ -1,4 +1,4 @@
-"""Radiance taken apart by order, constituent and ground."""
+"""Radiance split by order, constituent and ground."""
 
 from __future__ import annotations
 

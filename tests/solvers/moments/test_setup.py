@@ -1,4 +1,4 @@
-"""The set-up of a solve: what all processors read."""
+"""Set-up of a solve, which all processors read."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def setup_of(name: str, quality: str = "preview", **changes: float) -> Setup:
 
 
 def test_lanes_without_a_wavelength_repeat_the_last_one():
-    # A register has eight lanes; what no wavelength fills must compute nothing strange.
+    # A register has eight lanes; lanes without a wavelength must compute nothing exceptional.
     block = setup_of("earth").block(slice(1, 3))
     assert block.used == 2
     for values in (block.level.T, block.thick, block.sidelit, block.air.ground.albedo):
@@ -30,7 +30,7 @@ def test_lanes_without_a_wavelength_repeat_the_last_one():
 
 
 def test_blocks_together_say_what_one_block_says():
-    # Wavelengths do not know each other, but for the rays' points in sight and the reach.
+    # Wavelengths are independent, except for the rays' points in sight and the reach.
     setup = setup_of("mars-standard")
     whole, parts = setup.block(slice(None)), [setup.block(slice(0, 2)), setup.block(slice(2, 4))]
     assert_array_equal(np.concatenate([one.thick[:2] for one in parts]), whole.thick[:4])
@@ -39,7 +39,7 @@ def test_blocks_together_say_what_one_block_says():
 
 
 def test_azimuths_hold_every_multiple_of_the_degree():
-    # Midpoints of b even steps integrate cos mφ to nothing for 0 < m < 2b, and 1 to a turn.
+    # Midpoints of b even steps integrate cos mφ to 0 for 0 < m < 2b, and 1 to a turn.
     setup = setup_of("mars-standard")
     totals = setup.azimuths.multiples.sum(axis=1)
     assert setup.azimuths.multiples.shape[0] == setup.degree + 1
@@ -48,7 +48,7 @@ def test_azimuths_hold_every_multiple_of_the_degree():
 
 
 def test_an_edit_of_coefficients_keeps_the_table_of_columns():
-    # Columns depend on the profiles alone: the same object, so that an edit does not pay again.
+    # Columns depend on the profiles alone: the same object, which an edit does not recompute.
     before, after = setup_of("earth"), setup_of("earth", ground__albedo=0.5)
     assert after.table is before.table
     assert after.ratios is before.ratios
@@ -64,7 +64,7 @@ def test_light_is_gathered_at_the_ground_and_at_the_top():
 
 
 def test_infinitely_thick_air_is_by_day_what_its_levels_say():
-    # Its weight is 1 under a star in the zenith and 0 under one in the nadir, never falling.
+    # Its weight is 1 with the star in the zenith and 0 with it in the nadir, never falling.
     daylight = setup_of("earth").daylight
     assert daylight[0] == 0.0
     assert daylight[-1] == 1.0

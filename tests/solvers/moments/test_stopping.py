@@ -1,4 +1,4 @@
-"""When orders of scattering have arrived: series whose sums are known."""
+"""Convergence of orders of scattering: series of known sums."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ PASSES = Stopping.of_passes(settings_for("preview"))
 
 
 def light(values):
-    """Mean radiances of two radii, one sun and two wavelengths: bright, and a value beside it."""
+    """Mean radiances of two radii, one sun and two wavelengths: bright, and a given value."""
     return np.array([[[1.0, 1.0]], [[values, values]]], np.float32)
 
 
 def follow(iteration, ratio, orders):
-    """Sums of the first orders of a geometric series, at both radii alike."""
+    """Sums of the first orders of a geometric series, equal at both radii."""
     total = 0.0
     for order in range(orders):
         before, total = total, total + ratio**order
@@ -40,7 +40,7 @@ def test_what_is_to_come_of_a_geometric_series_is_told(ratio):
     iteration = Iteration(SWEEPS, THIN, 2)
     total = follow(iteration, ratio, 16)
     expected = ratio**16 / (1.0 - ratio) / total
-    # The changes it sees are relative to sums that still grow: by 0.5 % at the slowest.
+    # The changes are relative to sums that still grow: by 0.5 % at the slowest.
     assert_allclose(iteration.to_come, expected, rtol=0.02)
 
 
@@ -58,7 +58,7 @@ def test_it_goes_on_until_the_tolerance_is_met():
 
 
 def test_one_order_never_suffices():
-    # A first guess that is the answer already cannot be told from one that stands still.
+    # A first guess that is already the answer looks the same as one that makes no progress.
     iteration = Iteration(SWEEPS, THIN, 2)
     iteration.judge(light(0.5), light(0.5))
     assert iteration.to_come.max() == 0.0
@@ -68,7 +68,7 @@ def test_one_order_never_suffices():
 
 
 def test_giving_up_says_what_was_still_to_come():
-    # Light that leaps to and fro never arrives.
+    # Light that oscillates never converges.
     iteration = Iteration(PASSES, THIN, 2)
     for order in range(PASSES.most_sweeps):
         assert iteration.goes_on()
@@ -78,7 +78,7 @@ def test_giving_up_says_what_was_still_to_come():
 
 
 def test_lanes_without_a_wavelength_do_not_count():
-    # The second lane changes by half, but nobody asked for it.
+    # The second lane changes by half, but it has no wavelength.
     iteration = Iteration(SWEEPS, THIN, 1)
     for _ in range(3):
         iteration.judge(np.ones((1, 1, 2)) * [1.0, 0.5], np.ones((1, 1, 2)))
@@ -88,8 +88,8 @@ def test_lanes_without_a_wavelength_do_not_count():
 
 
 def test_the_night_of_thick_air_counts_less_for_sweeps_than_for_passes():
-    # A node 1e-4 as bright changes by a tenth: in thin air that counts whole; in thick air by
-    # its light over 0.05 of the brightest, 1/500, for sweeps, and the fourth root of it for passes.
+    # A node 1e-4 as bright changes by a tenth: in thin air that counts fully; in thick air by its
+    # light over 0.05 of the brightest, 1/500, for sweeps, and the fourth root of it for passes.
     def to_come(stopping, thick):
         iteration = Iteration(stopping, thick, 2)
         iteration.judge(light(0.9e-4), light(1e-4))
@@ -104,7 +104,7 @@ def test_the_night_of_thick_air_counts_less_for_sweeps_than_for_passes():
 
 
 def test_mixed_residuals_are_as_small_as_least_squares_make_them():
-    # The same by NumPy's least squares over the changes, for residuals of any direction.
+    # The same by NumPy's least squares over the changes, for residuals in any direction.
     residuals = np.random.default_rng(7).normal(size=(5, 40))
     changes = np.diff(residuals, axis=0)
     best = np.linalg.lstsq(changes.T, residuals[-1], rcond=None)[0]
@@ -114,7 +114,7 @@ def test_mixed_residuals_are_as_small_as_least_squares_make_them():
 
 
 def test_a_page_can_run_the_rule():
-    # The formulas of one node and one wavelength lie in the subset that JavaScript is made of.
+    # The formulas of one node and one wavelength are in the subset that is emitted as JavaScript.
     emitter = Emitter(JAVASCRIPT)
     for function in (change_at, count_at, rest_after):
         emitter.add(function, F32, F32, F32)

@@ -1,4 +1,4 @@
-"""What makes thick air solvable: its radii, its interpolation, its exact rays, its matrix."""
+"""Methods that make thick air solvable: its radii, interpolation, exact rays and matrix."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def test_elimination_solves_each_lane_as_lapack_does() -> None:
 
 
 def test_clear_air_keeps_the_radii_it_had() -> None:
-    # What scatters little needs none but those that are even in the distance to the horizon.
+    # Air that scatters little needs only radii that are even in the distance to the horizon.
     even = np.linspace(0.0, 1.0, 4097)
     levels = place_levels(even, exponential_air(0.01), 24)
     assert levels.parts == 1
@@ -52,7 +52,7 @@ def test_clear_air_keeps_the_radii_it_had() -> None:
 
 
 def test_thick_air_has_radii_close_to_its_ends_and_not_too_far_inside() -> None:
-    # The steps are meant to be 0.15 of a mean free path at the ends and 2 inside.
+    # The steps should be 0.15 of a mean free path at the ends and 2 inside.
     even = np.linspace(0.0, 1.0, 4097)
     depths = exponential_air(40.0)
     levels = place_levels(even, depths, 24)
@@ -93,7 +93,7 @@ def test_a_source_that_is_the_same_everywhere_is_kept_by_every_ray() -> None:
         ),
         own_wavelengths=(550.0,),
     )  # fmt: skip
-    # The radii of a clear shell of 60 km, so that none of them is where the haze wants it.
+    # The radii of a clear shell of 60 km, so that none of them is adapted to the haze.
     medium = Medium.from_planet(planet, planet.own_wavelengths)
     altitude = 60e3 * np.linspace(0.0, 1.0, 4097) ** 2
     grid, _ = make_grid(6360e3, 6420e3, 12, 8, Depths(altitude, np.zeros(4097)))
@@ -112,7 +112,7 @@ def test_a_source_that_is_the_same_everywhere_is_kept_by_every_ray() -> None:
 
 
 def test_spreading_sideways_loses_nothing() -> None:
-    # (1 - Λ²∇²)⁻¹ on the sphere keeps a constant, and the integral of anything.
+    # (1 - Λ²∇²)⁻¹ on the sphere preserves a constant, and the integral of any function.
     sun_cosines = np.sin(np.radians(np.linspace(-90.0, 90.0, 41)))
     spread = sideways(sun_cosines, 0.05, 0.1)
     assert_allclose(spread @ np.ones(41), 1.0, rtol=1e-5)
@@ -124,10 +124,10 @@ def test_spreading_sideways_loses_nothing() -> None:
 
 
 def doubled(depth: float, asymmetry: float, albedo: float) -> tuple[np.ndarray, np.ndarray]:
-    """Sun cosines, and the share of its light that a flat cloud lets through, by doubling.
+    """Sun cosines, and the fraction of light that a flat cloud transmits, by doubling.
 
     van de Hulst (1980), Multiple Light Scattering, chapter 4: a layer so thin that light is
-    scattered once at most is put upon itself until it is as thick as the cloud.
+    scattered once at most is doubled until it is as thick as the cloud.
     """
     x, weight = np.polynomial.legendre.leggauss(32)
     mu, weight = 0.5 * (x + 1.0), 0.5 * weight
@@ -148,8 +148,8 @@ def doubled(depth: float, asymmetry: float, albedo: float) -> tuple[np.ndarray, 
 @pytest.mark.slow
 def test_a_cloud_with_edges_lets_through_what_doubling_says() -> None:
     # A second method on a flat cloud; the planet's is curved, which Monte Carlo puts at 0.1 % for
-    # the high sun and 0.9 % for the low one. With the table of columns of clear air the cloud's
-    # upper edge let in so much light that this was off by 5 and 14 %.
+    # the high sun and 0.9 % for the low sun. With the table of columns of clear air the cloud's
+    # upper edge admitted so much light that this was off by 5 and 14 %.
     depth, asymmetry, albedo = 10.0, 0.75, 0.999
     earth = load_planet("earth-atmosphere-plus")
     cloud = Constituent(

@@ -1,1 +1,1 @@
-"""What a constituent is made of: gases, particles, absorbers, profiles, phase functions."""
+"""Matter of a constituent: gases, particles, absorbers, profiles, phase functions."""

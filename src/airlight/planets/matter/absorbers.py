@@ -1,4 +1,4 @@
-"""What only absorbs, as parameter objects: gases by cross-section, tiny particles by index."""
+"""Absorbers as parameter objects: gases by cross-section, tiny particles by refractive index."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ FloatArray = npt.NDArray[np.float64]
 
 
 def _column(section: Section, name: str, wavelengths: Wavelengths) -> float:
-    """Molecules above an area. [m⁻²]"""
+    """Read a number of molecules above an area. [m⁻²]"""
     return column_of_gas(section.required(name, "a column such as '345 DU'"), section.name_of(name))
 
 
@@ -44,12 +44,12 @@ def _column_key(label: str, text: str, most: float, **more: Any) -> Key:
 
 @parameters
 class OzoneAbsorption(Absorber):
-    """Absorption by ozone of a given column, however the profile spreads it.
+    """Absorption by ozone of a given column, whatever its profile.
 
     Parameters
     ----------
     column : float
-        Molecules above an area of ground. [m⁻²]
+        Number of molecules above an area of ground. [m⁻²]
     """
 
     keyword = "ozone"
@@ -67,7 +67,7 @@ class OzoneAbsorption(Absorber):
 
     @property
     def limits(self) -> Limits:
-        """The wavelengths at which the cross-section is known. [nm]"""
+        """Wavelengths at which the cross-section is known. [nm]"""
         return table_limits("ozone-293k")
 
     def coefficients(self, wavelengths: npt.ArrayLike, vertical_column: float) -> FloatArray:
@@ -76,9 +76,9 @@ class OzoneAbsorption(Absorber):
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
         vertical_column : float
-            ∫ relative density dh over the shell. [m]
+            Integral ∫ relative density dh over the shell. [m]
         """
         from airlight.spectra.ozone import ozone_cross_section
 
@@ -86,7 +86,7 @@ class OzoneAbsorption(Absorber):
 
 
 def _read_cross_section(section: Section, name: str, wavelengths: Wavelengths) -> Any:
-    """The name of a table, or the numbers of a file or a list. [m²]"""
+    """Read the name of a table, or the numbers of a file or a list. [m²]"""
     allowed = "a table's name, a path to a CSV file, or such as '1.4e-21 cm^2'"
     value = section.required(name, allowed)
     field = section.name_of(name)
@@ -120,7 +120,7 @@ def _from_file(section: Section, name: str, field: str) -> PerWavelength:
 
 @cache
 def _areas() -> tuple[str, ...]:
-    """Names of the tables of cross-sections that come with the package."""
+    """Names of the tables of cross-sections in the package."""
     from airlight.spectra.tables import read_spectrum, spectrum_names
 
     tables = [read_spectrum(name) for name in spectrum_names()]
@@ -131,19 +131,19 @@ def _areas() -> tuple[str, ...]:
 class CrossSectionAbsorption(Absorber):
     """Absorption by molecules of known cross-section, by their column or their density.
 
-    Oxygen of OpenSpace's equations 13 and 14 is this with the number density of air and the
-    fraction 0.2095, beside the exponential profile of the air.
+    Oxygen of OpenSpace's equations 13 and 14 is this absorber with the number density of air and
+    the fraction 0.2095, beside the exponential profile of the air.
 
     Parameters
     ----------
     cross_section : float, PerWavelength or str
-        Of one molecule; the name of a table of ``airlight.spectra`` in m². [m²]
+        Cross-section of one molecule, or the name of a table of ``airlight.spectra`` in m². [m²]
     column : float, optional
-        Molecules above an area of ground, which the profile spreads. [m⁻²]
+        Number of molecules above an area of ground, which the profile spreads. [m⁻²]
     number_density : float, optional
-        Instead of the column: at relative density 1. [m⁻³]
+        Number density at relative density 1, instead of the column. [m⁻³]
     fraction : float
-        Of the number density, that absorbs so, 0 to 1. [1]
+        Fraction of the number density that absorbs, 0 to 1. [1]
 
     References
     ----------
@@ -210,18 +210,18 @@ class CrossSectionAbsorption(Absorber):
 
     @property
     def limits(self) -> Limits:
-        """The wavelengths at which the cross-section is known. [nm]"""
+        """Wavelengths at which the cross-section is known. [nm]"""
         if isinstance(self.cross_section, str):
             return table_limits(self.cross_section)
         return spectral_limits(self.cross_section)
 
     def cross_sections(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """Of one molecule, shape (nl,). [m²]
+        """Cross-section of one molecule, shape (nl,). [m²]
 
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
         """
         if isinstance(self.cross_section, str):
             from airlight.spectra.tables import read_spectrum
@@ -235,9 +235,9 @@ class CrossSectionAbsorption(Absorber):
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
         vertical_column : float
-            ∫ relative density dh over the shell; not used where a number density is given. [m]
+            Integral ∫ relative density dh over the shell; not used with a number density. [m]
         """
         sigma = self.cross_sections(wavelengths)
         if self.number_density is not None:
@@ -248,20 +248,20 @@ class CrossSectionAbsorption(Absorber):
 
 @parameters
 class SmallParticleAbsorption(Absorber):
-    """Absorption by particles much smaller than the wavelength, whose scattering is left out.
+    """Absorption by particles much smaller than the wavelength; their scattering is neglected.
 
     Parameters
     ----------
     radius : float
-        1e-10 to 1e-5. [m]
+        Radius, 1e-10 to 1e-5. [m]
     number_density : float
-        At relative density 1. [m⁻³]
+        Number density at relative density 1. [m⁻³]
     real, imaginary : float or PerWavelength
         Refractive index n + ik, k ≥ 0. [1]
 
     Notes
     -----
-    See ``small_particle_absorption`` for how far it holds. Wavelengths shorter than the
+    See ``small_particle_absorption`` for the range of validity. Wavelengths shorter than the
     circumference 2πr are refused.
     """
 
@@ -300,7 +300,7 @@ class SmallParticleAbsorption(Absorber):
 
     @classmethod
     def declared(cls, table: FileTable | None = None) -> tuple[Key, ...]:
-        """The one key of the table of an absorber, which holds a table of its own."""
+        """Single key of an absorber's table, which holds a nested table."""
         return (
             Key(
                 name=cls.keyword,
@@ -317,7 +317,7 @@ class SmallParticleAbsorption(Absorber):
 
     @classmethod
     def read(cls, section: Section, wavelengths: Wavelengths = None) -> SmallParticleAbsorption:
-        """From the table within the absorber's; see ``Record.read``."""
+        """Read the table within the absorber's; see ``Record.read``."""
         within = section.section(cls.keyword, "a table with radius, number_density and index")
         section.finish()
         values = cls.read_values(within, wavelengths)
@@ -330,7 +330,7 @@ class SmallParticleAbsorption(Absorber):
 
     @property
     def limits(self) -> Limits:
-        """The wavelengths at which it is known: those above the circumference. [nm]"""
+        """Wavelengths at which it is known: those above the circumference. [nm]"""
         circumference = 2e9 * np.pi * self.radius
         given = spectral_limits(self.real, self.imaginary)
         return narrowest([(circumference, np.inf), given])
@@ -341,7 +341,7 @@ class SmallParticleAbsorption(Absorber):
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
         vertical_column : float
             Not used: the density is known. [m]
         """
@@ -354,7 +354,7 @@ class SmallParticleAbsorption(Absorber):
         )
 
 
-#: What ``absorption = { … }`` may be, by the key that tells them apart.
+#: Kinds of ``absorption = { … }``, distinguished by a key.
 ABSORBERS: Final[Alternatives[Absorber]] = Alternatives(
     (
         OzoneAbsorption,

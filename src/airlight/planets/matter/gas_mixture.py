@@ -1,4 +1,4 @@
-"""A gas by its composition and state: everything that light and gravity do with it."""
+"""Gas by its composition and state: scattering, refraction and scale height."""
 
 from __future__ import annotations
 
@@ -38,13 +38,13 @@ from airlight.planets.spectral import (
 
 FloatArray = npt.NDArray[np.float64]
 
-#: How far the fractions may be off 1 before they are divided by their sum.
+#: Largest deviation of the sum of the fractions from 1 before they are divided by it.
 FRACTION_TOLERANCE: Final = 0.01
-#: How far a given refractivity may be from that of the composition at the state said to be its own.
+#: Largest relative deviation of a given refractivity from the composition's at its given state.
 REFRACTIVITY_TOLERANCE: Final = 0.1
-#: Depolarisation of a rod: nothing has more. [1]
+#: Depolarisation of a rod, the largest possible. [1]
 LARGEST_DEPOLARISATION: Final = 0.5
-#: Where temperature and pressure beside a refractivity belong.
+#: Meaning of temperature and pressure given beside a refractivity.
 _MEASURED: Final = "of the state that the refractivity was measured at"
 
 
@@ -67,7 +67,7 @@ def _composition(value: Any) -> tuple[tuple[str, float], ...]:
 
 
 def _depolarisation(value: Any) -> Any:
-    """A depolarisation, or a line that says where molecules stop."""
+    """Check a depolarisation; the error names the limit of molecules."""
     try:
         return check_spectral(value, "depolarisation", 0.0, LARGEST_DEPOLARISATION)
     except ParameterError as error:
@@ -78,7 +78,7 @@ def _depolarisation(value: Any) -> Any:
 def _read_composition(
     section: Section, name: str, wavelengths: Wavelengths
 ) -> tuple[tuple[str, float], ...]:
-    """Formula and fraction of each gas; a misspelt formula gets the nearest suggested."""
+    """Read formula and fraction of each gas; the nearest to a misspelt formula is suggested."""
     table = section.section(name, "a table such as { N2 = 0.79, O2 = 0.21 }")
     fractions = []
     for formula in table.names:
@@ -89,7 +89,7 @@ def _read_composition(
     return tuple(fractions)
 
 
-#: Any key of the table ``composition``: the formula of a gas.
+#: Key of any gas in the table ``composition``: its formula.
 SHARE: Final = Key(
     name="*",
     label="share",
@@ -102,21 +102,21 @@ SHARE: Final = Key(
 
 @parameters
 class GasMixture(Matter):
-    r"""A mixture of known gases at the state where the relative density is 1.
+    r"""Mixture of known gases at the state where the relative density is 1.
 
     Cross-sections add up: that of the mixture is :math:`\sum_i x_i \sigma_i`, each gas with its
-    own refractivity and King factor. Refractivities add up as Lorentz and Lorenz say,
+    own refractivity and King factor. Refractivities add up by the Lorentz-Lorenz relation,
     :math:`(n^2-1)/(n^2+2) = \sum_i x_i (n_i^2-1)/(n_i^2+2)` at the same number density; adding
     n - 1 in proportion to the density instead errs by 3e-6 of the value for air at 15 °C, by
     0.25 % at the ground of Venus. The cross-section of the mean refractivity, which is often used,
     is too small by the spread of the refractivities: 0.16 % for air, 26 % for equal parts of
     hydrogen and helium.
 
-    The phase function is that of the sum of what the gases scatter. It has Rayleigh's form with
+    The phase function is that of all light scattered by the gases. It has Rayleigh's form with
 
     .. math:: F = \frac{\sum_i x_i \sigma_i}{\sum_i x_i \sigma_i / F_i},
 
-    the mean of the King factors weighted by the scattering of round molecules of the same size.
+    the mean of the King factors weighted by the scattering of isotropic molecules of the same size.
     Weighted by mole fraction, as is often done, it is 0.002 too large for air and 0.046 too small
     for equal parts of hydrogen and carbon dioxide.
 
@@ -126,24 +126,23 @@ class GasMixture(Matter):
         Mole fractions (volume fractions) by formula; divided by their sum, which is 1 within
         1 %. Kept as pairs, without zeros. [1]
     temperature : float, optional
-        Needed beside a pressure and for the scale height. [K]
+        Temperature; needed beside a pressure and for the scale height. [K]
     pressure, reference_density : float, optional
-        The pressure or the number density; both if they agree within 1 %. [Pa], [m⁻³]
+        Pressure or number density; both if they agree within 1 %. [Pa], [m⁻³]
     gravity : float, optional
-        Needed for the scale height. [m s⁻²]
+        Gravitational acceleration; needed for the scale height. [m s⁻²]
     depolarisation : float or PerWavelength, optional
-        0 to 0.5, instead of the gases' King factors. [1]
+        Depolarisation factor, 0 to 0.5, instead of the gases' King factors. [1]
     refractivity : float or PerWavelength, optional
         n - 1, instead of the gases' own. [1]
     refractivity_temperature, refractivity_pressure : float, optional
-        Of the state that the refractivity belongs to, if it is not the mixture's. [K], [Pa]
+        State that the refractivity belongs to, if it is not the mixture's. [K], [Pa]
 
     Raises
     ------
     ParameterError
-        If something is out of range, the state is said twice differently or not at all, or a
-        refractivity differs by more than 10 % from the composition's at the state that is said
-        to be its own.
+        If a value is out of range, the state is given twice inconsistently or not at all, or a
+        refractivity differs by more than 10 % from the composition's at the state given with it.
 
     References
     ----------
@@ -246,7 +245,7 @@ class GasMixture(Matter):
             )
 
     def _check_refractivity(self, refractivity: Spectral) -> None:
-        """Refuse a refractivity of another state than it is said to be of."""
+        """Refuse a refractivity that belongs to another state than the given one."""
         low, high = self._gas_limits
         nm = np.array([min(max(550.0, low), high)])
         if isinstance(refractivity, PerWavelength):
@@ -275,24 +274,24 @@ class GasMixture(Matter):
 
     @property
     def number_density(self) -> float:
-        """Molecules per volume where the relative density is 1. [m⁻³]"""
+        """Number density of molecules where the relative density is 1. [m⁻³]"""
         temperature = None if self.pressure is None else self.temperature
         return density_of_state(self.reference_density, temperature, self.pressure)
 
     @property
     def molar_mass(self) -> float:
-        """Of the mixture. [kg mol⁻¹]"""
+        """Mean molar mass of the mixture. [kg mol⁻¹]"""
         parts = (fraction * MOLECULES[name].molar_mass for name, fraction in self.composition)
         return math.fsum(parts)
 
     @property
     def scale_height(self) -> float:
-        """Height in which the isothermal gas thins e-fold, RT/(Mg). [m]
+        """Scale height of the isothermal gas, RT/(Mg). [m]
 
         Raises
         ------
         ParameterError
-            If there is no temperature or no gravity.
+            If temperature or gravity is not given.
         """
         if self.temperature is None:
             raise ParameterError("temperature", MISSING, "one, for the scale height")
@@ -301,7 +300,7 @@ class GasMixture(Matter):
         return rayleigh.scale_height(self.temperature, self.molar_mass, self.gravity)
 
     def own_scale_height(self) -> float:
-        """The scale height, for a profile that is left out. [m]"""
+        """Scale height of the default profile. [m]"""
         return self.scale_height
 
     @property
@@ -310,12 +309,12 @@ class GasMixture(Matter):
 
     @property
     def limits(self) -> Limits:
-        """The wavelengths at which every gas and every given list is known. [nm]"""
+        """Wavelengths at which every gas and every given list is known. [nm]"""
         given = (x for x in (self.depolarisation, self.refractivity) if x is not None)
         return narrowest([self._gas_limits, spectral_limits(*given)])
 
     def _composed_refractivities(self, wavelengths: npt.ArrayLike, density: float) -> FloatArray:
-        """n - 1 of the composition at a number density [m⁻³], shape (nl,). [1]"""
+        """Refractivity n - 1 of the composition at a number density [m⁻³], shape (nl,). [1]"""
         nm = np.asarray(wavelengths, dtype=np.float64)
         refraction = np.zeros(nm.shape)
         for name, fraction in self.composition:
@@ -325,17 +324,17 @@ class GasMixture(Matter):
         return lorentz_lorenz.refractivity_of(refraction)
 
     def refractivities(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """n - 1 where the relative density is 1, shape (nl,). [1]
+        """Refractivity n - 1 where the relative density is 1, shape (nl,). [1]
 
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
 
         Raises
         ------
         ParameterError
-            If a wavelength is outside the limits, or the density is no gas's.
+            If a wavelength is outside the limits, or the density is too large for a gas.
         """
         if self.refractivity is None:
             return self._composed_refractivities(wavelengths, self.number_density)
@@ -345,7 +344,7 @@ class GasMixture(Matter):
         )
 
     def _sums(self, wavelengths: npt.ArrayLike) -> tuple[FloatArray, FloatArray]:
-        """Cross-section of the composition, and what it would be if molecules were round. [m²]"""
+        """Cross-sections of the composition, and of isotropic molecules of the same size. [m²]"""
         nm = np.asarray(wavelengths, dtype=np.float64)
         total, round_part = np.zeros(nm.shape), np.zeros(nm.shape)
         for name, fraction in self.composition:
@@ -372,7 +371,7 @@ class GasMixture(Matter):
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
 
         Raises
         ------
@@ -393,7 +392,7 @@ class GasMixture(Matter):
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
         vertical_column : float
             Not used: the density is known. [m]
         """
@@ -402,15 +401,15 @@ class GasMixture(Matter):
     def absorption_coefficients(
         self, wavelengths: npt.ArrayLike, vertical_column: float
     ) -> FloatArray:
-        """None of its own, shape (nl,): absorption is given beside the gas. [m⁻¹]
+        """Zeros, shape (nl,): absorption is given beside the gas. [m⁻¹]
 
         Parameters
         ----------
         wavelengths, vertical_column
-            As for ``scattering_coefficients``. [nm], [m]
+            See ``scattering_coefficients``. [nm], [m]
         """
         return np.zeros(np.shape(wavelengths))
 
     def phase_function(self, wavelengths: npt.ArrayLike) -> Rayleigh:
-        """Its phase function, known at these wavelengths [nm], shape (nl,)."""
+        """Phase function, known at these wavelengths [nm], shape (nl,)."""
         return rayleigh_of(self.depolarisations(wavelengths), wavelengths)

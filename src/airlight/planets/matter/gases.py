@@ -34,12 +34,12 @@ from airlight.planets.spectral import (
 
 FloatArray = npt.NDArray[np.float64]
 
-#: How far a number density and the temperature and pressure beside it may differ.
+#: Largest relative difference of a number density from that of the temperature and pressure.
 STATE_TOLERANCE: Final = 0.01
 
 
 class _Gas(NamedTuple):
-    """What is known of a gas: refractivity at a state, King factor, fitted wavelengths."""
+    """Data of a gas: refractivity at a state, King factor, fitted wavelengths."""
 
     refractivity: Callable[[npt.ArrayLike], FloatArray]
     temperature: float
@@ -66,19 +66,19 @@ GASES: Final = {
 def density_of_state(
     density: float | None, temperature: float | None, pressure: float | None
 ) -> float:
-    """The number density given or implied; refused if it is missing or said twice differently.
+    """Number density, given or implied; refused if it is missing or inconsistent.
 
     Parameters
     ----------
     density : float or None
-        [m⁻³]
+        Number density. [m⁻³]
     temperature, pressure : float or None
-        Both or neither. [K], [Pa]
+        Temperature and pressure, both or neither. [K], [Pa]
 
     Returns
     -------
     float
-        [m⁻³]
+        Number density. [m⁻³]
     """
     if (temperature is None) != (pressure is None):
         missing = "temperature" if temperature is None else "pressure"
@@ -100,13 +100,13 @@ def density_of_state(
 
 
 def rayleigh_of(depolarisations: FloatArray, wavelengths: npt.ArrayLike) -> Rayleigh:
-    """Molecules with a depolarisation factor, shape (nl,), at each wavelength [nm]. [1]"""
+    """Phase function of molecules with depolarisation factors [1], shape (nl,), per wavelength."""
     nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
     values = tuple(np.broadcast_to(depolarisations, nm.shape).tolist())
     return Rayleigh(depolarisation=PerWavelength(wavelengths=tuple(nm.tolist()), values=values))
 
 
-#: What a mass density needs beside it.
+#: Keys that a mass density needs beside it.
 _MASS_KEYS: Final = (
     Key(
         name="mass_density",
@@ -144,7 +144,7 @@ class _Molecules(Scatterer):
 
     @classmethod
     def read_values(cls, section: Section, wavelengths: Wavelengths = None) -> dict[str, Any]:
-        """The fields, the number density from mass density and molar mass if those are given."""
+        """Fields; the number density from mass density and molar mass if these are given."""
         values = super().read_values(section, wavelengths)
         if not any(key.name in section for key in _MASS_KEYS):
             return values
@@ -169,11 +169,11 @@ class GasScattering(_Molecules):
     Parameters
     ----------
     gas : str
-        ``"air"`` (Peck & Reeder 1972, Bates 1984) or ``"co2"`` (Bideau-Mehu 1973, Alms 1975).
+        Name: ``"air"`` (Peck & Reeder 1972, Bates 1984), ``"co2"`` (Bideau-Mehu 1973, Alms 1975).
     number_density : float, optional
-        At relative density 1. [m⁻³]
+        Number density at relative density 1. [m⁻³]
     temperature, pressure : float, optional
-        At relative density 1, instead of the number density. [K], [Pa]
+        State at relative density 1, instead of the number density. [K], [Pa]
 
     Examples
     --------
@@ -206,7 +206,7 @@ class GasScattering(_Molecules):
 
     @property
     def limits(self) -> Limits:
-        """The wavelengths at which it is known. [nm]"""
+        """Wavelengths at which it is known. [nm]"""
         return GASES[self.gas].limits
 
     def coefficients(self, wavelengths: npt.ArrayLike) -> FloatArray:
@@ -219,14 +219,14 @@ class GasScattering(_Molecules):
         return sigma * density_of_state(self.number_density, self.temperature, self.pressure)
 
     def refractivities(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """n - 1 at relative density 1, shape (nl,). [1]"""
+        """Refractivity n - 1 at relative density 1, shape (nl,). [1]"""
         gas = GASES[self.gas]
         measured = rayleigh.number_density(gas.temperature, refractive_index.STANDARD_PRESSURE)
         density = density_of_state(self.number_density, self.temperature, self.pressure)
         return refractivity_at(gas.refractivity(wavelengths), measured, density)
 
     def phase_function(self, wavelengths: npt.ArrayLike) -> Rayleigh:
-        """Its phase function, known at these wavelengths [nm], shape (nl,)."""
+        """Phase function, known at these wavelengths [nm], shape (nl,)."""
         return rayleigh_of(self.depolarisations(wavelengths), wavelengths)
 
     def depolarisations(self, wavelengths: npt.ArrayLike) -> FloatArray:
@@ -244,16 +244,16 @@ class RefractiveScattering(_Molecules):
     refractivity : float or PerWavelength
         n - 1. Linear between wavelengths, constant beyond: the coefficients then follow λ⁻⁴. [1]
     number_density : float, optional
-        Of the state that the refractivity belongs to. [m⁻³]
+        Number density of the state that the refractivity belongs to. [m⁻³]
     temperature, pressure : float, optional
-        Of that state, instead of the number density; beside it they must agree within 1 %.
-        [K], [Pa]
+        State of the refractivity, instead of the number density; beside it they must agree within
+        1 %. [K], [Pa]
     ground_number_density : float, optional
-        At relative density 1, where that is another state. [m⁻³]
+        Number density at relative density 1, if that is another state. [m⁻³]
     king_factor : float or PerWavelength, optional
-        1 to 2; give it or the depolarisation. [1]
+        King factor, 1 to 2; give it or the depolarisation. [1]
     depolarisation : float or PerWavelength, optional
-        0 to 0.5. [1]
+        Depolarisation factor, 0 to 0.5. [1]
 
     Examples
     --------
@@ -302,18 +302,18 @@ class RefractiveScattering(_Molecules):
 
     @property
     def limits(self) -> Limits:
-        """The wavelengths at which it is known. [nm]"""
+        """Wavelengths at which it is known. [nm]"""
         return EVERYWHERE
 
     @property
     def _densities(self) -> tuple[float, float]:
-        """Number density of the refractivity's state, and where the relative density is 1. [m⁻³]"""
+        """Number density of the refractivity's state, and that at relative density 1. [m⁻³]"""
         measured = density_of_state(self.number_density, self.temperature, self.pressure)
         ground = self.ground_number_density
         return measured, measured if ground is None else ground
 
     def refractivities(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """n - 1 at relative density 1, shape (nl,). [1]"""
+        """Refractivity n - 1 at relative density 1, shape (nl,). [1]"""
         given = spectral_at(self.refractivity, wavelengths)
         return refractivity_at(given, *self._densities)
 
@@ -334,7 +334,7 @@ class RefractiveScattering(_Molecules):
         return sigma * ground
 
     def phase_function(self, wavelengths: npt.ArrayLike) -> Rayleigh:
-        """Its phase function, known at these wavelengths [nm], shape (nl,)."""
+        """Phase function, known at these wavelengths [nm], shape (nl,)."""
         return rayleigh_of(self.depolarisations(wavelengths), wavelengths)
 
     def depolarisations(self, wavelengths: npt.ArrayLike) -> FloatArray:
@@ -342,5 +342,5 @@ class RefractiveScattering(_Molecules):
         return rayleigh.depolarisation_from_king_factor(self._king_factors(wavelengths))
 
 
-#: What ``scattering = { … }`` may be, by the key that tells them apart.
+#: Kinds of ``scattering = { … }``, distinguished by a key.
 SCATTERERS: Final[Alternatives[Scatterer]] = Alternatives((GasScattering, RefractiveScattering))

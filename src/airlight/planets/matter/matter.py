@@ -1,8 +1,8 @@
-"""What a constituent can be made of: the three promises that the planet relies on.
+"""Interfaces of the matter of a constituent: three classes that the planet relies on.
 
-``Matter`` says everything about light in one object, scattering, absorption and phase function: a
-gas by its composition, particles by their sizes and refractive index. ``Scatterer`` says only what
-molecules scatter, ``Absorber`` only what is absorbed, beside any scattering.
+``Matter`` gives scattering, absorption and phase function in one object: a gas by its composition,
+particles by their sizes and refractive index. ``Scatterer`` gives only the scattering of molecules,
+``Absorber`` only an absorption, beside any scattering.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class Absorber(Record, ABC):
     @property
     @abstractmethod
     def limits(self) -> Limits:
-        """The wavelengths at which it is known, lowest and highest. [nm]"""
+        """Wavelengths at which it is known, lowest and highest. [nm]"""
 
     @abstractmethod
     def coefficients(self, wavelengths: npt.ArrayLike, vertical_column: float) -> FloatArray:
@@ -36,9 +36,9 @@ class Absorber(Record, ABC):
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
         vertical_column : float
-            ∫ relative density dh over the shell. [m]
+            Integral ∫ relative density dh over the shell. [m]
         """
 
 
@@ -50,7 +50,7 @@ class Scatterer(Record, ABC):
     @property
     @abstractmethod
     def limits(self) -> Limits:
-        """The wavelengths at which it is known, lowest and highest. [nm]"""
+        """Wavelengths at which it is known, lowest and highest. [nm]"""
 
     @abstractmethod
     def coefficients(self, wavelengths: npt.ArrayLike) -> FloatArray:
@@ -58,11 +58,11 @@ class Scatterer(Record, ABC):
 
     @abstractmethod
     def refractivities(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """n - 1 at relative density 1, shape (nl,). [1]"""
+        """Refractivity n - 1 at relative density 1, shape (nl,). [1]"""
 
     @abstractmethod
     def phase_function(self, wavelengths: npt.ArrayLike) -> PhaseFunction:
-        """Its phase function, known at these wavelengths [nm], shape (nl,)."""
+        """Phase function, known at these wavelengths [nm], shape (nl,)."""
 
 
 class Matter(Record, ABC):
@@ -71,9 +71,9 @@ class Matter(Record, ABC):
     Attributes
     ----------
     label, help : str
-        Of the key that it stands at in a planet file; the key itself is its ``keyword``.
+        Label and help of its key in a planet file; the key itself is its ``keyword``.
     example : str
-        A table as a file may write it.
+        Table as a file may write it.
     bends : bool
         Whether it bends light.
     """
@@ -85,21 +85,21 @@ class Matter(Record, ABC):
 
     @property
     def needs_phase(self) -> str:
-        """What has no phase function of its own, so that the file gives one; empty if it has."""
+        """Name of matter without its own phase function, so that the file gives one; or empty."""
         return ""
 
     def own_scale_height(self) -> float | None:
-        """Scale height of the profile that stands for one left out; None if it needs one. [m]"""
+        """Scale height of the default profile; None if a profile has to be given. [m]"""
         return None
 
     def refractivities(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """n - 1 where the relative density is 1, shape (nl,); 0 if it does not bend light. [1]"""
+        """Refractivity n - 1 at relative density 1, shape (nl,); 0 if light is not bent. [1]"""
         return np.zeros(np.shape(wavelengths))
 
     @property
     @abstractmethod
     def limits(self) -> Limits:
-        """The wavelengths at which it is known, lowest and highest. [nm]"""
+        """Wavelengths at which it is known, lowest and highest. [nm]"""
 
     @abstractmethod
     def scattering_coefficients(
@@ -110,9 +110,9 @@ class Matter(Record, ABC):
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
         vertical_column : float
-            ∫ relative density dh over the shell, by which an optical depth is divided. [m]
+            Integral ∫ relative density dh over the shell, by which an optical depth is divided. [m]
         """
 
     @abstractmethod
@@ -124,7 +124,7 @@ class Matter(Record, ABC):
         Parameters
         ----------
         wavelengths, vertical_column
-            As for ``scattering_coefficients``. [nm], [m]
+            See ``scattering_coefficients``. [nm], [m]
         """
 
     def prepare(
@@ -134,16 +134,16 @@ class Matter(Record, ABC):
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> None:
-        """Do what takes long before values are asked for.
+        """Do the slow computations before values are requested.
 
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
         progress, cancel : callable, optional
             See ``airlight.kernel.threads``.
         """
 
     @abstractmethod
     def phase_function(self, wavelengths: npt.ArrayLike) -> PhaseFunction:
-        """Its phase function, known at these wavelengths [nm], shape (nl,)."""
+        """Phase function, known at these wavelengths [nm], shape (nl,)."""

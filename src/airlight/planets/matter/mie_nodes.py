@@ -1,8 +1,8 @@
-"""Exact particles at a few wavelengths: computed on all cores, kept in memory and on disk.
+"""Exact Mie scattering at a few wavelengths: computed on all cores, kept in memory and on disk.
 
 Mie's theory over a size distribution takes a good part of a second for each wavelength, and a
-spectrum asks for hundreds; what a particle does to light changes slowly with wavelength, so it is
-computed at nodes and interpolated between them.
+spectrum has hundreds; the optics of particles change slowly with wavelength, so they are computed
+at nodes and interpolated between them.
 """
 
 from __future__ import annotations
@@ -31,24 +31,24 @@ from airlight.planets.spectral import Limits
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Wavelengths that nodes are placed from, so that red, green and blue are nodes. [nm]
+#: Wavelengths from which nodes are placed, so that red, green and blue are nodes. [nm]
 _ANCHORS: Final = (440.0, 550.0, 680.0)
-#: Nodes are at most this far apart, in ln λ: 25 nm in the green.
+#: Largest distance of nodes, in ln λ: 25 nm in the green.
 SPACING: Final = 0.0475
-#: The same for particles of nearly one size, whose light ripples with wavelength.
+#: Largest distance for particles of nearly one size, whose optics ripple with wavelength.
 NARROW_SPACING: Final = 0.012
 #: Effective variance below which particles are of nearly one size.
 _NARROW: Final = 0.02
-#: Particles of a constant refractive index are known within these. [nm]
+#: Limits of particles of a constant refractive index. [nm]
 WIDEST: Final[Limits] = (200.0, 2500.0)
-#: Wavelength that the angles of the phase function are chosen for. [nm]
+#: Wavelength for which the angles of the phase function are chosen. [nm]
 _ANGLES_FOR: Final = 400.0
-#: Fewest radii that stand for a distribution, and how many for each unit of the size parameter.
+#: Fewest radii of a distribution, and their number for each unit of the size parameter.
 _FEWEST_RADII: Final = 800
 _RADII_PER_SIZE: Final = 1.0
-#: How far from 1 the integral of a computed phase function may be.
+#: Largest deviation from 1 of the integral of a computed phase function.
 _INTEGRAL_TOLERANCE: Final = 1e-3
-#: The most nodes kept in memory.
+#: Largest number of nodes kept in memory.
 _MOST_KEPT: Final = 2000
 
 _kept: dict[str, Scattering] = {}
@@ -59,16 +59,16 @@ _lock = Lock()
 def node_wavelengths(
     limits: Limits, own: tuple[float, ...], spacing: float = SPACING
 ) -> tuple[float, ...]:
-    """The wavelengths at which particles are computed exactly, ascending.
+    """Wavelengths at which particles are computed exactly, ascending.
 
     Parameters
     ----------
     limits : (float, float)
-        Within which the refractive index is known; both are nodes. [nm]
+        Limits of the refractive index; both are nodes. [nm]
     own : tuple of float
         Wavelengths that are nodes, if they lie within. [nm]
     spacing : float
-        Of the others, in ln λ; those nearer than a quarter of it to one of these are left out. [1]
+        Distance of the others, in ln λ; those within a quarter of it of these are left out. [1]
 
     Examples
     --------
@@ -102,9 +102,9 @@ def nearly_one_size(sizes: ParticleSizes) -> bool:
 
 
 def bracketing(nodes: tuple[float, ...], wavelengths: npt.ArrayLike) -> tuple[float, ...]:
-    """The nodes that values at some wavelengths are interpolated from.
+    """Nodes between which values at some wavelengths are interpolated.
 
-    A wavelength that is a node needs no other.
+    A wavelength that is a node needs no other node.
     """
     known = np.asarray(nodes)
     nm = np.clip(np.atleast_1d(np.asarray(wavelengths, dtype=np.float64)), known[0], known[-1])
@@ -132,29 +132,29 @@ def mie_nodes(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> list[Scattering]:
-    """The mean particle at some wavelengths, computed or from what was kept.
+    """Compute the mean particle at some wavelengths, or look it up.
 
     Parameters
     ----------
     index : GivenIndex, TableIndex or MixedIndex
     sizes : GammaSizes, LogNormalSizes or SingleSize
     wavelengths : sequence of float
-        [nm]
+        Wavelengths. [nm]
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
     Returns
     -------
     list of Scattering
-        One for each wavelength, at ``phase_angles(sizes)``; each phase function as it is joined
-        between those angles integrates to 1.
+        Results, one per wavelength, at ``phase_angles(sizes)``; each phase function, as
+        interpolated between those angles, integrates to 1.
 
     Raises
     ------
     ParameterError
         If a radius is too large for a wavelength.
     Cancelled
-        If ``cancel`` said so.
+        If ``cancel`` returned True.
     """
     indices = [complex(value) for value in index.at(np.asarray(wavelengths))]
     keys = [_key(sizes, m, nm) for m, nm in zip(indices, wavelengths, strict=True)]
@@ -183,13 +183,13 @@ def _computed(sizes: ParticleSizes, index: complex, wavelength: float) -> Scatte
             integral,
             f"1 within {_INTEGRAL_TOLERANCE:g}: smaller particles, or fewer of one size",
         )
-    # Divided so that no energy is made where the table joins the angles.
+    # Divided so that interpolation between the angles of the table conserves energy.
     return Scattering(found.extinction, found.scattering, found.asymmetry, found.phase / integral)
 
 
 @cache
 def _maker() -> str:
-    """What the numbers depend on besides the particle: miepython, and the formulas here."""
+    """Hash of the code that the numbers depend on: miepython, and the formulas here."""
     digest = hashlib.sha256(metadata.version("miepython").encode())
     for module in (mie.__file__, size_distribution.__file__, phase_table.__file__, __file__):
         digest.update(Path(module).read_bytes())

@@ -1,4 +1,4 @@
-"""What particles are made of, as parameter objects: their complex refractive index."""
+"""Complex refractive index of particles, as parameter objects."""
 
 from __future__ import annotations
 
@@ -27,38 +27,38 @@ from airlight.planets.spectral import (
 
 ComplexArray = npt.NDArray[np.complex128]
 
-#: The longest list of wavelengths at each of which particles are computed exactly.
+#: Longest list of wavelengths at each of which particles are computed exactly.
 _LONGEST_OWN: Final = 40
 
 
 class ParticleIndex(Record, ABC):
-    """A complex refractive index n + ik."""
+    """Complex refractive index n + ik."""
 
     @property
     @abstractmethod
     def limits(self) -> Limits:
-        """The wavelengths at which it is known. [nm]"""
+        """Wavelengths at which it is known. [nm]"""
 
     @property
     @abstractmethod
     def own_wavelengths(self) -> tuple[float, ...]:
-        """The wavelengths that it was given at, few enough to compute at each. [nm]"""
+        """Wavelengths of the given values, few enough to compute at each. [nm]"""
 
     @abstractmethod
     def at(self, wavelengths: npt.ArrayLike) -> ComplexArray:
-        """n + ik at wavelengths within ``limits`` [nm], shape (nl,)."""
+        """Index n + ik at wavelengths within ``limits`` [nm], shape (nl,)."""
 
 
 @cache
 def index_words() -> tuple[str, ...]:
-    """Names of the tables of indices that come with the package."""
+    """Names of the tables of indices in the package."""
     from airlight.optics.index_table import index_names
 
     return tuple(index_names())
 
 
 def read_particle_index(section: Section, name: str, wavelengths: Wavelengths) -> ParticleIndex:
-    """The index that a key of a table gives: a table's name, a path, numbers or a mixture."""
+    """Read the index of a key: a table's name, a path, numbers or a mixture."""
     allowed = "the name of a table, or a table such as { real = 1.5, … }"
     value = section.required(name, allowed)
     if isinstance(value, str):
@@ -71,21 +71,21 @@ def read_particle_index(section: Section, name: str, wavelengths: Wavelengths) -
 
 
 def index_key(label: str, text: str, **more: Any) -> Key:
-    """A key whose value is a refractive index."""
+    """Key whose value is a refractive index."""
     return Key(label=label, help=text, kind="choice", table="index", words=index_words,
                read=read_particle_index, mode="advanced", **more)  # fmt: skip
 
 
 @parameters
 class GivenIndex(ParticleIndex):
-    """A refractive index n + ik, given as numbers.
+    """Refractive index n + ik, given as numbers.
 
     Parameters
     ----------
     real : float or PerWavelength
-        n, 0.1 to 10. [1]
+        Real part n, 0.1 to 10. [1]
     imaginary : float or PerWavelength
-        k, 0 to 10: light is only ever absorbed. [1]
+        Imaginary part k, 0 to 10: light is only absorbed, never amplified. [1]
     """
 
     keyword = "real"
@@ -121,12 +121,12 @@ class GivenIndex(ParticleIndex):
 
     @property
     def limits(self) -> Limits:
-        """The wavelengths at which it is known. [nm]"""
+        """Wavelengths at which it is known. [nm]"""
         return spectral_limits(self.real, self.imaginary)
 
     @property
     def own_wavelengths(self) -> tuple[float, ...]:
-        """The wavelengths that it was given at. [nm]"""
+        """Wavelengths of the given values. [nm]"""
         own: set[float] = set()
         for value in (self.real, self.imaginary):
             if isinstance(value, PerWavelength) and len(value.wavelengths) <= _LONGEST_OWN:
@@ -134,19 +134,19 @@ class GivenIndex(ParticleIndex):
         return tuple(sorted(own))
 
     def at(self, wavelengths: npt.ArrayLike) -> ComplexArray:
-        """n + ik at wavelengths within ``limits`` [nm], shape (nl,)."""
+        """Index n + ik at wavelengths within ``limits`` [nm], shape (nl,)."""
         n, k = (spectral_at(value, wavelengths) for value in (self.real, self.imaginary))
         return np.asarray(n + 1j * k)
 
 
 @parameters
 class TableIndex(ParticleIndex):
-    """A refractive index from a table.
+    """Refractive index from a table.
 
     Parameters
     ----------
     table : str
-        A name or path that ``optics.index_table.read_index`` knows.
+        Name or path that ``optics.index_table.read_index`` accepts.
     """
 
     table: str
@@ -156,28 +156,29 @@ class TableIndex(ParticleIndex):
 
     @property
     def limits(self) -> Limits:
-        """The wavelengths at which it is known. [nm]"""
+        """Wavelengths at which it is known. [nm]"""
         return read_index(self.table).limits
 
     @property
     def own_wavelengths(self) -> tuple[float, ...]:
-        """None: tables have many rows."""
+        """Empty: tables have many rows."""
         return ()
 
     def at(self, wavelengths: npt.ArrayLike) -> ComplexArray:
-        """n + ik at wavelengths within ``limits`` [nm], shape (nl,)."""
+        """Index n + ik at wavelengths within ``limits`` [nm], shape (nl,)."""
         return read_index(self.table).at(wavelengths)
 
 
 @parameters
 class MixedIndex(ParticleIndex):
-    """A matrix that holds small grains of something else; Maxwell Garnett's rule.
+    """Matrix that holds small grains of another substance; Maxwell Garnett's rule.
 
     Parameters
     ----------
     matrix, inclusions : GivenIndex or TableIndex
+        Indices of the two substances.
     fraction : float
-        Share of the inclusions in the volume, 0 to 1. [1]
+        Fraction of the inclusions in the volume, 0 to 1. [1]
     """
 
     keyword = "matrix"
@@ -205,21 +206,21 @@ class MixedIndex(ParticleIndex):
 
     @property
     def limits(self) -> Limits:
-        """The wavelengths at which both are known. [nm]"""
+        """Wavelengths at which both are known. [nm]"""
         return narrowest([self.matrix.limits, self.inclusions.limits])
 
     @property
     def own_wavelengths(self) -> tuple[float, ...]:
-        """The wavelengths that either was given at. [nm]"""
+        """Wavelengths of the given values of both. [nm]"""
         own = {*self.matrix.own_wavelengths, *self.inclusions.own_wavelengths}
         low, high = self.limits
         return tuple(sorted(nm for nm in own if low <= nm <= high))
 
     def at(self, wavelengths: npt.ArrayLike) -> ComplexArray:
-        """n + ik at wavelengths within ``limits`` [nm], shape (nl,)."""
+        """Index n + ik at wavelengths within ``limits`` [nm], shape (nl,)."""
         parts = self.matrix.at(wavelengths), self.inclusions.at(wavelengths)
         return maxwell_garnett(*parts, self.fraction)
 
 
-#: What ``index = { … }`` may be, by the key that tells them apart; the name of a table is a word.
+#: Kinds of ``index = { … }``, distinguished by a key; the name of a table is a word.
 INDICES: Final[Alternatives[ParticleIndex]] = Alternatives((GivenIndex, MixedIndex))

@@ -1,4 +1,4 @@
-"""The sizes of particles as parameter objects."""
+"""Sizes of particles as parameter objects."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from airlight.planets.schema.record import Record
 
 
 class ParticleSizes(Record, ABC):
-    """How the radii of particles are distributed."""
+    """Distribution of the radii of particles."""
 
     @abstractmethod
     def moment(self, power: float) -> float:
@@ -28,7 +28,7 @@ class ParticleSizes(Record, ABC):
 
     @classmethod
     def fresh(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
-        """What is usual, about the radius that the table had; see ``Record.fresh``."""
+        """Table with usual values near the radius that the old table had; see ``Record.fresh``."""
         table = super().fresh(old, thickness)
         radii = [value for name, value in old.items() if name.endswith("radius")]
         return {
@@ -44,9 +44,9 @@ class GammaSizes(ParticleSizes):
     Parameters
     ----------
     effective_radius : float
-        Mean radius by area, 1e-10 to 1e-3. [m]
+        Mean radius weighted by area, 1e-10 to 1e-3. [m]
     effective_variance : float
-        Above 0, below 1/2. [1]
+        Effective variance, above 0, below 1/2. [1]
     """
 
     keyword = "gamma"
@@ -85,9 +85,9 @@ class LogNormalSizes(ParticleSizes):
     Parameters
     ----------
     median_radius : float
-        Half of the particles are smaller, 1e-10 to 1e-3. [m]
+        Median of the radii, 1e-10 to 1e-3. [m]
     geometric_deviation : float
-        σ_g, 1 to 5; 1 is one radius for all. [1]
+        Geometric standard deviation σ_g, 1 to 5; 1 is a single radius. [1]
     """
 
     keyword = "log-normal"
@@ -129,7 +129,7 @@ class SingleSize(ParticleSizes):
     Parameters
     ----------
     radius : float
-        1e-10 to 1e-3. [m]
+        Radius, 1e-10 to 1e-3. [m]
     """
 
     keyword = "single"
@@ -141,11 +141,11 @@ class SingleSize(ParticleSizes):
         return float(self.radius**power)
 
     def sizes(self, count: int) -> Sizes:
-        """The one radius, however many nodes are asked for."""
+        """Single radius, whatever the number of nodes."""
         return distribution.single_size(self.radius)
 
 
-#: What ``sizes = { kind = … }`` may name.
+#: Kinds of ``sizes = { kind = … }``.
 SIZES: Final[Kinds[ParticleSizes]] = Kinds(
     (GammaSizes, LogNormalSizes, SingleSize),
     label="sizes",

@@ -33,11 +33,11 @@ from airlight.planets.spectral import Limits, narrowest
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Radii that stand for a distribution in anomalous diffraction.
+#: Number of radii of a distribution in anomalous diffraction.
 _RADII: Final = 400
 
 
-#: Exact, and the approximation of van de Hulst.
+#: Exact theory, and the approximation of van de Hulst.
 METHODS: Final = ("mie", "anomalous-diffraction")
 
 
@@ -55,14 +55,14 @@ class Particles(Matter):
         Refractive index.
     sizes : GammaSizes, LogNormalSizes or SingleSize
     method : "mie" or "anomalous-diffraction"
-        The second has no phase function of its own, and is 9 to 13 % off in extinction for the
-        dust of Mars.
+        Theory. The second has no phase function of its own, and is 9 to 13 % off in extinction for
+        the dust of Mars.
     optical_depth : float, optional
-        Vertical, of extinction, at the wavelength ``at``, 0 to 1e4. [1]
+        Vertical optical depth of extinction at the wavelength ``at``, 0 to 1e4. [1]
     at : float
-        [nm]
+        Wavelength of the optical depth. [nm]
     number_density : float, optional
-        At relative density 1, instead of the optical depth. [m⁻³]
+        Number density at relative density 1, instead of the optical depth. [m⁻³]
 
     Notes
     -----
@@ -185,7 +185,7 @@ class Particles(Matter):
 
     @property
     def limits(self) -> Limits:
-        """The wavelengths at which it is known, lowest and highest. [nm]"""
+        """Wavelengths at which it is known, lowest and highest. [nm]"""
         return narrowest([self.index.limits, WIDEST])
 
     def prepare(
@@ -195,7 +195,7 @@ class Particles(Matter):
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> None:
-        """Compute what these wavelengths [nm] need; kept in memory and on disk."""
+        """Compute the nodes for these wavelengths [nm]; kept in memory and on disk."""
         if self.method == "mie":
             wanted = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
             if self.optical_depth is not None:
@@ -214,7 +214,7 @@ class Particles(Matter):
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
         """
         nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
         if self.method == "anomalous-diffraction":
@@ -235,12 +235,12 @@ class Particles(Matter):
         return extinction, scattering
 
     def number_of(self, vertical_column: float) -> float:
-        """Particles per volume at relative density 1. [m⁻³]
+        """Number density of particles at relative density 1. [m⁻³]
 
         Parameters
         ----------
         vertical_column : float
-            ∫ relative density dh over the shell. [m]
+            Integral ∫ relative density dh over the shell. [m]
         """
         if self.number_density is not None:
             return self.number_density
@@ -256,9 +256,9 @@ class Particles(Matter):
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
         vertical_column : float
-            ∫ relative density dh over the shell, by which an optical depth is divided. [m]
+            Integral ∫ relative density dh over the shell, by which an optical depth is divided. [m]
         """
         _, scattering = self.cross_sections(wavelengths)
         return scattering * self.number_of(vertical_column)
@@ -271,13 +271,13 @@ class Particles(Matter):
         Parameters
         ----------
         wavelengths, vertical_column
-            As for ``scattering_coefficients``. [nm], [m]
+            See ``scattering_coefficients``. [nm], [m]
         """
         extinction, scattering = self.cross_sections(wavelengths)
         return np.maximum(extinction - scattering, 0.0) * self.number_of(vertical_column)
 
     def phase_function(self, wavelengths: npt.ArrayLike) -> TabulatedPhase:
-        """Its phase function, known at these wavelengths [nm], shape (nl,).
+        """Phase function, known at these wavelengths [nm], shape (nl,).
 
         Raises
         ------

@@ -1,4 +1,4 @@
-"""Keys that several kinds of matter share: the state of a gas, how many there are, how large."""
+"""Keys that several kinds of matter share: state of a gas, number density, radius."""
 
 from __future__ import annotations
 
@@ -6,19 +6,19 @@ from typing import Any
 
 from airlight.planets.schema.key import Key
 
-#: The density, temperature and pressure of a gas are said where its profile is 1.
+#: State of a gas: density, temperature and pressure where its profile is 1.
 _HERE = "of the gas where its profile is 1"
 
 
 def temperature_key(label: str = "temperature", of: str = _HERE, **more: Any) -> Key:
-    """The temperature of a gas."""
+    """Key of the temperature of a gas."""
     return Key(label=label, help=f"Temperature {of}.", unit="K", range=(1.0, 1e5),
                slider=(20.0, 2000.0), scale="log", mode="advanced", example="288.15 K",
                **more)  # fmt: skip
 
 
 def pressure_key(label: str = "pressure", of: str = _HERE, **more: Any) -> Key:
-    """The pressure of a gas."""
+    """Key of the pressure of a gas."""
     return Key(label=label, help=f"Pressure {of}.", unit="Pa", range=(1e-9, 1e10), shown="hPa",
                slider=(0.01, 1e5), scale="log", mode="advanced", example="101325 Pa",
                **more)  # fmt: skip
@@ -30,40 +30,40 @@ def density_key(
     least: float = 1e10,
     **more: Any,
 ) -> Key:
-    """Molecules or particles in a volume."""
+    """Key of the number density of molecules or particles."""
     fields = {"slider": (1e18, 1e28), "example": "2.547e25 /m^3", **more}
     return Key(label=label, help=text, unit="1/m^3", range=(least, 1e29), scale="log",
                mode="advanced", **fields)  # fmt: skip
 
 
 def depolarisation_key(**more: Any) -> Key:
-    """How far molecules are from round."""
+    """Key of the depolarisation of molecules."""
     return Key(label="depolarisation", help="How far its molecules are from round, 0 to 0.5.",
                range=(0.0, 0.5), spectral=True, example="0.035", per="wavelengths",
                mode="advanced", **more)  # fmt: skip
 
 
 def refractivity_key(text: str = "Of the gas, at the state given with it.", **more: Any) -> Key:
-    """n - 1 of a gas."""
+    """Key of the refractivity n - 1 of a gas."""
     return Key(label="refractivity n - 1", help=text, range=(0.0, 1.0), slider=(1e-7, 1e-2),
                scale="log", spectral=True, example="2.78e-4", per="wavelengths", mode="advanced",
                **more)  # fmt: skip
 
 
 def radius_key(label: str, text: str, **more: Any) -> Key:
-    """The radius of a particle."""
+    """Key of the radius of a particle."""
     fields = {"range": (1e-10, 1e-3), "shown": "um", "slider": (0.01, 20.0), "example": "1.6 um",
               "fresh": "0.5 um", **more}  # fmt: skip
     return Key(label=label, help=text, unit="m", scale="log", mode="advanced", **fields)
 
 
 def albedo_key(**more: Any) -> Key:
-    """Share of the extinction that is scattering."""
+    """Key of the single-scattering albedo."""
     return Key(label="single-scattering albedo", help="Share of the extinction that is scattering.",
                range=(0.0, 1.0), example="0.9", **more)  # fmt: skip
 
 
 def depth_key(text: str, **more: Any) -> Key:
-    """A vertical optical depth."""
+    """Key of a vertical optical depth."""
     return Key(label="optical depth", help=text, range=(0.0, 1e4), slider=(1e-3, 30.0),
                scale="log", example="0.05", **more)  # fmt: skip

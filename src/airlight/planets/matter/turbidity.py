@@ -1,4 +1,4 @@
-"""Haze by one number: turbidity or optical depth, and how it falls with wavelength."""
+"""Haze by one number, turbidity or optical depth, and by its dependence on wavelength."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from airlight.planets.spectral import EVERYWHERE, Limits
 
 FloatArray = npt.NDArray[np.float64]
 
-#: The wavelength that turbidity and optical depth belong to. [nm]
+#: Wavelength of turbidity and optical depth. [nm]
 AT: Final = 550.0
 #: K of Costa et al., Table 1, at the wavelengths of red, green and blue. [nm], [1]
 _K_AT: Final = (440.0, 550.0, 680.0)
 _K: Final = (0.0089, 0.0092, 0.0096)
-#: Wavelengths within which K is held beyond its ends. [nm]
+#: Wavelengths up to which K is constant beyond its ends. [nm]
 _K_LIMITS: Final[Limits] = (360.0, 830.0)
 
 
@@ -37,15 +37,15 @@ def _turbidity_key(**more: Any) -> Key:
 
 
 class _Haze(Matter):
-    """Matter that a phase function has to be given beside."""
+    """Matter that needs a phase function beside it."""
 
     @property
     def needs_phase(self) -> str:
-        """Turbidity, which says nothing about it."""
+        """Turbidity, which does not determine it."""
         return "turbidity"
 
     def phase_function(self, wavelengths: npt.ArrayLike) -> PhaseFunction:
-        """None of its own: the constituent gives one."""
+        """Raise an error: the constituent gives the phase function."""
         raise _no_phase_function()
 
 
@@ -58,15 +58,15 @@ class Turbidity(_Haze):
     turbidity : float, optional
         T, optical depth of gas and haze over that of the gas alone at 550 nm, 1 to 100. [1]
     rayleigh_optical_depth : float, optional
-        Of the gas at 550 nm, beside a turbidity. [1]
+        Optical depth of the gas at 550 nm, beside a turbidity. [1]
     optical_depth : float, optional
-        Vertical, of extinction by the haze at 550 nm, instead of a turbidity. [1]
+        Vertical optical depth of extinction by the haze at 550 nm, instead of a turbidity. [1]
     junge : float, optional
         v, 2 to 6: N(r) ∝ r^-(v+1) scatters like λ^-(v-2). [1]
     angstrom : float, optional
-        v - 2, instead of v, 0 to 4. [1]
+        Exponent v - 2, instead of v, 0 to 4. [1]
     single_scattering_albedo : float
-        The same at all wavelengths. [1]
+        Albedo at all wavelengths. [1]
 
     References
     ----------
@@ -157,7 +157,7 @@ class Turbidity(_Haze):
 
     @property
     def limits(self) -> Limits:
-        """The wavelengths at which it is known: all. [nm]"""
+        """Wavelengths at which it is known: all. [nm]"""
         return EVERYWHERE
 
     def _extinction(self, wavelengths: npt.ArrayLike, vertical_column: float) -> FloatArray:
@@ -179,9 +179,9 @@ class Turbidity(_Haze):
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
         vertical_column : float
-            ∫ relative density dh over the shell: the scale height of the OpenSpace paper. [m]
+            Integral ∫ relative density dh over the shell: the paper's scale height. [m]
         """
         return self.single_scattering_albedo * self._extinction(wavelengths, vertical_column)
 
@@ -193,7 +193,7 @@ class Turbidity(_Haze):
         Parameters
         ----------
         wavelengths, vertical_column
-            As for ``scattering_coefficients``. [nm], [m]
+            See ``scattering_coefficients``. [nm], [m]
         """
         share = 1.0 - self.single_scattering_albedo
         return share * self._extinction(wavelengths, vertical_column)
@@ -201,7 +201,7 @@ class Turbidity(_Haze):
 
 @parameters
 class LiteralTurbidity(_Haze):
-    r"""Eq. 17 of the OpenSpace paper as it is printed, for v = 4.
+    r"""Eq. 17 of the OpenSpace paper as printed, for v = 4.
 
     .. math:: \beta = 0.434\, C(T)\, \pi \left(\frac{2\pi}{\lambda}\right)^{v-2} K, \qquad
               C = (0.65\,T - 0.65)\cdot 10^{-16}
@@ -211,12 +211,12 @@ class LiteralTurbidity(_Haze):
     turbidity : float
         T, 1 to 100. [1]
     junge : float
-        4: with any other v the formula has other units. [1]
+        v = 4: with any other v the formula has other units. [1]
 
     Notes
     -----
     λ in m; the result is read in m⁻¹. K is (0.0096, 0.0092, 0.0089) at 680, 550 and 440 nm, linear
-    between them. It does not absorb, and takes no account of how thick the haze is.
+    between them. It does not absorb, and does not depend on the thickness of the haze.
 
     References
     ----------
@@ -249,7 +249,7 @@ class LiteralTurbidity(_Haze):
 
     @property
     def limits(self) -> Limits:
-        """The wavelengths at which K is taken as known. [nm]"""
+        """Wavelengths at which K is taken as known. [nm]"""
         return _K_LIMITS
 
     def scattering_coefficients(
@@ -260,7 +260,7 @@ class LiteralTurbidity(_Haze):
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
         vertical_column : float
             Not used.
         """
@@ -272,5 +272,5 @@ class LiteralTurbidity(_Haze):
     def absorption_coefficients(
         self, wavelengths: npt.ArrayLike, vertical_column: float
     ) -> FloatArray:
-        """None, shape (nl,). [m⁻¹]"""
+        """Zeros, shape (nl,). [m⁻¹]"""
         return np.zeros(np.shape(wavelengths))

@@ -1,1 +1,1 @@
-"""From a planet's text file to parameter objects."""
+"""Reading of planet files: from text to parameter objects."""

@@ -1,4 +1,4 @@
-"""Keys of a constituent that are no fields of it: its coefficients in other words."""
+"""Keys of a constituent that are not fields of it: its coefficients in other forms."""
 
 from __future__ import annotations
 
@@ -23,5 +23,5 @@ DEPTH: Final = depth_key(
     per="wavelengths",
     note="Divided by the profile's column when the file is read.",
 )
-#: In the order in which an editor shows them.
+#: Keys in the order in which an editor shows them.
 COEFFICIENT_KEYS: Final[tuple[Key, ...]] = (EXTINCTION, ALBEDO, DEPTH)

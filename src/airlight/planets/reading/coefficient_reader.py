@@ -1,4 +1,4 @@
-"""The coefficients of one constituent: the keys of a planet file that give them, in every form."""
+"""Coefficients of one constituent: the keys of a planet file that give them, in every form."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from airlight.planets.spectral import PerWavelength, Spectral
 _SCATTERING = fields_of(Constituent)["scattering"]
 _ABSORPTION = fields_of(Constituent)["absorption"]
 
-#: The sets of keys that say what a constituent scatters and absorbs.
+#: Sets of keys that determine the scattering and absorption of a constituent.
 _FORMS: Final = (
     ("scattering",),
     ("absorption",),
@@ -32,7 +32,7 @@ _FORMS: Final = (
     ("extinction", "single_scattering_albedo"),
     ("optical_depth", "single_scattering_albedo"),
 )
-#: Every key of a constituent that gives a coefficient.
+#: All keys of a constituent that give a coefficient.
 COEFFICIENTS: Final = tuple(dict.fromkeys(name for form in _FORMS for name in form))
 
 
@@ -42,23 +42,23 @@ def read_coefficients(
     profile: Profile,
     thickness: float,
 ) -> tuple[Spectral | Scatterer, Spectral | Absorber]:
-    """Scattering and absorption coefficients at relative density 1.
+    """Read scattering and absorption coefficients at relative density 1.
 
     Parameters
     ----------
     section : Section
-        The constituent's table.
+        Table of the constituent.
     wavelengths : tuple of float or None
-        Those that its lists belong to. [nm]
+        Wavelengths that its lists belong to. [nm]
     profile : Profile
-        Over whose column an optical depth is spread.
+        Profile over whose column an optical depth is spread.
     thickness : float
-        Of the shell. [m]
+        Thickness of the shell. [m]
 
     Returns
     -------
     scattering, absorption
-        As ``Constituent`` takes them. [m⁻¹]
+        Coefficients as ``Constituent`` takes them. [m⁻¹]
     """
     given = tuple(sorted(key for key in COEFFICIENTS if key in section))
     if given not in {tuple(sorted(form)) for form in _FORMS}:
@@ -83,7 +83,7 @@ def read_coefficients(
 
 
 def read_scattering(section: Section, wavelengths: Wavelengths) -> Spectral | Scatterer:
-    """The key ``scattering``: a coefficient, or molecules that scatter. [m⁻¹]"""
+    """Read the key ``scattering``: a coefficient, or molecules that scatter. [m⁻¹]"""
     if not isinstance(section.raw("scattering"), dict):
         return section.spectral("scattering", "1/m", _SCATTERING.example, wavelengths)
     allowed = "a coefficient or a table such as { rayleigh = 'air', … }"
@@ -91,19 +91,19 @@ def read_scattering(section: Section, wavelengths: Wavelengths) -> Spectral | Sc
 
 
 def read_absorption(section: Section, wavelengths: Wavelengths) -> Spectral | Absorber:
-    """The key ``absorption``: a coefficient, something that absorbs, or 0 if it is not there.
+    """Read the key ``absorption``: a coefficient, an absorber, or 0 if it is absent.
 
     Parameters
     ----------
     section : Section
-        The constituent's table.
+        Table of the constituent.
     wavelengths : tuple of float or None
-        Those that its lists belong to. [nm]
+        Wavelengths that its lists belong to. [nm]
 
     Returns
     -------
     float, PerWavelength or Absorber
-        As ``Constituent`` takes it. [m⁻¹]
+        Absorption as ``Constituent`` takes it. [m⁻¹]
     """
     if "absorption" not in section:
         return 0.0
@@ -157,13 +157,13 @@ def _column(section: Section, profile: Profile, thickness: float) -> float:
 
 
 def _given(key: Key, section: Section, wavelengths: Wavelengths) -> Spectral:
-    """The value of a key that is there, within its range."""
+    """Value of a key that is present, within its range."""
     value: Spectral = key.checked(key.read_from(section, wavelengths), section.name_of(key.name))
     return value
 
 
 def _absorption_beside(scattering: float, albedo: float) -> float:
-    """Absorption of what scatters this much with this albedo; infinite at albedo 0."""
+    """Absorption beside this scattering at this albedo; infinite at albedo 0."""
     if scattering == 0.0:
         return 0.0
     return scattering * (1.0 - albedo) / albedo if albedo > 0.0 else math.inf
@@ -182,7 +182,7 @@ def _combined(
     key: str,
     *values: Spectral,
 ) -> Spectral:
-    """A formula applied at each wavelength, or once if no value depends on it."""
+    """Apply a formula at each wavelength, or once if no value depends on it."""
     lists = [_listed(value, wavelengths) for value in values]
     results = tuple(formula(*items) for items in zip(*lists, strict=True))
     for result in results:

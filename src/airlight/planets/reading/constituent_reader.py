@@ -19,13 +19,13 @@ from airlight.planets.schema.section import Section
 
 
 def read_constituent(section: Section, thickness: float) -> Constituent:
-    """A constituent from its table.
+    """Read a constituent from its table.
 
     Parameters
     ----------
     section : Section
     thickness : float
-        Of the shell, over which optical depths are spread. [m]
+        Thickness of the shell, over which optical depths are spread. [m]
     """
     name = section.text("name", "a name of its own")
     wavelengths = section.wavelengths()
@@ -55,7 +55,7 @@ def read_constituent(section: Section, thickness: float) -> Constituent:
 
 
 def _matter(section: Section, wavelengths: Wavelengths) -> Matter | None:
-    """What the constituent is made of, if it says so; beside it only absorption is given."""
+    """Matter of the constituent, if given; beside it only absorption is given."""
     given = [kind for kind in MATTER if kind.keyword in section]
     if not given:
         return None
@@ -77,7 +77,7 @@ def _matter(section: Section, wavelengths: Wavelengths) -> Matter | None:
 
 
 def _profile_of(section: Section, matter: Matter | None) -> Profile:
-    """The profile given, or the exponential that temperature and gravity give to a gas."""
+    """Profile given, or the exponential that temperature and gravity give to a gas."""
     if matter is not None and "profile" not in section:
         with section.blamed(), Section({}, section.name_of(matter.keyword)).blamed():
             height = matter.own_scale_height()

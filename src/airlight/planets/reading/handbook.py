@@ -1,4 +1,4 @@
-"""The tables of ``docs/planet-files.md``: every key as it is declared."""
+"""Tables of ``docs/planet-files.md``: every key as it is declared."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ from airlight.planets.schema.key import Key
 from airlight.planets.schema.kinds import Alternatives, Kinds
 
 _BLOCK: Final = re.compile(r"<!-- keys: (\w+) -->\n.*?<!-- end of keys -->", flags=re.DOTALL)
-#: Words that a cell lists; of more it says that there are tables.
+#: Largest number of words listed in a cell; more are described as tables.
 _MOST_WORDS: Final = 6
 
 
 def filled(page: str) -> str:
-    """The page with every block between ``<!-- keys: kind -->`` and its end written anew.
+    """Fill every block between ``<!-- keys: kind -->`` and its end on a page.
 
     Parameters
     ----------
     page : str
-        Markdown.
+        Text in Markdown.
 
     Raises
     ------
     KeyError
-        If a block names no kind of table.
+        If a block names an unknown kind of table.
     """
 
     def block(match: re.Match[str]) -> str:
@@ -38,12 +38,12 @@ def filled(page: str) -> str:
 
 
 def key_table(kind: str) -> str:
-    """The keys of one kind of table, as a table in Markdown.
+    """Keys of one kind of table, as a table in Markdown.
 
     Parameters
     ----------
     kind : str
-        One of ``TABLES``.
+        Name of the kind in ``TABLES``.
 
     Examples
     --------
@@ -67,7 +67,7 @@ def key_table(kind: str) -> str:
 
 
 def _of_kinds(kinds: Kinds[Any]) -> Iterator[str]:
-    """A line for each kind: the word, its keys, and the first line of its class."""
+    """Rows of a table of kinds: the word, its keys, and the first line of its class."""
     yield "| `kind` | keys | |"
     yield "|---|---|---|"
     for one in kinds.classes:
@@ -85,7 +85,7 @@ def _cell(text: str) -> str:
 
 
 def _value(key: Key) -> str:
-    """What may stand there: words, a table, a range in the unit that it is edited in."""
+    """Allowed values: words, a table, a range in the unit in which it is edited."""
     parts = []
     words = key.words()
     if key.kind == "text":
@@ -115,7 +115,7 @@ def _range(key: Key) -> str:
 
 
 def _number(value: float) -> str:
-    """Four digits, without the plus and the zeros of an exponent.
+    """Number with four digits, without the plus and the zeros of an exponent.
 
     Examples
     --------

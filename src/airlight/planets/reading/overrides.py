@@ -1,6 +1,6 @@
-"""Single keys of a planet file changed before it is read: ``dust.particles.optical_depth = 1``.
+"""Changes of single keys of a planet file before it is read: ``dust.particles.optical_depth = 1``.
 
-A path names a key as the file nests it, with dots, and items of lists by their index:
+A path names a key as it is nested in the file, with dots, and items of lists by their index:
 ``shell.top_radius``, ``star.distance``, ``ground.albedo[2]``. Constituents are found by their
 name, or as ``constituents[0]``.
 """
@@ -18,9 +18,9 @@ import numpy as np
 
 from airlight.errors import ParameterError
 
-#: The field that errors name; the command line calls it by its option.
+#: Field in errors; the command line replaces it by its option.
 FIELD: Final = "override"
-#: The most overrides at once.
+#: Largest number of overrides at once.
 MOST_OVERRIDES: Final = 1000
 
 _Step = str | int
@@ -28,17 +28,17 @@ _STEPS: Final = re.compile(r"[^.\[\]]+|\[\d{1,6}\]|\.")
 
 
 def overridden(values: Mapping[str, Any], overrides: Mapping[str, Any]) -> dict[str, Any]:
-    """The tables of a planet file with some keys changed.
+    """Change some keys in the tables of a planet file.
 
-    A key that is not in the file is added, if the table it belongs to is there: the reader says
-    whether it exists. ``None`` takes a key away, so that another may take its place.
+    A key that is not in the file is added, if the table it belongs to is there: the reader decides
+    whether it exists. ``None`` removes a key, so that another may replace it.
 
     Parameters
     ----------
     values : mapping
-        What the TOML parser made of the file; not changed.
+        Tables as returned by the TOML parser; not changed.
     overrides : mapping
-        From path to value, in order: what the file would hold, text with a unit included.
+        Map from path to value, in order: values as in a file, including texts with a unit.
 
     Returns
     -------
@@ -47,7 +47,7 @@ def overridden(values: Mapping[str, Any], overrides: Mapping[str, Any]) -> dict[
     Raises
     ------
     ParameterError
-        If a path leads nowhere: the nearest that exists is suggested.
+        If a path leads nowhere: the nearest existing path is suggested.
 
     Examples
     --------
@@ -65,19 +65,19 @@ def overridden(values: Mapping[str, Any], overrides: Mapping[str, Any]) -> dict[
 
 
 def parsed(text: str) -> tuple[str, Any]:
-    """Path and value of ``PATH=VALUE``, the value as TOML or as plain text.
+    """Parse path and value of ``PATH=VALUE``, the value as TOML or as plain text.
 
     Parameters
     ----------
     text : str
         ``ground.albedo=0.3``; ``shell.top_radius=6500 km``, where quotes are not needed;
-        ``air.scattering=["5e-6 /m", "1e-5 /m"]``. ``PATH=`` takes the key away.
+        ``air.scattering=["5e-6 /m", "1e-5 /m"]``. ``PATH=`` removes the key.
 
     Returns
     -------
     path : str
     value : object
-        None if there is nothing after the sign.
+        Value; None if there is nothing after the sign.
 
     Raises
     ------
@@ -98,16 +98,16 @@ def parsed(text: str) -> tuple[str, Any]:
 def with_hint(
     error: ParameterError, values: Mapping[str, Any], overrides: Mapping[str, Any]
 ) -> ParameterError:
-    """The reader's complaint, with the path in the file that an added key may have meant.
+    """Add to the reader's error the path in the file that an added key may have meant.
 
     Parameters
     ----------
     error : ParameterError
-        What the reader said of the overridden file.
+        Error of the reader for the overridden file.
     values : mapping
-        The file before it was overridden.
+        File before it was overridden.
     overrides : mapping
-        From path to value.
+        Map from path to value.
     """
     if error.field.startswith(FIELD) or error.field in overrides:
         return error
@@ -131,7 +131,7 @@ def _value(text: str) -> Any:
 
 
 def _plain(value: Any) -> Any:
-    """As a TOML parser gives values: numbers and lists of Python, tables as dicts."""
+    """Value as a TOML parser returns it: numbers and lists of Python, tables as dicts."""
     if isinstance(value, (np.ndarray, np.generic)):
         return value.tolist()
     if isinstance(value, Mapping):
@@ -162,7 +162,7 @@ def _change(root: dict[str, Any], path: Any, value: Any) -> None:
 
 
 def _inside(root: dict[str, Any], place: Any, step: _Step, path: str) -> Any:
-    """The table, list or value that a step leads to."""
+    """Table, list or value that a step leads to."""
     if isinstance(step, int):
         if not isinstance(place, list) or step >= len(place):
             raise _nowhere(root, path)
@@ -173,7 +173,7 @@ def _inside(root: dict[str, Any], place: Any, step: _Step, path: str) -> Any:
 
 
 def _steps(root: Mapping[str, Any], path: Any) -> list[_Step]:
-    """The keys and indices that a path names, a constituent's name turned into its index."""
+    """Keys and indices of a path, with a constituent's name replaced by its index."""
     if not isinstance(path, str) or not path.strip():
         raise ParameterError(FIELD, path, "a path such as ground.albedo")
     first = re.split(r"[.\[]", path, maxsplit=1)[0]
@@ -196,7 +196,7 @@ def _split(root: Mapping[str, Any], path: str) -> list[_Step]:
 
 
 def _names(root: Mapping[str, Any]) -> list[tuple[int, str]]:
-    """Indices and names of the constituents, where there are any."""
+    """Indices and names of the constituents, if there are any."""
     listed = root.get("constituents")
     if not isinstance(listed, list):
         return []
@@ -216,7 +216,7 @@ def _nowhere(root: Mapping[str, Any], path: str) -> ParameterError:
 
 
 def _nearest(path: str, known: list[str]) -> str | None:
-    """The path most like this one; with the same last key, if there is such."""
+    """Path most similar to this path; with the same last key, if possible."""
     last = path.rpartition(".")[2]
     same = [one for one in known if one.rpartition(".")[2] == last]
     for options, cutoff in ((known, 0.75), (same, 0.0), (known, 0.5)):
@@ -227,7 +227,7 @@ def _nearest(path: str, known: list[str]) -> str | None:
 
 
 def _paths(root: Mapping[str, Any]) -> list[str]:
-    """Every path of a file, constituents by name."""
+    """All paths of a file, constituents by name."""
     names = dict(_names(root))
     found: list[str] = []
     for key, value in root.items():

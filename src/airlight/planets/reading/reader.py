@@ -1,4 +1,4 @@
-"""Planet files: from TOML with units to a ``Planet``, every mistake in one line."""
+"""Planet files: from TOML with units to a ``Planet``, every error in one line."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from airlight.planets.reading.overrides import overridden, with_hint
 from airlight.planets.schema.record import fields_of
 from airlight.planets.schema.section import Section, suggestion
 
-#: The largest planet file. [byte]
+#: Largest size of a planet file. [byte]
 LARGEST_FILE: Final = 4_000_000
 
 
 @cache
 def planet_names() -> tuple[str, ...]:
-    """The planets that come with the package.
+    """Names of the planets in the package.
 
     Examples
     --------
@@ -46,18 +46,18 @@ def load_planet(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Planet:
-    """A planet by the name of a preset, or from a planet file.
+    """Load a planet by the name of a preset, or from a planet file.
 
     Parameters
     ----------
     name_or_path : str or Path
-        One of ``planet_names()``, or the path to a TOML file; ``docs/planet-files.md`` says
-        what stands in one.
+        One of ``planet_names()``, or the path to a TOML file; its format is described in
+        ``docs/planet-files.md``.
     overrides : mapping, optional
         Keys of the file that are changed before it is read, from path to value: constituents by
-        name, values as the file would hold them, None to take a key away.
+        name, values as in the file, None to remove a key.
     progress, cancel : callable, optional
-        See ``airlight.kernel.threads``: particles take seconds where they are met first.
+        See ``airlight.kernel.threads``: new particles take seconds.
 
     Returns
     -------
@@ -66,10 +66,10 @@ def load_planet(
     Raises
     ------
     FileError
-        If there is no such file, or it cannot be read, or it is not TOML.
+        If the file does not exist, cannot be read, or is not TOML.
     ParameterError
-        If the name is unknown, or something in the file cannot be: names file, field, value
-        and what is allowed.
+        If the name is unknown, or the file is invalid: the error names file, field, value and the
+        allowed values.
 
     Examples
     --------
@@ -83,26 +83,26 @@ def load_planet(
 
 
 def planet_text(name_or_path: str | Path) -> tuple[str, str, Path | None]:
-    """The text of a planet file, by the name of a preset or its path.
+    """Text of a planet file, by the name of a preset or its path.
 
     Parameters
     ----------
     name_or_path : str or Path
-        As for ``load_planet``.
+        Name or path as for ``load_planet``.
 
     Returns
     -------
     text : str
-        TOML, not read yet.
+        Text in TOML, not read yet.
     file : str
-        The name that errors show.
+        Name in errors.
     folder : Path or None
-        Where files that the text names are looked for; None for a preset.
+        Folder of files that the text names; None for a preset.
 
     Raises
     ------
     FileError
-        If there is no such file, or it cannot be read.
+        If the file does not exist, or cannot be read.
     ParameterError
         If the name is unknown.
 
@@ -160,20 +160,20 @@ def read_planet(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Planet:
-    """A planet from the text of a planet file.
+    """Read a planet from the text of a planet file.
 
     Parameters
     ----------
     text : str
-        TOML.
+        Text in TOML.
     file : str
-        The name that errors show.
+        Name in errors.
     folder : Path, optional
-        Where files that the text names are looked for; without it, the working directory.
+        Folder of files that the text names; by default, the working directory.
     overrides : mapping, optional
-        As for ``load_planet``.
+        Changes as for ``load_planet``.
     progress, cancel : callable, optional
-        As for ``load_planet``.
+        See ``load_planet``.
 
     Returns
     -------
@@ -184,7 +184,7 @@ def read_planet(
     FileError
         If the text is not TOML.
     ParameterError
-        If something in it cannot be.
+        If the file is invalid.
     """
     tables = planet_tables(text, file)
     return read_tables(tables, file, folder, overrides, progress=progress, cancel=cancel)
@@ -200,17 +200,17 @@ def read_tables(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Planet:
-    """A planet from the nested tables of a planet file.
+    """Read a planet from the nested tables of a planet file.
 
     Parameters
     ----------
     tables : mapping
-        As ``planet_tables`` gives them; not changed.
+        Tables from ``planet_tables``; not changed.
     file, folder, overrides, progress, cancel
-        As for ``read_planet``.
+        See ``read_planet``.
     wavelengths : callable
-        ``wavelengths(planet)``: where the planet is sampled to see whether it can be; whoever
-        asks for the medium there afterwards is given that one. The planet's own, if left out. [nm]
+        ``wavelengths(planet)``: wavelengths at which the planet is sampled to check it; a later
+        request for the medium there gets that medium. The planet's own by default. [nm]
 
     Returns
     -------
@@ -219,7 +219,7 @@ def read_tables(
     Raises
     ------
     ParameterError
-        If something in the tables cannot be.
+        If the tables are invalid.
     """
     try:
         changed = tables if overrides is None else overridden(tables, overrides)
@@ -234,14 +234,14 @@ def read_tables(
 
 
 def planet_tables(text: str, file: str) -> dict[str, Any]:
-    """The nested tables of a planet file, before anything in them is checked.
+    """Nested tables of a planet file, before anything in them is checked.
 
     Parameters
     ----------
     text : str
-        TOML.
+        Text in TOML.
     file : str
-        The name that errors show.
+        Name in errors.
 
     Raises
     ------

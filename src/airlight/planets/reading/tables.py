@@ -1,4 +1,4 @@
-"""Every kind of table of a planet file with its keys, for reader, editors and handbook."""
+"""All kinds of table of a planet file with their keys, for reader, editors and handbook."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from airlight.planets.reading.coefficient_keys import COEFFICIENT_KEYS
 from airlight.planets.schema.key import WAVELENGTHS, FileTable, Key
 from airlight.planets.schema.record import fields_of
 
-#: What a constituent may be made of, by the key of its table.
+#: Kinds of matter of a constituent, by the key of its table.
 MATTER: Final[tuple[type[Matter], ...]] = (
     GasMixture,
     Particles,
@@ -30,25 +30,25 @@ MATTER: Final[tuple[type[Matter], ...]] = (
 
 
 class KindOfTable(Protocol):
-    """Anything that declares the keys of one kind of table."""
+    """Object that declares the keys of one kind of table."""
 
     def declared(self, table: FileTable | None = None) -> tuple[Key, ...]:
-        """The keys that this table may have, or any table of the kind."""
+        """Keys that this table may have, or any table of the kind."""
 
 
 class _Listed:
-    """A kind of table whose keys are a list."""
+    """Kind of table whose keys are a list."""
 
     def __init__(self, *keys: Key) -> None:
         self._keys = keys
 
     def declared(self, table: FileTable | None = None) -> tuple[Key, ...]:
-        """The list."""
+        """Keys of the list."""
         return self._keys
 
 
 def _planet() -> _Listed:
-    """The keys of a whole file: those of a planet, with the shell's in a table of their own."""
+    """Keys of a whole file: those of a planet, with the shell's in a nested table."""
     own = Planet.declared()
     first = next(i for i, key in enumerate(own) if key.kind == "table")
     shell = Key(name="shell", label="shell", help="Where the air lies.", kind="table",
@@ -57,7 +57,7 @@ def _planet() -> _Listed:
 
 
 def _constituent() -> _Listed:
-    """A constituent's fields, its coefficients in other words, and what it may be made of."""
+    """Fields of a constituent, its coefficients in other forms, and its kinds of matter."""
     own = {key.name: key for key in Constituent.declared()}
     phase = own.pop("phase_function")
     made_of = [
@@ -68,7 +68,7 @@ def _constituent() -> _Listed:
     return _Listed(*first, *own.values(), *COEFFICIENT_KEYS, *made_of, phase)
 
 
-#: By the name that ``Key.table`` uses.
+#: Kinds of table by the name that ``Key.table`` uses.
 TABLES: Final[dict[str, KindOfTable]] = {
     "planet": _planet(),
     "shell": _Listed(*(key for key in fields_of(Planet).values() if key.within == "shell")),
@@ -92,14 +92,14 @@ TABLES: Final[dict[str, KindOfTable]] = {
 
 
 def keys_of(kind: str, table: FileTable | None = None) -> tuple[Key, ...]:
-    """The keys of a kind of table.
+    """Keys of a kind of table.
 
     Parameters
     ----------
     kind : str
-        One of ``TABLES``.
+        Name of the kind in ``TABLES``.
     table : mapping, optional
-        A table of that kind; its own words narrow the keys that it may have.
+        Table of that kind; its own words narrow the keys that it may have.
 
     Examples
     --------

@@ -1,7 +1,7 @@
 """One key of a planet file, declared once: range, unit, default, words, and how it is edited.
 
-A ``Key`` stands in the annotation of a parameter object's field, where it checks the field's
-values; reader, ``--set``, the lists of controls and the handbook's tables read the same.
+A ``Key`` is part of the annotation of a parameter object's field, where it checks the field's
+values; reader, ``--set``, the lists of controls and the handbook's tables read the same ``Key``.
 """
 
 from __future__ import annotations
@@ -26,17 +26,17 @@ FileTable = Mapping[str, Any]
 
 
 def always(table: FileTable) -> bool:
-    """Offered to every table that leaves the key out."""
+    """Offer the key to every table that leaves it out."""
     return True
 
 
 def never(table: FileTable) -> bool:
-    """Not offered where the file leaves the key out."""
+    """Do not offer the key where the file leaves it out."""
     return False
 
 
 class Made:
-    """Base of parameter objects: one that stands where a table may has checked itself."""
+    """Base of parameter objects, which have checked themselves and may be given for a table."""
 
 
 def _no_words() -> tuple[str, ...]:
@@ -45,64 +45,64 @@ def _no_words() -> tuple[str, ...]:
 
 @dataclass(frozen=True, kw_only=True)
 class Key:
-    """The declaration of one key of one kind of table.
+    """Declaration of one key of one kind of table.
 
     Attributes
     ----------
     label, help : str
-        A few words; a sentence.
+        Label of a few words; help of one sentence.
     name : str
-        As the file writes it, if the field has another name; ``*`` in a table whose keys are names.
+        Name in the file, if the field has another; ``*`` in a table whose keys are names.
     note : str
-        More for the handbook: sentences after ``help``.
+        Further sentences for the handbook, after ``help``.
     kind : str
         ``number`` (also lists of numbers, and ``words`` instead), ``choice``, ``text``, ``table``.
     unit : str
-        Of the field, of ``range``, and of a number that the file gives without one.
+        Unit of the field, of ``range``, and of a number that the file gives without a unit.
     range : (float, float)
-        Lowest and highest allowed value; of a text, how many letters. [unit]
+        Lowest and highest allowed value; of a text, the number of letters. [unit]
     open_ends : bool
         Whether the ends themselves are refused.
     example : str
-        A value as a file may write it, for errors.
+        Value as a file may write it, for errors.
     spectral : bool
-        Whether a list beside ``wavelengths`` may stand here.
+        Whether a list beside ``wavelengths`` is allowed.
     listed : bool
-        Whether it is a list of numbers.
+        Whether the value is a list of numbers.
     read : callable, optional
-        ``read(section, name, wavelengths)`` where the file's form is not the field's.
+        ``read(section, name, wavelengths)`` where the file's form differs from the field's.
     required : bool, optional
-        Whether the file has to give it; as the field has no default, if left out.
+        Whether the file has to give it; by default, whether the field has no default.
     default : object
-        What stands for a key that is left out, if not the field's default.
+        Value of a key that is left out, if it differs from the field's default.
     offered : callable
-        Whether an editor shows the key to a table that leaves it out.
+        Whether an editor shows the key for a table that leaves it out.
     shown : str
-        The unit that it is edited in; ``unit`` if left out.
+        Unit in which it is edited; ``unit`` by default.
     slider : (float, float), optional
-        The ends of its slider; ``range`` if left out. [shown]
+        Ends of its slider; ``range`` by default. [shown]
     typed : (float, float), optional
-        What an editor takes, if less than ``range``. [shown]
+        Range that an editor accepts, if narrower than ``range``. [shown]
     scale : str
-        ``linear`` or ``log``, of the slider.
+        Scale of the slider: ``linear`` or ``log``.
     fresh : object
-        What an editor puts in for it when it makes a table of this kind, as a file writes it.
+        Value that an editor enters when it makes a table of this kind, as a file writes it.
     fresh_share : float, optional
-        The same, as a share of the shell's thickness.
+        The same value, over the shell's thickness.
     words : callable
-        The words that may stand here, looked up when asked for.
+        Allowed words, looked up at each use.
     stand_in : str
-        The word by which an editor shows a table that has to leave the key out.
+        Word by which an editor shows a table that has to leave the key out.
     table : str
-        The kind of table, or of each table of a list, that may stand here.
+        Kind of the table, or of each table of the list, that the key holds.
     prefix : str
-        Put before the labels of the keys within that table.
+        Prefix of the labels of the keys within that table.
     per, per_unit : str
-        The key whose list says what each item of a list here belongs to; the unit it is shown in.
+        Key whose list the items of this list belong to; unit in which that list is shown.
     mode : str
-        ``standard`` or ``advanced``: by coefficients, or by what the air is made of.
+        ``standard`` or ``advanced``: by coefficients, or by composition.
     within : str
-        The table of the file that the key of a planet stands in, if not at the top.
+        Table of the file that contains the key of a planet, if not at the top.
     """
 
     label: str
@@ -146,7 +146,7 @@ class Key:
         return self.checked(value, info.field_name or "value")
 
     def checked(self, value: Any, field: str) -> Any:
-        """A field's value within the range.
+        """Check that a field's value is within the range, and return it.
 
         Raises
         ------
@@ -178,12 +178,12 @@ class Key:
 
     @property
     def unit_text(self) -> str:
-        """The unit as errors show it: ``/m`` for ``1/m``, nothing for ``1``."""
+        """Unit as errors show it: ``/m`` for ``1/m``, nothing for ``1``."""
         return self.unit.removeprefix("1")
 
     @property
     def unit_words(self) -> str:
-        """The unit as tables show it: ``W m⁻² nm⁻¹`` for ``W/m^2/nm``, nothing for ``1``.
+        """Unit as tables show it: ``W m⁻² nm⁻¹`` for ``W/m^2/nm``, nothing for ``1``.
 
         Examples
         --------
@@ -197,12 +197,12 @@ class Key:
     # --- of the file --------------------------------------------------------------------------
 
     def read_from(self, section: Section, wavelengths: Wavelengths) -> Any:
-        """What a table of the file holds for the key, in ``unit``; None if it leaves it out.
+        """Value of the key in a table of the file, in ``unit``; None if the table leaves it out.
 
         Raises
         ------
         ParameterError
-            If it is missing though required, or no value of its kind.
+            If it is missing though required, or not a value of its kind.
         """
         name = self.name
         if not self.required and name not in section:
@@ -223,12 +223,12 @@ class Key:
 
     @property
     def shown_unit(self) -> str:
-        """The unit that it is edited in."""
+        """Unit in which it is edited."""
         return self.shown or self.unit.removeprefix("1") or "1"
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Lowest and highest value that an editor takes. [shown]"""
+        """Lowest and highest value that an editor accepts. [shown]"""
         if self.typed is not None or self.kind != "number":
             return self.typed or self.range
         return tuple(  # type: ignore[return-value]
@@ -238,17 +238,17 @@ class Key:
 
     @property
     def ends(self) -> tuple[float, float]:
-        """The ends of the slider. [shown]"""
+        """Ends of the slider. [shown]"""
         return self.slider or self.limits
 
 
 def _inverse(unit: str) -> str:
-    """One over a unit: ``s⁻²`` for ``s^2``."""
+    """Inverse of a unit: ``s⁻²`` for ``s^2``."""
     name, _, power = unit.partition("^")
     return f"{name}⁻{'¹²³'[int(power or 1) - 1]}"
 
 
-#: The list of wavelengths that the other lists of a table belong to.
+#: List of wavelengths that the other lists of a table belong to.
 WAVELENGTHS = Key(
     name="wavelengths",
     label="wavelength",

@@ -1,4 +1,4 @@
-"""Tables of which there are several kinds: by the word after ``kind``, or by the keys they have."""
+"""Tables of several kinds: distinguished by the word after ``kind``, or by their keys."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ Kind = TypeVar("Kind", bound=Record)
 
 @dataclass(frozen=True)
 class Kinds(Generic[Kind]):
-    """The kinds of one table, told apart by its key ``kind``.
+    """Kinds of a table, distinguished by its key ``kind``.
 
     Attributes
     ----------
     classes : tuple of type
-        In the order in which they are listed; each has a ``keyword``.
+        Classes in the order in which they are listed; each has a ``keyword``.
     label, help : str
-        Of the choice among them.
+        Label and help of the choice among them.
     mode : str
         See ``Key``.
     """
@@ -34,29 +34,29 @@ class Kinds(Generic[Kind]):
 
     @property
     def keywords(self) -> tuple[str, ...]:
-        """The words that may stand after ``kind``."""
+        """Words allowed after ``kind``."""
         return tuple(one.keyword for one in self.classes)
 
     def of(self, keyword: Any) -> type[Kind] | None:
-        """The kind of this word."""
+        """Class of the kind with this word."""
         return next((one for one in self.classes if one.keyword == keyword), None)
 
     def declared(self, table: FileTable | None = None) -> tuple[Key, ...]:
-        """``kind`` and the keys of the table's kind; those of all kinds if it says none."""
+        """``kind`` and the keys of the table's kind; those of all kinds if it names none."""
         choice = Key(name="kind", label=self.label, help=self.help, kind="choice",
                      words=lambda: self.keywords, mode=self.mode, required=True)  # fmt: skip
         kind = self.of((table or {}).get("kind"))
         return (choice, *(kind.declared(table) if kind else merged(self.classes)))
 
     def read(self, section: Section, wavelengths: Wavelengths = None) -> Kind:
-        """The object that a table of a planet file gives."""
+        """Read the object from a table of a planet file."""
         kind = self.of(section.choice("kind", self.keywords))
         assert kind is not None
         with section.blamed():
             return kind.read(section, wavelengths)
 
     def fresh(self, keyword: str, old: FileTable, thickness: float) -> dict[str, Any]:
-        """A table of a kind, filled with what is usual; see ``Record.fresh``."""
+        """Make a table of a kind with its usual values; see ``Record.fresh``."""
         kind = self.of(keyword)
         assert kind is not None
         return {"kind": keyword, **kind.fresh(old, thickness)}
@@ -64,30 +64,30 @@ class Kinds(Generic[Kind]):
 
 @dataclass(frozen=True)
 class Alternatives(Generic[Kind]):
-    """The kinds of one table, told apart by a key that only one of them has: its keyword.
+    """Kinds of a table, distinguished by a key that only one of them has: its keyword.
 
     Attributes
     ----------
     classes : tuple of type
-        Each has a ``keyword``.
+        Classes, each with a ``keyword``.
     """
 
     classes: tuple[type[Kind], ...]
 
     @property
     def keywords(self) -> tuple[str, ...]:
-        """The keys that tell them apart."""
+        """Keys that distinguish the kinds."""
         return tuple(one.keyword for one in self.classes)
 
     def declared(self, table: FileTable | None = None) -> tuple[Key, ...]:
-        """The keys of the table's kind; those of all kinds if it has none of the keywords."""
+        """Keys of the table's kind; those of all kinds if it has none of the keywords."""
         for one in self.classes:
             if one.keyword in (table or {}):
                 return one.declared(table)
         return merged(self.classes)
 
     def read(self, section: Section, wavelengths: Wavelengths = None) -> Kind:
-        """The object that a table of a planet file gives."""
+        """Read the object from a table of a planet file."""
         for one in self.classes:
             if one.keyword in section:
                 return one.read(section, wavelengths)
@@ -97,7 +97,7 @@ class Alternatives(Generic[Kind]):
 
 
 def merged(classes: tuple[type[Any], ...]) -> tuple[Key, ...]:
-    """The keys of several kinds of table, each name once."""
+    """Keys of several kinds of table, without repetitions of a name."""
     found: dict[str, Key] = {}
     for one in classes:
         for key in one.declared():

@@ -1,4 +1,4 @@
-"""Texts with a unit as numbers in a declared unit, and back."""
+"""Conversion of texts with a unit to numbers in a declared unit, and back."""
 
 from __future__ import annotations
 
@@ -8,27 +8,27 @@ from typing import Any
 
 from airlight.units import quantities, quantity
 
-#: Columns of gas, which have a unit of their own.
+#: Unit of columns of gas.
 DOBSON = "DU"
 
 
 @cache
 def _factor(unit: str, bare: str) -> float:
-    """Of what a unit is of the other."""
+    """Factor from one unit to another."""
     if unit == DOBSON:
         return column_of_gas("1 DU", "column")
     return 1.0 if unit == bare else quantity(f"1 {unit}", bare)
 
 
 def converted(number: float, unit: str, shown: str) -> float:
-    """A number of one unit in another of the same kind.
+    """Convert a number from one unit to another of the same kind.
 
     Examples
     --------
     >>> converted(1000.0, "m", "km"), converted(1e-3, "1/m", "/km")
     (1.0, 1.0)
     """
-    # The shortest number that means the same: 5.802e-6 /m is 0.005802 /km.
+    # The shortest number of the same value: 5.802e-6 /m is 0.005802 /km.
     return float(f"{number / _factor(shown, unit):.14g}")
 
 
@@ -48,23 +48,23 @@ def column_of_gas(value: Any, field: str) -> float:
 
 
 def number_in(value: Any, unit: str, bare: str, field: str) -> float:
-    """What a file holds, as a number in a unit.
+    """Convert a value of a file to a number in a unit.
 
     Parameters
     ----------
     value : object
-        A number, or a text with a unit, as a planet file has it.
+        Number, or text with a unit, as in a planet file.
     unit : str
-        Of the result.
+        Unit of the result.
     bare : str
-        The unit that a number without one is in.
+        Unit of a number that has none.
     field : str
-        Named in the error.
+        Name in the error.
 
     Raises
     ------
     ParameterError
-        If it is no quantity of that kind.
+        If it is not a quantity of that kind.
 
     Examples
     --------
@@ -81,7 +81,7 @@ def number_in(value: Any, unit: str, bare: str, field: str) -> float:
 
 
 def text_of(number: float, unit: str) -> float | str:
-    """A number in a unit as a file holds it: with the unit, if it has one.
+    """Number in a unit as a file holds it: with the unit, if it has one.
 
     Examples
     --------
@@ -95,7 +95,7 @@ def text_of(number: float, unit: str) -> float | str:
 
 
 def listed(text: str, bare: str) -> list[Any]:
-    """The items of a list that is written as one text with commas.
+    """Items of a list that is written as one text with commas.
 
     Examples
     --------
@@ -111,7 +111,7 @@ def listed(text: str, bare: str) -> list[Any]:
 
 
 def _with_unit(item: str, unit: str, number: float, bare: str) -> str:
-    """The item with the last one's unit if it has none and means the same with it."""
+    """Add the shared unit to a list item that has none, if its value stays the same."""
     if unit:
         try:
             if quantity(f"{item} {unit}", bare) == number:

@@ -1,4 +1,4 @@
-"""Parameter objects that are tables of a planet file: read, and made fresh, by their keys."""
+"""Parameter objects that are tables of a planet file: read, and newly made, by their keys."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ class Record(Made):
     Attributes
     ----------
     keyword : str
-        The word, or the key, by which a planet file asks for this kind of table.
+        Word, or key, by which a planet file selects this kind of table.
     has_wavelengths : bool
-        Whether the table has a list of wavelengths of its own.
+        Whether the table has its own list of wavelengths.
     extra_keys : tuple of Key
-        Keys of the table that are no fields: other forms of saying them.
+        Keys of the table that are not fields: other ways to give them.
     """
 
     keyword: ClassVar[str] = ""
@@ -31,24 +31,24 @@ class Record(Made):
 
     @classmethod
     def declared(cls, table: FileTable | None = None) -> tuple[Key, ...]:
-        """The keys of its table, in the order of the fields."""
+        """Keys of its table, in the order of the fields."""
         own = tuple(key for key in fields_of(cls).values() if not key.within)
         return (*own, *([WAVELENGTHS] if cls.has_wavelengths else []), *cls.extra_keys)
 
     @classmethod
     def read(cls, section: Section, wavelengths: Wavelengths = None) -> Self:
-        """The object that a table of a planet file gives.
+        """Read the object from a table of a planet file.
 
         Parameters
         ----------
         section : Section
         wavelengths : tuple of float, optional
-            Those that its lists belong to, if the table has none of its own. [nm]
+            Wavelengths that its lists belong to, if the table has none of its own. [nm]
 
         Raises
         ------
         ParameterError
-            If something in it cannot be, or a key is left that nobody knows.
+            If a value is invalid, or an unknown key remains.
         """
         values = cls.read_values(section, wavelengths)
         section.finish()
@@ -56,7 +56,7 @@ class Record(Made):
 
     @classmethod
     def read_values(cls, section: Section, wavelengths: Wavelengths = None) -> dict[str, Any]:
-        """What the table gives, by field; keys that it leaves out are not there."""
+        """Values of the table, by field; keys that it leaves out are absent."""
         if cls.has_wavelengths:
             wavelengths = section.wavelengths()
         found = {
@@ -66,7 +66,7 @@ class Record(Made):
 
     @classmethod
     def made(cls, section: Section, values: Mapping[str, Any]) -> Self:
-        """The object of these fields; errors name the key of the file."""
+        """Make the object of these fields; errors name the key of the file."""
         names = {field: key.name for field, key in fields_of(cls).items()}
         with section.blamed():
             try:
@@ -77,19 +77,19 @@ class Record(Made):
 
     @classmethod
     def fresh(cls, old: FileTable, thickness: float) -> dict[str, Any]:
-        """What an editor puts into a table that becomes one of this kind.
+        """Make the contents of a table that an editor changes to this kind.
 
         Parameters
         ----------
         old : mapping
-            The table that it replaces.
+            Table that it replaces.
         thickness : float
             Thickness of the shell. [m]
 
         Returns
         -------
         dict
-            As a planet file has it, without the word that names the kind.
+            Table as in a planet file, without the word that names the kind.
         """
         table: dict[str, Any] = {}
         for key in fields_of(cls).values():
@@ -105,7 +105,7 @@ _FIELDS: Final[dict[type[Any], dict[str, Key]]] = {}
 
 
 def fields_of(cls: type[Any]) -> dict[str, Key]:
-    """The declarations of a class's fields, names and defaults filled in."""
+    """Declarations of a class's fields, with names and defaults filled in."""
     if cls not in _FIELDS:
         _FIELDS[cls] = _declared_fields(cls)
     return _FIELDS[cls]
@@ -129,7 +129,7 @@ def _declared_fields(cls: type[Any]) -> dict[str, Key]:
 
 
 def _key_in(hint: Any) -> Key | None:
-    """The declaration within an annotation, if there is one."""
+    """Declaration within an annotation, if there is one."""
     if get_origin(hint) is Annotated:
         for one in hint.__metadata__:
             if isinstance(one, Key):

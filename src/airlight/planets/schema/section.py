@@ -19,21 +19,21 @@ from airlight.planets.spectral import (
 )
 from airlight.units import quantities, quantity
 
-#: The longest list that a file may hold.
+#: Longest list of a file.
 LONGEST_LIST = 10_000
 
 
 class Section:
-    """A table of a TOML file and where it stands.
+    """Table of a TOML file, with its path in the file.
 
     Parameters
     ----------
     values : dict
-        What the TOML parser made of it.
+        Content as returned by the TOML parser.
     path : str
-        With dots and indices, for errors: ``constituents[1].profile``. Empty for the whole file.
+        Path with dots and indices, for errors: ``constituents[1].profile``; empty for the file.
     folder : Path, optional
-        Where the planet file stands; files that it names are looked for there.
+        Folder of the planet file; files that it names are looked for there.
     """
 
     def __init__(self, values: Any, path: str = "", folder: Path | None = None) -> None:
@@ -45,7 +45,7 @@ class Section:
         self.folder = folder
 
     def name_of(self, key: str) -> str:
-        """The key with the path before it."""
+        """Key with the section's path before it."""
         return f"{self.path}.{key}" if self.path else key
 
     def __contains__(self, key: str) -> bool:
@@ -58,22 +58,22 @@ class Section:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The keys that are there, for a table whose keys are names."""
+        """Keys that are present, for a table whose keys are names."""
         return tuple(self._values)
 
     def raw(self, key: str) -> Any:
-        """The value as the TOML parser gave it, or None."""
+        """Value as the TOML parser returned it, or None."""
         self._note(key)
         return self._values.get(key)
 
     def required(self, key: str, allowed: str) -> Any:
-        """The value as the TOML parser gave it; an error if it is not there."""
+        """Value as the TOML parser returned it; an error if it is absent."""
         if key not in self:
             raise ParameterError(self.name_of(key), MISSING, allowed)
         return self._values[key]
 
     def text(self, key: str, allowed: str, default: str | None = None) -> str:
-        """A text, or the default if the key is not there."""
+        """Text, or the default if the key is absent."""
         if key not in self and default is not None:
             return default
         value = self.required(key, allowed)
@@ -82,28 +82,28 @@ class Section:
         return value
 
     def choice(self, key: str, options: tuple[str, ...]) -> str:
-        """One of several words; a misspelt one gets the nearest suggested."""
+        """One of several words; the error for a misspelt word suggests the nearest."""
         value = self.text(key, f"one of {', '.join(options)}")
         if value not in options:
             raise ParameterError(self.name_of(key), value, suggestion(value, options))
         return value
 
     def number(self, key: str, unit: str, example: str) -> float:
-        """A quantity in the unit; a number without a unit is taken to be in it."""
+        """Quantity in the unit; a number without a unit is taken to be in it."""
         allowed = f"a number such as {example!r}" if unit == "1" else f"such as {example!r}"
         return quantity(self.required(key, allowed), unit, self.name_of(key))
 
     def optional_number(self, key: str, unit: str) -> float | None:
-        """A quantity in the unit, or None if the key is not there."""
+        """Quantity in the unit, or None if the key is absent."""
         return quantity(self.raw(key), unit, self.name_of(key)) if key in self else None
 
     def numbers(self, key: str, unit: str, example: str) -> tuple[float, ...]:
-        """A list of quantities, or one text with commas."""
+        """List of quantities, or of one text with commas."""
         value = self.required(key, f"a list such as {example!r}")
         return quantity_list(value, unit, self.name_of(key))
 
     def wavelengths(self) -> tuple[float, ...] | None:
-        """The wavelengths that the lists of this table belong to [nm], or None."""
+        """Wavelengths that the lists of this table belong to [nm], or None."""
         if "wavelengths" not in self:
             return None
         field = self.name_of("wavelengths")
@@ -120,14 +120,14 @@ class Section:
         return spectral_of(value, unit, self.name_of(key), wavelengths)
 
     def section(self, key: str, allowed: str) -> Section:
-        """A table within this one."""
+        """Table within this table."""
         value = self.required(key, allowed)
         if not isinstance(value, dict):
             raise ParameterError(self.name_of(key), value, allowed)
         return Section(value, self.name_of(key), self.folder)
 
     def sections(self, key: str, allowed: str) -> list[Section]:
-        """A list of tables within this one."""
+        """List of tables within this table."""
         value = self.required(key, allowed)
         if not isinstance(value, list) or len(value) > LONGEST_LIST:
             raise ParameterError(self.name_of(key), value, allowed)
@@ -135,11 +135,11 @@ class Section:
         return [Section(item, name, self.folder) for item, name in zip(value, names, strict=True)]
 
     def beside(self, file: str) -> Path:
-        """The path of a file that this one names, relative to where this one stands."""
+        """Path of a file that this file names, relative to its own folder."""
         return Path(file) if self.folder is None else self.folder / file
 
     def finish(self) -> None:
-        """Refuse a key that nothing has read, and suggest the nearest that exists."""
+        """Refuse a key that was not read, and suggest the nearest that exists."""
         for key in self._values:
             if key not in self._read:
                 where = f"a key of {self.path}" if self.path else "a key of the file"
@@ -157,7 +157,7 @@ class Section:
 
 
 def quantity_list(value: Any, unit: str, field: str) -> tuple[float, ...]:
-    """A list of quantities, or one text with commas, of bearable length."""
+    """List of quantities, or of one text with commas, of limited length."""
     too_long = (isinstance(value, list) and len(value) > LONGEST_LIST) or (
         isinstance(value, str) and len(value) > 20 * LONGEST_LIST
     )
@@ -184,7 +184,7 @@ def spectral_of(
 
 
 def suggestion(given: str, options: tuple[str, ...]) -> str:
-    """The allowed words, with the one nearest to what was given, if any is near."""
+    """Allowed words, with the one nearest to what was given, if any is near."""
     near = difflib.get_close_matches(given[:60], options, n=1, cutoff=0.6)
     listed = ", ".join(options)
     return f"{listed} (did you mean {near[0]!r}?)" if near else listed

@@ -1,8 +1,8 @@
 """Anderson's acceleration of a fixed-point iteration.
 
 For X ← G(X) the next guess is the combination of the last few G(X_i) whose residuals
-G(X_i) - X_i combine to the smallest one. Clear air needs little help (the change falls to a third
-each order); in thick air, where it falls by a few per cent, this is what makes the iteration end.
+G(X_i) - X_i combine to the smallest residual. Clear air needs little help (the change falls to a
+third each order); in thick air, where it falls by a few per cent, this makes the iteration end.
 Source: D. G. Anderson (1965), J. ACM 12, 547; type II of Walker & Ni (2011), SIAM J. Numer. Anal.
 49, 1715.
 """
@@ -18,26 +18,26 @@ from airlight.kernel import compiled_loop
 
 FloatArray = NDArray[np.float64]
 
-#: A whisper on the diagonal: the changes become parallel near the end.
+#: Small relative increase of the diagonal: the changes become parallel near the end.
 RIDGE: Final = 1.0 + 1e-10
-#: Weights beyond this, and what is no number, mean that the equations are singular.
+#: Weights that are larger than this, or not finite, mean that the equations are singular.
 _LARGEST: Final = 1e30
 
 
 @compiled_loop
 def combine(products, steps, weights):
-    """The combination of so many residuals that is smallest, with weights that add up to 1.
+    """Find the smallest combination of ``steps`` residuals, with weights that add up to 1.
 
     Parameters
     ----------
     products : array, shape ((steps - 1)·steps,)
-        For each change from one residual to the next a row: its products with all changes, then
+        One row for each change from one residual to the next: its products with all changes, then
         with the last residual. Overwritten.
     steps : int
         Number of residuals.
     weights : array, shape (steps,)
-        Receives the weights, the latest last; (0, …, 0, 1), plain iteration, where they cannot be
-        told.
+        Receives the weights, the latest last; (0, …, 0, 1), plain iteration, where they are
+        undetermined.
     """
     unknowns = steps - 1
     for i in range(steps):
@@ -58,7 +58,7 @@ def combine(products, steps, weights):
             share = products[i * steps + k] / products[k * steps + k]
             for j in range(k, steps):
                 products[i * steps + j] -= share * products[k * steps + j]
-    # From the last row up, each solution takes the place of its row's right-hand side.
+    # From the last row up, each solution replaces its row's right-hand side.
     sound = True
     for back in range(unknowns):
         k = unknowns - 1 - back
@@ -76,17 +76,17 @@ def combine(products, steps, weights):
 
 
 def mixing_weights(residuals: FloatArray) -> FloatArray:
-    """The combination of residuals that is smallest, with weights that add up to 1.
+    """Weights of the smallest combination of residuals; they add up to 1.
 
     Parameters
     ----------
     residuals : array, shape (steps, n)
-        The latest last.
+        Residuals, the latest last.
 
     Returns
     -------
     array, shape (steps,)
-        The weights; (0, …, 0, 1), plain iteration, where they cannot be told.
+        Weights; (0, …, 0, 1), plain iteration, where they are undetermined.
 
     Examples
     --------

@@ -1,7 +1,7 @@
-"""How far a guess is trusted, how much of it still changes, and what the next one is.
+"""Trust in a guess of the light, its remaining change, and the next guess.
 
-Everything here sees the light at all radii and suns, some wavelengths at a time. What concerns one
-node or one wavelength is a kernel, so that a page runs the same; when to stop is in ``stopping``.
+These functions take the light at all radii and suns, some wavelengths at a time. Formulas of one
+node or one wavelength are kernels, so that a page runs the same; when to stop is in ``stopping``.
 """
 
 from __future__ import annotations
@@ -19,24 +19,24 @@ Float32Array = NDArray[np.float32]
 #: Moments (r, s, k, 8) and irradiances (r, s, 8).
 Light = tuple[Float32Array, Float32Array]
 
-#: Mean radiance below this part of its largest value is dark: it neither steers nor stops.
+#: Mean radiance below this part of its largest value is dark: it does not affect the iteration.
 DARK: Final = 1e-6
 #: In thick air the tolerance is relative for mean radiances above this part of the largest one,
 #: and absolute below.
 DIM: Final = 5e-2
-#: Finished light below this part of the swept one is none.
+#: Light completed by the inverse counts only above this part of the swept light.
 _LEAST: Final = 0.1
-#: The shrinkage of a sweep is taken to be no better than this.
+#: Lower limit of the estimated ratio of successive changes.
 SHRINKAGE: Final = 0.3
 STALLED: Final = 0.75
-#: It is measured over so many sweeps.
+#: Number of sweeps over which that ratio is measured.
 BACK: Final = 2
 
 
 def trust(mean: Float32Array, sidelit: FloatArray) -> Float32Array:
-    """Where the light along the vertical tells what further sweeps would add, shape (r, s, 8).
+    """Weight of the solution along the vertical as an estimate of further sweeps, shape (r, s, 8).
 
-    In the night of thick air it does not: there light comes from the side.
+    It is small in the night of thick air: there light comes from the side.
     """
     most = np.maximum(mean.max(axis=(0, 1)), 1e-30).astype(float)
     here, column = mean / most, mean.max(axis=0) / most
@@ -46,14 +46,14 @@ def trust(mean: Float32Array, sidelit: FloatArray) -> Float32Array:
 
 @kernel
 def count_at(mean, brightest, thick):
-    """How much a relative change counts at a node: less in the night of thick air. [1]
+    """Weight of a relative change at a node: smaller in the night of thick air. [1]
 
     Parameters
     ----------
     mean, brightest : float
-        Mean radiance there, and the largest at any node.
+        Mean radiance at the node, and the largest at any node.
     thick : float
-        Exponent, from 0 (each change counts alike) to 1 (by the light itself). [1]
+        Exponent, from 0 (all changes count alike) to 1 (in proportion to the light itself). [1]
     """
     return min(max(mean / (DIM * brightest), 1e-30), 1.0) ** thick
 
@@ -67,7 +67,7 @@ def counts(mean: Float32Array, thick: FloatArray) -> FloatArray:
 def or_at_least(
     field: Float32Array, sky: Float32Array, swept_field: Float32Array, swept_sky: Float32Array
 ) -> Light:
-    """A finished guess, or what was swept where that is far below it: in the dark."""
+    """Completed guess, or the swept light where the guess is far below it: in the dark."""
     sound = field[:, :, 0] > _LEAST * swept_field[:, :, 0]
     field = np.where(sound[:, :, None], field, swept_field)
     return field, np.where(sky > _LEAST * swept_sky, sky, swept_sky)
@@ -75,14 +75,14 @@ def or_at_least(
 
 @kernel
 def change_at(before, after, brightest):
-    """Relative change of a node's mean radiance where it is not dark, else 0. [1]
+    """Relative change of a node's mean radiance where it is not dark, otherwise 0. [1]
 
     Parameters
     ----------
     before, after : float
         Mean radiance of a guess and of its image.
     brightest : float
-        The image's largest at any node.
+        Largest mean radiance of the image at any node.
     """
     if after > DARK * brightest:
         return (after - before) / after
@@ -97,16 +97,16 @@ def relative_change(before: Float32Array, after: Float32Array) -> FloatArray:
 
 @kernel
 def rest_after(last, before, steps):
-    """All later changes together over the last one, ρ/(1 - ρ). [1]
+    """Sum of all later changes over the last change, ρ/(1 - ρ). [1]
 
-    ρ is by how much the changes shrank with each of the last steps.
+    ρ is the ratio by which the changes shrank in each of the last steps.
 
     Parameters
     ----------
     last, before : float
-        Size of the last change, and of the one so many steps before it.
+        Size of the last change, and of the change ``steps`` before it.
     steps : int
-        0 where there is none before: a half is assumed.
+        0 where there is no earlier change: a ratio of one half is assumed.
     """
     ratio = 0.5
     if steps > 0 and before > 0.0:
@@ -118,23 +118,23 @@ def rest_after(last, before, steps):
 
 
 def what_follows(residuals: deque[FloatArray]) -> FloatArray:
-    """``rest_after`` the last one of residuals (n, w), from up to two steps before it."""
+    """``rest_after`` the last of residuals (n, w), from up to two steps before it."""
     sizes = [np.sqrt(np.square(one).sum(axis=0)) for one in residuals]
     steps = min(len(sizes), BACK + 1) - 1
     return np.asarray(vectorized(rest_after)(sizes[-1], sizes[-1 - steps], steps))
 
 
 def mix(images: deque[Light], weights: Float32Array, trust: Float32Array) -> Light:
-    """The next guess: for each wavelength its own combination of the last images.
+    """Next guess: for each wavelength its own combination of the last images.
 
     Parameters
     ----------
     images : deque of Light
-        The latest last.
+        Last images of the light, the latest last.
     weights : array, shape (images, 8)
-        Of the images. [1]
+        Weights of the images. [1]
     trust : array, shape (r, s, 8)
-        From ``trust``. [1]
+        Weights from ``trust``. [1]
     """
     last_field, last_sky = images[-1]
     field = np.zeros_like(last_field)
@@ -144,7 +144,7 @@ def mix(images: deque[Light], weights: Float32Array, trust: Float32Array) -> Lig
         sky += one_sky * weight
     field = last_field + trust[:, :, None] * (field - last_field)
     sky = last_sky + trust * (sky - last_sky)
-    # In the dark, and where it leaps, the combination means nothing: keep what was computed.
+    # In the dark, and where the combination leaps, it means nothing: keep the computed light.
     sound = _is_near(field[:, :, 0], last_field[:, :, 0])
     field = np.where(sound[:, :, None], field, last_field)
     return field, np.where(_is_near(sky, last_sky), sky, last_sky)
@@ -157,9 +157,9 @@ def is_near(mixed, computed, brightest):
     Parameters
     ----------
     mixed, computed : float
-        At one node.
+        Mean radiances at one node.
     brightest : float
-        The largest computed one at any node.
+        Largest computed mean radiance at any node.
     """
     lit = computed > DARK * brightest
     return lit and mixed > 0.5 * computed and mixed < 2.0 * computed

@@ -1,7 +1,7 @@
-"""Linear equations for eight wavelengths at once: each lane has a matrix of its own.
+"""Linear equations for eight wavelengths at once: each lane has its own matrix.
 
-Elimination without exchange of rows, which matrices 1 - K with a small K need not. Lanes make a
-small system as quick as a large one, and the result does not depend on the threads of a library.
+Elimination without row exchange, which matrices 1 - K with a small K do not need. Lanes make a
+small system as fast as a large one, and the result does not depend on a library's threads.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ def factorise(matrix, size):
     Parameters
     ----------
     matrix : array, shape (size·size·8,)
-        By rows; the eight lanes of an element are neighbours. Overwritten. [1]
+        Matrix by rows; the eight lanes of an element are adjacent. Overwritten. [1]
     size : int
         Number of rows.
     """
@@ -51,7 +51,7 @@ def substitute(factors, size, values, columns):
     Parameters
     ----------
     factors : array, shape (size·size·8,)
-        From ``factorise``. [1]
+        Triangular factors from ``factorise``. [1]
     size : int
         Number of rows.
     values : array, shape (size·columns·8,)

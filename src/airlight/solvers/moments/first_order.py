@@ -1,4 +1,4 @@
-"""The light scattered once and the sunlight reflected once: where the sweeps begin."""
+"""Light scattered once and sunlight reflected once: the start of the sweeps."""
 
 from __future__ import annotations
 
@@ -25,20 +25,20 @@ from airlight.solvers.moments.sweep import (
 
 @inlined
 def depth_towards(ratios, row, f, place, distance, extinction, constituents):
-    """Optical depth from a point to the top of the shell, in a direction of the table's. [1]
+    """Optical depth from a point to the top of the shell, in a tabled direction. [1]
 
     Parameters
     ----------
     ratios : array, shape (radii, directions, nc, 2)
-        Of a ``ColumnTable``, from ``mean_density_ratios``.
+        Ratios of a ``ColumnTable``, from ``mean_density_ratios``.
     row, f : int, float
-        The point's place between two of its radii.
+        Index of the radius below the point, and the point's fraction of the step above it.
     place : int
-        Which direction.
+        Index of the direction.
     distance : float
-        To the top. [m]
+        Distance to the top. [m]
     extinction : array, shape (nc·8,)
-        [m⁻¹]
+        Extinction coefficients. [m⁻¹]
     constituents : int
     """
     tau = splat(0.0)
@@ -63,7 +63,7 @@ def depth_in_row(ratios, q, place, bottom, top, extinction, constituents):
 
 @inlined
 def through_row(depths, local, x, directions):
-    """Transmittance of eight wavelengths at a place between the directions of one row. [1]"""
+    """Transmittance of eight wavelengths between the directions of one row. [1]"""
     place = min(int(x), directions - 2)
     f = np.float32(x - place)
     at = LANES * (local * directions + place)
@@ -76,7 +76,7 @@ def through_row(depths, local, x, directions):
 def direct_light(mu_s, bottom, top, star_radius, depths, local, directions, lift):
     """Irradiance of level ground by the star itself, per irradiance at the top. [1]
 
-    ``depths`` has the ground's row at ``local``.
+    Row ``local`` of ``depths`` is the ground's.
     """
     from_low, from_high, low, high = level_light(bottom, mu_s, bottom, top, star_radius, lift)
     x = direction_coordinate(bottom, low, bottom, top) * (directions - 1)
@@ -87,7 +87,7 @@ def direct_light(mu_s, bottom, top, star_radius, depths, local, directions, lift
 
 @inlined
 def fill_phases(moments, nu, degree, constituents, phases):
-    """Phase function times scattering coefficient of each constituent. [m⁻¹ sr⁻¹]"""
+    """Compute the phase function times scattering coefficient of each constituent. [m⁻¹ sr⁻¹]"""
     for c in range(constituents):
         total = splat(0.0)
         before, value = 0.0, 1.0
@@ -105,26 +105,26 @@ def scattered_once(
     turn, radii, first, points, strong, strengths, phases, constituents, deep, depths, directions,
     mu_s, nu, bottom, top, star_radius, lift,
 ):  # fmt: skip
-    """Radiance that the points of a ray send along it, of the star's own light. [sr⁻¹]
+    """Radiance sent along a ray by its points, from the star's own light. [sr⁻¹]
 
     Parameters
     ----------
     turn, radii : array
-        Of ``Rays``: ``turn`` and ``radius``.
+        Arrays ``turn`` and ``radius`` of ``Rays``.
     first, points : int
-        The ray's points.
+        Index of the ray's first point, and number of its points.
     strong, deep : int
-        Where ``strengths`` and ``depths`` have the first of them.
+        Index of the first of them in ``strengths`` and ``depths``.
     strengths : array, shape (points·nc·8,)
         Amount of each constituent at a point times the transmittance on the way from it. [m]
     phases : array, shape (nc·8,)
-        From ``fill_phases``.
+        Array from ``fill_phases``. [m⁻¹ sr⁻¹]
     constituents : int
     depths : array, shape (points·directions·8,)
-        From ``depth_in_row``. [1]
+        Depths from ``depth_in_row``. [1]
     directions : int
     mu_s, nu : float
-        Of the star at the start of the ray. [1]
+        Cosines of the star at the start of the ray. [1]
     bottom, top, star_radius, lift :
         As in ``star_points``.
     """
@@ -159,11 +159,11 @@ def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, 
     i, grid, rays, share, azimuths, air, expansion, out, sky_out :
         As in ``sweep_radius``.
     columns : array, shape (radii, directions, nc, 2)
-        Of a ``ColumnTable``, from ``mean_density_ratios``.
+        Ratios of a ``ColumnTable``, from ``mean_density_ratios``.
     lift : array, shape (rows, columns, 2)
-        From ``star_lift``. [1]
+        Table from ``star_lift``. [1]
     """
-    # Arrays are taken out of their tuples once: inside the loop each access would count references.
+    # Arrays are unpacked from their tuples once: in the loop each access would count references.
     bottom, top, _, sun_cosines, _, _ = grid
     (
         all_mu,

@@ -1,9 +1,9 @@
-"""Where the moments of the radiance are kept: radii and sun elevations.
+"""Nodes of the moments of the radiance: radii and sun elevations.
 
 Radii are even in the distance to the horizon (Bruneton's mapping), with more of them where the air
 is thick (``levels``). Sun elevations crowd around the terminator: elevation = w·sinh(t) - e with t
 even, where w and e are 0.6 and 0.3 of the dip of the horizon seen from the top of the shell (6° and
-3° for Earth), so that every planet gets a grid of its own.
+3° for Earth), so that every planet gets its own grid.
 """
 
 from __future__ import annotations
@@ -20,26 +20,26 @@ from airlight.solvers.moments.levels import Depths, place_levels
 
 FloatArray = NDArray[np.float64]
 
-#: Entries of the table that finds the place of a sun cosine in the grid.
+#: Entries of the table that finds the index of a sun cosine in the grid.
 _LOOKUP = 8192
 
 
 class Grid(NamedTuple):
-    """The nodes of a solution.
+    """Nodes of a solution.
 
     Attributes
     ----------
     bottom_radius, top_radius : float
-        [m]
+        Radii of the ground and of the top. [m]
     radii : array, shape (r,)
-        From the ground to the top. [m]
+        Radii from the ground to the top. [m]
     sun_cosines : array, shape (s,)
-        From -1 to 1. [1]
+        Sun cosines from -1 to 1. [1]
     row : array, shape (4097,)
-        Index into ``radii``, with its fraction, of even steps of the square root of altitude over
-        the shell's thickness. [1]
+        Fractional index into ``radii`` at even steps of the square root of altitude over the
+        shell's thickness. [1]
     place : array, shape (8193,)
-        Index into ``sun_cosines``, with its fraction, of even steps of mu_s from -1 to 1. [1]
+        Fractional index into ``sun_cosines`` at even steps of mu_s from -1 to 1. [1]
     """
 
     bottom_radius: float
@@ -53,16 +53,22 @@ class Grid(NamedTuple):
 def make_grid(
     bottom_radius: float, top_radius: float, radii: int, suns: int, depths: Depths
 ) -> tuple[Grid, int]:
-    """The grid of a shell, and which of its radii gather light: one of so many.
+    """Make the grid of a shell.
 
     Parameters
     ----------
     bottom_radius, top_radius : float
-        [m]
+        Radii of the ground and of the top. [m]
     radii, suns : int
         Numbers of nodes; thick air gets more radii.
     depths : Depths
-        At even steps of the square root of altitude, from the ground to the top.
+        Depths at even steps of the square root of altitude, from the ground to the top.
+
+    Returns
+    -------
+    grid : Grid
+    parts : int
+        Step, in radii of the grid, between those at which light is gathered.
     """
     dip = degrees(acos(bottom_radius / top_radius))
     width, shift = 0.6 * dip, 0.3 * dip
@@ -92,7 +98,7 @@ def make_grid(
 
 @inlined
 def row_of(q, bottom, top, row):
-    """Index of a radius in the grid, with its fraction."""
+    """Fractional index of a radius in the grid."""
     fraction = min(max((q - bottom) / (top - bottom), 0.0), 1.0)
     x = sqrt(fraction) * (row.size - 1)
     k = min(int(x), row.size - 2)

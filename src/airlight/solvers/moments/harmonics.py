@@ -2,7 +2,7 @@
 
 Y_lm(mu, phi) = K_lm P_l^m(mu) cos(m phi), orthonormal on the sphere, without the Condon-Shortley
 sign. The light of a sphere's air is symmetric about the plane of zenith and star, so the sine
-terms vanish and degree N has (N + 1)(N + 2)/2 coefficients; (l, m) stands at l(l + 1)/2 + m.
+terms vanish and degree N has (N + 1)(N + 2)/2 coefficients; (l, m) has index l(l + 1)/2 + m.
 """
 
 from __future__ import annotations
@@ -19,17 +19,17 @@ FloatArray = NDArray[np.float64]
 
 
 def coefficient_count(degree: int) -> int:
-    """How many coefficients an expansion to a degree has: (N + 1)(N + 2)/2."""
+    """Number of coefficients of an expansion to a degree: (N + 1)(N + 2)/2."""
     return (degree + 1) * (degree + 2) // 2
 
 
 def normalisation(degree: int) -> NDArray[np.float64]:
-    """K_lm of the orthonormal harmonics.
+    """Normalisation K_lm of the orthonormal harmonics.
 
     Parameters
     ----------
     degree : int
-        N, at most 80.
+        Highest degree N, at most 80.
 
     Returns
     -------
@@ -52,7 +52,7 @@ class Harmonics(NamedTuple):
     Attributes
     ----------
     degree : int
-        N.
+        Highest degree N.
     start : array, shape (N + 1,)
         K_mm P_m^m over (sin θ)^m. [1]
     ahead, back : array, shape (k,)
@@ -66,7 +66,7 @@ class Harmonics(NamedTuple):
 
 
 def harmonics(degree: int) -> Harmonics:
-    """The recurrences up to a degree; P_{l-2} stands for 0 where l - 2 < m."""
+    """Recurrences up to a degree; P_{l-2} represents 0 where l - 2 < m."""
     constants = normalisation(degree)
     count = coefficient_count(degree)
     start, ahead, back = np.empty(degree + 1), np.zeros(count), np.zeros(count)
@@ -86,20 +86,20 @@ def harmonics(degree: int) -> Harmonics:
 
 @kernel
 def climbed(ahead, back, mu, value, before):
-    """K_lm P_l^m(mu) from those of degrees l - 1 and l - 2. [1]"""
+    """Next step of the recurrence: K_lm P_l^m(mu) from those of degrees l - 1 and l - 2. [1]"""
     return ahead * mu * value - back * before
 
 
 @inlined
 def legendre_functions(mu, terms, out):
-    """K_lm P_l^m(mu) for all l, m.
+    """Compute K_lm P_l^m(mu) for all l, m.
 
     Parameters
     ----------
     mu : float
         Cosine of the zenith angle. [1]
     terms : Harmonics
-        Fixes the degree.
+        Recurrences; they fix the degree.
     out : array, shape (k,)
         Receives the values, (l, m) at l(l + 1)/2 + m. [1]
     """
@@ -122,7 +122,7 @@ def legendre_functions(mu, terms, out):
 
 @inlined
 def legendre_function(mu, l, m, start, ahead, back):
-    """K_lm P_l^m(mu) of one l and m; the arrays are those of ``Harmonics``. [1]"""
+    """K_lm P_l^m(mu) of a single l and m; the arrays are those of ``Harmonics``. [1]"""
     sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
     value = start[m]
     order = 0
@@ -141,7 +141,7 @@ def legendre_function(mu, l, m, start, ahead, back):
 
 @kernel
 def degree_of(index):
-    """The l of the coefficient that stands at l(l + 1)/2 + m.
+    """Degree l of the coefficient with index l(l + 1)/2 + m.
 
     Examples
     --------
@@ -154,16 +154,16 @@ def degree_of(index):
 
 @inlined
 def directed_functions(mu, cosine, terms, out):
-    """K_lm P_l^m(mu) cos mφ for all l, m.
+    """Compute K_lm P_l^m(mu) cos mφ for all l, m.
 
     Parameters
     ----------
     mu : float
         Cosine of the zenith angle. [1]
     cosine : float
-        cos φ of the azimuth. [1]
+        Cosine of the azimuth, cos φ. [1]
     terms : Harmonics
-        Fixes the degree.
+        Recurrences; they fix the degree.
     out : array, shape (k,)
         Receives the values, (l, m) at l(l + 1)/2 + m. [1]
     """

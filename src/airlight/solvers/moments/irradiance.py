@@ -1,4 +1,4 @@
-"""What level ground and level surfaces aloft receive of a solution: from the star, from the sky."""
+"""Irradiance of level ground and of level surfaces aloft from a solution: by star and by sky."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from airlight.tables.column_ratios import columns_to_top
 
 @compiled_loop
 def ground_light(mu_s, orders, light, work):
-    """Irradiance of level ground per irradiance of the star, into ``work.received``. [1]
+    """Compute irradiance of level ground per irradiance of the star in ``work.received``. [1]
 
     ``orders`` as in ``march``.
     """
@@ -25,12 +25,12 @@ def ground_light(mu_s, orders, light, work):
 
 @compiled_loop
 def ground_radiance(mu_s, leaving, nu, orders, light, work):
-    """Radiance of the ground per irradiance of the star, into ``work.received``. [sr⁻¹]
+    """Compute radiance of the ground per irradiance of the star in ``work.received``. [sr⁻¹]
 
     Parameters
     ----------
     mu_s, leaving, nu : float
-        As in ``star_factor``. [1]
+        Cosines as in ``star_factor``. [1]
     orders, light, work :
         As in ``march``.
     """
@@ -39,7 +39,7 @@ def ground_radiance(mu_s, leaving, nu, orders, light, work):
 
 @compiled_loop
 def _light_ground(mu_s, reflects, leaving, nu, orders, light, work):
-    """``ground_radiance``, or ``ground_light`` where it does not reflect."""
+    """Compute ``ground_radiance``, or ``ground_light`` without ``reflects``."""
     grid, air = light.grid, light.air
     bottom, lanes = grid.bottom_radius, air.ground.albedo.size
     top = grid.top_radius
@@ -73,7 +73,7 @@ def _light_ground(mu_s, reflects, leaving, nu, orders, light, work):
 
 @compiled_loop
 def direct_irradiance(r, mu_s, light, work, out):
-    """Irradiance of a level surface by the star, for arrays of radii and star cosines. [1]"""
+    """Compute irradiance of a level surface by the star, for arrays of radii and cosines. [1]"""
     bottom, top = light.grid.bottom_radius, light.grid.top_radius
     lanes = light.air.ground.albedo.size
     for k in range(r.size):
@@ -92,7 +92,7 @@ def direct_irradiance(r, mu_s, light, work, out):
 
 @compiled_loop
 def sky_irradiance(r, mu_s, light, out):
-    """Irradiance of a level surface by the sky, for arrays of radii and star cosines. [1]"""
+    """Compute irradiance of a level surface by the sky, for arrays of radii and cosines. [1]"""
     grid = light.grid
     bottom, top = grid.bottom_radius, grid.top_radius
     suns, lanes = grid.sun_cosines.size, light.air.ground.albedo.size

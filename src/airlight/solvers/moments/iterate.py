@@ -29,24 +29,24 @@ Float32Array = NDArray[np.float32]
 
 @dataclass(frozen=True, kw_only=True)
 class Moments:
-    """What the iteration arrives at, per irradiance of the star.
+    """Result of the iteration, per irradiance of the star.
 
     Attributes
     ----------
     degree : int
-        Of the harmonics.
+        Degree of the harmonics.
     grid : Grid
-        The nodes.
+        Nodes of the field.
     parts : int
-        Light is gathered at the first of so many radii of the grid.
+        Step, in radii of the grid, between those at which light is gathered.
     field : array, shape (r, s, k, nl)
         Moments of the radiance of all scattered and reflected light. [1]
     sky : array, shape (r, s, nl)
         Irradiance of a level surface by scattered light from above. [1]
     columns : array, shape (radii, directions, nc)
-        Of a ``ColumnTable``. [m]
+        Columns of a ``ColumnTable``. [m]
     sweeps : int
-        Orders of scattering that were computed one by one (the rest is extrapolated).
+        Number of orders of scattering that were computed one by one (the rest is extrapolated).
     residual : array, shape (nl,)
         Largest relative change of the mean radiance that all further sweeps would make. [1]
     """
@@ -73,7 +73,7 @@ def solve_moments(
     Parameters
     ----------
     paths : LightPaths
-        Of a medium with any number of wavelengths and constituents.
+        Light paths of a medium with any number of wavelengths and constituents.
     settings : Settings
         Grid sizes and tolerance.
     progress, cancel : callable, optional
@@ -84,7 +84,7 @@ def solve_moments(
     ConvergenceError
         If the tolerance is not reached within ``settings.max_sweeps``.
     Cancelled
-        If ``cancel`` said so.
+        If ``cancel`` returned True.
     """
     setup = Setup(paths=paths, settings=settings)
     count = setup.medium.wavelengths.size
@@ -113,11 +113,11 @@ def gather(
     Parameters
     ----------
     block : Block
-        From ``Setup.block``.
+        Set-up from ``Setup.block``.
     kernel : callable
-        One of the two.
+        One of these two functions.
     *light : array
-        What it reads beside the set-up.
+        Arrays that it reads beside the set-up.
     cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -142,13 +142,13 @@ def gather(
 
 @dataclass(frozen=True)
 class _Watch:
-    """Tells how far the iteration of one block of wavelengths has come."""
+    """Reporter of the progress of one block of wavelengths."""
 
     progress: Progress | None
     block: Block
 
     def report(self, iteration: Iteration | None = None) -> None:
-        """Progress of all wavelengths; nothing of these is done without an iteration."""
+        """Report progress over all wavelengths; this block's share is 0 without an iteration."""
         if self.progress is None:
             return
         which, wavelengths = self.block.which, self.block.setup.medium.wavelengths
@@ -165,7 +165,7 @@ class _Watch:
 def _iterate(
     block: Block, watch: _Watch, cancel: Cancel | None
 ) -> tuple[Float32Array, Float32Array, FloatArray, int]:
-    """One block of wavelengths: the sum of all orders, its residual and the number of sweeps."""
+    """Solve one block of wavelengths: sum of all orders, its residual and number of sweeps."""
     setup, used = block.setup, block.used
     watch.report()
     first_field, first_sky = gather(

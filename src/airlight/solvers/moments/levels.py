@@ -1,15 +1,15 @@
-"""At which radii the moments are kept, and how they are read between two of them.
+"""Radii of the moments, and interpolation between two of them.
 
 In clear air the radii are even in the distance to the horizon (Bruneton's mapping). Where the air
 scatters often, more radii follow the optical depth: their steps grow from a small part of a mean
 free path at the air's two ends, where the light has boundary layers, to two mean free paths
 inside, where it obeys diffusion and is a linear function of depth.
 
-Linear interpolation underestimates a light that is curved downwards, each time as if air that
-absorbs nothing did absorb some. In thick air by day the moments are therefore read between radii
-from the cubic through four of them; at the places where it is tabled between two radii, linear
-interpolation serves. At night the light falls e-fold from one radius to the next; there ratios
-keep it positive.
+Linear interpolation underestimates light that is curved downwards, as if air that absorbs nothing
+absorbed some in each step. In thick air by day the moments are therefore interpolated between
+radii by the cubic through four of them; between the levels that are tabled between two radii,
+linear interpolation suffices. At night the light falls e-fold from one radius to the next; there
+ratios keep it positive.
 """
 
 from __future__ import annotations
@@ -28,24 +28,24 @@ Float32Array = NDArray[np.float32]
 #: Scattering optical depth about which radii begin to follow the air. [1]
 THICK: Final = 1.5
 #: Step next to an end of thick air, its growth with the depth from that end, and the largest
-#: one, for a grid of 24 clear radii. [1]
+#: step, for a grid of 24 clear radii. [1]
 _FIRST_STEP: Final = 0.15
 _GROWTH: Final = 0.2
 _LAST_STEP: Final = 2.0
-#: The number of steps that these steps are for.
+#: Number of steps of that grid.
 _STEPS: Final = 23
-#: Part of the clear grid's radii that thick air can do without.
+#: Part of the clear grid's radii that thick air does not need.
 _SPARED: Final = 0.25
-#: At most so many times the steps of a clear grid.
+#: Largest number of steps, over that of a clear grid.
 _MOST: Final = 4.0
-#: Cuts of a ray through thick air.
+#: Number of cuts of a ray through thick air.
 _CUTS: Final = 12
-#: Points of a panel where a ray is cut into many.
+#: Points of a panel where a ray has many panels.
 FEW_NODES: Final = 8
-#: Places tabled between two radii of thick air, and the part of thickness from which on they are.
+#: Levels tabled per step between two radii of thick air, and the thickness above which they are.
 _PARTS: Final = 3
 _REFINED: Final = 0.5
-#: A cubic that is so far from the straight line, of its value, leaps.
+#: Relative distance of a cubic from the straight line above which it is rejected.
 _LEAP: Final = 0.2
 
 
@@ -55,9 +55,9 @@ class Depths(NamedTuple):
     Attributes
     ----------
     altitude : array, shape (n,)
-        [m]
+        Altitudes. [m]
     scattering : array, shape (n,)
-        Of the wavelength that scatters most, forward peaks not counted, from 0. [1]
+        Depth at the wavelength that scatters most, without forward peaks, from 0. [1]
     """
 
     altitude: FloatArray
@@ -65,23 +65,23 @@ class Depths(NamedTuple):
 
     @property
     def reach(self) -> float:
-        """How far light that wanders in the air spreads sideways: half of its thickness. [m]"""
+        """Sideways spread of light scattered many times in the air: half of its thickness. [m]"""
         total = self.scattering[-1]
         low, high = np.interp([0.05 * total, 0.95 * total], self.scattering, self.altitude)
         return 0.5 * float(high - low)
 
 
 class Levels(NamedTuple):
-    """Where light is gathered, and where it is tabled.
+    """Levels at which light is gathered, and levels at which it is tabled.
 
     Attributes
     ----------
     altitudes : array, shape (n,)
-        Of the table's levels. [m]
+        Altitudes of the table's levels. [m]
     row : array, shape (m,)
-        The table's level, with its fraction, of each altitude of ``Depths``. [1]
+        Fractional level of the table for each altitude of ``Depths``. [1]
     parts : int
-        Light is gathered at each ``parts``-th level.
+        Step, in levels, between those at which light is gathered.
     """
 
     altitudes: FloatArray
@@ -90,14 +90,14 @@ class Levels(NamedTuple):
 
 
 def place_levels(even: FloatArray, depths: Depths, count: int) -> Levels:
-    """The levels of a shell.
+    """Place the levels of a shell.
 
     Parameters
     ----------
     even : array, shape (m,)
         Coordinate, 0 to 1, in which a clear grid's levels are even. [1]
     depths : Depths
-        At the same altitudes.
+        Optical depths at the same altitudes.
     count : int
         Number of levels of a clear grid.
     """
@@ -119,8 +119,8 @@ def place_levels(even: FloatArray, depths: Depths, count: int) -> Levels:
 def panel_cuts(altitudes: FloatArray, parts: int) -> FloatArray:
     """Altitudes at which the panels of rays end in thick air, inside the shell. [m]
 
-    A cloud is not a smooth function of altitude as air is: a ray that meets it in one panel has a
-    wrong optical depth, and no weights can make its sum right. Clear air has no cuts.
+    A cloud is not a smooth function of altitude as air is: a ray that crosses it in one panel has
+    a wrong optical depth, which no weights can correct. Clear air has no cuts.
     """
     if parts == 1:
         return np.empty(0)
@@ -131,18 +131,18 @@ def panel_cuts(altitudes: FloatArray, parts: int) -> FloatArray:
 def finer(
     values: Float32Array, scale: Float32Array, level: Float32Array, parts: int
 ) -> Float32Array:
-    """Values at all levels from those where light is gathered.
+    """Interpolate values at all levels from those at which light is gathered.
 
     Parameters
     ----------
     values : array, shape (r, s, k, w)
         Moments.
     scale : array, shape (r, s, w)
-        The first of them, positive.
+        Positive moments of degree 0.
     level : array, shape (s, w)
-        1 where they shall follow a cubic from radius to radius, 0 where ratios.
+        1 for a cubic from radius to radius, 0 for ratios.
     parts : int
-        Of ``Levels``.
+        Number from ``Levels``.
 
     Returns
     -------
@@ -168,7 +168,7 @@ def finer(
 
 @kernel
 def cubic_bend(x, below, near, far, above):
-    """The cubic through four levels less the straight line, at x between the middle two."""
+    """Cubic through four levels minus the straight line, at x between the middle two."""
     y = 1.0 - x
     return (x * y / 6.0) * (
         (1.0 + y) * (2.0 * near - below - far) + (1.0 + x) * (2.0 * far - above - near)
@@ -177,24 +177,24 @@ def cubic_bend(x, below, near, far, above):
 
 @kernel
 def is_smooth(x, near, far, bend):
-    """Whether the cubic of the mean radiance means anything: where it leaps it does not."""
+    """Whether the cubic of the mean radiance is usable: where it leaps it is not."""
     return abs(bend) < _LEAP * ((1.0 - x) * near + x * far)
 
 
 @kernel
 def between_levels(x, near, far, bend, near_scale, far_scale, level):
-    """A moment at x between two levels.
+    """Moment at x between two levels.
 
     Parameters
     ----------
     x : float
-        0 to 1. [1]
+        Position between the levels, 0 to 1. [1]
     near, far : float
-        The moment at the levels.
+        Moment at the levels.
     bend : float
-        From ``cubic_bend``, or 0.
+        Value of ``cubic_bend``, or 0.
     near_scale, far_scale : float
-        1/sqrt of the mean radiance there.
+        1/sqrt of the mean radiance at the levels.
     level : float
         1 for the cubic, 0 for ratios. [1]
     """
@@ -204,7 +204,7 @@ def between_levels(x, near, far, bend, near_scale, far_scale, level):
 
 
 def finer_weights(count: int, parts: int) -> FloatArray:
-    """The cubics of ``finer`` as a matrix, shape ((count - 1)·parts + 1, count). [1]"""
+    """Matrix of the cubics of ``finer``, shape ((count - 1)·parts + 1, count). [1]"""
     unit = np.eye(count)
     out = np.empty(((count - 1) * parts + 1, count))
     out[::parts] = unit
@@ -215,7 +215,7 @@ def finer_weights(count: int, parts: int) -> FloatArray:
 
 
 def _bend(values: NDArray[Any], x: float) -> NDArray[Any]:
-    """The cubic through four levels less the straight line, at x between each two of them."""
+    """Cubic through four levels minus the straight line, at x between adjacent levels."""
     # The level beyond each end continues the parabola through the last three.
     first = 3 * (values[:1] - values[1:2]) + values[2:3]
     last = 3 * (values[-1:] - values[-2:-1]) + values[-3:-2]
@@ -226,7 +226,7 @@ def _bend(values: NDArray[Any], x: float) -> NDArray[Any]:
 
 
 def _steps(depth: FloatArray) -> FloatArray:
-    """∫ dτ/step(τ), the step growing from both ends; the depth ascends from 0."""
+    """Integral ∫ dτ/step(τ), the step growing from both ends; the depth ascends from 0."""
     near = np.minimum(depth, depth[-1] - depth)
     growing = np.minimum(near, (_LAST_STEP - _FIRST_STEP) / _GROWTH)
     half = np.log1p(growing * _GROWTH / _FIRST_STEP) / _GROWTH + (near - growing) / _LAST_STEP

@@ -2,8 +2,8 @@
 
 The stretch itself is integrated; nothing is ever the difference of two large numbers. Single
 scattering of the star uses the exact phase function and the exact shadow; light scattered before
-comes from the moments. All wavelengths go along together, in groups of eight lanes: what depends
-on geometry alone is computed once a point.
+comes from the moments. All wavelengths are marched together, in groups of eight lanes: factors of
+geometry alone are computed once per point.
 """
 
 from __future__ import annotations
@@ -32,19 +32,19 @@ from airlight.solvers.moments.sweep import Air, place_of
 from airlight.tables.column_ratios import columns_to_top
 from airlight.tables.columns import cut_at_corners, trace_resolved
 
-#: Rays that march side by side: neighbours read the same moments, which then stay in the cache.
+#: Rays marched side by side: neighbours read the same moments, which then stay in the cache.
 PACKET: Final = 16
 
-#: No constituent's light is kept apart.
+#: Peaks of ``march`` that keep no constituent's light apart.
 NO_PEAKS: Final = (-1, -1)
 
-#: A stretch is steep if it is so much shorter, of the shell's thickness; and in full daylight if
+#: A stretch is steep if its length over the shell's thickness is less; and in full daylight if
 #: the star's zenith cosine is larger at both ends. Eight points then err by less than 1e-3.
 STEEP: Final = 4.0
-#: A stretch so many times longer than the shell is thick grazes the densest air.
+#: Length over the shell's thickness above which a stretch grazes the densest air.
 GRAZING: Final = 9.0
-#: By day, points that scatter less than this part of their stretch are not asked for the light
-#: scattered before: at most a dozen of them, in the thinnest air.
+#: By day, the light scattered before is left out at points that scatter less than this part of
+#: their stretch: at most a dozen of them, in the thinnest air.
 FAINT: Final = 5e-4
 FULL_DAY: Final = 0.1
 
@@ -53,31 +53,31 @@ Float32Array = NDArray[np.float32]
 
 
 class Light(NamedTuple):
-    """All that a march needs of a solution; w is the number of lanes, a multiple of 8.
+    """Arrays of a solution for the march; w is the number of lanes, a multiple of 8.
 
     Attributes
     ----------
     grid : Grid
-        The nodes of ``field``.
+        Nodes of ``field``.
     air : Air
-        The optics after the removal of forward peaks, w lanes.
+        Optics after the removal of forward peaks, w lanes.
     scattering : array, shape (nc·w,)
         True scattering coefficients. [m⁻¹]
     expansion : Harmonics
-        Of the moments.
+        Harmonics of the moments.
     field : array, shape (r·s·(1 + k)·w,)
         Moments of all orders together, as (s, M·s) per node; see ``sweep``.
     sky : array, shape (r·s·2·w,)
         Irradiance of a level surface by scattered light, as (s, E·s) per node; the first radius
         is the ground.
     columns : array, shape (radii, directions, nc, 2)
-        Of a ``ColumnTable``, from ``mean_density_ratios``. [1]
+        Ratios of a ``ColumnTable``, from ``mean_density_ratios``. [1]
     density : array, shape (nodes, nc)
-        From ``density_table``.
+        Densities from ``density_table``.
     strongest, brightest : array, shape (nc,)
         Largest extinction and largest scattering of each constituent at any wavelength. [m⁻¹]
     lift : array, shape (rows, columns, 2)
-        From ``star_lift``; of no rows where light goes straight. [1]
+        Table from ``star_lift``; without rows where light is not bent. [1]
     bend : float
         Bending over impact parameter and column of the last constituent. [m⁻²]
     ends : array, shape (n,)
@@ -100,18 +100,18 @@ class Light(NamedTuple):
 
 
 class Workspace(NamedTuple):
-    """Scratch of one thread, and the results of ``march``, for packets of PACKET rays.
+    """Workspace of one thread, and the results of ``march``, for packets of PACKET rays.
 
     Attributes
     ----------
     edges, counts, distance, radius, weight, density, column, total, scratch :
-        Of the rays, overwritten by ``march``.
+        Quantities of the rays, overwritten by ``march``.
     functions, here, there, rho, depths, faint :
-        Of one point, overwritten by ``march``.
+        Quantities of one point, overwritten by ``march``.
     received : array, shape (w,)
-        Irradiance of the ground by ``ground_light``. [1]
+        Irradiance of the ground from ``ground_light``. [1]
     radiance, through : array, shape (PACKET, w)
-        Radiance of the air [sr⁻¹] and transmittance [1], of ``march``.
+        Radiance of the air [sr⁻¹] and transmittance [1], from ``march``.
     first, second : array, shape (PACKET, w)
         Light of the peaks of ``march`` over their phase functions. [1]
     """
@@ -139,7 +139,7 @@ class Workspace(NamedTuple):
 
 
 def new_workspace(points: int, constituents: int, terms: int, lanes: int) -> Workspace:
-    """Scratch for rays of at most so many points, of so many harmonics and lanes."""
+    """Workspace of rays of at most ``points`` points, ``terms`` harmonics and ``lanes`` lanes."""
     return Workspace(
         edges=np.empty(MAX_EDGES),
         counts=np.empty(PACKET, np.int64),
@@ -173,7 +173,7 @@ class Packet(NamedTuple):
         Start radius [m]; cosines of the view's and the star's zenith angle there, and between
         view and star. [1]
     length : array, shape (PACKET,)
-        [m]
+        Lengths of the stretches. [m]
     phase : array, shape (PACKET, nc·w)
         Phase functions at ``nu``. [sr⁻¹]
     """
@@ -187,28 +187,28 @@ class Packet(NamedTuple):
 
 
 def new_packet(width: int) -> Packet:
-    """Room for a packet whose rows of phase functions have so many values."""
+    """Empty packet whose rows of phase functions have ``width`` values."""
     r, mu, mu_s, nu, length = (np.empty(PACKET) for _ in range(5))
     return Packet(r, mu, mu_s, nu, length, np.empty((PACKET, width), np.float32))
 
 
 @compiled_loop
 def march(packet, rays, orders, peaks, panels, rules, light, work):
-    """Radiance of stretches of air per irradiance of the star, and their transmittance.
+    """Compute the radiance of stretches of air per irradiance of the star, and transmittance.
 
     Parameters
     ----------
     packet : Packet
         The stretches.
     rays : int
-        How many of them there are.
+        Number of stretches.
     orders : int
         1: the star's light scattered once; 0: all the rest; 2: both together.
     peaks : (int, int)
-        Constituents whose share of the star's light, scattered once, is found without their phase
-        functions too; ``NO_PEAKS`` for none.
+        Constituents whose share of the star's light, scattered once, is also found without their
+        phase functions; ``NO_PEAKS`` for none.
     panels : int
-        Panels a leg.
+        Number of panels a leg.
     rules : three tuples of arrays
         Nodes, weights, running integrals of a panel: for stretches that are steep and in full
         daylight, where the source is smooth; for most; and for those that graze the ground.

@@ -1,4 +1,4 @@
-"""Arrays as the kernels read them: flat float32, wavelengths in whole groups of eight lanes."""
+"""Packed arrays of the kernels: flat float32, wavelengths in whole groups of eight lanes."""
 
 from __future__ import annotations
 
@@ -15,25 +15,25 @@ from airlight.solvers.moments.levels import THICK, finer
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Mean radiance never falls below this part of its largest value, so that its root exists.
+#: Lower limit of the mean radiance, over its largest value, so that its root exists.
 _FLOOR: Final = 1e-20
-#: Nor below this. [1]
+#: Lower limit of the mean radiance itself. [1]
 _DARKEST: Final = 1e-30
-#: Dusk is so wide in sun elevation, of the horizon's dip.
+#: Width of dusk in sun elevation, over the horizon's dip.
 _DUSK: Final = 0.3
 
 
 def filled(values: NDArray[Any]) -> NDArray[Any]:
     """Wavelengths (..., w) in whole groups of eight lanes.
 
-    Lanes without a wavelength repeat the last one, so that they compute nothing strange.
+    Lanes without a wavelength repeat the last, so that they compute nothing exceptional.
     """
     missing = -values.shape[-1] % LANES
     return np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
 
 
 def pack(values: FloatArray) -> Float32Array:
-    """Wavelengths on the last axis to flat float32 in whole groups of eight lanes."""
+    """Pack wavelengths on the last axis as flat float32 in whole groups of eight lanes."""
     return np.ascontiguousarray(filled(values), dtype=np.float32).reshape(-1)
 
 
@@ -53,7 +53,7 @@ def _with_scale(values: Float32Array, scale: NDArray[Any]) -> Float32Array:
 
 @kernel
 def ratio_scale(mean, highest, level):
-    """The s of a node, by which its moments are multiplied for interpolation.
+    """Factor s of a node, by which its moments are multiplied for interpolation.
 
     Parameters
     ----------
@@ -66,31 +66,31 @@ def ratio_scale(mean, highest, level):
 
 
 def positive(values: Float32Array) -> Float32Array:
-    """Values (..., 8) with a floor far below anything that can be seen."""
+    """Values (..., 8) with a floor far below the visible."""
     floor = vectorized(floor_below)(values.max(axis=tuple(range(values.ndim - 1))))
     return np.asarray(np.maximum(values, floor), np.float32)
 
 
 @kernel
 def floor_below(brightest):
-    """What counts as dark where the brightest is so bright: positive. [1]"""
+    """Positive floor of values whose largest is ``brightest``. [1]"""
     return max(_FLOOR * brightest, _DARKEST)
 
 
 def pack_light(
     field: Float32Array, sky: Float32Array, level: Float32Array, parts: int
 ) -> tuple[Float32Array, Float32Array]:
-    """Moments (r, s, k, w) and irradiances (r, s, w) as the kernels read them.
+    """Pack moments (r, s, k, w) and irradiances (r, s, w) for the kernels.
 
     Parameters
     ----------
     field, sky : array
-        At the radii that gather light.
+        Values at the radii that gather light.
     level : array, shape (s, w)
         From ``level_weights``: where 1, s is the same at all radii, so that the moments are linear
-        between two of them; where 0 they are as ratios.
+        between two of them; where 0 they are interpolated as ratios.
     parts : int
-        See ``levels.finer``. Irradiances of one radius alone stay as they are.
+        See ``levels.finer``. Irradiances of only one radius stay as they are.
     """
     mean = positive(field[:, :, 0])
     whole = field.copy()
@@ -105,25 +105,25 @@ def pack_light(
 
 
 def level_weights(sun_cosines: FloatArray, dip: float, depth: FloatArray) -> Float32Array:
-    """Where thick air is in full light, so that the moments are linear between radii.
+    """Weight of interpolation linear between radii: 1 where thick air is in full light.
 
     By day the light inside thick air is a linear function of depth, and its slope is the flux: as
-    ratios it would be underestimated between radii, each time as if some were absorbed. At night
+    ratios it would be underestimated between radii, as if some were absorbed in each step. At night
     it falls e-fold from one radius to the next, and only ratios keep it positive and smooth.
 
     Parameters
     ----------
     sun_cosines : array, shape (s,)
-        [1]
+        Sun cosines. [1]
     dip : float
-        Of the horizon, seen from the top of the shell. [rad]
+        Dip of the horizon, seen from the top of the shell. [rad]
     depth : array, shape (w,)
         Vertical scattering optical depth. [1]
 
     Returns
     -------
     array, shape (s, w)
-        0 to 1. [1]
+        Weights from 0 to 1. [1]
     """
     height = np.clip(0.5 + np.arcsin(sun_cosines) / (_DUSK * dip), 0.0, 1.0)
     day = height * height * (3.0 - 2.0 * height)
@@ -132,7 +132,7 @@ def level_weights(sun_cosines: FloatArray, dip: float, depth: FloatArray) -> Flo
 
 @kernel
 def thick_share(depth):
-    """0 for clear air, 1 for thick, by the vertical scattering optical depth. [1]"""
+    """Weight by vertical scattering optical depth: 0 for clear air, 1 for thick. [1]"""
     return -expm1(-((depth / THICK) ** 4))
 
 

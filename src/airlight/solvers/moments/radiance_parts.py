@@ -1,6 +1,6 @@
-"""Radiance taken apart: by how often light was scattered, by what scattered it, by the ground.
+"""Radiance split into parts: by order of scattering, by constituent, by the ground.
 
-Each part is marched for itself; none is the difference of others.
+Each part is marched separately; none is the difference of others.
 """
 
 from __future__ import annotations
@@ -37,13 +37,13 @@ class Parts:
 
     @property
     def total(self) -> FloatArray:
-        """The sum of all parts, shape (n, nl). [sr⁻¹]"""
+        """Sum of all parts, shape (n, nl). [sr⁻¹]"""
         air = self.scattered_once.sum(axis=1) + self.scattered_more
         return np.asarray(air + self.ground_star + self.ground_sky)
 
 
 def radiance_parts(solution: MomentsSolution, sight: Sight) -> Parts:
-    """The parts of the radiance along lines of sight.
+    """Compute the parts of the radiance along lines of sight.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def radiance_parts(solution: MomentsSolution, sight: Sight) -> Parts:
 
 
 def _without_source(field: NDArray[np.float32], solution: MomentsSolution) -> NDArray[np.float32]:
-    """The moments of a field in which no light goes: each node keeps its scale, (s, 0)."""
+    """Moments of a field without light: each node keeps its scale, (s, 0)."""
     lanes = solution.light.air.ground.albedo.size
     nodes = field.reshape(-1, 1 + _terms(solution), lanes).copy()
     nodes[:, 1:] = 0.0

@@ -1,4 +1,4 @@
-"""The lines along which one sweep gathers light: the same for every wavelength and sun."""
+"""Rays along which one sweep gathers light: the same for every wavelength and sun."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from airlight.tables.columns import cut_at_corners, density_table, new_path, tra
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
-#: Of clear air whose scatterers are all densest at the ground.
+#: Ends of panels in clear air whose scatterers are all densest at the ground.
 NO_ENDS: Final[FloatArray] = np.zeros(0)
 
 
@@ -35,23 +35,23 @@ class Rays(NamedTuple):
         Weight in ∫ mu dmu over the upper half of the sphere, from the polynomial through the
         directions above the horizon. [1]
     length : array, shape (r, a)
-        To the ground or to the top. [m]
+        Distance to the ground or to the top. [m]
     start : array, shape (r, a + 1)
-        Where the points of a ray begin in the arrays below.
+        Index of the first point of a ray in the arrays below.
     total : array, shape (r, a, nc)
         Columns over the whole ray. [m]
     end : array, shape (r, a, 2)
-        The cosine of the star's zenith angle at the ray's end is the first times that at its
-        start, plus the second times the cosine between star and ray. [1]
+        Coefficients of the cosine of the star's zenith angle at the ray's end: of that cosine at
+        its start, and of the cosine between star and ray. [1]
     radius, mu_along : array, shape (p,)
-        Of the points: distance from the planet's centre [m] and zenith cosine of the ray [1].
+        Distance of the points from the planet's centre [m], and zenith cosine of the ray there [1].
     turn : array, shape (p, 4)
-        The cosine of the star's zenith angle at the point, from that at the start and the cosine
-        between star and ray, as ``end``; then the cosine between star and ray there, alike. [1]
+        Coefficients, as in ``end``, of the cosine of the star's zenith angle at the point; then of
+        the cosine between star and ray there. [1]
     amount : array, shape (p, nc)
-        Density times length that a point stands for. [m]
+        Density times the length that a point represents. [m]
     column : array, shape (p, nc)
-        From the start of the ray to the point. [m]
+        Column from the start of the ray to the point. [m]
     """
 
     mu: FloatArray
@@ -70,7 +70,7 @@ class Rays(NamedTuple):
 
 @compiled_loop
 def _turn(r, mu, distance, radius, angle, out):
-    """What ``Rays.turn`` holds for a point of a ray, bent by an angle until there."""
+    """Fill ``Rays.turn`` for a point of a ray that is bent by an angle up to there."""
     mu_along = min(max((r * mu + distance) / radius, -1.0), 1.0)
     out[0], out[2] = turned(mu_along, r / radius, 0.0, angle)
     out[1], out[3] = turned(mu_along, distance / radius, 1.0, angle)
@@ -88,7 +88,7 @@ def _trace_rays(grid, mu, panels, rule, table, strongest, bend, ends, edges, pat
             rays.start[i, a] = count
             below = a < mu.shape[1] // 2
             length = ray_length(r, mu[i, a], grid.bottom_radius, grid.top_radius)
-            # The first half of the quadrature meets the ground whatever rounding says.
+            # The first half of the quadrature meets the ground whatever the rounding.
             if below and mu[i, a] >= horizon_cosine(r, grid.bottom_radius):
                 length = max(-r * mu[i, a], 0.0)
             rays.length[i, a] = length
@@ -141,9 +141,9 @@ def trace_rays(
     Parameters
     ----------
     grid : Grid
-        Where the rays start.
+        Grid whose radii the rays start from.
     density : DensitySegments
-        The air's profiles.
+        Profiles of the air.
     strongest : array, shape (nc,)
         Largest extinction of each constituent at any wavelength. [m⁻¹]
     angles : int

@@ -1,12 +1,11 @@
-"""A medium's optics, packed for kernels that run eight wavelengths at once.
+"""Optics of a medium, packed for kernels that run eight wavelengths at once.
 
 Where light is scattered many times by particles with a sharp forward peak, the part
-f = g_{N+1} of each scattering counts as none at all (δ-M: Wiscombe 1977, JAS 34, 1408), and the
+f = g_{N+1} of each scattering counts as unscattered (δ-M: Wiscombe 1977, JAS 34, 1408), and the
 first order is computed with the exact phase function in the air so thinned (TMS: Nakajima &
 Tanaka 1988, JQSRT 40, 51). Where the particles are thin the peak's light is scattered once, δ-M
 gains nothing and spoils the narrow bright band along the horizon; f is therefore faded in with the
-particles' vertical optical depth. docs/decisions/0001-moments-in-the-twilight.md has the
-measurements.
+particles' vertical optical depth. Measurements: docs/decisions/0001-moments-in-the-twilight.md.
 """
 
 from __future__ import annotations
@@ -33,13 +32,13 @@ FloatArray = NDArray[np.float64]
 
 #: Vertical scattering optical depth about which forward peaks begin to be cut off. [1]
 THIN: Final = 0.1
-#: Optical depth between rows of the table of columns that layers aloft may have, and how many
-#: times the rows of clear air there are at most.
+#: Largest optical depth between rows of the table of columns in layers aloft, and largest number
+#: of rows over that of clear air.
 _ROW_DEPTH: Final = 0.15
 _MORE_ROWS: Final = 8
-#: Legendre moments below this count as none.
+#: Legendre moments below this count as zero.
 NEGLIGIBLE: Final = 1e-6
-#: Largest part of a scattering that counts as none. [1]
+#: Largest part of a scattering that counts as unscattered. [1]
 MOST_PEAK: Final = 0.98
 
 
@@ -51,20 +50,20 @@ def is_peaked(beyond):
 
 @kernel
 def cut_weight(depth):
-    """How far peaks are cut off, by the vertical scattering depth of what is peaked. [1]"""
+    """Weight of the removal of forward peaks, by the scattering depth of what is peaked. [1]"""
     return 1.0 - exp(-((depth / THIN) ** 2))
 
 
 @kernel
 def cut_part(beyond, weight):
-    """Part of a scattering that counts as none. [1]
+    """Part of a scattering that counts as unscattered. [1]
 
     Parameters
     ----------
     beyond : float
         The phase function's first moment above the degree. [1]
     weight : float
-        From ``cut_weight``. [1]
+        Weight from ``cut_weight``. [1]
     """
     if is_peaked(beyond):
         return min(max(beyond, 0.0), MOST_PEAK) * weight
@@ -72,14 +71,14 @@ def cut_part(beyond, weight):
 
 
 def peak_weight(medium: Medium, degree: int) -> FloatArray:
-    """How far forward peaks are cut off, from 0 (thin) to 1 (thick), shape (nl,).
+    """Weight of the removal of forward peaks, from 0 (thin) to 1 (thick), shape (nl,).
 
     Parameters
     ----------
     medium : Medium
-        Its scattering counts if the phase function has moments above the degree.
+        Medium; its scattering counts if the phase function has moments above the degree.
     degree : int
-        Of the harmonics.
+        Degree of the harmonics.
     """
     peaked = vectorized(is_peaked)(medium.phase_moments(degree + 1)[..., degree + 1])
     depth = (medium.scattering * medium.columns[:, None] * peaked).sum(axis=0)
@@ -87,7 +86,7 @@ def peak_weight(medium: Medium, degree: int) -> FloatArray:
 
 
 def choose_degree(medium: Medium, settings: Settings) -> int:
-    """The harmonics' degree: no higher than the phase functions need, higher for thick dust."""
+    """Degree of the harmonics: no more than the phase functions need, higher for thick dust."""
     highest = settings.thick_degree
     moments = medium.phase_moments(highest)
     strong = np.abs(moments).max(axis=(0, 1)) > NEGLIGIBLE
@@ -97,13 +96,13 @@ def choose_degree(medium: Medium, settings: Settings) -> int:
 
 
 def forward_peaks(medium: Medium, degree: int) -> FloatArray:
-    """Part of each constituent's scattering that counts as none, shape (nc, nl). [1]
+    """Part of each constituent's scattering that counts as unscattered, shape (nc, nl). [1]
 
     Parameters
     ----------
     medium : Medium
     degree : int
-        Of the harmonics.
+        Degree of the harmonics.
     """
     beyond = medium.phase_moments(degree + 1)[..., degree + 1]
     return np.asarray(vectorized(cut_part)(beyond, peak_weight(medium, degree)))
@@ -116,7 +115,7 @@ def scattering_depth(medium: Medium, degree: int) -> FloatArray:
     ----------
     medium : Medium
     degree : int
-        Of the harmonics.
+        Degree of the harmonics.
     """
     smooth = medium.scattering * (1.0 - forward_peaks(medium, degree))
     return medium.columns @ smooth
@@ -129,13 +128,13 @@ def transport_depth(medium: Medium) -> FloatArray:
 
 
 def optical_depths(medium: Medium, degree: int) -> Depths:
-    """The depths that radii follow.
+    """Depths that the radii follow.
 
     Parameters
     ----------
     medium : Medium
     degree : int
-        Of the harmonics.
+        Degree of the harmonics.
     """
     table = density_table(medium.density, medium.thickness)
     altitude = medium.thickness * np.linspace(0.0, 1.0, table.shape[0]) ** 2
@@ -146,16 +145,16 @@ def optical_depths(medium: Medium, degree: int) -> Depths:
 
 
 def make_air(medium: Medium, degree: int, block: slice) -> Air:
-    """The optics of some of a medium's wavelengths, in whole groups of eight lanes.
+    """Pack the optics of some of a medium's wavelengths in whole groups of eight lanes.
 
     Parameters
     ----------
     medium : Medium
-        All wavelengths.
+        Medium with all wavelengths.
     degree : int
-        Of the harmonics.
+        Degree of the harmonics.
     block : slice
-        Which wavelengths.
+        Indices of the wavelengths.
     """
     moments = medium.phase_moments(degree + 1)[:, block]
     scattering = medium.scattering[:, block]
@@ -178,9 +177,9 @@ def panel_ends(medium: Medium, grid: Grid, parts: int) -> FloatArray:
     ----------
     medium : Medium
     grid : Grid
-        Of the medium.
+        Grid of the medium.
     parts : int
-        More than 1 in thick air, whose levels then are the ends; else those of layers aloft.
+        More than 1 in thick air, whose levels are then the ends; otherwise those of layers aloft.
     """
     if parts > 1:
         return panel_cuts(grid.radii - grid.bottom_radius, parts)
@@ -188,7 +187,7 @@ def panel_ends(medium: Medium, grid: Grid, parts: int) -> FloatArray:
 
 
 def column_rows(medium: Medium, settings: Settings) -> int:
-    """Radii of the table of columns towards the star: more where a layer aloft is thick.
+    """Number of radii of the table of columns towards the star: more where a layer aloft is thick.
 
     Between rows the table is exact for air that thins exponentially; for a cloud with an upper end
     it errs by the square of the optical depth from row to row: 5 % of a cloud's light for 1.
@@ -197,7 +196,7 @@ def column_rows(medium: Medium, settings: Settings) -> int:
     ----------
     medium : Medium
     settings : Settings
-        With the rows of clear air.
+        Settings with the number of rows of clear air.
     """
     rows = settings.column_radii
     if not layer_edges(medium.density, medium.scattering.max(axis=1)).size:

@@ -15,9 +15,9 @@ class Settings:
     Attributes
     ----------
     degree : int
-        Highest degree of the harmonics for air whose aerosol is thin.
+        Highest degree of the harmonics for air with thin aerosol.
     thick_degree : int
-        The same where forward peaks are scattered many times (dust, haze).
+        Highest degree where forward peaks are scattered many times (dust, haze).
     radii, suns : int
         Nodes in radius and in sun elevation.
     zenith_angles : int
@@ -29,11 +29,11 @@ class Settings:
     tolerance : float
         Largest change by one more order, relative to the sum, that ends the iteration. [1]
     max_sweeps : int
-        The iteration gives up after so many.
+        Largest number of sweeps before the iteration gives up.
     column_radii, column_directions : int
         Shape of the table of columns towards the star.
     march_nodes, march_panels : int
-        Points a panel and panels a leg when radiance is asked for.
+        Points a panel and panels a leg when radiance is computed.
     """
 
     degree: int
@@ -105,7 +105,7 @@ QUALITIES: Final = {
 
 
 def settings_for(quality: str | Settings) -> Settings:
-    """The settings of a named quality level, or settings as they are.
+    """Settings of a named quality level; settings are returned unchanged.
 
     Raises
     ------

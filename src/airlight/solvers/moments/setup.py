@@ -1,8 +1,8 @@
-"""What a solve derives from a medium before light is followed: once, for every processor.
+"""Quantities that a solve derives from a medium beforehand: once, for every processor.
 
-``Setup`` is what all wavelengths share, ``Block`` what wavelengths that run together add to it. The
-sweeps of the processor, the passes of the GPU, the plan of a page and the march of a solution read
-them, so that none of them derives a grid, a ray or a depth of its own.
+``Setup`` is shared by all wavelengths, ``Block`` adds the wavelengths that run together. The sweeps
+of the CPU, the passes of the GPU, the plan of a page and the march of a solution read them, so that
+none of them derives its own grid, rays or depths.
 """
 
 from __future__ import annotations
@@ -43,11 +43,11 @@ from airlight.tables.columns import ColumnTable
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Mean radiance below this part of its largest value comes from the side rather than from above
+#: Part of its largest value below which mean radiance comes from the side rather than from above
 #: and below: where the transport depth is small, where it is large, and the depth between.
 _SIDELIT: Final = (1e-4, 2e-2)
 _WANDERS: Final = 5.0
-#: Tables of columns that are kept: edits of coefficients leave them as they are.
+#: Number of tables of columns that are kept: edits of coefficients do not change them.
 _KEPT: Final = 4
 
 _tables: OrderedDict[tuple[Any, ...], tuple[ColumnTable, FloatArray]] = OrderedDict()
@@ -56,14 +56,14 @@ _lock = threading.Lock()
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Setup:
-    """Degree, nodes, rays and tables of a solve; each is made when first asked for.
+    """Degree, nodes, rays and tables of a solve; each is made at its first use.
 
     Parameters
     ----------
     paths : LightPaths
-        Of a medium with any number of wavelengths and constituents.
+        Light paths of a medium with any number of wavelengths and constituents.
     settings : Settings
-        How finely.
+        Grid sizes and tolerance.
     """
 
     paths: LightPaths
@@ -71,7 +71,7 @@ class Setup:
 
     @property
     def medium(self) -> Medium:
-        """The medium in which rays are straight."""
+        """Medium in which rays are straight."""
         return self.paths.medium
 
     @cached_property
@@ -81,7 +81,7 @@ class Setup:
 
     @property
     def terms(self) -> int:
-        """Moments of a node."""
+        """Number of moments of a node."""
         return coefficient_count(self.degree)
 
     @cached_property
@@ -103,12 +103,12 @@ class Setup:
 
     @property
     def parts(self) -> int:
-        """Radii of the grid for each one at which light is gathered."""
+        """Number of radii of the grid for each radius at which light is gathered."""
         return self._nodes[1]
 
     @cached_property
     def gathering(self) -> Grid:
-        """The grid with those radii alone at which light is gathered."""
+        """Grid with only the radii at which light is gathered."""
         return self.grid._replace(radii=self.grid.radii[:: self.parts])
 
     @cached_property
@@ -123,7 +123,7 @@ class Setup:
 
     @property
     def ray_nodes(self) -> int:
-        """Points a panel of a sweep's ray."""
+        """Points in a panel of a sweep's ray."""
         if self.parts > 1:
             return min(self.settings.nodes, FEW_NODES)
         if self.ends.size:  # several panels a leg need fewer points each
@@ -191,12 +191,12 @@ class Setup:
         return np.asarray(filled(level_weights(self.grid.sun_cosines, self.dip, depth)))
 
     def block(self, which: slice) -> Block:
-        """The set-up of wavelengths that run together.
+        """Set-up of wavelengths that run together.
 
         Parameters
         ----------
         which : slice
-            At most eight wavelengths.
+            Indices of at most eight wavelengths.
         """
         air = make_air(self.medium, self.degree, which)
         rays, share = rays_in_sight(self.rays, air)
@@ -226,24 +226,24 @@ class Block:
     Attributes
     ----------
     setup : Setup
-        What all wavelengths share.
+        Set-up that all wavelengths share.
     which : slice
-        These wavelengths among all.
+        Indices of these wavelengths among all.
     air : Air
-        Their optics.
+        Optics of these wavelengths.
     rays : Rays
-        With the points that any of them sees.
+        Rays with the points that any of these wavelengths sees.
     share : array, shape (r·a·8,)
-        Of ``rays_in_sight``. [1]
+        Factors from ``rays_in_sight``. [1]
     level : array, shape (s, 8)
-        Of ``level_weights``. [1]
+        Weights from ``level_weights``. [1]
     thick : array, shape (8,)
-        Of ``thickness``, from 0 to 1: where the tolerance becomes absolute. [1]
+        Thickness from ``thickness``, from 0 to 1: where the tolerance becomes absolute. [1]
     sidelit : array, shape (8,)
         Part of the largest mean radiance below which light comes from the side. [1]
     reach : two floats
-        How far light wanders sideways, and the length that the interpolation between sun
-        elevations adds, see ``vertical_coupling.sideways``. [m]
+        Sideways spread of the light, and the length that the interpolation between sun elevations
+        adds, see ``vertical_coupling.sideways``. [m]
     """
 
     setup: Setup
@@ -258,7 +258,7 @@ class Block:
 
     @property
     def used(self) -> int:
-        """Lanes that stand for a wavelength of their own."""
+        """Number of lanes that have their own wavelength."""
         return len(range(*self.which.indices(self.setup.medium.wavelengths.size)))
 
 
@@ -272,7 +272,7 @@ def even_azimuths(degree: int, count: int) -> Azimuths:
 def _columns(
     bottom: float, top: float, density: DensitySegments, shape: tuple[int, int]
 ) -> tuple[ColumnTable, FloatArray]:
-    """The table of columns and its ratios, from the last few that were made."""
+    """Table of columns and its ratios, from the last few that were made."""
     key = (bottom, top, shape, density.edges.tobytes(), density.coefficients.tobytes())
     with _lock:
         if key in _tables:

@@ -1,4 +1,4 @@
-"""The moments solver's result: marches lines of sight through the moments."""
+"""Solution of the moments solver: marches lines of sight through the moments."""
 
 from __future__ import annotations
 
@@ -52,20 +52,20 @@ _BLOCK = 2048
 
 
 class MomentsSolution(Solution):
-    """A solution by the moments solver.
+    """Solution by the moments solver.
 
     Parameters
     ----------
     medium : Medium
-        What was solved.
+        Solved medium.
     settings : Settings
-        How finely.
+        Grid sizes and tolerance.
     moments : Moments
-        What came out.
+        Result of the iteration.
     seconds : float
-        What it took; 0 from the cache. [s]
+        Time of the solve; 0 from the cache. [s]
     paths : LightPaths, optional
-        Of the medium, if they are known already.
+        Light paths of the medium, if already known.
     """
 
     def __init__(
@@ -90,12 +90,12 @@ class MomentsSolution(Solution):
 
     @cached_property
     def setup(self) -> Setup:
-        """What the solve derived from the medium, as far as it is asked for again."""
+        """Quantities that the solve derived from the medium, made again when asked for."""
         return Setup(paths=self.paths, settings=self.settings)
 
     @cached_property
     def light(self) -> Light:
-        """What ``march`` needs, for all wavelengths."""
+        """Input of ``march``, for all wavelengths."""
         moments, medium = self.moments, self.paths.medium
         level = self.setup.level(slice(None))
         field, sky = pack_light(filled(moments.field), filled(moments.sky), level, moments.parts)
@@ -117,7 +117,7 @@ class MomentsSolution(Solution):
         )
 
     def workspace(self, nodes: int, panels: int) -> Workspace:
-        """Scratch for one thread that marches with so many nodes a panel and panels a leg."""
+        """Workspace of one thread for a march of ``nodes`` a panel and ``panels`` a leg."""
         return new_workspace(
             nodes * (2 * panels + 10 + 2 * self.light.ends.size),
             len(self.paths.medium.names),
@@ -126,7 +126,7 @@ class MomentsSolution(Solution):
         )
 
     def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
-        """See ``Solution``; all orders, or the first alone."""
+        """See ``Solution``; all orders, or only the first."""
         return self.marched(sight, 2 if order is None else 1)
 
     def marched(
@@ -147,16 +147,16 @@ class MomentsSolution(Solution):
         orders : int
             1: the star's light scattered or reflected once; 0: all the rest; 2: both together.
         light : Light, optional
-            In place of ``self.light``, with some of it left out.
+            Replaces ``self.light``, with some of it left out.
         scatterers : sequence of int, optional
-            The constituents that scatter the star's light; all without it.
+            Constituents that scatter the star's light; all by default.
         ground : bool
             Whether the ground is seen behind the air.
 
         Returns
         -------
         array, shape (n, nl)
-            [sr⁻¹]
+            Radiance. [sr⁻¹]
         """
         sight = self.paths.sight(sight)
         seen = self.paths.seen_nu(sight)
@@ -260,11 +260,11 @@ def solve(
     Parameters
     ----------
     medium : Medium
-        What to solve.
+        Medium to solve.
     settings : Settings
-        How finely.
+        Grid sizes and tolerance.
     cache : bool
-        Whether to look for the solution on disk and to leave it there.
+        Whether to look for the solution on disk and to store it there.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
@@ -301,7 +301,7 @@ def _key(medium: Medium, settings: Settings) -> str:
 
 
 def _from_arrays(setup: Setup, arrays: dict[str, NDArray[Any]]) -> Moments | None:
-    """The moments that a cache file holds, or None if it holds something else."""
+    """Moments in a cache file, or None if it holds something else."""
     try:
         degree, sweeps = (int(x) for x in arrays["counts"])
         medium, suns = setup.medium, setup.settings.suns

@@ -1,4 +1,4 @@
-"""The light that a point of the air sends along a line of sight: once scattered, and the rest.
+"""Light that a point of the air sends along a line of sight: scattered once, and the rest.
 
 Written for both processors: the march of the CPU runs these for packets of rays and eight
 wavelengths at a time, the shader of the GPU for a ray and four wavelengths.
@@ -28,11 +28,11 @@ def star_at(seen, low_columns, high_columns, spread, extinction, constituents, l
     Parameters
     ----------
     seen : float
-        Of ``star_points``. [1]
+        Visible part of the star, from ``star_points``. [1]
     low_columns, high_columns : array, shape (nc,)
-        From the point to space, towards the two places that stand for the star. [m]
+        Columns from the point to space, towards the two points that represent the star. [m]
     spread : bool
-        Whether these differ.
+        Whether these two differ.
     extinction, constituents, lanes, at :
         As in ``through_columns``.
     """
@@ -52,7 +52,7 @@ def scattered_star(density, scattering, phase, constituents, lanes, at):
     density : array, shape (nc,)
         Relative densities. [1]
     scattering : array, shape (nc·w,)
-        [m⁻¹]
+        Scattering coefficients. [m⁻¹]
     phase : array, shape (nc·w,)
         Phase functions at the angle to the star. [sr⁻¹]
     constituents, lanes, at :
@@ -68,7 +68,7 @@ def scattered_star(density, scattering, phase, constituents, lanes, at):
 
 @inlined
 def between(field, near, far, block, w00, w01, w10, w11):
-    """A value of four nodes of the field, weighted."""
+    """Weighted sum of the field at four nodes."""
     return (
         w00 * load(field, near)
         + w01 * load(field, near + block)
@@ -82,20 +82,20 @@ def gathered_light(
     density, moments, field, functions, near, far, block, w00, w01, w10, w11, degree,
     constituents, lanes, at,
 ):  # fmt: skip
-    """Light that was scattered before, scattered once more into the line of sight. [m⁻¹ sr⁻¹]
+    """Light scattered before, scattered once more into the line of sight. [m⁻¹ sr⁻¹]
 
     Parameters
     ----------
     density : array, shape (nc,)
         Relative densities. [1]
     moments : array, shape (nc·(N + 1)·w,)
-        Of ``Air``. [m⁻¹]
+        Moments of ``Air``. [m⁻¹]
     field : array
-        Of ``Light``.
+        Field of ``Light``.
     functions : array, shape (k,)
         Harmonics of the line of sight: K_lm P_lm cos mφ. [1]
     near, far, block : int
-        First value of the lower row's and of the upper row's node, and how many values a node has.
+        Index of the first value of the lower and of the upper row's node; values per node.
     w00, w01, w10, w11 : float
         Weights of the four nodes. [1]
     degree, constituents, lanes, at :
@@ -114,7 +114,7 @@ def gathered_light(
             )
         gathered = gathered + strength * part
     scale = between(field, near + at, far + at, block, w00, w01, w10, w11)
-    # A sum of few harmonics may fall below 0 where almost no light goes.
+    # A sum of few harmonics may be negative where there is almost no light.
     return maximum(gathered / scale, 0.0)
 
 
@@ -127,8 +127,9 @@ def read_phase(half_sine, table, nodes, width, out):
     half_sine : float
         sin(θ/2) of the scattering angle. [1]
     table : array, shape (nodes·width,)
-        On the uniform grid of sin(θ/2).
+        Phase functions on the uniform grid of sin(θ/2).
     nodes, width : int
+        Number of nodes, and of values at each.
     out : array, shape (width,)
         Receives the values.
     """
@@ -148,9 +149,9 @@ def level_star(below, above, from_low, from_high, extinction, constituents, lane
     Parameters
     ----------
     below, above : array, shape (nc,)
-        Columns towards the star's two places. [m]
+        Columns towards the two points that represent the star. [m]
     from_low, from_high : float
-        Of ``level_light``. [1]
+        Weights from ``level_light``. [1]
     extinction, constituents, lanes, at :
         As in ``through_columns``.
     """
@@ -166,9 +167,9 @@ def level_sky(sky, place, share, lanes, at):
     Parameters
     ----------
     sky : array
-        Of ``Light``.
+        Irradiances of ``Light``.
     place, share : int, float
-        The sun before, and the share of the way to the next.
+        Index of the sun before, and share of the way to the next.
     lanes, at :
         As in ``through_columns``.
     """
@@ -183,5 +184,5 @@ def level_sky(sky, place, share, lanes, at):
 
 @inlined
 def reflected(received, albedo):
-    """Radiance of a ground that scatters evenly, from its irradiance. [sr⁻¹]"""
+    """Radiance of a Lambertian ground, from its irradiance. [sr⁻¹]"""
     return received * albedo * INVERSE_PI

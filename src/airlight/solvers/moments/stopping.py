@@ -1,8 +1,8 @@
-"""When the orders of scattering have arrived: one rule for sweeps, passes and pages.
+"""Convergence of the orders of scattering: one rule for sweeps, passes and pages.
 
-After each order the mean radiances at the nodes are compared with those before
-(``convergence.relative_change``, ``counts``); what all further orders would add is estimated from
-how the changes shrink (``what_follows``); where that is below the tolerance the iteration ends.
+After each order the mean radiances at the nodes are compared with the previous ones
+(``convergence.relative_change``, ``counts``); the sum of all further orders is estimated from how
+the changes shrink (``what_follows``); where that is below the tolerance the iteration ends.
 """
 
 from __future__ import annotations
@@ -23,34 +23,34 @@ from airlight.solvers.moments.settings import Settings
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Images of the light that the acceleration combines: of the processor's sweeps, and of passes,
-#: where each is a texture that the shader reads.
+#: Images of the light that the acceleration combines: of the CPU's sweeps, and of passes, where
+#: each is a texture that the shader reads.
 SWEEP_IMAGES: Final = 7
 PASS_IMAGES: Final = 5
-#: Passes give up after so many orders: then the air is one for the processor.
+#: Number of orders after which passes give up: such air is left to the CPU.
 MOST_PASSES: Final = 60
 
 
 @dataclass(frozen=True, kw_only=True)
 class Stopping:
-    """The numbers of the rule, and where they differ by processor.
+    """Parameters of the stopping rule, with their values for sweeps and for passes.
 
     Attributes
     ----------
     tolerance : float
-        Largest change that may be still to come, relative to the sum. [1]
+        Largest change that may still be to come, relative to the sum. [1]
     most_sweeps : int
-        The iteration gives up after so many orders.
+        Number of orders after which the iteration gives up.
     images : int
-        How many of the last images are combined into the next guess.
+        Number of the last images that are combined into the next guess.
     stricter : float
-        By this part the tolerance is smaller in thick air. Sweeps are completed by the inverse
+        Fraction by which the tolerance is smaller in thick air. Sweeps are completed by the inverse
         along the vertical, so that the last change is nearly all that was missing: 0. Passes have
-        no inverse; there many small orders follow, and the last says less of them. [1]
+        no inverse; there many small orders follow, and the last says less about them. [1]
     night : float
-        Part of the thickness by which a change in the night counts less when the rule decides to
-        stop. What the inverse leaves open in the night of thick air cannot be seen: 1. In passes
-        nothing but more orders brings light there: less. [1]
+        Fraction of the thickness by which a change in the night counts less when the rule decides
+        to stop. The error that the inverse leaves in the night of thick air cannot be seen: 1. In
+        passes only more orders bring light there: less. [1]
     """
 
     tolerance: float
@@ -61,7 +61,7 @@ class Stopping:
 
     @classmethod
     def of_sweeps(cls, settings: Settings) -> Stopping:
-        """The rule of the processor, whose sweeps are completed along the vertical."""
+        """Rule of the CPU, whose sweeps are completed along the vertical."""
         return cls(
             tolerance=settings.tolerance,
             most_sweeps=settings.max_sweeps,
@@ -72,7 +72,7 @@ class Stopping:
 
     @classmethod
     def of_passes(cls, settings: Settings) -> Stopping:
-        """The rule of a graphics device, in Python and in a page: orders alone, in float32."""
+        """Rule of a GPU, in Python and in a page: orders alone, in float32."""
         return cls(
             tolerance=settings.tolerance,
             most_sweeps=min(settings.max_sweeps, MOST_PASSES),
@@ -82,26 +82,26 @@ class Stopping:
         )
 
     def tolerance_in(self, thick: FloatArray) -> float:
-        """The tolerance in air as thick as its thickest lane. [1]"""
+        """Tolerance in air as thick as its thickest lane. [1]"""
         return self.tolerance * (1.0 - self.stricter * float(thick.max()))
 
 
 class Iteration:
-    """Follows successive orders: what is still to come, and how to go on.
+    """State of the successive orders: what is still to come, and how to go on.
 
     Parameters
     ----------
     stopping : Stopping
-        The rule.
+        Stopping rule.
     thick : array, shape (w,)
-        Of ``Block``: where the tolerance becomes absolute. [1]
+        Thickness from ``Block``: where the tolerance becomes absolute. [1]
     used : int
-        Lanes that stand for a wavelength of their own; the others follow and do not count.
+        Number of lanes that have their own wavelength; the others follow and do not count.
 
     Attributes
     ----------
     sweeps : int
-        Orders that were judged.
+        Number of orders that were judged.
     to_come : array, shape (used,)
         Largest relative change by all further orders. [1]
     """
@@ -119,7 +119,7 @@ class Iteration:
         Raises
         ------
         ConvergenceError
-            If it is, and the rule gives up.
+            If another is needed after the rule's largest number.
         """
         if self.sweeps > 1 and self.to_come.max() <= self.tolerance:
             return False
@@ -157,7 +157,7 @@ class Iteration:
 
     @property
     def share(self) -> float:
-        """How far it has come, by logarithm: 0 at a change of 1, 1 at the tolerance."""
+        """Progress by logarithm: 0 at a change of 1, 1 at the tolerance."""
         largest = float(self.to_come.max())
         if largest <= self.tolerance:
             return 1.0

@@ -1,13 +1,13 @@
-"""One sweep: from the moments of the light to the moments of the light scattered once more.
+"""One sweep: from the moments of the light to those of the light scattered once more.
 
 For each radius and each direction the radiance is a sum over the points of a ray, and the point's
-source is a sum over the moments there. What depends on the ray alone, the Legendre functions and
-the interpolation in radius, is contracted first, so that the inner loop over sun elevations and
+source is a sum over the moments there. The factors of the ray alone, the Legendre functions and
+the interpolation in radius, are contracted first, so that the inner loop over sun elevations and
 azimuths only adds up N + 1 cosines. Eight wavelengths run in the lanes of one register.
 
 Between grid nodes the moments are interpolated as ratios: with s = 1/sqrt(M_00) at each node, the
 value is lerp(M·s)/lerp(s). It is exact at the nodes and, for M falling exponentially, at the
-middle between them, and M_00 stays positive, which linear interpolation cannot offer in the
+middle between them, and M_00 stays positive, which linear interpolation does not ensure in the
 twilight, where M falls e-fold within a degree.
 """
 
@@ -29,16 +29,16 @@ Float32Array = NDArray[np.float32]
 
 
 class Air(NamedTuple):
-    """The optics of eight wavelengths, flat, wavelengths in the lanes.
+    """Optics of eight wavelengths, flat, wavelengths in the lanes.
 
     Attributes
     ----------
     extinction : array, shape (nc·8,)
-        After the removal of forward peaks. [m⁻¹]
+        Extinction after the removal of forward peaks. [m⁻¹]
     moments : array, shape (nc·(N + 1)·8,)
         Scattering coefficient times Legendre moment, both after that removal. [m⁻¹]
     ground : Reflection
-        How the ground reflects.
+        Reflection by the ground.
     star_radius : float
         Angular radius of the star. [rad]
     """
@@ -66,7 +66,7 @@ class Azimuths(NamedTuple):
 
 @inlined
 def place_of(mu_s, place):
-    """Index of a sun cosine in the grid, with its fraction."""
+    """Fractional index of a sun cosine in the grid."""
     x = (mu_s + 1.0) * (0.5 * (place.size - 1))
     k = min(max(int(x), 0), place.size - 2)
     return place[k] + (place[k + 1] - place[k]) * (x - k)
@@ -83,7 +83,7 @@ def optical_depth(columns, first, extinction, constituents):
 
 @inlined
 def strength_of(moments, amounts, point, l, degree, constituents):
-    """What a point scatters in one degree: Σ moments·amount of eight wavelengths. [1]"""
+    """Scattering by a point in one degree: Σ moments·amount of eight wavelengths. [1]"""
     strength = splat(0.0)
     for c in range(constituents):
         strength = strength + load(moments, LANES * (c * (degree + 1) + l)) * np.float32(
@@ -94,21 +94,22 @@ def strength_of(moments, amounts, point, l, degree, constituents):
 
 @inlined
 def contracted(factors, first, field, low, high, f, m, degree):
-    """Moments of one m, times what a point scatters of each, between two radii.
+    """Moments of one m, times the scattering by a point in each degree, between two radii.
 
     Parameters
     ----------
     factors : array
         Strength of each degree times Legendre function, (l, m) at l(l + 1)/2 + m from ``first`` on.
     first : int
-        In lanes.
+        Index of the first factor, in lanes.
     field : array
-        As in ``sweep_radius``.
+        Field as in ``sweep_radius``.
     low, high : int
-        Where the nodes of the lower and the upper radius begin. In lanes.
+        Index of the nodes of the lower and the upper radius, in lanes.
     f : float32
-        Weight of the upper one. [1]
+        Weight of the upper radius. [1]
     m, degree : int
+        Order of these moments, and highest degree.
     """
     g = np.float32(1.0) - f
     total = splat(0.0)
@@ -123,7 +124,7 @@ def contracted(factors, first, field, low, high, f, m, degree):
 
 @inlined
 def star_from_point(turn, point, mu_s, nu):
-    """Cosines of the star's zenith angle, and between star and ray, at a point of a ray. [1]
+    """Cosines of the star's zenith angle and between star and ray, at a point of a ray. [1]
 
     ``turn`` is that of ``Rays``; ``mu_s`` and ``nu`` belong to the start of the ray.
     """
@@ -140,23 +141,24 @@ def azimuth_cosine(mu, mu_s, nu):
 
 @inlined
 def gathered(turn, mu_along, first, points, local, rows, mu_s, nu, places, suns, degree):
-    """Radiance that the points of a ray send along it, of the light scattered before. [1]
+    """Radiance sent along a ray by its points, from light scattered before. [1]
 
     Parameters
     ----------
     turn, mu_along : array
-        Of ``Rays``.
+        Arrays of ``Rays``.
     first, points : int
-        The ray's points.
+        Index of the ray's first point, and number of its points.
     local : int
-        Where ``rows`` has the first of them.
+        Index of the first of them in ``rows``.
     rows : array, shape (points·s·(2 + N)·8,)
         For each point and sun (s, A_0 s, … A_N s), A_m from ``contracted``.
     mu_s, nu : float
-        Of the star at the start of the ray. [1]
+        Cosines of the star at the start of the ray. [1]
     places : array
-        Of ``Grid.place``.
+        Lookup table ``Grid.place``.
     suns, degree : int
+        Number of sun elevations, and highest degree.
     """
     block = (degree + 2) * LANES
     radiance = splat(0.0)
@@ -185,7 +187,7 @@ def gathered(turn, mu_along, first, points, local, rows, mu_s, nu, places, suns,
 
 @inlined
 def through_ray(extinction, totals, first, constituents):
-    """Transmittance of a whole ray, whose columns ``totals[first:]`` holds. [1]"""
+    """Transmittance of a whole ray with the columns ``totals[first:]``. [1]"""
     return exponential(0.0 - optical_depth(totals, first, extinction, constituents))
 
 
@@ -193,15 +195,15 @@ def through_ray(extinction, totals, first, constituents):
 def leaving_at_end(ends, i, a, mu):
     """Cosine of the zenith angle at which a ray's light leaves the ground. [1]
 
-    ``ends`` of ``Rays``. A star that stood where the ray leads would be seen there under the
-    opposite angle.
+    ``ends`` of ``Rays``. A star in the direction of the ray would be seen there at the opposite
+    angle.
     """
     return max(0.0 - star_at_end(ends, i, a, mu, 1.0), 0.0)
 
 
 @inlined
 def star_at_end(ends, i, a, mu_s, nu):
-    """Cosine of the star's zenith angle where a ray meets the ground; ``ends`` of ``Rays``. [1]"""
+    """Cosine of the star's zenith angle at the ground end of a ray; ``ends`` of ``Rays``. [1]"""
     return min(max(ends[i, a, 0] * mu_s + ends[i, a, 1] * nu, -1.0), 1.0)
 
 
@@ -243,13 +245,13 @@ def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, 
     Parameters
     ----------
     i : int
-        Which radius.
+        Index of the radius.
     grid, rays, azimuths, air : Grid, Rays, Azimuths, Air
-        The shell, its rays, and its optics.
+        Shell, its rays, and its optics.
     share : array, shape (r·a·8,)
-        Of ``rays_in_sight``. [1]
+        Factors from ``rays_in_sight``. [1]
     expansion : Harmonics
-        Of the moments.
+        Harmonics of the moments.
     field : array, shape (r·s·(1 + k)·8,)
         Moments so far, as (s, M·s) per node; see the head of this file.
     ground : array, shape (s·2·8,)
@@ -259,7 +261,7 @@ def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, 
     sky_out : array, shape (s·8,)
         Receives the irradiance of a level surface by the light from the upper half sphere.
     """
-    # Arrays are taken out of their tuples once: inside the loop each access would count references.
+    # Arrays are unpacked from their tuples once: in the loop each access would count references.
     bottom, top, radii, sun_cosines, rows_at, places = grid
     (
         all_mu,

@@ -1,13 +1,13 @@
-"""The sweep as a matrix, in air lit alike everywhere, and its inverse: what ends the iteration.
+"""Sweep as a matrix, in air lit alike everywhere, and its inverse, which ends the iteration.
 
-In thick air light wanders up and down many times before it leaves, and each order of scattering
-changes the last by little. What a sweep does along the vertical is however a small matrix: if the
-star stood at the same height everywhere, the moments of each sun elevation and of each m would
-couple over radius and degree alone. With K that matrix and r what one more sweep adds, (1 - K)⁻¹ r
-is what all further sweeps add, but for the light that travels sideways. So the iteration, which
-alone is exact, ends after a few sweeps however thick the air is. This is the synthetic method
-(Kopp 1963, Nucl. Sci. Eng. 17, 65; Larsen 1982, Nucl. Sci. Eng. 82, 47) with the sweep's own
-operator in the place of diffusion.
+In thick air light travels up and down many times before it leaves, and each order of scattering
+differs little from the last. Along the vertical, however, a sweep is a small matrix: if the star
+stood at the same height everywhere, the moments of each sun elevation and of each m would couple
+over radius and degree alone. With K that matrix and r the light that one more sweep adds,
+(1 - K)⁻¹ r is what all further sweeps add, except for the light that travels sideways. So the
+iteration, which alone is exact, ends after a few sweeps however thick the air is. This is the
+synthetic method (Kopp 1963, Nucl. Sci. Eng. 17, 65; Larsen 1982, Nucl. Sci. Eng. 82, 47) with the
+sweep's own operator in place of diffusion.
 """
 
 from __future__ import annotations
@@ -32,16 +32,16 @@ from airlight.solvers.moments.sweep import leaving_at_end, optical_depth, throug
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Highest degree and order in the m that is inverted; what is left out shrinks by itself.
+#: Highest degree and order in the m that is inverted; the rest converges by itself.
 _DEGREE: Final = 8
 _ORDER: Final = 3
-#: Sun elevations solved for together.
+#: Number of sun elevations solved for together.
 _SUNS: Final = 14
 
 
 @compiled_loop
 def couple_radius(i, grid, rays, share, mu_along, air, expansion, degree, order, out, bounced):
-    """What the moments at all radii add to the radiance of the rays from one radius.
+    """Weights of the moments at all radii in the radiance of the rays from one radius.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ def couple_radius(i, grid, rays, share, mu_along, air, expansion, degree, order,
     mu_along : array, shape (p,)
         Zenith cosine of the rays at their points. [1]
     degree, order : int
-        Of the moments that count: l up to ``degree``, m up to ``order``.
+        Limits of the moments that count: l up to ``degree``, m up to ``order``.
     out : array, shape (a·r·pairs·8,)
         Receives the weight of each moment (l, m), ordered by m and then l, in each ray. [1]
     bounced : array, shape (a·8,)
@@ -101,12 +101,12 @@ def couple_radius(i, grid, rays, share, mu_along, air, expansion, degree, order,
 
 
 class Wandering:
-    """(1 - K)⁻¹ for eight wavelengths: adds what all further sweeps along the vertical would.
+    """Inverse (1 - K)⁻¹ for eight wavelengths: the sum of all further sweeps along the vertical.
 
     Parameters
     ----------
     block : Block
-        Of the sweeps.
+        Set-up of the sweeps.
     cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
@@ -166,14 +166,14 @@ class Wandering:
         run_blocks(invert, self.order + 1, cancel=cancel)
 
     def finish(self, field: Float32Array, sky: Float32Array) -> tuple[Float32Array, Float32Array]:
-        """Moments and irradiances together with all that further sweeps would make of them.
+        """Add to moments and irradiances the sum of all further sweeps.
 
         Parameters
         ----------
         field : array, shape (r, s, k, 8)
-            What the last sweep added to the moments.
+            Change of the moments by the last sweep.
         sky : array, shape (r, s, 8)
-            What it added to the irradiances.
+            Change of the irradiances.
         """
         more_field, more_sky = np.zeros_like(field), np.zeros_like(sky)
         radii, suns = field.shape[:2]
@@ -197,7 +197,7 @@ class Wandering:
 
         run_blocks(solve, (self.order + 1) * -(-suns // _SUNS))
         wide = self._spread(more_field.reshape(radii, suns, -1)).reshape(field.shape)
-        # Under a star in the zenith or the nadir the light is the same all around.
+        # With the star in the zenith or the nadir the light is the same in all azimuths.
         level = _indices(0, self.degree)
         for pole in (0, suns - 1):
             kept = wide[:, pole, level]
@@ -206,25 +206,26 @@ class Wandering:
         return field + wide, sky + self._spread(more_sky)
 
     def _spread(self, values: Float32Array) -> Float32Array:
-        """``sideways`` of values (r, s, n); not by a library whose threads wait for each other."""
+        """``sideways`` of values (r, s, n); without a library whose threads wait for each other."""
         return np.asarray(np.einsum("ts,rsn->rtn", self.spread, values), np.float32)
 
 
 def sideways(sun_cosines: FloatArray, reach: float, leak: float) -> Float32Array:
-    """(1 - Λ²∇²)⁻¹ on the sphere, between sun elevations, shape (s, s). [1]
+    """Matrix of (1 - Λ²∇²)⁻¹ on the sphere, between sun elevations, shape (s, s). [1]
 
-    Light that wanders in a layer also spreads sideways, about as far as the layer is thick. Added
-    where it is, in a pattern of sun elevations finer than that, it would be counted several times
-    over, and the iteration would diverge at the terminator of a vast planet. Interpolation between
-    sun elevations h apart spreads it too: where a ray of length ℓ should see δ²M (ℓ/h)²/2 it sees
-    δ²M ℓ/(2h), so that Λ² = reach² + leak·h/2 with leak = ℓ over the loss by one scattering.
+    Light that is scattered many times in a layer also spreads sideways, about as far as the layer
+    is thick. Without that spread, a pattern of sun elevations finer than it would be counted
+    several times over, and the iteration would diverge at the terminator of a vast planet.
+    Interpolation between sun elevations h apart spreads it too: where a ray of length ℓ should see
+    δ²M (ℓ/h)²/2 it sees δ²M ℓ/(2h), so that Λ² = reach² + leak·h/2 with leak = ℓ over the loss by
+    one scattering.
 
     Parameters
     ----------
     sun_cosines : array, shape (s,)
-        Ascending from -1 to 1. [1]
+        Sun cosines, ascending from -1 to 1. [1]
     reach, leak : float
-        Over the planet's radius. [rad]
+        Lengths over the planet's radius. [rad]
     """
     angle = np.arccos(sun_cosines)
     between = 0.5 * (angle[1:] + angle[:-1])
@@ -241,7 +242,7 @@ def sideways(sun_cosines: FloatArray, reach: float, leak: float) -> Float32Array
 
 
 def _indices(m: int, degree: int) -> list[int]:
-    """Places of (m, m) to (degree, m) among the moments."""
+    """Indices of (m, m) to (degree, m) among the moments."""
     return [l * (l + 1) // 2 + m for l in range(m, degree + 1)]
 
 

@@ -1,4 +1,4 @@
-"""Rays as eight wavelengths need them: no points out of sight, and no light lost on the way."""
+"""Rays for eight wavelengths: without points out of sight, and without loss of light."""
 
 from __future__ import annotations
 
@@ -16,29 +16,29 @@ Float32Array = NDArray[np.float32]
 
 #: Optical depth beyond which a point is not seen: 1e-6 of its light comes through. [1]
 _OUT_OF_SIGHT: Final = 14.0
-#: What ``Rays`` holds for each point.
+#: Arrays of ``Rays`` with a row for each point.
 _ALONG: Final = ("radius", "mu_along", "turn", "amount", "column")
-#: A ray's sum may be off by so much at most; more is a ray without points that count.
+#: Largest correction of a ray's sum; a larger one means a ray without points that count.
 MOST: Final = 0.5
 
 
 def rays_in_sight(rays: Rays, air: Air) -> tuple[Rays, Float32Array]:
-    """The points that any of eight wavelengths sees, and what makes the sum over them exact.
+    """Points that any of eight wavelengths sees, and factors that make the sums over them exact.
 
     Parameters
     ----------
     rays : Rays
-        For all wavelengths.
+        Rays for all wavelengths.
     air : Air
-        Of eight of them.
+        Optics of eight wavelengths.
 
     Returns
     -------
     rays : Rays
-        With fewer points.
+        Rays with fewer points.
     share : array, shape (r·a·8,)
-        1 - exp(-τ) of the whole ray over the quadrature's sum of exp(-τ) dτ: with that factor a
-        source that is the same everywhere is kept as it is, and no light is lost. [1]
+        1 - exp(-τ) of the whole ray over the quadrature's sum of exp(-τ) dτ: this factor keeps a
+        source that is the same everywhere, and loses no light. [1]
     """
     extinction = air.extinction.astype(float).reshape(-1, LANES)
     constituents = extinction.shape[0]
@@ -66,11 +66,11 @@ def rays_in_sight(rays: Rays, air: Air) -> tuple[Rays, Float32Array]:
 
 @inlined
 def emitted(tau):
-    """1 - exp(-τ) of eight wavelengths, of as many digits where τ is small. [1]"""
+    """1 - exp(-τ) of eight wavelengths, to the same relative precision where τ is small. [1]"""
     thin = minimum(tau, 0.05)
     # The series' next term is at most 5e-8 of the first.
     series = thin * (1.0 - thin * (0.5 - thin * (0.16666667 - thin * 0.041666667)))
-    # Exactly nothing beyond where τ is small, however an exponential rounds.
+    # Exactly 0 beyond where τ is small, however an exponential rounds.
     rest = tau - thin
     beyond = minimum(maximum(1.0 - exponential(0.0 - rest), 0.0), rest)
     return series + exponential(0.0 - thin) * beyond
@@ -78,20 +78,20 @@ def emitted(tau):
 
 @inlined
 def ray_share(first, points, columns, amounts, total, extinction, constituents):
-    """What makes the sum over a ray's points exact, see ``rays_in_sight``. [1]
+    """Factor that makes the sum over a ray's points exact, see ``rays_in_sight``. [1]
 
     Parameters
     ----------
     first, points : int
-        The ray's points.
+        Index of the ray's first point, and number of its points.
     columns : array, shape (p·nc,)
-        From the start of the ray to its points. [m]
+        Columns from the start of the ray to its points. [m]
     amounts : array, shape (p, nc)
-        As in ``Rays``. [m]
+        Amounts as in ``Rays``. [m]
     total : lanes
         Optical depth of the whole ray. [1]
     extinction : array, shape (nc·8,)
-        [m⁻¹]
+        Extinction coefficients. [m⁻¹]
     constituents : int
     """
     light = splat(0.0)

@@ -1,4 +1,4 @@
-"""The phase functions that a constituent can have: one more is a class of its own, listed here."""
+"""Phase functions of a constituent: a further phase function is its own class, listed here."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ __all__ = [
     "HenyeyGreenstein", "PhaseFunction", "PhaseRow", "Rayleigh", "TabulatedPhase",
 ]  # fmt: skip
 
-#: What ``phase_function = { kind = … }`` may name.
+#: Kinds of ``phase_function = { kind = … }``.
 PHASES: Final[Kinds[PhaseFunction]] = Kinds(
     (
         Rayleigh,

@@ -12,12 +12,12 @@ from airlight.planets.spectral import Spectral
 
 #: Largest ``|g|``: beyond it the forward lobe is narrower than the sun's disc.
 LARGEST_ASYMMETRY: Final = 0.999
-#: What a fresh phase function of particles has.
+#: Asymmetry of a newly made phase function of particles.
 FRESH_ASYMMETRY: Final = 0.7
 
 
 def asymmetry_key(label: str, text: str, fresh: float = FRESH_ASYMMETRY, **more: Any) -> Key:
-    """The mean cosine of a lobe, or what stands for it."""
+    """Key of the mean cosine of a lobe, or of its equivalent."""
     return Key(label=label, help=text, range=(-LARGEST_ASYMMETRY, LARGEST_ASYMMETRY),
                slider=(-0.99, 0.99), spectral=True, per="wavelengths", fresh=fresh,
                **more)  # fmt: skip
@@ -30,7 +30,7 @@ class Rayleigh(FormulaPhase):
     Parameters
     ----------
     depolarisation : float or PerWavelength
-        δ, 0 to 0.5. [1]
+        Depolarisation factor δ, 0 to 0.5. [1]
     """
 
     keyword = "rayleigh"
@@ -103,7 +103,7 @@ class DoubleHenyeyGreenstein(FormulaPhase):
     asymmetry_1, asymmetry_2 : float or PerWavelength
         Mean cosine of each lobe, -0.999 to 0.999. [1]
     weight : float or PerWavelength
-        Share of the first lobe, 0 to 1. [1]
+        Fraction of the first lobe, 0 to 1. [1]
     """
 
     keyword = "double-henyey-greenstein"

@@ -1,4 +1,4 @@
-"""What every phase function promises, and what follows from its values alone."""
+"""Interface of all phase functions, and methods that need their values alone."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from airlight.planets.spectral import Limits, PerWavelength, spectral_at, spectr
 
 FloatArray = npt.NDArray[np.float64]
 
-#: How far from 1 the integral of a phase function may be.
+#: Largest deviation from 1 of the integral of a phase function.
 INTEGRAL_TOLERANCE: Final = 1e-3
-#: How far a formula may be from the straight logarithm between two angles of its table. [1]
+#: Largest deviation of a formula from the straight logarithm between two tabulated angles. [1]
 _TABLE_TOLERANCE: Final = 1e-5
-#: Angles that a table begins with, and how often its widest steps are halved.
+#: Number of angles of the first table, and of halvings of its widest steps.
 _FIRST_ANGLES: Final = 181
 _MOST_HALVINGS: Final = 24
 #: Digits of a parameter that is written into a planet file.
@@ -33,11 +33,11 @@ class PhaseRow(NamedTuple):
     Attributes
     ----------
     share : float
-        [1]
+        Share of the row. [1]
     angles : array, shape (m,)
-        Ascending from 0 to 180; the logarithm is linear between them. [deg]
+        Angles, ascending from 0 to 180; the logarithm is linear between them. [deg]
     values : array, shape (m,)
-        [sr⁻¹]
+        Phase function. [sr⁻¹]
     """
 
     share: float
@@ -46,12 +46,12 @@ class PhaseRow(NamedTuple):
 
 
 class PhaseFunction(Record, ABC):
-    """Where scattered light goes, as a parameter object; its integral over the sphere is 1.
+    """Distribution of scattered light, as a parameter object; its integral over the sphere is 1.
 
     Attributes
     ----------
     molecular : bool
-        Whether it is that of molecules: then given scattering coefficients follow λ⁻⁴.
+        Whether it belongs to molecules: then given scattering coefficients follow λ⁻⁴.
     """
 
     molecular: ClassVar[bool] = False
@@ -59,11 +59,11 @@ class PhaseFunction(Record, ABC):
     @property
     @abstractmethod
     def limits(self) -> Limits:
-        """The wavelengths at which it is known. [nm]"""
+        """Wavelengths at which it is known. [nm]"""
 
     @abstractmethod
     def values(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
-        """The phase function, shape of nu (...) and wavelengths (nl,) to (..., nl). [sr⁻¹]"""
+        """Phase function, shape of nu (...) and wavelengths (nl,) to (..., nl). [sr⁻¹]"""
 
     @abstractmethod
     def sampled(self, wavelength: float) -> tuple[PhaseRow, ...]:
@@ -75,29 +75,30 @@ class PhaseFunction(Record, ABC):
         return legendre_moments(lambda nu: np.moveaxis(self.values(nu, nm), 0, -1), degree)
 
     def frozen(self, wavelengths: FloatArray) -> dict[str, Any]:
-        """A table of a planet file that gives it at a few wavelengths by few numbers.
+        """Table of a planet file that gives it at a few wavelengths by few numbers.
 
-        Without such numbers of its own, a Henyey-Greenstein function of the same mean cosine.
+        Without such numbers, a Henyey-Greenstein function of the same mean cosine.
 
         Parameters
         ----------
         wavelengths : array, shape (nl,)
-            [nm]
+            Wavelengths. [nm]
         """
         mean = self.moments(wavelengths, 1)
         return {"kind": "henyey-greenstein", "asymmetry": written(mean[:, 1] / mean[:, 0])}
 
 
 class FormulaPhase(PhaseFunction):
-    """A phase function by a formula of the cosine and of its fields, in their order.
+    """Phase function by a formula of the cosine and of its fields, in their order.
 
-    A new one is a frozen class (``@parameters``) with a ``keyword``, its ``formula`` and fields
-    declared by ``Key``; its name in ``PHASES`` makes reader, editors and solvers know it.
+    A further phase function is a frozen class (``@parameters``) with a ``keyword``, its ``formula``
+    and fields declared by ``Key``; its name in ``PHASES`` registers it for reader, editors and
+    solvers.
 
     Attributes
     ----------
     formula : callable
-        The ``@kernel`` of nu and the fields, as a ``staticmethod``. [sr⁻¹]
+        Formula: the ``@kernel`` of nu and the fields, as a ``staticmethod``. [sr⁻¹]
     """
 
     formula: ClassVar[Callable[..., float]]
@@ -106,22 +107,22 @@ class FormulaPhase(PhaseFunction):
         return tuple(getattr(self, name) for name in fields_of(type(self)))
 
     def parameters_at(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """The formula's parameters, shape (np, nl). [1]"""
+        """Parameters of the formula, shape (np, nl). [1]"""
         return np.array([spectral_at(one, wavelengths) for one in self._given()])
 
     @property
     def limits(self) -> Limits:
-        """The wavelengths at which it is known. [nm]"""
+        """Wavelengths at which it is known. [nm]"""
         return spectral_limits(*self._given())
 
     def values(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
-        """The phase function, shape of nu (...) and wavelengths (nl,) to (..., nl). [sr⁻¹]"""
+        """Phase function, shape of nu (...) and wavelengths (nl,) to (..., nl). [sr⁻¹]"""
         cosines = np.asarray(nu, dtype=np.float64)[..., None]
         formula: Any = vectorized(type(self).formula)
         return np.asarray(formula(cosines, *self.parameters_at(wavelengths)))
 
     def sampled(self, wavelength: float) -> tuple[PhaseRow, ...]:
-        """A table whose straight logarithms are the formula to a part in 100 000."""
+        """Table whose straight logarithms equal the formula to a part in 100 000."""
         angles = np.linspace(0.0, 180.0, _FIRST_ANGLES)
         for _ in range(_MOST_HALVINGS):
             between = 0.5 * (angles[:-1] + angles[1:])
@@ -137,7 +138,7 @@ class FormulaPhase(PhaseFunction):
         return np.asarray(self.values(np.cos(np.radians(angles)), [wavelength])[..., 0])
 
     def frozen(self, wavelengths: FloatArray) -> dict[str, Any]:
-        """Itself, its parameters at these wavelengths; see ``PhaseFunction.frozen``."""
+        """Table of its own parameters at these wavelengths; see ``PhaseFunction.frozen``."""
         names = [key.name for key in fields_of(type(self)).values()]
         given = self.parameters_at(wavelengths)
         rows = {name: written(row) for name, row in zip(names, given, strict=True)}
@@ -145,6 +146,6 @@ class FormulaPhase(PhaseFunction):
 
 
 def written(values: FloatArray) -> Any:
-    """Numbers as a planet file has them: one if all are the same, else one per wavelength."""
+    """Numbers as in a planet file: a single one if all are equal, otherwise one per wavelength."""
     listed = [float(f"{value:.{_DIGITS}g}") for value in values]
     return listed[0] if len(set(listed)) == 1 else listed

@@ -1,4 +1,4 @@
-"""A phase function from a table of scattering angles."""
+"""Phase function from a table of scattering angles."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def _rows(value: Any) -> tuple[tuple[float, ...], ...]:
 
 
 def _values(section: Section, name: str, wavelengths: Wavelengths) -> tuple[tuple[float, ...], ...]:
-    """One list, or one for each wavelength. [sr⁻¹]"""
+    """Read one list, or one for each wavelength. [sr⁻¹]"""
     values = section.required(name, "a list of numbers in /sr, or one list per wavelength")
     field = section.name_of(name)
     if isinstance(values, list) and values and all(isinstance(row, list) for row in values):
@@ -64,12 +64,12 @@ class TabulatedPhase(PhaseFunction):
         One row of values per wavelength, each as long as ``angles``; a single row serves every
         wavelength. [sr⁻¹]
     wavelengths : tuple of float
-        One per row; empty for a single row. Linear between them. [nm]
+        Wavelengths, one per row; empty for a single row. Linear between them. [nm]
 
     Raises
     ------
     ParameterError
-        If a row does not integrate to 1 within 0.001: the value shown is its integral.
+        If a row does not integrate to 1 within 0.001: the error shows its integral.
     """
 
     keyword = "tabulated"
@@ -149,20 +149,20 @@ class TabulatedPhase(PhaseFunction):
 
     @property
     def limits(self) -> Limits:
-        """The wavelengths at which it is known. [nm]"""
+        """Wavelengths at which it is known. [nm]"""
         if not self.wavelengths:
             return EVERYWHERE
         return PerWavelength(wavelengths=self.wavelengths, values=self.wavelengths).limits
 
     def values(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
-        """The phase function, shape of nu (...) and wavelengths (nl,) to (..., nl). [sr⁻¹]"""
+        """Phase function, shape of nu (...) and wavelengths (nl,) to (..., nl). [sr⁻¹]"""
         angle = np.degrees(np.arccos(np.clip(nu, -1.0, 1.0)))
         return np.asarray(interpolated(*self._table, angle) @ self._weights(wavelengths))
 
     def moments(self, wavelengths: npt.ArrayLike, degree: int) -> FloatArray:
         """Legendre moments as ``optics.legendre`` defines them, shape (nl, degree + 1). [1]
 
-        Integrated between the table's own angles, so that no ripple falls between the nodes.
+        Integrated between the table's own angles, so that no ripple lies between the nodes.
         """
         return np.asarray(self._weights(wavelengths).T @ self._row_moments(degree))
 
@@ -177,7 +177,7 @@ class TabulatedPhase(PhaseFunction):
         return {}
 
     def sampled(self, wavelength: float) -> tuple[PhaseRow, ...]:
-        """The one or two rows that hold at a wavelength [nm]."""
+        """Rows between which a wavelength [nm] lies, one or two."""
         shares = self._weights([wavelength])[:, 0]
         angles, rows = self._table
         return tuple(PhaseRow(float(shares[i]), angles, rows[i]) for i in np.flatnonzero(shares))
@@ -196,6 +196,6 @@ class TabulatedPhase(PhaseFunction):
 
     @classmethod
     def fresh(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
-        """The same into all directions; see ``Record.fresh``."""
+        """Table of isotropic scattering; see ``Record.fresh``."""
         even = float(f"{0.25 / math.pi:.10g}")
         return {**super().fresh(old, thickness), "values": [even, even, even]}

@@ -1,4 +1,4 @@
-"""The density profiles that a constituent can have: one more is a class of its own, listed here."""
+"""Density profiles of a constituent: a further profile is its own class, listed here."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ __all__ = [
     "Uniform",
 ]  # fmt: skip
 
-#: What ``profile = { kind = … }`` may name.
+#: Kinds of ``profile = { kind = … }``.
 PROFILES: Final[Kinds[Profile]] = Kinds(
     (
         Exponential,

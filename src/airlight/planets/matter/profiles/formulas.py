@@ -16,16 +16,16 @@ from airlight.planets.schema.section import Section
 
 @parameters
 class BulkGas(Record):
-    """An isothermal gas whose scale height is RT/(Mg).
+    """Isothermal gas whose scale height is RT/(Mg).
 
     Parameters
     ----------
     temperature : float
-        [K]
+        Temperature T. [K]
     molar_mass : float
-        M. [kg mol⁻¹]
+        Molar mass M. [kg mol⁻¹]
     gravity : float
-        g. [m s⁻²]
+        Gravitational acceleration g. [m s⁻²]
     """
 
     temperature: Annotated[
@@ -77,7 +77,7 @@ class BulkGas(Record):
 
 
 def _scale_height(section: Section, name: str, wavelengths: Wavelengths) -> float:
-    """A length, or that of a gas by its bulk parameters. [m]"""
+    """Read a length, or the scale height of a gas by its bulk parameters. [m]"""
     if not isinstance(section.raw(name), dict):
         return section.number(name, "m", "8 km")
     gas = BulkGas.read(section.section(name, "a length such as '8 km'"))
@@ -85,7 +85,7 @@ def _scale_height(section: Section, name: str, wavelengths: Wavelengths) -> floa
 
 
 def height_key(label: str, text: str, **more: Any) -> Key:
-    """A height over which a density falls: thinner layers than a metre are surfaces."""
+    """Key of a height over which a density falls: layers thinner than a metre are surfaces."""
     return Key(label=label, help=text, unit="m", range=(1.0, 1e9), shown="km",
                slider=(0.1, 100.0), scale="log", **more)  # fmt: skip
 
@@ -97,7 +97,7 @@ class Exponential(Profile):
     Parameters
     ----------
     scale_height : float
-        H, 1 to 1e9. [m]
+        Scale height H, 1 to 1e9. [m]
 
     Examples
     --------
@@ -134,7 +134,7 @@ class Tent(Profile):
     center : float
         Altitude of the peak. [m]
     half_width : float
-        From the peak to where the density is 0. [m]
+        Distance from the peak to where the density is 0. [m]
     """
 
     keyword = "tent"

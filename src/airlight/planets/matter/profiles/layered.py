@@ -15,14 +15,14 @@ from airlight.planets.schema.measures import text_of
 from airlight.planets.schema.record import Record
 from airlight.planets.schema.section import Section
 
-#: The most layers of a profile.
+#: Largest number of layers of a profile.
 MOST_LAYERS = 1000
-#: Scale height of a fresh layer, as a share of the shell's thickness.
+#: Scale height of a new layer, over the shell's thickness.
 _FRESH_SHARE = 0.08
 
 
 def _term(label: str, text: str, unit: str = "1") -> Key:
-    """A term of a layer; shown by kilometres if it is by metres."""
+    """Key of a term of a layer; shown per kilometre if it is per metre."""
     most, end = (1e6, 2.0) if unit == "1" else (1.0, 1.0)
     return Key(label=label, help=text, unit=unit, range=(-most, most), slider=(-end, end),
                shown="" if unit == "1" else "/km", offered=always)  # fmt: skip
@@ -39,9 +39,9 @@ class Layer(Record):
     width : float
         Thickness; that of the topmost layer is not used. [m]
     exp_term, constant_term : float
-        [1]
+        Factor of the exponential, and constant. [1]
     exp_scale, linear_term : float
-        [m⁻¹]
+        Exponent and slope per metre of altitude. [m⁻¹]
     """
 
     width: Annotated[
@@ -77,7 +77,7 @@ class Layered(Profile):
     Parameters
     ----------
     layers : tuple of Layer
-        At least one; all but the last have a width.
+        At least one layer; all but the last have a width.
     """
 
     keyword = "layered"
@@ -118,6 +118,6 @@ class Layered(Profile):
 
     @classmethod
     def fresh(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
-        """One exponential layer; see ``Record.fresh``."""
+        """Table of one exponential layer; see ``Record.fresh``."""
         per_km = float(f"{-1e3 / (_FRESH_SHARE * thickness):.4g}")
         return {"layers": [{"exp_term": 1.0, "exp_scale": text_of(per_km, "/km")}]}

@@ -1,4 +1,4 @@
-"""What every density profile promises."""
+"""Interface of all density profiles."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from airlight.planets.schema.record import Record
 class Profile(Record, ABC):
     """Relative density over altitude, as a parameter object.
 
-    A new profile is a frozen class (``@parameters``) with a ``keyword``, fields declared by ``Key``
-    and a ``row``; its name in ``PROFILES`` makes reader, editors and solvers know it.
+    A further profile is a frozen class (``@parameters``) with a ``keyword``, fields declared by
+    ``Key`` and a ``row``; its name in ``PROFILES`` registers it for reader, editors and solvers.
     """
 
     @abstractmethod

@@ -1,4 +1,4 @@
-"""A density profile from a table of altitudes."""
+"""Density profile from a table of altitudes."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from airlight.planets.parameters import ascending, parameters
 from airlight.planets.schema.key import Key, Wavelengths
 from airlight.planets.schema.section import Section
 
-#: The most rows of a table.
+#: Largest number of rows of a table.
 MOST_ROWS = 1000
-#: The table of densities that comes with the package, by name.
+#: Name of the table of densities in the package.
 OZONE_TABLE: Final = "ozone-afgl1986-us-standard"
 
 
@@ -27,13 +27,13 @@ class Tabulated(Profile):
     Parameters
     ----------
     altitudes : tuple of float
-        Strictly ascending, 2 to 1000 of them. [m]
+        Altitudes, strictly ascending, 2 to 1000 of them. [m]
     densities : tuple of float
-        As many, relative, not negative. [1]
+        Relative densities, one per altitude, not negative. [1]
 
     Notes
     -----
-    See ``optics.tabulated_profile`` for what lies between and beyond the rows.
+    See ``optics.tabulated_profile`` for interpolation between the rows and values beyond them.
     """
 
     keyword = "tabulated"
@@ -113,5 +113,5 @@ class Tabulated(Profile):
 
     @classmethod
     def fresh(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
-        """A table that comes with the package; see ``Record.fresh``."""
+        """Table of the package; see ``Record.fresh``."""
         return {"table": OZONE_TABLE}
