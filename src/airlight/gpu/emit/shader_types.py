@@ -59,6 +59,7 @@ class Table:
     Attributes
     ----------
     name : str
+        Name of the table.
     rank : int
         Number of axes.
     spectral : bool
@@ -136,6 +137,7 @@ def run_time(value: Value) -> Scalar | Room | Several:
     Parameters
     ----------
     value : Value
+        Value as the emitter knows it.
 
     Raises
     ------

@@ -55,6 +55,7 @@ class TextureTable:
         Parameters
         ----------
         dialect : ShaderDialect
+            Shading language.
         texture : str
             Name of the texture in the shader.
         """

@@ -38,6 +38,7 @@ class Shader:
     Attributes
     ----------
     name : str
+        Name of the shader.
     dialect : ShaderDialect
         Shading language.
     functions : str

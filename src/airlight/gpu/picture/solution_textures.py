@@ -48,6 +48,7 @@ def laid_out(
     Returns
     -------
     texels : array, shape (n, width)
+        Concatenated arrays.
     places : dict
         (start, lengths of the axes …) by name.
     """

@@ -34,6 +34,7 @@ def ray_and_star(index, sizes, tables):
     index : int
         Index of the texel.
     sizes, tables : Sizes, Tables
+        Inputs from the host.
 
     Returns
     -------

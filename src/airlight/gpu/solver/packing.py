@@ -23,6 +23,7 @@ def largest_of(index, sizes, count, values):
     index : int
         Index of a number (mean radiance or irradiance, sun, lane).
     sizes : Sizes
+        Sizes of the axes.
     count : int
         Number of radii.
     values : array
@@ -95,7 +96,7 @@ def light_number(values, start, step, i, part, dark):
 
 @inlined
 def four_levels(values, start, step, i, part, dark, radii):
-    """Number of a light field at two neighbouring radii, the one below and the one above. [1]
+    """Number of a light field at two radii, at the one below and at the one above them. [1]
 
     The level beyond each end continues the parabola through the last three.
 
@@ -111,6 +112,7 @@ def four_levels(values, start, step, i, part, dark, radii):
     Returns
     -------
     below, near, far, above : float
+        Numbers at four successive radii. [1]
     """
     near = light_number(values, start, step, i, part, dark)
     far = light_number(values, start, step, i + 1, part, dark)

@@ -59,6 +59,7 @@ class SolverPlan:
     scalars, spectra : array, shapes (n,), (n, 4)
         Contents of the two textures of tables.
     spans : tuple of Span
+        Groups of radii.
     """
 
     block: Block
@@ -143,6 +144,7 @@ class SolverPlan:
         Parameters
         ----------
         passes : tuple of SolverPass
+            Passes of the solver.
 
         Returns
         -------

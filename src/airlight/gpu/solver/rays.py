@@ -7,9 +7,9 @@ Numba. A function that returns four wavelengths fills a texel, and its index cou
 returns a number fills a quarter of a texel, and its index counts numbers. ``LANES`` is 1 on the
 GPU.
 
-``index`` is that index, ``sizes`` and ``tables`` are those of ``tables``, ``first_point`` is the
-first point of the current span of radii; every other argument is a flat texture that an earlier
-pass has filled, see ``passes``.
+``index`` is that index, ``sizes`` and ``tables`` are those of the module ``tables``,
+``first_point`` is the first point of the current span of radii; every other argument is a flat
+texture that an earlier pass has filled, see ``passes``.
 """
 
 from __future__ import annotations

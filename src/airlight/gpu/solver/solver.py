@@ -107,6 +107,7 @@ def fields_on(device: Device, solution: MomentsSolution) -> Any | None:
     device : Device
         Device on which it is needed.
     solution : MomentsSolution
+        Solution from ``solve_on``, or any other.
 
     Returns
     -------
