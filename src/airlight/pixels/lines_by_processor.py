@@ -20,6 +20,7 @@ def aim(p, mu, sine, cos_azimuth, to_ground, observer, shown, packet):
     mu, sine, cos_azimuth, to_ground : float, float, float, bool
         Arguments of ``look``.
     observer, shown : Observer, Shown
+        Observer, and tables of the solution.
     packet : Packet
         Packet of ``march``.
     """

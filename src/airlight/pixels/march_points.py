@@ -36,5 +36,6 @@ def march_points(solution: MomentsSolution) -> MarchPoints:
     Parameters
     ----------
     solution : MomentsSolution
+        Solution of the planet.
     """
     return BY_PANELS.get(solution.settings.march_panels, MANY)

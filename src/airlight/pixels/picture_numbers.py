@@ -42,7 +42,20 @@ NOT_THE_SKYS: Final = (
 
 
 def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
-    """Uniforms of observer, star and camera."""
+    """Uniforms of observer, star and camera.
+
+    Parameters
+    ----------
+    scene : Scene
+        Observer, star and camera.
+    solution : MomentsSolution
+        Solution of the planet.
+
+    Returns
+    -------
+    dict
+        Values by name.
+    """
     camera, medium = scene.camera, solution.paths.medium
     true_r = solution.medium.bottom_radius + scene.altitude
     r = float(solution.paths.optical_radius(np.array(true_r)))
@@ -80,7 +93,13 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
 
 
 def observer_from(numbers: Mapping[str, float]) -> Observer:
-    """Observer, from the numbers of a scene and of the orders of scattering."""
+    """Observer, from the numbers of a scene and of the orders of scattering.
+
+    Parameters
+    ----------
+    numbers : mapping
+        Numbers by name.
+    """
     values: dict[str, Any] = {name: float(numbers[name]) for name in Observer._fields}
     values["outside"] = bool(values["outside"])
     values["orders"] = int(values["orders"])
@@ -131,7 +150,22 @@ def screen_from(
 
 
 def display_numbers(exposure: float, tone_map: str, encoding: str | None) -> dict[str, float]:
-    """Uniforms of exposure [EV], tone map and encoding; None for a target that encodes."""
+    """Uniforms of exposure, tone map and encoding.
+
+    Parameters
+    ----------
+    exposure : float
+        Exposure. [EV]
+    tone_map : str
+        Name from ``TONE_MAPS``.
+    encoding : str or None
+        Name from ``ENCODINGS``; None for a target that encodes by itself.
+
+    Raises
+    ------
+    ParameterError
+        If a name is unknown.
+    """
     if tone_map not in TONE_MAPS:
         raise ParameterError("tone_map", tone_map, ", ".join(TONE_MAPS))
     if encoding is not None and encoding not in ENCODINGS:
@@ -144,7 +178,18 @@ def display_numbers(exposure: float, tone_map: str, encoding: str | None) -> dic
 
 
 def order_number(orders: str) -> float:
-    """Orders of scattering, as the shaders number them."""
+    """Orders of scattering, as the shaders number them.
+
+    Parameters
+    ----------
+    orders : str
+        Name from ``ORDERS``.
+
+    Raises
+    ------
+    ParameterError
+        If the name is unknown.
+    """
     if orders not in ORDERS:
         raise ParameterError("orders", orders, ", ".join(ORDERS))
     return float(ORDERS[orders])

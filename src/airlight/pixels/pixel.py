@@ -90,6 +90,7 @@ def displayed(red, green, blue, display):
     red, green, blue : float
         Linear sRGB. [W m⁻² sr⁻¹]
     display : Display
+        Exposure, tone map and encoding.
 
     Returns
     -------
@@ -167,6 +168,7 @@ def phase_of(half_sine, constituent, light, lanes, at):
     half_sine : float
         sin(θ/2). [1]
     constituent : int
+        Index of the constituent.
     light : Shown
         Tables of the solution.
     lanes, at : int
@@ -214,6 +216,7 @@ def sight(x, y, z, observer, light):
     x, y, z : float
         Direction in the observer's frame; zero vector for none. [1]
     observer, light : Observer, Shown
+        Observer, and tables of the solution.
 
     Returns
     -------
@@ -243,6 +246,7 @@ def bent_to_ground(z, sine, observer, light, columns):
     z, sine : float
         Cosine and sine of its zenith angle. [1]
     observer, light : Observer, Shown
+        Observer, and tables of the solution.
     columns : array, shape (nc,)
         Workspace. [m]
     """
@@ -268,6 +272,7 @@ def ground_color(x, y, z, sine, angle, observer, screen, light, color):
     sine, angle : float
         Sine of its zenith angle [1]; angle of refraction [rad].
     observer, screen, light : Observer, Screen, Shown
+        Observer, camera with its maps, and tables of the solution.
     color : array, shape (3,)
         Receives linear sRGB reflectance. [1]
     """
@@ -298,6 +303,7 @@ def reflectance(color, mapped, light, lanes, at):
     mapped : bool
         Whether the ground has a map.
     light : Shown
+        Tables of the solution.
     lanes, at : int
         Arguments of ``between_texels``.
     """
@@ -311,7 +317,7 @@ def reflectance(color, mapped, light, lanes, at):
 
 @inlined
 def pixel_light(px, py, exact, observer, screen, light, result):
-    """Spectral light of a pixel, per irradiance of the star, into ``result`` (w,). [sr⁻¹]
+    """Spectral light of a pixel, per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
@@ -320,6 +326,9 @@ def pixel_light(px, py, exact, observer, screen, light, result):
     exact : bool
         Constant: whether the pixel is marched instead of read from the table of the sky.
     observer, screen, light : Observer, Screen, Shown
+        Observer, camera with its maps, and tables of the solution.
+    result : array, shape (w,)
+        Receives the radiance. [sr⁻¹]
     """
     color = np.empty(3)
     columns = np.empty(MOST_CONSTITUENTS)

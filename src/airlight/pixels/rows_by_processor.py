@@ -73,6 +73,7 @@ def draw_rows(first, last, window, observer, screen, shown, weights, reach, out)
     window : SkyWindow
         Available part of the table.
     observer, screen, shown : Observer, Screen, Shown
+        Observer, camera with its maps, and tables of the solution.
     weights : array, shape (3·w,)
         Linear sRGB per radiance over irradiance. [W m⁻² sr⁻¹ sr]
     reach : float

@@ -138,6 +138,7 @@ def peaked_constituents(solution: MomentsSolution) -> tuple[int, ...]:
     Parameters
     ----------
     solution : MomentsSolution
+        Solution of the planet.
 
     Returns
     -------

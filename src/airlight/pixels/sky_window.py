@@ -50,7 +50,13 @@ class SkyWindow(NamedTuple):
 
     @classmethod
     def whole(cls, columns: int, rows: int) -> SkyWindow:
-        """Window of a complete table."""
+        """Window of a complete table.
+
+        Parameters
+        ----------
+        columns, rows : int
+            Azimuths over half a turn, and rows of each half.
+        """
         return cls(columns, rows, 0, columns - 1, 0, rows - 1, 0, rows - 1)
 
     @property

@@ -61,6 +61,7 @@ def leaving_air(x, y, z, observer, light, columns):
     x, y, z : float
         Direction at the observer. [1]
     observer, light : Observer, Shown
+        Observer, and tables of the solution.
     columns : array, shape (nc,)
         Receives the columns of the whole line. [m]
 
@@ -156,6 +157,7 @@ def star_disc(px, py, x, y, z, observer, screen, light, columns):
     x, y, z : float
         Its viewing direction; zero vector for none. [1]
     observer, screen, light : Observer, Screen, Shown
+        Observer, camera with its maps, and tables of the solution.
     columns : array, shape (nc,)
         Receives the columns of the air in front of it. [m]
     """
