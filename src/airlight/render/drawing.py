@@ -74,7 +74,18 @@ class Drawing:
         self._reach = 2.0 * (alpha + 3.0 * camera.pixel_angle) + solution.paths.largest_bend
 
     def fill_sky(self, *, cancel: Cancel | None = None, progress: Progress | None = None) -> None:
-        """Fill the table of the sky, if there is one, before any row is drawn."""
+        """Fill the table of the sky, if there is one, before any row is drawn.
+
+        Parameters
+        ----------
+        cancel, progress : callable, optional
+            See ``airlight.kernel.threads``.
+
+        Raises
+        ------
+        Cancelled
+            If ``cancel`` requested it.
+        """
         if self.window is None:
             return
         layers = filled_sky(
@@ -84,7 +95,15 @@ class Drawing:
         self._screen = screen_from(self._numbers, self._camera, self._ground, layers)
 
     def draw(self, first: int, last: int, rgb: Float32Array) -> None:
-        """Draw rows ``first`` to ``last`` - 1 into a black picture, linear sRGB."""
+        """Draw rows ``first`` to ``last`` - 1 into a black picture, linear sRGB.
+
+        Parameters
+        ----------
+        first, last : int
+            Range of rows.
+        rgb : array, shape (height, width, 3)
+            Receives the radiance. [W m⁻² sr⁻¹]
+        """
         if self.window is not None:
             draw_rows(
                 first, last, self.window, self._observer, self._screen, self._shown,
@@ -102,7 +121,18 @@ class Drawing:
 
 
 def color_weights(solution: MomentsSolution) -> FloatArray:
-    """Linear sRGB per radiance over irradiance at each wavelength, shape (nl, 3)."""
+    """Linear sRGB per radiance over irradiance at each wavelength.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Solution of the planet.
+
+    Returns
+    -------
+    array, shape (nl, 3)
+        Weights. [W m⁻² sr⁻¹ sr]
+    """
     return solution.lights[0].colors()
 
 

@@ -14,7 +14,22 @@ FloatArray = NDArray[np.float64]
 
 
 def straight_sight(directions: FloatArray, solution: MomentsSolution, altitude: float) -> Sight:
-    """Lines of sight from the observer, as straight lines."""
+    """Lines of sight from the observer, as straight lines.
+
+    Parameters
+    ----------
+    directions : array, shape (n, 3)
+        Unit vectors in the local frame.
+    solution : MomentsSolution
+        Solution of the planet.
+    altitude : float
+        Altitude of the observer. [m]
+
+    Returns
+    -------
+    Sight
+        Lines of sight inside the shell.
+    """
     medium = solution.medium
     bottom, top = medium.bottom_radius, medium.top_radius
     mu = np.clip(directions[:, 2], -1.0, 1.0)
@@ -33,6 +48,7 @@ def leaving_direction(
     directions : array, shape (n, 3)
         Unit vectors in the local frame; zero vectors remain zero.
     solution : MomentsSolution
+        Solution of the planet.
     altitude : float
         Altitude of the observer. [m]
 
@@ -56,6 +72,11 @@ def leaving_direction(
 
 def sun_solid_angle(angular_radius: float) -> float:
     """Solid angle of a disc. [sr]
+
+    Parameters
+    ----------
+    angular_radius : float
+        Angular radius of the disc. [rad]
 
     Examples
     --------
