@@ -36,7 +36,7 @@ class Dialect(ABC):
     name : str
         Name of the language.
     reserved : frozenset of str
-        Keywords of the language, and names that its text calls.
+        Keywords of the language, and names that the emitted text calls.
     mathematics : mapping
         Names in the language by Python function, or a Python function that is emitted in its
         place.

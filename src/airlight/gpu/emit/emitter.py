@@ -77,7 +77,7 @@ class Emitter:
         Returns
         -------
         Emitted
-            Function of the last call with these types, if there was one.
+            Function from an earlier call with these types, if there was one.
 
         Raises
         ------

@@ -42,7 +42,7 @@ class Uniform:
     text : str
         Expression of the float, the same in all shading languages.
     scalar : Scalar
-        Type that it represents: integers are rounded, and a switch is on above 0.5.
+        Type that it represents: integers are truncated, and a switch is on above 0.5.
     """
 
     text: str
