@@ -1,4 +1,4 @@
-"""A way to run a kernel on the device."""
+"""Fixture that runs a kernel on the device."""
 
 from __future__ import annotations
 
@@ -26,17 +26,17 @@ from airlight.gpu.emit.shader_types import (
 
 Arrays = Mapping[str, NDArray[Any]]
 
-#: How an input of a NumPy kind arrives in a kernel, and how it is taken from a float.
+#: Type of an input of a NumPy kind in a kernel, and its conversion from a float.
 _KINDS = {"f": (F32, "{}"), "i": (I32, "i32({})"), "b": (BOOL, "({} != 0.0)")}
 
 
 @pytest.fixture(scope="session")
 def on_gpu(device: Device) -> Callable[..., Any]:
-    """``on_gpu(function, *inputs, tables={}, spectra={})``: what its WGSL makes of the inputs.
+    """``on_gpu(function, *inputs, tables={}, spectra={})``: results of its WGSL for the inputs.
 
-    An input is an array or a number, handed over at run time (floats as f32, whole numbers as
-    i32, bools), or a ``Value`` of the emitter, such as a ``Constant``. ``tables`` and ``spectra``,
-    shape (n, 4), are the arrays of the ``Table`` values by name. The answer is an array, or a
+    An input is an array or a number, passed at run time (floats as f32, integers as i32, bools),
+    or a ``Value`` of the emitter, such as a ``Constant``. ``tables`` and ``spectra``, the latter of
+    shape (n, 4), are the arrays of the ``Table`` values by name. The result is an array, or a
     tuple of them, in the inputs' common shape; four wavelengths are its last axis.
     """
 
@@ -112,7 +112,7 @@ struct Results {{ @location(0) first: vec4f, @location(1) second: vec4f }}
 
 
 def _declared(name: str, shape: tuple[int, ...], scalar: bool, binding: int) -> str:
-    """A table's texture and the two functions that read it."""
+    """Declare a table's texture and the two functions that read it."""
     lengths = ", ".join(str(length) for length in shape)
     place = "vec2i(index & 2047, index >> 11)"
     kind, taken = ("f32", ".x") if scalar else ("vec4f", "")

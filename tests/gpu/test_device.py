@@ -1,4 +1,4 @@
-"""The device: opened once, with a browser's limits, or refused in one line."""
+"""Device: opened once, with a browser's limits, or refused in one line."""
 
 from __future__ import annotations
 
@@ -30,14 +30,14 @@ def test_the_device_is_opened_once(device):
 
 
 def test_the_device_grants_no_more_than_a_browser(device):
-    # W3C WebGPU, table of limits: what is asked for is what is granted, so overruns are seen.
+    # W3C WebGPU, table of limits: granted are the requested limits, so overruns are detected.
     for name, browser in BROWSER_LIMITS.items():
         granted = device.device.limits[name]
         assert granted >= browser if name.startswith("min-") else granted <= browser, name
 
 
 def test_more_bind_groups_than_a_browser_has_are_refused(device):
-    # Four are the browser's; lavapipe and every GPU of today have eight or more.
+    # A browser grants four; lavapipe and current GPUs have eight or more.
     import wgpu
 
     layout = device.device.create_bind_group_layout(entries=[])
@@ -47,13 +47,13 @@ def test_more_bind_groups_than_a_browser_has_are_refused(device):
 
 
 def test_the_choice_names_an_adapter(device):
-    # A part of its own name finds the adapter again, whatever the case of the letters.
+    # A part of its own name selects the adapter again, case ignored.
     chosen = open_device(device.adapter.info["device"].upper())
     assert chosen.adapter.info["device"] == device.adapter.info["device"]
 
 
 def test_a_name_that_no_adapter_has_is_refused_with_the_names_there_are(device):
-    # The line must let its reader choose.
+    # The line must offer the choices.
     with pytest.raises(NoDevice, match=r"no adapter's name has 'no such gpu' in it") as refused:
         open_device("no such gpu")
     assert device.adapter.summary in str(refused.value)
@@ -68,7 +68,7 @@ def test_off_is_off(monkeypatch):
 
 
 def test_without_wgpu_one_line_names_the_extra(monkeypatch):
-    # What a user reads who installed airlight alone.
+    # Message for a user who installed airlight alone.
     imported = builtins.__import__
 
     def without_wgpu(name, *arguments, **named):
@@ -83,7 +83,7 @@ def test_without_wgpu_one_line_names_the_extra(monkeypatch):
 
 
 def test_importing_airlight_and_its_gpu_modules_imports_no_wgpu():
-    # A fresh interpreter knows; the modules say so themselves.
+    # A fresh interpreter; the loaded modules show it.
     program = (
         "import sys, airlight, airlight.cli, airlight.gpu.device.device, airlight.gpu.device.flat, "
         "airlight.gpu.device.fragment_pass; "
@@ -93,7 +93,7 @@ def test_importing_airlight_and_its_gpu_modules_imports_no_wgpu():
 
 
 def test_waiting_ends_when_the_work_is_done(device):
-    # The device's own clock: what was submitted takes so long, so waiting takes no less.
+    # The device's own clock: waiting takes at least as long as the submitted work.
     if not device.measures_time:
         pytest.skip(f"{device.name} has no clocks for passes")
     times = PassTimes(device)

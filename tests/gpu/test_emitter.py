@@ -1,4 +1,4 @@
-"""Restricted Python on the GPU: what every construct computes, and what is refused."""
+"""Restricted Python on the GPU: results of every construct, and errors outside the subset."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ Y = np.random.default_rng(1).uniform(-2.0, 2.0, X.size)
 N = np.arange(X.size) % 17
 
 
-# --- what the subset has ---------------------------------------------------------------------
+# --- the subset --------------------------------------------------------------------------------
 
 
 @kernel
@@ -112,7 +112,7 @@ def inverses(x, y, n):
 
 @kernel
 def branches(x, y, n):
-    """A docstring says nothing to a shader."""
+    """Docstring, which a shader ignores."""
     pass  # noqa: PIE790 - neither does this
     if x < -1.0:
         z = 1.0
@@ -203,7 +203,7 @@ def one_of_two(x, y, n):
 
 @kernel
 def shadowing(x, y, n):
-    """Names that WGSL keeps for itself, and that of a function."""
+    """Names that are reserved in WGSL, and that of a function."""
     var = x
     let = y
     sample = var + let
@@ -251,7 +251,7 @@ CONSTRUCTS = [
 
 @pytest.mark.parametrize("function", CONSTRUCTS, ids=lambda one: one.py_func.__name__)
 def test_a_construct_computes_what_python_does(on_gpu: Run, function: Any) -> None:
-    # Python itself, in double precision; numbers of order 10 in single precision, a dozen steps,
+    # Python itself, in double precision; numbers of order 10 in single precision, about 12 steps,
     # and pow by WGSL's table of accuracy 2^-21 of exponents up to 10.
     x, y = np.float32(X).astype(float), np.float32(Y).astype(float)
     seen = on_gpu(function, x, y, N)
@@ -273,7 +273,7 @@ def some_elements(i, j, table, line):
 
 
 def test_tables_are_read_by_their_indices(on_gpu: Run) -> None:
-    # NumPy's own indexing of whole numbers: exact.
+    # NumPy's own indexing of integers: exact.
     table = np.arange(20.0).reshape(4, 5)
     line = np.arange(5000.0) ** 2 % 1009.0  # several rows of the texture
     i, j = np.indices((4, 4))
@@ -355,7 +355,7 @@ def switched(x, which, exact):
 
 
 def test_constants_are_bound_and_their_other_branches_left_out(on_gpu: Run) -> None:
-    # One function for each binding, of which only the branch taken is in the text.
+    # One function for each binding, whose text has only the branch taken.
     emitter = Emitter()
     names = {
         emitter.add(switched, F32, Constant(which), Constant(exact)).name
@@ -409,7 +409,7 @@ def arcs(x):
 
 
 def test_arcs_are_good_to_the_ends(on_gpu: Run) -> None:
-    # A unit of single precision of π; next to ±1 a bare polynomial loses half the digits.
+    # One unit of single precision at π; near ±1 a bare polynomial loses half the digits.
     ends = 1.0 - np.geomspace(1e-7, 1e-2, 500)
     x = np.float32(np.concatenate([np.linspace(-1.0, 1.0, 4001), ends, -ends]))
     seen = on_gpu(arcs, x)
@@ -430,7 +430,7 @@ def test_the_angle_of_a_point_is_right_in_every_quadrant(on_gpu: Run) -> None:
     assert_allclose(seen, np.arctan2(np.float32(y), np.float32(x), dtype=float), rtol=0, atol=4e-7)
 
 
-# --- what is refused -------------------------------------------------------------------------
+# --- refused constructs ------------------------------------------------------------------------
 
 
 def a_list(x):
@@ -638,7 +638,7 @@ def lanes_to_a_number(x, room):
 
 
 def test_four_wavelengths_are_no_number() -> None:
-    # A vector takes no scalar's mathematics.
+    # A vector has no scalar mathematics.
     with pytest.raises(SubsetError, match=r"test_emitter\.py:\d+: 'x': is no f32"):
         Emitter().add(lanes_to_a_number, F32, Room(2, VEC4))
 

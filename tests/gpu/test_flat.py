@@ -1,4 +1,4 @@
-"""Flat textures hold what was put in, also across the ends of rows."""
+"""Flat textures return their contents, also across the ends of rows."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def test_an_update_changes_its_texels_and_no_other(device, start, count, channel
 
 
 def test_texel_i_stands_where_shaders_look_for_it(device):
-    # (i & 2047, i >> 11), as the contract of all shaders has it.
+    # (i & 2047, i >> 11), by the contract of all shaders.
     texture = flat_texture(device, np.arange(6000.0))
     i = np.array([0, 2047, 2048, 4095, 5999])
     assert_array_equal(read_texture(device, texture)[i >> 11, i & 2047, 0], i)

@@ -1,7 +1,7 @@
-"""No seam on a flight from the ground to deep space, and none across the horizon behind an object.
+"""Continuity on a flight from the ground to deep space, and across the horizon behind an object.
 
-Where the ways of drawing change: the table of the sky has one mapping inside the shell and another
-outside; the horizon parts two halves of it; lines that graze the ground have more points.
+The method of drawing changes there: the table of the sky has one mapping inside the shell and
+another outside; the horizon separates its halves; lines that graze the ground have more points.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ NM = (440.0, 500.0, 560.0, 620.0)
 
 @pytest.fixture(scope="module")
 def earth(solved: Callable[..., MomentsSolution]) -> MomentsSolution:
-    """The Earth, preview."""
+    """Solution of the Earth, preview."""
     return solved(load_planet("earth"), NM, "preview")
 
 
@@ -49,7 +49,7 @@ def pictures(device: Device, earth: MomentsSolution) -> Pictures:
 
 
 def flown(altitude: float, earth: MomentsSolution) -> Scene:
-    """The view along a fixed heading: a little below the horizon, wherever that is."""
+    """View along a fixed heading, slightly below the horizon at any altitude."""
     bottom = earth.medium.bottom_radius
     zenith, _ = look_at("horizon", altitude=altitude, sun_zenith=70.0, bottom_radius=bottom)
     far = np.degrees(np.arcsin(bottom / (bottom + altitude)))
@@ -63,7 +63,7 @@ def flown(altitude: float, earth: MomentsSolution) -> Scene:
 def means(
     pictures: Pictures, earth: MomentsSolution, altitudes: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Mean luminance of each frame by the GPU and by the processor."""
+    """Mean luminance of each frame by the GPU and by the CPU."""
     found = []
     for altitude in altitudes:
         scene = flown(float(altitude), earth)
@@ -75,10 +75,10 @@ def means(
 def test_no_frame_of_a_flight_to_deep_space_jumps(
     pictures: Pictures, earth: MomentsSolution, tell: Callable[[str], None]
 ) -> None:
-    # The processor marches every pixel and has neither table nor mapping: what pixels do at the
-    # limb, both do alike. Between two frames the GPU may change by what the processor changes by,
-    # and a thousandth more: what its table, coarser here than by default, leaves in the mean. The
-    # eye sees no step below a hundredth.
+    # The CPU marches every pixel and has neither table nor mapping; both treat pixels at the limb
+    # alike. Between two frames the GPU may change by as much as the CPU, and by 1e-3 more: the
+    # contribution of its table, coarser here than by default, to the mean. The eye sees no step
+    # below a hundredth.
     altitudes = np.geomspace(1.0, 1e8, 200)
     gpu, processor = means(pictures, earth, altitudes)
     steps = np.diff(np.log(gpu)) - np.diff(np.log(processor))
@@ -155,7 +155,7 @@ fn number(index: i32) -> f32 {{ return textureLoad(given, vec2i(index & 2047, in
 def rows_of(
     earth: MomentsSolution, altitude: float, elevation: np.ndarray, length: np.ndarray
 ) -> tuple[np.ndarray, Sight]:
-    """Stretches towards the sun's side, for the shader and for the processor. [m], [rad]"""
+    """Stretches towards the sun's side, for the shader and for the CPU. [m], [rad]"""
     r = np.full(elevation.shape, earth.medium.bottom_radius + altitude)
     sun = np.radians(10.0)
     mu, mu_s = np.sin(elevation), np.full(elevation.shape, np.sin(sun))
@@ -177,11 +177,11 @@ def test_a_sphere_before_the_horizon_has_no_stripe(
     altitude: float, earth: MomentsSolution, stretches: Callable[[np.ndarray], np.ndarray],
     tell: Callable[[str], None],
 ) -> None:  # fmt: skip
-    # What an object is seen through is the air before it alone, however the line would go on: on a
-    # sphere half-way to the horizon, which it covers, the radiance changes evenly from pixel to
-    # pixel: the line to the horizon passes there at a quarter of the observer's height. A stripe,
-    # as from the difference of two long ways, is a pixel that is far from the mean of its
-    # neighbours. 1e-3: rounding, where a radius is good to half a metre.
+    # Only the air before an object counts, whatever lies behind it: on a sphere half-way to the
+    # horizon, which it covers, the radiance changes evenly from pixel to pixel; the line to the
+    # horizon passes there at a quarter of the observer's height. A stripe, as from the difference
+    # of two long paths, is a pixel that is far from the mean of its neighbours. 1e-3: rounding,
+    # where a radius is accurate to half a metre.
     level, distance = horizon(earth, altitude)
     size = 0.2 * altitude
     offset = np.linspace(-0.9, 0.9, 121) * size
@@ -199,10 +199,10 @@ def test_a_sphere_before_the_horizon_has_no_stripe(
 def test_air_before_an_object_grows_evenly_past_the_horizon(
     earth: MomentsSolution, stretches: Callable[[np.ndarray], np.ndarray]
 ) -> None:
-    # A line just above the horizon: stretches that end before it, at it and behind it gain with
-    # each step of their length what the step's own air sends, and this changes slowly. A step at
-    # the lowest point, behind which the march has one leg more, must stay below what is seen: a
-    # two-thousandth of the radiance.
+    # A line just above the horizon: for stretches that end before it, at it and behind it, each
+    # step in length adds the contribution of that step's air, which changes slowly. A step at the
+    # lowest point, behind which the march has one more leg, must stay invisible: below 1/2000 of
+    # the radiance.
     level, distance = horizon(earth, 100.0)
     length = np.linspace(0.95, 1.05, 41) * distance
     rows, _ = rows_of(earth, 100.0, np.full(length.shape, level + 1e-5), length)

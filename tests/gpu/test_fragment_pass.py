@@ -1,4 +1,4 @@
-"""Passes: every texel once, resources by name, mistakes named with their line."""
+"""Passes: every texel once, resources by name, errors reported with their line."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def resources(device, count=3000):
 
 
 def test_a_pass_computes_every_texel_from_named_resources(device):
-    # Whole numbers: the same arithmetic in NumPy, bit for bit.
+    # Integers: the same arithmetic in NumPy, bit for bit.
     given, expected = resources(device)
     target = empty_flat_texture(device, 3000, 4)
     FragmentPass(device, SUM, "total", ["rgba32float"]).draw(given, [target])
@@ -52,7 +52,7 @@ def test_a_pass_computes_every_texel_from_named_resources(device):
 
 
 def test_two_targets_are_written_at_once(device):
-    # 2 × 16 bytes a texel: all that a browser allows.
+    # 2 × 16 bytes a texel: the browser's limit.
     source = """
     struct Two { @location(0) a: vec4f, @location(1) b: vec4f }
     @fragment fn two(@builtin(position) at: vec4f) -> Two {
@@ -66,7 +66,7 @@ def test_two_targets_are_written_at_once(device):
 
 
 def test_three_wide_targets_are_refused_as_in_a_browser(device):
-    # maxColorAttachmentBytesPerSample is 32 there.
+    # There maxColorAttachmentBytesPerSample is 32.
     source = """
     struct Three { @location(0) a: vec4f, @location(1) b: vec4f, @location(2) c: vec4f }
     @fragment fn three() -> Three { return Three(vec4f(), vec4f(), vec4f()); }"""
@@ -76,7 +76,7 @@ def test_three_wide_targets_are_refused_as_in_a_browser(device):
 
 @pytest.mark.parametrize("keep", [True, False])
 def test_an_area_leaves_the_other_texels(device, keep):
-    # What is outside keeps its value or becomes 0, as the docstring says.
+    # Texels outside keep their value or become 0, as documented.
     source = "@fragment fn one() -> @location(0) vec4f { return vec4f(7.0); }"
     target = flat_texture(device, np.full(2048 * 3, 3.0))
     one = FragmentPass(device, source, "one", ["r32float"])
@@ -97,7 +97,7 @@ def test_an_area_leaves_the_other_texels(device, keep):
     ],
 )
 def test_a_mistake_is_named_with_its_line(device, source, line, text, what):
-    # The line was written so: wrong name, wrong form, wrong type.
+    # The line is known from the source: wrong name, wrong form, wrong type.
     with pytest.raises(ShaderError) as refused:
         FragmentPass(device, source, "f", ["r32float"], label="a pass")
     assert (refused.value.label, refused.value.line, refused.value.text) == ("a pass", line, text)
@@ -120,14 +120,14 @@ def test_a_missing_resource_is_named(device):
 
 
 def test_declarations_are_read_as_they_stand():
-    # By eye; comments declare nothing.
+    # By inspection; comments declare nothing.
     source = SUM + "\n/* @group(0) @binding(9) var no: sampler; */"
     found = [(one.group, one.binding, one.name) for one in declared_bindings(source)]
     assert found == [(0, 0, "numbers"), (0, 1, "first"), (1, 3, "second")]
 
 
 def test_what_webgl2_does_not_have_is_refused_with_its_line():
-    # It has no storage buffers and no storage textures.
+    # WebGL2 has no storage buffers and no storage textures.
     source = "// a comment\n@group(0) @binding(0) var<storage, read> many: array<f32>;"
     with pytest.raises(ShaderError, match=r"^shader it, line 2, .*uniforms, samplers and sampled"):
         declared_bindings(source, "it")

@@ -1,8 +1,8 @@
-"""The scalar formulas on the GPU against the same functions compiled for the processor.
+"""Scalar formulas on the GPU against the same functions compiled for the CPU.
 
-Reference: Numba in double precision, of the inputs as single precision holds them, so that only
-the shader's own rounding differs. EPS is the unit of that rounding. What a tolerance allows beyond
-a few EPS is said where it is given: by how much the formula multiplies the rounding of its steps.
+Reference: Numba in double precision, of the inputs rounded to single precision, so that only the
+shader's own rounding differs. EPS is the unit of that rounding. Where a tolerance exceeds a few
+EPS, a comment gives the reason: how much the formula amplifies the rounding of its steps.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ SINE = np.sqrt(1.0 - MU**2)
 def agree(
     on_gpu: Callable[..., Any], function: Any, inputs: tuple[Any, ...], rtol: float, atol: Any
 ) -> None:
-    """Every result within the tolerance; ``atol`` one for all or one for each."""
+    """Compare every result; ``atol`` is one for all or one for each."""
     seen = on_gpu(function, *inputs)
     single = [np.asarray(one, np.float32) for one in inputs]
     exact = [
@@ -76,7 +76,7 @@ def agree(
 
 
 class Case(NamedTuple):
-    """A kernel, its inputs, and how far single precision may take it."""
+    """Kernel, its inputs, and the tolerance for single precision."""
 
     function: Any
     inputs: tuple[Any, ...]
@@ -86,12 +86,12 @@ class Case(NamedTuple):
 
 #: Sums and differences of lengths of the planet's size. [m]
 METRES = 4.0 * EPS * TOP
-#: The square of a chord is a difference of squares of 4e13 m²: its rounding is, where the chord is
-#: nothing, an error of sqrt(2 EPS) R, 3 km; the error falls as the chord grows.
+#: The square of a chord is a difference of squares of 4e13 m²: where the chord is zero, rounding
+#: is an error of sqrt(2 EPS) R, 3 km; the error falls as the chord grows.
 NEAR_TANGENT = math.sqrt(2.0 * EPS) * TOP
 #: An angle of a few rad and its functions.
 ANGLE = 4.0 * EPS
-#: Low points, of which the horizon is near: r - R is exact in single precision.
+#: Radii close to the ground, with a near horizon: r - R is exact in single precision.
 LOW = BOTTOM + np.geomspace(0.5, 1e3, COUNT)
 
 GEOMETRY = [
@@ -135,7 +135,7 @@ MAPPINGS = [
     Case(transmittance.altitude_coordinate, (R, BOTTOM, TOP)),
     Case(transmittance.altitude_coordinate, (LOW, BOTTOM, TOP)),
     Case(transmittance.radius_from_coordinate, (UNIT, BOTTOM, TOP)),
-    # Lengths good to METRES, over the span between shortest and longest, above 1000 km.
+    # Lengths accurate to METRES, over the span between shortest and longest, above 1000 km.
     Case(transmittance.direction_coordinate, (R, uniform(0.05, 1.0, 8), BOTTOM, TOP),
          atol=METRES / 1000e3),
     # Quotients of order 1, whose difference is taken.
@@ -149,8 +149,8 @@ MAPPINGS = [
     Case(sky_view.impact_from_row, (UNIT, UNIT < 0.4, BOTTOM, TOP), atol=METRES),
 ]  # fmt: skip
 
-#: 1 - ν is exact, but the base is a difference for g < 0: (1 - |g|)² of terms of order (1 + |g|)²,
-#: which makes 20 EPS at g = -0.8, taken to the power 3/2.
+#: 1 - ν is exact, but for g < 0 the base is a difference: (1 - |g|)² of terms of order (1 + |g|)²,
+#: which gives 20 EPS at g = -0.8, raised to the power 3/2.
 PHASES = [
     Case(phase_functions.rayleigh, (MU, 0.035)),
     Case(phase_functions.rayleigh_modified, (MU,)),
@@ -163,7 +163,7 @@ LIGHTS = tuple(
     np.geomspace(1e-4, 1e3, COUNT)[np.random.default_rng(23 + c).permutation(COUNT)]
     for c in range(3)
 )
-#: WGSL's table of accuracy gives log₂ and 2ˣ an error of 2⁻²¹ and of 3 + 2|x| units: of powers up
+#: WGSL's table of accuracy gives log₂ and 2ˣ an error of 2⁻²¹ and of 3 + 2|x| units: for powers up
 #: to 2.4 of numbers down to 1e-4, 64 EPS.
 POWER = 64 * EPS
 COLORS = [
@@ -176,10 +176,10 @@ COLORS = [
     Case(tone_maps.reinhard_color, LIGHTS),
     Case(tone_maps.reinhard_extended_color, (*LIGHTS, 4.0)),
     Case(aces.aces_curve, LIGHTS[:1], atol=EPS),
-    # The output matrix takes up to 0.6 of one channel from 1.6 of another.
+    # The output matrix subtracts up to 0.6 of one channel from 1.6 of another.
     Case(aces.aces_color, LIGHTS, atol=8 * EPS),
     Case(agx.agx_curve, LIGHTS[:1], rtol=POWER, atol=4 * EPS),  # ½ less its toe
-    # The outset takes up to 0.1 of one channel from 1.2 of another, before a power again.
+    # The outset subtracts up to 0.1 of one channel from 1.2 of another, before a power again.
     Case(agx.agx_color, LIGHTS, rtol=2 * POWER, atol=16 * EPS),
     Case(encoding.srgb_curve, (uniform(0.0, 1.0, 24),), rtol=POWER),
     Case(encoding.gamma_curve, (uniform(0.0, 1.0, 24),), rtol=POWER),
@@ -208,7 +208,7 @@ GROUND = [
          atol=16 * EPS),
 ]  # fmt: skip
 
-#: Lights and scales of a solver: positive.
+#: Light and scales of a solver: positive.
 POSITIVE = np.geomspace(1e-6, 10.0, COUNT)
 OTHER = uniform(0.1, 10.0, 40)
 STEPS = [
@@ -219,7 +219,7 @@ STEPS = [
     Case(packing.ratio_scale, (POSITIVE, OTHER, UNIT), rtol=2 * POWER),
     Case(levels.cubic_bend, (UNIT, OTHER, POSITIVE, UNIT, OTHER), atol=80 * EPS),
     Case(levels.is_smooth, (UNIT, OTHER, POSITIVE, MU)),
-    # The ratio is taken off again: differences of numbers up to 10.
+    # The ratio is inverted again: differences of numbers up to 10.
     Case(
         levels.between_levels,
         (UNIT, OTHER, POSITIVE, MU, OTHER, POSITIVE, UNIT),
@@ -227,7 +227,7 @@ STEPS = [
         atol=80 * EPS,
     ),
     Case(convergence.is_near, (OTHER, POSITIVE, 10.0)),
-    # Over the sines, whose product is at least 0.02 here; 1 - μ² from cosines good to EPS.
+    # Over the sines, whose product is at least 0.02 here; 1 - μ² from cosines accurate to EPS.
     Case(sweep.azimuth_cosine, (0.99 * MU, 0.99 * MU_S, UNIT), atol=ANGLE / 0.02),
     Case(sweep.star_from_ray, (MU, MU_S, 2.0 * UNIT - 1.0), atol=ANGLE),
     Case(sky_table.row_coordinate, (np.arange(COUNT) % 32, 16, UNIT < 0.5)),
@@ -237,7 +237,7 @@ STEPS = [
         (SINE * MU_S, SINE * np.sqrt(1.0 - MU_S**2), MU, 0.6, 0.8),
         atol=ANGLE,
     ),
-    # An angle less a radius, over the pixel.
+    # An angle less a radius, divided by the pixel.
     Case(star_disc.covered, (0.01 * UNIT, 0.00465, 1e-3), atol=16 * EPS),
     Case(star_disc.covered, (0.01 * UNIT, 0.00465, 1e-2), atol=16 * EPS),
     Case(
@@ -257,7 +257,7 @@ def test_a_formula_on_the_gpu_is_the_processor_s(on_gpu: Callable[..., Any], cas
 
 
 def test_every_scalar_formula_of_these_files_is_compared() -> None:
-    # The others have arrays, or a test of their own.
+    # The other functions have array arguments, or a separate test.
     named = {case.function.py_func for case in
              [*GEOMETRY, *MAPPINGS, *PHASES, *COLORS, *RAYS, *GROUND]}  # fmt: skip
     others = {"meets_ground", "panel_leg", "seen_star", "place_of_star", "raised_star",
@@ -272,14 +272,14 @@ def test_every_scalar_formula_of_these_files_is_compared() -> None:
 
 
 def test_a_ray_meets_the_ground_or_not_as_on_the_processor(on_gpu: Callable[..., Any]) -> None:
-    # Within EPS of the horizon either answer is right: those rays are left out.
+    # Within EPS of the horizon either result is correct: those rays are left out.
     horizon = -np.sqrt(1.0 - (BOTTOM / R) ** 2)
     mu = MU[np.abs(MU - horizon) > 16 * EPS]
     agree(on_gpu, shell.meets_ground, (R[np.abs(MU - horizon) > 16 * EPS], mu, BOTTOM), 0.0, 0.0)
 
 
 def test_the_leg_of_a_panel_is_the_processor_s(on_gpu: Callable[..., Any]) -> None:
-    # A root of a difference of radii, each good to EPS of it: METRES under the root near 0.
+    # A root of a difference of radii, each accurate to EPS of it: METRES under the root near 0.
     mu = uniform(0.05, 0.9, 30)
     agree(on_gpu, path.panel_leg, (R, mu, 0.2 * LENGTH, 0.7 * LENGTH, LENGTH), 16 * EPS,
           (0.0, METRES, 20.0 * METRES, math.sqrt(METRES), math.sqrt(METRES)))  # fmt: skip
@@ -301,7 +301,7 @@ def test_a_projection_s_number_is_its_place(on_gpu: Callable[..., Any], which: i
 
 @pytest.mark.parametrize("which", range(len(TONE_MAPS)), ids=list(TONE_MAPS))
 def test_a_tone_map_s_number_is_its_place(on_gpu: Callable[..., Any], which: int) -> None:
-    # The array functions by name, in double precision; black light and light beyond all bounds too.
+    # The array functions by name, in double precision; also black, and light of extreme values.
     extreme = np.array([-1.0, 0.0, 1e-30, 1.0, 1e19, 3e38])
     light = np.concatenate(
         [np.stack(LIGHTS, -1), np.stack(np.meshgrid(*[extreme] * 3), -1).reshape(-1, 3)]
@@ -324,7 +324,7 @@ def test_an_encoding_s_number_is_its_place(on_gpu: Callable[..., Any], which: in
 
 
 def test_light_that_is_no_number_is_black_on_the_gpu(on_gpu: Callable[..., Any]) -> None:
-    # As on the processor; a shader may make NaN of its own inputs.
+    # As on the CPU; a shader may make NaN of its own inputs.
     light = np.array([np.nan, -1.0, -np.inf, 2.0, np.inf])
     assert_array_equal(on_gpu(physical_light, light), np.float32([0.0, 0.0, 0.0, 2.0, 1e18]))
 
@@ -340,7 +340,7 @@ _CHANNELS = 3
 
 
 def test_the_map_of_the_ground_is_read_as_on_the_processor(on_gpu: Callable[..., Any]) -> None:
-    # Bilinear in values of 0 to 1; a place in the map is good to EPS of its width of 64 pixels.
+    # Bilinear in values of 0 to 1; a position in the map is accurate to EPS of its 64 pixels.
     sizes = [(32, 64), (16, 32), (8, 16)]
     texels = np.random.default_rng(31).uniform(size=sum(3 * h * w for h, w in sizes))
     starts = np.cumsum([0, *(3 * h * w for h, w in sizes)])[:3]

@@ -27,7 +27,7 @@ def times(device):
 
 
 def submit(device, times, long):
-    """A long pass over all of a target, a short one over one row, the long one again."""
+    """Submit a long pass over all of a target, a short one over one row, the long one again."""
     target = empty_flat_texture(device, 2048 * 64, 1)
     encoder = device.device.create_command_encoder()
     groups = long.bind({})
@@ -40,7 +40,7 @@ def submit(device, times, long):
 
 
 def test_the_passes_of_a_submission_take_most_of_its_time_and_no_more(device, times):
-    # A second clock, the processor's, around the same work; 8192 times the texels take longer.
+    # A second clock, the CPU's, around the same work; 8192 times the texels take longer.
     long = FragmentPass(device, LONG, "long", ["r32float"])
     submit(device, times, long)  # compiles
     started = perf_counter()

@@ -1,9 +1,8 @@
-"""Pictures of the GPU against those of the processor's renderer, which has lines of its own.
+"""Pictures of the GPU against those of the CPU's renderer, which has its own line march.
 
-Both march the same solution; the GPU in single precision, panel by panel, and with a table of the
-sky between them where it is not asked to march every pixel. Pixels that the rim of the star's disc
-crosses are left out; what they get in all is compared with a disc that is sampled many times a
-pixel.
+Both march the same solution; the GPU in single precision, panel by panel, and from a table of the
+sky unless it is asked to march every pixel. Pixels on the rim of the star's disc are left out;
+their total is compared with a disc that is sampled many times a pixel.
 """
 
 from __future__ import annotations
@@ -77,7 +76,7 @@ PLANETS: dict[str, Callable[[], Planet]] = {
 
 @pytest.fixture(scope="module")
 def lit(solved: Callable[..., MomentsSolution]) -> Lit:
-    """The solution of one of ``PLANETS`` at four wavelengths, preview."""
+    """Solution of one of ``PLANETS`` at four wavelengths, preview."""
     planets = {name: make() for name, make in PLANETS.items()}
     return lambda name="earth, with a map": solved(planets[name], NM, "preview")
 
@@ -97,11 +96,11 @@ def shows(device: Device, lit: Lit) -> Shows:
 
 
 def scene_of(planet: Planet, name: str) -> Scene:
-    """A scene by name; heights in parts of the planet.
+    """Scene by name; heights as fractions of the planet.
 
-    Radii in the shader are multiples of half a metre. So are heights where light goes straight;
-    where it is bent, optical ones are rounded, which near the ground would change the way to it by
-    a per cent: there the observer stands higher.
+    Radii in the shader are multiples of half a metre. So are heights where light is not refracted;
+    where it is, optical ones are rounded, which near the ground would change the path to it by a
+    per cent: there the observer is higher.
     """
     bottom, thick = planet.bottom_radius, planet.top_radius - planet.bottom_radius
     low = 20.0 if planet.refraction == "none" else 200.0
@@ -139,7 +138,7 @@ CASES += [(name, scene) for name in PLANETS for scene in FEW if name != "earth, 
 
 
 def away_from_the_rim(solution: MomentsSolution, scene: Scene) -> np.ndarray:
-    """Pixels farther than two from the rim of the star's disc: beyond what either shares out."""
+    """Pixels farther than two from the rim of the star's disc, unaffected by its distribution."""
     rays = scene.camera.directions()
     there = leaving_direction(rays.reshape(-1, 3), solution, scene.altitude)
     half = 0.5 * np.linalg.norm(there - scene.sun_direction, axis=-1)
@@ -149,7 +148,7 @@ def away_from_the_rim(solution: MomentsSolution, scene: Scene) -> np.ndarray:
 
 
 def solid_angles(camera: Camera) -> np.ndarray:
-    """Of each pixel, from the corners' directions. [sr]"""
+    """Solid angle of each pixel, from the corners' directions. [sr]"""
     a, b, c, d = (
         camera.directions(offset=(dx, dy))
         for dx, dy in ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5))
@@ -162,11 +161,11 @@ def test_a_marched_picture_has_the_processor_s_radiance(
     name: str, scene: str, lit: Lit, shows: Shows, tell: Callable[[str], None],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
-    # The processor marches with the points of its finest quality: those of its own preview err by
-    # 1 % at low haze by day. 1 %, of the pixel's brightest channel: the others may be differences
-    # of larger numbers.
-    # Single precision makes 1e-4, of lines that graze the ground 2e-3, fewer points 5e-3. Light
-    # below 1e-4 of the picture's is nobody's.
+    # The CPU marches with the points of its finest quality: those of its own preview err by 1 % at
+    # low haze by day. 1 %, of the pixel's brightest channel: the others may be differences of
+    # larger numbers.
+    # Single precision contributes 1e-4, on lines that graze the ground 2e-3, fewer points 5e-3.
+    # Light below 1e-4 of the picture's is negligible.
     monkeypatch.setitem(march_points.BY_PANELS, 1, march_points.MANY)
     solution, seen = lit(name), scene_of(PLANETS[name](), scene)
     wanted = render(solution, seen, exact=True).rgb.astype(float)
@@ -184,8 +183,8 @@ def test_a_marched_picture_has_the_processor_s_radiance(
 def test_a_picture_from_the_table_is_shown_as_the_processor_s(
     name: str, scene: str, lit: Lit, shows: Shows
 ) -> None:
-    # 2/255, tone mapped and encoded: less than anybody sees. The table has a quarter of the texels
-    # that it has by default.
+    # 2/255, tone mapped and encoded: invisible. The table has a quarter of the texels that it has
+    # by default.
     solution, seen = lit(name), scene_of(PLANETS[name](), scene)
     wanted = render(solution, seen, exact=True).rgb
     exposure = automatic_exposure(wanted)
@@ -234,9 +233,9 @@ FIELDS = (1.0, 8.0, 11.0, 20.0, 60.0, 100.0)
 def test_the_disc_s_light_does_not_depend_on_how_it_is_shared_out(
     name: str, field: float, lit: Lit, shows: Shows
 ) -> None:
-    # The law: all pixels together hold the star's irradiance, however large they are. 2 %: the
-    # processor counts 25 samples in each pixel of the rim, 48 points where it is small; the
-    # transmittance comes from a table, good to 1 % where the sun stands 70° high.
+    # The law: all pixels together hold the star's irradiance, whatever their size. 2 %: the CPU
+    # counts 25 samples in each pixel of the rim, 48 points where it is small; the transmittance
+    # comes from a table, accurate to 1 % where the sun is 70° high.
     solution = lit(name)
     camera = Camera(
         width=96, height=54, look_zenith=20.0 + 0.003 * field, look_azimuth=0.02 * field,
@@ -264,7 +263,7 @@ def test_a_small_disc_has_its_light_on_every_projection(
 def test_the_setting_disc_has_the_processor_s_light(
     device: Device, solved: Callable[..., MomentsSolution]
 ) -> None:
-    # 2 % at 85°; on the horizon 4 %: there the air is 15 deep, and its table good to 2e-3.
+    # 2 % at 85°; on the horizon 4 %: there the depth is 15, and its table is accurate to 2e-3.
     solution = solved(load_planet("earth"), NM, "default")
     pictures = Pictures(device, (64, 64))
     pictures.show(solution)
@@ -276,21 +275,21 @@ def test_the_setting_disc_has_the_processor_s_light(
 
 
 def disc_total(pictures: Pictures, seen: Scene) -> np.ndarray:
-    """What the disc adds to all pixels of a picture of the GPU. [W m⁻²]"""
+    """Contribution of the disc to all pixels of a picture of the GPU. [W m⁻²]"""
     with_disc = pictures.frame(seen).rgb.astype(float)
     only = with_disc - pictures.frame(seen, disc=False).rgb
     return np.asarray((only * solid_angles(seen.camera)[..., None]).sum(axis=(0, 1)))
 
 
 def processor_total(solution: MomentsSolution, seen: Scene) -> np.ndarray:
-    """The same by samples."""
+    """Contribution of the disc by samples. [W m⁻²]"""
     rgb = np.zeros((seen.camera.height, seen.camera.width, 3), np.float32)
     add_sun_disc(rgb, solution, seen, color_weights(solution))
     return np.asarray((rgb * solid_angles(seen.camera)[..., None]).sum(axis=(0, 1)))
 
 
 def test_a_point_star_has_no_disc(device: Device, lit: Lit) -> None:
-    # A radius of 0 has no solid angle: the light of the air is all that is drawn.
+    # A radius of 0 has no solid angle: only the light of the air is drawn.
     planet = PLANETS["six constituents"]()
     planet = replace(planet, star=replace(planet.star, angular_radius=0.0))
     pictures = Pictures(device, (64, 64))
@@ -312,7 +311,7 @@ def test_outside_the_circle_a_dome_is_black(shows: Shows) -> None:
 
 
 def test_the_shader_fills_the_table_as_the_processor_does(device: Device, lit: Lit) -> None:
-    # Two marches of one source of light: fourth roots that agree to a quarter of 1 %.
+    # Two marches of the same light: fourth roots that agree to a quarter of 1 %.
     layers = []
     for by_processor in (True, False):
         pictures = Pictures(device, (64, 32), sky_by_processor=by_processor)
@@ -328,7 +327,7 @@ def test_the_shader_fills_the_table_as_the_processor_does(device: Device, lit: L
 def test_a_picture_in_strips_is_the_whole_one(
     exact: bool, shows: Shows, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    # The same arithmetic for each pixel: no bit differs.
+    # The same arithmetic for each pixel: bit for bit.
     seen = scene_of(PLANETS["earth, with a map"](), "sunset")
     whole = shows().frame(seen, exact=exact).rgb
     monkeypatch.setattr(pictures_module, "_PIXELS_AT_ONCE", (96 * 7, 96 * 7, 96 * 7))
@@ -346,7 +345,7 @@ def test_a_picture_can_be_cancelled_and_one_too_wide_is_refused(shows: Shows) ->
 
 
 def test_bands_draw_the_same_picture(device: Device, shows: Shows) -> None:
-    # Shaders with fewer choices, for the same numbers: rounding alone may differ.
+    # Shaders with fewer choices, for the same numbers: only rounding may differ.
     import wgpu
 
     seen = scene_of(PLANETS["earth, with a map"](), "sunset")
@@ -375,8 +374,8 @@ def test_what_is_drawn_is_exposed_and_tone_mapped(
 
 
 def test_fewer_wavelengths_leave_the_others_dark(device: Device, lit: Lit) -> None:
-    # Light is linear in the wavelengths: one with its weights is what it adds to the picture of
-    # four. 2e-3: each solution has sweeps of its own number.
+    # Light is linear in the wavelengths: one with its weights gives its contribution to the
+    # picture of four. 2e-3: each solution has its own number of sweeps.
     planet = PLANETS["mars"]()
     seen = scene_of(planet, "noon")
     _, weights = four_wavelengths(planet.star.irradiances)
@@ -397,7 +396,7 @@ def test_more_wavelengths_than_four_are_refused(device: Device) -> None:
 
 
 def test_a_map_with_too_many_pixels_loses_its_finest_levels() -> None:
-    # Means of means: what is left has the whole map's mean, and the levels that it had.
+    # Means of means: the result has the whole map's mean, and the levels that it had.
     levels = surface_map("earth").levels
     kept = fitting_levels(levels, levels[0].size)
     assert_array_equal(kept[0], levels[1])

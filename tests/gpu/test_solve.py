@@ -1,4 +1,4 @@
-"""Who solves a planet: the GPU where it can, the CPU where it cannot."""
+"""Choice of the solver of a planet: the GPU where it can, the CPU where it cannot."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ NM = [450.0, 530.0, 600.0, 680.0]
 
 @pytest.fixture
 def fast(device):
-    """The same device, said to be a GPU."""
+    """The same device, declared to be a hardware GPU."""
     return replace(device, software=False)
 
 
 def test_a_gpu_solves_a_clear_planet(fast):
-    # Only the GPU leaves a field on the device; the bar between the two is 0.5 %.
+    # Only the GPU leaves a field on the device; the tolerance between the two is 0.5 %.
     planet = load_planet("earth")
     solution = solve_planet(planet, NM, "preview", device=fast)
     assert fields_on(fast, solution) is not None
@@ -45,7 +45,7 @@ def test_what_has_no_room_or_is_thick_is_solved_by_the_cpu(fast, name, wavelengt
 
 
 def test_a_processor_that_plays_a_gpu_is_not_asked(device):
-    # lavapipe shares the processor with the CPU's solver, which is ten times quicker.
+    # lavapipe runs on the CPU beside the CPU's solver, which is ten times faster.
     if not device.software:
         pytest.skip("this device is a GPU")
     solution = solve_planet(load_planet("earth"), NM, "preview", device=device, cache=False)
@@ -53,7 +53,7 @@ def test_a_processor_that_plays_a_gpu_is_not_asked(device):
 
 
 def test_without_wavelengths_a_device_gets_what_fits_a_texel(fast):
-    # Sixteen on the processor; on a device the four that show colours best.
+    # Sixteen on the CPU; on a device the four that reproduce colours best.
     earth = load_planet("earth")
     assert solve_planet(earth, quality="preview", device=fast).wavelengths.size == 4
     assert solve_planet(earth, quality="preview").wavelengths.size == 16
@@ -72,7 +72,7 @@ def test_who_asks_for_the_processor_gets_it(fast):
 
 
 def test_a_bent_planet_has_one_constituent_more():
-    # Light is bent by one more row of the tables: where all are taken, the GPU has no room.
+    # Refraction takes one more row of the tables: where all are used, the GPU has no capacity.
     earth = load_planet("earth")
     room = MOST_CONSTITUENTS
     air = [planet_replace(earth.constituents[0], name=f"air {k}") for k in range(room)]

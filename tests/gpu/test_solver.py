@@ -34,7 +34,7 @@ WAVELENGTHS = [450.0, 530.0, 600.0, 680.0]
 PREVIEW = settings_for("preview")
 #: Sun elevations, from the zenith to deep dusk. [°]
 ELEVATIONS = (90.0, 45.0, 20.0, 5.0, 1.0, 0.0, -1.0, -3.0, -6.0)
-#: From the ground to space, in thicknesses of the shell.
+#: Altitudes from the ground to space, in thicknesses of the shell.
 ALTITUDES = (0.0, 0.02, 0.1, 0.3, 0.7, 1.5, 10.0)
 
 
@@ -44,19 +44,19 @@ def medium_of(name: str, wavelengths=WAVELENGTHS, **changes) -> Medium:
 
 
 def bright(values, least):
-    """Where values (r, s, w) are not dark."""
+    """Mask of values (r, s, w) that are not dark."""
     return values > least * values.max(axis=(0, 1))
 
 
 def assert_moments_agree(field, expected, least, rtol):
-    """Moments (r, s, k, w) agree, relative to the mean radiance where that is not dark."""
+    """Compare moments (r, s, k, w), relative to the mean radiance where that is not dark."""
     mean = expected[:, :, 0]
     scale = np.where(bright(mean, least), mean, np.inf)[:, :, None]
     assert_allclose(field / scale, expected / scale, rtol=0, atol=rtol)
 
 
 def light_of(plan, sweeper, texture):
-    """A light's texture as moments and irradiances."""
+    """Moments and irradiances in a light's texture."""
     n = plan.sizes
     moments = plan.nodes * n["terms"]
     flat = read_flat(sweeper.device, sweeper.texture(texture), moments + plan.nodes)
@@ -75,8 +75,8 @@ def light_of(plan, sweeper, texture):
     ids=["earth", "mars", "thick", "bent"],
 )
 def test_each_order_is_that_of_the_cpu(device, name, changes):
-    # The same functions on the same tables: what differs is single precision of radii (0.5 m),
-    # cosines and look-ups; 3e-4 of the mean radiance, where that is above 1e-4 of the largest.
+    # The same functions on the same tables; the differences are single precision of radii (0.5 m),
+    # cosines and look-ups: 3e-4 of the mean radiance, where that is above 1e-4 of the largest.
     paths = LightPaths.of(medium_of(name, **changes))
     plan = plan_for(paths, PREVIEW)
     block = Setup(paths=paths, settings=PREVIEW).block(slice(None))
@@ -99,7 +99,7 @@ def test_each_order_is_that_of_the_cpu(device, name, changes):
 
 
 def assert_solutions_agree(gpu: MomentsSolution, cpu: MomentsSolution, rtol: float):
-    """Mean radiances, irradiances and radiances from ground to space, sun 90° to -6°."""
+    """Compare mean radiances, irradiances and radiances from ground to space, sun 90° to -6°."""
     grid = cpu.moments.grid
     seen = np.degrees(np.arcsin(grid.sun_cosines)) >= -6.0
     mean, expected = gpu.moments.field[:, seen, 0], cpu.moments.field[:, seen, 0]
@@ -127,8 +127,8 @@ def assert_solutions_agree(gpu: MomentsSolution, cpu: MomentsSolution, rtol: flo
 
 @pytest.mark.parametrize("name", ["earth", "earth-atmosphere-plus", "mars-standard", "early-earth"])
 def test_a_preview_agrees_with_the_cpu(device, name):
-    # Both stop where 1 % is still to come at the darkest node, which is 0.1 % where there is
-    # light; the bar for the GPU is 0.5 %. The last is thick: its light is tabled between radii.
+    # Both stop at a remaining change of 1 % at the darkest node, which is 0.1 % where there is
+    # light; the GPU's tolerance is 0.5 %. The last is thick: it has levels between the radii.
     medium = medium_of(name)
     cpu = solve(medium, PREVIEW, cache=False)
     gpu = solve_on(device, medium, PREVIEW)
@@ -138,7 +138,7 @@ def test_a_preview_agrees_with_the_cpu(device, name):
 
 
 def test_a_default_solution_agrees_with_the_cpu(device):
-    # The bar is 0.5 %; 2e-3 is the tolerance of both.
+    # The tolerance between them is 0.5 %; 2e-3 is the tolerance of both.
     medium = medium_of("earth")
     settings = settings_for("default")
     cpu = solve(medium, settings, cache=False)
@@ -146,12 +146,12 @@ def test_a_default_solution_agrees_with_the_cpu(device):
 
 
 def test_the_field_stays_on_the_device(device):
-    # What a march reads of the solution on the CPU, packed there, is what the texture holds.
+    # The texture holds what a march reads of the solution on the CPU, packed there.
     solution = solve_on(device, medium_of("earth"), PREVIEW)
     texture = fields_on(device, solution)
     expected = np.concatenate([solution.light.field, solution.light.sky]).reshape(-1, 8)[:, :4]
     got = read_flat(device, texture, expected.shape[0])
-    # s and M_00·s everywhere; the other moments beside s, where they may be close to 0.
+    # s and M_00·s everywhere; the other moments relative to s, since they may be close to 0.
     block = 1 + solution.moments.field.shape[2]
     moments = solution.light.field.size // 8
     got, sky = got[:moments].reshape(-1, block, 4), got[moments:]
@@ -162,7 +162,7 @@ def test_the_field_stays_on_the_device(device):
 
 
 def test_spans_of_radii_do_not_change_the_result(device, monkeypatch):
-    # How the work is cut must not matter: the same texels by the same functions, bit for bit.
+    # The division into spans must not matter: the same texels by the same functions, bit for bit.
     medium = medium_of("earth")
     whole = solve_on(device, medium, PREVIEW)
     monkeypatch.setattr(solver_planning, "_SPAN", 1 << 15)
@@ -173,7 +173,7 @@ def test_spans_of_radii_do_not_change_the_result(device, monkeypatch):
 
 
 def test_fewer_wavelengths_are_solved_alike(device):
-    # Wavelengths do not know each other, but for when the iteration ends: its tolerance.
+    # Wavelengths are independent, except that they end the iteration together: its tolerance.
     four = solve_on(device, medium_of("earth"), PREVIEW)
     one = solve_on(device, medium_of("earth", [530.0]), PREVIEW)
     assert one.moments.field.shape == (*four.moments.field.shape[:3], 1)
@@ -183,7 +183,7 @@ def test_fewer_wavelengths_are_solved_alike(device):
 
 
 def test_thick_air_is_left_to_the_cpu(device):
-    # Light wanders in it for hundreds of orders: refused before anything is computed, in one line.
+    # Light is scattered in it for hundreds of orders: refused before any computation, in one line.
     with pytest.raises(ThickAir) as refused:
         solve_on(device, medium_of("titan"), PREVIEW)
     assert "CPU" in str(refused.value)
@@ -197,7 +197,7 @@ def test_more_wavelengths_than_a_texel_holds_are_refused(device):
 
 
 def test_a_cancelled_solve_leaves_the_next_one_whole(device):
-    # The same medium gives the same numbers, whatever was left in the textures before.
+    # The same medium gives the same numbers, whatever the textures held before.
     medium = medium_of("mars-standard")
     before = solve_on(device, medium, PREVIEW)
     asked = []
@@ -223,7 +223,7 @@ def test_a_pass_keeps_a_browsers_limits(name):
 
 @pytest.mark.parametrize("name", ["earth", "mars-standard"])
 def test_the_plan_can_be_run_by_another_host(name):
-    # JSON gives it back, every texture is named in it, and none is higher than browsers allow.
+    # JSON preserves it, every texture is named in it, and none is higher than browsers allow.
     plan = plan_for(LightPaths.of(medium_of(name)), settings_for("default"))
     written = json.loads(json.dumps(plan.as_dict()))
     assert written["sizes"]["degree"] == plan.setup.degree
@@ -240,7 +240,7 @@ def test_the_plan_can_be_run_by_another_host(name):
     spans = [one["span"] for one in written["passes"]["sweep"] if one["target"] == "radiances"]
     assert [one[0] for one in spans[1:]] == [one[1] for one in spans[:-1]]
     assert spans[-1][1] == written["textures"]["radiances"]
-    # Tables are where they are said to be.
+    # Tables are at their recorded positions.
     places = written["tables"]["extinction"]
     rows = plan.spectra[places["start"] : places["start"] + places["shape"][0]]
     air = make_air(plan.setup.medium, plan.setup.degree, slice(None))

@@ -1,8 +1,8 @@
-"""Formulas that read tables, on the GPU and on the processor; and that no formula is left out.
+"""Formulas that read tables, on the GPU and on the CPU; and a check that no formula is left out.
 
-Reference: Numba, which compiles the same functions for the same tables, in double precision where
-they are of plain numbers. Four wavelengths of the GPU are the first four of the processor's eight
-lanes, both in single precision. EPS is the unit of its rounding.
+Reference: Numba, which compiles the same functions for the same tables, in double precision for
+plain numbers. Four wavelengths of the GPU are the first four of the CPU's eight lanes, both in
+single precision. EPS is the unit of its rounding.
 """
 
 from __future__ import annotations
@@ -49,11 +49,11 @@ def uniform(low: float, high: float) -> np.ndarray:
 
 
 def lanes(*shape: int, low: float = 0.0, high: float = 1.0) -> np.ndarray:
-    """A table of four wavelengths."""
+    """Table of four wavelengths."""
     return RNG.uniform(low, high, (int(np.prod(shape)), 4)).astype(np.float32)
 
 
-# --- what is compared: each with its numbers first, then its tables, then its spectral tables ----
+# --- compared functions: numbers first, then tables, then spectral tables ------------------------
 
 
 def through_three(a, b, c, extinction):
@@ -237,7 +237,7 @@ def phases_from_moments(nu, moments):
 
 
 class Case(NamedTuple):
-    """A function of these, its numbers and tables, and how far single precision may take it."""
+    """Function of these, its numbers and tables, and the tolerance for single precision."""
 
     function: Any
     of: tuple[Any, ...]
@@ -272,7 +272,7 @@ CASES = [
     Case(level_under_sky, (source.level_sky,), (RNG.integers(0, NODES - 1, COUNT), UNIT), {},
          {"sky": lanes(2 * NODES, low=0.1)}),
     Case(white, (source.reflected,), (UNIT,), {}, {"albedo": lanes(1)}),
-    # The place in the table is good to EPS of its length, its slope is the table's step.
+    # The position in the table is accurate to EPS of its length, its slope is the table's step.
     Case(third_phase, (source.read_phase,), (UNIT,), {}, {"table": lanes(NODES * THREE)},
          atol=16 * NODES * EPS),
     # Four steps of the recurrence, each a difference of terms of order 2.
@@ -286,18 +286,18 @@ CASES = [
     # Sums of 15 harmonics of either sign, over a scale of at least a half.
     Case(gathered_of_four, (source.gathered_light,), (*AMOUNTS, MU, UNIT, 1.0 - UNIT), HARMONICS,
          {"moments": lanes(THREE * (DEGREE + 1)), "field": FIELD}, rtol=64 * EPS, atol=2048 * EPS),
-    # r - R is good to EPS of R, which is 1e-5 of the shell's 100 km; steps of the table: 40.
+    # r - R is accurate to EPS of R, which is 1e-5 of the shell's 100 km; steps of the table: 40.
     Case(row_in_grid, (grid.row_of,), (R,), {"row": GRID}, atol=40 * 33 * METRES / 1e5),
     Case(place_in_grid, (sweep.place_of,), (MU,), {"place": GRID}, atol=40 * 33 * 4 * EPS),
     # As the grid's: 512 nodes, over twice the root of the lowest height, 1 km of 100.
     Case(place_of_density, (columns.density_place,), (R,), atol=512 * METRES / 1e5 / 0.2),
-    # Positions in the table as in test_kernels_agree, its steps a fifth; a way of up to 1000 km.
+    # Positions in the table as in test_kernels_agree, its steps a fifth; a path of up to 1000 km.
     Case(three_columns, (column_ratios.columns_to_top,), (R, uniform(0.05, 1.0)),
          {"ratios": RATIOS}, rtol=1e-4, atol=4 * METRES),
     Case(corners_cut, (columns.cut_at_corners,), (uniform(BOTTOM, BOTTOM + 15e3),
          uniform(0.2, 0.9), np.full(COUNT, 2)), {"ends": np.array([20e3, 60e3])},
          atol=4 * METRES / 0.2),
-    # Where the way is cut evenly in the root of its height.
+    # Where the path is divided evenly in the root of its height.
     Case(edges_placed, (path.place_edges,), (R, uniform(0.2, 0.9), uniform(1e4, 1e5)),
          atol=8 * METRES / 0.2),
     Case(edge_inserted, (path.insert_edge,), (uniform(-0.5, 1.5),)),
@@ -309,7 +309,7 @@ CASES = [
          atol=32 * 12 * EPS),
     Case(star_on_level, (bending.level_light,), (R, uniform(0.02, 0.2)), {"lift": LIFT},
          atol=32 * 12 * EPS),
-    # A fourth power of what stands between texels.
+    # Fourth power of the value between texels.
     Case(sky_between, (picture.between_texels, picture.texel_before), (UNIT,
          uniform(0.0, 1.0) < 0.5, uniform(0.0, 1.0)), {}, {"table": lanes(8 * 12)},
          atol=4 * 16 * 8 * EPS),
@@ -330,7 +330,7 @@ CASES = [
          atol=4 * EPS),
     Case(sky_on_ground, (sweep.sky_at,), (MU,), {"place": np.linspace(0.0, NODES - 1.0, 33)},
          {"ground": lanes(2 * NODES, low=0.1)}, rtol=32 * NODES * 4 * EPS),
-    # 1 - e^-τ from its series and the rest: exact where τ is small, to EPS of 1 elsewhere.
+    # 1 - e^-τ from its series or directly: exact where τ is small, to EPS of 1 elsewhere.
     Case(emitted_by, (block_rays.emitted,), (np.geomspace(1e-6, 20.0, COUNT),), {},
          {"scale": lanes(1, low=0.5)}, rtol=DEPTH),
     Case(through_a_row, (first_order.through_row,), (RNG.integers(0, 3, COUNT),
@@ -343,7 +343,7 @@ CASES = [
 
 
 def by_processor(case: Case) -> list[np.ndarray]:
-    """Each result for all inputs; the inputs and tables as single precision holds them."""
+    """Each result for all inputs; the inputs and tables rounded to single precision."""
     inner = numba.njit(case.function)
 
     @numba.njit
@@ -389,8 +389,8 @@ def test_a_formula_with_tables_on_the_gpu_is_the_processor_s(
         assert_allclose(one, expected, rtol=case.rtol, atol=case.atol)
 
 
-#: What is compared as a whole, because it is one pixel, one texel or one line of sight, with
-#: another way of the processor to the same light: the test, and the functions.
+#: Functions compared as a whole, because they are one pixel, one texel or one line of sight, with
+#: another method of the CPU for the same light: the test, and the functions.
 WHOLE = {
     "test_pictures.py::test_a_marched_picture_has_the_processor_s_radiance": (
         "pixel_light", "sight", "reflectance", "ground_color", "look", "line_of_sight",
@@ -452,7 +452,7 @@ def emitted_functions() -> dict[str, Any]:
 
 
 def test_every_function_of_every_shader_is_compared() -> None:
-    # A function that is new in a shader must come with its case.
+    # A new function in a shader must come with its case.
     every = emitted_functions()
     assert len(every) > 100
     file = Path(__file__).with_name("test_kernels_agree.py")
@@ -465,7 +465,7 @@ def test_every_function_of_every_shader_is_compared() -> None:
         name for name, one in every.items() if one not in compared and one.__name__ not in whole
     ]
     assert missing == []
-    assert whole <= {one.__name__ for one in every.values()}  # nor is one named that is gone
+    assert whole <= {one.__name__ for one in every.values()}  # and no removed function is named
 
 
 @pytest.mark.parametrize("test", WHOLE)

@@ -1,4 +1,4 @@
-"""Solutions and cameras that the pictures' tests share: three wavelengths, preview, solved once."""
+"""Solutions and cameras that the tests share: three wavelengths, preview, solved once."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ RGB = (680.0, 550.0, 440.0)
 
 @pytest.fixture(scope="session")
 def lit(solved: Callable[..., MomentsSolution]) -> Callable[..., MomentsSolution]:
-    """The solution of a preset or a planet; ``wavelengths`` three, ``quality`` preview."""
+    """Solution of a preset or a planet; ``wavelengths`` three, ``quality`` preview."""
 
     def make(
         planet: str | Planet = "earth-atmosphere-plus", wavelengths: tuple[float, ...] = RGB
@@ -28,7 +28,7 @@ def lit(solved: Callable[..., MomentsSolution]) -> Callable[..., MomentsSolution
 
 @pytest.fixture(scope="session")
 def with_star() -> Callable[[float], Planet]:
-    """Earth of the Atmosphere Plus notes under a star of some angular radius. [deg]"""
+    """Earth of the Atmosphere Plus notes under a star of given angular radius. [deg]"""
 
     def make(degrees: float) -> Planet:
         planet = load_planet("earth-atmosphere-plus")

@@ -1,4 +1,4 @@
-"""The star's disc by many samples a pixel: slow, and the judge of the disc that is drawn."""
+"""Star's disc by many samples a pixel: slow, the reference for the disc that is drawn."""
 
 from __future__ import annotations
 
@@ -29,21 +29,20 @@ def add_sun_disc(
     """Add the star's disc to a picture.
 
     Its radiance is irradiance over solid angle, times the transmittance along each pixel's own
-    line of sight. Where light is bent, the disc is where the lines of sight lead that leave the
-    air within it: lifted, and flattened near the horizon. Limb darkening is left out: the disc is
-    even. A point star (angular radius 0)
-    is not drawn.
+    line of sight. With refraction, the disc is where the refracted lines of sight meet it: lifted,
+    and flattened near the horizon. Limb darkening is left out: the disc is even. A point star
+    (angular radius 0) is not drawn.
 
     Parameters
     ----------
     rgb : array, shape (height, width, 3)
-        Linear sRGB, added to.
+        Linear sRGB, to which the disc is added. [W m⁻² sr⁻¹]
     solution : MomentsSolution
-        Whose medium the light passes.
+        Solution with the medium that the light crosses.
     scene : Scene
         Camera and star.
     weights : array, shape (nl, 3)
-        Linear sRGB per radiance over irradiance.
+        Linear sRGB per radiance over irradiance. [W m⁻² sr⁻¹ sr]
     """
     alpha = solution.medium.star_angular_radius
     if alpha <= 0.0:
@@ -92,9 +91,9 @@ def _add_small_disc(
     scene: Scene,
     weights: FloatArray,
 ) -> None:
-    """Share out a disc smaller than a pixel: each of its samples goes to the nearest pixel.
+    """Distribute a disc smaller than a pixel: each of its samples goes to the nearest pixel.
 
-    Pixels then hold irradiance over their own solid angle, so that no light is lost or made.
+    Pixels then hold irradiance over their own solid angle, which conserves the light.
     """
     if not rows:
         return
@@ -117,7 +116,7 @@ def _add_small_disc(
     squeeze = squeezed(sun, solution, scene.altitude)
     light = _through(samples, solution, scene.altitude) @ weights * (squeeze / len(samples))
     nearest = np.argmax(samples @ middles.T, axis=1)
-    # Outside a fisheye's circle nothing is seen; a sample must also lie on its pixel.
+    # Outside a fisheye's circle nothing is visible; a sample must also lie on its pixel.
     seen = np.any(middles[nearest] != 0.0, axis=1) & (solid_angles.ravel()[nearest] > 0.0)
     distance = np.linalg.norm(middles[nearest] - samples, axis=1)
     seen &= distance < 1.5 * np.sqrt(np.maximum(solid_angles.ravel()[nearest], 1e-30))
@@ -130,10 +129,10 @@ def _add_small_disc(
 
 
 def _disc_samples(sun: FloatArray, angular_radius: float) -> FloatArray:
-    """Directions that stand for equal parts of the star's disc, shape (n, 3)."""
+    """Directions that represent equal parts of the star's disc, shape (n, 3)."""
     ring, spoke = np.meshgrid(np.arange(_RINGS), np.arange(_SPOKES), indexing="ij")
     radius = angular_radius * np.sqrt((ring + 0.5) / _RINGS)
-    # Half a spoke off the vertical: mirror images of each other, and none on the mirror itself.
+    # Half a spoke off the vertical: the samples mirror each other, and none lies on the axis.
     turn = (spoke + 0.5) * (2.0 * pi / _SPOKES)
     side = np.cross(sun, (0.0, 1.0, 0.0) if abs(sun[1]) < 0.9 else (1.0, 0.0, 0.0))
     side /= np.linalg.norm(side)
@@ -144,14 +143,14 @@ def _disc_samples(sun: FloatArray, angular_radius: float) -> FloatArray:
 
 
 def _angle(directions: FloatArray, sun: FloatArray) -> FloatArray:
-    """Angle to the star, from the length of the difference; π where there is no direction."""
+    """Angle to the star, from the length of the difference; π where there is no direction. [rad]"""
     half = 0.5 * np.linalg.norm(directions - sun, axis=-1)
     seen = np.any(directions != 0.0, axis=-1)
     return np.asarray(np.where(seen, 2.0 * np.arcsin(np.minimum(half, 1.0)), pi))
 
 
 def _through(directions: FloatArray, solution: MomentsSolution, altitude: float) -> FloatArray:
-    """Transmittance to space along directions, 0 where the ground is in the way, (n, nl). [1]"""
+    """Transmittance to space along directions, 0 where the ground intervenes, (n, nl). [1]"""
     sight, medium = straight_sight(directions, solution, altitude), solution.paths.medium
     depth = columns(
         sight.r, sight.mu, sight.length, medium.bottom_radius, medium.density, nodes=16, panels=2
@@ -162,9 +161,9 @@ def _through(directions: FloatArray, solution: MomentsSolution, altitude: float)
 
 
 def seen_direction(direction: FloatArray, solution: MomentsSolution, altitude: float) -> FloatArray:
-    """Where a star at a true direction is seen: above it, where light is bent.
+    """Apparent direction of a star at a true direction: lifted by refraction.
 
-    Below the horizon's true place, where nothing is seen of it, the lift is that of the horizon.
+    Below the true position of the horizon, where it is invisible, the lift is that of the horizon.
 
     Parameters
     ----------
@@ -172,7 +171,7 @@ def seen_direction(direction: FloatArray, solution: MomentsSolution, altitude: f
         Unit vector in the local frame.
     solution : MomentsSolution
     altitude : float
-        Of the observer. [m]
+        Altitude of the observer. [m]
 
     Returns
     -------
@@ -188,15 +187,15 @@ def seen_direction(direction: FloatArray, solution: MomentsSolution, altitude: f
 
 
 def squeezed(direction: FloatArray, solution: MomentsSolution, altitude: float) -> float:
-    """How much smaller than without air a star's disc is seen at a true direction. [1]"""
+    """Ratio of the disc's apparent size to that without air, at a true direction. [1]"""
     return _seen(direction, solution, altitude)[1]
 
 
 def _seen(direction: FloatArray, solution: MomentsSolution, altitude: float) -> tuple[float, float]:
-    """Sine of the elevation at which a star is seen, and its squeeze; from space that it has. [1]
+    """Sine of a star's apparent elevation, and its squeeze; true values from space. [1]
 
-    Outside the shell light goes straight until it enters: what is seen through the air is where
-    ``leaving_direction`` says, pixel by pixel.
+    Outside the shell light is not refracted until it enters: the apparent direction through the air
+    follows from ``leaving_direction``, pixel by pixel.
     """
     paths, true = solution.paths, float(direction[2])
     if paths.shell is None or solution.medium.thickness <= altitude:

@@ -1,4 +1,4 @@
-"""The setting sun in air that bends light: lifted and flattened, as the almanac says."""
+"""Setting sun under refraction: lifted and flattened, as in the almanac."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ DENSITY = {
 
 
 def bennett1982(altitude: float) -> float:
-    """Refraction at a seen altitude [deg] in air of 15 °C and 1013.25 hPa. [deg]
+    """Refraction at an apparent altitude [deg] in air of 15 °C and 1013.25 hPa. [deg]
 
     Bennett (1982), Journal of Navigation 35, 255: the formula with its second term, within 0.02'
-    of the tables that it was made from, scaled to pressure and temperature as given there.
+    of the tables from which it was made, scaled to pressure and temperature as given there.
     """
     minutes = 1.0 / tan(radians(altitude + 7.31 / (altitude + 4.4)))
     minutes -= 0.06 * sin(radians(14.7 * minutes + 13.0))
@@ -47,7 +47,7 @@ def sunset() -> MomentsSolution:
 
 
 def lift(solution: MomentsSolution, seen: float) -> float:
-    """How much higher than it stands a star is seen on the ground. [deg]"""
+    """Lift of a star seen from the ground. [deg]"""
     paths = solution.paths
     x = paths.optical_radius(np.array([solution.medium.bottom_radius]))
     return degrees(float(paths.bent(x, np.array([sin(radians(seen))]))[0]))
@@ -55,16 +55,16 @@ def lift(solution: MomentsSolution, seen: float) -> float:
 
 @pytest.mark.parametrize("seen", [0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0])
 def test_the_sun_is_lifted_as_the_almanac_says(seen: float, sunset: MomentsSolution) -> None:
-    # On the horizon the lapse rate counts, which differs between the almanac's air and US76: 3 %;
+    # On the horizon the lapse rate matters, which differs between the almanac's air and US76: 3 %;
     # from 5° up only the density at the ground does.
     tolerance = 0.03 if seen < 5.0 else 0.007
     assert_allclose(lift(sunset, seen), bennett1982(seen), rtol=tolerance)
 
 
 def test_squeeze_on_the_horizon_is_one_less_the_curvature_of_light(sunset: MomentsSolution) -> None:
-    # An exact law: rays a little above and below the horizontal are mirror images of each other
-    # but for the bending between them (A. T. Young, Flattening of the setting sun): the squeeze is
-    # 1 + (r/n) dn/dr at the observer, here from the optical radius beside the ground.
+    # An exact law: rays slightly above and below the horizontal are mirror images of each other
+    # except for the bending between them (A. T. Young, Flattening of the setting sun): the squeeze
+    # is 1 + (r/n) dn/dr at the observer, here from the optical radius beside the ground.
     shell = sunset.paths.shell
     assert shell is not None
     step = np.diff(shell.optical)[0] / np.diff(shell.altitude)[0]
@@ -89,15 +89,15 @@ def test_the_sun_on_the_horizon_is_flattened_to_five_sixths(sunset: MomentsSolut
     ]
     height = degrees(np.arcsin(limbs[1]) - np.arcsin(limbs[0]))
     assert_allclose(height / width, 0.83, atol=0.02)
-    # And the lower limb is seen on the horizon.
+    # The lower limb appears on the horizon.
     assert_allclose(limbs[0], 0.0, atol=1e-6)
 
 
 def test_the_sun_in_a_picture_stands_where_it_is_seen_and_is_as_flat(
     sunset: MomentsSolution,
 ) -> None:
-    # The picture against the two laws above: the sun stands 0.2° below the horizon and is seen
-    # above it. Pixels of 0.01°: edges to one pixel.
+    # The picture against the two laws above: the sun is 0.2° below the horizon and appears above
+    # it. Pixels of 0.01°: edges to one pixel.
     camera = Camera(width=120, height=120, field_of_view=1.2, look_zenith=89.6, look_azimuth=0.0)
     scene = Scene(altitude=2.0, sun_zenith=90.2, camera=camera)
     bright = render(sunset, scene).rgb[..., 0]

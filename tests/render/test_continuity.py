@@ -1,4 +1,4 @@
-"""No seam, stripe or jump where a formula changes: picture edges, horizon, top of the air."""
+"""Continuity where a formula changes: picture edges, horizon, top of the air."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from airlight.solvers.moments.solution import MomentsSolution
 
 Lit = Callable[..., MomentsSolution]
 
-#: With the faces right, left, up, down, ahead, behind: whose right edge meets whose left edge.
+#: With the faces right, left, up, down, ahead, behind: pairs whose right and left edges meet.
 NEIGHBOURS = [(4, 0), (0, 5), (5, 1), (1, 4)]
 
 
 def joined(one: np.ndarray, other: np.ndarray) -> None:
-    """The step across an edge is no larger than those on both sides of it, with room for curves."""
+    """Compare the step across an edge with those on both sides of it, with a margin for curves."""
     inner = np.maximum(np.abs(one[:, -1] - one[:, -2]), np.abs(other[:, 1] - other[:, 0]))
     step = np.abs(other[:, 0] - one[:, -1])
     assert (step <= 1.5 * inner + 1e-3 * np.abs(one).max()).all()
@@ -55,9 +55,9 @@ def test_no_line_of_pixels_stands_out_at_the_horizon(
     altitude: float, sun_zenith: float, lit: Lit, tell: Callable[[str], None]
 ) -> None:
     # second path: the same moments integrated with eight times the points, ray by ray. Where the
-    # renderer's coarser march errs it must err alike from pixel to pixel: a stripe is a pixel
-    # whose relative error is far from the mean of its two neighbours'. No pixel looks just at the
-    # edge of the ground, where rounding alone would tell what it sees.
+    # renderer's coarser march has an error it must be alike from pixel to pixel: a stripe is a
+    # pixel whose relative error is far from the mean of its two neighbours'. No pixel points
+    # exactly at the edge of the ground, where rounding alone would decide.
     solution = lit()
     bottom = solution.medium.bottom_radius
     zenith, _ = look_at("horizon", altitude=altitude, sun_zenith=sun_zenith, bottom_radius=bottom)
@@ -91,7 +91,7 @@ def test_no_line_of_pixels_stands_out_at_the_horizon(
 
 @pytest.mark.parametrize("sun_zenith", [40.0, 95.0])
 def test_nothing_jumps_when_the_observer_leaves_the_air(sun_zenith: float, lit: Lit) -> None:
-    # continuity: over 2 cm at the top of the shell directions change by 1e-9, light not more
+    # continuity: over 2 cm at the top of the shell directions change by 1e-9, light by no more
     # than the square root of that at the shell's edge
     camera = Camera(projection="equirectangular", width=48, height=24, look_azimuth=10.0)
     below, above = (

@@ -26,7 +26,7 @@ CAMERAS = [
 
 
 def assert_sound(rgb: np.ndarray, what: str) -> None:
-    """Finite; X, Y, Z not below 0: single sRGB channels may be, outside the gamut."""
+    """Check that values are finite and X, Y, Z not below 0; sRGB may be, outside the gamut."""
     assert np.isfinite(rgb).all(), what
     xyz = rgb_to_xyz(rgb.astype(np.float64))
     # X, Y, Z of channels rounded to float32 may miss 0 by a few 1e-7 of the largest
@@ -56,7 +56,7 @@ def test_every_planet_is_finite_and_not_negative(planet: str, lit: Lit) -> None:
 
 @pytest.mark.parametrize("planet", ["earth", "mars"])
 def test_sixteen_wavelengths_give_colours_of_real_light(planet: str, lit: Lit) -> None:
-    # the spectrum between the wavelengths is interpolated: that must not go below 0 either
+    # the spectrum is interpolated between the wavelengths, which must not give values below 0
     solution = lit(planet, tuple(np.linspace(380.0, 780.0, 16)))
     for altitude in (0.0, 3e4, 4e5):
         for sun in (0.0, 85.0, 93.0, 97.0, 104.0, 110.0):
@@ -66,7 +66,7 @@ def test_sixteen_wavelengths_give_colours_of_real_light(planet: str, lit: Lit) -
 
 @pytest.mark.parametrize("altitude", [100_001.0, 4e5, 1e8])
 def test_lines_of_sight_that_miss_the_air_are_black(altitude: float, lit: Lit) -> None:
-    # law: nothing is there to scatter; the shell's edge is seen at asin(top/r)
+    # law: no air scatters; the shell's edge is seen at asin(top/r)
     camera = CAMERAS[2]
     scene = Scene(camera=camera, altitude=altitude, sun_zenith=140.0)
     rgb = render(lit(), scene).rgb

@@ -1,4 +1,4 @@
-"""What ``render`` promises as a whole: the solution's radiance in every pixel, on any machine."""
+"""Properties of ``render`` as a whole: the solution's radiance in every pixel, on any machine."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ CAMERAS = {
 def by_query(
     solution: MomentsSolution, scene: Scene, directions: np.ndarray, **settings: int
 ) -> np.ndarray:
-    """Second path: angles of the directions, asked of the solution, to linear sRGB."""
+    """Second path: radiance from the solution at the angles of the directions, as linear sRGB."""
     finer = MomentsSolution(
         solution.medium,
         dataclasses.replace(solution.settings, **settings),
@@ -70,7 +70,7 @@ def test_a_pixel_is_the_radiance_of_its_direction(
         f"render preview, {projection} from {altitude:g} m, sun {sun_zenith:g}: "
         f"median {np.median(error):.1e}, worst {error.max():.1e}"
     )
-    # preview marches with 8 points a leg; the solver's own bar for one case is 5 %
+    # preview marches with 8 points a leg; the solver's own tolerance for one case is 5 %
     assert_allclose(seen, expected, rtol=5e-2, atol=1e-4 * scale)
     assert np.median(error) < 3e-3
 
@@ -78,7 +78,7 @@ def test_a_pixel_is_the_radiance_of_its_direction(
 def test_the_picture_does_not_depend_on_the_number_of_threads(
     lit: Lit, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    # each block writes its own rows, and a row's arithmetic knows nothing of the others
+    # each block writes its own rows, and a row's arithmetic is independent of the others
     scene = Scene(camera=CAMERAS["perspective"], altitude=35e3, sun_zenith=88.0)
     pictures = []
     monkeypatch.setattr(sys.modules["airlight.render.render"], "_BLOCK_PIXELS", 48)

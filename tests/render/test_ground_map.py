@@ -1,4 +1,4 @@
-"""The map of the ground in a picture: the right way round, whole, without a seam."""
+"""Map of the ground in a picture: correctly oriented, complete, without a seam."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def mapped(lit: Lit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Mapped:
 
 
 def halves() -> np.ndarray:
-    """West of Greenwich red, east blue."""
+    """Map that is red west of Greenwich, blue east of it."""
     pixels = np.zeros((64, 128, 3))
     pixels[:, :64, 0] = 255
     pixels[:, 64:, 2] = 255
@@ -87,7 +87,7 @@ def test_a_grey_map_is_the_ground_of_that_albedo(mapped: Mapped, lit: Lit) -> No
 
 
 def test_the_map_has_no_seam_at_the_date_line(mapped: Mapped) -> None:
-    # law: a planet turned by half a turn under an observer moved along looks the same
+    # law: a planet turned by half a turn under an observer who moves along looks the same
     pixels = np.random.default_rng(3).integers(0, 256, (16, 32, 3))
     camera = Camera(width=48, height=32, field_of_view=80.0, look_zenith=180.0)
     here, there = (
@@ -102,7 +102,7 @@ def test_the_map_has_no_seam_at_the_date_line(mapped: Mapped) -> None:
 
 @pytest.mark.parametrize("latitude", [90.0, -90.0])
 def test_the_map_has_no_mark_at_the_poles(latitude: float, mapped: Mapped) -> None:
-    # law: a map of rings round a pole, lit from straight above it, looks the same when turned
+    # law: a map of rings around a pole, lit from straight above it, looks the same when turned
     rings = np.zeros((64, 128, 3)) + 40.0 + 3.0 * np.arange(64)[:, None, None]
     camera = Camera(width=33, height=33, field_of_view=40.0, look_zenith=180.0)
     scene = Scene(camera=camera, altitude=2e6, sun_zenith=0.0, latitude=latitude)
@@ -114,7 +114,7 @@ def test_the_map_has_no_mark_at_the_poles(latitude: float, mapped: Mapped) -> No
 
 
 def test_the_earth_s_map_keeps_the_solver_s_mean(lit: Lit) -> None:
-    # the solver's albedo of the ground is the mean of what the pixels show, roughly: the map has
+    # the solver's albedo of the ground is approximately the mean over the pixels: the map has
     # three colours, the albedo a spectrum
     solution = lit("earth")
     mean = surface_map("earth").mean_rgb

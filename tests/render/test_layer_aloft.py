@@ -1,4 +1,4 @@
-"""A thin layer high above the ground: neither the picture nor a query may step over it."""
+"""Thin layer high above the ground: neither the picture nor a query may step over it."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def layered() -> Planet:
 
 def test_a_picture_has_the_radiance_of_queries_under_a_layer(lit: Lit) -> None:
     # Second method: the query marches with more points. Without panels that end at the layer the
-    # picture was up to 30 % darker from the zenith to 76°, and leapt there.
+    # picture was up to 30 % darker from the zenith to 76°, and had a jump there.
     solution = lit(layered())
     camera = Camera(width=3, height=90, field_of_view=1.0, look_zenith=60.0, look_azimuth=90.0)
     rgb = render(solution, Scene(altitude=0.0, sun_zenith=60.0, camera=camera)).rgb[:, 1]
@@ -43,7 +43,7 @@ def test_a_picture_has_the_radiance_of_queries_under_a_layer(lit: Lit) -> None:
 
 
 def test_a_layer_has_the_column_that_its_profile_has(lit: Lit) -> None:
-    # An exact integral: scattering once, straight down from space onto black ground, is the sum
+    # An exact integral: single scattering, straight down from space onto black ground, is the sum
     # of slabs; here the share of the layer, whose optical depth is 1e-4 · 2 km.
     solution = lit(layered())
     through = solution.transmittance(altitude=30e3, view_zenith=180.0, distance=16e3)
@@ -60,7 +60,7 @@ def test_a_layer_has_the_column_that_its_profile_has(lit: Lit) -> None:
 
 def test_layer_edges_are_those_of_what_scatters_aloft() -> None:
     # The tent's own ends and top, to the samples' 50 m and the 1 % at which it counts as ended;
-    # nothing of what is densest at the ground, and nothing that scatters nothing.
+    # none from constituents that are densest at the ground, or do not scatter.
     rows = [exponential(8e3, 1e5), tent(22e3, 2e3, 1e5), tent(50e3, 5e3, 1e5)]
     found = layer_edges(DensitySegments.from_rows(rows), np.array([1e-5, 1e-4, 0.0]))
     assert_allclose(found, [20e3, 22e3, 24e3], atol=100.0)

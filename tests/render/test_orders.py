@@ -1,4 +1,4 @@
-"""Pictures of the light scattered once, and of the rest."""
+"""Pictures of light scattered once, and of the remaining light."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ def scene(altitude: float) -> Scene:
 
 @pytest.mark.parametrize("altitude", [2.0, 400e3])
 def test_single_and_multiple_light_make_all_light(earth: MomentsSolution, altitude: float) -> None:
-    # Light that was scattered once, and light scattered more often, is all the light there is;
-    # a point star has no disc. Float32: 5e-6 of the brightest.
+    # Light scattered once and light scattered more often add up to all light; a point star has no
+    # disc. Float32: 5e-6 of the brightest.
     one, more, whole = (
         render(earth, scene(altitude), orders=orders).rgb
         for orders in ("single", "multiple", "all")
@@ -64,6 +64,6 @@ def test_a_picture_of_single_light_is_the_radiance_of_the_first_order(
 
 
 def test_other_orders_are_refused(earth: MomentsSolution) -> None:
-    # The words are all that there is.
+    # The message lists all values.
     with pytest.raises(ParameterError, match="all, single, multiple"):
         render(earth, scene(2.0), orders="double")

@@ -1,4 +1,4 @@
-"""The colour of the sky in three directions."""
+"""Colour of the sky in three directions."""
 
 from __future__ import annotations
 
@@ -32,5 +32,5 @@ def test_under_twice_the_light_the_sky_is_twice_as_bright_and_of_the_same_colour
     x = np.array([color.chromaticity[0] for color in skies[0]])
     assert x[0] < 0.3
     assert x[0] < x[2]
-    # the code is of the colour shown: blue above red overhead
+    # the code is that of the displayed colour: blue above red overhead
     assert int(skies[0][0].code[5:], 16) > int(skies[0][0].code[1:3], 16)

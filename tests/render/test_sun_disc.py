@@ -1,4 +1,4 @@
-"""The star's disc: as much light as the star sends, where the star stands, cut by the planet."""
+"""Star's disc: its full irradiance, at the star's position, cut by the planet."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Starred = Callable[[float], Planet]
 
 
 def drawn(solution: MomentsSolution, scene: Scene, *, disc: bool) -> np.ndarray:
-    """A picture with or without the disc, in float64."""
+    """Draw a picture with or without the disc, in float64."""
     camera = scene.camera
     rgb = np.zeros((camera.height, camera.width, 3), np.float32)
     drawing = Drawing(solution, scene, disc=disc)
@@ -30,7 +30,7 @@ def drawn(solution: MomentsSolution, scene: Scene, *, disc: bool) -> np.ndarray:
 
 @pytest.fixture
 def disc() -> Callable[[MomentsSolution, Scene], np.ndarray]:
-    """What the disc adds to a picture."""
+    """Contribution of the disc to a picture."""
 
     def only(solution: MomentsSolution, scene: Scene) -> np.ndarray:
         return drawn(solution, scene, disc=True) - drawn(solution, scene, disc=False)
@@ -48,7 +48,7 @@ def solid_angles(camera: Camera, rows: slice = slice(None)) -> np.ndarray:
 
 
 def starlight(solution: MomentsSolution, scene: Scene) -> np.ndarray:
-    """The law: irradiance at the planet times transmittance, as linear sRGB."""
+    """Law for the total: irradiance at the planet times transmittance, as linear sRGB."""
     through = solution.transmittance(altitude=scene.altitude, view_zenith=scene.sun_zenith)
     received = np.asarray(through) * solution.medium.solar_irradiance
     return np.asarray(
@@ -66,9 +66,9 @@ def test_a_disc_of_many_pixels_sends_the_star_s_irradiance(
     solution = lit(with_star(radius))
     added = disc(solution, scene)
     total = (added * solid_angles(camera)[..., None]).sum(axis=(0, 1))
-    # the rim is sampled 16 times a pixel, the disc's area to 0.1 %; the air's change over it less
+    # the rim is sampled 16 times a pixel, the disc's area to 0.1 %; the air varies less over it
     assert_allclose(total, starlight(solution, scene), rtol=1e-2)
-    # limb darkening is left out: the disc is as bright in the middle as on the average
+    # limb darkening is left out: the centre of the disc has its mean brightness
     middle = added[31:33, 31:33].mean(axis=(0, 1)) * 4.0 * np.pi
     assert_allclose(
         middle * np.sin(np.radians(0.5 * radius)) ** 2, starlight(solution, scene), rtol=1e-2
@@ -89,7 +89,7 @@ def test_a_disc_of_few_pixels_keeps_its_energy(
     disc: Callable[..., np.ndarray], tell: Callable[[str], None],
 ) -> None:  # fmt: skip
     # a twelfth of the rim's pixels changes with each of 5 x 5 samples a pixel; a disc of a pixel or
-    # less is shared out by solid angle, which the test measures in the same way
+    # less is distributed by solid angle, which the test measures in the same way
     solution = lit(with_star(0.2678))
     side = round(90 * pixels_per_degree)
     size = {"equirectangular": (4 * side, 2 * side), "cubemap": (6 * side, side)}.get(

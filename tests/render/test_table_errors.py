@@ -18,7 +18,7 @@ Lit = Callable[..., MomentsSolution]
 
 @pytest.fixture(scope="module")
 def planets() -> dict[object, Planet]:
-    """One of a kind, so that none is solved twice."""
+    """Planets, one of a kind, so that none is solved twice."""
     made: dict[object, Planet] = {}
     for case in CASES.values():
         key = (case.planet, case.changes)
@@ -31,9 +31,9 @@ def planets() -> dict[object, Planet]:
 def test_a_picture_from_the_table_is_the_marched_one(
     name: str, lit: Lit, planets: dict[object, Planet], tell: Callable[[str], None]
 ) -> None:
-    # The second method: a march for each pixel. 0.5 % of the radiance in the median and 2/255 of
-    # what is shown are what docs/pictures.md promises; its table has what is measured, 0.014 % at
-    # most, so that 0.1 % is where something has gone wrong.
+    # The second method: a march for each pixel. docs/pictures.md promises 0.5 % of the radiance in
+    # the median and 2/255 of the displayed values; its table has the measured errors, 0.014 % at
+    # most, so that 0.1 % indicates a fault.
     case = CASES[name]
     planet = planets[case.planet, case.changes]
     found = errors(lit(planet, NM), case.scene(planet))

@@ -1,1 +1,1 @@
-"""From a planet and a scene to a frame: who solves, who draws, at which wavelengths."""
+"""From a planet and a scene to a frame: choice of solver, renderer and wavelengths."""

@@ -1,4 +1,4 @@
-"""The device that draws a picture, and the reason why it is not the one asked for."""
+"""Device that draws a picture, and the reason if it is not the requested one."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from airlight.gpu.device.device import Device
     from airlight.planets.planet import Planet
 
-#: Who is asked to draw.
+#: Requested renderer.
 Choice = Literal["auto", "cpu", "gpu"]
 
 
@@ -20,12 +20,12 @@ def drawing_device(
     width: int,
     refused: Callable[[str], None] | None = None,
 ) -> Device | None:
-    """Device that can draw a picture, or None for the processor.
+    """Device that can draw a picture, or None for the CPU.
 
     Parameters
     ----------
     choice : "auto", "cpu" or "gpu"
-        ``auto`` takes no device in software, and refuses silently; ``gpu`` takes either.
+        ``auto`` takes no software device, and falls back silently; ``gpu`` takes either.
     planet : Planet
         Planet whose constituents the shaders must hold.
     wavelengths : int
@@ -33,7 +33,7 @@ def drawing_device(
     width : int
         Width of the picture. [pixel]
     refused : callable, optional
-        Receives the reason, one line, where ``gpu`` has to leave the work to the processor.
+        Receives the reason, one line, where ``gpu`` has to leave the work to the CPU.
     """
     if choice == "cpu":
         return None

@@ -1,4 +1,4 @@
-"""``paint_scene``: a planet and a scene become a frame, on the processor or on a device."""
+"""``paint_scene``: a planet and a scene become a frame, on the CPU or on a device."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ if TYPE_CHECKING:
     from airlight.planets.planet import Planet
     from airlight.scene import Scene
 
-#: The frame's ``device`` where no other draws.
+#: The frame's ``device`` where the CPU draws.
 PROCESSOR: Final = "processor"
-#: Fewest wavelengths that have colours.
+#: Smallest number of wavelengths that gives colours.
 FEWEST: Final = 3
 
 
@@ -37,46 +37,47 @@ def paint_scene(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Frame:
-    """Solve a planet and draw what a camera sees of it.
+    """Solve a planet and draw a camera's view of it.
 
     Parameters
     ----------
     planet : Planet
+        Planet to solve.
     scene : Scene
         Observer, star and camera.
     wavelengths : sequence of float, optional
-        At least three. By default sixteen over the visible; on a device the four that show colours
-        best, with a matrix fitted to the star. [nm]
+        Wavelengths, at least three. By default sixteen over the visible; on a device the four that
+        reproduce colours best, with a matrix fitted to the star. [nm]
     quality : str
-        As for ``airlight.solve``.
+        Quality as for ``airlight.solve``.
     device : "cpu", "gpu" or "auto"
-        ``gpu`` leaves to the processor what the device has no room for; ``auto`` takes a device
-        where there is a real one.
+        ``gpu`` leaves to the CPU what exceeds the capacity of the device; ``auto`` takes a device
+        if it is a hardware GPU.
     exact : bool
         Whether each pixel is marched, instead of read from a table of the sky.
     orders : str
-        As for ``airlight.render``.
+        Orders as for ``airlight.render``.
     cache : bool
-        Whether the processor looks for the solution on disk first, and leaves it there.
+        Whether the CPU looks for the solution on disk first, and stores it there.
     refused : callable, optional
-        Receives the reason, one line, where ``gpu`` has to leave the work to the processor.
+        Receives the reason, one line, where ``gpu`` has to leave the work to the CPU.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
     Returns
     -------
     Frame
-        Linear sRGB radiance; its metadata name the device.
+        Linear sRGB radiance [W m⁻² sr⁻¹]; its metadata name the device.
 
     Raises
     ------
     ParameterError
-        If there are fewer than three wavelengths, or one is outside what the planet covers; if
-        there is no such quality or order.
+        If there are fewer than three wavelengths, or one is outside the planet's range; if the
+        quality or the orders are unknown.
     ConvergenceError
         If the orders of scattering do not converge.
     Cancelled
-        If ``cancel`` said so.
+        If ``cancel`` requested it.
 
     Examples
     --------

@@ -1,9 +1,9 @@
-"""Who solves a planet: one policy for command line, window, notebook and page.
+"""Choice of the solver of a planet: one policy for command line, window, notebook and page.
 
-A graphics device solves where it is a real one and has room: at most four wavelengths, clear or
-dusty air. The processor solves all else: thick air, many wavelengths and constituents, and
-everything where the device is software, which would share the processor that solves by itself more
-quickly. Edits are many, and few come back: what is solved for them is not kept on disk.
+A graphics device solves if it is a hardware GPU and has the capacity: at most four wavelengths,
+clear or dusty air. The CPU solves all other cases: thick air, many wavelengths and constituents,
+and everything where the device is software, which would share the CPU, whose own solver is faster.
+Edits are many, and few recur: their solutions are not stored on disk.
 """
 
 from __future__ import annotations
@@ -26,12 +26,12 @@ if TYPE_CHECKING:
     from airlight.gpu.device.device import Device
     from airlight.solvers.moments.solution import MomentsSolution
 
-#: Who is asked to compute.
+#: Requested solver.
 Processor = Literal["auto", "gpu", "cpu"]
 
 
 class PlanetSolver(Protocol):
-    """What solves for a session: ``solver(planet, wavelengths, quality, progress=, cancel=)``."""
+    """Solver of a session: ``solver(planet, wavelengths, quality, progress=, cancel=)``."""
 
     def __call__(
         self,
@@ -42,7 +42,7 @@ class PlanetSolver(Protocol):
         progress: Progress,
         cancel: Cancel,
     ) -> MomentsSolution:
-        """The solution."""
+        """Solve a planet at these wavelengths and quality."""
 
 
 def solve_planet(
@@ -55,32 +55,34 @@ def solve_planet(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> MomentsSolution:
-    """Solve a planet for pictures, on a device where that is quicker.
+    """Solve a planet for pictures, on a device where that is faster.
 
     Parameters
     ----------
     planet : Planet
+        Planet to solve.
     wavelengths : array, shape (nl,), optional
-        ``picture_wavelengths`` without it. [nm]
+        Wavelengths; by default ``picture_wavelengths``. [nm]
     quality : str or Settings
-        As for ``airlight.solve``.
+        Quality as for ``airlight.solve``.
     device : Device, optional
-        From ``open_device``; without it the processor solves.
+        Device from ``open_device``; without it the CPU solves.
     cache : bool
-        Whether the processor looks for the solution on disk first, and leaves it there.
+        Whether the CPU looks for the solution on disk first, and stores it there.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
     Returns
     -------
     MomentsSolution
+        Solution from the device or the CPU.
 
     Raises
     ------
     ParameterError
-        If a wavelength is outside what the planet's file covers, or there is no such quality.
+        If a wavelength is outside the range of the planet's file, or the quality is unknown.
     ConvergenceError
-        If the orders of scattering do not converge on the processor either.
+        If the orders of scattering do not converge on the CPU either.
     """
     if wavelengths is None:
         wavelengths = picture_wavelengths(planet, most=None if device is None else LIVE)
@@ -103,25 +105,27 @@ def solve_planet(
 
 
 def live_solver(processor: Processor = "auto", device: Device | None = None) -> PlanetSolver:
-    """What solves the edits of a session.
+    """Make the solver for the edits of a session.
 
     Parameters
     ----------
     processor : str
-        ``cpu`` leaves a device alone; ``auto`` and ``gpu`` take it where it is a real one.
+        ``cpu`` ignores a device; ``auto`` and ``gpu`` take it if it is a hardware GPU.
     device : Device, optional
-        At hand.
+        Device from ``open_device``, if any.
     """
     return partial(solve_planet, device=None if processor == "cpu" else device, cache=False)
 
 
 def fits(planet: Planet, wavelengths: int) -> bool:
-    """Whether the shaders have room for a planet at so many wavelengths.
+    """Whether the shaders have the capacity for a planet and a number of wavelengths.
 
     Parameters
     ----------
     planet : Planet
+        Planet whose constituents the shaders must hold.
     wavelengths : int
+        Number of wavelengths.
     """
     try:
         check_room(planet, wavelengths)
@@ -131,13 +135,14 @@ def fits(planet: Planet, wavelengths: int) -> bool:
 
 
 def check_room(planet: Planet, wavelengths: int) -> None:
-    """Refuse what the shaders have no room for.
+    """Refuse a planet that exceeds the capacity of the shaders.
 
     Parameters
     ----------
     planet : Planet
+        Planet whose constituents the shaders must hold.
     wavelengths : int
-        How many.
+        Number of wavelengths.
 
     Raises
     ------

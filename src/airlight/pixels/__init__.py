@@ -1,1 +1,1 @@
-"""The light of pixels: line march, table of the sky, ground, star's disc. No device, no files."""
+"""Light of pixels: line march, table of the sky, ground, star's disc. No device, no files."""

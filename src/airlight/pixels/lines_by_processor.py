@@ -1,4 +1,4 @@
-"""Lines of sight as the processor marches them: packets of neighbours, all wavelengths at once."""
+"""Lines of sight marched on the CPU: packets of neighbours, all wavelengths at once."""
 
 from __future__ import annotations
 
@@ -11,16 +11,18 @@ from airlight.solvers.moments.source import reflected
 
 @inlined
 def aim(p, mu, sine, cos_azimuth, to_ground, observer, shown, packet):
-    """Make a line of sight the line ``p`` of a packet.
+    """Set line ``p`` of a packet to a line of sight.
 
     Parameters
     ----------
     p : int
+        Index of the line in the packet.
     mu, sine, cos_azimuth, to_ground : float, float, float, bool
-        As in ``look``.
+        Arguments of ``look``.
     observer, shown : Observer, Shown
+        Observer, and tables of the solution.
     packet : Packet
-        Of ``march``.
+        Packet of ``march``.
     """
     r, start_mu, start_mu_s, nu, length = line_of_sight(
         mu, sine, cos_azimuth, to_ground, observer, shown
@@ -36,16 +38,16 @@ def ground_behind(p, sine, cos_azimuth, observer, shown, light, packet, work, gr
     Parameters
     ----------
     p, sine, cos_azimuth, observer, shown, packet :
-        As in ``aim``.
+        Arguments of ``aim``.
     light, work : Light, Workspace
-        As in ``march``.
+        Arguments of ``march``.
     ground : array, shape (w,)
         Receives the radiance. [sr⁻¹]
 
     Returns
     -------
     float
-        Angle by which the line has been bent. [rad]
+        Angle of refraction along the line. [rad]
     """
     total = work.total[p]
     mu_s, angle = star_on_ground(

@@ -1,8 +1,8 @@
-"""The march of one line of sight, for a processor that runs one line a thread.
+"""March along one line of sight, for a device that runs one line a thread.
 
-The same edges, points and sources as ``solvers.moments.march``, panel by panel, so that only one
-panel's points are kept. Written in restricted Python: the emitter makes WGSL of it, Numba runs it
-in the tests.
+It has the same edges, points and sources as ``solvers.moments.march``, panel by panel, so that
+only the points of one panel are stored. It is restricted Python: the emitter translates it to
+WGSL, Numba runs it in the tests.
 """
 
 from __future__ import annotations
@@ -39,33 +39,33 @@ from airlight.solvers.moments.sweep import place_of
 from airlight.tables.column_ratios import columns_to_top
 from airlight.tables.columns import THICK, cut_at_corners, density_place
 
-#: Points of a panel at most, and harmonics of degree 24.
+#: Largest number of points of a panel, and number of harmonics up to degree 24.
 MOST_POINTS = 24
 MOST_TERMS = 325
 _ROOM = MOST_CONSTITUENTS * MOST_POINTS
-#: Lines that are cut so often need fewer points a panel.
+#: Numbers of edges beyond which a line needs fewer points a panel.
 SOME_EDGES = 6
 MANY_EDGES = 10
 
 
 @inlined
 def panel_columns(rule, light, amounts, before, columns):
-    """Columns up to each point of a panel, and over all of it: added to ``before``. [m]
+    """Columns up to each point of a panel, added to ``before``, and over the whole panel. [m]
 
-    ``amounts`` holds density times weight of each point, constituent by constituent.
+    ``amounts`` holds density times weight of each point, one constituent after another.
 
     Parameters
     ----------
     rule : int
-        Where the quadrature begins in ``light.rules``.
+        Start of the quadrature in ``light.rules``.
     light : Shown
-        The solution.
+        Tables of the solution.
     amounts : array, shape (c·p,)
         Density times weight. [m]
     before : array, shape (c,)
-        Columns up to the panel; becomes those up to its end. [m]
+        Columns up to the panel; updated to those up to its end. [m]
     columns : array, shape (c·p,)
-        Written. [m]
+        Receives the columns. [m]
     """
     n = int(light.rules[rule])
     for c in range(light.constituents):
@@ -81,20 +81,20 @@ def panel_columns(rule, light, amounts, before, columns):
 
 @inlined
 def place_panel(r, mu, start, end, length, rule, light, distance, radius, weight, density):
-    """Points of a panel: where they are [m], their weight [m] and the densities there. [1]
+    """Points of a panel: positions [m], weights [m] and densities [1].
 
     Parameters
     ----------
     r, mu : float
         Radius of the line's start [m]; cosine of its zenith angle there. [1]
     start, end, length : float
-        Of the panel, and the line's length; from the line's start. [m]
+        Start and end of the panel, from the line's start, and length of the line. [m]
     rule, light : int, Shown
-        As in ``panel_columns``.
+        Arguments of ``panel_columns``.
     distance, radius, weight : array, shape (p,)
-        Written: from the line's start, from the planet's centre, of a point. [m]
+        Receive the distances from the line's start, the radii and the weights. [m]
     density : array, shape (c·p,)
-        Written. [1]
+        Receives the densities. [1]
     """
     n = int(light.rules[rule])
     descending, low, beside, first, last = panel_leg(r, mu, start, end, length)
@@ -113,26 +113,27 @@ def place_panel(r, mu, start, end, length, rule, light, distance, radius, weight
 
 @inlined
 def columns_along(r, mu, edges, count, rule, light, totals, cuts):
-    """Columns of a whole line, and where it reaches optical depths of 0.5, 3 and 12. [m]
+    """Columns of a whole line, and distances of optical depths 0.5, 3 and 12. [m]
 
     Parameters
     ----------
     r, mu : float
-        As in ``place_panel``.
+        Arguments of ``place_panel``.
     edges : array, shape (MAX_EDGES,)
         Ends of the panels, of which the first ``count`` are used. [m]
     count : int
+        Number of edges.
     rule, light : int, Shown
-        As in ``panel_columns``.
+        Arguments of ``panel_columns``.
     totals : array, shape (c,)
-        Written: the columns. [m]
+        Receives the columns. [m]
     cuts : array, shape (3,)
-        Written: distances from the line's start; 0 for a depth that is not reached. [m]
+        Receives the distances from the line's start; 0 for a depth that is not reached. [m]
 
     Returns
     -------
     float
-        The largest optical depth of any wavelength. [1]
+        Largest optical depth of any wavelength. [1]
     """
     distance, radius, weight = np.empty(MOST_POINTS), np.empty(MOST_POINTS), np.empty(MOST_POINTS)
     density = np.empty(_ROOM)
@@ -172,25 +173,25 @@ def march_line(r, mu, mu_s, nu, length, orders, gathers, peaks, phase, light, to
     Parameters
     ----------
     r, mu : float
-        Start, inside the shell, and zenith cosine. [m], [1]
+        Radius of the start, inside the shell, and zenith cosine. [m], [1]
     mu_s, nu : float
         Cosines of the star's zenith angle at the start, and between line and star. [1]
     length : float
-        To the ground or to the top. [m]
+        Length, to the ground or to the top. [m]
     orders : int
-        1: the star's light scattered once; 0: all the rest; 2: both.
+        1: the star's light scattered once; 0: all other light; 2: both.
     gathers, peaks : bool
-        Constants: whether light scattered before is asked for, and whether the peaked
-        constituents are, without their phase functions.
+        Constants: whether light scattered before is added, and whether the peaked constituents
+        are, without their phase functions.
     phase : array, shape (nc·w,)
-        Phase functions; 0 for what is kept apart. [sr⁻¹]
+        Phase functions; 0 for constituents kept separate. [sr⁻¹]
     light : Shown
-        The solution.
+        Tables of the solution.
     totals : array, shape (nc,)
         Receives the columns of the stretch. [m]
     result : array, shape (4·w,)
-        Receives the air's radiance [sr⁻¹], its transmittance [1], and what the two peaked
-        constituents scatter once, without their phase functions [1].
+        Receives the air's radiance [sr⁻¹], its transmittance [1], and the single scattering by
+        the two peaked constituents, without their phase functions [1].
     """
     bottom, top = light.bottom, light.top
     edges = np.empty(MAX_EDGES)
@@ -314,13 +315,18 @@ def march_line(r, mu, mu_s, nu, length, orders, gathers, peaks, phase, light, to
 
 @inlined
 def ground_received(mu_s, orders, light, room):
-    """Irradiance of level ground, per irradiance of the star, into ``room``; ``orders`` as above.
+    """Irradiance of level ground, per irradiance of the star, into ``room``.
 
     Parameters
     ----------
     mu_s : float
         Cosine of the star's zenith angle on the ground. [1]
+    orders : int
+        Orders as in ``march_line``.
+    light : Shown
+        Tables of the solution.
     room : array, shape (w,)
+        Receives the irradiance. [1]
     """
     bottom, top = light.bottom, light.top
     below, above = np.empty(MOST_CONSTITUENTS), np.empty(MOST_CONSTITUENTS)

@@ -1,4 +1,4 @@
-"""How finely pictures march: points of a panel and panels of a leg, by a solution's quality."""
+"""Resolution of the march of pictures: points of a panel, panels of a leg, by quality."""
 
 from __future__ import annotations
 
@@ -8,33 +8,34 @@ from airlight.solvers.moments.solution import MomentsSolution
 
 
 class MarchPoints(NamedTuple):
-    """How finely a picture marches.
+    """Resolution of the march of a picture.
 
     Attributes
     ----------
     points : tuple of int
-        Of a panel: for steep stretches by day, for most, for those that graze the ground.
+        Points of a panel: for steep stretches by day, for most, for those that graze the ground.
     panels : int
-        Of a leg.
+        Number of panels of a leg.
     """
 
     points: tuple[int, int, int]
     panels: int
 
 
-#: A pixel needs less than a query. Shaders march so too, but for devices in software.
+#: Resolution for pixels, which need less than queries; also that of shaders except in software.
 FEW: Final = MarchPoints((8, 12, 24), 1)
-#: Of fine solutions.
+#: Resolution for fine solutions.
 MANY: Final = MarchPoints((20, 20, 24), 2)
-#: By the panels a leg of the solution's own march.
+#: Resolution by the panels per leg of the solution's own march.
 BY_PANELS: Final = {1: FEW, 2: FEW}
 
 
 def march_points(solution: MomentsSolution) -> MarchPoints:
-    """Points for pictures of a solution: as few as its own grid allows.
+    """Resolution for pictures of a solution, as low as its own grid allows.
 
     Parameters
     ----------
     solution : MomentsSolution
+        Solution of the planet.
     """
     return BY_PANELS.get(solution.settings.march_panels, MANY)

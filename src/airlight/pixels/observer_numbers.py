@@ -1,4 +1,4 @@
-"""What shaders are told of an observer and a star, as plain numbers: for hosts in any language."""
+"""Uniforms of an observer and a star, as plain numbers, for hosts in any language."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ import math
 def observer_numbers(
     r: float, bottom: float, sun_x: float, sun_y: float, seen: float, star_radius: float
 ) -> tuple[float, float, float, float, float]:
-    """The uniforms of an observer and a star that follow from where they stand.
+    """Uniforms of an observer and a star that follow from their positions.
 
     Parameters
     ----------
     r, bottom : float
         Optical radii of observer and ground. [m]
     sun_x, sun_y : float
-        Level parts of the direction towards the star. [1]
+        Horizontal components of the direction towards the star. [1]
     seen : float
-        Cosine of the zenith angle at which the star is seen. [1]
+        Cosine of the apparent zenith angle of the star. [1]
     star_radius : float
         Angular radius of the star. [rad]
 
@@ -26,7 +26,7 @@ def observer_numbers(
     horizon_mu, horizon_sine : float
         Cosine and sine of the horizon's zenith angle. [1]
     sun_level, seen_x : float
-        Level part of the direction towards the star, and of that in which it is seen. [1]
+        Horizontal component of the true and of the apparent direction of the star. [1]
     disc : float
         Radiance of the star's disc per irradiance; 0 for a point. [sr⁻¹]
 

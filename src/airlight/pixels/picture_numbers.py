@@ -1,4 +1,4 @@
-"""The numbers that the shaders get of a scene, a display and the orders of scattering."""
+"""Uniforms of the shaders from a scene, a display and the orders of scattering."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ from airlight.solvers.moments.solution import MomentsSolution
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: What ``orders`` may be, as the shaders count them.
+#: Values of ``orders``, with their numbers in the shaders.
 ORDERS: Final = {"all": 2, "single": 1, "multiple": 0}
-#: Choices that are made for a whole picture.
+#: Choices that are fixed for a whole picture.
 CHOICES: Final = (
     "projection", "tone_map", "encoding", "outside", "mapped", "draws_disc", "first_peak",
     "second_peak",
 )  # fmt: skip
-#: What may change without a new table of the sky.
+#: Uniforms that may change without a new table of the sky.
 NOT_THE_SKYS: Final = (
     "width", "height", "field_of_view", "projection", "pixel_angle", "disc", "exact", "mapped",
     "map_levels", "draws_disc", "exposure", "tone_map", "encoding", "first_row",
@@ -42,7 +42,20 @@ NOT_THE_SKYS: Final = (
 
 
 def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
-    """The uniforms of observer, star and camera."""
+    """Uniforms of observer, star and camera.
+
+    Parameters
+    ----------
+    scene : Scene
+        Observer, star and camera.
+    solution : MomentsSolution
+        Solution of the planet.
+
+    Returns
+    -------
+    dict
+        Values by name.
+    """
     camera, medium = scene.camera, solution.paths.medium
     true_r = solution.medium.bottom_radius + scene.altitude
     r = float(solution.paths.optical_radius(np.array(true_r)))
@@ -80,7 +93,13 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
 
 
 def observer_from(numbers: Mapping[str, float]) -> Observer:
-    """Who looks, from the numbers of a scene and of the orders of scattering."""
+    """Observer, from the numbers of a scene and of the orders of scattering.
+
+    Parameters
+    ----------
+    numbers : mapping
+        Numbers by name.
+    """
     values: dict[str, Any] = {name: float(numbers[name]) for name in Observer._fields}
     values["outside"] = bool(values["outside"])
     values["orders"] = int(values["orders"])
@@ -93,17 +112,18 @@ def screen_from(
     ground: tuple[FloatArray, Float32Array] | None,
     layers: SkyLayers,
 ) -> Screen:
-    """The camera, the ground's map and the table of the sky, as the processor reads them.
+    """Camera, ground map and table of the sky, as the CPU reads them.
 
     Parameters
     ----------
     numbers : mapping
-        Of the scene, and whether the star's disc is drawn.
+        Numbers of the scene, and whether the star's disc is drawn.
     camera : Camera
+        Camera of the scene.
     ground : tuple of arrays
-        From ``SurfaceMap.flat``; None without a map.
+        Map from ``SurfaceMap.flat``; None without a map.
     layers : SkyLayers
-        Of a window of the table, which knows its own sizes.
+        Layers of a window of the table, which has its own sizes.
     """
     levels, texels = ground or (np.zeros((1, 3)), np.zeros(3, np.float32))
     values: dict[str, Any] = {
@@ -130,7 +150,22 @@ def screen_from(
 
 
 def display_numbers(exposure: float, tone_map: str, encoding: str | None) -> dict[str, float]:
-    """The uniforms of exposure [EV], tone map and encoding; None for a target that encodes."""
+    """Uniforms of exposure, tone map and encoding.
+
+    Parameters
+    ----------
+    exposure : float
+        Exposure. [EV]
+    tone_map : str
+        Name from ``TONE_MAPS``.
+    encoding : str or None
+        Name from ``ENCODINGS``; None for a target that encodes by itself.
+
+    Raises
+    ------
+    ParameterError
+        If a name is unknown.
+    """
     if tone_map not in TONE_MAPS:
         raise ParameterError("tone_map", tone_map, ", ".join(TONE_MAPS))
     if encoding is not None and encoding not in ENCODINGS:
@@ -143,7 +178,18 @@ def display_numbers(exposure: float, tone_map: str, encoding: str | None) -> dic
 
 
 def order_number(orders: str) -> float:
-    """The orders of scattering, as the shaders count them."""
+    """Orders of scattering, as the shaders number them.
+
+    Parameters
+    ----------
+    orders : str
+        Name from ``ORDERS``.
+
+    Raises
+    ------
+    ParameterError
+        If the name is unknown.
+    """
     if orders not in ORDERS:
         raise ParameterError("orders", orders, ", ".join(ORDERS))
     return float(ORDERS[orders])

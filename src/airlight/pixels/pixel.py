@@ -1,4 +1,4 @@
-"""The light of one pixel: from the table of the sky or by a march of its own, to linear sRGB."""
+"""Light of one pixel, from the table of the sky or by its own march, to linear sRGB."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from airlight.tables.column_ratios import columns_to_top
 
 
 class Screen(NamedTuple):
-    """The camera, the ground's map and the table of the sky; names as in ``gpu.uniforms``."""
+    """Camera, ground map and table of the sky; names as in ``gpu.picture.uniforms``."""
 
     width: float
     height: float
@@ -64,16 +64,16 @@ class Screen(NamedTuple):
 
 
 class Display(NamedTuple):
-    """How light is shown; names as in ``gpu.uniforms``.
+    """Conversion of light for a display; names as in ``gpu.picture.uniforms``.
 
     Attributes
     ----------
     exposure : float
-        Factor. [1]
+        Factor of the exposure. [1]
     tone_map : int
-        Place in ``TONE_MAPS``.
+        Index in ``TONE_MAPS``.
     encoding : int
-        Place in ``ENCODINGS``; -1 for a target that encodes by itself.
+        Index in ``ENCODINGS``; -1 for a target that encodes by itself.
     """
 
     exposure: float
@@ -83,18 +83,19 @@ class Display(NamedTuple):
 
 @inlined
 def displayed(red, green, blue, display):
-    """What a display shows of linear light: exposed, tone-mapped and encoded. [1]
+    """Displayed values of linear light: exposed, tone-mapped and encoded. [1]
 
     Parameters
     ----------
     red, green, blue : float
         Linear sRGB. [W m⁻² sr⁻¹]
     display : Display
+        Exposure, tone map and encoding.
 
     Returns
     -------
     red, green, blue : float
-        [1]
+        Encoded values. [1]
     """
     red, green, blue = tone_mapped(
         display.tone_map, red * display.exposure, green * display.exposure, blue * display.exposure
@@ -110,14 +111,14 @@ def displayed(red, green, blue, display):
 
 @kernel
 def texel_before(coordinate, first, last):
-    """The texel before a coordinate, and the share of the way to the next.
+    """Texel before a coordinate, and fraction of the distance to the next.
 
     Parameters
     ----------
     coordinate : float
-        Counted in texels; held between the first and the last. [1]
+        Coordinate in texels; clamped between the first and the last. [1]
     first, last : int
-        Of the texels that there are.
+        Indices of the existing texels.
 
     Examples
     --------
@@ -131,18 +132,18 @@ def texel_before(coordinate, first, last):
 
 @inlined
 def between_texels(table, near, stride, right, down, lanes, at):
-    """What a layer of the table of the sky holds between four of its texels.
+    """Value of a layer of the table of the sky between four of its texels.
 
     Parameters
     ----------
     table : array
-        The layer, of fourth roots.
+        Layer of fourth roots.
     near, stride : int
-        First of the four texels, and how many there are in a row.
+        Index of the first of the four texels, and number of texels in a row.
     right, down : float
-        Shares of the way to the next texel and to the next row. [1]
+        Fractions of the distance to the next texel and to the next row. [1]
     lanes, at : int
-        Lanes of a texel, and the first of those that are read.
+        Number of lanes of a texel, and index of the first that is read.
     """
     e, f = np.float32(right), np.float32(down)
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
@@ -167,10 +168,11 @@ def phase_of(half_sine, constituent, light, lanes, at):
     half_sine : float
         sin(θ/2). [1]
     constituent : int
+        Index of the constituent.
     light : Shown
-        The solution.
+        Tables of the solution.
     lanes, at : int
-        As in ``between_texels``.
+        Arguments of ``between_texels``.
     """
     u = half_sine * (light.phase_nodes - 1)
     node = min(int(u), light.phase_nodes - 2)
@@ -187,11 +189,11 @@ def air_between(near, stride, right, down, half_sine, screen, light, lanes, at):
     Parameters
     ----------
     near, stride, right, down, lanes, at :
-        As in ``between_texels``.
+        Arguments of ``between_texels``.
     half_sine : float
-        sin(θ/2) of the angle to where the star is seen. [1]
+        sin(θ/2) of the angle to the apparent star. [1]
     screen, light : Screen, Shown
-        The table and the solution.
+        Table of the sky, and tables of the solution.
     """
     total = between_texels(screen.sky_air, near, stride, right, down, lanes, at)
     if light.first_peak >= 0:
@@ -207,20 +209,21 @@ def air_between(near, stride, right, down, half_sine, screen, light, lanes, at):
 
 @inlined
 def sight(x, y, z, observer, light):
-    """What a line of sight passes, and its row in the table of the sky.
+    """Classify a line of sight, and find its row in the table of the sky.
 
     Parameters
     ----------
     x, y, z : float
-        Direction in the observer's frame; zero for none. [1]
+        Direction in the observer's frame; zero vector for none. [1]
     observer, light : Observer, Shown
+        Observer, and tables of the solution.
 
     Returns
     -------
     sine, row : float
-        Of its zenith angle; coordinate of its row in its half of the table. [1]
+        Sine of its zenith angle; coordinate of its row in its half of the table. [1]
     through_air, to_ground : bool
-        Whether it passes air, and whether it ends on the ground.
+        Whether it passes through air, and whether it ends on the ground.
     """
     sine = sqrt(x * x + y * y)
     shown = x != 0.0 or y != 0.0 or z != 0.0
@@ -236,15 +239,16 @@ def sight(x, y, z, observer, light):
 
 @inlined
 def bent_to_ground(z, sine, observer, light, columns):
-    """Angle by which a line of sight that ends on the ground has been bent. [rad]
+    """Angle of refraction of a line of sight that ends on the ground. [rad]
 
     Parameters
     ----------
     z, sine : float
         Cosine and sine of its zenith angle. [1]
     observer, light : Observer, Shown
+        Observer, and tables of the solution.
     columns : array, shape (nc,)
-        Scratch. [m]
+        Workspace. [m]
     """
     bottom, top = light.bottom, light.top
     impact = min(observer.r * sine, bottom)
@@ -259,15 +263,16 @@ def bent_to_ground(z, sine, observer, light, columns):
 
 @inlined
 def ground_color(x, y, z, sine, angle, observer, screen, light, color):
-    """Colour of the map where a line of sight ends, into ``color`` (3,). [1]
+    """Colour of the map at the end of a line of sight, into ``color`` (3,). [1]
 
     Parameters
     ----------
     x, y, z : float
         Direction in the observer's frame. [1]
     sine, angle : float
-        Of its zenith angle [1]; by which it has been bent. [rad]
+        Sine of its zenith angle [1]; angle of refraction [rad].
     observer, screen, light : Observer, Screen, Shown
+        Observer, camera with its maps, and tables of the solution.
     color : array, shape (3,)
         Receives linear sRGB reflectance. [1]
     """
@@ -289,16 +294,18 @@ def ground_color(x, y, z, sine, angle, observer, screen, light, color):
 
 @inlined
 def reflectance(color, mapped, light, lanes, at):
-    """Reflectance of the ground: of a colour of the map, or the solver's albedo. [1]
+    """Reflectance of the ground: that of a colour of the map, or the solver's albedo. [1]
 
     Parameters
     ----------
     color : array, shape (3,)
         Linear sRGB reflectance. [1]
     mapped : bool
+        Whether the ground has a map.
     light : Shown
+        Tables of the solution.
     lanes, at : int
-        As in ``between_texels``.
+        Arguments of ``between_texels``.
     """
     if not mapped:
         return load(light.albedo, at)
@@ -310,15 +317,18 @@ def reflectance(color, mapped, light, lanes, at):
 
 @inlined
 def pixel_light(px, py, exact, observer, screen, light, result):
-    """Spectral light of a pixel, per irradiance of the star, into ``result`` (w,). [sr⁻¹]
+    """Spectral light of a pixel, per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
     px, py : float
-        From the picture's left and top edge. [pixel]
+        Position from the picture's left and top edge. [pixel]
     exact : bool
-        Constant: a march for the pixel itself instead of the table of the sky.
+        Constant: whether the pixel is marched instead of read from the table of the sky.
     observer, screen, light : Observer, Screen, Shown
+        Observer, camera with its maps, and tables of the solution.
+    result : array, shape (w,)
+        Receives the radiance. [sr⁻¹]
     """
     color = np.empty(3)
     columns = np.empty(MOST_CONSTITUENTS)

@@ -1,4 +1,4 @@
-"""Rows of pixels by the processor: from the table of the sky, or each pixel by its own march."""
+"""Rows of pixels on the CPU: from the table of the sky, or each pixel by its own march."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def _finish(
     px, py, x, y, z, sine, through_air, to_ground, bent, air, ground, observer, screen, shown,
     weights, reach, color, columns, sums, out,
 ):  # fmt: skip
-    """Add the ground and the star's disc to the air of a pixel, and turn it into linear sRGB."""
+    """Add the ground and the star's disc to the air of a pixel, and convert it to linear sRGB."""
     lanes = shown.albedo.size
     part = 0.0
     if to_ground and screen.mapped:
@@ -64,21 +64,22 @@ def _finish(
 
 @compiled_loop
 def draw_rows(first, last, window, observer, screen, shown, weights, reach, out):
-    """Pixels of some rows from the table of the sky.
+    """Draw rows of pixels from the table of the sky.
 
     Parameters
     ----------
     first, last : int
         Rows ``first`` to ``last`` - 1.
     window : SkyWindow
-        What there is of the table.
+        Available part of the table.
     observer, screen, shown : Observer, Screen, Shown
+        Observer, camera with its maps, and tables of the solution.
     weights : array, shape (3·w,)
         Linear sRGB per radiance over irradiance. [W m⁻² sr⁻¹ sr]
     reach : float
-        Nothing of the star's disc is seen so far from where the star is seen. [rad]
+        Angle from the apparent star beyond which nothing of its disc is visible. [rad]
     out : array, shape (height, width, 3)
-        Receives linear sRGB; pixels that see nothing are not touched.
+        Receives linear sRGB; pixels that show nothing are not changed.
     """
     screen, shown, weights, out = borrowed((screen, shown, weights, out))
     lanes = shown.albedo.size
@@ -128,14 +129,14 @@ def draw_rows(first, last, window, observer, screen, shown, weights, reach, out)
 def march_rows(
     first, last, observer, screen, shown, light, panels, rules, packet, work, weights, reach, out
 ):
-    """The same, each pixel by its own march.
+    """Draw rows of pixels, each pixel by its own march.
 
     Parameters
     ----------
     first, last, observer, screen, shown, weights, reach, out :
-        As in ``draw_rows``.
+        Arguments of ``draw_rows``.
     light, panels, rules, packet, work :
-        As in ``march``.
+        Arguments of ``march``.
     """
     screen, shown, weights, out = borrowed((screen, shown, weights, out))
     light, packet, work = borrowed((light, packet, work))

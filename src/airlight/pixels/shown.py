@@ -1,4 +1,4 @@
-"""What the shaders are shown of a solution: its tables, under the names that the march uses."""
+"""Tables of a solution for the shaders, under the names that the march uses."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ from airlight.solvers.moments.solution import MomentsSolution
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Wavelengths that one texel holds.
+#: Number of wavelengths in a texel.
 WAVELENGTHS: Final = 4
-#: Constituents that a shader has room for, "bending" among them.
+#: Largest number of constituents in a shader, including "bending".
 MOST_CONSTITUENTS: Final = 8
-#: Numbers of points that all kinds may have, and the turns of loops that Mesa's software renderer
-#: allows a shader, less some for what is not a march.
+#: Numbers of points that may serve all lines; and loop iterations that Mesa's software renderer
+#: allows a shader, less a reserve for other loops.
 _EVEN: Final = (24, 20, 16, 12, 8)
 _MOST_TURNS: Final = 60_000
-#: A constituent of which more of a scattering goes within 10° of straight on is peaked.
+#: Fraction scattered within 10° of straight on above which a constituent is peaked.
 _PEAKED: Final = 0.08
-#: Constituents whose peaks can be kept out of the table of the sky.
+#: Largest number of constituents whose peaks can be kept out of the table of the sky.
 MOST_PEAKS: Final = 2
 
 
 class Shown(NamedTuple):
-    """A solution as the march of the shaders reads it; names as in ``moments.march.Light``.
+    """Solution as the march of the shaders reads it; names as in ``moments.march.Light``.
 
     On the CPU the arrays are flat and the spectral ones have eight lanes; on the GPU each is a
     part of a texture, and a spectral element is a texel of four wavelengths.
@@ -41,22 +41,23 @@ class Shown(NamedTuple):
     bottom, top : float
         Radii of the ground and of the shell's top, optical where light is bent. [m]
     star_radius, bend : float
-        [rad], [m⁻²]
+        Angular radius of the star [rad]; bending as in ``Light`` [m⁻²].
     constituents, degree, radii, suns, phase_nodes : int
-        Sizes.
+        Sizes of the tables.
     first_peak, second_peak : int
-        Constituents whose first scattering is kept without its phase function; -1 for none.
+        Constituents whose single scattering is stored without its phase function; -1 for none.
     columns, density, strongest, brightest, lift, ends : array
-        As in ``Light``.
+        Fields of ``Light``.
     row, place : array
-        Of ``Grid``.
+        Fields of ``Grid``.
     start, ahead, back : array
-        Of ``Harmonics``.
+        Fields of ``Harmonics``.
     rules : array, flat
-        Where each of three quadratures begins; then for each: n, nodes, weights, and running
-        integrals over the weights, (n, n).
+        Starts of three quadratures; then for each: n, nodes, weights, and running integrals over
+        the weights, (n, n).
     extinction, scattering, moments, albedo, phase, basis, field, sky : array
-        Spectral; the last two as in ``Light``, ``phase`` and ``basis`` as in ``render.Paint``.
+        Spectral tables; the last two as in ``Light``, ``phase`` on even steps of sin(θ/2),
+        ``basis`` as in ``shown_solution``.
     """
 
     bottom: float
@@ -93,7 +94,7 @@ class Shown(NamedTuple):
 
 
 #: Tables of plain numbers, with their ranks, and spectral ones; two of these change with each
-#: solution alone and have a texture of their own.
+#: solution alone and have separate textures.
 SCALAR_TABLES: Final = {
     "columns": 4, "density": 2, "strongest": 1, "brightest": 1, "lift": 3, "ends": 1, "row": 1,
     "place": 1, "start": 1, "ahead": 1, "back": 1, "rules": 1,
@@ -103,23 +104,24 @@ FIELD_TABLES: Final = ("field", "sky")
 
 
 def quadratures(counts: tuple[int, ...]) -> FloatArray:
-    """The rules of the march one after another, see ``Shown.rules``.
+    """Concatenate the rules of the march, see ``Shown.rules``.
 
     Parameters
     ----------
     counts : tuple of int
-        Points of each rule.
+        Number of points of each rule.
 
     Returns
     -------
     array, shape (n,)
+        Starts and rules.
     """
     parts = []
     starts = []
     at = len(counts)
     for count in counts:
         nodes, weights, running = gauss_legendre(count).as_tuple()
-        # What a point stands for, over its share of the rule, is the integrand on [0, 1].
+        # The value of a point, divided by its share of the rule, is the integrand on [0, 1].
         part = np.concatenate([[count], nodes, weights, (running / weights).ravel()])
         parts.append(part)
         starts.append(float(at))
@@ -130,17 +132,18 @@ def quadratures(counts: tuple[int, ...]) -> FloatArray:
 def peaked_constituents(solution: MomentsSolution) -> tuple[int, ...]:
     """Constituents whose phase functions are too sharp for a table of the sky, at most two.
 
-    Those that scatter most of all with a peak: within 10° of straight on an even phase function
+    They are those with a peak that scatter most: within 10° of straight on an even phase function
     has 0.8 % of its light, a Rayleigh one 1.1 %.
 
     Parameters
     ----------
     solution : MomentsSolution
+        Solution of the planet.
 
     Returns
     -------
     tuple of int
-        Places in ``medium.names``, what scatters most first.
+        Indices in ``medium.names``, the strongest scatterer first.
     """
     medium = solution.paths.medium
     u = np.linspace(0.0, np.sin(np.radians(5.0)), 201)
@@ -158,10 +161,10 @@ def peaked_constituents(solution: MomentsSolution) -> tuple[int, ...]:
 
 
 def even_points(solution: MomentsSolution) -> tuple[int, int, int]:
-    """Points of a panel, the same for all lines, for every device.
+    """Numbers of points of a panel, the same for all lines, for every device.
 
     Mesa's software renderer ends the loops of neighbouring lines as soon as those with the fewest
-    points are done, and all loops of a shader after 65 535 turns.
+    points are done, and all loops of a shader after 65 535 iterations.
     """
     light, degree = solution.light, solution.moments.degree
     constituents = len(solution.paths.medium.names)
@@ -180,18 +183,18 @@ def shown_solution(
     peaks: bool = True,
     points: tuple[int, int, int] | None = None,
 ) -> Shown:
-    """The tables of a solution.
+    """Make the tables of a solution.
 
     Parameters
     ----------
     solution : MomentsSolution
-        Of any number of wavelengths and constituents; shaders have room for few.
+        Solution of any number of wavelengths and constituents; shaders accept few.
     basis : array, shape (nl, 3)
         Reflectance of a red, a green and a blue ground. [1]
     peaks : bool
-        Whether peaked constituents are kept apart.
+        Whether peaked constituents are kept separate.
     points : tuple of int
-        Of a panel: those of ``MarchPoints``, or ``even_points`` without it.
+        Points of a panel, as in ``MarchPoints``; by default ``even_points``.
     """
     light, medium = solution.light, solution.paths.medium
     count = len(medium.names)
@@ -233,14 +236,14 @@ def shown_solution(
 
 
 def as_texels(values: Float32Array, wavelengths: int) -> Float32Array:
-    """A spectral table of eight lanes as texels of four wavelengths, shape (n, 4).
+    """Convert a spectral table of eight lanes to texels of four wavelengths, shape (n, 4).
 
     Parameters
     ----------
     values : array of float32, size n·8
-        Eight lanes an element.
+        Table with eight lanes an element.
     wavelengths : int
-        How many of the lanes count.
+        Number of lanes in use.
 
     Raises
     ------

@@ -1,7 +1,7 @@
-"""The table of the sky filled by the processor: whole, or the part of it that a picture sees.
+"""Table of the sky filled on the CPU: complete, or the part that a picture sees.
 
-For pictures of the processor, and for software devices, which run the shader's march some fifteen
-times slower than the compiled one runs.
+It serves pictures drawn on the CPU, and software devices, which run the shader's march about
+fifteen times slower than the compiled one.
 """
 
 from __future__ import annotations
@@ -26,21 +26,21 @@ from airlight.solvers.moments.solution import MomentsSolution
 
 Float32Array = NDArray[np.float32]
 
-#: Texels that one call of a thread fills.
+#: Number of texels that one call of a thread fills.
 _BLOCK = 16 * PACKET
 
 
 class SkyLayers(NamedTuple):
-    """A table of the sky, all wavelengths: fourth roots, each shape (texels·w,).
+    """Table of the sky, all wavelengths: fourth roots, each shape (texels·w,).
 
-    The sky's rows come first. Layers of peaked constituents that there are not have one value.
+    The sky's rows come first. Layers of absent peaked constituents have one value.
 
     Attributes
     ----------
     air, ground : array
         Radiance of the air, and of a ground of albedo 1 behind it. [sr^-¼]
     first, second : array
-        What the peaked constituents scatter once, without their phase functions. [1]
+        Single scattering by the peaked constituents, without their phase functions. [1]
     """
 
     air: Float32Array
@@ -50,14 +50,14 @@ class SkyLayers(NamedTuple):
 
     @classmethod
     def none(cls) -> SkyLayers:
-        """No table."""
+        """Empty table."""
         empty = np.zeros(1, np.float32)
         return cls(empty, empty, empty, empty)
 
 
 @compiled_loop
 def _fill(begin, end, window, observer, shown, light, panels, rules, packet, work, layers):
-    """Texels ``begin`` to ``end`` - 1 of all layers."""
+    """Fill texels ``begin`` to ``end`` - 1 of all layers."""
     shown, light, packet, work, layers = borrowed((shown, light, packet, work, layers))
     air, ground, first, second = layers
     radiance = work.radiance
@@ -110,25 +110,25 @@ def filled_sky(
     cancel: Cancel | None = None,
     progress: Progress | None = None,
 ) -> SkyLayers:
-    """The table of the sky.
+    """Fill the table of the sky.
 
     Parameters
     ----------
     solution, shown : MomentsSolution, Shown
-        The solution and its tables.
+        Solution and its tables.
     observer : Observer
-        Who looks.
+        Position of observer and star.
     window : SkyWindow
-        Which part of the table.
+        Part of the table to fill.
     points : MarchPoints
-        How finely.
+        Resolution of the march.
     cancel, progress : callable, optional
         See ``airlight.kernel.threads``.
 
     Returns
     -------
     SkyLayers
-        With the lanes of ``solution.light``.
+        Layers with the lanes of ``solution.light``.
     """
     light, texels = solution.light, window.texels
     size = texels * light.air.ground.albedo.size

@@ -1,7 +1,7 @@
-"""The table of what one observer sees around himself: one line of sight a texel.
+"""Table of the sky around one observer: one line of sight a texel.
 
-A texel holds fourth roots, so that what falls e-fold from one texel to the next is still read
-to a per cent between them, and nothing is negative.
+A texel holds fourth roots, so that light that falls e-fold from one texel to the next is still
+accurate to a per cent between them, and nothing is negative.
 """
 
 from __future__ import annotations
@@ -20,27 +20,28 @@ from airlight.pixels.march import ground_received, march_line
 from airlight.pixels.shown import MOST_CONSTITUENTS
 from airlight.solvers.moments.source import read_phase, reflected
 
-#: Where the last row of the sky stands, seen from outside: rows inside the top.
+#: Position of the last row of the sky, seen from outside, in rows inside the top.
 INSIDE = 0.1
 
 
 class Observer(NamedTuple):
-    """Where the observer is, and where the star.
+    """Position of the observer, and direction of the star.
 
     Attributes
     ----------
     r : float
         Distance from the centre, as optical radius inside the shell. [m]
     outside : bool
-        Whether above the top of the shell.
+        Whether the observer is above the top of the shell.
     horizon_mu, horizon_sine : float
         Cosine and sine of the horizon's zenith angle. [1]
     sun_x, sun_z : float
-        Towards the star: level and up; its vertical plane is the frame's first. [1]
+        Horizontal and vertical component towards the star, whose vertical plane contains the
+        frame's first axis. [1]
     seen_x, seen_z : float
-        Towards where it is seen. [1]
+        Components towards the apparent star. [1]
     orders : int
-        1: light scattered once; 0: all the rest; 2: both.
+        1: light scattered once; 0: all other light; 2: both.
     """
 
     r: float
@@ -61,25 +62,25 @@ def star_from(across, up, radius, cos_azimuth, sun_x, sun_z):
     Parameters
     ----------
     across, up, radius : float
-        From ``first_meeting``. [m]
+        Coordinates from ``first_meeting``. [m]
     cos_azimuth : float
-        Of the line, from the star's vertical plane. [1]
+        Cosine of the line's azimuth from the star's vertical plane. [1]
     sun_x, sun_z : float
-        As in ``Observer``. [1]
+        Components as in ``Observer``. [1]
     """
     return min(max((across * cos_azimuth * sun_x + up * sun_z) / radius, -1.0), 1.0)
 
 
 @kernel
 def half_sine_between(x, y, z, sun_x, sun_z):
-    """sin(θ/2) of the angle between a direction and the star, from the vectors' difference. [1]
+    """Half-angle sine sin(θ/2) between a direction and the star, from the vectors' difference. [1]
 
     Parameters
     ----------
     x, y, z : float
         Direction in the observer's frame, a unit vector. [1]
     sun_x, sun_z : float
-        As in ``Observer``. [1]
+        Components as in ``Observer``. [1]
     """
     across = (x - sun_x) * (x - sun_x) + y * y
     return min(0.5 * sqrt(across + (z - sun_z) * (z - sun_z)), 1.0)
@@ -87,18 +88,18 @@ def half_sine_between(x, y, z, sun_x, sun_z):
 
 @inlined
 def line_of_sight(mu, sine, cos_azimuth, to_ground, observer, light):
-    """The stretch of a line of sight that lies in the air.
+    """Find the stretch of a line of sight that lies in the air.
 
     Parameters
     ----------
     mu, sine, cos_azimuth, to_ground, observer, light :
-        As in ``look``.
+        Arguments of ``look``.
 
     Returns
     -------
     r, start_mu, start_mu_s, nu, length : float
-        Where it starts [m], cosines of its and of the star's zenith angle there [1] and between
-        line and star [1], and how long it is. [m]
+        Radius of its start [m], cosines of its and of the star's zenith angle there [1] and of
+        the angle between line and star [1], and its length [m].
     """
     nu = min(max(sine * cos_azimuth * observer.sun_x + mu * observer.sun_z, -1.0), 1.0)
     r, start_mu, start_mu_s = observer.r, mu, observer.sun_z
@@ -116,21 +117,21 @@ def line_of_sight(mu, sine, cos_azimuth, to_ground, observer, light):
 
 @inlined
 def star_on_ground(sine, cos_azimuth, r, start_mu, nu, length, column, observer, light):
-    """Cosine of the star's zenith angle where a line of sight ends, and how far it was bent.
+    """Cosine of the star's zenith angle at the end of a line of sight, and angle of refraction.
 
     Parameters
     ----------
     sine, cos_azimuth, observer, light :
-        As in ``look``.
+        Arguments of ``look``.
     r, start_mu, nu, length : float
-        Of ``line_of_sight``.
+        Results of ``line_of_sight``.
     column : float
-        Of the last constituent, along the line. [m]
+        Column of the last constituent, along the line. [m]
 
     Returns
     -------
     mu_s, angle : float
-        [1], [rad]
+        Cosine [1] and angle [rad].
     """
     impact = observer.r * sine
     across, up = first_meeting(min(impact, light.bottom), sine, light.bottom)
@@ -155,19 +156,19 @@ def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phas
     to_ground : bool
         Whether the line ends on the ground.
     gathers, peaks : bool
-        Constants, as in ``march_line``.
+        Constants of ``march_line``.
     observer, light : Observer, Shown
-        Who looks, and the solution.
+        Observer, and tables of the solution.
     phase : array, shape (nc·w,)
         Phase functions, as in ``march_line``. [sr⁻¹]
     result : array, shape (4·w,)
-        Receives the air's radiance, that of an albedo of 1 behind it [sr⁻¹], and what the two
-        peaked constituents scatter [1].
+        Receives the air's radiance, that of a ground of albedo 1 behind it [sr⁻¹], and the single
+        scattering by the two peaked constituents [1].
 
     Returns
     -------
     float
-        Angle by which a line that ends on the ground has been bent. [rad]
+        Angle of refraction of a line that ends on the ground. [rad]
     """
     totals = np.empty(MOST_CONSTITUENTS)
     received = room_of_lanes(1)
@@ -197,19 +198,20 @@ def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phas
 
 @inlined
 def phases_towards(half_sine, keeps_peaks, light, lanes, phase):
-    """Phase functions of all constituents; 0 for the peaked ones unless these are kept. [sr⁻¹]
+    """Phase functions of all constituents; 0 for the peaked ones unless they are kept. [sr⁻¹]
 
     Parameters
     ----------
     half_sine : float
         sin(θ/2). [1]
     keeps_peaks : bool
+        Whether those of the peaked constituents are kept.
     light : Shown
-        The solution.
+        Tables of the solution.
     lanes : int
-        Of a constituent.
+        Number of lanes of a constituent.
     phase : array, shape (c·w,)
-        Written.
+        Receives the phase functions. [sr⁻¹]
     """
     read_phase(half_sine, light.phase, light.phase_nodes, lanes * light.constituents, phase)
     if not keeps_peaks:
@@ -227,14 +229,14 @@ def direction_of_texel(column, row, columns, rows, observer, light):
     Parameters
     ----------
     column, row, columns, rows, observer, light :
-        As in ``sky_texel``.
+        Arguments of ``sky_texel``.
 
     Returns
     -------
     mu, sine, cos_azimuth : float
         Cosine and sine of its zenith angle, cosine of its azimuth. [1]
     half_sine : float
-        sin(θ/2) of the angle to where the star is seen. [1]
+        sin(θ/2) of the angle to the apparent star. [1]
     """
     sky = row < rows
     at = row_coordinate(row, rows, observer.outside)
@@ -255,15 +257,15 @@ def direction_of_texel(column, row, columns, rows, observer, light):
 def row_coordinate(row, rows, outside):
     """Coordinate of a row of the table in its half. [1]
 
-    From outside the last row of the sky stands a little inside the top of the shell: at the top
-    itself a line has no length, and fourth roots fall too steeply towards nothing.
+    From outside the last row of the sky lies slightly inside the top of the shell: at the top
+    itself a line has zero length, and fourth roots fall too steeply towards zero.
 
     Parameters
     ----------
     row, rows : int
-        As in ``sky_texel``.
+        Arguments of ``sky_texel``.
     outside : bool
-        Whether the observer is.
+        Whether the observer is outside the shell.
 
     Examples
     --------
@@ -278,16 +280,17 @@ def row_coordinate(row, rows, outside):
 
 @inlined
 def sky_texel(column, row, columns, rows, gathers, peaks, observer, light, result):
-    """A texel of the table: fourth roots of what ``look`` finds.
+    """Texel of the table: fourth roots of the results of ``look``.
 
     Parameters
     ----------
     column, row : int
-        The first ``rows`` of 2·rows are the sky's, from the horizon up, the others the ground's.
+        Indices; the first ``rows`` of 2·rows are the sky's, from the horizon up, the others the
+        ground's.
     columns, rows : int
-        Azimuths from 0 to π, ends included; rows of one half.
+        Numbers of azimuths from 0 to π, ends included, and of rows of one half.
     gathers, peaks, observer, light, result :
-        As in ``look``.
+        Arguments of ``look``.
     """
     phase = room_of_lanes(MOST_CONSTITUENTS)
     found = room_of_lanes(4)

@@ -1,4 +1,4 @@
-"""The part of a table of the sky that a picture sees, and how fine the table is."""
+"""Part of a table of the sky that a picture sees, and resolution of the table."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ FloatArray = NDArray[np.float64]
 
 #: Azimuths over half a turn, and rows of each half, of the coarsest table.
 COARSEST: Final = (256, 128)
-#: A finer one has at most so many times as many of each.
+#: Largest factor by which a finer table has more of each.
 _FINEST: Final = 4.0
-#: Pixels for which there is a texel; where the coarsest table has more, it is not worth filling.
+#: Pixels per texel of a fine table; and of the coarsest, the fewest for which it is worth filling.
 _PIXELS_A_TEXEL: Final = 48
 _FEWEST_PIXELS_A_TEXEL: Final = 2
 #: Pixels between two samples of a picture.
@@ -27,16 +27,16 @@ _STEP: Final = 8
 
 
 class SkyWindow(NamedTuple):
-    """The part of a table of the sky that is filled.
+    """Part of a table of the sky that is filled.
 
     Attributes
     ----------
     columns, rows : int
         Azimuths of the whole table over half a turn, and rows of each half.
     first_column, last_column : int
-        Azimuths that there are.
+        Range of azimuths.
     first_sky, last_sky, first_ground, last_ground : int
-        Rows that there are, counted from the horizon in each half.
+        Ranges of rows, counted from the horizon in each half.
     """
 
     columns: int
@@ -50,33 +50,40 @@ class SkyWindow(NamedTuple):
 
     @classmethod
     def whole(cls, columns: int, rows: int) -> SkyWindow:
-        """All of a table."""
+        """Window of a complete table.
+
+        Parameters
+        ----------
+        columns, rows : int
+            Azimuths over half a turn, and rows of each half.
+        """
         return cls(columns, rows, 0, columns - 1, 0, rows - 1, 0, rows - 1)
 
     @property
     def texels(self) -> int:
-        """How many there are."""
+        """Number of texels."""
         lines = self.last_sky - self.first_sky + self.last_ground - self.first_ground + 2
         return lines * (self.last_column - self.first_column + 1)
 
 
 def sky_window(camera: Camera, observer: Observer, bottom: float, top: float) -> SkyWindow | None:
-    """The part of the table of the sky that a camera sees.
+    """Part of the table of the sky that a camera sees.
 
-    As fine as it may be while there are many more pixels than texels.
+    The table is as fine as possible while there are many more pixels than texels.
 
     Parameters
     ----------
     camera : Camera
+        Camera of the scene.
     observer : Observer
-        Who looks.
+        Position of observer and star.
     bottom, top : float
         Radii of the ground and of the shell's top. [m]
 
     Returns
     -------
     SkyWindow or None
-        None where a march for each pixel is less work.
+        Window; None where a march of each pixel takes less time.
     """
     azimuths, sky, ground = _seen_ranges(camera, observer, bottom, top)
     coarse = _window(COARSEST, azimuths, sky, ground)
@@ -94,7 +101,7 @@ def _window(
     sky: tuple[float, float],
     ground: tuple[float, float],
 ) -> SkyWindow:
-    """Texels around ranges of azimuth, in half turns, and of the rows' coordinates."""
+    """Window around ranges of azimuth, in half turns, and of the rows' coordinates."""
     ends: list[int] = []
     for (low, high), count in zip((azimuths, sky, ground), (shape[0], shape[1], shape[1]),
                                   strict=True):  # fmt: skip
@@ -106,7 +113,7 @@ def _window(
 def _seen_ranges(
     camera: Camera, observer: Observer, bottom: float, top: float
 ) -> tuple[tuple[float, float], tuple[float, float], tuple[float, float]]:
-    """Ranges of azimuth, in half turns, and of both halves' rows that pixels may have. [1]"""
+    """Ranges of azimuth, in half turns, and of both halves' rows over all pixels. [1]"""
     assert camera.field_of_view is not None
     x = np.linspace(0.0, camera.width, max(2, -(-camera.width // _STEP) + 1))
     y = np.linspace(0.0, camera.height, max(2, -(-camera.height // _STEP) + 1))
@@ -131,7 +138,7 @@ def _seen_ranges(
     )
     high, low = float(zenith.min()) - margin, float(zenith.max()) + margin
     if observer.outside:
-        # The line's nearest distance falls from the horizontal down.
+        # The line's smallest distance decreases from the horizontal down.
         farthest, nearest = (
             observer.r * float(np.sin(np.clip(angle, 0.5 * np.pi, np.pi))) for angle in (high, low)
         )

@@ -1,7 +1,7 @@
-"""The star's own disc in a pixel: its light through the air, however small it is.
+"""Star's own disc in a pixel: its light through the air, for any apparent size.
 
-A disc of several pixels is smooth at its rim; a smaller one is a few points, each of them shared
-out between the four pixels around it. Either way no light is lost or made.
+A disc of several pixels has a smooth rim; a smaller one is a few points, each of them distributed
+over the four pixels around it. Both conserve the light.
 """
 
 from __future__ import annotations
@@ -17,31 +17,31 @@ from airlight.pixels.sky_table import half_sine_between
 from airlight.scene.projections.projected import projected_ray
 from airlight.tables.column_ratios import columns_to_top
 
-#: A disc of fewer pixels' radius is shown as points.
+#: Radius in pixels below which a disc is drawn as points.
 SMALL = 1.5
-#: Points of it, on so many rings and spokes.
+#: Number of rings and spokes of its points.
 RINGS = 3
 SPOKES = 8
-#: A pixel, its neighbours on the right, below, on the left and above, and half the way to each.
+#: Positions: a pixel, its right, lower, left and upper neighbours, and half-way to each.
 _PLACES = 9
 _NUMBERS = 27
-#: Neighbours farther away than so many pixels are on another part of the picture.
+#: Distance in pixels beyond which a neighbour belongs to another part of the picture.
 _APART = 3.0
-#: Pixels that are flatter than this share of a square, as at the poles of a panorama, lie too
-#: close for points.
+#: Ratio to a square below which a flat pixel, as at the poles of a panorama, is too close to its
+#: neighbours for points.
 _FLAT = 0.3
 
 
 @kernel
 def camera_direction(px, py, screen):
-    """Where a place of the picture looks in the observer's frame; zero where it shows nothing.
+    """Viewing direction of a point of the picture in the observer's frame; zero if it has none.
 
     Parameters
     ----------
     px, py : float
-        From the picture's left and top edge. [pixel]
+        Position from the picture's left and top edge. [pixel]
     screen : Screen
-        The camera.
+        Screen with the camera.
     """
     right, above, ahead = projected_ray(
         screen.projection, px, py, screen.width, screen.height, screen.field_of_view
@@ -54,22 +54,23 @@ def camera_direction(px, py, screen):
 
 @inlined
 def leaving_air(x, y, z, observer, light, columns):
-    """Where a line of sight leads once it has left the air.
+    """Direction of a line of sight after it has left the air.
 
     Parameters
     ----------
     x, y, z : float
-        Direction. [1]
+        Direction at the observer. [1]
     observer, light : Observer, Shown
+        Observer, and tables of the solution.
     columns : array, shape (nc,)
-        Receives those of the whole way. [m]
+        Receives the columns of the whole line. [m]
 
     Returns
     -------
     x, y, z : float
-        Lower than it was by what the line is bent. [1]
+        Direction, lowered by the angle of refraction. [1]
     free : bool
-        Whether it misses the ground.
+        Whether the line misses the ground.
     """
     level = sqrt(x * x + y * y)
     impact = observer.r * level
@@ -96,18 +97,17 @@ def leaving_air(x, y, z, observer, light, columns):
 
 @kernel
 def shared_out(across, down, radius, right_x, below_x, below_y):
-    """The part of a disc that falls to a pixel, of points between the pixels' middles. [1]
+    """Fraction of a disc that is assigned to a pixel, for points between pixel centres. [1]
 
     Parameters
     ----------
     across, down : float
-        From the pixel's middle to the disc's: along the step to the right neighbour, and at right
-        angles to it. [rad]
+        Offset of the disc's centre from the pixel's: along the step to the right neighbour, and
+        perpendicular to it. [rad]
     radius : float
-        Of the disc. [rad]
+        Radius of the disc. [rad]
     right_x, below_x, below_y : float
-        The steps to the neighbours on the right, (right_x, 0), and below, (below_x, below_y).
-        [rad]
+        Steps to the neighbours on the right, (right_x, 0), and below, (below_x, below_y). [rad]
 
     Examples
     --------
@@ -127,17 +127,17 @@ def shared_out(across, down, radius, right_x, below_x, below_y):
 
 @kernel
 def covered(apart, radius, pixel):
-    """The part of a pixel that lies within a disc, falling from 1 to 0 across its rim. [1]
+    """Fraction of a pixel that lies within a disc, falling from 1 to 0 across its rim. [1]
 
-    Over all directions it sums to the disc's solid angle; that of a disc smaller than a pixel is
-    spread over one.
+    Integrated over all directions it is the disc's solid angle; that of a disc smaller than a pixel
+    is spread over one.
 
     Parameters
     ----------
     apart : float
-        Angle between the pixel and the disc's middle. [rad]
+        Angle between the pixel and the disc's centre. [rad]
     radius, pixel : float
-        Of the disc; the angle that a pixel spans. [rad]
+        Radius of the disc; angle that a pixel spans. [rad]
     """
     # ∫ over a rim of width p about w: π (w² + p²/12)
     rim = pixel * pixel / 12.0
@@ -148,24 +148,25 @@ def covered(apart, radius, pixel):
 
 @inlined
 def star_disc(px, py, x, y, z, observer, screen, light, columns):
-    """Radiance of the star's disc in a pixel but for the air, per irradiance. [sr⁻¹]
+    """Radiance of the star's disc in a pixel before attenuation by the air, per irradiance. [sr⁻¹]
 
     Parameters
     ----------
     px, py : float
-        The pixel. [pixel]
+        Position of the pixel. [pixel]
     x, y, z : float
-        Where it looks; zero for nowhere. [1]
+        Its viewing direction; zero vector for none. [1]
     observer, screen, light : Observer, Screen, Shown
+        Observer, camera with its maps, and tables of the solution.
     columns : array, shape (nc,)
-        Receives those of the air in front of it. [m]
+        Receives the columns of the air in front of it. [m]
     """
     if x == 0.0 and y == 0.0 and z == 0.0:
         return 0.0
     lx, ly, lz, free = leaving_air(x, y, z, observer, light, columns)
     apart = 2.0 * half_sine_between(lx, ly, lz, observer.sun_x, observer.sun_z)
     pixel = screen.pixel_angle
-    # Two pixels' diagonals: farther no point of a disc is shared out.
+    # Two pixel diagonals: no point of a disc is assigned to a pixel farther away.
     if not free or apart > light.star_radius + 3.0 * pixel:
         return 0.0
     part = covered(apart, light.star_radius, pixel) * screen.disc
@@ -201,7 +202,7 @@ def _point_like(px, py, otherwise, observer, screen, light, columns):
             fits[place] = 0.0
     if fits[1] + fits[3] < 0.5 or fits[2] + fits[4] < 0.5:
         return otherwise
-    # A pixel reaches half the way to its neighbours on both sides, which need not be as far.
+    # A pixel reaches half-way to its neighbours on both sides, which may differ in distance.
     half_right, half_left = fits[1] / (fits[1] + fits[3]), fits[3] / (fits[1] + fits[3])
     half_below, half_above = fits[2] / (fits[2] + fits[4]), fits[4] / (fits[2] + fits[4])
     u, v = 3, 6
@@ -219,8 +220,8 @@ def _point_like(px, py, otherwise, observer, screen, light, columns):
     area = sqrt(max(wide * (vx * vx + vy * vy + vz * vz) - slant * slant, 0.0))
     if area < _FLAT * screen.pixel_angle * screen.pixel_angle:
         return otherwise
-    # Shares are counted on the way to the neighbours between which the disc stands: both pixels
-    # then count the same way, and the shares are one in all.
+    # Fractions are measured along the step to the neighbours between which the disc lies: both
+    # pixels then use the same step, and the fractions sum to 1.
     dx, dy, dz = observer.sun_x - steps[0], -steps[1], observer.sun_z - steps[2]
     u, v = 3, 6
     if fits[1] < 0.5 or (fits[3] > 0.5 and dx * ux + dy * uy + dz * uz < 0.0):

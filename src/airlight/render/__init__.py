@@ -1,7 +1,7 @@
-"""A solution seen by a camera becomes a frame.
+"""Rendering: the view of a camera in a solution becomes a frame.
 
 ``airlight.render(solution, scene)`` is the function ``render.render``. Importing this package also
-makes it the attribute ``render`` of ``airlight``, so it answers calls with that function.
+makes it the attribute ``render`` of ``airlight``; hence the package is callable as that function.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ __all__ = ["Frame", "render"]
 
 
 class _CallablePackage(ModuleType):
-    """The package itself, callable as its function."""
+    """Package that is callable as its function."""
 
     def __call__(self, *arguments: Any, **options: Any) -> Frame:
         return render(*arguments, **options)

@@ -1,4 +1,4 @@
-"""A picture that the processor draws: what it reads, and its rows."""
+"""Picture drawn on the CPU: its inputs and its rows."""
 
 from __future__ import annotations
 
@@ -28,19 +28,19 @@ Float32Array = NDArray[np.float32]
 
 
 class Drawing:
-    """A picture and all that its rows are drawn from.
+    """Picture with all inputs of its rows.
 
     Parameters
     ----------
     solution, scene, orders, exact :
-        As in ``render``.
+        Arguments of ``render``.
     disc : bool
         Whether the star's own disc is drawn.
 
     Attributes
     ----------
     window : SkyWindow or None
-        The part of a table of the sky that the picture reads; None where each pixel is marched.
+        Part of a table of the sky that the picture reads; None where each pixel is marched.
     """
 
     def __init__(
@@ -74,7 +74,18 @@ class Drawing:
         self._reach = 2.0 * (alpha + 3.0 * camera.pixel_angle) + solution.paths.largest_bend
 
     def fill_sky(self, *, cancel: Cancel | None = None, progress: Progress | None = None) -> None:
-        """Fill the table of the sky, if there is one; before any row is drawn."""
+        """Fill the table of the sky, if there is one, before any row is drawn.
+
+        Parameters
+        ----------
+        cancel, progress : callable, optional
+            See ``airlight.kernel.threads``.
+
+        Raises
+        ------
+        Cancelled
+            If ``cancel`` requested it.
+        """
         if self.window is None:
             return
         layers = filled_sky(
@@ -84,7 +95,15 @@ class Drawing:
         self._screen = screen_from(self._numbers, self._camera, self._ground, layers)
 
     def draw(self, first: int, last: int, rgb: Float32Array) -> None:
-        """Draw rows ``first`` to ``last`` - 1 into a black picture, linear sRGB."""
+        """Draw rows ``first`` to ``last`` - 1 into a black picture, linear sRGB.
+
+        Parameters
+        ----------
+        first, last : int
+            Range of rows.
+        rgb : array, shape (height, width, 3)
+            Receives the radiance. [W m⁻² sr⁻¹]
+        """
         if self.window is not None:
             draw_rows(
                 first, last, self.window, self._observer, self._screen, self._shown,
@@ -102,12 +121,23 @@ class Drawing:
 
 
 def color_weights(solution: MomentsSolution) -> FloatArray:
-    """Linear sRGB per radiance over irradiance at each wavelength, shape (nl, 3)."""
+    """Linear sRGB per radiance over irradiance at each wavelength.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Solution of the planet.
+
+    Returns
+    -------
+    array, shape (nl, 3)
+        Weights. [W m⁻² sr⁻¹ sr]
+    """
     return solution.lights[0].colors()
 
 
 def _lane_weights(solution: MomentsSolution) -> Float32Array:
-    """The same as the rows read them: shape (3·w,), zero in lanes without a wavelength."""
+    """Weights as the rows read them: shape (3·w,), zero in lanes without a wavelength."""
     weights = color_weights(solution)
     padded = np.zeros((3, solution.light.air.ground.albedo.size), np.float32)
     padded[:, : weights.shape[0]] = weights.T

@@ -1,4 +1,4 @@
-"""``render``: rows of pixels on all cores, in blocks that bound the memory."""
+"""``render``: rows of pixels on all cores, in blocks that limit the memory."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.solvers.moments.solution import MomentsSolution
 
-#: Pixels in one block of rows: small enough that no core waits long for the last one.
+#: Pixels in one block of rows: few enough that no core waits long for the last block.
 _BLOCK_PIXELS: Final = 1 << 13
 
 
@@ -26,36 +26,36 @@ def render(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Frame:
-    """Render what a camera sees of a planet's air, its ground and its star's disc.
+    """Render a camera's view of a planet's air, its ground and its star's disc.
 
     Parameters
     ----------
     solution : MomentsSolution
-        Of at least three wavelengths.
+        Solution of at least three wavelengths.
     scene : Scene
         Observer, star and camera.
     orders : str
-        ``"all"`` light; or ``"single"``, that the air or the ground has scattered or reflected
-        once; or ``"multiple"``, more often. The star's own disc is seen in the first alone.
+        Light that is drawn: ``"all"``; ``"single"``, scattered or reflected once by the air or the
+        ground; or ``"multiple"``, more often. The star's own disc is visible in the first alone.
     exact : bool
-        Whether the air is marched for each pixel. Without it the light of the air is read from a
-        table of what the observer sees around himself, filled by the same march: see
-        docs/pictures.md for its errors. Pictures of few pixels are always marched.
+        Whether the air is marched for each pixel. Otherwise the light of the air is read from a
+        table of the sky around the observer, filled by the same march: see docs/pictures.md for
+        its errors. Pictures of few pixels are always marched.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
     Returns
     -------
     Frame
-        Linear sRGB radiance.
+        Linear sRGB radiance. [W m⁻² sr⁻¹]
 
     Raises
     ------
     ParameterError
-        If the solution is of another solver: pictures march the moments; or if there are no
-        such orders.
+        If the solution is of another solver (pictures march the moments), or ``orders`` has
+        another value.
     Cancelled
-        If ``cancel`` said so.
+        If ``cancel`` requested it.
     """
     if not isinstance(solution, MomentsSolution):
         raise ParameterError(
@@ -67,7 +67,7 @@ def render(
     rgb = np.zeros((camera.height, camera.width, 3), np.float32)
     step = max(1, _BLOCK_PIXELS // camera.width)
     blocks = -(-camera.height // step)
-    # Filling the table counts as much as the rows do.
+    # Filling the table counts as much as drawing the rows.
     total = blocks if drawing.window is None else 2 * blocks
 
     def filling(done: int, count: int, message: str) -> None:

@@ -1,4 +1,4 @@
-"""The colour of a planet's sky in a few words: three directions under a sun half-way up."""
+"""Colour of a planet's sky in a few words: three directions under a sun half-way up."""
 
 from __future__ import annotations
 
@@ -19,26 +19,26 @@ FloatArray = npt.NDArray[np.float64]
 
 #: Zenith angle of the sun. [deg]
 SUN_ZENITH: Final = 45.0
-#: Lines of sight from the ground, across the sun's direction: word and zenith angle. [deg]
+#: Lines of sight from the ground, across the sun's direction: name and zenith angle. [deg]
 LOOKS: Final = (("zenith", 0.0), ("halfway", 45.0), ("horizon", 89.0))
-#: So many wavelengths over the visible part of what the planet is known for.
+#: Number of wavelengths over the visible part of the planet's range.
 _WAVELENGTHS: Final = 12
 
 
 @dataclass(frozen=True, kw_only=True)
 class SkyColor:
-    """The sky in one direction.
+    """Colour of the sky in one direction.
 
     Parameters
     ----------
     look : str
         ``zenith``, ``halfway`` or ``horizon``.
     luminance : float
-        [cd m⁻²]
+        Luminance. [cd m⁻²]
     chromaticity : tuple of float
         CIE 1931 x and y. [1]
     code : str
-        As the default exposure and tone map show it, ``#rrggbb``.
+        Colour at the default exposure and tone map, ``#rrggbb``.
     """
 
     look: str
@@ -48,24 +48,26 @@ class SkyColor:
 
 
 def sky_colors(planet: Planet, *, cache: bool = True, progress: Any = None) -> tuple[SkyColor, ...]:
-    """The sky from the ground in each of ``LOOKS``, at the quality ``preview``.
+    """Colours of the sky from the ground in each of ``LOOKS``, at the quality ``preview``.
 
     Parameters
     ----------
     planet : Planet
+        Planet with data in the visible.
     cache : bool
-        Whether solutions on disk are read and kept.
+        Whether solutions are read from disk and stored there.
     progress : callable, optional
         ``progress(done, total, message)``.
 
     Returns
     -------
     tuple of SkyColor
+        Colours in the order of ``LOOKS``.
 
     Raises
     ------
     ParameterError
-        If the planet is not known in the visible.
+        If the planet's range does not include the visible.
     """
     from airlight.solvers import solve
 

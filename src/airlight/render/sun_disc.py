@@ -1,4 +1,4 @@
-"""Where lines of sight lead behind the air, and how large the star is there."""
+"""Directions of lines of sight behind the air, and apparent size of the star there."""
 
 from __future__ import annotations
 
@@ -14,7 +14,22 @@ FloatArray = NDArray[np.float64]
 
 
 def straight_sight(directions: FloatArray, solution: MomentsSolution, altitude: float) -> Sight:
-    """Lines of sight from the observer, drawn straight."""
+    """Lines of sight from the observer, as straight lines.
+
+    Parameters
+    ----------
+    directions : array, shape (n, 3)
+        Unit vectors in the local frame.
+    solution : MomentsSolution
+        Solution of the planet.
+    altitude : float
+        Altitude of the observer. [m]
+
+    Returns
+    -------
+    Sight
+        Lines of sight inside the shell.
+    """
     medium = solution.medium
     bottom, top = medium.bottom_radius, medium.top_radius
     mu = np.clip(directions[:, 2], -1.0, 1.0)
@@ -26,20 +41,21 @@ def straight_sight(directions: FloatArray, solution: MomentsSolution, altitude: 
 def leaving_direction(
     directions: FloatArray, solution: MomentsSolution, altitude: float
 ) -> FloatArray:
-    """Where lines of sight lead once they have left the air: bent down towards the ground.
+    """Directions of lines of sight after they have left the air: refracted towards the ground.
 
     Parameters
     ----------
     directions : array, shape (n, 3)
-        Unit vectors in the local frame; zero vectors stay so.
+        Unit vectors in the local frame; zero vectors remain zero.
     solution : MomentsSolution
+        Solution of the planet.
     altitude : float
-        Of the observer. [m]
+        Altitude of the observer. [m]
 
     Returns
     -------
     array, shape (n, 3)
-        Unit vectors; those that meet the ground are returned as they came.
+        Unit vectors; those that meet the ground are returned unchanged.
     """
     if solution.paths.shell is None or len(directions) == 0:
         return directions
@@ -56,6 +72,11 @@ def leaving_direction(
 
 def sun_solid_angle(angular_radius: float) -> float:
     """Solid angle of a disc. [sr]
+
+    Parameters
+    ----------
+    angular_radius : float
+        Angular radius of the disc. [rad]
 
     Examples
     --------

@@ -1,1 +1,1 @@
-"""A graphics device, its flat textures, its passes of fragments and their times."""
+"""Graphics device, flat textures, fragment passes and their times."""

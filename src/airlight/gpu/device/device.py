@@ -1,4 +1,4 @@
-"""The device on which the GPU draws: found once, opened with the limits of a browser."""
+"""Device for drawing on the GPU: selected once, opened with the limits of a browser."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from typing import Any, Final
 
 from airlight.errors import AirlightError
 
-#: Names the adapter: ``off``, or a part of its name. Not set: the fastest one.
+#: Environment variable with the adapter: ``off``, or a part of its name. Not set: the fastest.
 CHOICE: Final = "AIRLIGHT_GPU"
 
-#: What every browser grants without being asked (W3C WebGPU, 3.6.2 "Limits", column of defaults).
+#: Limits granted by every browser by default (W3C WebGPU, 3.6.2 "Limits", column of defaults).
 BROWSER_LIMITS: Final = {
     "max-texture-dimension-1d": 8192,
     "max-texture-dimension-2d": 8192,
@@ -47,14 +47,14 @@ BROWSER_LIMITS: Final = {
     "max-compute-workgroup-size-z": 64,
     "max-compute-workgroups-per-dimension": 65535,
 }
-#: Asked for where there: it measures passes and changes no picture.
+#: Features requested where available: they time passes and change no picture.
 _WELCOME: Final = frozenset({"timestamp-query"})
 
 _lock = threading.Lock()
 
 
 class NoDevice(AirlightError):
-    """There is nothing to draw on: one line says why and what would help."""
+    """No device to draw on: one line says why and what would help."""
 
     def __init__(self, reason: str) -> None:
         self.reason = " ".join(reason.split())
@@ -66,18 +66,18 @@ class NoDevice(AirlightError):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Device:
-    """An open device.
+    """Open device.
 
     Attributes
     ----------
     device : wgpu.GPUDevice
-        Opened with ``BROWSER_LIMITS``, so that what runs here runs in a browser.
+        Device opened with ``BROWSER_LIMITS``, so that what runs here runs in a browser.
     adapter : wgpu.GPUAdapter
-        What it was opened on.
+        Adapter on which it was opened.
     name : str
-        The adapter's name and the interface that leads to it.
+        Name of the adapter and of its interface.
     software : bool
-        Whether a processor does the work of a GPU.
+        Whether the device is a software renderer on the CPU.
     """
 
     device: Any
@@ -91,8 +91,8 @@ class Device:
         return "timestamp-query" in self.device.features
 
     def wait(self) -> None:
-        """Return when everything that was submitted is done."""
-        # By reading: the queue's own call for this cannot be used in wgpu 0.32.
+        """Return when all submitted work is done."""
+        # By a read: the queue's own call for this is unusable in wgpu 0.32.
         self.device.queue.read_buffer(self._last)
 
     @cached_property
@@ -106,13 +106,13 @@ class Device:
 
 
 def open_device(choice: str | None = None) -> Device:
-    """The device that this process draws on; opened by the first call, the same ever after.
+    """Open the device of this process, or return it if it is open.
 
     Parameters
     ----------
     choice : str, optional
-        ``off``, or a part of an adapter's name, case ignored; by default what the environment
-        variable AIRLIGHT_GPU says, and without it the fastest adapter: a GPU before software.
+        ``off``, or a part of an adapter's name, case ignored; by default the environment variable
+        AIRLIGHT_GPU, and without it the fastest adapter: a GPU before software.
 
     Returns
     -------
@@ -121,8 +121,8 @@ def open_device(choice: str | None = None) -> Device:
     Raises
     ------
     NoDevice
-        If wgpu is not installed, nothing answers (Vulkan, Metal and Direct3D 12 are asked), no
-        name fits, or the choice is ``off``.
+        If wgpu is not installed, no adapter is found (by Vulkan, Metal or Direct3D 12), no name
+        matches, or the choice is ``off``.
     """
     named = os.environ.get(CHOICE, "") if choice is None else choice
     with _lock:
@@ -155,19 +155,19 @@ def _wgpu() -> Any:
         import wgpu
     except ImportError as error:
         raise NoDevice("wgpu is not installed: pip install 'airlight[view]'") from error
-    except Exception as error:  # its library does not load here: it says so in several ways
+    except Exception as error:  # its library does not load here, with one of several errors
         raise NoDevice(f"wgpu cannot be loaded: {_last_line(error)}") from error
     _leave_out_opengl()
     return wgpu
 
 
 def _leave_out_opengl() -> None:
-    """Asks only the three modern interfaces: OpenGL's search takes longer and talks to stderr."""
+    """Ask only the three modern interfaces: OpenGL's search takes longer and writes to stderr."""
     try:
         from wgpu.backends.wgpu_native.extras import set_instance_extras
 
         set_instance_extras(backends=("Primary",))
-    except (ImportError, RuntimeError):  # someone in this process asked before: theirs stands
+    except (ImportError, RuntimeError):  # an earlier request in this process keeps its choice
         return
 
 
@@ -192,7 +192,7 @@ def _adapter(wgpu: Any, choice: str) -> Any:
 
 
 def _limits(offered: dict[str, int]) -> dict[str, int]:
-    """The browser's limits, where the adapter itself offers less: the adapter's."""
+    """Browser limits, or the adapter's own where it offers less."""
     limits = {}
     for name, browser in BROWSER_LIMITS.items():
         if name in offered:

@@ -1,4 +1,4 @@
-"""Flat textures: long arrays laid in rows of 2048 texels, read by ``textureLoad`` only."""
+"""Flat textures: long arrays in rows of 2048 texels, read by ``textureLoad`` only."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from airlight.gpu.device.device import Device
 
 Float32Array = NDArray[np.float32]
 
-#: Texels in a row: texel i stands at (i & 2047, i >> 11).
+#: Number of texels in a row: texel i is at (i & 2047, i >> 11).
 FLAT_WIDTH: Final = 2048
-#: Rows that every browser allows.
+#: Number of rows that every browser allows.
 MOST_ROWS: Final = 8192
-#: Format of a flat texture by the channels of a texel.
+#: Format of a flat texture by number of channels.
 _FORMATS: Final = {1: "r32float", 4: "rgba32float"}
-#: Type and number of the channels of the formats that can be read back.
+#: Type and number of channels of the formats that can be read back.
 _CHANNELS: Final = {
     "r32float": (np.float32, 1),
     "rg32float": (np.float32, 2),
@@ -34,29 +34,29 @@ _CHANNELS: Final = {
 
 
 def flat_rows(count: int) -> int:
-    """Rows of a flat texture that holds ``count`` texels; at least one.
+    """Number of rows of a flat texture that holds ``count`` texels; at least one.
 
     Parameters
     ----------
     count : int
-        Texels.
+        Number of texels.
     """
     return max(1, -(-count // FLAT_WIDTH))
 
 
 def flat_texture(device: Device, array: ArrayLike, label: str = "") -> Any:
-    """A flat texture with an array in it; what is left of its last row is 0.
+    """Make a flat texture from an array; the rest of its last row is 0.
 
     It can be read by a shader, rendered to, updated by ``update_flat`` and read back.
 
     Parameters
     ----------
     device : Device
-        From ``open_device``.
+        Device from ``open_device``.
     array : array, shape (n,) or (n, 4)
-        Stored as float32: one channel, or four.
+        Values, stored as float32: one channel, or four.
     label : str
-        Shown in messages of the device.
+        Label in messages of the device.
 
     Returns
     -------
@@ -66,7 +66,7 @@ def flat_texture(device: Device, array: ArrayLike, label: str = "") -> Any:
     Raises
     ------
     ParameterError
-        If the shape is another, or the array has more texels than a texture holds (16.8 million).
+        If the shape differs, or the array exceeds the capacity of a texture (16.8 million texels).
     """
     values = _texels(array)
     texture = empty_flat_texture(device, values.shape[0], values.shape[1], label)
@@ -75,16 +75,16 @@ def flat_texture(device: Device, array: ArrayLike, label: str = "") -> Any:
 
 
 def empty_flat_texture(device: Device, count: int, channels: int, label: str = "") -> Any:
-    """A flat texture of zeros for ``count`` texels of one channel or four.
+    """Make a flat texture of zeros for ``count`` texels of one channel or four.
 
     Parameters
     ----------
     device : Device
-        From ``open_device``.
+        Device from ``open_device``.
     count, channels : int
-        Texels; numbers of each.
+        Number of texels, and of channels.
     label : str
-        For the device's messages.
+        Label in messages of the device.
 
     Returns
     -------
@@ -94,7 +94,7 @@ def empty_flat_texture(device: Device, count: int, channels: int, label: str = "
     Raises
     ------
     ParameterError
-        If there are more texels than a texture holds, or the channels are not 1 or 4.
+        If the texels exceed the capacity of a texture, or the channels are not 1 or 4.
     """
     import wgpu
 
@@ -112,18 +112,18 @@ def empty_flat_texture(device: Device, count: int, channels: int, label: str = "
 
 
 def update_flat(device: Device, texture: Any, start: int, array: ArrayLike) -> None:
-    """Overwrite texels of a flat texture, from number ``start`` on; the others stay.
+    """Overwrite texels of a flat texture from index ``start`` on; the others stay unchanged.
 
     Parameters
     ----------
     device : Device
-        That made the texture.
+        Device that made the texture.
     texture : wgpu.GPUTexture
-        From ``flat_texture``.
+        Texture from ``flat_texture``.
     start : int
-        Number of the first texel; need not begin a row.
+        Index of the first texel; need not begin a row.
     array : array, shape (n,) or (n, 4)
-        As many channels as the texture has.
+        Values, with as many channels as the texture has.
 
     Raises
     ------
@@ -140,7 +140,7 @@ def update_flat(device: Device, texture: Any, start: int, array: ArrayLike) -> N
             f"into {width * height}",
         )  # fmt: skip
     done, end = start, start + values.shape[0]
-    while done < end:  # the rest of a begun row, whole rows, the beginning of the last row
+    while done < end:  # the rest of a partly filled row, whole rows, the beginning of the last row
         row, column = divmod(done, width)
         whole = (end - done) // width if column == 0 else 0
         take = whole * width if whole else min(width - column, end - done)
@@ -156,31 +156,31 @@ def update_flat(device: Device, texture: Any, start: int, array: ArrayLike) -> N
 
 
 def read_texture(device: Device, texture: Any) -> Float32Array:
-    """What a two-dimensional texture holds.
+    """Read back a two-dimensional texture.
 
     Parameters
     ----------
     device : Device
-        That made the texture.
+        Device that made the texture.
     texture : wgpu.GPUTexture
-        Made with ``COPY_SRC``; floats of 16 or 32 bits, or 8-bit values.
+        Texture made with ``COPY_SRC``; floats of 16 or 32 bits, or 8-bit values.
 
     Returns
     -------
     array, shape (height, width, channels)
-        8-bit values are divided by 255 and stay encoded; red comes first, always.
+        Values; 8-bit values are divided by 255 and stay encoded; red always comes first.
 
     Raises
     ------
     ParameterError
-        If the format is another.
+        If the format is not supported.
     """
     if texture.format not in _CHANNELS:
         raise ParameterError("texture.format", texture.format, ", ".join(_CHANNELS))
     kind, channels = _CHANNELS[texture.format]
     width, height = texture.size[:2]
     row_bytes = width * channels * np.dtype(kind).itemsize
-    # The queue pads rows to the 256 bytes that a copy needs and takes the padding off again.
+    # The queue pads rows to the 256 bytes that a copy needs and removes the padding again.
     read = device.device.queue.read_texture(
         {"texture": texture},
         {"bytes_per_row": row_bytes, "rows_per_image": height},
@@ -195,16 +195,16 @@ def read_texture(device: Device, texture: Any) -> Float32Array:
 
 
 def read_flat(device: Device, texture: Any, count: int) -> Float32Array:
-    """The first ``count`` texels of a flat texture, shape (count,) or (count, 4).
+    """Read back the first ``count`` texels of a flat texture, shape (count,) or (count, 4).
 
     Parameters
     ----------
     device : Device
-        That made the texture.
+        Device that made the texture.
     texture : wgpu.GPUTexture
-        From ``flat_texture``.
+        Texture from ``flat_texture``.
     count : int
-        Texels.
+        Number of texels.
     """
     values = read_texture(device, texture)
     texels = values.reshape(-1, values.shape[2])[:count]

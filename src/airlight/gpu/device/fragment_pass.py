@@ -1,4 +1,4 @@
-"""A pass of fragments: one function of a shader, run once for every texel of its targets."""
+"""Fragment pass: one function of a shader, run once for every texel of its targets."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from airlight.errors import AirlightError, ParameterError
 from airlight.gpu.device.device import Device
 from airlight.gpu.emit.wgsl import WGSL
 
-#: ``@group(0) @binding(1) var<uniform> name: Type;``
+#: Declaration such as ``@group(0) @binding(1) var<uniform> name: Type;``.
 _DECLARATION: Final = re.compile(
     r"@group\(\s*(\d+)\s*\)\s*@binding\(\s*(\d+)\s*\)\s*"
     r"var\s*(?:<\s*([^>]*?)\s*>)?\s*(\w+)\s*:\s*(\w+)\s*(?:<\s*(\w+)\s*>)?"
@@ -20,17 +20,17 @@ _DECLARATION: Final = re.compile(
 _COMMENT: Final = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 _TEXTURES: Final = {"texture_2d": "2d", "texture_2d_array": "2d-array", "texture_3d": "3d"}
 _SAMPLES: Final = {"f32": "unfilterable-float", "i32": "sint", "u32": "uint"}
-#: Where naga's message points to.
+#: Position in a message of naga.
 _PLACE: Final = re.compile(r"┌─ [^\n]*?:(\d+):(\d+)")
 
 
 class ShaderError(AirlightError):
-    """A shader that does not compile: its name, the line, its text and what is wrong with it.
+    """Shader that does not compile; the message gives name, line, source text and error.
 
     Attributes
     ----------
     label, line, text, message : str, int, str, str
-        The line counts from 1, and is 0 where the compiler names none.
+        Parts of the message; the line counts from 1, and is 0 if the compiler names none.
     """
 
     def __init__(self, label: str, line: int, text: str, message: str) -> None:
@@ -47,7 +47,7 @@ class ShaderError(AirlightError):
 
 @dataclass(frozen=True)
 class Binding:
-    """A resource that a shader declares: its place, its name and what it must be."""
+    """Resource that a shader declares: group and binding, name and kind."""
 
     group: int
     binding: int
@@ -56,17 +56,17 @@ class Binding:
 
 
 def declared_bindings(source: str, label: str = "shader") -> tuple[Binding, ...]:
-    """The resources that a WGSL source declares, in the order of the source.
+    """Resources that a WGSL source declares, in the order of the source.
 
-    Uniforms, samplers and sampled textures are taken: what WebGL2 has too. Textures of f32 are
-    taken to be read by ``textureLoad``; if the source declares a sampler they may be filtered.
+    Uniforms, samplers and sampled textures are supported, as in WebGL2. Textures of f32 are assumed
+    to be read by ``textureLoad``; if the source declares a sampler they may be filtered.
 
     Parameters
     ----------
     source : str
-        WGSL.
+        WGSL source.
     label : str
-        What errors call it.
+        Name in error messages.
 
     Raises
     ------
@@ -99,16 +99,16 @@ def _layout(found: re.Match[str], filtered: bool, source: str, label: str) -> di
 
 
 def compiled(device: Device, source: str, label: str) -> Any:
-    """The module of a WGSL source.
+    """Compile a WGSL source to a module.
 
     Parameters
     ----------
     device : Device
-        From ``open_device``.
+        Device from ``open_device``.
     source : str
-        WGSL.
+        WGSL source.
     label : str
-        What errors call it.
+        Name in error messages.
 
     Returns
     -------
@@ -134,7 +134,7 @@ def _shader_error(source: str, label: str, report: str) -> ShaderError:
     wrong = re.search(r"[Ss]hader[^\n]*?error: ([^\n]*)", report)
     message = wrong[1] if wrong else report
     reasons = re.findall(r"^\s*= ([^\n]*)", report, re.MULTILINE)
-    if place:  # the caret's line points closer than the place, which is the function's beginning
+    if place:  # the caret's line is more precise than the position, the function's beginning
         below = report[place.end() :].split("\n")
         carets = [index for index, one in enumerate(below) if "^^" in one and "│" in one]
         if carets:
@@ -145,26 +145,26 @@ def _shader_error(source: str, label: str, report: str) -> ShaderError:
 
 
 class FragmentPass:
-    """A fragment entry point with the targets that it writes, ready to run.
+    """Fragment entry point with its render targets, ready to run.
 
     Parameters
     ----------
     device : Device
-        From ``open_device``.
+        Device from ``open_device``.
     source : str
-        WGSL, with the declarations of everything that it reads.
+        WGSL source, with the declarations of everything that it reads.
     entry : str
         Name of the ``@fragment`` function.
     targets : sequence of str
         Formats of the textures that it writes, such as ``("rgba32float",)``; together at most
         32 bytes a texel.
     label : str
-        Shown in messages; by default the entry's name.
+        Label in messages; by default the entry point's name.
 
     Raises
     ------
     ShaderError
-        If the source does not compile or does not fit its targets.
+        If the source does not compile or does not match its targets.
     """
 
     def __init__(
@@ -212,19 +212,19 @@ class FragmentPass:
         ]
 
     def bind(self, resources: Mapping[str, Any]) -> list[Any]:
-        """Bind groups of named resources, for ``run``; they can be kept and used again.
+        """Make bind groups of named resources, for ``run``; they can be reused.
 
         Parameters
         ----------
         resources : mapping
-            By the name in the source: a buffer for a uniform, a texture or a view of one, a
-            sampler. Names that the source does not declare are left aside, so that one mapping
-            can serve several passes.
+            Resources by name in the source: a buffer for a uniform, a texture or a view of one, a
+            sampler. Names that the source does not declare are ignored, so that one mapping can
+            serve several passes.
 
         Raises
         ------
         ParameterError
-            If something that the source declares is missing.
+            If a declared resource is missing.
         """
         gpu = self.device.device
         groups = []
@@ -251,15 +251,15 @@ class FragmentPass:
         Parameters
         ----------
         encoder : wgpu.GPUCommandEncoder
-            Submitted by the caller.
+            Encoder, which the caller submits.
         groups : sequence
-            From ``bind``.
+            Bind groups from ``bind``.
         views : sequence
-            Textures or views of them, one for each target, all of one size.
+            Textures or views of them, one for each target, all of the same size.
         area : (x, y, width, height), optional
-            Only these texels are written; by default all.
+            Texels that are written; by default all. [texel]
         keep : bool
-            Whether texels outside the area keep what they hold; otherwise they become 0.
+            Whether texels outside the area keep their values; otherwise they become 0.
         timestamps : mapping, optional
             ``query_set`` and indices of ``beginning_of_pass_write_index`` and
             ``end_of_pass_write_index``, for a device that ``measures_time``.
@@ -267,7 +267,7 @@ class FragmentPass:
         Raises
         ------
         ParameterError
-            If there is not one view for each target.
+            If the number of views differs from that of the targets.
         """
         if len(views) != len(self.targets):
             raise ParameterError("views", len(views), f"{len(self.targets)} targets")
@@ -293,19 +293,19 @@ class FragmentPass:
         begun.end()
 
     def draw(self, resources: Mapping[str, Any], views: Sequence[Any]) -> None:
-        """Bind, run and submit at once: for a pass that runs a single time.
+        """Bind, run and submit at once, for a pass that runs only once.
 
         Parameters
         ----------
         resources : mapping
-            As in ``bind``.
+            Resources as in ``bind``.
         views : sequence
-            As in ``run``.
+            Views as in ``run``.
 
         Raises
         ------
         ParameterError
-            As ``bind`` and ``run``.
+            Errors of ``bind`` and ``run``.
         """
         encoder = self.device.device.create_command_encoder(label=self.label)
         self.run(encoder, self.bind(resources), views)
@@ -322,12 +322,12 @@ def _resource(resources: Mapping[str, Any], wanted: Binding) -> Any:
 
 
 def _view(given: Any) -> Any:
-    """A view as it is, a texture as a view of it."""
+    """View of a texture; a view is returned unchanged."""
     return given.create_view() if hasattr(given, "create_view") else given
 
 
 def _without_frame(report: str) -> str:
-    """What the device says of a pipeline: the last lines of its message."""
+    """Last lines of the device's message about a pipeline."""
     lines = [line.strip() for line in report.splitlines() if line.strip()]
     return ": ".join(lines[2:]) if len(lines) > 2 else report
 

@@ -1,4 +1,4 @@
-"""How long passes take on the device itself, by its own clock."""
+"""Duration of passes on the device itself, by its own clock."""
 
 from __future__ import annotations
 
@@ -9,25 +9,25 @@ import numpy as np
 from airlight.errors import ParameterError
 from airlight.gpu.device.device import Device
 
-#: Two points in time a pass, 8 bytes each; a set has at most 4096 (W3C WebGPU, "GPUQuerySet").
+#: Two timestamps a pass, 8 bytes each; a set has at most 4096 (W3C WebGPU, "GPUQuerySet").
 _MOST_PASSES: Final = 2048
 _BYTES: Final = 8
 
 
 class PassTimes:
-    """Clocks of passes: name them while recording, read them after the submission.
+    """Timers of passes: name them while recording, read them after the submission.
 
     Parameters
     ----------
     device : Device
-        One that ``measures_time``.
+        Device that ``measures_time``.
     most : int
-        Passes that can be timed in one submission.
+        Number of passes that can be timed in one submission.
 
     Raises
     ------
     ParameterError
-        If the device cannot, or there are more passes than 2048.
+        If the device cannot measure time, or there are more than 2048 passes.
 
     Examples
     --------
@@ -53,12 +53,12 @@ class PassTimes:
         )
 
     def __call__(self, name: str) -> dict[str, Any]:
-        """The next pass's ``timestamps`` for ``FragmentPass.run``, also for compute passes.
+        """Make the next pass's ``timestamps`` for ``FragmentPass.run``, also for compute passes.
 
         Parameters
         ----------
         name : str
-            Passes of one name are added.
+            Name of the pass; times of passes with the same name are added.
 
         Raises
         ------
@@ -76,20 +76,20 @@ class PassTimes:
         }
 
     def resolve(self, encoder: Any) -> None:
-        """Record, after all passes, that the clocks are put where they can be read.
+        """Record, after all passes, the copy of the timestamps to a readable buffer.
 
         Parameters
         ----------
         encoder : wgpu.GPUCommandEncoder
-            That of the passes, not yet finished.
+            Encoder of the passes, not yet finished.
         """
         if self._names:
             encoder.resolve_query_set(self._set, 0, 2 * len(self._names), self._buffer, 0)
 
     def read(self) -> dict[str, float]:
-        """Seconds by name since the last reading; passes of one name are added. [s]
+        """Seconds by name since the last reading; passes with the same name are added. [s]
 
-        Waits until the device has done the submission. Starts anew.
+        Waits until the device has finished the submission, and resets the timers.
         """
         names, self._names = self._names, []
         if not names:
@@ -104,7 +104,7 @@ class PassTimes:
 
 
 def _tick(device: Device) -> float:
-    """Length of a tick of the device's clock; browsers count nanoseconds, natives do not. [ns]"""
+    """Duration of a tick of the clock; browsers count nanoseconds, native APIs do not. [ns]"""
     from wgpu.backends.wgpu_native import lib
 
     return float(lib.wgpuQueueGetTimestampPeriod(device.device.queue._internal))

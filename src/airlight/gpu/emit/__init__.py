@@ -1,1 +1,1 @@
-"""From functions in restricted Python to shaders: scope, types, expressions, statements."""
+"""Translation of restricted Python to shaders: scope, types, expressions, statements."""

@@ -1,4 +1,4 @@
-"""Calls in restricted Python as text: of mathematics, of lanes, of other kernels."""
+"""Calls in restricted Python as text: mathematics, lanes, other kernels."""
 
 from __future__ import annotations
 
@@ -29,21 +29,21 @@ from airlight.gpu.emit.shader_types import (
 )
 from airlight.kernel import lanes as lane_module
 
-#: What ``airlight.kernel.lanes`` offers to a shader.
+#: Functions of ``airlight.kernel.lanes`` that a shader can call.
 _LANE_CALLS: Final = (
     "load", "store", "splat", "exponential", "maximum", "minimum", "fourth_root",
 )  # fmt: skip
 
 
 class Calls(Names, ABC):
-    """Writes the calls of one function; see ``Names`` for the parameters."""
+    """Writer of the calls of one function; see ``Names`` for the parameters."""
 
     @abstractmethod
     def write(self, node: ast.expr) -> tuple[str, Value | None]:
-        """An expression and its type; None for a call that gives nothing."""
+        """Write an expression; return text and type, None for a call without result."""
 
     def as_scalar(self, node: ast.expr, wanted: Scalar) -> str:
-        """An expression as a number of a type."""
+        """Write an expression as a number of a type."""
         text, found = self.write(node)
         try:
             return self.cast(text, found, wanted)
@@ -51,7 +51,7 @@ class Calls(Names, ABC):
             raise self.refuse(node, f"is no {wanted.name}") from None
 
     def number(self, node: ast.AST, found: Value | None) -> Scalar:
-        """The type of an expression that must be a number."""
+        """Type of an expression that must be a number."""
         if found is not None and not isinstance(found, (Table, Bundle)):
             kind = run_time(found)
             if isinstance(kind, Scalar):
@@ -59,7 +59,7 @@ class Calls(Names, ABC):
         raise self.refuse(node, "is no number")
 
     def room(self, node: ast.Name) -> str:
-        """An array as it stands before its index."""
+        """Array as written before its index."""
         found = self.bound(node)
         if isinstance(found, Room) and found.variable:
             return found.variable
@@ -71,14 +71,14 @@ class Calls(Names, ABC):
         return name in code.co_varnames[: code.co_argcount]
 
     def mathematics(self, function: Any, arguments: Sequence[str]) -> str:
-        """Mathematics of numbers: the language's own, or a function that is emitted for it."""
+        """Call of a mathematical function: the language's own, or one emitted for it."""
         known = self.dialect.mathematics[function]
         if not isinstance(known, str):
             known = self.emitter.add(known, *(F32 for _ in arguments)).name
         return f"{known}({', '.join(arguments)})"
 
     def call(self, node: ast.Call) -> tuple[str, Value | None]:
-        """A call of mathematics, of lanes or of another function."""
+        """Write a call of mathematics, of lanes or of another function."""
         called = self.bound(node.func)
         if node.keywords:
             raise self.refuse(node, "takes no names for arguments")
@@ -116,7 +116,7 @@ class Calls(Names, ABC):
         raise self.refuse(node, "is not known here")
 
     def extreme(self, node: ast.Call, called: Any) -> tuple[str, Value]:
-        """``min`` or ``max`` of two or more numbers."""
+        """Write ``min`` or ``max`` of two or more numbers."""
         written = [self.write(one) for one in node.args]
         kinds = [self.number(node, found) for _, found in written]
         wanted = kinds[0]
@@ -129,7 +129,7 @@ class Calls(Names, ABC):
         return total, wanted
 
     def lane_call(self, node: ast.Call, name: str) -> tuple[str, Value | None]:
-        """A call of ``airlight.kernel.lanes``."""
+        """Write a call of ``airlight.kernel.lanes``."""
         if name == "splat":
             return self.as_scalar(node.args[0], VEC4), VEC4
         if name == "exponential":
@@ -154,7 +154,7 @@ class Calls(Names, ABC):
         raise self.refuse(node, "lanes have no such thing on the GPU")
 
     def kernel_call(self, node: ast.Call, called: Any) -> tuple[str, Value | None]:
-        """A call of another function, which is emitted for these arguments."""
+        """Write a call of another function, which is emitted for these arguments."""
         texts: list[str] = []
         values: list[Value] = []
         for one in node.args:
@@ -167,7 +167,7 @@ class Calls(Names, ABC):
                 continue
             folded = self.fold(one)
             if folded is not None:
-                # Whole numbers and switches are bound, which unrolls what depends on them.
+                # Integers and switches are bound, which unrolls what depends on them.
                 values.append(Constant(folded) if isinstance(folded, (bool, int)) else F32)
                 texts.append(self.literal(one, folded))
                 continue

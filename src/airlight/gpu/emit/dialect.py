@@ -1,7 +1,7 @@
-"""What a language needs to say the same function: types, declarations, heads, casts, choices.
+"""Syntax in which the target languages differ: types, declarations, heads, casts, selections.
 
-A ``Dialect`` is asked wherever languages differ; what they share — operators, brackets, ``if``,
-``for``, ``while``, assignments — the emitter writes itself.
+The emitter asks a ``Dialect`` wherever languages differ; what they share — operators, brackets,
+``if``, ``for``, ``while``, assignments — it writes itself.
 """
 
 from __future__ import annotations
@@ -29,24 +29,24 @@ Named = tuple[str, Scalar | Room | Several | Table]
 
 
 class Dialect(ABC):
-    """A language that functions are written in.
+    """Target language of the emitter.
 
     Attributes
     ----------
     name : str
-        Of the language.
+        Name of the language.
     reserved : frozenset of str
-        Names that the language keeps for itself, or that its text calls.
+        Keywords of the language, and names that the emitted text calls.
     mathematics : mapping
-        From Python's functions to the language's names, or to a Python function that is emitted
-        in their place.
+        Names in the language by Python function, or a Python function that is emitted in its
+        place.
     module_arrays : bool
-        Whether arrays of a function stand in the module, each function being written once for
-        the arrays that it is called with: for languages that would copy them.
+        Whether arrays of a function are declared in the module, and each function is written once
+        for the arrays that it is called with: for languages that would copy them.
     unrolls : bool
-        Whether innermost loops are written four turns at a time.
+        Whether innermost loops are unrolled four times.
     largest : float
-        No literal may be larger.
+        Largest literal allowed.
     """
 
     name: ClassVar[str]
@@ -62,27 +62,27 @@ class Dialect(ABC):
 
     @abstractmethod
     def declared(self, name: str, kind: Scalar | Room) -> str:
-        """Declare a variable that is assigned to later."""
+        """Declare a variable that is assigned later."""
 
     @abstractmethod
     def kept(self, name: str, kind: Scalar | Several, text: str) -> str:
-        """Declare a name for a value that does not change."""
+        """Declare a name for a constant value."""
 
     @abstractmethod
     def variable(self, name: str, kind: Scalar, text: str) -> str:
-        """Declare a variable with its first value."""
+        """Declare a variable with its initial value."""
 
     @abstractmethod
     def head(self, name: str, parameters: Sequence[Named], result: Scalar | Several | None) -> str:
-        """First line of a function, up to the brace."""
+        """First line of a function, including the brace."""
 
     @abstractmethod
     def struct(self, kind: Several) -> str:
-        """Declare the type of a tuple; empty where it needs none."""
+        """Declare the type of a tuple; empty if the language needs none."""
 
     @abstractmethod
     def several(self, kind: Several, parts: Sequence[str]) -> str:
-        """A tuple of these parts."""
+        """Tuple of these parts."""
 
     @abstractmethod
     def part(self, text: str, index: int) -> str:
@@ -90,34 +90,34 @@ class Dialect(ABC):
 
     @abstractmethod
     def converted(self, text: str, wanted: Scalar) -> str:
-        """A number as another type of number."""
+        """Convert a number to another type."""
 
     @abstractmethod
     def chosen(self, test: str, yes: str, no: str) -> str:
-        """One of two values."""
+        """Select one of two values."""
 
     @abstractmethod
     def quotient(self, first: str, second: str) -> str:
-        """Quotient of whole numbers, rounded down."""
+        """Quotient of integers, rounded down."""
 
     @abstractmethod
     def rest(self, first: str, second: str) -> str:
-        """Rest of that quotient, of the divisor's sign."""
+        """Remainder of that quotient, with the divisor's sign."""
 
     def unused(self, text: str) -> str:
-        """A call whose result nobody wants, as a statement."""
+        """Statement that calls a function and discards its result."""
         return f"{text};"
 
     def array_argument(self, text: str) -> str:
-        """An array of this function, handed over."""
+        """Pass a local array as an argument."""
         return text
 
     def array(self, name: str, *, handed_over: bool) -> str:
-        """An array as it stands before its index, of this function or handed over to it."""
+        """Array as written before its index, local or passed as an argument."""
         return name
 
     def at_run_time(self, value: Value) -> bool:
-        """Whether a value is handed over when a function is called."""
+        """Whether a value is passed when a function is called."""
         if isinstance(value, Room):
             return not value.variable
         return not isinstance(value, (Constant, Table, Bundle))
@@ -131,27 +131,27 @@ class Dialect(ABC):
         return f"size_{table}({axis})"
 
     def uniform(self, text: str, kind: Scalar) -> str:
-        """A number that stands in a uniform as a float."""
+        """Convert the float in a uniform to a number of its type."""
         if kind == I32:
             return self.converted(text, I32)
         return f"({text} > 0.5)" if kind == BOOL else text
 
 
 class ShaderDialect(Dialect):
-    """A language of shaders: it has textures, uniforms and entry points too."""
+    """Shading language: it also has textures, uniforms and entry points."""
 
-    #: Functions of whole numbers that every shader needs.
+    #: Integer functions that every shader needs.
     whole_numbers: ClassVar[str]
-    #: The vertex function of all passes: one triangle that covers the target, whose corners are
+    #: Vertex function of all passes: one triangle that covers the target, with the corners
     #: (-1, -1), (3, -1), (-1, 3).
     triangle: ClassVar[str]
 
     def quotient(self, first: str, second: str) -> str:
-        """Quotient of whole numbers, rounded down; the language's own goes towards 0."""
+        """Quotient of integers, rounded down; the language's own rounds towards 0."""
         return f"whole_quotient({first}, {second})"
 
     def rest(self, first: str, second: str) -> str:
-        """Rest of that quotient, of the divisor's sign."""
+        """Remainder of that quotient, with the divisor's sign."""
         return f"whole_rest({first}, {second})"
 
     @abstractmethod
@@ -160,7 +160,7 @@ class ShaderDialect(Dialect):
 
     @abstractmethod
     def texture_name(self, name: str, group: int, binding: int) -> str:
-        """Name by which functions know a texture."""
+        """Name of a texture inside functions."""
 
     @abstractmethod
     def texture(self, name: str, group: int, binding: int) -> str:
@@ -170,24 +170,24 @@ class ShaderDialect(Dialect):
     def uniforms(
         self, name: str, fields: Sequence[str | tuple[str, int]], group: int, binding: int
     ) -> str:
-        """Declare a struct of vectors, some of them arrays of so many, and the uniform of it."""
+        """Declare a struct of vectors and arrays of vectors, and a uniform of that type."""
 
     @abstractmethod
     def fragment(self, name: str, targets: int, body: Sequence[str], results: Sequence[str]) -> str:
-        """An entry point: its statements, which know ``at``, and a vector for each target."""
+        """Entry point: its statements, which can read ``at``, and a vector for each target."""
 
     @abstractmethod
     def module(self, parts: Sequence[str]) -> str:
-        """A whole shader of its parts."""
+        """Join parts to a complete shader."""
 
     def function(
         self, name: str, parameters: Sequence[Named], result: Scalar, lines: Sequence[str]
     ) -> str:
-        """A function whose last line is its result."""
+        """Function whose last line is its result."""
         *before, last = lines
         body = "".join(f"  {line}\n" for line in before)
         return f"{self.head(name, parameters, result)}\n{body}  return {last};\n}}\n"
 
 
-#: Types by their names in C's languages.
+#: Names of the types in C-like languages.
 PLAIN_NAMES = {F32: "float", I32: "int", BOOL: "bool", VEC4: "vec4"}

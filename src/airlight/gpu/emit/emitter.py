@@ -1,10 +1,10 @@
-"""From restricted Python to other languages: the same functions that the processor compiles.
+"""Emitter from restricted Python to other languages, of the functions that Numba compiles.
 
-A function is emitted for the types that it is called with, as a compiler would do it: tables,
-constants and NamedTuples are bound when the shader is written and take no part at run time. The
+A function is emitted for the types that it is called with, as a compiler would do: tables,
+constants and NamedTuples are bound when the shader is written and do not exist at run time. The
 subset: numbers, ``+ - * / // % **``, comparisons, ``and or not``, ``x if c else y``, ``if``,
 ``for … in range(…)``, ``while``, tuples as results, ``math``, other kernels, tables
-(``table[i, j]``, ``table.shape[0]``), rooms (``np.empty(CONSTANT)``, ``room_of_lanes``) and the
+(``table[i, j]``, ``table.shape[0]``), arrays (``np.empty(CONSTANT)``, ``room_of_lanes``) and the
 lanes of ``airlight.kernel.lanes``, which are four wavelengths here. Anything else is refused with
 file and line.
 """
@@ -28,18 +28,18 @@ from airlight.gpu.emit.wgsl import WGSL
 
 __all__ = ["Emitted", "Emitter", "SubsetError"]
 
-#: Functions for whose names no other may stand.
+#: Functions whose names are reserved.
 _OWN: Final = frozenset(vars(single_precision))
 
 
 @dataclass
 class Emitter:
-    """Collects the functions of one shader, or of one module of another language.
+    """Collector of the functions of one shader, or of one module of another language.
 
     Parameters
     ----------
     dialect : Dialect
-        The language.
+        Target language.
 
     Examples
     --------
@@ -62,22 +62,22 @@ class Emitter:
     _in_progress: set[Any] = field(default_factory=set)
 
     def add(self, function: Callable[..., Any], *arguments: Value, name: str = "") -> Emitted:
-        """Emit a function for arguments of these types, and all that it calls.
+        """Emit a function for arguments of these types, and all functions that it calls.
 
         Parameters
         ----------
         function : kernel or inlined function
-            Or a plain Python function.
+            Function to emit; a plain Python function also serves.
         *arguments : Value
-            One for each parameter.
+            Type or value of each parameter.
         name : str
-            In the shader; by default the function's own, numbered where it is emitted for several
-            types.
+            Name in the shader; by default the function's own, numbered where it is emitted for
+            several types.
 
         Returns
         -------
         Emitted
-            From the last call with these types, if there was one.
+            Function from an earlier call with these types, if there was one.
 
         Raises
         ------
@@ -116,24 +116,25 @@ class Emitter:
         return made
 
     def tuple_type(self, items: Sequence[Scalar]) -> Several:
-        """The struct that stands for a tuple.
+        """Struct that represents a tuple.
 
         Parameters
         ----------
         items : sequence of Scalar
-            Types of its members.
+            Types of the members.
         """
         several = Several(tuple(items))
         return self.tuples.setdefault(several.name, several)
 
     def module_array(self, name: str, kind: Room) -> Room:
-        """An array that stands in the module, where the language wants that; else as it is.
+        """Array declared in the module, where the language needs that; otherwise unchanged.
 
         Parameters
         ----------
         name : str
-            Of the variable.
+            Name of the variable.
         kind : Room
+            Type of the array.
         """
         if not self.dialect.module_arrays:
             return kind
@@ -148,16 +149,16 @@ class Emitter:
         return "".join([*structs, *arrays]) + functions
 
     def module(self) -> str:
-        """The functions after what all of them may need."""
+        """Complete module: the common functions, then those that were emitted."""
         before = self.dialect.whole_numbers if isinstance(self.dialect, ShaderDialect) else ""
         return before + self.functions_text()
 
 
 @cache
 def _syntax_tree(function: Callable[..., Any]) -> ast.FunctionDef:
-    """The source of a function, read once for all shaders and languages.
+    """Parse the source of a function, once for all shaders and languages.
 
-    Functions that were written out by a program carry it (``kernel.choice``).
+    Generated functions carry their source (``kernel.choice``).
     """
     text = getattr(function, "source_text", None) or inspect.getsource(function)
     tree = ast.parse(textwrap.dedent(text)).body[0]
@@ -166,7 +167,7 @@ def _syntax_tree(function: Callable[..., Any]) -> ast.FunctionDef:
 
 
 def _handed_over(value: Value, parameter: str, dialect: Dialect) -> Value:
-    """How a value arrives in the function called: a uniform as a plain number."""
+    """Value as the called function receives it: a uniform becomes a plain number."""
     if isinstance(value, Table) and dialect.at_run_time(value):
         return replace(value, name=parameter)
     return value.scalar if isinstance(value, Uniform) else value

@@ -33,10 +33,10 @@ _OPERATORS: Final[dict[type[ast.operator], str]] = {
 
 
 class Expressions(Calls):
-    """Writes the expressions of one function; see ``Names`` for the parameters."""
+    """Writer of the expressions of one function; see ``Names`` for the parameters."""
 
     def write(self, node: ast.expr) -> tuple[str, Value | None]:
-        """An expression and its type; None for a call that gives nothing."""
+        """Write an expression; return text and type, None for a call without result."""
         folded = self.fold(node)
         if folded is not None:
             return self.literal(node, folded), Constant(folded)
@@ -64,7 +64,7 @@ class Expressions(Calls):
         raise self.refuse(node, f"{type(node).__name__} has no translation")
 
     def name(self, node: ast.Name | ast.Attribute) -> tuple[str, Value]:
-        """A variable, a parameter, or a field of a bundle."""
+        """Write a variable, a parameter, or a field of a bundle."""
         if isinstance(node, ast.Attribute) and node.attr == "size":
             owner = self.bound(node.value)
             if isinstance(owner, Table) and owner.rank == 1:
@@ -80,7 +80,7 @@ class Expressions(Calls):
         raise self.refuse(node, "is not known here")
 
     def operation(self, node: ast.BinOp) -> tuple[str, Value]:
-        """A sum, difference, product, quotient or power."""
+        """Write a sum, difference, product, quotient or power."""
         if isinstance(node.op, ast.Pow):
             return self.power(node)
         left, left_type = self.write(node.left)
@@ -98,13 +98,13 @@ class Expressions(Calls):
         kind = joined(first, second)
         if kind == I32 and sign == "/":
             kind = F32
-        if kind != I32:  # a vector takes plain numbers of single precision beside it
+        if kind != I32:  # a vector combines with plain numbers of single precision
             left = self.cast(left, left_type, F32) if first != VEC4 else left
             right = self.cast(right, right_type, F32) if second != VEC4 else right
         return f"({left} {sign} {right})", kind
 
     def power(self, node: ast.BinOp) -> tuple[str, Value]:
-        """Small whole powers by products, which take negative bases too."""
+        """Write small integer powers as products, which also accept negative bases."""
         base = self.as_scalar(node.left, F32)
         exponent = self.fold(node.right)
         if exponent in (2, 3):
@@ -113,7 +113,7 @@ class Expressions(Calls):
         return self.mathematics(pow, [base, self.as_scalar(node.right, F32)]), F32
 
     def comparison(self, node: ast.Compare) -> tuple[str, Value]:
-        """One comparison or a chain of them."""
+        """Write one comparison or a chain of them."""
         parts = []
         left = node.left
         for op, right in zip(node.ops, node.comparators, strict=True):
@@ -131,7 +131,7 @@ class Expressions(Calls):
         return (parts[0] if len(parts) == 1 else f"({' && '.join(parts)})"), BOOL
 
     def choice(self, test: ast.expr, body: ast.expr, orelse: ast.expr) -> tuple[str, Value | None]:
-        """``x if c else y``: both are worked out, one is taken."""
+        """Write ``x if c else y``: both are evaluated, one is selected."""
         known = self.known(test)
         if known is not None:
             return self.write(body if known else orelse)
@@ -143,7 +143,7 @@ class Expressions(Calls):
         return self.dialect.chosen(self.as_scalar(test, BOOL), yes, no), wanted
 
     def element(self, node: ast.Subscript) -> tuple[str, Value]:
-        """An element of a table or of a room, or the length of an axis."""
+        """Write an element of a table or array, or the length of an axis."""
         if isinstance(node.value, ast.Attribute) and node.value.attr == "shape":
             owner = self.bound(node.value.value)
             axis = self.fold(node.slice)
@@ -159,7 +159,7 @@ class Expressions(Calls):
         return self.place(node)
 
     def flat_index(self, node: ast.Subscript, table: Table) -> str:
-        """The place of a table's element in its texture."""
+        """Index of a table's element in its texture."""
         indices = node.slice.elts if isinstance(node.slice, ast.Tuple) else [node.slice]
         if len(indices) != table.rank:
             raise self.refuse(node, f"needs {table.rank} indices")
@@ -170,7 +170,7 @@ class Expressions(Calls):
         return flat
 
     def place(self, node: ast.Subscript) -> tuple[str, Scalar]:
-        """An element of a room, to read or to write."""
+        """Write an element of an array, to read or to assign."""
         owner = self.bound(node.value)
         if not isinstance(owner, Room) or not isinstance(node.value, ast.Name):
             raise self.refuse(node, "is neither a table nor a room")

@@ -1,9 +1,9 @@
 """GLSL ES 3.00, the language of WebGL2.
 
-It has no pointers: an array that a function is given to fill would be copied in and out, element by
-element, at every call, and compilers choke on it (Mesa took 264 s for the table of the sky). So
-arrays stand in the module, and each function names those that it is called with. No function calls
-itself, and each array is written before it is read, so that nothing else changes.
+It has no pointers: an array that a function fills would be copied in and out, element by element,
+at every call, and compilers are slow on that (Mesa took 264 s for the table of the sky). Hence
+arrays are declared in the module, and each function names those that it is called with. No function
+calls itself, and each array is written before it is read, so that nothing else changes.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ from airlight.gpu.emit.dialect import PLAIN_NAMES, Named, ShaderDialect
 from airlight.gpu.emit.shader_types import VEC4, Room, Scalar, Several, Table
 from airlight.gpu.emit.single_precision import MATHEMATICS
 
-#: GLSL ES 3.00, 3.6 "Keywords" and the names of 8 "Built-in Functions" that a shader here might
-#: take for its own; a function of such a name is an error.
+#: GLSL ES 3.00, 3.6 "Keywords" and those names of 8 "Built-in Functions" that a shader might use
+#: for its own functions; redefining one is an error.
 _RESERVED: Final = """
     const uniform layout centroid flat smooth break continue do for while switch case default if
     else in out inout float int void bool true false invariant discard return mat2 mat3 mat4 vec2
@@ -35,7 +35,7 @@ _RESERVED: Final = """
 
 
 class Glsl(ShaderDialect):
-    """GLSL ES 3.00; a shader has one entry point, textures are named after their slots."""
+    """GLSL ES 3.00; a shader has one entry point, textures are named after their bindings."""
 
     name = "GLSL ES 3.00"
     reserved = frozenset(re.findall(r"\w+", _RESERVED))

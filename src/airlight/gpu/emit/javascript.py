@@ -1,7 +1,7 @@
-"""JavaScript, in double precision: what a page works out on its processor.
+"""JavaScript, in double precision, for the calculations of a page on the CPU.
 
-A tuple is an array, a table an object with ``values`` in one row and ``shape``, and an array is
-handed over as it is. Each function is exported.
+A tuple is an array, a table an object with flat ``values`` and a ``shape``, and an array is passed
+by reference. Each function is exported.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _RESERVED: Final = """
 
 
 class JavaScript(Dialect):
-    """JavaScript as the functions of an ES module."""
+    """JavaScript: functions of an ES module."""
 
     name = "JavaScript"
     reserved = frozenset(re.findall(r"\w+", _RESERVED))

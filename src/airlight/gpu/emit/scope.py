@@ -1,4 +1,4 @@
-"""What the names of a function in restricted Python stand for, and what is known before it runs.
+"""Scope of a function in restricted Python: meaning of its names, and values known in advance.
 
 Parameters and variables have types; constants of the module, tables, bundles and switches have
 values when the shader is written, and conditions of such values are decided there.
@@ -34,7 +34,7 @@ from airlight.gpu.emit.shader_types import (
 )
 from airlight.kernel import lanes as lane_module
 
-#: Python's comparisons in all languages here.
+#: Python's comparison operators, the same in all target languages.
 COMPARISONS: Final[dict[type[ast.cmpop], str]] = {
     ast.Lt: "<",
     ast.LtE: "<=",
@@ -46,11 +46,11 @@ COMPARISONS: Final[dict[type[ast.cmpop], str]] = {
 
 
 class SubsetError(AirlightError):
-    """A function outside the subset: names file, line and reason."""
+    """Function outside the subset; the message names file, line and reason."""
 
 
 class Callee(Protocol):
-    """A function as it stands in the shader; see ``function_body.Emitted``."""
+    """Function in the shader; see ``statements.Emitted``."""
 
     name: str
     parameters: tuple[tuple[str, Value], ...]
@@ -58,42 +58,42 @@ class Callee(Protocol):
 
 
 class Functions(Protocol):
-    """Emits what is called; see ``emitter.Emitter``."""
+    """Emitter of the functions that are called; see ``emitter.Emitter``."""
 
     @property
     def dialect(self) -> Dialect:
-        """The language."""
+        """Target language."""
 
     @property
     def taken(self) -> set[str]:
-        """Names of functions."""
+        """Names of functions in use."""
 
     def add(self, function: Callable[..., Any], *arguments: Value) -> Callee:
         """Emit a function."""
 
     def tuple_type(self, items: Sequence[Scalar]) -> Several:
-        """The struct that stands for a tuple."""
+        """Struct that represents a tuple."""
 
     def module_array(self, name: str, kind: Room) -> Room:
-        """An array that stands in the module."""
+        """Array declared in the module."""
 
 
 class Names:
-    """What is known of one function when the shader is written.
+    """Names of one function, with what is known of them when the shader is written.
 
     Parameters
     ----------
     emitter : Functions
-        Emits what is called.
+        Emitter of the functions that are called.
     function : callable
-        Plain Python: its module gives the constants.
+        Plain Python function; its module provides the constants.
     names : dict from str to Value
-        What is known of the parameters; variables are added as they are met.
+        Values and types of the parameters; variables are added as they are met.
 
     Raises
     ------
     SubsetError
-        From the methods of this class and of those that add to it: with file and line, where an
+        From the methods of this class and its subclasses: with file and line, where an
         expression leaves the subset.
     """
 
@@ -107,18 +107,18 @@ class Names:
         self.first_line = function.__code__.co_firstlineno
 
     def refuse(self, node: ast.AST, why: str) -> SubsetError:
-        """The error for a node: file, line, what stands there, and why it cannot be."""
+        """Error for a node: file, line, source text and reason."""
         line = self.first_line + getattr(node, "lineno", 1) - 1
         text = " ".join(ast.unparse(node).split())[:80]
         return SubsetError(f"{self.function.__code__.co_filename}:{line}: {text!r}: {why}")
 
     def spelled(self, name: str) -> str:
-        """A Python name as it may stand in the shader."""
+        """Spell a Python name for the shader."""
         taken = name in self.dialect.reserved or name in self.emitter.taken
         return f"{name}_1" if taken else name.lstrip("_")
 
     def learn(self, node: ast.AST, name: str, found: Value) -> None:
-        """A name was assigned to: remember its type, the wider one of two."""
+        """Record the type of an assigned name, or the wider of two types."""
         before = self.names.get(name)
         if isinstance(before, Uniform):
             before = before.scalar
@@ -140,7 +140,7 @@ class Names:
             raise self.refuse(node, f"{name} was {before} and would be {found}")
 
     def literal(self, node: ast.AST, value: float | int | bool) -> str:
-        """A number as text."""
+        """Number as text."""
         if isinstance(value, (bool, np.bool_)):
             return "true" if value else "false"
         if isinstance(value, (int, np.integer)):
@@ -153,7 +153,7 @@ class Names:
         return text if any(mark in text for mark in ".en") else f"{text}.0"
 
     def cast(self, text: str, found: Value | None, wanted: Scalar) -> str:
-        """Text of a type as another one, where Python would do so by itself."""
+        """Convert text to another type where Python would do so implicitly."""
         if found is None or isinstance(found, (Table, Bundle, Room, Several)):
             raise SubsetError(f"{self.function.__qualname__}: {text} is no number")
         kind = run_time(found)
@@ -168,12 +168,12 @@ class Names:
         raise SubsetError(f"{self.function.__qualname__}: {text} is {kind}, not {wanted}")
 
     def known(self, node: ast.expr) -> bool | None:
-        """What a condition is, if the emitter can tell."""
+        """Value of a condition if the emitter can tell, or None."""
         value = self.fold(node)
         return None if value is None else bool(value)
 
     def fold(self, node: ast.expr) -> float | int | bool | None:
-        """The value of an expression of constants, or None."""
+        """Value of an expression of constants, or None."""
         match node:
             case ast.Constant(value=bool() | int() | float() as value):
                 return value
@@ -214,7 +214,7 @@ class Names:
         return None
 
     def bound(self, node: ast.expr) -> Any:
-        """What a name or attribute stands for: a Value, a function, a module; None if unknown."""
+        """Object bound to a name or attribute: a Value, a function, a module; None if unknown."""
         if isinstance(node, ast.Name):
             if node.id in self.names:
                 return self.names[node.id]

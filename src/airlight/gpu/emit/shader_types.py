@@ -1,4 +1,4 @@
-"""What the emitter knows of a value: its type, or the table or constant that it stands for."""
+"""Values as the emitter sees them: a type, or the table or constant that a name stands for."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Final
 
 @dataclass(frozen=True)
 class Scalar:
-    """A number at run time, or four wavelengths of one.
+    """Number at run time, or a number at four wavelengths.
 
     Attributes
     ----------
@@ -28,21 +28,21 @@ VEC4: Final = Scalar("vec4f")
 
 @dataclass(frozen=True)
 class Constant:
-    """A number known when the shader is written."""
+    """Number known when the shader is written."""
 
     value: float | int | bool
 
 
 @dataclass(frozen=True)
 class Uniform:
-    """A number that the shader finds in a uniform, where all numbers are floats.
+    """Number in a uniform, where all numbers are floats.
 
     Attributes
     ----------
     text : str
-        The expression of the float, the same in all languages of shaders.
+        Expression of the float, the same in all shading languages.
     scalar : Scalar
-        Type that it stands for: whole numbers are rounded off, and a switch is on above a half.
+        Type that it represents: integers are truncated, and a switch is on above 0.5.
     """
 
     text: str
@@ -51,18 +51,19 @@ class Uniform:
 
 @dataclass(frozen=True)
 class Table:
-    """An array that is read only, in a texture.
+    """Read-only array in a texture.
 
-    The shader's function ``read_NAME(index)`` gives an element, ``size_NAME(axis)`` the length of
+    The shader's function ``read_NAME(index)`` returns an element, ``size_NAME(axis)`` the length of
     an axis.
 
     Attributes
     ----------
     name : str
+        Name of the table.
     rank : int
         Number of axes.
     spectral : bool
-        Whether an element is four wavelengths rather than one number.
+        Whether an element holds four wavelengths rather than one number.
     """
 
     name: str
@@ -71,22 +72,22 @@ class Table:
 
     @property
     def element(self) -> Scalar:
-        """The type of an element."""
+        """Type of an element."""
         return VEC4 if self.spectral else F32
 
 
 @dataclass(frozen=True)
 class Room:
-    """An array of the function itself, or of its caller.
+    """Array of the function itself, or of its caller.
 
     Attributes
     ----------
     size : int
         Number of elements.
     element : Scalar
-        Their type.
+        Type of the elements.
     variable : str
-        Of the module, where a language keeps arrays there.
+        Name of the module's variable, in languages that keep arrays there.
     """
 
     size: int
@@ -95,18 +96,18 @@ class Room:
 
     @property
     def name(self) -> str:
-        """Name of the type, for messages."""
+        """Name of the type, for error messages."""
         return f"array<{self.element.name}, {self.size}>"
 
 
 @dataclass(frozen=True)
 class Bundle:
-    """A NamedTuple whose fields are bound when the shader is written.
+    """NamedTuple whose fields are bound when the shader is written.
 
     Attributes
     ----------
     fields : mapping from str to Value
-        In the order of the tuple.
+        Fields in the order of the tuple.
     """
 
     fields: Mapping[str, Value]
@@ -117,13 +118,13 @@ class Bundle:
 
 @dataclass(frozen=True)
 class Several:
-    """A tuple of values, as functions return them."""
+    """Tuple of values, as functions return them."""
 
     items: tuple[Scalar, ...]
 
     @property
     def name(self) -> str:
-        """Name of the struct that stands for it."""
+        """Name of the struct that represents it."""
         return "Several_" + "_".join(item.name for item in self.items)
 
 
@@ -131,11 +132,12 @@ Value = Scalar | Constant | Uniform | Table | Room | Bundle | Several
 
 
 def run_time(value: Value) -> Scalar | Room | Several:
-    """The type that a value has in the shader.
+    """Type of a value in the shader.
 
     Parameters
     ----------
     value : Value
+        Value as the emitter knows it.
 
     Raises
     ------
@@ -154,12 +156,12 @@ def run_time(value: Value) -> Scalar | Room | Several:
 
 
 def joined(first: Scalar, second: Scalar) -> Scalar:
-    """The type of a sum of two numbers.
+    """Type of a sum of two numbers.
 
     Parameters
     ----------
     first, second : Scalar
-        Not bool.
+        Types other than bool.
     """
     if VEC4 in (first, second):
         return VEC4

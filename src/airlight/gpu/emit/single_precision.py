@@ -1,8 +1,8 @@
-"""Angles and their functions in single precision, for languages whose own are too rough.
+"""Angles and their functions in single precision, for languages whose own are too inaccurate.
 
-Good to 1e-7 and 3e-7. WGSL's own sine may err by 5e-4, its arc tangent by 4096 units of the last
-place; a driver in use errs by 4e-4 in asin. The polynomials of sine, cosine and arc tangent are
-those of Moshier's Cephes library in single precision. The functions are emitted like kernels,
+Accurate to 1e-7 and 3e-7. WGSL's own sine may err by 5e-4, its arc tangent by 4096 units in the
+last place; a driver in use errs by 4e-4 in asin. The polynomials of sine, cosine and arc tangent
+are those of Moshier's Cephes library in single precision. The functions are emitted like kernels,
 where they are called.
 """
 
@@ -14,30 +14,30 @@ from typing import Any, Final
 
 
 def squared(x):
-    """x²."""
+    """Square of x."""
     return x * x
 
 
 def cubed(x):
-    """x³."""
+    """Cube of x."""
     return x * x * x
 
 
 def sine_of_quarter(x):
-    """Sine of at most a quarter of π."""
+    """Sine of an angle of at most π/4."""
     y = x * x
     return x + x * y * (-1.6666654611e-1 + y * (8.3321608736e-3 - 1.9515295891e-4 * y))
 
 
 def cosine_of_quarter(x):
-    """Cosine of at most a quarter of π."""
+    """Cosine of an angle of at most π/4."""
     y = x * x
     tail = y * y * (4.166664568298827e-2 + y * (-1.388731625493765e-3 + 2.443315711809948e-5 * y))
     return 1.0 - 0.5 * y + tail
 
 
 def rest_of_quarter(x, turns):
-    """Angle less so many halves of π, which come in three parts that lose no digits."""
+    """Angle less ``turns`` times π/2, which is split into three parts to keep all digits."""
     return ((x - turns * 1.5703125) - turns * 4.837512969970703e-4) - turns * 7.549789948768648e-8
 
 
@@ -60,7 +60,7 @@ def cosine(x):
 
 
 def angle_of(y, x):
-    """Angle of a point from the axis x. [rad]"""
+    """Angle of a point from the x axis. [rad]"""
     a = abs(x)
     b = abs(y)
     slope = min(a, b) / max(max(a, b), 1e-37)
@@ -91,7 +91,7 @@ def arc_sine(x):
     return angle_of(x, math.sqrt(max((1.0 - x) * (1.0 + x), 0.0)))
 
 
-#: Python's mathematics in single precision: names that shaders know, and functions of this file.
+#: Python's mathematics in single precision: names in shaders, and functions of this file.
 MATHEMATICS: Final[dict[Any, str | Callable[..., Any]]] = {
     math.sqrt: "sqrt", math.exp: "exp", math.log: "log", math.log2: "log2", math.tan: "tan",
     math.floor: "floor", abs: "abs", min: "min", max: "max", pow: "pow",

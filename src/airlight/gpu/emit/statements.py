@@ -1,7 +1,7 @@
-"""Statements of one function of restricted Python as text: its body, its head, its variables.
+"""Statements of one function of restricted Python as text: body, head, variables.
 
-Every variable is declared at the top of the function, with the widest type that any assignment
-gives it; so a body is written until its types no longer change.
+Every variable is declared at the top of the function, with the widest type of all its assignments;
+hence a body is written until its types no longer change.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from airlight.gpu.emit.shader_types import (
     run_time,
 )
 
-#: Calls that a loop may have inside and still be written out.
+#: Calls that do not prevent the unrolling of a loop.
 _SHORT: Final = frozenset(
     {"load", "store", "splat", "float32", "between", "min", "max", "abs", "int"}
 )
@@ -37,20 +37,20 @@ _SHORT: Final = frozenset(
 
 @dataclass
 class Emitted:
-    """A function as it stands in the shader.
+    """Function in the shader.
 
     Attributes
     ----------
     name : str
-        In the shader.
+        Name in the shader.
     function : callable
-        The Python that it was emitted from.
+        Python function that it was emitted from.
     parameters : tuple of (str, Value)
-        All of them, the bound ones too.
+        All parameters, including the bound ones.
     result : Scalar, Several or None
-        None if it only fills rooms.
+        Type of the result; None if the function only fills arrays.
     text : str
-        In the language of the emitter.
+        Text in the language of the emitter.
     """
 
     name: str
@@ -61,16 +61,16 @@ class Emitted:
 
 
 class FunctionBody:
-    """Writes the statements of one function.
+    """Writer of the statements of one function.
 
     Parameters
     ----------
     emitter : Functions
-        Emits what is called.
+        Emitter of the functions that are called.
     made : Emitted
-        The function; ``write`` fills in its result and text.
+        Function to write; ``write`` fills in its result and text.
     tree : ast.FunctionDef
-        Its source.
+        Source of the function.
 
     Raises
     ------
@@ -88,7 +88,7 @@ class FunctionBody:
         self.temporaries = 0
 
     def write(self) -> None:
-        """At most three times: what a pass learns of the variables' types, the next writes."""
+        """Write the body, at most three times: each pass uses the types that the last one found."""
         parameters = {name for name, _ in self.made.parameters}
         for _ in range(3):
             before = dict(self.names)
@@ -123,11 +123,11 @@ class FunctionBody:
         self.made.text = "\n".join([head, *copies, *self.lines, "}\n"])
 
     def refuse(self, node: ast.AST, why: str) -> SubsetError:
-        """The error for a node; see ``Expressions.refuse``."""
+        """Error for a node; see ``Names.refuse``."""
         return self.expressions.refuse(node, why)
 
     def block(self, body: Sequence[ast.stmt], depth: int) -> bool:
-        """Statements up to the first that always returns; whether there is one."""
+        """Write statements up to the first that always returns; return whether there is one."""
         for statement in body:
             if isinstance(statement, ast.If):
                 known = self.expressions.known(statement.test)
@@ -141,11 +141,11 @@ class FunctionBody:
         return False
 
     def put(self, depth: int, text: str) -> None:
-        """Add a line, so many levels of braces deep."""
+        """Add a line, indented by ``depth`` levels."""
         self.lines.append("  " * depth + text)
 
     def statement(self, node: ast.stmt, depth: int) -> None:
-        """Write one statement, whatever it is."""
+        """Write one statement of any kind."""
         match node:
             case ast.Expr(value=ast.Constant()) | ast.Pass():
                 return
@@ -178,14 +178,14 @@ class FunctionBody:
                 raise self.refuse(node, f"{type(node).__name__} has no translation")
 
     def condition(self, test: ast.expr) -> str:
-        """What stands between the brackets of ``if`` and ``while``."""
+        """Condition of ``if`` and ``while``."""
         text, value = self.expressions.write(test)
         if value is None or not isinstance(value, (Scalar, Uniform, Constant)):
             raise self.refuse(test, "is no condition")
         return text if run_time(value) == BOOL else f"{text} != 0"
 
     def branch(self, node: ast.If, depth: int) -> None:
-        """``if`` and ``else``, where only the run decides."""
+        """Write ``if`` and ``else`` that are decided at run time."""
         self.put(depth, f"if ({self.condition(node.test)}) {{")
         self.block(node.body, depth + 1)
         if node.orelse:
@@ -194,7 +194,7 @@ class FunctionBody:
         self.put(depth, "}")
 
     def loop(self, node: ast.For, depth: int) -> None:
-        """``for … in range(…)``."""
+        """Write ``for … in range(…)``."""
         call, target = node.iter, node.target
         plain = (
             isinstance(call, ast.Call)
@@ -225,9 +225,9 @@ class FunctionBody:
         self.put(depth, "}")
 
     def unrolled(self, node: ast.For, name: str, first: str, last: str, depth: int) -> None:
-        """An innermost loop, four turns at a time and then one by one.
+        """Write an innermost loop unrolled four times, and a loop over the remainder.
 
-        Mesa's software renderer ends all loops of a shader after 65 535 turns, counted together.
+        Mesa's software renderer ends all loops of a shader after 65 535 iterations in total.
         """
         self.temporaries += 1
         end = f"end_{self.temporaries}"
@@ -243,7 +243,7 @@ class FunctionBody:
         self.put(depth, "}")
 
     def give_back(self, node: ast.Return, depth: int) -> None:
-        """``return``: of nothing, a number or a tuple."""
+        """Write ``return`` of nothing, a number or a tuple."""
         if node.value is None:
             self.put(depth, "return;")
             return
@@ -273,7 +273,7 @@ class FunctionBody:
         self.put(depth, f"return {self.expressions.cast(text, value, kind)};")
 
     def assign(self, target: ast.expr, value: ast.expr, depth: int) -> None:
-        """Give a value to a name or to an element of a room."""
+        """Assign a value to a name or to an element of an array."""
         if isinstance(target, ast.Subscript):
             place, kind = self.expressions.place(target)
             self.put(depth, f"{place} = {self.expressions.as_scalar(value, kind)};")
@@ -284,7 +284,7 @@ class FunctionBody:
         self.keep(target, text, found, depth)
 
     def keep(self, target: ast.Name, text: str, found: Value | None, depth: int) -> None:
-        """Assign what an expression gave to a name: at run time, or for the emitter alone."""
+        """Assign the value of an expression to a name: at run time, or for the emitter alone."""
         if found is None:
             raise self.refuse(target, "nothing to assign")
         if isinstance(found, (Table, Bundle)):
@@ -306,7 +306,7 @@ class FunctionBody:
         self.put(depth, f"{spelled} = {self.expressions.cast(text, found, now)};")
 
     def unpack(self, target: ast.Tuple, value: ast.expr, depth: int) -> None:
-        """Take a tuple, a bundle or a result of several numbers apart."""
+        """Unpack a tuple, a bundle or a result of several numbers."""
         if isinstance(value, ast.Tuple):
             if len(value.elts) != len(target.elts):
                 raise self.refuse(target, "another number of values")
@@ -346,7 +346,7 @@ class FunctionBody:
             self.one_of_several(one, self.dialect.part(several, i), kind, depth)
 
     def one_of_several(self, target: ast.expr, text: str, found: Value | None, depth: int) -> None:
-        """Give one part of a tuple to a name or to an element of a room."""
+        """Assign one part of a tuple to a name or to an element of an array."""
         if isinstance(target, ast.Name):
             if target.id != "_":
                 self.keep(target, text, found, depth)
@@ -359,14 +359,14 @@ class FunctionBody:
 
 
 def _turns_inside(node: ast.For) -> bool:
-    """Whether a loop has loops or long calls inside, or ways out of it."""
+    """Whether a loop contains loops, long calls or early exits."""
     parts = [inside for statement in node.body for inside in ast.walk(statement)]
     ways_out = (ast.For, ast.While, ast.Break, ast.Continue, ast.Return)
     return any(isinstance(one, ways_out) or _is_long_call(one) for one in parts)
 
 
 def _is_long_call(node: ast.AST) -> bool:
-    """Whether it calls another function than one of numbers, lanes or four nodes of a field."""
+    """Whether a node calls a function other than one of numbers, lanes or four nodes of a field."""
     if not isinstance(node, ast.Call):
         return False
     called = node.func
@@ -384,7 +384,7 @@ def _assigned(tree: ast.FunctionDef) -> set[str]:
 
 
 def _as_read(target: ast.expr) -> ast.expr:
-    """An assignment's target as the value that it had."""
+    """Expression that reads the target of an assignment."""
     copied = ast.parse(ast.unparse(target), mode="eval").body
     for node in ast.walk(copied):
         node.lineno = target.lineno  # type: ignore[attr-defined]

@@ -1,4 +1,4 @@
-"""A table in a flat texture: what the emitter knows of it, and how each language reads it."""
+"""Table in a flat texture: its type for the emitter, and its reader in each language."""
 
 from __future__ import annotations
 
@@ -10,28 +10,28 @@ from airlight.gpu.emit.shader_types import F32, I32, VEC4, Table
 
 @dataclass(frozen=True)
 class TextureTable:
-    """An array in a flat texture.
+    """Array in a flat texture.
 
     Attributes
     ----------
     name : str
         Its functions in the shader are ``read_NAME`` and ``size_NAME``.
     texture : str
-        In which it stands.
+        Texture that holds it.
     rank : int
         Number of axes.
     spectral : bool
-        Whether an element is a texel of four wavelengths rather than one number.
+        Whether an element is a texel of four wavelengths rather than a single number.
     start : str
-        Expression of its first texel, a float; empty where it begins the texture.
+        Expression of its first texel, a float; empty if it begins the texture.
     lengths : str
-        Expression of a vector with the lengths of its axes, as floats; empty where nobody asks.
+        Expression of a vector with the lengths of its axes, as floats; empty if none is read.
     first : int
-        Component of that vector with the first axis.
+        Component of that vector that holds the first axis.
     pair : bool
-        Whether the last axis, for which the vector has no room, is two long.
+        Whether the last axis, which does not fit into the vector, has the length two.
     by_number : bool
-        Whether single numbers are read of texels of four.
+        Whether single numbers are read from texels of four.
     """
 
     name: str
@@ -46,15 +46,16 @@ class TextureTable:
 
     @property
     def table(self) -> Table:
-        """What the emitter knows of it."""
+        """Table for the emitter."""
         return Table(self.name, self.rank, self.spectral)
 
     def reader(self, dialect: ShaderDialect, texture: str) -> str:
-        """The functions by which a shader reads it.
+        """Functions with which a shader reads the table.
 
         Parameters
         ----------
         dialect : ShaderDialect
+            Shading language.
         texture : str
             Name of the texture in the shader.
         """

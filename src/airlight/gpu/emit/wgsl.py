@@ -24,7 +24,7 @@ _RESERVED: Final = """
 
 
 class Wgsl(ShaderDialect):
-    """WGSL: arrays are handed over as pointers, tuples are structs."""
+    """WGSL: arrays are passed as pointers, tuples are structs."""
 
     name = "WGSL"
     reserved = frozenset(re.findall(r"\w+", _RESERVED))

@@ -1,4 +1,4 @@
-"""Rows of a picture that show only sky, or no star: what a software device need not work out."""
+"""Rows of a picture that show only sky, or no star: work that a software device can skip."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from airlight.scene import Scene
 from airlight.scene.projections.projected import projected_rays
 
-#: Rows of a band, and columns between two samples of it. [pixel]
+#: Rows of a band, and columns between two of its samples. [pixel]
 _STEP: Final = 16
 
 
@@ -19,9 +19,9 @@ class Band(NamedTuple):
     Attributes
     ----------
     first, rows : int
-        [pixel]
+        First row and number of rows. [pixel]
     ground, star : bool
-        Whether ground or the star's disc may be seen in them.
+        Whether ground or the star's disc may be visible in them.
     """
 
     first: int
@@ -33,18 +33,18 @@ class Band(NamedTuple):
 def bands(
     scene: Scene, lowest_up: float, star: tuple[float, float, float], reach: float
 ) -> list[Band]:
-    """Rows of a picture by what may be seen in them; none is taken for empty that is not.
+    """Rows of a picture by what may be visible in them; the classification is conservative.
 
     Parameters
     ----------
     scene : Scene
-        Camera.
+        Scene with the camera.
     lowest_up : float
-        Sine of the elevation of the horizon, or of the planet's edge from outside. [1]
+        Sine of the elevation of the horizon, or of the planet's limb seen from outside. [1]
     star : (float, float, float)
-        Direction in which the star is seen. [1]
+        Apparent direction of the star. [1]
     reach : float
-        The star's disc reaches so far from there. [rad]
+        Largest angle between that direction and a visible point of the disc. [rad]
     """
     camera = scene.camera
     assert camera.field_of_view is not None

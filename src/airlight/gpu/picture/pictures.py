@@ -1,4 +1,4 @@
-"""``Pictures``: what a camera sees of a solution, drawn by the GPU."""
+"""``Pictures``: the view of a camera, drawn by the GPU from a solution."""
 
 from __future__ import annotations
 
@@ -43,28 +43,28 @@ from airlight.solvers.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
 
-#: Azimuths over half a turn, and rows of each half, of the table of the sky.
+#: Shape of the table of the sky: azimuths over half a turn, and rows of each half.
 SKY_SHAPE: Final = (256, 128)
-#: The same where a processor does the work of a GPU, while something moves.
+#: Shape of that table on a software device while something moves.
 QUICK_SKY_SHAPE: Final = (64, 64)
-#: Pixels drawn at once, read from a table, marched, and marched in software: no driver then thinks
+#: Pixels drawn at once, read from a table, marched, and marched in software: no driver then assumes
 #: that the device hangs, and a strip of a picture that is read back takes 64 MiB at most.
 _PIXELS_AT_ONCE: Final = (1 << 22, 1 << 20, 1 << 16)
-#: Of a picture that is read back.
+#: Format of a picture that is read back.
 _LINEAR: Final = "rgba32float"
 
 
 class Pictures:
-    """Draws one solution at a time, for any scene.
+    """Renderer of one solution at a time, for any scene.
 
     Parameters
     ----------
     device : Device
-        From ``open_device``.
+        Device from ``open_device``.
     sky_shape : (int, int)
         Azimuths and rows of the table of the sky; together a multiple of 2048.
     sky_by_processor : bool, optional
-        Whether the processor fills that table; by default where it does the work of a GPU.
+        Whether the CPU fills that table; by default on software devices.
 
     Examples
     --------
@@ -94,7 +94,7 @@ class Pictures:
 
     @property
     def sky_shape(self) -> tuple[int, int]:
-        """Azimuths and rows of each half of the table of the sky."""
+        """Azimuths, and rows of each half, of the table of the sky."""
         return self._sky_shape
 
     @sky_shape.setter
@@ -113,19 +113,19 @@ class Pictures:
         self._seen = b""
 
     def show(self, solution: MomentsSolution, weights: FloatArray | None = None) -> None:
-        """Take up a solution; pictures are of it from now on.
+        """Set the solution that is drawn from now on.
 
         Parameters
         ----------
         solution : MomentsSolution
-            Of four wavelengths at most; of one or two only with weights.
+            Solution of at most four wavelengths; of one or two only with weights.
         weights : array, shape (nl, 3), optional
-            Linear sRGB per radiance; by default those of ``picture_weights``.
+            Linear sRGB per radiance; by default ``picture_weights``.
 
         Raises
         ------
         ParameterError
-            If there are more wavelengths or constituents than the shaders have room for.
+            If the wavelengths or constituents exceed the capacity of the shaders.
         """
         if not isinstance(solution, MomentsSolution):
             raise ParameterError("solution", type(solution), "a solution of the moments solver")
@@ -161,7 +161,7 @@ class Pictures:
         return self._passes[key]
 
     def _fixed(self, numbers: Mapping[str, float]) -> Fixed:
-        """What a software device should not have to choose for every pixel anew."""
+        """Uniforms bound as constants, which a software device need not test for every pixel."""
         return tuple(
             (name, bool(numbers[name]) if name in SWITCHES else int(numbers.get(name, 0)))
             for name in CHOICES
@@ -184,14 +184,14 @@ class Pictures:
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> Frame:
-        """A picture as linear light, strip by strip.
+        """Draw a picture in linear light, strip by strip.
 
         Parameters
         ----------
         scene : Scene
             Observer, star and camera.
         exact : bool
-            Whether each pixel has a march of its own; else it reads the table of the sky.
+            Whether each pixel is marched; otherwise it reads the table of the sky.
         orders : str
             ``all``, ``single`` or ``multiple``.
         disc : bool
@@ -207,9 +207,9 @@ class Pictures:
         Raises
         ------
         ParameterError
-            If nothing has been shown yet, or the picture is wider than a texture may be.
+            If no solution has been shown yet, or the picture is wider than a texture may be.
         Cancelled
-            If ``cancel`` said so.
+            If ``cancel`` requested it.
         """
         import wgpu
 
@@ -270,21 +270,21 @@ class Pictures:
         Parameters
         ----------
         scene, exact, orders, disc :
-            As for ``frame``.
+            Arguments of ``frame``.
         view : wgpu.GPUTextureView
-            What is drawn to.
+            View of the target.
         target_format : str
-            Its format.
+            Format of the target.
         exposure : float, optional
-            Without it linear light is written. [EV]
+            Exposure; without it linear light is written. [EV]
         tone_map : str
-            One of ``TONE_MAPS``.
+            Name from ``TONE_MAPS``.
         encoding : str or None
-            One of ``ENCODINGS``; None for a target that encodes by itself.
+            Name from ``ENCODINGS``; None for a target that encodes by itself.
         size : (int, int), optional
-            Of the target, where it is not the camera's. [pixel]
+            Size of the target if it differs from the camera's. [pixel]
         uniforms : mapping, optional
-            Further numbers of the shaders, by name.
+            Further uniforms of the shaders, by name.
         """
         width, height = size or (scene.camera.width, scene.camera.height)
         numbers = self._numbers(scene, (width, height), exact, orders, disc)
@@ -294,8 +294,8 @@ class Pictures:
         if not exact:
             self._draw_sky(numbers)
         if self.device.software and not exact:
-            # Such a device works out all sides of every choice: each band has a shader that has
-            # no more choices than it needs.
+            # Such a device evaluates both sides of every branch: each band has a shader with no
+            # more branches than it needs.
             for band in self._bands(scene, numbers):
                 seen = {
                     **numbers,
@@ -316,7 +316,7 @@ class Pictures:
     def _numbers(
         self, scene: Scene, size: tuple[int, int], exact: bool, orders: str, disc: bool
     ) -> dict[str, float]:
-        """The uniforms of a picture, but for its display."""
+        """Uniforms of a picture, except those of its display."""
         solution = self._shown()
         assert self._textures is not None
         numbers = scene_numbers(scene, solution) | self._textures.numbers
@@ -340,7 +340,7 @@ class Pictures:
         return numbers
 
     def _rows_at_once(self, width: int, height: int, exact: bool) -> int:
-        """Rows of one strip."""
+        """Number of rows of one strip."""
         pixels = _PIXELS_AT_ONCE[(2 if self.device.software else 1) if exact else 0]
         return min(max(1, pixels // width), height)
 
@@ -359,7 +359,7 @@ class Pictures:
         self.device.device.queue.submit([encoder.finish()])
 
     def _bands(self, scene: Scene, numbers: Mapping[str, float]) -> list[Band]:
-        """Rows of the target by what is seen in them."""
+        """Rows of the target by what is visible in them."""
         width, height = int(numbers["width"]), int(numbers["height"])
         if (width, height) != (scene.camera.width, scene.camera.height):
             return [Band(0, height, True, True)]
@@ -369,7 +369,7 @@ class Pictures:
         return bands(scene, numbers["horizon_mu"], star, reach + solution.paths.largest_bend)
 
     def _draw_sky(self, numbers: Mapping[str, float]) -> None:
-        """Draw the table of the sky, unless it is there for this observer and star."""
+        """Draw the table of the sky, unless it is current for this observer and star."""
         seen = packed({**numbers, **dict.fromkeys(NOT_THE_SKYS, 0.0)}, self._places()).tobytes()
         if seen == self._seen:
             return
@@ -389,7 +389,7 @@ class Pictures:
         self._seen = seen
 
     def _upload_sky(self, numbers: Mapping[str, float]) -> None:
-        """The table of the sky from the processor's own march."""
+        """Upload the table of the sky, marched on the CPU."""
         assert self._shown_tables is not None
         layers = filled_sky(
             self._shown(), self._shown_tables, observer_from(numbers),
@@ -405,7 +405,7 @@ class Pictures:
         return self._textures.places
 
     def _write(self, numbers: Mapping[str, float]) -> None:
-        # Above the ground as the shader has it: its radii are good to half a metre.
+        # Above the ground as the shader has it: its radii are accurate to half a metre.
         r = float(np.float32(numbers["bottom"])) + (numbers["r"] - numbers["bottom"])
         values = packed({**numbers, "r": r}, self._places())
         self.device.device.queue.write_buffer(self._uniforms, 0, values)

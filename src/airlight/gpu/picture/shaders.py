@@ -1,6 +1,6 @@
-"""The shaders, whole: what each reads, the functions emitted for it, and its entry points.
+"""Complete shaders: textures, emitted functions and entry points of each.
 
-They do not depend on the planet: sizes stand in the uniforms.
+They do not depend on the planet: sizes are uniforms.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from airlight.pixels.pixel import Display, Screen, displayed, pixel_light
 from airlight.pixels.shown import FIELD_TABLES, SCALAR_TABLES, SPECTRAL_TABLES, Shown
 from airlight.pixels.sky_table import Observer, sky_texel
 
-#: Numbers of the uniforms that are known when a shader is written.
+#: Uniforms whose values are known when a shader is written.
 Fixed = tuple[tuple[str, int | bool], ...]
 
-#: The textures of a shader, after the uniforms.
+#: Textures of a shader, after the uniforms.
 TEXTURES: Final = ("scalars", "spectra", "fields", "ground", "air", "behind", "first", "second")
-#: Layers of the table of the sky by the names that ``Screen`` has for them.
+#: Layers of the table of the sky, by their names in ``Screen``.
 _LAYERS: Final = {
     "sky_air": "air", "sky_ground": "behind", "sky_first": "first", "sky_second": "second",
 }  # fmt: skip
@@ -33,21 +33,22 @@ _LAYERS: Final = {
 
 @dataclass(frozen=True, eq=False)
 class Shader:
-    """A shader and what it needs.
+    """Shader with its language, textures and entry points.
 
     Attributes
     ----------
     name : str
+        Name of the shader.
     dialect : ShaderDialect
-        Its language.
+        Shading language.
     functions : str
-        What all its entry points need: uniforms, textures and functions.
+        Part common to all its entry points: uniforms, textures and functions.
     entries : dict from str to str
-        Entry points: a fragment function each.
+        Text of each entry point, a fragment function.
     textures : tuple of str
-        What it reads, from ``TEXTURES``.
+        Textures that it reads, from ``TEXTURES``.
     emitter : Emitter
-        Knows the functions and where they come from.
+        Emitter with its functions and their sources.
     """
 
     name: str
@@ -59,23 +60,23 @@ class Shader:
 
     @property
     def text(self) -> str:
-        """The shader with all its entry points, for a language that allows several."""
+        """Shader with all its entry points, for a language that allows several."""
         return self.dialect.module([self.functions, *self.entries.values()])
 
     def entry_text(self, entry: str) -> str:
-        """The shader with one entry point.
+        """Shader with one entry point.
 
         Parameters
         ----------
         entry : str
-            One of ``entries``.
+            Name from ``entries``.
         """
         return self.dialect.module([self.functions, self.entries[entry]])
 
 
 @cache
 def tables() -> dict[str, TextureTable]:
-    """Each table of the shaders."""
+    """Tables of the shaders, by name."""
     found = {}
     for texture, ranks, spectral in (
         ("scalars", SCALAR_TABLES, False),
@@ -93,7 +94,7 @@ def tables() -> dict[str, TextureTable]:
 
 
 def _bundle(kind: Any, fixed: Fixed = ()) -> Bundle:
-    """A NamedTuple of which the shader finds each field in tables, layers or uniforms."""
+    """Bundle of a NamedTuple, each field a table, a layer or a uniform of the shader."""
     fields: dict[str, Value] = {}
     known = dict(fixed)
     for name in kind._fields:
@@ -108,36 +109,36 @@ def _bundle(kind: Any, fixed: Fixed = ()) -> Bundle:
 
 @cache
 def light(fixed: Fixed = ()) -> Bundle:
-    """The solution, for the emitter.
+    """Solution, for the emitter.
 
     Parameters
     ----------
     fixed : tuple
-        Names and numbers that are bound when the shader is written.
+        Names and values that are bound when the shader is written.
     """
     return _bundle(Shown, fixed)
 
 
 @cache
 def observer(fixed: Fixed = ()) -> Bundle:
-    """Who looks, for the emitter.
+    """Observer, for the emitter.
 
     Parameters
     ----------
     fixed : tuple
-        As in ``light``.
+        Constants as in ``light``.
     """
     return _bundle(Observer, fixed)
 
 
 @cache
 def screen(fixed: Fixed = ()) -> Bundle:
-    """The camera, for the emitter.
+    """Camera, for the emitter.
 
     Parameters
     ----------
     fixed : tuple
-        As in ``light``.
+        Constants as in ``light``.
     """
     return _bundle(Screen, fixed)
 
@@ -149,7 +150,7 @@ def display(fixed: Fixed = ()) -> Bundle:
     Parameters
     ----------
     fixed : tuple
-        As in ``light``.
+        Constants as in ``light``.
     """
     return _bundle(Display, fixed)
 
@@ -157,18 +158,18 @@ def display(fixed: Fixed = ()) -> Bundle:
 def assembled(
     name: str, entries: dict[str, str], textures: tuple[str, ...], emitter: Emitter
 ) -> Shader:
-    """A shader of its entry points and the functions that were emitted for them.
+    """Assemble a shader from its entry points and the functions that were emitted for them.
 
     Parameters
     ----------
     name : str
-        Of the shader.
+        Name of the shader.
     entries : dict from str to str
-        Its entry points.
+        Text of its entry points.
     textures : tuple of str
-        What the shader reads, in the order of its bindings.
+        Textures that the shader reads, in the order of its bindings.
     emitter : Emitter
-        With the functions that the entry points call; in a language of shaders.
+        Emitter with the functions that the entry points call, in a shading language.
     """
     dialect = emitter.dialect
     assert isinstance(dialect, ShaderDialect)
@@ -184,24 +185,24 @@ def assembled(
 
 @cache
 def sky_air_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """The air's own light and that of a white ground behind it, a texel a line of sight.
+    """Shader of the air's own light and that of a white ground behind it, a line of sight a texel.
 
     Parameters
     ----------
     dialect : ShaderDialect
-        The language.
+        Shading language.
     """
     return _sky_shader(dialect, "sky_air", "air_texel", (0, 1), gathers=True, peaks=False)
 
 
 @cache
 def sky_peaks_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """What the two peaked constituents scatter once, without their phase functions.
+    """Shader of single scattering by the two peaked constituents, without phase functions.
 
     Parameters
     ----------
     dialect : ShaderDialect
-        The language.
+        Shading language.
     """
     return _sky_shader(dialect, "sky_peaks", "peaks_texel", (2, 3), gathers=False, peaks=True)
 
@@ -236,7 +237,7 @@ def _sky_shader(
 def _filled(
     name: str, array: Room, function: str, places: tuple[str, ...], dialect: ShaderDialect
 ) -> list[str]:
-    """Statements that let a function fill an array."""
+    """Statements in which a function fills an array."""
     if array.variable:
         return [f"{function}({', '.join(places)});"]
     handed = ", ".join([*places, dialect.array_argument(name)])
@@ -245,17 +246,17 @@ def _filled(
 
 @cache
 def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL) -> Shader:
-    """A pixel's light and what a display shows of it: from the table, or by its own march.
+    """Shader of a pixel's light and its display: from the table, or by its own march.
 
     Parameters
     ----------
     exact : bool
-        Whether each pixel has a march of its own.
+        Whether each pixel is marched.
     fixed : tuple of (str, value)
-        Whole numbers and switches of the uniforms that are known, in place of what stands there:
-        a software device works out all sides of every choice.
+        Integers and switches of the uniforms that are known, bound instead of read: a software
+        device evaluates both sides of every branch.
     dialect : ShaderDialect
-        The language.
+        Shading language.
     """
     emitter = Emitter(dialect)
     found = emitter.module_array("found", Room(1, VEC4))
@@ -287,5 +288,5 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
 
 
 def all_shaders() -> tuple[Shader, ...]:
-    """Every shader of the pictures."""
+    """All shaders of the pictures."""
     return (sky_air_shader(), sky_peaks_shader(), picture_shader(False), picture_shader(True))

@@ -1,4 +1,4 @@
-"""A solution's tables in textures, and where each stands."""
+"""Tables of a solution in textures, and the position of each."""
 
 from __future__ import annotations
 
@@ -29,25 +29,26 @@ from airlight.solvers.moments.solution import MomentsSolution
 Shape = tuple[int, ...]
 Levels = Sequence[NDArray[np.float32]]
 
-#: Numbers of a map of the ground, its halvings too, that leave room for their sizes.
+#: Capacity for a map of the ground with its mip levels, which leaves space for their sizes.
 _MAP_NUMBERS: Final = FLAT_WIDTH * (MOST_ROWS - 1)
 
 
 def laid_out(
     arrays: dict[str, NDArray[Any]], width: int
 ) -> tuple[NDArray[np.float32], dict[str, Shape]]:
-    """Arrays one after another, texels of so many numbers; with start and axes of each.
+    """Concatenate arrays into texels of ``width`` numbers; with start and axes of each.
 
     Parameters
     ----------
     arrays : dict
-        Of numbers, any shape, or of texels, shape (n, 4).
+        Arrays of numbers, any shape, or of texels, shape (n, 4).
     width : int
-        1 or 4 numbers a texel.
+        Numbers per texel, 1 or 4.
 
     Returns
     -------
     texels : array, shape (n, width)
+        Concatenated arrays.
     places : dict
         (start, lengths of the axes …) by name.
     """
@@ -62,14 +63,14 @@ def laid_out(
 
 @dataclass(frozen=True)
 class SolutionTables:
-    """A solution as the shaders read it, still in memory.
+    """Tables of a solution as the shaders read them, still in memory.
 
     Attributes
     ----------
     numbers : dict
-        What stands in the uniforms.
+        Values of uniforms.
     scalars, spectra, fields : array, shapes (n, 1), (n, 4), (n, 4)
-        One after another.
+        Concatenated tables.
     places : dict
         Start and axes of each table.
     """
@@ -82,19 +83,19 @@ class SolutionTables:
 
     @classmethod
     def of(cls, solution: MomentsSolution, shown: Shown | None = None) -> SolutionTables:
-        """The tables of a solution of at most four wavelengths; ``shown`` if it is known already.
+        """Make the tables of a solution; ``shown`` if it is known already.
 
         Parameters
         ----------
         solution : MomentsSolution
-            Of at most four wavelengths.
+            Solution of at most four wavelengths.
         shown : Shown, optional
-            The same for a march.
+            The same solution, prepared for a march.
 
         Raises
         ------
         ParameterError
-            If there are more wavelengths or constituents than the shaders have room for.
+            If the wavelengths or constituents exceed the capacity of the shaders.
         """
         count = solution.wavelengths.size
         if shown is None:
@@ -121,14 +122,14 @@ class SolutionTables:
 
 @dataclass(frozen=True)
 class SolutionTextures:
-    """The same on a device, with the ground's map.
+    """Tables of a solution on a device, with the ground's map.
 
     Attributes
     ----------
     numbers, places : dict
-        As in ``SolutionTables``, those of the map too.
+        Values as in ``SolutionTables``, including those of the map.
     textures : dict
-        By the names of ``gpu.shaders.TEXTURES``.
+        Textures by the names of ``shaders.TEXTURES``.
     """
 
     numbers: dict[str, float]
@@ -143,21 +144,21 @@ class SolutionTextures:
         shown: Shown | None = None,
         before: SolutionTextures | None = None,
     ) -> SolutionTextures:
-        """Upload a solution; the map of the ground stays where it is if it is the same.
+        """Upload a solution; an unchanged map of the ground is not uploaded again.
 
         Parameters
         ----------
         device : Device
-            From ``open_device``.
+            Device from ``open_device``.
         solution, shown : MomentsSolution, Shown
-            As in ``SolutionTables.of``.
+            Arguments of ``SolutionTables.of``.
         before : SolutionTextures, optional
-            What was shown before, for its map.
+            Textures shown previously, for their map.
 
         Raises
         ------
         ParameterError
-            As ``SolutionTables.of``.
+            Errors of ``SolutionTables.of``.
         """
         made = SolutionTables.of(solution, shown)
         textures = {
@@ -182,9 +183,9 @@ class SolutionTextures:
 
 
 def _uneven(texels: NDArray[np.float32]) -> NDArray[np.float32]:
-    """The same with another row where the rows are a power of two.
+    """Texels with an additional row where the number of rows is a power of two.
 
-    Software devices compile a shader anew, which takes them seconds to minutes, where a texture's
+    Software devices recompile a shader, which takes them seconds to minutes, when a texture's
     height becomes a power of two or ceases to be one: so none is.
     """
     rows = flat_rows(len(texels))
@@ -195,7 +196,7 @@ def _uneven(texels: NDArray[np.float32]) -> NDArray[np.float32]:
 
 
 def _map_texels(name: str | None) -> tuple[NDArray[np.float32], dict[str, Shape]]:
-    """A map of the ground and its halvings; without one a single black pixel."""
+    """Map of the ground and its mip levels; without a map a single black pixel."""
     levels: Levels = (np.zeros((1, 1, 3), np.float32),)
     if name is not None:
         levels = fitting_levels(surface_map(name).levels, _MAP_NUMBERS)
@@ -209,17 +210,17 @@ def _map_texels(name: str | None) -> tuple[NDArray[np.float32], dict[str, Shape]
 
 
 def fitting_levels(levels: Levels, room: int) -> Levels:
-    """The halvings of a map of which all together have no more numbers than there is room for.
+    """Mip levels of a map whose numbers together fit into a capacity.
 
-    The finest are left out. A map that cannot be halved is taken down to a size that fits: its new
-    pixels are means of the old ones whose middles they cover.
+    The finest are left out. A map that cannot be halved is reduced to a size that fits: its new
+    pixels are means of the old ones whose centres they cover.
 
     Parameters
     ----------
     levels : tuple of array, each shape (h, w, 3)
-        The full map first.
+        Levels, the full map first.
     room : int
-        Numbers.
+        Capacity in numbers.
 
     Examples
     --------
@@ -240,7 +241,7 @@ def fitting_levels(levels: Levels, room: int) -> Levels:
 
 
 def _taken_down(map_: NDArray[np.float32], height: int, width: int) -> NDArray[np.float32]:
-    """A map with fewer pixels, each the mean of whole old ones."""
+    """Reduce a map to fewer pixels, each the mean of whole old ones."""
     values = map_.astype(np.float64)
     for axis, count in enumerate((height, width)):
         edges = np.rint(np.linspace(0.0, values.shape[axis], count + 1)).astype(np.intp)

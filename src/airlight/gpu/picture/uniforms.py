@@ -1,4 +1,4 @@
-"""The one uniform struct of all shaders, declared here for every language."""
+"""The single uniform struct of all shaders, declared here for every language."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from airlight.pixels.pixel import Display, Screen
 from airlight.pixels.shown import FIELD_TABLES, SCALAR_TABLES, SPECTRAL_TABLES, Shown
 from airlight.pixels.sky_table import Observer
 
-#: Types of the fields of NamedTuples that are uniforms; what else they have are tables.
+#: Types of those fields of NamedTuples that are uniforms; the other fields are tables.
 _KINDS: Final = {float: F32, int: I32, bool: BOOL}
-#: Every number that shaders may ask for, with its type: the fields of what the formulas read, and
-#: what the host alone knows, the first row of a strip and whether pixels are marched.
+#: Numbers that shaders may read, with their types: the fields of the formulas' arguments, and two
+#: of the host alone, the first row of a strip and whether pixels are marched.
 NUMBERS: Final[dict[str, Scalar]] = {
     **{
         name: _KINDS[kind]
@@ -31,9 +31,9 @@ NUMBERS: Final[dict[str, Scalar]] = {
     "exact": BOOL,
 }
 SWITCHES: Final = frozenset(name for name, kind in NUMBERS.items() if kind == BOOL)
-#: Vectors of their own: what a channel has of each wavelength.
+#: Separate vectors: contributions of the wavelengths to a channel.
 CHANNELS: Final = ("red", "green", "blue")
-#: Tables: a vec4f each, where it starts in its texture and the lengths of its first three axes.
+#: Tables: a vec4f each, with its start in its texture and the lengths of its first three axes.
 TABLES: Final = (*SCALAR_TABLES, *SPECTRAL_TABLES, *FIELD_TABLES, "levels", "texels")
 
 #: Vector and component of each number.
@@ -44,12 +44,12 @@ _PLACES: Final = {
 
 
 def uniform(name: str) -> Uniform:
-    """A number of the struct, for the emitter.
+    """Number of the struct, for the emitter.
 
     Parameters
     ----------
     name : str
-        One of ``NUMBERS``.
+        Name from ``NUMBERS``.
     """
     vector, component = _PLACES[name]
     return Uniform(f"frame.{vector}.{component}", NUMBERS[name])
@@ -62,18 +62,18 @@ def vectors() -> tuple[str, ...]:
 
 
 def struct_text(dialect: ShaderDialect = WGSL) -> str:
-    """The struct and its declaration.
+    """Struct and its declaration.
 
     Parameters
     ----------
     dialect : ShaderDialect
-        The language.
+        Shading language.
     """
     return dialect.uniforms("frame", vectors(), 0, 0)
 
 
 def layout() -> dict[str, Any]:
-    """Where each number stands in the struct, counted in floats: for a host in another language.
+    """Position of each number in the struct, in floats, for a host in another language.
 
     Examples
     --------
@@ -92,19 +92,19 @@ def layout() -> dict[str, Any]:
 def packed(
     values: Mapping[str, float], tables: Mapping[str, tuple[int, ...]]
 ) -> NDArray[np.float32]:
-    """The struct's bytes, as numbers.
+    """Values of the struct as an array of floats.
 
     Parameters
     ----------
     values : mapping
-        Every number of ``layout`` that is not 0.
+        Values of the numbers of ``layout``; those left out are 0.
     tables : mapping
-        For each table of ``TABLES``: start in its texture, and lengths of its axes.
+        Start in its texture, and lengths of the axes, of each table of ``TABLES``.
 
     Raises
     ------
     ParameterError
-        If a name is not one of the struct, or a number has no single precision.
+        If a name is not in the struct, or a number is not representable in single precision.
     """
     where = layout()
     out = np.zeros(where["floats"], np.float32)

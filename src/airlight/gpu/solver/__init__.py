@@ -1,1 +1,1 @@
-"""The moments solver as passes of fragments."""
+"""The moments solver as fragment passes."""

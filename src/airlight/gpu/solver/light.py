@@ -1,7 +1,7 @@
-"""Texels of the solver's passes from the radiances of rays to the moments of the light.
+"""Texels of the solver's passes, from the radiances of rays to the moments of the light.
 
-Of the first order and of each one after it; for how a texel and its index go together see
-``solver_rays``.
+They serve the first order and each later one; ``rays`` explains how a texel is related to its
+index.
 """
 
 from __future__ import annotations
@@ -27,18 +27,19 @@ from airlight.solvers.moments.sweep import (
 
 @inlined
 def ray_and_star(index, sizes, tables):
-    """Which ray and which star a texel (radius, direction, sun, azimuth) belongs to.
+    """Ray and star of a texel (radius, direction, sun, azimuth).
 
     Parameters
     ----------
     index : int
-        Of the texel.
+        Index of the texel.
     sizes, tables : Sizes, Tables
+        Inputs from the host.
 
     Returns
     -------
     ray, i, a : int
-        The ray, its radius and its direction.
+        Indices of the ray, its radius and its direction.
     mu_s, nu : float
         Cosine of the star's zenith angle at the start of the ray, and between star and ray. [1]
     """
@@ -52,7 +53,7 @@ def ray_and_star(index, sizes, tables):
 
 @inlined
 def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs, depths):
-    """Radiance of a ray by light that is scattered or reflected once. [sr⁻¹]
+    """Radiance of a ray by light that has been scattered or reflected once. [sr⁻¹]
 
     Texels (radius, direction, sun, azimuth).
     """
@@ -100,7 +101,7 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
 
 @inlined
 def row(index, sizes, tables, first_point, factors, packed):
-    """Moments at a point of a ray, contracted with what it sends along the ray. [1]
+    """Moments at a point of a ray, contracted with their contribution along the ray. [1]
 
     Texels (point, sun, 2 + N): s, then A_0 s … A_N s; the points of one span of radii.
     """
@@ -122,7 +123,7 @@ def row(index, sizes, tables, first_point, factors, packed):
 
 @inlined
 def radiance_again(index, sizes, tables, first_point, shares, rows, throughs, irradiances):
-    """Radiance of a ray by light that was scattered or reflected before. [sr⁻¹]
+    """Radiance of a ray by light that was scattered or reflected in earlier orders. [sr⁻¹]
 
     Texels (radius, direction, sun, azimuth).
     """
@@ -153,7 +154,7 @@ def radiance_again(index, sizes, tables, first_point, shares, rows, throughs, ir
 
 @inlined
 def azimuthal(index, sizes, tables, radiances):
-    """∫ L cos mφ dφ. [sr⁻¹]
+    """Fourier integral ∫ L cos mφ dφ of the radiance. [sr⁻¹]
 
     Texels (radius, direction, sun, m).
     """
@@ -167,7 +168,7 @@ def azimuthal(index, sizes, tables, radiances):
 
 @inlined
 def gathered_moment(index, sizes, projections, azimuthals):
-    """A moment of the light that arrives, or the irradiance of a level surface from above. [1]
+    """Moment of the incoming light, or irradiance of a level surface from above. [1]
 
     Texels (radius, sun, moment), and after them (radius, sun).
     """
@@ -197,5 +198,5 @@ def gathered_moment(index, sizes, projections, azimuthals):
 
 @inlined
 def gathered_onto(index, sizes, projections, azimuthals, first):
-    """``gathered_moment``, the first order added."""
+    """Sum of ``gathered_moment`` and the first order."""
     return load(first, LANES * index) + gathered_moment(index, sizes, projections, azimuthals)

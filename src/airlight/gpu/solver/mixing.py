@@ -1,6 +1,6 @@
-"""Texels of the solver's passes that combine the last images of the light into the next guess.
+"""Texels of the solver's passes that combine the last images of the light to the next guess.
 
-For how a texel and its index go together see ``solver_rays``.
+See ``rays`` for how a texel is related to its index.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from airlight.solvers.moments.stopping import PASS_IMAGES
 
 @inlined
 def mean(index, sizes, image, guess):
-    """What the host watches: mean radiances and irradiances of an image, and of its guess. [1]
+    """Mean radiances and irradiances of an image and its guess, monitored by the host. [1]
 
     Texels (image or guess, mean radiance or irradiance, radius, sun).
     """
@@ -30,9 +30,9 @@ def mean(index, sizes, image, guess):
 
 @inlined
 def mixed(index, weights, images):
-    """One number of the combination of images.
+    """Number of the combination of images.
 
-    ``weights`` and each of ``images`` are read number by number.
+    ``weights`` and each of ``images`` are read as single numbers.
     """
     lane = index % WAVELENGTHS
     return (
@@ -46,9 +46,9 @@ def mixed(index, weights, images):
 
 @inlined
 def sound(index, sizes, weights, images):
-    """1 where the combination of images can be trusted, for one wavelength; else 0.
+    """Return 1 where the combination of images is trusted at one wavelength, otherwise 0.
 
-    Numbers (mean radiance or irradiance, radius, sun, lane); ``image_0`` is the last.
+    Numbers (mean radiance or irradiance, radius, sun, lane); ``image_0`` is the latest.
     """
     numbers = sizes.radii * sizes.suns * WAVELENGTHS
     lane = index % WAVELENGTHS
@@ -63,7 +63,7 @@ def sound(index, sizes, weights, images):
 
 @inlined
 def next_guess(index, sizes, weights, images, sounds):
-    """The combination of images where it can be trusted, elsewhere the last image.
+    """Combination of images where it is trusted, elsewhere the last image.
 
     Texels as in ``gathered_moment``.
     """

@@ -1,6 +1,6 @@
-"""Texels of the solver's passes that pack a light: at all levels, and as ratios.
+"""Texels of the solver's passes that pack a light field: at all levels, and as ratios.
 
-For how a texel and its index go together see ``solver_rays``.
+See ``rays`` for how a texel is related to its index.
 """
 
 from __future__ import annotations
@@ -16,15 +16,16 @@ from airlight.solvers.moments.packing import floor_below, ratio_scale
 
 @inlined
 def largest_of(index, sizes, count, values):
-    """Largest mean radiance, or irradiance, of so many radii under one star. [1]
+    """Largest mean radiance, or irradiance, of ``count`` radii under one star. [1]
 
     Parameters
     ----------
     index : int
-        Number (mean radiance or irradiance, sun, lane).
+        Index of a number (mean radiance or irradiance, sun, lane).
     sizes : Sizes
+        Sizes of the axes.
     count : int
-        Radii.
+        Number of radii.
     values : array
         Moments (radius, sun, moment, lane), and after them irradiances. [1]
     """
@@ -43,7 +44,7 @@ def largest_of(index, sizes, count, values):
 
 @inlined
 def highest(index, sizes, light):
-    """Largest mean radiance, or irradiance, of all radii under one star. [1]
+    """Largest mean radiance, or irradiance, of all gathering radii under one star. [1]
 
     Numbers (mean radiance or irradiance, sun, lane).
     """
@@ -52,13 +53,13 @@ def highest(index, sizes, light):
 
 @inlined
 def highest_level(index, sizes, fine):
-    """The same of all levels, from ``refined``. [1]"""
+    """Largest mean radiance, or irradiance, of all levels, from ``refined``. [1]"""
     return largest_of(index, sizes, sizes.levels, fine)
 
 
 @inlined
 def floor(index, sizes, heights):
-    """What counts as dark, from ``highest``. [1]
+    """Threshold of darkness, from ``highest``. [1]
 
     Numbers (mean radiance or irradiance, lane).
     """
@@ -72,20 +73,20 @@ def floor(index, sizes, heights):
 
 @inlined
 def light_number(values, start, step, i, part, dark):
-    """A number of a light at a radius; the first of them, a mean radiance, is positive. [1]
+    """Number of a light field at a radius; the mean radiance or irradiance is positive. [1]
 
     Parameters
     ----------
     values : array
-        As in ``largest_of``. [1]
+        Numbers as in ``largest_of``. [1]
     start, step : int
-        Place of the number at radius 0, and from radius to radius.
+        Index of the number at radius 0, and step from radius to radius.
     i : int
-        The radius.
+        Index of the radius.
     part : int
         Moment; 0 for mean radiances and irradiances.
     dark : float
-        What counts as dark. [1]
+        Threshold of darkness. [1]
     """
     value = values[start + i * step]
     if part == 0:
@@ -95,22 +96,23 @@ def light_number(values, start, step, i, part, dark):
 
 @inlined
 def four_levels(values, start, step, i, part, dark, radii):
-    """A number of a light at two radii, the one below and the one above them. [1]
+    """Number of a light field at two radii, at the one below and at the one above them. [1]
 
     The level beyond each end continues the parabola through the last three.
 
     Parameters
     ----------
     values, start, step, part, dark :
-        As in ``light_number``.
+        Arguments of ``light_number``.
     i : int
-        The first of the two radii.
+        Index of the lower of the two radii.
     radii : int
-        How many there are, three at least.
+        Number of radii, at least three.
 
     Returns
     -------
     below, near, far, above : float
+        Numbers at four successive radii. [1]
     """
     near = light_number(values, start, step, i, part, dark)
     far = light_number(values, start, step, i + 1, part, dark)
@@ -125,7 +127,7 @@ def four_levels(values, start, step, i, part, dark, radii):
 
 @inlined
 def refined(index, sizes, tables, light, floors):
-    """A light at all levels from the radii that gather it; see ``levels.finer``. [1]
+    """Light field at all levels from the radii that gather it; see ``levels.finer``. [1]
 
     Numbers (level, sun, moment, lane), and after them irradiances (level, sun, lane).
     """
@@ -160,7 +162,7 @@ def refined(index, sizes, tables, light, floors):
 
 @inlined
 def node_scale(index, sizes, tables, fine, heights):
-    """The s of a node. [1]
+    """Scale s of a node. [1]
 
     Numbers (mean radiance or irradiance, level, sun, lane); ``heights`` from ``highest_level``.
     """
@@ -178,7 +180,7 @@ def node_scale(index, sizes, tables, fine, heights):
 
 @inlined
 def packed(index, sizes, fine, scales):
-    """Moments and irradiances as ratios: what a march and the next sweep read.
+    """Moments and irradiances as ratios, for a march and the next sweep.
 
     Texels (level, sun, 1 + moments): s, then the moments times s; after them (level, sun, 2):
     s, then the irradiance times s.

@@ -1,8 +1,8 @@
-"""The passes of the solver as data, and their shaders.
+"""Passes of the solver as data, and their shaders.
 
-A pass fills one flat texture with the texels of one function of ``solver_rays``, ``solver_light``,
-``solver_packing`` or ``solver_mixing``. What it reads is named here; a host, in Python or in a
-browser, needs the list of passes, the shaders and the numbers of ``solver_plan``, and no physics.
+A pass fills one flat texture with the texels of one function of ``rays``, ``light``, ``packing`` or
+``mixing``. Its inputs are named here; a host, in Python or in a browser, needs the list of passes,
+the shaders and the numbers of ``plan``, and no physics.
 """
 
 from __future__ import annotations
@@ -28,23 +28,23 @@ from airlight.gpu.solver.tables import (
 )
 from airlight.solvers.moments.stopping import PASS_IMAGES
 
-#: How a texture is read: four wavelengths a texel, or number by number.
+#: Ways to read a texture: four wavelengths a texel, or single numbers.
 View = Literal["lanes", "numbers"]
 
-#: Images of the light, the last first.
+#: Images of the light, the latest first.
 IMAGES: Final = tuple(f"image_{i}" for i in range(PASS_IMAGES))
 
 
 @dataclass(frozen=True)
 class Reading:
-    """A texture that a pass reads.
+    """Texture that a pass reads.
 
     Attributes
     ----------
     texture : str
-        By its name in the plan.
+        Name in the plan.
     view : View
-        How.
+        Way to read it.
     from_sky : bool
         Whether reading begins at the irradiances of the ground in a packed field.
     """
@@ -56,20 +56,20 @@ class Reading:
 
 @dataclass(frozen=True)
 class SolverPass:
-    """One pass.
+    """Pass of the solver.
 
     Attributes
     ----------
     name : str
-        Also of its shader.
+        Name of the pass and of its shader.
     function : callable
-        Its arguments are ``index``, those of ``givens``, then the readings.
+        Function of a texel; its arguments are ``index``, those of ``givens``, then the readings.
     target : str
-        The texture that it fills.
+        Texture that it fills.
     givens : tuple of str
-        Of ``sizes``, ``tables``, ``first_point``, ``weights``, ``images``.
+        Names from ``sizes``, ``tables``, ``first_point``, ``weights``, ``images``.
     readings : tuple of Reading
-        In the order of the function's arguments.
+        Readings in the order of the function's arguments.
     spanned : bool
         Whether it runs once for each span of radii.
     """
@@ -84,7 +84,7 @@ class SolverPass:
 
 _ALONG: Final = ("sizes", "tables", "first_point")
 
-#: Once for a solve: what does not change from order to order, and the first order.
+#: Passes that run once for a solve: the parts common to all orders, and the first order.
 ONCE: Final = (
     SolverPass("strength", rays.strength, "strengths"),
     SolverPass("factor", rays.factor, "factors"),
@@ -103,7 +103,7 @@ ONCE: Final = (
         (Reading("projections", "numbers"), Reading("azimuthals")),
     ),
 )  # fmt: skip
-#: A light as the next sweep and a march read it.
+#: Passes that prepare a light field for the next sweep and for a march.
 PACK: Final = (
     SolverPass("highest", packing.highest, "heights", ("sizes",), (Reading("light", "numbers"),)),
     SolverPass("floor", packing.floor, "floors", ("sizes",), (Reading("heights", "numbers"),)),
@@ -123,7 +123,7 @@ PACK: Final = (
         "packed", packing.packed, "packed", ("sizes",), (Reading("fine"), Reading("scales"))
     ),
 )  # fmt: skip
-#: One more order: from the packed light to its image.
+#: Passes of one more order: from the packed light to its image.
 SWEEP: Final = (
     SolverPass(
         "row", light.row, "rows", _ALONG, (Reading("factors"), Reading("packed")), spanned=True
@@ -143,7 +143,7 @@ SWEEP: Final = (
     ),
     SolverPass("mean", mixing.mean, "means", ("sizes",), (Reading("image"), Reading("light"))),
 )  # fmt: skip
-#: The next guess, from the last images and the host's weights.
+#: Passes that make the next guess, from the last images and the host's weights.
 MIX: Final = (
     SolverPass("sound", mixing.sound, "sounds", ("sizes", "weights", "images:numbers")),
     SolverPass(
@@ -155,7 +155,7 @@ PASSES: Final = {one.name: one for one in (*ONCE, *PACK, *SWEEP, *MIX)}
 
 
 def _reading(name: str, one: Reading) -> TextureTable:
-    """A texture that a pass reads, as the table of an argument."""
+    """Table for an argument, from the texture that a pass reads."""
     start = "solve.measures.w" if one.from_sky else ""
     spectral = one.view == "lanes"
     return TextureTable(name, one.texture, 1, spectral, start, by_number=not spectral)
@@ -169,14 +169,14 @@ def _weights_reader(dialect: ShaderDialect, spectral: bool) -> str:
 
 @cache
 def shader(name: str, dialect: ShaderDialect = WGSL) -> str:
-    """The text of a pass: bindings, emitted functions, entry point ``fill``.
+    """Write the shader of a pass: bindings, emitted functions, entry point ``fill``.
 
     Parameters
     ----------
     name : str
-        One of ``PASSES``.
+        Name from ``PASSES``.
     dialect : ShaderDialect
-        The language.
+        Shading language.
     """
     one = PASSES[name]
     tables: list[TextureTable] = []
@@ -231,13 +231,13 @@ def shader(name: str, dialect: ShaderDialect = WGSL) -> str:
 
 
 def _entry(dialect: ShaderDialect, filled: str) -> str:
-    """Fill the texels of a flat texture whose numbers lie in a span."""
+    """Entry point that fills those texels of a flat texture whose numbers lie in a span."""
     x, y = dialect.converted("at.x", I32), dialect.converted("at.y", I32)
     body = [
         dialect.kept("number", I32, f"{y} * {FLAT_WIDTH} + {x}"),
         dialect.kept("first", I32, dialect.uniform("span.texels.x", I32)),
         dialect.kept("last", I32, dialect.uniform("span.texels.y", I32) + " - 1"),
-        # Discarded invocations may go on: they must not follow rays that are not there.
+        # Discarded invocations may continue: they must not follow rays that do not exist.
         dialect.kept("index", I32, "min(max(number, first), last)"),
         dialect.kept("value", VEC4, filled),
         "if (number != index) {",

@@ -1,4 +1,4 @@
-"""The plan of a solve on the GPU: what a host needs to run the passes, in Python or elsewhere."""
+"""Plan of a solve on the GPU: the data with which a host runs the passes, in any language."""
 
 from __future__ import annotations
 
@@ -28,13 +28,14 @@ Float32Array = NDArray[np.float32]
 
 @dataclass(frozen=True, kw_only=True)
 class Span:
-    """Neighbouring radii whose rays are worked on together.
+    """Group of neighbouring radii whose rays are processed together.
 
     Attributes
     ----------
     first_point, points : int
-        Of their rays.
+        First point of their rays, and number of points.
     first_ray, rays : int
+        First ray, and number of rays.
     """
 
     first_point: int
@@ -45,19 +46,20 @@ class Span:
 
 @dataclass(frozen=True, kw_only=True)
 class SolverPlan:
-    """What a host needs to run ``solver_passes``.
+    """Data with which a host runs the passes of ``passes``.
 
     Attributes
     ----------
     block : Block
-        The set-up of its wavelengths: paths, degree, grid, rays, tables.
+        Set-up of its wavelengths: paths, degree, grid, rays, tables.
     sizes : dict
-        ``Sizes`` by name.
+        Values of ``Sizes`` by name.
     solve : array, shape (n, 4)
-        The uniform ``solve``.
+        Values of the uniform ``solve``.
     scalars, spectra : array, shapes (n,), (n, 4)
-        The two textures of tables.
+        Contents of the two textures of tables.
     spans : tuple of Span
+        Groups of radii.
     """
 
     block: Block
@@ -69,22 +71,22 @@ class SolverPlan:
 
     @property
     def setup(self) -> Setup:
-        """What all wavelengths share."""
+        """Set-up shared by all wavelengths."""
         return self.block.setup
 
     @property
     def thick(self) -> FloatArray:
-        """How much the night counts, shape (4,); see ``Block``. [1]"""
+        """Thickness by which changes at night count less, shape (4,); see ``Block``. [1]"""
         return self.block.thick[:WAVELENGTHS]
 
     @property
     def nodes(self) -> int:
-        """Radii times suns."""
+        """Number of nodes: radii times suns."""
         return int(self.sizes["radii"] * self.sizes["suns"])
 
     @property
     def textures(self) -> dict[str, int]:
-        """Texels of each texture that passes fill."""
+        """Number of texels of each texture that passes fill."""
         n = self.sizes
         rays = n["radii"] * n["angles"]
         points = self.spans[-1].first_point + self.spans[-1].points
@@ -115,13 +117,14 @@ class SolverPlan:
         }
 
     def texels(self, one: SolverPass, span: Span | None = None) -> tuple[int, int, int]:
-        """First and last texel, past the end, of a pass; and the first point of its rays.
+        """First and last texel, past the end, of a pass, and the first point of its rays.
 
         Parameters
         ----------
         one : SolverPass
+            Pass of the solver.
         span : Span, optional
-            For a spanned pass.
+            Span of a spanned pass.
         """
         if span is None:
             target = IMAGES[0] if one.target == "image" else one.target
@@ -136,16 +139,17 @@ class SolverPlan:
         return 0, span.points * n["suns"] * (n["degree"] + 2), span.first_point
 
     def runs(self, passes: tuple[SolverPass, ...]) -> list[tuple[SolverPass, tuple[int, int, int]]]:
-        """Passes in the order in which they run, spanned ones span by span, with their texels.
+        """Passes in running order, spanned ones span by span, with their texels.
 
         Parameters
         ----------
         passes : tuple of SolverPass
+            Passes of the solver.
 
         Returns
         -------
         list of (SolverPass, (int, int, int))
-            Texels as from ``texels``.
+            Passes with their ``texels``.
         """
         listed: list[tuple[SolverPass, tuple[int, int, int]]] = []
         at = 0
@@ -164,23 +168,23 @@ class SolverPlan:
         return listed
 
     def as_dict(self) -> dict[str, Any]:
-        """The plan for a host in another language, but for three arrays: JSON can hold it.
+        """Plan for a host in another language, except three arrays; representable in JSON.
 
         The arrays are the uniform ``solve``, and ``scalars`` and ``spectra``, which fill flat
         textures of these names, ``r32float`` and ``rgba32float``. Every other texture is a flat
-        ``rgba32float`` with the texels that ``textures`` says, and every shader has the entry
-        ``fill``, which leaves out texels beyond its span. A host
+        ``rgba32float`` with the number of texels in ``textures``, and every shader has the entry
+        ``fill``, which skips texels beyond its span. A host
 
         1. runs ``once`` and copies ``first`` to ``light``;
-        2. for each order: turns the ring of ``images`` by one, so that the oldest is ``image_0``
+        2. for each order: rotates the ring of ``images`` by one, so that the oldest is ``image_0``
            and ``image``; runs ``pack`` and ``sweep``; reads ``means`` (mean radiance and
-           irradiance of the image, then of the light before); writes the uniform ``mix``, a
-           vec4f for the weight of each image, the last first, one for the largest mean radiance
+           irradiance of the image, then of the previous light); writes the uniform ``mix``, a
+           vec4f for the weight of each image, the latest first, one for the largest mean radiance
            and one for the largest irradiance; and runs ``mix``, which makes the next ``light``;
-        3. runs ``pack`` at the end: ``packed`` is what a march reads.
+        3. runs ``pack`` at the end: ``packed`` is the input of a march.
 
-        A change of coefficients alone is a change of ``extinction``, ``moments``, ``albedo`` and
-        ``level`` in their textures, at the places in ``tables``.
+        A change of coefficients alone changes only ``extinction``, ``moments``, ``albedo`` and
+        ``level`` in their textures, at the positions in ``tables``.
         """
 
         def written(passes: tuple[SolverPass, ...]) -> list[dict[str, Any]]:

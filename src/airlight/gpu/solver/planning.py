@@ -1,6 +1,6 @@
-"""From a medium to the plan of its solve on the GPU: grid, rays, tables and their places.
+"""Plans of solves on the GPU, from a medium: grid, rays, tables and their positions.
 
-All of it is the CPU's; what the GPU does follows from the plan.
+All of it is computed on the CPU; the work of the GPU follows from the plan.
 """
 
 from __future__ import annotations
@@ -22,35 +22,35 @@ from airlight.solvers.moments.setup import Setup
 
 Float32Array = NDArray[np.float32]
 
-#: Texels of a texture that one span of radii fills: 64 MB.
+#: Largest number of texels in a texture that one span of radii fills: 64 MB.
 _SPAN: Final = 4 << 20
-#: Vertical depth, each scattering counted by 1 - g, beyond which the air is left to the CPU. [1]
+#: Vertical depth, each scattering weighted by 1 - g, beyond which only the CPU solves. [1]
 THICKEST: Final = 2.5
 
 
 class ThickAir(AirlightError):
-    """Air so thick that only the CPU solves it: light wanders up and down in it many times."""
+    """Air so thick that only the CPU solves it: light is scattered up and down in it many times."""
 
     def __str__(self) -> str:
         return "the air is too thick for the GPU's orders of scattering; the CPU solves it"
 
 
 def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
-    """The plan of a medium's solve.
+    """Make the plan of a medium's solve.
 
     Parameters
     ----------
     paths : LightPaths
-        Of a medium of at most four wavelengths.
+        Paths in a medium of at most four wavelengths.
     settings : Settings
         Grid sizes.
 
     Raises
     ------
     ParameterError
-        If there are more wavelengths or constituents than the shaders have room for.
+        If the wavelengths or constituents exceed the capacity of the shaders.
     ThickAir
-        If light wanders in the air for many orders.
+        If light is scattered in the air for many orders.
     """
     medium = paths.medium
     count = medium.wavelengths.size
@@ -109,14 +109,14 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
 
 
 def _lanes(flat: Float32Array) -> Float32Array:
-    """Eight lanes an element as four, shape (n, 4)."""
+    """Split elements of eight lanes to four, shape (n, 4)."""
     return flat.reshape(-1, LANES)[:, :WAVELENGTHS]
 
 
 def _laid_out(
     arrays: dict[str, NDArray[Any]], sizes: dict[str, Any]
 ) -> tuple[Float32Array, Float32Array, Float32Array]:
-    """The uniform and the two textures of tables."""
+    """Pack the uniform and the two textures of tables."""
     uniform = dict.fromkeys(uniform_fields(), (0.0, 0.0, 0.0, 0.0))
     uniform["counts"] = tuple(sizes[name] for name in COUNTS[:4])
     uniform["more_counts"] = tuple(sizes[name] for name in COUNTS[4:8])
@@ -140,7 +140,7 @@ def _laid_out(
 
 
 def _spans(start: NDArray[np.int64], sizes: dict[str, Any]) -> tuple[Span, ...]:
-    """Radii in groups whose textures are not too large."""
+    """Group radii so that the textures of a group are not too large."""
     angles = sizes["angles"]
     each = max(sizes["suns"] * (sizes["degree"] + 2), sizes["directions"])
     most = _SPAN // each - 1

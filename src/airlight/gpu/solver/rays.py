@@ -1,15 +1,15 @@
-"""Texels of the solver's passes that no order of scattering changes: what the rays carry.
+"""Texels of the solver's passes that are the same in all orders of scattering: along the rays.
 
-A pass fills a flat texture; the functions here, in ``solver_light``, ``solver_packing`` and
-``solver_mixing`` find out from an index which radius, ray, star or moment a texel belongs to, and
-leave the rest to the functions of ``solvers.moments`` that the CPU's loops call too: they are
-restricted Python, for the GPU and for Numba. A function that gives four wavelengths fills a texel,
-its index counts texels; one that gives a number fills a quarter of one, its index counts numbers.
-``LANES`` is 1 on the GPU.
+A pass fills a flat texture; the functions here and in ``light``, ``packing`` and ``mixing`` derive
+from an index the radius, ray, star or moment of a texel, and leave the rest to those functions of
+``solvers.moments`` that the CPU's loops call too: they are restricted Python, for the GPU and for
+Numba. A function that returns four wavelengths fills a texel, and its index counts texels; one that
+returns a number fills a quarter of a texel, and its index counts numbers. ``LANES`` is 1 on the
+GPU.
 
-``index`` is what is counted, ``sizes`` and ``tables`` are those of ``solver_tables``,
-``first_point`` is the first point of the span of radii at hand; every other argument is a flat
-texture that an earlier pass has filled, see ``solver_passes``.
+``index`` is that index, ``sizes`` and ``tables`` are those of the module ``tables``,
+``first_point`` is the first point of the current span of radii; every other argument is a flat
+texture that an earlier pass has filled, see ``passes``.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def strength(index, sizes, tables):
 
 @inlined
 def factor(index, sizes, tables):
-    """What a point sends along its ray of one moment. [1]
+    """Contribution of a point to its ray from one moment. [1]
 
     Texels (point, moment).
     """
@@ -60,7 +60,7 @@ def factor(index, sizes, tables):
 
 @inlined
 def share(index, sizes, tables):
-    """What makes the sum over the points of a ray exact. [1]
+    """Factor that makes the sum over the points of a ray exact. [1]
 
     Texels (radius, direction).
     """
@@ -84,7 +84,7 @@ def share(index, sizes, tables):
 def through(index, sizes, tables):
     """Transmittance of a ray that ends on the ground. [1]
 
-    Texels (radius, direction); nothing for rays that miss the ground.
+    Texels (radius, direction); zero for rays that miss the ground.
     """
     if index % sizes.angles >= sizes.angles // 2:
         return splat(0.0)
@@ -119,7 +119,7 @@ def projection(index, sizes, tables):
 def depth(index, sizes, tables, first_point):
     """Optical depth from a point of a ray to the top of the shell. [1]
 
-    Texels (point, direction); the points of one span of radii, the ground before them.
+    Texels (point, direction); the points of one span of radii, preceded by the ground.
     """
     local, place = index // sizes.directions, index % sizes.directions
     q = sizes.bottom

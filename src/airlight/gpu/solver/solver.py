@@ -1,11 +1,11 @@
-"""The moments solver on the GPU: successive orders as passes of fragments.
+"""The moments solver on the GPU: successive orders as fragment passes.
 
-The passes (``solver_passes``) compute what the CPU's sweeps compute, by the same functions; the
-host runs them, reads the mean radiance at the nodes after each order (some 20 kB), and combines
-the last few images, and stops, as the CPU does (``stopping``). What the CPU does for thick air,
-the inverse of a sweep along the vertical, is left out: in clear and in dusty air each order
-changes the light by much less than the one before, and five to fifteen sweeps arrive. Air in which
-light wanders for longer is left to the CPU.
+The passes (``passes``) compute what the CPU's sweeps compute, by the same functions; the host runs
+them, reads the mean radiance at the nodes after each order (about 20 kB), and combines the last
+few images, and stops, by the rules of the CPU (``stopping``). The CPU's method for thick air, the
+inverse of a sweep along the vertical, is omitted: in clear and in dusty air each order changes the
+light by much less than the previous one, and five to fifteen sweeps suffice. Air that needs more
+orders is left to the CPU.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from airlight.solvers.moments.stopping import Iteration, Stopping
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: A packed field of each solution, on the device that it was solved on.
+#: Packed field of each solution, on the device that solved it.
 _fields: WeakKeyDictionary[MomentsSolution, tuple[Device, Any]] = WeakKeyDictionary()
 
 
@@ -53,27 +53,27 @@ def solve_on(
     device : Device
         From ``open_device``.
     medium : Medium
-        Of at most four wavelengths.
+        Medium of at most four wavelengths.
     settings : Settings
-        How finely.
+        Grid sizes and tolerance.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
     Returns
     -------
     MomentsSolution
-        As the CPU's solver gives, within 0.5 %.
+        Solution equal to that of the CPU's solver within 0.5 %.
 
     Raises
     ------
     ParameterError
-        If there are more wavelengths or constituents than the shaders have room for.
+        If the wavelengths or constituents exceed the capacity of the shaders.
     ThickAir
-        If light wanders in the air for many orders: the CPU solves it.
+        If light is scattered in the air for many orders, so that only the CPU solves it.
     ConvergenceError
         If the tolerance is not reached within the orders that ``Stopping`` allows.
     Cancelled
-        If ``cancel`` said so.
+        If ``cancel`` requested it.
     """
     started = perf_counter()
     paths = LightPaths.of(medium)
@@ -100,18 +100,19 @@ def solve_on(
 
 
 def fields_on(device: Device, solution: MomentsSolution) -> Any | None:
-    """The field of a solution as ``solve_on`` left it on its device, or None.
+    """Field of a solution as ``solve_on`` left it on its device, or None.
 
     Parameters
     ----------
     device : Device
-        On which it is wanted.
+        Device on which it is needed.
     solution : MomentsSolution
+        Solution from ``solve_on``, or any other.
 
     Returns
     -------
     wgpu.GPUTexture or None
-        Flat: ``Light.field`` and after it ``Light.sky``, four wavelengths a texel.
+        Flat texture: ``Light.field`` followed by ``Light.sky``, four wavelengths a texel.
     """
     found = _fields.get(solution)
     return found[1] if found is not None and found[0] is device else None
@@ -120,7 +121,7 @@ def fields_on(device: Device, solution: MomentsSolution) -> Any | None:
 def _iterate(
     sweeper: GpuSweeper, progress: Progress | None, cancel: Cancel | None
 ) -> tuple[int, FloatArray]:
-    """Sweeps until nothing changes: how many, and what is still to come."""
+    """Sweep until convergence; return the number of sweeps and the remaining change."""
     plan = sweeper.plan
     iteration = Iteration(Stopping.of_passes(plan.setup.settings), plan.thick, WAVELENGTHS)
     sweeper.begin()
@@ -140,7 +141,7 @@ def _iterate(
 
 
 def _weights(weights: FloatArray, mean: Float32Array, sky: Float32Array) -> Float32Array:
-    """What ``combine`` takes: the last image's weight first, and two largest values."""
+    """Arrange weights for ``combine``: the latest image's first, then two largest values."""
     taken = np.zeros((len(IMAGES) + 2, WAVELENGTHS), np.float32)
     taken[: weights.shape[0]] = weights[::-1]
     taken[-2] = mean.max(axis=(0, 1))

@@ -1,4 +1,4 @@
-"""The solver's passes on a device, with their textures, kept from solve to solve."""
+"""Passes of the solver on a device, with their textures, kept from solve to solve."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from airlight.pixels.shown import WAVELENGTHS
 Float32Array = NDArray[np.float32]
 
 _FORMAT: Final = "rgba32float"
-#: Spans whose uniforms and bind groups are kept.
+#: Number of spans whose uniforms and bind groups are kept.
 _KEPT_SPANS: Final = 64
 
 _lock = threading.Lock()
@@ -39,12 +39,12 @@ _idle: dict[Device, list[GpuSweeper]] = {}
 
 @contextmanager
 def borrowed_sweeper(device: Device) -> Iterator[GpuSweeper]:
-    """A sweeper that nobody else uses meanwhile; its textures serve the next solve again.
+    """Lend a sweeper for exclusive use; its textures serve the next solve again.
 
     Parameters
     ----------
     device : Device
-        From ``open_device``.
+        Device from ``open_device``.
     """
     with _lock:
         idle = _idle.setdefault(device, [])
@@ -56,24 +56,24 @@ def borrowed_sweeper(device: Device) -> Iterator[GpuSweeper]:
     except Cancelled:
         sound = True
         raise
-    finally:  # what went wrong may have left images that are no numbers
+    finally:  # a failed solve may have left images that are not finite
         with _lock:
             if sound and not idle:
                 idle.append(sweeper)
 
 
 class GpuSweeper:
-    """The passes of one solve after another.
+    """Runner of the passes, for one solve after another.
 
     Parameters
     ----------
     device : Device
-        From ``open_device``.
+        Device from ``open_device``.
 
     Attributes
     ----------
     plan : SolverPlan
-        Of the solve at hand, from ``load`` on.
+        Plan of the current solve, from ``load`` on.
     """
 
     plan: SolverPlan
@@ -89,12 +89,12 @@ class GpuSweeper:
         self._groups: dict[tuple[str, tuple[int, int, int], str], list[Any]] = {}
 
     def load(self, plan: SolverPlan) -> None:
-        """Take up a plan: its tables are uploaded, its textures made if those at hand are small.
+        """Load a plan: upload its tables, and make textures where those at hand are too small.
 
         Parameters
         ----------
         plan : SolverPlan
-            From ``plan_for``.
+            Plan from ``plan_for``.
 
         Raises
         ------
@@ -134,8 +134,9 @@ class GpuSweeper:
         Parameters
         ----------
         passes : tuple of SolverPass
+            Passes in the order in which they run.
         times : PassTimes, optional
-            Times each pass on the device.
+            Timer of each pass on the device.
         """
         encoder = self.device.device.create_command_encoder()
         for one, texels in self.plan.runs(passes):
@@ -155,7 +156,7 @@ class GpuSweeper:
         self.device.device.queue.submit([encoder.finish()])
 
     def _pass(self, one: SolverPass) -> FragmentPass:
-        """A pass on the device, compiled at its first use."""
+        """Pass on the device, compiled at its first use."""
         key = (self.device, one.name)
         if key not in _passes:
             _passes[key] = FragmentPass(self.device, shader(one.name), "fill", (_FORMAT,), one.name)
@@ -181,7 +182,7 @@ class GpuSweeper:
         return self._groups[key]
 
     def begin(self) -> None:
-        """All that is computed once, and the first order as the first guess."""
+        """Run the passes that run once, and take the first order as the first guess."""
         self.run(ONCE)
         self._copy("first", self._textures["light"], self.plan.textures["light"])
 
@@ -195,7 +196,7 @@ class GpuSweeper:
         self.device.device.queue.submit([encoder.finish()])
 
     def sweep(self) -> tuple[Float32Array, Float32Array, Float32Array]:
-        """One more order, into a new image.
+        """Compute one more order, into a new image.
 
         Returns
         -------
@@ -210,23 +211,23 @@ class GpuSweeper:
         return means[0], means[1], means[2]
 
     def combine(self, weights: Float32Array) -> None:
-        """The next guess from the last images.
+        """Make the next guess from the last images.
 
         Parameters
         ----------
         weights : array, shape (7, 4)
-            Of the images, the last first; then the largest mean radiance and irradiance.
+            Weights of the images, the latest first; then the largest mean radiance and irradiance.
         """
         self.device.device.queue.write_buffer(self._mix, 0, np.ascontiguousarray(weights))
         self.run(MIX)
 
     def texture(self, name: str) -> Any:
-        """A texture by its name in the plan; ``image`` is the one of the last sweep.
+        """Texture by its name in the plan; ``image`` is that of the last sweep.
 
         Parameters
         ----------
         name : str
-            One of ``plan.textures``, or ``image``.
+            Name from ``plan.textures``, or ``image``.
 
         Returns
         -------
@@ -235,7 +236,7 @@ class GpuSweeper:
         return self._textures[self._images[0] if name == "image" else name]
 
     def light(self) -> tuple[Float32Array, Float32Array]:
-        """Moments (r, s, k, 4) and irradiances (r, s, 4) of the guess; packed on the device too."""
+        """Moments (r, s, k, 4) and irradiances (r, s, 4) of the guess, which is also packed."""
         self.run(PACK)
         n = self.plan.sizes
         moments = self.plan.nodes * n["terms"]
@@ -247,7 +248,7 @@ class GpuSweeper:
         )
 
     def packed_copy(self) -> Any:
-        """A texture of its own with the packed light, after ``light``."""
+        """Copy the packed light to a separate texture, after ``light``."""
         texels = self.plan.textures["packed"]
         copy = empty_flat_texture(self.device, texels, 4, "fields")
         self._copy("packed", copy, texels)

@@ -1,4 +1,4 @@
-"""What the host gives to the passes of the solver: lengths of axes, and tables; and their places.
+"""Inputs of the solver's passes from the host: sizes and tables, and their positions.
 
 Numbers are in the uniform ``solve``, tables of numbers in the flat texture ``scalars``, those of
 four wavelengths in ``spectra``.
@@ -19,7 +19,7 @@ SCALARS: Final = {
     "multiples": 2, "harmonic": 1, "ahead": 1, "back": 1, "ratios": 4, "lift": 3, "level": 1,
 }  # fmt: skip
 SPECTRA: Final = ("extinction", "moments", "albedo")
-#: ``Sizes`` in the uniform, four to a vector.
+#: Integers of ``Sizes`` in the uniform, four to a vector.
 COUNTS: Final = (
     "radii", "angles", "suns", "turns", "degree", "terms", "constituents", "directions", "levels",
     "parts", "law",
@@ -28,18 +28,20 @@ MEASURES: Final = ("bottom", "top", "star_radius")
 
 
 class Sizes(NamedTuple):
-    """How long the axes are.
+    """Lengths of the axes, and other numbers of the passes.
 
     Attributes
     ----------
     radii, angles, suns, turns : int
-        Radii that gather light; directions in zenith angle; nodes in sun elevation; azimuths.
+        Numbers of radii that gather light, of directions in zenith angle, of nodes in sun
+        elevation, and of azimuths.
     degree, terms, constituents, directions : int
-        Of the harmonics; how many of them; of the air; of the table of columns.
+        Degree of the harmonics, and numbers of harmonics, of constituents, and of directions in
+        the table of columns.
     levels, parts : int
-        Radii of the grid; light is gathered at one of so many of them.
+        Number of radii of the grid; light is gathered at every ``parts``-th of them.
     law : int
-        Of the ground's ``Reflection``.
+        Law of the ground's ``Reflection``.
     bottom, top, star_radius : float
         Radii of the ground and the top [m]; angular radius of the star [rad].
     """
@@ -61,28 +63,28 @@ class Sizes(NamedTuple):
 
 
 class Tables(NamedTuple):
-    """What the host gives to the passes; shapes and units as in ``Grid``, ``Rays``, ``Air`` ….
+    """Tables of the passes; shapes and units as in ``Grid``, ``Rays``, ``Air`` ….
 
     Attributes
     ----------
     mu, weight, flux, start, total, end, radius, mu_along, turn, amount, column :
-        Of ``Rays``; total and column flat.
+        Fields of ``Rays``; total and column flat.
     sun_cosines, row, place :
-        Of ``Grid``.
+        Fields of ``Grid``.
     cosines, multiples :
-        Of ``Azimuths``.
+        Fields of ``Azimuths``.
     harmonic, ahead, back :
-        Of ``Harmonics``.
+        Fields of ``Harmonics``.
     ratios :
-        From ``mean_density_ratios``.
+        Table from ``mean_density_ratios``.
     lift :
-        From ``star_lift``.
+        Table from ``star_lift``.
     level : array, shape (s·4,)
-        From ``level_weights``, of four wavelengths.
+        Weights from ``level_weights``, of four wavelengths.
     extinction, moments :
-        Of ``Air``; four wavelengths a texel.
+        Fields of ``Air``; four wavelengths a texel.
     ground : Reflection
-        Of ``Air``; its table of four wavelengths a texel is ``albedo``.
+        Field of ``Air``; its table of four wavelengths a texel is ``albedo``.
     """
 
     mu: Any
@@ -122,7 +124,7 @@ def uniform_fields() -> tuple[str, ...]:
 
 
 def sizes_in_shader() -> Bundle:
-    """``Sizes`` as a shader reads them: from its uniform ``solve``."""
+    """Bundle of ``Sizes`` as a shader reads them, from its uniform ``solve``."""
     fields: dict[str, Value] = {}
     for at, name in enumerate(COUNTS):
         vector = ("counts", "more_counts", "most_counts")[at // 4]
@@ -133,7 +135,7 @@ def sizes_in_shader() -> Bundle:
 
 
 def tables_in_shader() -> Bundle:
-    """``Tables`` as a shader reads them: from textures."""
+    """Bundle of ``Tables`` as a shader reads them, from textures."""
     fields: dict[str, Value] = {name: texture_table(name).table for name in (*SCALARS, *SPECTRA)}
     ground = Reflection(law=sizes_in_shader().fields["law"], albedo=fields.pop("albedo"))
     fields["ground"] = Bundle(ground._asdict())
@@ -141,12 +143,12 @@ def tables_in_shader() -> Bundle:
 
 
 def texture_table(name: str) -> TextureTable:
-    """One of ``Tables`` in its texture.
+    """Table of ``Tables`` in its texture.
 
     Parameters
     ----------
     name : str
-        One of ``SCALARS`` or ``SPECTRA``.
+        Name from ``SCALARS`` or ``SPECTRA``.
     """
     start, lengths = f"solve.{name}_start.x", f"solve.{name}_shape"
     if name in SPECTRA:
