@@ -19,7 +19,7 @@ from airlight.gpu.emit.shader_types import (
     I32,
     VEC4,
     Scalar,
-    Several,
+    TupleType,
     Uniform,
     Value,
 )
@@ -75,8 +75,8 @@ def _run(
         column += 1
     made = emitter.add(function, *values)
     assert made.result is not None, "a kernel without a result"
-    several = isinstance(made.result, Several)
-    items = made.result.items if isinstance(made.result, Several) else (made.result,)
+    several = isinstance(made.result, TupleType)
+    items = made.result.items if isinstance(made.result, TupleType) else (made.result,)
     numbers: list[str] = []
     for i, item in enumerate(items):
         text = f"result.v{i}" if several else "result"

@@ -18,7 +18,7 @@ from airlight.gpu.emit.shader_types import (
     VEC4,
     Bundle,
     Constant,
-    Room,
+    LocalArray,
     Table,
     Uniform,
     Value,
@@ -28,10 +28,10 @@ from airlight.kernel.lanes import (
     LANES,
     exponential,
     fourth_root,
+    lane_array,
     load,
     maximum,
     minimum,
-    room_of_lanes,
     splat,
     store,
 )
@@ -322,7 +322,7 @@ def test_a_bundle_s_fields_are_uniforms_constants_and_tables(on_gpu: Run) -> Non
 
 
 def four_wavelengths(i, x, field):
-    room = room_of_lanes(2)
+    room = lane_array(2)
     store(room, 0, load(field, LANES * i))
     store(room, LANES, exponential(load(room, 0) * (-x)) + splat(x))
     value = maximum(minimum(load(room, LANES), splat(2.0)), splat(0.5)) - 1.0
@@ -640,7 +640,7 @@ def lanes_to_a_number(x, room):
 def test_four_wavelengths_are_no_number() -> None:
     # A vector has no scalar mathematics.
     with pytest.raises(SubsetError, match=r"test_emitter\.py:\d+: 'x': is no f32"):
-        Emitter().add(lanes_to_a_number, F32, Room(2, VEC4))
+        Emitter().add(lanes_to_a_number, F32, LocalArray(2, VEC4))
 
 
 @kernel

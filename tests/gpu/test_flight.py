@@ -20,11 +20,11 @@ from airlight.gpu.device.device import Device
 from airlight.gpu.device.flat import FLAT_WIDTH, empty_flat_texture, flat_texture, read_flat
 from airlight.gpu.device.fragment_pass import FragmentPass
 from airlight.gpu.emit.emitter import Emitter
-from airlight.gpu.emit.shader_types import F32, VEC4, Room
+from airlight.gpu.emit.shader_types import F32, VEC4, LocalArray
 from airlight.gpu.picture.pictures import Pictures, scene_numbers
 from airlight.gpu.picture.shaders import TEXTURES, assembled, light
 from airlight.gpu.picture.uniforms import packed
-from airlight.kernel.lanes import LANES, room_of_lanes
+from airlight.kernel.lanes import LANES, lane_array
 from airlight.pixels.march import march_line
 from airlight.pixels.shown import MOST_CONSTITUENTS
 from airlight.pixels.sky_table import phases_towards
@@ -103,7 +103,7 @@ def test_the_top_of_the_air_is_crossed_without_a_jump(
 
 def stretch(r, mu, mu_s, nu, half_sine, length, light, result):
     """Light of the air between an observer and an object, as the shaders march it."""
-    phase = room_of_lanes(MOST_CONSTITUENTS)
+    phase = lane_array(MOST_CONSTITUENTS)
     totals = np.empty(MOST_CONSTITUENTS)
     phases_towards(half_sine, True, light, LANES, phase)
     march_line(r, mu, mu_s, nu, length, 2, True, False, phase, light, totals, result)
@@ -115,7 +115,7 @@ def stretches(device: Device, pictures: Pictures) -> Callable[[np.ndarray], np.n
     import wgpu
 
     emitter = Emitter()
-    emitter.add(stretch, *[F32] * 6, light(), Room(4, VEC4), name="light_of_stretch")
+    emitter.add(stretch, *[F32] * 6, light(), LocalArray(4, VEC4), name="light_of_stretch")
     base = assembled("stretch", {}, TEXTURES[:3], emitter).text
     text = f"""{base}
 @group(0) @binding(9) var given: texture_2d<f32>;

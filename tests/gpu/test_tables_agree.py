@@ -22,7 +22,7 @@ from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.shader_types import Table
 from airlight.gpu.picture.shaders import all_shaders
 from airlight.gpu.solver import passes as solver_passes
-from airlight.kernel.lanes import LANES, load, room_of_lanes, splat, store
+from airlight.kernel.lanes import LANES, lane_array, load, splat, store
 from airlight.pixels import pixel as picture
 from airlight.solvers.moments import first_order, grid, harmonics, source, sweep
 from airlight.solvers.moments import visible_rays as block_rays
@@ -91,7 +91,7 @@ def white(a, albedo):
 
 
 def third_phase(half_sine, table):
-    out = room_of_lanes(THREE)
+    out = lane_array(THREE)
     source.read_phase(half_sine, table, NODES, LANES * THREE, out)
     return load(out, LANES * 2)
 
@@ -133,15 +133,15 @@ def between_four(a, b, c, d, field):
 
 
 def row_in_grid(q, row):
-    return grid.row_of(q, BOTTOM, TOP, row)
+    return grid.radius_index(q, BOTTOM, TOP, row)
 
 
 def place_in_grid(mu_s, place):
-    return sweep.place_of(mu_s, place)
+    return sweep.sun_index(mu_s, place)
 
 
 def place_of_density(radius):
-    node, share = columns.density_place(radius, BOTTOM, TOP - BOTTOM, 512)
+    node, share = columns.density_index(radius, BOTTOM, TOP - BOTTOM, 512)
     return node + share
 
 
@@ -231,7 +231,7 @@ def depth_above(row, f, place, distance, ratios, extinction):
 
 
 def phases_from_moments(nu, moments):
-    out = room_of_lanes(THREE)
+    out = lane_array(THREE)
     first_order.fill_phases(moments, nu, DEGREE, THREE, out)
     return load(out, LANES)
 
@@ -287,10 +287,10 @@ CASES = [
     Case(gathered_of_four, (source.gathered_light,), (*AMOUNTS, MU, UNIT, 1.0 - UNIT), HARMONICS,
          {"moments": lanes(THREE * (DEGREE + 1)), "field": FIELD}, rtol=64 * EPS, atol=2048 * EPS),
     # r - R is accurate to EPS of R, which is 1e-5 of the shell's 100 km; steps of the table: 40.
-    Case(row_in_grid, (grid.row_of,), (R,), {"row": GRID}, atol=40 * 33 * METRES / 1e5),
-    Case(place_in_grid, (sweep.place_of,), (MU,), {"place": GRID}, atol=40 * 33 * 4 * EPS),
+    Case(row_in_grid, (grid.radius_index,), (R,), {"row": GRID}, atol=40 * 33 * METRES / 1e5),
+    Case(place_in_grid, (sweep.sun_index,), (MU,), {"place": GRID}, atol=40 * 33 * 4 * EPS),
     # As the grid's: 512 nodes, over twice the root of the lowest height, 1 km of 100.
-    Case(place_of_density, (columns.density_place,), (R,), atol=512 * METRES / 1e5 / 0.2),
+    Case(place_of_density, (columns.density_index,), (R,), atol=512 * METRES / 1e5 / 0.2),
     # Positions in the table as in test_kernels_agree, its steps a fifth; a path of up to 1000 km.
     Case(three_columns, (column_ratios.columns_to_top,), (R, uniform(0.05, 1.0)),
          {"ratios": RATIOS}, rtol=1e-4, atol=4 * METRES),

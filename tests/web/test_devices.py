@@ -12,11 +12,11 @@ from numpy.testing import assert_allclose
 from airlight.gpu.emit.dialect import ShaderDialect
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.glsl import GLSL
-from airlight.gpu.emit.shader_types import F32, I32, VEC4, Several
+from airlight.gpu.emit.shader_types import F32, I32, VEC4, TupleType
 from airlight.gpu.emit.texture_table import TextureTable
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.solver.passes import PASSES
-from airlight.kernel.lanes import LANES, load, room_of_lanes, store
+from airlight.kernel.lanes import LANES, lane_array, load, store
 from airlight.viewer.browser.web_shaders import CORNERS, solver_shaders, web_shaders
 
 BACK_ENDS = ("webgpu", "webgl2")
@@ -48,7 +48,7 @@ def doubled(x):
 def all_means(index, count, scalars, field):
     """All the means that the viewer's shaders use: arrays, loops, tuples, tables, lanes."""
     numbers = np.empty(_SIZE)
-    kept = room_of_lanes(8)
+    kept = lane_array(8)
     fill_through(numbers, count)
     total = 0.0
     k = 0
@@ -73,7 +73,7 @@ def two_targets(dialect: ShaderDialect) -> str:
     emitter = Emitter(dialect)
     numbers, _, field = (table.table for table, *_ in tables)
     made = emitter.add(all_means, I32, I32, numbers, field)
-    assert isinstance(made.result, Several)
+    assert isinstance(made.result, TupleType)
     parts = [dialect.uniforms("uniforms", ["counts", ("colors", 4)], 0, 0)]
     for table, *slot in tables:
         parts.append(dialect.texture(table.texture, *slot))

@@ -17,7 +17,7 @@ from airlight.planets import load_planet
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.acceleration import mixing_weights
-from airlight.solvers.moments.convergence import counts, relative_change, what_follows
+from airlight.solvers.moments.convergence import counts, relative_change, remaining_change
 from airlight.solvers.moments.packing import level_weights, thickness
 from airlight.solvers.moments.reduced_optics import make_air, scattering_depth
 from airlight.solvers.moments.settings import QUALITIES
@@ -146,8 +146,8 @@ def test_the_next_guess_is_weighed_as_on_the_processor(modules: Callable[..., An
     # roundings of float64
     assert_allclose(got["change"], relative_change(*means).ravel(), rtol=1e-12)
     assert_allclose(got["counted"], counts(means[1], thick).ravel(), rtol=1e-6)
-    assert_allclose(got["follows"], what_follows(deque(shrinking)), rtol=1e-12)
-    assert_allclose(got["first"], what_follows(deque(shrinking[:1])), rtol=1e-12)
+    assert_allclose(got["follows"], remaining_change(deque(shrinking)), rtol=1e-12)
+    assert_allclose(got["first"], remaining_change(deque(shrinking[:1])), rtol=1e-12)
     for lane in range(4):
         assert_allclose(got["weights"][lane], mixing_weights(shrinking[..., lane]), rtol=1e-8)
     assert_allclose(got["brightest"], means[1].max(axis=(0, 1)))

@@ -214,6 +214,6 @@ def exponential(typing_context: Any, value: Any) -> Any:
 
 
 @njit(nogil=True)
-def room_of_lanes(count: int) -> Any:
+def lane_array(count: int) -> Any:
     """Flat workspace of ``count`` values of eight lanes, for ``load`` and ``store``."""
     return np.empty(count * LANES, np.float32)

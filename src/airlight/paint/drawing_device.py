@@ -39,10 +39,10 @@ def drawing_device(
         return None
     from airlight.errors import ParameterError
     from airlight.gpu.device.device import NoDevice, open_device
-    from airlight.paint.solve_planet import check_room
+    from airlight.paint.solve_planet import check_capacity
 
     try:
-        check_room(planet, wavelengths)
+        check_capacity(planet, wavelengths)
         device = open_device()
         widest = device.device.limits["max-texture-dimension-2d"]
         if width > widest:

@@ -128,13 +128,13 @@ def fits(planet: Planet, wavelengths: int) -> bool:
         Number of wavelengths.
     """
     try:
-        check_room(planet, wavelengths)
+        check_capacity(planet, wavelengths)
     except ParameterError:
         return False
     return True
 
 
-def check_room(planet: Planet, wavelengths: int) -> None:
+def check_capacity(planet: Planet, wavelengths: int) -> None:
     """Refuse a planet that exceeds the capacity of the shaders.
 
     Parameters

@@ -24,7 +24,7 @@ from airlight.geometry.shell import radius_along
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.pixels.shown import MOST_CONSTITUENTS
-from airlight.solvers.moments.grid import row_of
+from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.harmonics import directed_functions
 from airlight.solvers.moments.march import FAINT, FULL_DAY, GRAZING, STEEP
 from airlight.solvers.moments.source import (
@@ -35,14 +35,14 @@ from airlight.solvers.moments.source import (
     star_at,
     through_columns,
 )
-from airlight.solvers.moments.sweep import place_of
+from airlight.solvers.moments.sweep import sun_index
 from airlight.tables.column_ratios import columns_to_top
-from airlight.tables.columns import THICK, cut_at_corners, density_place
+from airlight.tables.columns import THICK, cut_at_corners, density_index
 
 #: Largest number of points of a panel, and number of harmonics up to degree 24.
 MOST_POINTS = 24
 MOST_TERMS = 325
-_ROOM = MOST_CONSTITUENTS * MOST_POINTS
+_WORKSPACE = MOST_CONSTITUENTS * MOST_POINTS
 #: Numbers of edges beyond which a line needs fewer points a panel.
 SOME_EDGES = 6
 MANY_EDGES = 10
@@ -103,7 +103,7 @@ def place_panel(r, mu, start, end, length, rule, light, distance, radius, weight
             -r * mu, descending, low, beside, first, last, light.rules[rule + 1 + k]
         )
         weight[k] = slope * light.rules[rule + 1 + n + k]
-        node, share = density_place(
+        node, share = density_index(
             radius[k], light.bottom, light.top - light.bottom, light.density.shape[0]
         )
         for c in range(light.constituents):
@@ -136,7 +136,7 @@ def columns_along(r, mu, edges, count, rule, light, totals, cuts):
         Largest optical depth of any wavelength. [1]
     """
     distance, radius, weight = np.empty(MOST_POINTS), np.empty(MOST_POINTS), np.empty(MOST_POINTS)
-    density = np.empty(_ROOM)
+    density = np.empty(_WORKSPACE)
     n = int(light.rules[rule])
     for c in range(light.constituents):
         totals[c] = 0.0
@@ -196,8 +196,8 @@ def march_line(r, mu, mu_s, nu, length, orders, gathers, peaks, phase, light, to
     bottom, top = light.bottom, light.top
     edges = np.empty(MAX_EDGES)
     distance, radius, weight = np.empty(MOST_POINTS), np.empty(MOST_POINTS), np.empty(MOST_POINTS)
-    density, columns = np.empty(_ROOM), np.empty(_ROOM)
-    amounts = np.empty(_ROOM)
+    density, columns = np.empty(_WORKSPACE), np.empty(_WORKSPACE)
+    amounts = np.empty(_WORKSPACE)
     before = np.empty(MOST_CONSTITUENTS)
     rho, depths = np.empty(MOST_CONSTITUENTS, np.float32), np.empty(MOST_CONSTITUENTS, np.float32)
     here, there = np.empty(MOST_CONSTITUENTS), np.empty(MOST_CONSTITUENTS)
@@ -291,10 +291,10 @@ def march_line(r, mu, mu_s, nu, length, orders, gathers, peaks, phase, light, to
                     (light.degree, light.start, light.ahead, light.back),
                     functions,
                 )
-                x = row_of(q, bottom, top, light.row)
+                x = radius_index(q, bottom, top, light.row)
                 row = min(int(x), light.radii - 2)
                 f = np.float32(x - row)
-                x = place_of(mu_sq, light.place)
+                x = sun_index(mu_sq, light.place)
                 place = min(int(x), light.suns - 2)
                 e = np.float32(x - place)
                 g = np.float32(1.0) - f
@@ -342,7 +342,7 @@ def ground_received(mu_s, orders, light, room):
                 below, above, from_low, from_high, light.extinction, light.constituents, LANES, 0
             )
     if orders != 1:
-        x = place_of(mu_s, light.place)
+        x = sun_index(mu_s, light.place)
         place = min(int(x), light.suns - 2)
         received = received + level_sky(light.sky, place, x - place, LANES, 0)
     store(room, 0, received)

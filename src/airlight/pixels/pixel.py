@@ -12,7 +12,7 @@ from airlight.color.tone_maps import tone_mapped
 from airlight.geometry.bending import bend_angle
 from airlight.geometry.shell import first_meeting
 from airlight.kernel import inlined, kernel
-from airlight.kernel.lanes import LANES, load, maximum, minimum, room_of_lanes, splat, store
+from airlight.kernel.lanes import LANES, lane_array, load, maximum, minimum, splat, store
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle, row_from_impact
 from airlight.pixels.shown import MOST_CONSTITUENTS
 from airlight.pixels.sky_table import half_sine_between, look, phases_towards
@@ -340,8 +340,8 @@ def pixel_light(px, py, exact, observer, screen, light, result):
         ground = splat(0.0)
         bent = 0.0
         if exact:
-            phase = room_of_lanes(MOST_CONSTITUENTS)
-            found = room_of_lanes(4)
+            phase = lane_array(MOST_CONSTITUENTS)
+            found = lane_array(4)
             cos_azimuth = x / sine if sine > 0.0 else 1.0
             phases_towards(half_sine, True, light, LANES, phase)
             bent = look(z, sine, cos_azimuth, to_ground, True, False, observer, light, phase, found)

@@ -14,7 +14,7 @@ import numpy as np
 from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_meeting
 from airlight.kernel import inlined, kernel
-from airlight.kernel.lanes import LANES, fourth_root, load, room_of_lanes, splat, store
+from airlight.kernel.lanes import LANES, fourth_root, lane_array, load, splat, store
 from airlight.mappings.sky_view import direction_from_row, impact_from_row
 from airlight.pixels.march import ground_received, march_line
 from airlight.pixels.shown import MOST_CONSTITUENTS
@@ -171,8 +171,8 @@ def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phas
         Angle of refraction of a line that ends on the ground. [rad]
     """
     totals = np.empty(MOST_CONSTITUENTS)
-    received = room_of_lanes(1)
-    along = room_of_lanes(4)
+    received = lane_array(1)
+    along = lane_array(4)
     r, start_mu, start_mu_s, nu, length = line_of_sight(
         mu, sine, cos_azimuth, to_ground, observer, light
     )
@@ -292,8 +292,8 @@ def sky_texel(column, row, columns, rows, gathers, peaks, observer, light, resul
     gathers, peaks, observer, light, result :
         Arguments of ``look``.
     """
-    phase = room_of_lanes(MOST_CONSTITUENTS)
-    found = room_of_lanes(4)
+    phase = lane_array(MOST_CONSTITUENTS)
+    found = lane_array(4)
     mu, sine, cos_azimuth, half_sine = direction_of_texel(
         column, row, columns, rows, observer, light
     )

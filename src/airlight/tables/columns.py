@@ -59,7 +59,7 @@ def density_table(density: DensitySegments, thickness: float) -> FloatArray:
 
 
 @kernel
-def density_place(radius, bottom_radius, thickness, nodes):
+def density_index(radius, bottom_radius, thickness, nodes):
     """Node and fraction of a radius in a table of ``nodes`` nodes from ``density_table``.
 
     Returns
@@ -92,7 +92,7 @@ def accumulate(count, rule, bottom_radius, thickness, table, path):
     n = weights.size
     constituents = table.shape[1]
     for k in range(count):
-        node, f = density_place(radius[k], bottom_radius, thickness, table.shape[0])
+        node, f = density_index(radius[k], bottom_radius, thickness, table.shape[0])
         for i in range(constituents):
             density[i, k] = table[node, i] + (table[node + 1, i] - table[node, i]) * f
     for i in range(constituents):

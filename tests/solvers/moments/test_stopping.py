@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 from airlight.errors import ConvergenceError
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.javascript import JAVASCRIPT
-from airlight.gpu.emit.shader_types import F32, I32, Room
+from airlight.gpu.emit.shader_types import F32, I32, LocalArray
 from airlight.solvers.moments.acceleration import combine, mixing_weights
 from airlight.solvers.moments.convergence import change_at, count_at, rest_after
 from airlight.solvers.moments.settings import settings_for
@@ -118,7 +118,7 @@ def test_a_page_can_run_the_rule():
     emitter = Emitter(JAVASCRIPT)
     for function in (change_at, count_at, rest_after):
         emitter.add(function, F32, F32, F32)
-    emitter.add(combine, Room(6 * 7), I32, Room(7))
+    emitter.add(combine, LocalArray(6 * 7), I32, LocalArray(7))
     text = emitter.functions_text()
     for name in ("change_at", "count_at", "rest_after", "combine"):
         assert f"function {name}(" in text

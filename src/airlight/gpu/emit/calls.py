@@ -19,7 +19,7 @@ from airlight.gpu.emit.shader_types import (
     VEC4,
     Bundle,
     Constant,
-    Room,
+    LocalArray,
     Scalar,
     Table,
     Uniform,
@@ -61,7 +61,7 @@ class Calls(Names, ABC):
     def room(self, node: ast.Name) -> str:
         """Array as written before its index."""
         found = self.bound(node)
-        if isinstance(found, Room) and found.variable:
+        if isinstance(found, LocalArray) and found.variable:
             return found.variable
         return self.dialect.array(self.spelled(node.id), handed_over=self.is_parameter(node.id))
 
@@ -98,12 +98,12 @@ class Calls(Names, ABC):
             size = self.fold(node.args[0])
             if not isinstance(size, int):
                 raise self.refuse(node, "the size of a room is a constant")
-            return "", Room(size)
-        if called is lane_module.room_of_lanes:
+            return "", LocalArray(size)
+        if called is lane_module.lane_array:
             size = self.fold(node.args[0])
             if not isinstance(size, int):
                 raise self.refuse(node, "the size of a room is a constant")
-            return "", Room(size, VEC4)
+            return "", LocalArray(size, VEC4)
         if _is(called, self.dialect.mathematics):
             if called is math.isfinite:
                 return self.mathematics(called, [self.as_scalar(node.args[0], F32)]), BOOL
@@ -145,7 +145,7 @@ class Calls(Names, ABC):
             index = self.as_scalar(node.args[1], I32)
             if isinstance(owner, Table) and owner.spectral and name == "load":
                 return self.dialect.element(owner.name, index), VEC4
-            if isinstance(owner, Room) and owner.element == VEC4:
+            if isinstance(owner, LocalArray) and owner.element == VEC4:
                 assert isinstance(node.args[0], ast.Name)
                 place = f"{self.room(node.args[0])}[{index}]"
                 if name == "load":
@@ -174,7 +174,7 @@ class Calls(Names, ABC):
             text, found = self.write(one)
             if found is None:
                 raise self.refuse(one, "is nothing")
-            if isinstance(found, Room):
+            if isinstance(found, LocalArray):
                 assert isinstance(one, ast.Name)
                 text = self.spelled(one.id)
                 if not self.is_parameter(one.id):

@@ -17,15 +17,15 @@ from airlight.gpu.emit.shader_types import (
     VEC4,
     Bundle,
     Constant,
-    Room,
+    LocalArray,
     Scalar,
-    Several,
     Table,
+    TupleType,
     Value,
 )
 
 #: A name and its type.
-Named = tuple[str, Scalar | Room | Several | Table]
+Named = tuple[str, Scalar | LocalArray | TupleType | Table]
 
 
 class Dialect(ABC):
@@ -57,15 +57,15 @@ class Dialect(ABC):
     largest: ClassVar[float] = 3.4e38
 
     @abstractmethod
-    def type_name(self, kind: Scalar | Room | Several | Table) -> str:
+    def type_name(self, kind: Scalar | LocalArray | TupleType | Table) -> str:
         """Name of a type."""
 
     @abstractmethod
-    def declared(self, name: str, kind: Scalar | Room) -> str:
+    def declared(self, name: str, kind: Scalar | LocalArray) -> str:
         """Declare a variable that is assigned later."""
 
     @abstractmethod
-    def kept(self, name: str, kind: Scalar | Several, text: str) -> str:
+    def kept(self, name: str, kind: Scalar | TupleType, text: str) -> str:
         """Declare a name for a constant value."""
 
     @abstractmethod
@@ -73,15 +73,17 @@ class Dialect(ABC):
         """Declare a variable with its initial value."""
 
     @abstractmethod
-    def head(self, name: str, parameters: Sequence[Named], result: Scalar | Several | None) -> str:
+    def head(
+        self, name: str, parameters: Sequence[Named], result: Scalar | TupleType | None
+    ) -> str:
         """First line of a function, including the brace."""
 
     @abstractmethod
-    def struct(self, kind: Several) -> str:
+    def struct(self, kind: TupleType) -> str:
         """Declare the type of a tuple; empty if the language needs none."""
 
     @abstractmethod
-    def several(self, kind: Several, parts: Sequence[str]) -> str:
+    def several(self, kind: TupleType, parts: Sequence[str]) -> str:
         """Tuple of these parts."""
 
     @abstractmethod
@@ -118,7 +120,7 @@ class Dialect(ABC):
 
     def at_run_time(self, value: Value) -> bool:
         """Whether a value is passed when a function is called."""
-        if isinstance(value, Room):
+        if isinstance(value, LocalArray):
             return not value.variable
         return not isinstance(value, (Constant, Table, Bundle))
 

@@ -4,7 +4,7 @@ A function is emitted for the types that it is called with, as a compiler would 
 constants and NamedTuples are bound when the shader is written and do not exist at run time. The
 subset: numbers, ``+ - * / // % **``, comparisons, ``and or not``, ``x if c else y``, ``if``,
 ``for … in range(…)``, ``while``, tuples as results, ``math``, other kernels, tables
-(``table[i, j]``, ``table.shape[0]``), arrays (``np.empty(CONSTANT)``, ``room_of_lanes``) and the
+(``table[i, j]``, ``table.shape[0]``), arrays (``np.empty(CONSTANT)``, ``lane_array``) and the
 lanes of ``airlight.kernel.lanes``, which are four wavelengths here. Anything else is refused with
 file and line.
 """
@@ -22,7 +22,7 @@ from typing import Any, Final
 from airlight.gpu.emit import single_precision
 from airlight.gpu.emit.dialect import Dialect, ShaderDialect
 from airlight.gpu.emit.scope import SubsetError
-from airlight.gpu.emit.shader_types import Room, Scalar, Several, Table, Uniform, Value
+from airlight.gpu.emit.shader_types import LocalArray, Scalar, Table, TupleType, Uniform, Value
 from airlight.gpu.emit.statements import Emitted, FunctionBody
 from airlight.gpu.emit.wgsl import WGSL
 
@@ -56,8 +56,8 @@ class Emitter:
 
     dialect: Dialect = WGSL
     emitted: dict[tuple[Any, ...], Emitted] = field(default_factory=dict)
-    arrays: dict[str, Room] = field(default_factory=dict)
-    tuples: dict[str, Several] = field(default_factory=dict)
+    arrays: dict[str, LocalArray] = field(default_factory=dict)
+    tuples: dict[str, TupleType] = field(default_factory=dict)
     taken: set[str] = field(default_factory=set)
     _in_progress: set[Any] = field(default_factory=set)
 
@@ -115,7 +115,7 @@ class Emitter:
         self.emitted[key] = made
         return made
 
-    def tuple_type(self, items: Sequence[Scalar]) -> Several:
+    def tuple_type(self, items: Sequence[Scalar]) -> TupleType:
         """Struct that represents a tuple.
 
         Parameters
@@ -123,17 +123,17 @@ class Emitter:
         items : sequence of Scalar
             Types of the members.
         """
-        several = Several(tuple(items))
+        several = TupleType(tuple(items))
         return self.tuples.setdefault(several.name, several)
 
-    def module_array(self, name: str, kind: Room) -> Room:
+    def module_array(self, name: str, kind: LocalArray) -> LocalArray:
         """Array declared in the module, where the language needs that; otherwise unchanged.
 
         Parameters
         ----------
         name : str
             Name of the variable.
-        kind : Room
+        kind : LocalArray
             Type of the array.
         """
         if not self.dialect.module_arrays:

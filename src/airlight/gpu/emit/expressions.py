@@ -14,10 +14,10 @@ from airlight.gpu.emit.shader_types import (
     VEC4,
     Bundle,
     Constant,
-    Room,
+    LocalArray,
     Scalar,
-    Several,
     Table,
+    TupleType,
     Uniform,
     Value,
     joined,
@@ -74,7 +74,7 @@ class Expressions(Calls):
             return self.dialect.uniform(found.text, found.scalar), found.scalar
         if isinstance(found, (Table, Bundle)):
             return "", found
-        if isinstance(found, (Scalar, Room, Several)):
+        if isinstance(found, (Scalar, LocalArray, TupleType)):
             assert isinstance(node, ast.Name)
             return self.spelled(node.id), found
         raise self.refuse(node, "is not known here")
@@ -149,7 +149,7 @@ class Expressions(Calls):
             axis = self.fold(node.slice)
             if isinstance(owner, Table) and isinstance(axis, int) and axis < owner.rank:
                 return self.dialect.length(owner.name, str(axis)), I32
-            if isinstance(owner, Room) and axis == 0:
+            if isinstance(owner, LocalArray) and axis == 0:
                 return str(owner.size), Constant(owner.size)
         owner = self.bound(node.value)
         if isinstance(owner, Table):
@@ -172,6 +172,6 @@ class Expressions(Calls):
     def place(self, node: ast.Subscript) -> tuple[str, Scalar]:
         """Write an element of an array, to read or to assign."""
         owner = self.bound(node.value)
-        if not isinstance(owner, Room) or not isinstance(node.value, ast.Name):
+        if not isinstance(owner, LocalArray) or not isinstance(node.value, ast.Name):
             raise self.refuse(node, "is neither a table nor a room")
         return f"{self.room(node.value)}[{self.as_scalar(node.slice, I32)}]", owner.element

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from typing import ClassVar, Final
 
 from airlight.gpu.emit.dialect import PLAIN_NAMES, Named, ShaderDialect
-from airlight.gpu.emit.shader_types import VEC4, Room, Scalar, Several, Table
+from airlight.gpu.emit.shader_types import VEC4, LocalArray, Scalar, Table, TupleType
 from airlight.gpu.emit.single_precision import MATHEMATICS
 
 #: GLSL ES 3.00, 3.6 "Keywords" and those names of 8 "Built-in Functions" that a shader might use
@@ -55,31 +55,33 @@ void main() {
 }
 """
 
-    def type_name(self, kind: Scalar | Room | Several | Table) -> str:
-        if isinstance(kind, Room):
+    def type_name(self, kind: Scalar | LocalArray | TupleType | Table) -> str:
+        if isinstance(kind, LocalArray):
             return f"{self.type_name(kind.element)}[{kind.size}]"
         return PLAIN_NAMES[kind] if isinstance(kind, Scalar) else kind.name
 
-    def declared(self, name: str, kind: Scalar | Room) -> str:
-        if isinstance(kind, Room):
+    def declared(self, name: str, kind: Scalar | LocalArray) -> str:
+        if isinstance(kind, LocalArray):
             return f"{self.type_name(kind.element)} {name}[{kind.size}];"
         return f"{self.type_name(kind)} {name};"
 
-    def kept(self, name: str, kind: Scalar | Several, text: str) -> str:
+    def kept(self, name: str, kind: Scalar | TupleType, text: str) -> str:
         return f"{self.type_name(kind)} {name} = {text};"
 
     def variable(self, name: str, kind: Scalar, text: str) -> str:
         return self.kept(name, kind, text)
 
-    def head(self, name: str, parameters: Sequence[Named], result: Scalar | Several | None) -> str:
+    def head(
+        self, name: str, parameters: Sequence[Named], result: Scalar | TupleType | None
+    ) -> str:
         written = ", ".join(f"{self.type_name(kind)} {one}" for one, kind in parameters)
         return f"{'void' if result is None else self.type_name(result)} {name}({written}) {{"
 
-    def struct(self, kind: Several) -> str:
+    def struct(self, kind: TupleType) -> str:
         parts = " ".join(f"{self.type_name(item)} v{i};" for i, item in enumerate(kind.items))
         return f"struct {kind.name} {{ {parts} }};\n"
 
-    def several(self, kind: Several, parts: Sequence[str]) -> str:
+    def several(self, kind: TupleType, parts: Sequence[str]) -> str:
         return f"{kind.name}({', '.join(parts)})"
 
     def part(self, text: str, index: int) -> str:

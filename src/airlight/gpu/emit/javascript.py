@@ -17,10 +17,10 @@ from airlight.gpu.emit.shader_types import (
     I32,
     Bundle,
     Constant,
-    Room,
+    LocalArray,
     Scalar,
-    Several,
     Table,
+    TupleType,
     Value,
 )
 
@@ -47,27 +47,29 @@ class JavaScript(Dialect):
     unrolls = False
     largest = math.inf
 
-    def type_name(self, kind: Scalar | Room | Several | Table) -> str:
+    def type_name(self, kind: Scalar | LocalArray | TupleType | Table) -> str:
         return kind.name
 
-    def declared(self, name: str, kind: Scalar | Room) -> str:
-        if isinstance(kind, Room):
+    def declared(self, name: str, kind: Scalar | LocalArray) -> str:
+        if isinstance(kind, LocalArray):
             return f"const {name} = new Float64Array({kind.size});"
         return f"let {name};"
 
-    def kept(self, name: str, kind: Scalar | Several, text: str) -> str:
+    def kept(self, name: str, kind: Scalar | TupleType, text: str) -> str:
         return f"const {name} = {text};"
 
     def variable(self, name: str, kind: Scalar, text: str) -> str:
         return f"let {name} = {text};"
 
-    def head(self, name: str, parameters: Sequence[Named], result: Scalar | Several | None) -> str:
+    def head(
+        self, name: str, parameters: Sequence[Named], result: Scalar | TupleType | None
+    ) -> str:
         return f"export function {name}({', '.join(one for one, _ in parameters)}) {{"
 
-    def struct(self, kind: Several) -> str:
+    def struct(self, kind: TupleType) -> str:
         return ""
 
-    def several(self, kind: Several, parts: Sequence[str]) -> str:
+    def several(self, kind: TupleType, parts: Sequence[str]) -> str:
         return f"[{', '.join(parts)}]"
 
     def part(self, text: str, index: int) -> str:

@@ -23,10 +23,10 @@ from airlight.gpu.emit.shader_types import (
     VEC4,
     Bundle,
     Constant,
-    Room,
+    LocalArray,
     Scalar,
-    Several,
     Table,
+    TupleType,
     Uniform,
     Value,
     joined,
@@ -54,7 +54,7 @@ class Callee(Protocol):
 
     name: str
     parameters: tuple[tuple[str, Value], ...]
-    result: Scalar | Several | None
+    result: Scalar | TupleType | None
 
 
 class Functions(Protocol):
@@ -71,10 +71,10 @@ class Functions(Protocol):
     def add(self, function: Callable[..., Any], *arguments: Value) -> Callee:
         """Emit a function."""
 
-    def tuple_type(self, items: Sequence[Scalar]) -> Several:
+    def tuple_type(self, items: Sequence[Scalar]) -> TupleType:
         """Struct that represents a tuple."""
 
-    def module_array(self, name: str, kind: Room) -> Room:
+    def module_array(self, name: str, kind: LocalArray) -> LocalArray:
         """Array declared in the module."""
 
 
@@ -154,7 +154,7 @@ class Names:
 
     def cast(self, text: str, found: Value | None, wanted: Scalar) -> str:
         """Convert text to another type where Python would do so implicitly."""
-        if found is None or isinstance(found, (Table, Bundle, Room, Several)):
+        if found is None or isinstance(found, (Table, Bundle, LocalArray, TupleType)):
             raise SubsetError(f"{self.function.__qualname__}: {text} is no number")
         kind = run_time(found)
         if kind == wanted:
@@ -228,7 +228,7 @@ class Names:
             owner = self.bound(node.value)
             if isinstance(owner, Bundle):
                 return owner.fields.get(node.attr)
-            if isinstance(owner, Room) and node.attr == "size":
+            if isinstance(owner, LocalArray) and node.attr == "size":
                 return Constant(owner.size)
             if inspect.ismodule(owner):
                 found = getattr(owner, node.attr, None)

@@ -77,7 +77,7 @@ class Table:
 
 
 @dataclass(frozen=True)
-class Room:
+class LocalArray:
     """Array of the function itself, or of its caller.
 
     Attributes
@@ -117,7 +117,7 @@ class Bundle:
 
 
 @dataclass(frozen=True)
-class Several:
+class TupleType:
     """Tuple of values, as functions return them."""
 
     items: tuple[Scalar, ...]
@@ -128,10 +128,10 @@ class Several:
         return "Several_" + "_".join(item.name for item in self.items)
 
 
-Value = Scalar | Constant | Uniform | Table | Room | Bundle | Several
+Value = Scalar | Constant | Uniform | Table | LocalArray | Bundle | TupleType
 
 
-def run_time(value: Value) -> Scalar | Room | Several:
+def run_time(value: Value) -> Scalar | LocalArray | TupleType:
     """Type of a value in the shader.
 
     Parameters
@@ -150,7 +150,7 @@ def run_time(value: Value) -> Scalar | Room | Several:
         if isinstance(value.value, bool):
             return BOOL
         return I32 if isinstance(value.value, int) else F32
-    if isinstance(value, (Scalar, Room, Several)):
+    if isinstance(value, (Scalar, LocalArray, TupleType)):
         return value
     raise TypeError(value)
 

@@ -19,10 +19,10 @@ from airlight.gpu.emit.shader_types import (
     I32,
     Bundle,
     Constant,
-    Room,
+    LocalArray,
     Scalar,
-    Several,
     Table,
+    TupleType,
     Uniform,
     Value,
     joined,
@@ -47,7 +47,7 @@ class Emitted:
         Python function that it was emitted from.
     parameters : tuple of (str, Value)
         All parameters, including the bound ones.
-    result : Scalar, Several or None
+    result : Scalar, TupleType or None
         Type of the result; None if the function only fills arrays.
     text : str
         Text in the language of the emitter.
@@ -56,7 +56,7 @@ class Emitted:
     name: str
     function: Callable[..., Any]
     parameters: tuple[tuple[str, Value], ...]
-    result: Scalar | Several | None = None
+    result: Scalar | TupleType | None = None
     text: str = ""
 
 
@@ -115,9 +115,9 @@ class FunctionBody:
             else:
                 heads.append((spell(name), kind))
         for name, value in self.names.items():
-            if name in parameters or not isinstance(value, (Scalar, Room)):
+            if name in parameters or not isinstance(value, (Scalar, LocalArray)):
                 continue
-            if not (isinstance(value, Room) and value.variable):
+            if not (isinstance(value, LocalArray) and value.variable):
                 copies.append(f"  {self.dialect.declared(spell(name), value)}")
         head = self.dialect.head(self.made.name, heads, self.made.result)
         self.made.text = "\n".join([head, *copies, *self.lines, "}\n"])
@@ -251,7 +251,7 @@ class FunctionBody:
             written = [self.expressions.write(one) for one in node.value.elts]
             items = [self.expressions.number(node, value) for _, value in written]
             before = self.made.result
-            if isinstance(before, Several) and len(before.items) == len(items):
+            if isinstance(before, TupleType) and len(before.items) == len(items):
                 items = [joined(a, b) for a, b in zip(before.items, items, strict=True)]
             several = self.expressions.emitter.tuple_type(items)
             parts = [
@@ -262,7 +262,7 @@ class FunctionBody:
             self.put(depth, f"return {self.dialect.several(several, parts)};")
             return
         text, value = self.expressions.write(node.value)
-        if isinstance(value, Several):
+        if isinstance(value, TupleType):
             self.made.result = value
             self.put(depth, f"return {text};")
             return
@@ -291,9 +291,9 @@ class FunctionBody:
             self.expressions.learn(target, target.id, found)
             return
         kind = run_time(found)
-        if isinstance(kind, Several):
+        if isinstance(kind, TupleType):
             raise self.refuse(target, "a tuple is taken apart where it is made")
-        if isinstance(kind, Room):
+        if isinstance(kind, LocalArray):
             if self.dialect.module_arrays and not kind.variable:
                 name = f"{self.made.name}_{target.id}"
                 kind = self.expressions.emitter.module_array(name, kind)
@@ -313,12 +313,12 @@ class FunctionBody:
             written = [self.expressions.write(one) for one in value.elts]
             fixed: list[tuple[str, Value | None]] = []
             for text, found in written:
-                if found is None or isinstance(found, (Table, Bundle, Room)):
+                if found is None or isinstance(found, (Table, Bundle, LocalArray)):
                     fixed.append((text, found))
                     continue
                 self.temporaries += 1
                 now, kind = f"now_{self.temporaries}", run_time(found)
-                if isinstance(kind, Room):
+                if isinstance(kind, LocalArray):
                     raise self.refuse(target, "an array has one name")
                 self.put(depth, self.dialect.kept(now, kind, text))
                 fixed.append((now, kind))
@@ -337,7 +337,7 @@ class FunctionBody:
                     written_member = self.expressions.literal(one, member.value)
                 self.one_of_several(one, written_member, member, depth)
             return
-        if not isinstance(found, Several) or len(found.items) != len(target.elts):
+        if not isinstance(found, TupleType) or len(found.items) != len(target.elts):
             raise self.refuse(target, "another number of values")
         self.temporaries += 1
         several = f"several_{self.temporaries}"

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import ClassVar, Final
 
 from airlight.gpu.emit.dialect import Named, ShaderDialect
-from airlight.gpu.emit.shader_types import Room, Scalar, Several, Table
+from airlight.gpu.emit.shader_types import LocalArray, Scalar, Table, TupleType
 from airlight.gpu.emit.single_precision import MATHEMATICS
 
 _RESERVED: Final = """
@@ -45,33 +45,39 @@ fn full_screen_triangle(@builtin(vertex_index) index: u32) -> @builtin(position)
 }
 """
 
-    def type_name(self, kind: Scalar | Room | Several | Table) -> str:
-        return f"array<{kind.element.name}, {kind.size}>" if isinstance(kind, Room) else kind.name
+    def type_name(self, kind: Scalar | LocalArray | TupleType | Table) -> str:
+        return (
+            f"array<{kind.element.name}, {kind.size}>"
+            if isinstance(kind, LocalArray)
+            else kind.name
+        )
 
-    def declared(self, name: str, kind: Scalar | Room) -> str:
+    def declared(self, name: str, kind: Scalar | LocalArray) -> str:
         return f"var {name}: {self.type_name(kind)};"
 
-    def kept(self, name: str, kind: Scalar | Several, text: str) -> str:
+    def kept(self, name: str, kind: Scalar | TupleType, text: str) -> str:
         return f"let {name} = {text};"
 
     def variable(self, name: str, kind: Scalar, text: str) -> str:
         return f"var {name} = {text};"
 
-    def head(self, name: str, parameters: Sequence[Named], result: Scalar | Several | None) -> str:
+    def head(
+        self, name: str, parameters: Sequence[Named], result: Scalar | TupleType | None
+    ) -> str:
         written = [
             f"{one}: ptr<function, {self.type_name(kind)}>"
-            if isinstance(kind, Room)
+            if isinstance(kind, LocalArray)
             else f"{one}: {self.type_name(kind)}"
             for one, kind in parameters
         ]
         arrow = "" if result is None else f" -> {result.name}"
         return f"fn {name}({', '.join(written)}){arrow} {{"
 
-    def struct(self, kind: Several) -> str:
+    def struct(self, kind: TupleType) -> str:
         parts = ", ".join(f"v{i}: {item.name}" for i, item in enumerate(kind.items))
         return f"struct {kind.name} {{ {parts} }}\n"
 
-    def several(self, kind: Several, parts: Sequence[str]) -> str:
+    def several(self, kind: TupleType, parts: Sequence[str]) -> str:
         return f"{kind.name}({', '.join(parts)})"
 
     def part(self, text: str, index: int) -> str:

@@ -12,7 +12,16 @@ from typing import Any, Final
 from airlight.gpu.device.flat import FLAT_WIDTH
 from airlight.gpu.emit.dialect import ShaderDialect
 from airlight.gpu.emit.emitter import Emitter
-from airlight.gpu.emit.shader_types import F32, I32, VEC4, Bundle, Constant, Room, Several, Value
+from airlight.gpu.emit.shader_types import (
+    F32,
+    I32,
+    VEC4,
+    Bundle,
+    Constant,
+    LocalArray,
+    TupleType,
+    Value,
+)
 from airlight.gpu.emit.texture_table import TextureTable
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.picture.uniforms import CHANNELS, struct_text, uniform
@@ -217,7 +226,7 @@ def _sky_shader(
     peaks: bool,
 ) -> Shader:
     emitter = Emitter(dialect)
-    found = emitter.module_array("found", Room(4, VEC4))
+    found = emitter.module_array("found", LocalArray(4, VEC4))
     emitter.add(
         sky_texel, I32, I32, I32, I32, Constant(gathers), Constant(peaks), observer(), light(),
         found, name=function,
@@ -235,7 +244,7 @@ def _sky_shader(
 
 
 def _filled(
-    name: str, array: Room, function: str, places: tuple[str, ...], dialect: ShaderDialect
+    name: str, array: LocalArray, function: str, places: tuple[str, ...], dialect: ShaderDialect
 ) -> list[str]:
     """Statements in which a function fills an array."""
     if array.variable:
@@ -259,13 +268,13 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
         Shading language.
     """
     emitter = Emitter(dialect)
-    found = emitter.module_array("found", Room(1, VEC4))
+    found = emitter.module_array("found", LocalArray(1, VEC4))
     emitter.add(
         pixel_light, F32, F32, Constant(exact), observer(fixed), screen(fixed), light(fixed),
         found, name="light_of_pixel",
     )  # fmt: skip
     shown = emitter.add(displayed, F32, F32, F32, display(fixed), name="displayed").result
-    assert isinstance(shown, Several)
+    assert isinstance(shown, TupleType)
     row = f"at.y + {uniform('first_row').text}"
     lines = [
         *_filled("found", found, "light_of_pixel", ("at.x", row), dialect),

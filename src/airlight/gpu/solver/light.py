@@ -9,11 +9,11 @@ from __future__ import annotations
 import numpy as np
 
 from airlight.kernel import inlined
-from airlight.kernel.lanes import INVERSE_PI, LANES, load, room_of_lanes, splat
+from airlight.kernel.lanes import INVERSE_PI, LANES, lane_array, load, splat
 from airlight.optics.reflection import sky_factor, star_factor
 from airlight.pixels.shown import MOST_CONSTITUENTS
 from airlight.solvers.moments.first_order import direct_light, fill_phases, scattered_once
-from airlight.solvers.moments.grid import row_of
+from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.harmonics import degree_of
 from airlight.solvers.moments.sweep import (
     contracted,
@@ -60,7 +60,7 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
     ray, i, a, mu_s, nu = ray_and_star(index, sizes, tables)
     first = int(tables.start[i, a])
     points = int(tables.start[i, a + 1]) - first
-    phases = room_of_lanes(MOST_CONSTITUENTS)
+    phases = lane_array(MOST_CONSTITUENTS)
     fill_phases(tables.moments, nu, sizes.degree, sizes.constituents, phases)
     radiance = load(shares, LANES * ray) * scattered_once(
         tables.turn,
@@ -109,7 +109,7 @@ def row(index, sizes, tables, first_point, factors, packed):
     part = index % block
     j = index // block % sizes.suns
     point = first_point + index // (block * sizes.suns)
-    x = row_of(tables.radius[point], sizes.bottom, sizes.top, tables.row)
+    x = radius_index(tables.radius[point], sizes.bottom, sizes.top, tables.row)
     level = min(int(x), sizes.levels - 2)
     f = np.float32(x - level)
     low = (level * sizes.suns + j) * (1 + sizes.terms) * LANES

@@ -63,10 +63,10 @@ class SolverPass:
     name : str
         Name of the pass and of its shader.
     function : callable
-        Function of a texel; its arguments are ``index``, those of ``givens``, then the readings.
+        Function of a texel; arguments: ``index``, those of ``host_inputs``, then the readings.
     target : str
         Texture that it fills.
-    givens : tuple of str
+    host_inputs : tuple of str
         Names from ``sizes``, ``tables``, ``first_point``, ``weights``, ``images``.
     readings : tuple of Reading
         Readings in the order of the function's arguments.
@@ -77,7 +77,7 @@ class SolverPass:
     name: str
     function: Any
     target: str
-    givens: tuple[str, ...] = ("sizes", "tables")
+    host_inputs: tuple[str, ...] = ("sizes", "tables")
     readings: tuple[Reading, ...] = ()
     spanned: bool = False
 
@@ -183,7 +183,7 @@ def shader(name: str, dialect: ShaderDialect = WGSL) -> str:
     arguments: list[Value] = [I32]
     handed: list[str] = []
     readers: list[str] = []
-    for given in one.givens:
+    for given in one.host_inputs:
         kind, _, view = given.partition(":")
         if kind == "sizes":
             arguments.append(sizes_in_shader())

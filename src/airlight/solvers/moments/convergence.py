@@ -64,7 +64,7 @@ def counts(mean: Float32Array, thick: FloatArray) -> FloatArray:
     return np.asarray(vectorized(count_at)(light, light.max(axis=(0, 1)), thick))
 
 
-def or_at_least(
+def completed_or_swept(
     field: Float32Array, sky: Float32Array, swept_field: Float32Array, swept_sky: Float32Array
 ) -> Light:
     """Completed guess, or the swept light where the guess is far below it: in the dark."""
@@ -117,7 +117,7 @@ def rest_after(last, before, steps):
     return ratio / (1.0 - ratio)
 
 
-def what_follows(residuals: deque[FloatArray]) -> FloatArray:
+def remaining_change(residuals: deque[FloatArray]) -> FloatArray:
     """``rest_after`` the last of residuals (n, w), from up to two steps before it."""
     sizes = [np.sqrt(np.square(one).sum(axis=0)) for one in residuals]
     steps = min(len(sizes), BACK + 1) - 1

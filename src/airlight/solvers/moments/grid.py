@@ -97,7 +97,7 @@ def make_grid(
 
 
 @inlined
-def row_of(q, bottom, top, row):
+def radius_index(q, bottom, top, row):
     """Fractional index of a radius in the grid."""
     fraction = min(max((q - bottom) / (top - bottom), 0.0), 1.0)
     x = sqrt(fraction) * (row.size - 1)

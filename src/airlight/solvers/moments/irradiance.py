@@ -8,9 +8,9 @@ from airlight.geometry.bending import level_light
 from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
 from airlight.optics.reflection import sky_factor, star_factor
-from airlight.solvers.moments.grid import row_of
+from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.source import level_sky, level_star
-from airlight.solvers.moments.sweep import place_of
+from airlight.solvers.moments.sweep import sun_index
 from airlight.tables.column_ratios import columns_to_top
 
 
@@ -50,7 +50,7 @@ def _light_ground(mu_s, reflects, leaving, nu, orders, light, work):
     if direct > 0.0:
         columns_to_top(bottom, below, bottom, top, light.columns, work.here)
         columns_to_top(bottom, above, bottom, top, light.columns, work.there)
-    x = place_of(mu_s, grid.place)
+    x = sun_index(mu_s, grid.place)
     place = min(int(x), grid.sun_cosines.size - 2)
     constituents = light.columns.shape[2]
     for at in range(0, lanes, LANES):
@@ -97,10 +97,10 @@ def sky_irradiance(r, mu_s, light, out):
     bottom, top = grid.bottom_radius, grid.top_radius
     suns, lanes = grid.sun_cosines.size, light.air.ground.albedo.size
     for k in range(r.size):
-        row = min(int(row_of(r[k], bottom, top, grid.row)), grid.radii.size - 2)
+        row = min(int(radius_index(r[k], bottom, top, grid.row)), grid.radii.size - 2)
         # Linear in altitude: aloft the sky's light falls as the air above does, exponentially.
         f = (r[k] - grid.radii[row]) / (grid.radii[row + 1] - grid.radii[row])
-        x = place_of(mu_s[k], grid.place)
+        x = sun_index(mu_s[k], grid.place)
         place = min(int(x), suns - 2)
         e = x - place
         for at in range(0, lanes, LANES):

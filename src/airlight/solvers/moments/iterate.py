@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from airlight.kernel.lanes import LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solvers.light_paths import LightPaths
-from airlight.solvers.moments.convergence import Light, mix, or_at_least, trust
+from airlight.solvers.moments.convergence import Light, completed_or_swept, mix, trust
 from airlight.solvers.moments.first_order import first_order_radius
 from airlight.solvers.moments.grid import Grid
 from airlight.solvers.moments.packing import pack_light
@@ -175,7 +175,7 @@ def _iterate(
         return first_field[..., :used], first_sky[..., :used], np.zeros(used), 0
     wandering = Wandering(block, cancel)
     field, sky = wandering.finish(first_field, first_sky)
-    field, sky = or_at_least(field, sky, first_field, first_sky)
+    field, sky = completed_or_swept(field, sky, first_field, first_sky)
     iteration = Iteration(Stopping.of_sweeps(setup.settings), block.thick, used)
     images: deque[Light] = deque(maxlen=iteration.stopping.images)
     while iteration.goes_on():
@@ -187,7 +187,9 @@ def _iterate(
         trusted = trust(swept_field[:, :, 0], block.sidelit)
         more_field = swept_field - field + trusted[:, :, None] * (more_field - swept_field + field)
         more_sky = swept_sky - sky + trusted * (more_sky - swept_sky + sky)
-        images.append(or_at_least(field + more_field, sky + more_sky, swept_field, swept_sky))
+        images.append(
+            completed_or_swept(field + more_field, sky + more_sky, swept_field, swept_sky)
+        )
         iteration.judge(field[:, :, 0], images[-1][0][:, :, 0])
         watch.report(iteration)
         field, sky = mix(images, iteration.weights().astype(np.float32), trusted)

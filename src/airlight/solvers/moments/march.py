@@ -20,7 +20,7 @@ from airlight.geometry.shell import radius_along
 from airlight.kernel import compiled_loop
 from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import LANES, load, splat, store
-from airlight.solvers.moments.grid import Grid, row_of
+from airlight.solvers.moments.grid import Grid, radius_index
 from airlight.solvers.moments.harmonics import Harmonics, directed_functions
 from airlight.solvers.moments.source import (
     gathered_light,
@@ -28,7 +28,7 @@ from airlight.solvers.moments.source import (
     star_at,
     through_columns,
 )
-from airlight.solvers.moments.sweep import Air, place_of
+from airlight.solvers.moments.sweep import Air, sun_index
 from airlight.tables.column_ratios import columns_to_top
 from airlight.tables.columns import cut_at_corners, trace_resolved
 
@@ -303,10 +303,10 @@ def march(packet, rays, orders, peaks, panels, rules, light, work):
                 spread = (1.0 - mu_q) * (1.0 + mu_q) * (1.0 - mu_sq) * (1.0 + mu_sq)
                 step = (nu_q - mu_q * mu_sq) / sqrt(max(spread, 1e-24))
                 directed_functions(mu_q, min(max(step, -1.0), 1.0), expansion, functions)
-                x = row_of(q, bottom, top, row_table)
+                x = radius_index(q, bottom, top, row_table)
                 row = min(int(x), radii - 2)
                 f = x - row
-                x = place_of(mu_sq, place_table)
+                x = sun_index(mu_sq, place_table)
                 place = min(int(x), suns - 2)
                 e = x - place
                 w00 = np.float32((1.0 - f) * (1.0 - e))

@@ -2,7 +2,7 @@
 
 After each order the mean radiances at the nodes are compared with the previous ones
 (``convergence.relative_change``, ``counts``); the sum of all further orders is estimated from how
-the changes shrink (``what_follows``); where that is below the tolerance the iteration ends.
+the changes shrink (``remaining_change``); where that is below the tolerance the iteration ends.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ConvergenceError
 from airlight.solvers.moments.acceleration import mixing_weights
-from airlight.solvers.moments.convergence import counts, relative_change, what_follows
+from airlight.solvers.moments.convergence import counts, relative_change, remaining_change
 from airlight.solvers.moments.settings import Settings
 
 FloatArray = NDArray[np.float64]
@@ -142,7 +142,7 @@ class Iteration:
         steering = change * counts(after, self.thick)
         self._residuals.append(steering.reshape(-1, self.thick.size))
         deciding = change * counts(after, self.stopping.night * self.thick)
-        largest = np.abs(deciding).max(axis=(0, 1)) * what_follows(self._residuals)
+        largest = np.abs(deciding).max(axis=(0, 1)) * remaining_change(self._residuals)
         self.to_come = largest[: self.used]
         self.sweeps += 1
 

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
 from airlight.optics.reflection import Reflection, sky_factor
-from airlight.solvers.moments.grid import row_of
+from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.harmonics import legendre_functions
 
 Float32Array = NDArray[np.float32]
@@ -65,7 +65,7 @@ class Azimuths(NamedTuple):
 
 
 @inlined
-def place_of(mu_s, place):
+def sun_index(mu_s, place):
     """Fractional index of a sun cosine in the grid."""
     x = (mu_s + 1.0) * (0.5 * (place.size - 1))
     k = min(max(int(x), 0), place.size - 2)
@@ -164,7 +164,7 @@ def gathered(turn, mu_along, first, points, local, rows, mu_s, nu, places, suns,
     radiance = splat(0.0)
     for k in range(points):
         mu_sk, nu_k = star_from_point(turn, first + k, mu_s, nu)
-        x = place_of(mu_sk, places)
+        x = sun_index(mu_sk, places)
         column = min(int(x), suns - 2)
         f = np.float32(x - column)
         g = np.float32(1.0) - f
@@ -210,7 +210,7 @@ def star_at_end(ends, i, a, mu_s, nu):
 @inlined
 def sky_at(ground, mu_s, places, suns):
     """Irradiance of the ground by the light so far, from (s, E·s) per node. [1]"""
-    x = place_of(mu_s, places)
+    x = sun_index(mu_s, places)
     column = min(int(x), suns - 2)
     f = np.float32(x - column)
     g = np.float32(1.0) - f
@@ -311,7 +311,7 @@ def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, 
                 for m in range(l + 1):
                     index = l * (l + 1) // 2 + m
                     store(factors, LANES * index, strength * np.float32(functions[index]))
-            x = row_of(ray_radii[first + k], bottom, top, rows_at)
+            x = radius_index(ray_radii[first + k], bottom, top, rows_at)
             row = min(int(x), radii.size - 2)
             f = np.float32(x - row)
             g = np.float32(1.0) - f

@@ -23,7 +23,7 @@ from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, s
 from airlight.kernel.threads import Cancel, run_blocks
 from airlight.optics.reflection import sky_factor
 from airlight.solvers.moments.elimination import factorise, substitute
-from airlight.solvers.moments.grid import row_of
+from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.harmonics import Harmonics, legendre_functions
 from airlight.solvers.moments.levels import finer_weights
 from airlight.solvers.moments.setup import Block
@@ -81,7 +81,7 @@ def couple_radius(i, grid, rays, share, mu_along, air, expansion, degree, order,
                         moments, LANES * (c * (highest + 1) + l)
                     ) * np.float32(amounts[k, c])
                 store(strengths, LANES * l, strength * through)
-            x = row_of(ray_radii[k], bottom, top, rows_at)
+            x = radius_index(ray_radii[k], bottom, top, rows_at)
             row = min(int(x), radii.size - 2)
             f = x - row
             low = (a * radii.size + row) * pairs * LANES

@@ -12,7 +12,7 @@ from airlight.color.xyz import luminance_of
 from airlight.geometry.bending import raised_star
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.javascript import JAVASCRIPT
-from airlight.gpu.emit.shader_types import F32, I32, Room, Table, Value
+from airlight.gpu.emit.shader_types import F32, I32, LocalArray, Table, Value
 from airlight.pixels.observer_numbers import observer_numbers
 from airlight.scene import flight, great_circle, sun_time
 from airlight.scene.directions import camera_frame, direction_of
@@ -46,7 +46,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     change_at: (),
     count_at: (),
     rest_after: (F32, F32, I32),
-    combine: (Room(1), I32, Room(1)),
+    combine: (LocalArray(1), I32, LocalArray(1)),
     is_peaked: (),
     cut_weight: (),
     cut_part: (),
