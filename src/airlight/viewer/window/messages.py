@@ -41,7 +41,7 @@ class Messages:
         self._draw()
 
     def say(self, text: str) -> None:
-        """Show a message for 5 s."""
+        """Show a message for a limited time."""
         self._said = (text, perf_counter() + _SHOWN)
 
     @property
