@@ -1,4 +1,4 @@
-"""A window whose parts fail amid a frame: it says so, draws the rest, and recovers."""
+"""Failures within a frame of the window: it reports them, draws the rest, and recovers."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ Breaks = Callable[[Window, pytest.MonkeyPatch, BaseException], None]
 
 
 class Idle:
-    """A painter that is never asked, since nothing is ever solved."""
+    """Painter that is never called, since nothing is ever solved."""
 
     def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
         raise AssertionError("nothing was solved")
@@ -46,7 +46,7 @@ def unsolved(*_: Any, **__: Any) -> Any:
 
 
 class Read:
-    """A probe that has read a point."""
+    """Probe with a result."""
 
     def __init__(self) -> None:
         nm, light = (440.0, 550.0, 680.0), (0.1, 0.2, 0.1)
@@ -91,7 +91,7 @@ def failing(fault: BaseException) -> Callable[..., Any]:
 
 
 def breaks(where: Any, name: str) -> Breaks:
-    """A function of a module or of a class fails."""
+    """Make a function of a module or of a class fail."""
     return lambda window, patch, fault: patch.setattr(where, name, failing(fault))
 
 
@@ -116,7 +116,7 @@ def breaks_disabled(window: Window, patch: pytest.MonkeyPatch, fault: BaseExcept
     patch.setattr(imgui, "checkbox", failing(fault))
 
 
-#: Part, tab, and what fails: each between a begin and an end.
+#: Part, tab, and function that fails, each between a begin and an end.
 PARTS: tuple[tuple[str, str, Breaks], ...] = (
     ("flight", "Planet", lambda w, patch, fault: patch.setattr(w, "_step", failing(fault))),
     ("request", "Planet", lambda w, patch, fault: patch.setattr(w, "_follow", failing(fault))),
@@ -134,7 +134,7 @@ PARTS: tuple[tuple[str, str, Breaks], ...] = (
 
 
 def drawn(window: Window, place: OffscreenPlace, frames: int) -> np.ndarray:
-    """The window above its status line, after some frames."""
+    """Pixels of the window above its status line, after some frames."""
     for _ in range(frames):
         place.run(window.draw)
     assert place.picture is not None
@@ -142,7 +142,7 @@ def drawn(window: Window, place: OffscreenPlace, frames: int) -> np.ndarray:
 
 
 def opened(window: Window, place: OffscreenPlace, part: str, tab: str) -> np.ndarray:
-    """The window with a part and a tab open, at rest."""
+    """Window with a part and a tab open, at rest."""
     window.panel.opens, window.panel.probes = tab, part == "probe"
     if part == "help":
         window.do("help")
@@ -168,7 +168,7 @@ def test_a_part_that_fails_is_named_and_drawn_again_once_it_can_be(
     broken: Breaks,
     raised: Callable[[], Exception],
 ) -> None:
-    # Had a begin stayed without its end, or a style pushed, the window would not be the same.
+    # A missing end or a style left pushed would change the window.
     before, frames, fault = opened(window, place, part, tab), window.frames, raised()
     with pytest.MonkeyPatch.context() as patch:
         broken(window, patch, fault)

@@ -1,4 +1,4 @@
-"""Free flight: where it leads, and that the sun keeps its place."""
+"""Free flight: positions reached, under a sun fixed in space."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def start(**values: float) -> dict[str, float]:
 
 
 def sun_of(view: dict[str, float]) -> np.ndarray:
-    """The sun's direction in the planet's frame."""
+    """Direction of the sun in the planet's frame."""
     place = (view["view.latitude"], view["view.longitude"], view["view.sun_azimuth"])
     return planet_frame(*place) @ direction(view["view.sun_zenith"], 0.0)
 
@@ -74,7 +74,7 @@ def test_over_the_pole_the_heading_turns_round_and_the_path_goes_on() -> None:
 
 
 def test_it_never_gets_below_the_ground_nor_beyond_the_farthest() -> None:
-    # 1 m and 1e12 m are the limits, from any look and for any time.
+    # 1 m and 1e12 m are the limits, for any line of sight and any time.
     down = go(start(look_zenith=180.0, altitude=3.0), 500, 0.0, 1.0, -1.0)
     assert down["view.altitude"] == 1.0
     up = go(start(look_zenith=180.0, altitude=3.0), 5000, 0.0, -1.0, 1.0)
@@ -84,7 +84,7 @@ def test_it_never_gets_below_the_ground_nor_beyond_the_farthest() -> None:
 
 
 def test_speed_is_in_proportion_to_the_distance_to_the_ground() -> None:
-    # Ten times as high, ten times as fast: the way is the angle times the distance to the centre.
+    # Ten times as high, ten times as fast: the path is the angle times the distance to the centre.
     ways = []
     for altitude in (1e4, 1e5):
         view = start(altitude=altitude, look_zenith=90.0)
@@ -104,7 +104,7 @@ def test_climbing_in_small_steps_or_one_is_the_same() -> None:
 
 
 def test_looking_straight_down_ahead_is_down() -> None:
-    # The line of sight leads to the ground: nothing moves sideways but rounding.
+    # The line of sight leads to the ground: sideways there is only rounding.
     view = start(look_zenith=180.0, altitude=1e6)
     end = flown(view, 0.0, 1.0, 0.0, 1.0, RADIUS)
     assert end["view.altitude"] < 1e6
@@ -112,7 +112,7 @@ def test_looking_straight_down_ahead_is_down() -> None:
 
 
 def test_time_and_place_of_the_sun_are_each_others_inverse() -> None:
-    # A round trip; at the poles and for a sun in the zenith an angle is free.
+    # A round trip; at the poles and for a sun in the zenith an angle is arbitrary.
     for latitude in (-70.0, 0.0, 35.0):
         for declination in (-23.0, 5.0, 60.0):
             for hour in (0.5, 6.0, 11.0, 18.5, 23.0):
@@ -138,7 +138,7 @@ def test_the_mouse_turns_the_picture_by_as_much_as_it_moves() -> None:
 
 
 def test_keys_fly_while_they_are_held() -> None:
-    # W is ahead, to the south at first; what is not the flight's is left to the host.
+    # W is ahead, initially south; other keys are left to the host.
     session = Session("earth-atmosphere-plus")
     flight = Flight(session)
     assert not flight.press("x")
@@ -152,7 +152,7 @@ def test_keys_fly_while_they_are_held() -> None:
     assert flight.step(0.1)
     flight.release("w")
     assert not flight.moving
-    # as long as a key is held it is one step to undo
+    # a held key is one undo step
     session.undo()
     assert session.value("view.latitude") == 0.0
     assert not session.can_undo

@@ -1,4 +1,4 @@
-"""Joining ES modules into one."""
+"""Bundling of ES modules into one."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from airlight.viewer.browser.modules import join_modules
 
 
 def test_each_module_stands_once_before_those_that_need_it() -> None:
-    # a diamond: both arms need the foot, which must come first and only once
+    # a diamond: both branches import one module, which must come first and only once
     files = {
         "top.js": 'import { l } from "./left.js";\nimport { r } from "./right.js";\n'
         "export default l;",
@@ -29,7 +29,7 @@ def test_each_module_stands_once_before_those_that_need_it() -> None:
 
 
 def test_files_of_several_folders_import_each_other_by_where_they_stand() -> None:
-    # two files of one name in two folders stay two modules
+    # two files of the same name in two folders remain two modules
     files = {
         "top.js": 'import { a } from "./one/same.js";\na();',
         "one/same.js": 'import { b } from "../two/same.js";\nexport const a = b;\n',

@@ -1,4 +1,4 @@
-"""The widget's Python side: parameters both ways, without a browser."""
+"""Python side of the widget: parameters both ways, without a browser."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ pytest.importorskip("anywidget")
 
 @pytest.fixture(scope="module")
 def solution() -> Any:
-    """One that stands for all: what is shown does not matter here."""
+    """Solution shared by all tests, which do not depend on the picture."""
     return solve(load_planet("mars"), (680.0, 550.0, 440.0), "preview", cache=False)
 
 
 @pytest.fixture
 def viewer(solution: Any) -> Iterator[Any]:
-    """A viewer whose planet is solved at once."""
+    """Viewer whose planet is solved immediately."""
     from airlight.viewer.browser.notebook import Viewer
 
     def solving(session: Session, **more: Any) -> Solving:
@@ -48,7 +48,7 @@ def test_python_moves_what_the_browser_is_told(viewer: Any) -> None:
 
 
 def test_browser_moves_what_python_holds(viewer: Any) -> None:
-    # a browser sets the state of the widget, all values at once
+    # a browser sets the widget's state, all values at once
     viewer.set_state({"values": {**viewer.values, "view.sun_zenith": 75.5}})
     assert viewer.session.value("view.sun_zenith") == 75.5
     viewer.set_state({"command": {"name": "undo", "count": 1}})
@@ -88,7 +88,7 @@ def test_closing_ends_the_thread(solution: Any) -> None:
     before = threading.active_count()
     viewer = Viewer("mars")
     viewer.close()
-    viewer.session.set("view.altitude", 7.0)  # nobody follows any more
+    viewer.session.set("view.altitude", 7.0)  # no follower is left
     assert viewer.values["view.altitude"] == 2.0
     deadline = time.monotonic() + 30.0
     while threading.active_count() > before:

@@ -1,4 +1,4 @@
-"""The two painters show the same picture; each by its own way."""
+"""The two painters show the same picture by different methods."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def test_the_processor_paints_finer_and_finer(device: Device, request_: Request)
 
 
 def test_a_change_of_exposure_renders_nothing_anew(device: Device, request_: Request) -> None:
-    # What is asked for is added to what is measured; a frame that is there is shown at once.
+    # The requested exposure is added to the measured one; an existing frame is shown at once.
     painter = CpuPainter(device.device)
     automatic = list(painter.paint(request_, never))[-1]
     stops = dataclasses.replace(request_, exposure=-2.0)
@@ -72,23 +72,23 @@ def test_a_change_of_exposure_renders_nothing_anew(device: Device, request_: Req
 
 
 def test_both_painters_show_the_same(device: Device, request_: Request) -> None:
-    # Two renderers of one solution: by the table of the sky, and by a march for each pixel.
+    # Two renderers of one solution: by the sky table, and by ray marching for each pixel.
     processor = CpuPainter(device.device)
     exact = pixels(device, list(processor.paint(request_, never))[-1])
     painter = GpuPainter(dataclasses.replace(device, software=False))
-    while True:  # the first pictures come from the processor, while the shaders are compiled
+    while True:  # the processor renders the first pictures while the shaders are compiled
         shown = list(painter.paint(request_, never))[-1]
         if shown.by == "GPU":
             break
         time.sleep(0.05)
     painter.close()
     assert shown.finished
-    # automatic exposure is measured on a smaller picture; tables are read between their nodes
+    # automatic exposure is measured on a smaller picture; tables are interpolated
     assert_allclose(pixels(device, shown), exact, rtol=0, atol=6)
 
 
 def test_in_software_the_exact_picture_follows(device: Device, request_: Request) -> None:
-    # While it moves by the table, at rest by the processor.
+    # From the sky table while the view moves, by the processor at rest.
     if not device.software:
         pytest.skip("this device is no software")
     painter = GpuPainter(device)

@@ -1,4 +1,4 @@
-"""Saving from the window: the files hold what is shown, mistakes are one line."""
+"""Saving from the window: the files hold the picture shown, errors are one line."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def saved(path: Path, shown: Picture, size: tuple[int, int] | None) -> Saving:
 
 
 def test_a_saved_picture_is_what_is_shown(tmp_path: Path, shown: Picture) -> None:
-    # The same renderer and display by hand: orders, exposure and tone map of the window.
+    # The renderer called directly with the window's orders, exposure and tone map.
     file = tmp_path / "a.png"
     saving = saved(file, shown, None)
     assert saving.error == ""

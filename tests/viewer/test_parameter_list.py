@@ -1,4 +1,4 @@
-"""The declared list: complete, in range, and equal to what the reader reads."""
+"""Declared list of parameters: complete, in range, and consistent with the reader."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def tables_of(name: str) -> Tables:
 
 @pytest.mark.parametrize("planet", planet_names())
 def test_every_number_and_word_of_a_planet_file_is_a_parameter(planet: str) -> None:
-    # Completeness: what stands in the file is counted by another walk, which knows no keys.
+    # Completeness: the file's values are counted by an independent traversal without declarations.
     tables = tables_of(planet)
     paths = {one.path for one in parameters_of(tables)}
 
@@ -50,7 +50,7 @@ def test_every_number_and_word_of_a_planet_file_is_a_parameter(planet: str) -> N
 
 @pytest.mark.parametrize("planet", planet_names())
 def test_parameters_hold_what_they_say(planet: str) -> None:
-    # Each value is within its own limits, each slider within them too, and words are not empty.
+    # Each value and each slider is within the parameter's limits, and texts are not empty.
     tables = tables_of(planet)
     seen = set()
     for one in parameters_of(tables):
@@ -75,7 +75,7 @@ def test_parameters_hold_what_they_say(planet: str) -> None:
 
 
 def test_an_unknown_key_is_an_error_and_not_dropped() -> None:
-    # The list is complete only if what it does not know is said.
+    # The list is complete only if undeclared keys are reported.
     tables = tables_of("mars")
     tables["constituents"][0]["gas"]["colour"] = "1 nm"
     with pytest.raises(ParameterError, match=r"a key of constituents\[0\]\.gas is 'colour'"):
@@ -83,13 +83,13 @@ def test_an_unknown_key_is_an_error_and_not_dropped() -> None:
 
 
 def test_every_key_that_the_handbook_names_is_declared() -> None:
-    # docs/planet-files.md is the reader's own list: the words in its tables' first columns.
+    # docs/planet-files.md lists the reader's keys in the first columns of its tables.
     import re
     from pathlib import Path
 
     handbook = Path(__file__).parents[2] / "docs" / "planet-files.md"
     declared = {key.name for kind in TABLES for key in keys_of(kind)}
-    # words of the first column that are no keys: kinds, tables of indices, gases
+    # words of the first column that are not keys: kinds, tables of indices, gases
     other = {"dependent"}
     named: set[str] = set()
     for line in handbook.read_text(encoding="utf-8").splitlines():
@@ -103,7 +103,7 @@ def test_every_key_that_the_handbook_names_is_declared() -> None:
 
 
 def test_numbers_are_in_the_declared_unit_as_the_reader_has_them() -> None:
-    # The planet that the reader makes is the second opinion.
+    # The planet that the reader makes is the second method.
     tables = tables_of("mars")
     planet = load_planet("mars")
     by_path = {one.path: one for one in parameters_of(tables)}
@@ -136,14 +136,14 @@ def test_what_a_file_leaves_out_is_shown_with_the_readers_value() -> None:
 
 
 def test_items_of_a_list_say_what_they_belong_to() -> None:
-    # The wavelengths beside the list, whatever their order.
+    # Labels have the wavelengths given beside the list, in any order.
     labels = {one.path: one.label for one in parameters_of(tables_of("earth-bruneton"))}
     assert labels["constituents[0].scattering[2]"] == "scattering at 440 nm"
     assert labels["star.irradiance[0]"] == "irradiance at 680 nm"
 
 
 def test_constituents_that_share_a_name_with_a_group_have_one_of_their_own() -> None:
-    # A constituent may be called "shell": its controls must not join those of the shell.
+    # A constituent may be named "shell": its controls must not mix with those of the shell.
     tables = tables_of("earth-atmosphere-plus")
     tables["constituents"][0]["name"] = "shell"
     groups = [one.group for one in parameters_of(tables) if one.path.startswith("constituents[0]")]
@@ -151,7 +151,7 @@ def test_constituents_that_share_a_name_with_a_group_have_one_of_their_own() -> 
 
 
 def test_view_parameters_have_a_default_each_and_make_a_scene() -> None:
-    # The defaults are the list's own keys, valid, and a scene takes any corner of their ranges.
+    # The defaults have declared keys, are valid, and a scene accepts the ends of all ranges.
     known = {one.path: one for one in view_parameters()}
     assert set(known) == set(DEFAULTS)
     for path, value in DEFAULTS.items():
@@ -167,7 +167,7 @@ def test_view_parameters_have_a_default_each_and_make_a_scene() -> None:
 
 
 def test_json_of_a_parameter_is_json() -> None:
-    # Infinity is no JSON; the page must read it.
+    # Infinity is not valid JSON, which the page must read.
     import json
 
     for one in (*view_parameters(("air",)), *parameters_of(tables_of("venus"))):
@@ -176,7 +176,7 @@ def test_json_of_a_parameter_is_json() -> None:
 
 
 def test_refused_values_name_the_field_and_the_range() -> None:
-    # One line with path, value and range; a bool and a text are no numbers.
+    # One line with path, value and range; a bool and a text are not numbers.
     (radius, *_) = [one for one in view_parameters() if one.path == "view.sun_zenith"]
     for wrong in (math.nan, math.inf, -1.0, 180.1, True, "60", None, [1.0]):
         with pytest.raises(ParameterError, match=r"view\.sun_zenith is .*; allowed: 0 to 180 deg"):
@@ -184,13 +184,13 @@ def test_refused_values_name_the_field_and_the_range() -> None:
 
 
 def test_presets_are_all_there() -> None:
-    # The list is tested on what is shipped.
+    # The list is tested on the shipped presets.
     folder = resources.files("airlight.planets") / "presets"
     assert len(planet_names()) == sum(one.name.endswith(".toml") for one in folder.iterdir())
 
 
 def test_a_value_of_the_view_that_names_a_uniform_is_a_number_of_the_shaders() -> None:
-    # Declared once: the name has to be one of the struct, and every value has to fit into it.
+    # Declared once: the name must be a field of the struct, and every value must fit into it.
     for one in VIEW_VALUES:
         if one.uniform:
             assert one.uniform in layout()["numbers"]
@@ -202,7 +202,7 @@ def test_a_value_of_the_view_that_names_a_uniform_is_a_number_of_the_shaders() -
 
 
 def test_the_tone_map_that_the_view_sends_is_the_one_that_the_picture_counts() -> None:
-    # The shaders' own count of tone maps is the second opinion.
+    # The shaders' number of tone maps is the second method.
     for name in TONE_MAPS:
         sent = uniforms_of({**DEFAULTS, "display.tone_map": name})["tone_map"]
         assert sent == display_numbers(0.0, name, "srgb")["tone_map"]

@@ -1,4 +1,4 @@
-"""The thread that paints: the newest wish counts, errors are said, and it ends."""
+"""Painting thread: the newest request wins, errors are reported, and it ends."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from airlight.viewer.painting.picture_thread import PictureThread
 
 
 class Slow:
-    """A painter whose second, fine picture waits until it is let go or wanted no longer."""
+    """Painter whose second, fine picture waits until it is released or superseded."""
 
     def __init__(self) -> None:
         self.painted: list[float] = []
@@ -80,7 +80,7 @@ def thread() -> Iterator[tuple[PictureThread, Slow, list[int]]]:
 def test_the_newest_wish_is_painted_to_the_end(
     thread: tuple[PictureThread, Slow, list[int]],
 ) -> None:
-    # The first wishes hang until they are stale: only a newer one can end them.
+    # The first requests block until they are stale: only a newer one can end them.
     made, painter, wakes = thread
     for exposure in (1.0, 2.0, 3.0):
         made.want(wish(exposure))
@@ -134,7 +134,7 @@ def test_closing_ends_a_picture_under_way() -> None:
 def test_small_pictures_keep_their_projections_shape(
     projection: str, size: tuple[int, int]
 ) -> None:
-    # A camera refuses a shape that does not fit its projection.
+    # A camera rejects an aspect ratio that does not fit its projection.
     scene = Scene(camera=Camera(projection=projection, width=size[0], height=size[1]))
     for part in (1.0, 0.5, 0.1, 1e-3):
         camera = scaled(scene, part).camera

@@ -1,4 +1,4 @@
-"""Viewpoints worth seeing: what the camera then looks at."""
+"""Preset viewpoints: directions of the camera."""
 
 from __future__ import annotations
 

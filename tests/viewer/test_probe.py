@@ -1,4 +1,4 @@
-"""The probe: its parts, its sums, and the picture it belongs to."""
+"""Probe: its parts, their sum, and agreement with the picture."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def earth() -> MomentsSolution:
 
 @pytest.fixture(scope="module")
 def mapped() -> MomentsSolution:
-    """Earth with its map, without particles that take long."""
+    """Earth with its map, without particles, which take long."""
     return solve(load_planet("earth-atmosphere-plus", {"ground.map": "earth"}), NM, "preview")
 
 
@@ -50,7 +50,7 @@ def test_parts_sum_to_the_radiance_of_the_solution(earth: MomentsSolution, altit
 
 
 def test_luminance_and_colour_are_those_of_the_picture(earth: MomentsSolution) -> None:
-    # The picture is another march, of fewer points: 0.3 % away from the star's glow.
+    # The picture integrates separately, with fewer points: 0.3 % outside the star's aureole.
     camera = Camera(width=12, height=8, field_of_view=90.0, look_zenith=88.0, look_azimuth=110.0)
     scene = Scene(camera=camera, altitude=2.0, sun_zenith=60.0)
     rgb = render(earth, scene).rgb.astype(float)
@@ -78,7 +78,7 @@ def test_the_map_of_the_ground_is_read_where_the_picture_reads_it(
 
 
 def test_the_map_colours_all_light_of_the_ground(mapped: MomentsSolution) -> None:
-    # The map's reflectance takes the place of the albedo in what the star and the sky light alike.
+    # The map's reflectance replaces the albedo under both the star's and the sky's light.
     scene = Scene(altitude=3e6, sun_zenith=30.0, latitude=20.0, longitude=10.0)
     seen = probe(mapped, scene, direction(170.0, 0.0))
     sight, _ = mapped.lines_of_sight(altitude=3e6, sun_zenith=30.0, view_zenith=170.0)
@@ -88,11 +88,11 @@ def test_the_map_colours_all_light_of_the_ground(mapped: MomentsSolution) -> Non
     star = painted[GROUND_STAR] / (plain.ground_star[0] * sun)
     sky = painted[GROUND_SKY] / (plain.ground_sky[0] * sun)
     assert_allclose(star, sky, rtol=1e-12)
-    assert (np.abs(star - 1.0) > 0.1).any()  # the Sahara is not of the mean albedo
+    assert (np.abs(star - 1.0) > 0.1).any()  # the Sahara does not have the mean albedo
 
 
 def test_the_ground_below_is_the_place_below(earth: MomentsSolution) -> None:
-    # Straight down lies the observer's own latitude and longitude, as far as the altitude.
+    # Straight down is the point at the observer's latitude and longitude, one altitude away.
     scene = Scene(altitude=400e3, latitude=-33.0, longitude=151.0, sun_zenith=50.0)
     seen = probe(earth, scene, direction(180.0, 0.0))
     assert_allclose((seen.latitude, seen.longitude), (-33.0, 151.0), atol=1e-9)
@@ -103,7 +103,7 @@ def test_the_ground_below_is_the_place_below(earth: MomentsSolution) -> None:
 
 
 def test_depths_and_transmittance_belong_together(earth: MomentsSolution) -> None:
-    # T = exp(-tau); straight up tau is the vertical optical depth; the solution's own answer is a
+    # T = exp(-tau); straight up tau is the vertical optical depth; the solution's result is a
     # second method.
     scene = Scene(altitude=0.0, sun_zenith=50.0)
     up = probe(earth, scene, direction(0.0, 0.0))
@@ -136,7 +136,7 @@ def test_past_the_planet_there_is_nothing(earth: MomentsSolution) -> None:
 
 
 def test_light_that_is_bent_has_the_same_parts(earth: MomentsSolution) -> None:
-    # As above, with one more profile that only bends.
+    # As above, with an additional profile that only refracts.
     bent = solve(load_planet("earth", {"refraction": "bouguer"}), NM, "preview")
     scene = Scene(altitude=0.0, sun_zenith=90.0)
     seen = probe(bent, scene, direction(89.5, 0.0))
@@ -149,7 +149,7 @@ def test_light_that_is_bent_has_the_same_parts(earth: MomentsSolution) -> None:
 def test_places_outside_the_picture_are_refused_and_a_fisheye_has_corners(
     earth: MomentsSolution,
 ) -> None:
-    # Its circle leaves the corners free.
+    # A fisheye's circle leaves the corners empty.
     scene = Scene(camera=Camera(projection="fisheye", width=20, height=20), sun_zenith=50.0)
     assert probe_pixel(earth, scene, 0.5, 0.5) is None
     assert probe_pixel(earth, scene, 10.0, 10.0) is not None

@@ -1,4 +1,4 @@
-"""A thousand random edits through the declared list: no NaN, no crash, no stale picture."""
+"""A thousand random edits of declared parameters: no NaN, no crash, no stale picture."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.session.session import Session
 
 #: Standard and advanced forms: coefficients, layers, gases, columns, turbidity, a black body, dust
-#: by coefficients. Exact Mie takes seconds an edit and has a test of its own below.
+#: by coefficients. Exact Mie takes seconds per edit and has its own test below.
 PLANETS = (
     "earth-atmosphere-plus",
     "earth-bruneton",
@@ -34,7 +34,7 @@ PLANETS = (
     "mars-standard",
 )
 EDITS = 1000
-#: Longer than any single edit takes, on a busy machine. [s]
+#: Time limit of a single edit, generous for a busy machine. [s]
 LONG = 60.0
 
 QUICK = Settings(
@@ -62,7 +62,7 @@ def quickly(
     progress: Callable[[int, int, str], None],
     cancel: Callable[[], bool],
 ) -> Any:
-    """The moments solver with grids as coarse as they get."""
+    """Moments solver with the coarsest grids."""
     medium = Medium.from_planet(planet, wavelengths, progress=progress, cancel=cancel)
     solution = solve(medium, QUICK, cache=False, progress=progress, cancel=cancel)
     solution.planet = planet
@@ -70,7 +70,7 @@ def quickly(
 
 
 def drawn(one: Parameter, chance: random.Random) -> Value:
-    """A random value: mostly on the slider, sometimes its ends, sometimes what can be typed."""
+    """Random value: mostly on the slider, sometimes its ends, sometimes within the typed limits."""
     if one.kind == "switch":
         return chance.random() < 0.5
     if one.kind == "choice":
@@ -87,7 +87,7 @@ def drawn(one: Parameter, chance: random.Random) -> Value:
 
 
 def act(session: Session, chance: random.Random) -> str:
-    """One random thing that a person at the controls may do; its name."""
+    """Perform a random user action; returns its name."""
     what = chance.random()
     if what < 0.10:
         session.undo()
@@ -115,7 +115,7 @@ def act(session: Session, chance: random.Random) -> str:
 
 
 def without_places(line: str) -> str:
-    """An error's line without its numbers, to count kinds."""
+    """Error line without its numbers, to count kinds."""
     if " is " not in line:
         return re.sub(r"[-+]?\d[\d.e+-]*", "N", line)
     field, _, allowed = line.partition(" is ")
@@ -125,7 +125,7 @@ def without_places(line: str) -> str:
 
 @pytest.mark.slow
 def test_a_thousand_random_edits(tell: Callable[[str], None]) -> None:
-    # After each edit the newest planet is shown or refused in one line; light is a finite number.
+    # After each edit the newest planet is shown or rejected in one line; its light is finite.
     chance = random.Random(20260)
     clock = iter(range(10**9))
     session = Session(PLANETS[0], clock=lambda: float(next(clock)))
@@ -141,7 +141,7 @@ def test_a_thousand_random_edits(tell: Callable[[str], None]) -> None:
             name = ""
             try:
                 name = act(session, chance)
-            except ParameterError as error:  # the kind of value that the list itself refuses
+            except ParameterError as error:  # the kind of value that the list itself rejects
                 assert "\n" not in str(error), (edit, name)
                 refused[without_places(str(error))] += 1
                 continue
@@ -150,10 +150,10 @@ def test_a_thousand_random_edits(tell: Callable[[str], None]) -> None:
             assert status.version == session.versions.planet, (edit, name)
             if status.error:
                 assert "\n" not in status.error
-                # Solving puts the name of an exception that nobody raised on purpose before it.
+                # Solving prefixes an unexpected exception with its type.
                 assert not re.match(r"[A-Z]\w+: ", status.error), (edit, name, status.error)
                 refused[without_places(status.error)] += 1
-                # Most people take back what cannot be; some go on.
+                # Most users undo an invalid edit; some continue.
                 if chance.random() < 0.7:
                     session.undo()
                     assert solving.wait(LONG), (edit, name, solving.status)
@@ -173,7 +173,7 @@ def test_a_thousand_random_edits(tell: Callable[[str], None]) -> None:
 
 
 def three(planet: Planet) -> np.ndarray:
-    """Three wavelengths within what a planet is known for."""
+    """Three wavelengths within the limits of a planet. [nm]"""
     from airlight.color.spectral import default_wavelengths
 
     return default_wavelengths(3, *planet.wavelength_limits)
@@ -195,7 +195,7 @@ def test_random_edits_of_particles(tell: Callable[[str], None]) -> None:
         for edit in range(40):
             particles = [one for one in session.parameters if ".particles." in one.path]
             one = chance.choice(particles)
-            # Mie of the largest particles takes a minute: a slider's middle will do here.
+            # Mie of the largest particles takes a minute: the middle of the slider suffices.
             value = "mie" if edit == 20 else one.at(chance.random() * 0.7)
             path = "dust.particles.method" if edit == 20 else one.path
             if edit != 20 and one.kind != "number":

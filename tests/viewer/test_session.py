@@ -21,7 +21,7 @@ PLANET = "earth-atmosphere-plus"
 
 
 class Clock:
-    """Time that passes when told."""
+    """Clock that is advanced by hand."""
 
     def __init__(self) -> None:
         self.now = 0.0
@@ -45,7 +45,7 @@ def snapshot(session: Session) -> tuple[Any, ...]:
 
 
 def test_a_refused_edit_leaves_everything_as_it_was(session: Session) -> None:
-    # Outside the range, of another kind, or no parameter at all: one line, and no change.
+    # Out of range, of another kind, or an unknown parameter: one line, and no change.
     before, versions = snapshot(session), session.versions
     for path, value in (
         ("ground.albedo", 1.5),
@@ -67,13 +67,13 @@ def test_a_refused_edit_leaves_everything_as_it_was(session: Session) -> None:
 
 
 def test_a_misspelt_path_gets_the_nearest(session: Session) -> None:
-    # As the reader does it for keys.
+    # Like the reader's suggestions for keys.
     with pytest.raises(ParameterError, match=r"did you mean 'ground\.albedo'"):
         session.set("ground.albeda", 0.5)
 
 
 def test_edits_are_undone_and_done_again_one_by_one(session: Session, clock: Clock) -> None:
-    # Undo leads back through every state, redo forward through the same.
+    # Undo goes back through every state, redo forward through the same ones.
     states = [snapshot(session)]
     for path, value in (
         ("ground.albedo", 0.5),
@@ -112,7 +112,7 @@ def test_a_drag_is_one_step_however_long_it_takes(session: Session, clock: Clock
 
 
 def test_a_drag_that_changes_nothing_is_no_step(session: Session) -> None:
-    # Neither is there something to undo, nor is what was undone forgotten.
+    # There is nothing to undo, and the undone steps are kept.
     session.set("ground.albedo", 0.5)
     session.undo()
     session.begin_drag("ground.albedo")
@@ -124,7 +124,7 @@ def test_a_drag_that_changes_nothing_is_no_step(session: Session) -> None:
 def test_quick_edits_of_one_parameter_are_one_step_and_slow_ones_are_not(
     session: Session, clock: Clock
 ) -> None:
-    # Half a second apart or less they belong together.
+    # Edits half a second apart or less are merged.
     for albedo, wait in ((0.2, 0.3), (0.3, 0.3), (0.4, 2.0), (0.5, 2.0)):
         session.set("ground.albedo", albedo)
         clock.now += wait
@@ -135,7 +135,7 @@ def test_quick_edits_of_one_parameter_are_one_step_and_slow_ones_are_not(
 
 
 def test_an_edit_after_undo_forgets_what_was_undone(session: Session) -> None:
-    # There is one future only.
+    # A new edit discards the undone steps.
     session.set("ground.albedo", 0.5)
     session.undo()
     session.set("ground.albedo", 0.7)
@@ -144,7 +144,7 @@ def test_an_edit_after_undo_forgets_what_was_undone(session: Session) -> None:
 
 
 def test_undo_of_the_planet_leaves_the_camera(session: Session) -> None:
-    # One who has flown on does not want to be thrown back.
+    # Undo of an edit must not move a camera that has flown on.
     session.set("ground.albedo", 0.5)
     session.move({"view.altitude": 1e6})
     session.undo()
@@ -153,7 +153,7 @@ def test_undo_of_the_planet_leaves_the_camera(session: Session) -> None:
 
 
 def test_mole_fractions_make_room_for_each_other_and_come_back_on_a_drag() -> None:
-    # Their sum stays; the ratio of the others too, even if the drag has been at 1.
+    # The sum is kept, and the ratio of the others, even if the drag has passed 1.
     session = Session("earth")
     path = "air.gas.composition.N2"
     session.begin_drag(path)
@@ -166,8 +166,8 @@ def test_mole_fractions_make_room_for_each_other_and_come_back_on_a_drag() -> No
 
 
 def test_a_tabulated_phase_function_keeps_its_integral(session: Session, tmp_path: Path) -> None:
-    # The reader refuses one that is off by more than 0.001; a drag ends where it would have
-    # without its way there.
+    # The reader rejects a norm that is off by more than 0.001; the result of a drag does not depend
+    # on its path.
     session.set("aerosol.phase_function.kind", "tabulated")
     path = "aerosol.phase_function.values[0]"
     session.begin_drag(path)
@@ -181,7 +181,7 @@ def test_a_tabulated_phase_function_keeps_its_integral(session: Session, tmp_pat
 
 
 def test_the_air_moves_with_the_ground(session: Session) -> None:
-    # Its thickness stays 100 km.
+    # The thickness of the shell stays 100 km.
     session.set("shell.bottom_radius", 3000.0)
     assert session.value("shell.top_radius") == 3100.0
 
@@ -205,7 +205,7 @@ def test_the_air_moves_with_the_ground(session: Session) -> None:
 def test_every_form_that_can_be_chosen_makes_a_planet(
     path: str, kinds: tuple[str, ...], session: Session, tmp_path: Path
 ) -> None:
-    # The reader takes the file that is saved; its profile or phase function is of that kind.
+    # The reader accepts the saved file; its profile or phase function is of that kind.
     for kind in kinds:
         session.set(path, kind)
         session.save_planet(tmp_path / "form.toml")
@@ -234,7 +234,7 @@ def test_a_star_becomes_a_black_body_and_the_sun_again(session: Session, tmp_pat
 
 
 def test_versions_tell_what_to_redo(session: Session) -> None:
-    # Planet: solve. View: render. Display: expose. Nothing else grows.
+    # Planet: solve. View: render. Display: expose. No other counter increases.
     for path, value, part in (
         ("ground.albedo", 0.5, "planet"),
         ("light.quality", "preview", "planet"),
@@ -255,7 +255,7 @@ def test_versions_tell_what_to_redo(session: Session) -> None:
 
 
 def test_reset_of_a_parameter_of_a_group_and_of_all(session: Session) -> None:
-    # Back to what the planet came with; each is a step to undo.
+    # Original values are restored; each reset is an undo step.
     start = snapshot(session)
     session.set("air.scattering[1]", 0.5)
     session.set("aerosol.phase_function.kind", "rayleigh")
@@ -285,7 +285,7 @@ def test_reset_of_a_parameter_of_a_group_and_of_all(session: Session) -> None:
 
 
 def test_two_sides_are_edited_apart_and_share_the_camera(session: Session) -> None:
-    # What is stored is a copy; the camera stays where it is on a swap.
+    # The stored side is a copy; a swap keeps the camera.
     session.store_b()
     session.set("ground.albedo", 0.5)
     session.move({"view.altitude": 5e5})
@@ -309,7 +309,7 @@ def test_two_sides_are_edited_apart_and_share_the_camera(session: Session) -> No
 
 
 def test_switches_and_names_count_as_differences(session: Session) -> None:
-    # A constituent that is off, and one that the other side does not have.
+    # A constituent that is off, and a constituent that the other side lacks.
     session.swap()
     session.set("light.constituents[1]", False)
     labels = {one.label: (one.first, one.second) for one in session.differences()}
@@ -346,7 +346,7 @@ def test_a_file_that_cannot_be_written_is_not_half_there(session: Session, tmp_p
 
 
 def test_files_named_beside_a_planet_file_are_found_wherever_it_is_saved(tmp_path: Path) -> None:
-    # The reader looks beside the file; what is saved elsewhere names them in full.
+    # The reader resolves names relative to the file; a file saved elsewhere has absolute paths.
     (tmp_path / "one").mkdir()
     (tmp_path / "two").mkdir()
     table = "# quantity: cross-section\n# unit: cm^2\n# source: made up\nwavelength_nm,value\n"
@@ -403,7 +403,7 @@ def test_a_state_comes_back_from_the_address_of_a_page(session: Session) -> None
 def test_a_state_that_cannot_be_is_one_line_and_changes_nothing(
     state: dict[str, Any], session: Session
 ) -> None:
-    # Addresses come from strangers.
+    # URLs are untrusted input.
     before = snapshot(session)
     with pytest.raises(ParameterError) as refused:
         session.from_state(state)
@@ -412,7 +412,7 @@ def test_a_state_that_cannot_be_is_one_line_and_changes_nothing(
 
 
 def test_a_page_with_edits_is_shown_with_the_same_edits(session: Session) -> None:
-    # The page's factors are the file's own keys: the medium is the one whose arrays are multiplied.
+    # The page's factors are keys of the file: the medium equals the one with its arrays multiplied.
     edit = {"air.amounts[0]": 0.5, "air.amounts[2]": 3, "air.ground": 2.5}
     session.from_state({"planet": PLANET, "air": edit, "view": {"view.altitude": 5.0}})
     assert session.value("view.altitude") == 5.0
@@ -432,7 +432,7 @@ def test_a_page_with_edits_is_shown_with_the_same_edits(session: Session) -> Non
 
 
 def test_gases_bend_light_whatever_their_amount() -> None:
-    # Earth's air by its composition: more of it scatters more, on the same ways.
+    # Earth's air by its composition: a larger amount scatters more, along the same paths.
     plain, edited = (
         Medium.from_planet(load_planet("earth", changes), [550.0])
         for changes in ({}, {"air.amount": 3.0})
@@ -443,14 +443,14 @@ def test_gases_bend_light_whatever_their_amount() -> None:
 
 @pytest.mark.parametrize("fragment", ["", "#", "%7B", "[1]", '{"planet":1e999}'])
 def test_a_fragment_that_is_none_is_refused(fragment: str, session: Session) -> None:
-    # The same, one step before.
+    # The same, when the fragment is decoded.
     with pytest.raises(ParameterError):
         session.from_state(from_fragment(fragment))
 
 
 def test_a_gas_frozen_to_coefficients_scatters_the_same(session: Session, tmp_path: Path) -> None:
-    # Given and computed coefficients agree where they are given, and within 0.1 % between: the
-    # factor of λ⁻⁴ bends little.
+    # Fixed and computed coefficients agree at the nodes, and within 0.1 % between: the factor of
+    # λ⁻⁴ has little curvature.
     session = Session("earth")
     session.as_standard("air")
     assert "air" not in session.advanced
@@ -470,7 +470,7 @@ def test_a_gas_frozen_to_coefficients_scatters_the_same(session: Session, tmp_pa
 def test_particles_frozen_to_coefficients_keep_extinction_albedo_and_mean_cosine(
     tmp_path: Path,
 ) -> None:
-    # At the wavelengths of the lists they are the medium's own.
+    # At the wavelengths of the lists they equal the medium's.
     session = Session("mars")
     session.as_standard("dust")
     session.save_planet(tmp_path / "frozen.toml")

@@ -1,4 +1,4 @@
-"""The thread that follows a session."""
+"""Solving thread that follows a session."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from airlight.viewer.background.solving import Solving
 from airlight.viewer.session.session import Session
 
 PLANET = "earth-atmosphere-plus"
-#: Longer than anything here takes, on a busy machine. [s]
+#: Time limit of any wait here, generous for a busy machine. [s]
 LONG = 60.0
 
 
 @dataclass
 class Fake:
-    """A solver that notes what it is asked, and can be held."""
+    """Solver that records its calls and can be blocked."""
 
     asked: list[tuple[float, str]]
     gate: threading.Event
@@ -55,7 +55,7 @@ def fake() -> Fake:
 
 
 def test_preview_comes_first_and_the_wanted_quality_follows(fake: Fake) -> None:
-    # What the contract says; the solver notes the order.
+    # By contract; the solver records the order.
     with Solving(Session(PLANET), solver=fake) as solving:
         assert solving.wait(LONG)
         assert fake.asked == [(0.1, "preview"), (0.1, "default")]
@@ -66,7 +66,7 @@ def test_preview_comes_first_and_the_wanted_quality_follows(fake: Fake) -> None:
 
 
 def test_the_newest_edit_stops_what_runs_for_an_older_one(fake: Fake) -> None:
-    # The gate stays shut: only a cancelled solve lets the next one begin.
+    # The gate stays shut: only cancelling lets the next solve begin.
     fake.held = ("default",)
     session = Session(PLANET)
     with Solving(session, solver=fake) as solving:
@@ -80,7 +80,7 @@ def test_the_newest_edit_stops_what_runs_for_an_older_one(fake: Fake) -> None:
 
 
 def test_edits_faster_than_previews_do_not_starve_the_picture(fake: Fake) -> None:
-    # A preview that is under way is finished and shown, although something newer is wanted.
+    # A running preview is finished and shown, although there is a newer request.
     fake.held = ("preview",)
     session = Session(PLANET)
     shown: list[int] = []
@@ -132,7 +132,7 @@ def test_view_and_display_need_no_solution(fake: Fake) -> None:
 
 
 def test_undo_and_the_other_side_come_from_what_is_kept(fake: Fake) -> None:
-    # The same planet was solved a moment ago.
+    # The same planet was solved just before.
     session = Session(PLANET)
     with Solving(session, solver=fake) as solving:
         assert solving.wait(LONG)
@@ -168,7 +168,7 @@ def test_an_impossible_planet_is_one_line_and_leaves_the_picture(fake: Fake) -> 
 
 
 def test_a_star_without_light_has_no_picture_and_says_so(fake: Fake) -> None:
-    # The reader allows an irradiance of 0; nothing can be weighted by it.
+    # The reader allows an irradiance of 0, which cannot serve as a weight.
     session = Session("earth-bruneton")
     with Solving(session, solver=fake) as solving:
         session.set("light.wavelengths", "three")  # those of the file, 550 nm among them
@@ -196,20 +196,20 @@ def test_a_solver_that_breaks_does_not_end_the_thread(fake: Fake) -> None:
 
 
 def test_idle_costs_no_processor_time_and_close_ends_the_thread(fake: Fake) -> None:
-    # A thread that waits on a condition uses none; the clock counts this process's threads.
+    # A thread waiting on a condition uses no time; the clock counts this process's threads.
     solving = Solving(Session(PLANET), solver=fake)
     assert solving.wait(LONG)
     time.sleep(0.05)
     before = time.process_time()
     time.sleep(0.5)
-    # the sleep itself, and the clock's grain
+    # the sleep itself, and the clock's resolution
     assert time.process_time() - before < 0.02
     solving.close()
     assert not solving._thread.is_alive()
 
 
 def test_a_switched_off_constituent_is_gone_from_what_is_solved() -> None:
-    # Its coefficients are 0; the others are the planet's own.
+    # Its coefficients are 0; the others are the planet's.
     planets: list[Planet] = []
 
     def note(planet: Planet, *arguments: Any, **named: Any) -> None:

@@ -1,4 +1,4 @@
-"""What a window begins with."""
+"""Initial state of a window."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from airlight.viewer.window.start import Start, opened
 
 
 def test_the_address_of_a_page_is_opened_with_its_edits_and_view() -> None:
-    # As a browser shows it; the window begins there, with nothing to undo.
+    # A URL as a browser shows it; the window starts there, with nothing to undo.
     state = {
         "planet": "mars",
         "air": {"air.amounts[1]": 2.0},

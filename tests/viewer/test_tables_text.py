@@ -1,4 +1,4 @@
-"""Tables as text."""
+"""Encoding of tables as text."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ def test_every_number_comes_back_bit_by_bit(stride: int) -> None:
 
 
 def test_neighbours_and_fewer_digits_make_it_shorter() -> None:
-    # eight smooth curves side by side: each number resembles the one eight before it
+    # eight smooth curves interleaved: each number is close to that eight before it
     x = np.linspace(0.0, 1.0, 1000)[:, None]
     values = np.exp(-3.0 * x * np.arange(1, 9)).astype(np.float32)
     assert len(as_text(values, 8)) < 0.8 * len(as_text(values))
     short = rounded(values, 12)
-    assert_allclose(short, values, rtol=2.0**-13)  # half of the last digit
+    assert_allclose(short, values, rtol=2.0**-13)  # half the last binary digit
     assert np.abs(short / values - 1.0).max() > 2.0**-14
     assert len(as_text(short, 8)) < 0.7 * len(as_text(values, 8))

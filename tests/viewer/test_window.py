@@ -1,4 +1,4 @@
-"""The real window on a display of its own: sliders by a mouse, rest, no freeze, a clean end."""
+"""Real window on its own display: sliders by mouse, idling, no freeze, a clean exit."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ DEPTH = "constituents[1].particles.optical_depth"
 
 
 def missing() -> str:
-    """What keeps a window from being opened here; empty if nothing does."""
+    """Reason why a window cannot be opened here; empty if it can."""
     for program in ("Xvfb", "xdotool"):
         if shutil.which(program) is None:
             return f"no {program}: apt-get install xvfb xdotool"
@@ -46,7 +46,7 @@ def missing() -> str:
 
 
 class Driven:
-    """A window in a process of its own, and a mouse and keys on its display."""
+    """Window in its own process, with a mouse and keys on its display."""
 
     def __init__(self, display: str, folder: Path, by: str) -> None:
         self.environment = {**os.environ, "DISPLAY": display}
@@ -81,7 +81,7 @@ class Driven:
         subprocess.run(command, env=self.environment, check=True, timeout=20)
 
     def press(self, x: float, y: float) -> None:
-        """Move there, let the window see it, and press the left button."""
+        """Move to a point, let the window handle it, and press the left button."""
         self.mouse("mousemove", int(x), int(y), "sleep", 0.2, "mousedown", 1, "sleep", 0.2)
 
     def click(self, name: str) -> None:
@@ -91,7 +91,7 @@ class Driven:
         self.mouse("mouseup", 1, "sleep", 0.2)
 
     def pixels(self) -> np.ndarray:
-        """What the display shows: rows, columns, three colours.
+        """Pixels of the display, shape (rows, columns, 3).
 
         The file is an X window dump: a header of numbers of 32 bits, colours, pixels.
         """
@@ -103,13 +103,13 @@ class Driven:
         return body[:, : colors * width].reshape(height, width, colors)[..., :3].astype(int)
 
     def picture_pixels(self) -> np.ndarray:
-        """The part of the display that the picture has."""
+        """Part of the display that the picture occupies."""
         left, top, width, height = (int(one) for one in self.ask("picture_place"))
         return self.pixels()[top : top + height, left : left + width]
 
     @staticmethod
     def until(condition: Callable[[], Any], seconds: float = 20.0) -> None:
-        """Wait for something that a loaded machine may do late."""
+        """Wait for a condition, which a loaded machine may meet late."""
         limit = time.monotonic() + seconds
         while not condition():
             assert time.monotonic() < limit
@@ -173,7 +173,7 @@ def window(
 
 
 def test_a_slider_dragged_changes_the_value_and_the_picture(window: Driven) -> None:
-    # The picture's own solution says which planet it shows.
+    # The picture's solution identifies the planet that it shows.
     before = window.ask("picture")["depth"]
     left, top, right, bottom = window.ask("place_of", DEPTH)
     middle, width = 0.5 * (top + bottom), right - left
@@ -186,15 +186,15 @@ def test_a_slider_dragged_changes_the_value_and_the_picture(window: Driven) -> N
         window.until(lambda last=last: window.ask("value", DEPTH) != last)
         seen.add(window.ask("value", DEPTH))
     window.mouse("mouseup", 1)
-    assert len(seen) == 8  # the value follows while the mouse is down
+    assert len(seen) == 8  # the value changes while the mouse is down
     assert window.ask("settled", 60.0), window.ask("error")
     after = window.ask("value", DEPTH)
     assert after > 1.0
     shown = window.ask("picture")
-    # the depth of dust is in proportion to the parameter, that of the air is below 0.01
+    # the depth of dust is proportional to the parameter, that of the air is below 0.01
     assert shown["depth"] == pytest.approx(before * after / 0.5, rel=0.03)
     assert shown["finished"]
-    # one drag is one step to undo
+    # one drag is one undo step
     window.mouse("mousemove", 600, 200, "sleep", 0.2, "key", "ctrl+z")
     window.until(lambda: window.ask("value", DEPTH) == 0.5)
     assert window.ask("settled", 60.0)
@@ -211,7 +211,7 @@ def test_mouse_wheel_and_keys_fly(window: Driven) -> None:
     window.until(lambda: window.ask("value", "view.heading") != heading)
     field = window.ask("value", "view.field_of_view")
     turned = (window.ask("value", "view.heading") - heading) % 360.0
-    # 100 pixels of the picture's width; away from the horizon headings lie closer
+    # 100 pixels of the picture's width; away from the horizon headings are closer together
     expected = field * 100.0 / width / math.sin(math.radians(look))
     assert turned == pytest.approx(expected, rel=0.01)
     altitude = window.ask("value", "view.altitude")
@@ -243,13 +243,13 @@ def test_keys_change_what_is_shown(window: Driven) -> None:
     assert window.ask("settled", 60.0)
 
 
-#: Keys of the table as xdotool spells them.
+#: Names of the table's keys in xdotool.
 NAMES = {
     "arrowup": "Up", "arrowdown": "Down", "arrowleft": "Left", "arrowright": "Right",
     "pageup": "Prior", "pagedown": "Next", "=": "equal", "+": "plus", "-": "minus",
     "shift": "shift", "control": "ctrl", "alt": "alt",
 }  # fmt: skip
-#: What a held key moves, by its axis, and which way for one of sign 1; it looks south.
+#: Value that a held key moves, by its axis, and direction for sign 1; the camera looks south.
 MOVES = {
     "ahead": ("view.latitude", -1.0),
     "right": ("view.longitude", -1.0),
@@ -261,14 +261,14 @@ MOVES = {
 
 
 def chord_of(key: str) -> str:
-    """A key with its modifier keys, for xdotool."""
+    """Key with its modifiers, for xdotool."""
     *words, name = (f"{key[:-1]}plus" if key.endswith("+") else key).split("+")
     known = {"Control": "ctrl", "Shift": "shift"}
     return "+".join([*(known[word] for word in words), NAMES.get(name, name)])
 
 
 def test_every_held_key_of_the_table_moves_its_way(window: Driven) -> None:
-    # The axis and the sign are the table's; all that is done while a key is down is one step.
+    # The axis and the sign are the table's; all movement while a key is down is one undo step.
     window.mouse("mousemove", 600, 200, "sleep", 0.2)
     start = {path: window.ask("value", path) for path, _ in MOVES.values()}
     window.mouse("key", "3")  # aloft, looking across
@@ -293,7 +293,7 @@ def test_every_held_key_of_the_table_moves_its_way(window: Driven) -> None:
 
 
 def test_every_other_key_of_the_table_does_its_action(window: Driven) -> None:
-    # What is seen after each; closing the window is tested at the end.
+    # The effect of each is visible; closing the window is tested at the end.
     left = {key: action for key, action in ONCE.items() if action != "close"}
 
     def press(key: str, seen: Callable[[], bool]) -> None:
@@ -352,22 +352,22 @@ def test_every_other_key_of_the_table_does_its_action(window: Driven) -> None:
 def test_frames_keep_coming_while_the_planet_is_solved(
     window: Driven, tell: Callable[[str], None]
 ) -> None:
-    # A frame waits for nothing: neither for a solution, which takes seconds, nor for a picture.
+    # A frame never waits: neither for a solution, which takes seconds, nor for a picture.
     left, top, right, bottom = window.ask("place_of", DEPTH)
     window.press(left + 0.9 * (right - left), 0.5 * (top + bottom))
     window.until(lambda: window.ask("value", DEPTH) != 0.5)
     window.mouse("mouseup", 1)
     assert window.ask("busy")
     gap, slowness = window.ask("longest_gap", 2.0), window.ask("slowness")
-    # 0.3 s, from which on a person notices, where the processor is free; solver, software device
-    # and whatever else runs here share it
+    # 0.3 s, the limit of perception, on a free processor; here it is shared by the solver, the
+    # software device and other processes
     tell(f"window: longest time between frames while solving {gap:.2f} s, slowed {slowness:.1f}×")
     assert gap < 0.3 * min(slowness, 5.0)
     assert window.ask("settled", 60.0)
 
 
 def test_another_planet_is_opened_undone_and_redone_while_rows_are_shown(window: Driven) -> None:
-    # Rows of one planet never meet values of another: each has paths that the others lack.
+    # Rows of one planet never read values of another: each has paths that the others lack.
     def opened(planet: str) -> None:
         window.until(lambda: window.ask("source") == planet)
         frames = window.ask("frames")
@@ -417,7 +417,7 @@ def test_a_panel_that_fails_ends_neither_window_nor_picture(window: Driven) -> N
     window.ask("break_rows")
     window.mouse("mousemove", 600, 210, "sleep", 0.2)
     window.until(lambda: window.ask("error") == "side panel: KeyError: 'no such row'")
-    # pictures still come to the display: two stops are less than half of what a pixel had
+    # pictures still reach the display: two stops darker is less than half of a pixel's value
     before, frames = window.picture_pixels().mean(), window.ask("frames")
     assert before > 30.0
     window.mouse("key", "--repeat", 6, "--delay", 100, "minus")

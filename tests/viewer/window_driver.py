@@ -1,6 +1,6 @@
-"""A real window for the tests: opens on the display, answers questions about itself by lines.
+"""Real window for the tests: opens on the display, and answers queries on standard input.
 
-Started as a process of its own by ``test_window.py``. Each line read is a JSON list, a word and its
+Started as a separate process by ``test_window.py``. Each line read is a JSON list, a word and its
 arguments; each line written is the JSON answer.
 """
 
@@ -24,13 +24,13 @@ from airlight.viewer.window.window import Window
 
 
 class Answers:
-    """What can be asked."""
+    """Queries."""
 
     def __init__(self, window: Window, place: DesktopPlace) -> None:
         self.window, self.place = window, place
 
     def settled(self, seconds: float) -> bool:
-        """Whether all is shown in full quality within a time, and the window rests after it."""
+        """Whether everything is shown in full quality within a time, and the window then rests."""
         until = time.monotonic() + seconds
         while time.monotonic() < until:
             if self.window.settled and self.window.shown("A") is not None:
@@ -58,7 +58,7 @@ class Answers:
         return self.window.session.planet.source
 
     def open_parts(self) -> dict[str, Any]:
-        """What keys open, close and start."""
+        """Switches that keys change."""
         window, panel = self.window, self.window.panel
         return {
             "panels": window.actions.shows_panels,
@@ -96,7 +96,7 @@ class Answers:
         }
 
     def break_rows(self) -> None:
-        """From now on the rows fail amid a frame, with much that is begun and not ended."""
+        """Make the rows fail within a frame, with several begins left without an end."""
 
         def fail(*_: Any, **__: Any) -> Any:
             raise KeyError("no such row")
@@ -113,13 +113,13 @@ class Answers:
         return not self.window.settled
 
     def cpu(self, seconds: float) -> float:
-        """Share of one processor that the process takes while it is left alone."""
+        """Fraction of one processor that the process uses while idle. [1]"""
         started, before = time.perf_counter(), time.process_time()
         time.sleep(seconds)
         return (time.process_time() - before) / (time.perf_counter() - started)
 
     def longest_gap(self, seconds: float) -> float:
-        """The longest time between frames of a window that is asked to draw all the time. [s]"""
+        """Longest time between frames of a window that draws continuously. [s]"""
         until, last = time.monotonic() + seconds, time.monotonic()
         frames, longest = self.window.frames, 0.0
         while time.monotonic() < until:
@@ -131,7 +131,7 @@ class Answers:
         return max(longest, time.monotonic() - last)
 
     def slowness(self) -> float:
-        """How many times longer work takes here than the processor itself needs for it."""
+        """Ratio of wall-clock time to processor time of some work. [1]"""
         started, before = time.perf_counter(), time.thread_time()
         while time.thread_time() - before < 0.1:
             pass

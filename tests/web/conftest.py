@@ -1,4 +1,4 @@
-"""A headless Chromium with WebGPU and WebGL2 in software; skipped where there is none."""
+"""Headless Chromium with WebGPU and WebGL2 in software; tests are skipped without it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-#: WebGPU runs on SwiftShader and WebGL2 on Mesa's llvmpipe; nothing is fetched in the background.
+#: Flags: WebGPU on SwiftShader, WebGL2 on Mesa's llvmpipe, no background network access.
 FLAGS = (
     "--no-sandbox",
     "--enable-unsafe-webgpu",
@@ -22,12 +22,12 @@ FLAGS = (
     "--disable-component-update",
     "--disable-sync",
 )
-#: How long a page may take on two busy cores. [ms]
+#: Time limit of a page on two busy cores. [ms]
 PATIENCE = 120_000
 
 
 def missing(reason: str) -> None:
-    """Skip, or fail where a skip would hide a fault."""
+    """Skip, or fail where a skip would hide an error."""
     if os.environ.get("AIRLIGHT_REQUIRE_GPU") or os.environ.get("CI"):
         pytest.fail(reason)
     pytest.skip(reason)
@@ -35,7 +35,7 @@ def missing(reason: str) -> None:
 
 @pytest.fixture(scope="session")
 def chromium() -> Iterator[Any]:
-    """A running browser."""
+    """Running browser."""
     program = os.environ.get("AIRLIGHT_CHROMIUM") or shutil.which("chromium")
     if program is None:
         missing("no chromium (on Debian: apt-get install chromium libegl1 libgl1-mesa-dri)")
@@ -51,7 +51,7 @@ def chromium() -> Iterator[Any]:
 
 @pytest.fixture
 def opened(chromium: Any, tmp_path: Path) -> Iterator[Callable[..., Any]]:
-    """Opens a file of the disk in a page without a network; fails at the end on any error in it."""
+    """Open a file from disk in an offline page; fails at the end on any error in the page."""
     context = chromium.new_context(viewport={"width": 960, "height": 540})
     context.set_offline(True)
     faults: list[str] = []
@@ -72,9 +72,9 @@ def opened(chromium: Any, tmp_path: Path) -> Iterator[Callable[..., Any]]:
 
 @pytest.fixture
 def modules(opened: Callable[..., Any], tmp_path: Path) -> Callable[..., Any]:
-    """Opens an empty page in which exports of the viewer's web folder are at hand as objects.
+    """Open an empty page in which exports of the viewer's web folder are global objects.
 
-    Called with the names that are wanted of each file: ``modules({"state/state": ("State",)})``.
+    Called with the names to import from each file: ``modules({"state/state": ("State",)})``.
     """
     from airlight.viewer.browser.modules import join_modules, web_file
 
@@ -96,7 +96,7 @@ def modules(opened: Callable[..., Any], tmp_path: Path) -> Callable[..., Any]:
 
 @pytest.fixture(scope="session")
 def gpu() -> Any:
-    """A device without a browser, in software too."""
+    """Software device without a browser."""
     from airlight.gpu.device.device import NoDevice, open_device
 
     try:

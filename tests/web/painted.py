@@ -1,4 +1,4 @@
-"""A picture with a painted sky: what the pages of the tests show where no planet is needed."""
+"""Picture with a painted sky, for test pages that need no planet."""
 
 from __future__ import annotations
 
@@ -21,19 +21,19 @@ from airlight.pixels.pixel import Screen
 from airlight.viewer.browser.tables_text import as_text, deflated
 from airlight.viewer.browser.web_shaders import CORNERS
 
-#: Columns of the table of the sky.
+#: Number of columns of the sky table.
 COLUMNS = 16
 COLORS = np.linspace(0.05, 1.0, 4 * COLUMNS, dtype=np.float32).reshape(COLUMNS, 4)
 PAINT = (0.25, 0.5, 0.75, 1.0)
 
 
 def painted(index, fields):
-    """A column of the painted sky: the same passes, small enough to be checked by hand."""
+    """Column of the painted sky: the same passes, small enough to be checked by hand."""
     return load(fields, LANES * (index % 16))
 
 
 def looked_at(px, py, screen, air):
-    """What a camera sees of it."""
+    """Picture of it by a camera."""
     slope = math.tan(0.5 * screen.field_of_view)
     x = (2.0 * px / screen.width - 1.0) * slope
     y = (1.0 - 2.0 * py / screen.height) * slope * screen.height / screen.width
@@ -46,7 +46,7 @@ def looked_at(px, py, screen, air):
 
 
 def shader_in(dialect: ShaderDialect) -> tuple[str, dict[str, str]]:
-    """What all entry points need, and each of them."""
+    """Shared shader code, and each entry point."""
     tables = [TextureTable(name, name, 1, True) for name in ("fields", "air")]
     fields, air = (one.table for one in tables)
     names = [name for name in Screen._fields if name in layout()["numbers"]]
@@ -70,7 +70,7 @@ def shader_in(dialect: ShaderDialect) -> tuple[str, dict[str, str]]:
 
 
 def shader() -> dict[str, Any]:
-    """The shader of the painted sky in both languages."""
+    """Shaders of the painted sky in both languages."""
     functions, entries = shader_in(GLSL)
     glsl = {name: GLSL.module([functions, entry]) for name, entry in entries.items()}
     functions, entries = shader_in(WGSL)
@@ -79,7 +79,7 @@ def shader() -> dict[str, Any]:
 
 
 def program() -> dict[str, Any]:
-    """What ``viewer.package.program`` gives for a planet."""
+    """Counterpart of ``viewer.browser.package.program``."""
     where = layout()
     places = {name: [start, 1] for name, start in where["numbers"].items()}
     places |= {f"table_{name}": [start, 4] for name, start in where["tables"].items()}
@@ -119,7 +119,7 @@ def program() -> dict[str, Any]:
 
 
 def solution(paint: tuple[float, ...] = PAINT) -> dict[str, Any]:
-    """What ``viewer.package.planet_tables`` gives for a planet, as text."""
+    """Counterpart of ``viewer.browser.package.planet_tables``, with tables as text."""
     return {
         "uniforms": {"first_peak": -1.0, **{f"red_{i}": x for i, x in enumerate(paint)}},
         "tables": {"fields": {"format": "rgba32float", "data": as_text(COLORS)}},
@@ -132,7 +132,7 @@ def solution(paint: tuple[float, ...] = PAINT) -> dict[str, Any]:
 
 
 def page() -> dict[str, Any]:
-    """What a page carries of it."""
+    """Data embedded in a page."""
     fixed = program()
     return {**fixed, "shaders": deflated(json.dumps(fixed["shaders"])), **solution()}
 
@@ -140,7 +140,7 @@ def page() -> dict[str, Any]:
 def picture(
     axes: NDArray[np.float64], width: int, height: int, field_of_view: float, exposure: float
 ) -> NDArray[np.float64]:
-    """The same in NumPy: 0 to 1, shape (height, width, 3)."""
+    """Same picture in NumPy: 0 to 1, shape (height, width, 3)."""
     slope = np.tan(0.5 * np.radians(field_of_view))
     x = (2.0 * (np.arange(width) + 0.5) / width - 1.0) * slope
     y = (1.0 - 2.0 * (np.arange(height) + 0.5) / height) * slope * height / width

@@ -1,4 +1,4 @@
-"""The two back ends of the browser: the same pass, the same numbers as NumPy."""
+"""Two back ends of the browser: the same pass gives the same numbers as NumPy."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def doubled(x):
 
 
 def all_means(index, count, scalars, field):
-    """All the means that the viewer's shaders use: arrays, loops, tuples, tables, lanes."""
+    """All language features of the viewer's shaders: arrays, loops, tuples, tables, lanes."""
     numbers = np.empty(_SIZE)
     kept = lane_array(8)
     fill_through(numbers, count)
@@ -64,7 +64,7 @@ def all_means(index, count, scalars, field):
 
 
 def two_targets(dialect: ShaderDialect) -> str:
-    """The pass in a language."""
+    """Text of the pass in a language."""
     tables = [
         (TextureTable("scalars", "scalars"), 0, 1),
         (TextureTable("spectra", "spectra", 1, True), 0, 2),
@@ -168,7 +168,7 @@ _COMPILE = """async (shaders) => {
 
 
 def test_every_shader_compiles_in_webgl2(modules: Callable[..., Any]) -> None:
-    # what a page carries: an error names the entry point and the line
+    # the shaders of a page: an error names the entry point and the line
     pairs = [
         (f"{name}.{entry}", text)
         for name, one in {**web_shaders(), **solver_shaders()}.items()

@@ -1,4 +1,4 @@
-"""What the browser computes before and between the solver's passes: the same as Python's."""
+"""The browser's computations before and between the solver's passes agree with Python's."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ AMOUNTS = {
 
 @pytest.fixture(scope="module")
 def pages() -> Callable[[str], tuple[Any, dict[str, Any]]]:
-    """A solution of a planet and what a page carries of it."""
+    """Solution of a planet and its data in a page."""
     kept: dict[str, Any] = {}
 
     def of(name: str) -> tuple[Any, dict[str, Any]]:
@@ -53,7 +53,7 @@ def test_edited_air_is_that_of_an_edited_medium(
     pages: Callable[[str], tuple[Any, dict[str, Any]]],
     modules: Callable[..., Any],
 ) -> None:
-    # a second method: the medium with other coefficients, by the solver's own Python
+    # a second method: the medium with other coefficients, by the solver's Python code
     amounts, ground = AMOUNTS[case], 1.7
     solution, data = pages(case.partition(",")[0])
     page = modules({"solving/edited_air": ("editedAir",)})
@@ -73,9 +73,9 @@ def test_edited_air_is_that_of_an_edited_medium(
     degree = int(data["plan"]["sizes"]["degree"])
     air = make_air(paths.medium, degree, slice(None))
     depth = scattering_depth(paths.medium, degree)
-    grid = solution.moments.grid  # suns are the same at every degree
+    grid = solution.moments.grid  # the suns are the same for every degree
     dip = acos(grid.bottom_radius / grid.top_radius)
-    # float32, to which both are rounded, after other orders of additions
+    # float32, to which both are rounded, after sums in different orders
     tables = {"extinction": air.extinction, "moments": air.moments, "albedo": air.ground.albedo}
     for name, table in tables.items():
         wanted = table.reshape(-1, 8)[:, :4].reshape(-1)
@@ -102,7 +102,7 @@ def test_air_that_is_too_thick_is_refused_in_one_line(
 
 
 def test_thick_air_has_no_solver_in_the_page() -> None:
-    # Venus: light wanders in its clouds for hundreds of orders
+    # Venus: light scatters hundreds of times in its clouds
     medium = Medium.from_planet(load_planet("venus"), WAVELENGTHS)
 
     assert solver_data(SimpleNamespace(medium=medium)) is None  # type: ignore[arg-type]
@@ -111,14 +111,14 @@ def test_thick_air_has_no_solver_in_the_page() -> None:
 def test_a_page_declares_one_amount_for_each_constituent(
     pages: Callable[[str], tuple[Any, dict[str, Any]]],
 ) -> None:
-    # bending, which a solution adds, neither scatters nor absorbs
+    # the refraction profile, which a solution adds, neither scatters nor absorbs
     parameters = amount_parameters(pages("earth")[0])
     assert [one.group for one in parameters] == ["air", "aerosol", "ozone", "ground"]
     assert all(one.checked(1.0) == 1.0 for one in parameters)
 
 
 def test_the_next_guess_is_weighed_as_on_the_processor(modules: Callable[..., Any]) -> None:
-    # a second method: the solver's own Python, with its eight lanes
+    # a second method: the solver's Python code, with its eight lanes
     rng = np.random.default_rng(4)
     shape = (3, 5, 4)
     means = np.exp(rng.normal(scale=4.0, size=(2, *shape))).astype(np.float32)
@@ -143,7 +143,7 @@ def test_the_next_guess_is_weighed_as_on_the_processor(modules: Callable[..., An
             [one.ravel().tolist() for one in shrinking],
         ],
     )
-    # roundings of float64
+    # rounding errors of float64
     assert_allclose(got["change"], relative_change(*means).ravel(), rtol=1e-12)
     assert_allclose(got["counted"], counts(means[1], thick).ravel(), rtol=1e-6)
     assert_allclose(got["follows"], remaining_change(deque(shrinking)), rtol=1e-12)

@@ -1,4 +1,4 @@
-"""Edits of a planet in its page: solved in the browser, against what is solved without one."""
+"""Edits of a planet in its page: solved in the browser, compared with native solutions."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ EDITS = {
 
 
 def solution_of(name: str, amounts: dict[int, float], ground: float, settings: Any) -> Any:
-    """A planet without a picture of its ground, with more or less of its air."""
+    """Solution of a planet without a ground map, with edited amounts."""
     planet = load_planet(name)
     medium = Medium.from_planet(planet, WAVELENGTHS)
     factors = np.array([amounts.get(c, 1.0) for c in range(len(medium.names))])[:, None]
@@ -56,13 +56,13 @@ def solution_of(name: str, amounts: dict[int, float], ground: float, settings: A
 
 @pytest.fixture(scope="module")
 def native(gpu: Any) -> Pictures:
-    """Pictures drawn without a browser."""
+    """Renderer of pictures without a browser."""
     return Pictures(gpu, SKY)
 
 
 @pytest.fixture(scope="module")
 def plain() -> Callable[[str], MomentsSolution]:
-    """Solutions of planets as they are."""
+    """Solutions of unedited planets."""
     kept: dict[str, MomentsSolution] = {}
 
     def of(name: str) -> MomentsSolution:
@@ -85,14 +85,14 @@ def test_an_edit_in_the_page_shows_what_is_solved_without_a_browser(
     tmp_path: Path,
     tell: Callable[[str], None],
 ) -> None:
-    # the same passes as the CPU's sweeps, to the same tolerance; the rays' points, which follow the
-    # air's extinction, are those of the planet as it is
+    # the same passes as the CPU's sweeps, to the same tolerance; the rays' points, which depend on
+    # the extinction, are those of the unedited planet
     name, amounts, ground, view = EDITS[edit]
     values = {**DEFAULTS, **FIXED, **view}
     native.show(solution_of(name, amounts, ground, page_settings()))
     wanted = drawn(native, values)
     native.show(plain(name))
-    assert np.abs(drawn(native, values) - wanted).max() > 10.0  # the edit is seen
+    assert np.abs(drawn(native, values) - wanted).max() > 10.0  # the edit is visible
     data = page_data(plain(name), name, name, values, "three")
     data["picture"]["sky"]["full"] = list(SKY)
     file = tmp_path / "page.html"
@@ -130,7 +130,7 @@ def test_an_edit_in_the_page_shows_what_is_solved_without_a_browser(
 def test_an_edit_that_is_refused_says_so_and_leaves_the_picture(
     plain: Callable[[str], MomentsSolution], opened: Callable[..., Any], tmp_path: Path
 ) -> None:
-    # the air's depth is beyond what the passes solve; the address carries the edit all the same
+    # the optical depth exceeds the passes' limit; the URL carries the edit nevertheless
     data = page_data(plain("earth"), "earth", "earth", {**DEFAULTS, **FIXED}, "three")
     file = tmp_path / "page.html"
     file.write_text(page_text("earth", json.loads(json.dumps(data))), encoding="utf-8")
@@ -148,7 +148,7 @@ def test_an_edit_that_is_refused_says_so_and_leaves_the_picture(
 def test_the_newest_edit_wins_and_none_is_the_planet_as_it_was(
     plain: Callable[[str], MomentsSolution], opened: Callable[..., Any], tmp_path: Path
 ) -> None:
-    # the first edit is stale before its first order: the picture takes the second one only
+    # the first edit is stale before its first order: the picture shows only the second
     data = page_data(plain("mars"), "mars", "mars", {**DEFAULTS, **FIXED}, "three")
     file = tmp_path / "page.html"
     file.write_text(page_text("mars", json.loads(json.dumps(data))), encoding="utf-8")

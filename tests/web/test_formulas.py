@@ -1,4 +1,4 @@
-"""What a page works out by formulas that were emitted as JavaScript: Python's numbers."""
+"""Formulas emitted as JavaScript give Python's numbers in a page."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ WAY = (BEARINGS[::-1], numbers(0.0, 2.0))
 PIXELS = (numbers(64.0, 2000.0), numbers(64.0, 2000.0), numbers(0.01, 2.9))
 POSITIVE = np.geomspace(1e-8, 10.0, COUNT)
 STEPS = 4
-#: What writes to an array is compared in a test of its own.
+#: Formulas that write to an array, which are compared in a separate test.
 FILLING = {"combine"}
-#: Arguments of each function: numbers, or tables, which are the same for all.
+#: Arguments of each function: numbers, or tables, which are the same for all calls.
 CASES: dict[str, tuple[Any, ...]] = {
     "direction_of": ANGLES[:2],
     "camera_frame": ANGLES,
@@ -75,17 +75,17 @@ CASES: dict[str, tuple[Any, ...]] = {
 
 
 def functions() -> dict[str, Callable[..., Any]]:
-    """Python's function by the name of the emitted one."""
+    """Python function by the name of the emitted function."""
     return {one.name: one.function for one in emitted_formulas().emitted.values()}
 
 
 def is_table(argument: Any) -> bool:
-    """Whether an argument is handed over as a whole."""
+    """Whether an argument is passed as a whole."""
     return isinstance(argument, np.ndarray) and argument.shape != (COUNT,)
 
 
 def rows_of(arguments: tuple[Any, ...]) -> list[list[Any]]:
-    """The arguments of each call."""
+    """Arguments of each call."""
     columns = [
         [one] * COUNT if is_table(one) else np.broadcast_to(one, COUNT).tolist()
         for one in arguments
@@ -94,20 +94,20 @@ def rows_of(arguments: tuple[Any, ...]) -> list[list[Any]]:
 
 
 def in_javascript(argument: Any) -> Any:
-    """A table as the page has it."""
+    """Table in the page's format."""
     if not is_table(argument):
         return argument
     return {"values": argument.ravel().tolist(), "shape": list(argument.shape)}
 
 
 def test_every_formula_of_a_page_is_compared() -> None:
-    # A formula that is new in a page must come with its case.
+    # A new formula of the page needs a case here.
     assert set(functions()) == set(CASES) | FILLING
 
 
 @pytest.fixture(scope="module")
 def calls(chromium: Any) -> Any:
-    """``calls(name, rows)``: what the emitted function gives, or fills, for each row."""
+    """``calls(name, rows)``: values that the emitted function returns, or fills, for each row."""
     from airlight.viewer.browser.modules import join_modules, web_file
 
     names = ", ".join(functions())
@@ -126,7 +126,7 @@ def calls(chromium: Any) -> Any:
 
 @pytest.mark.parametrize("name", CASES)
 def test_a_formula_in_javascript_is_python_s(name: str, calls: Callable[..., Any]) -> None:
-    # Python itself; both in double precision, whose sines differ by a rounding or two.
+    # a second method: Python; both in double precision, whose sines differ by a rounding or two.
     plain = getattr(functions()[name], "py_func", functions()[name])
     rows = rows_of(CASES[name])
     wanted = [np.ravel(plain(*row)) for row in rows]
@@ -135,7 +135,7 @@ def test_a_formula_in_javascript_is_python_s(name: str, calls: Callable[..., Any
 
 
 def test_the_weights_of_the_next_guess_are_python_s(calls: Callable[..., Any]) -> None:
-    # Elimination in the same order: a few roundings of float64; none where nothing can be told.
+    # Elimination in the same order: a few roundings of float64; none in the singular case.
     residuals = RNG.normal(size=(STEPS, 12))
     for values in (residuals, np.zeros_like(residuals)):
         changes = np.diff(values, axis=0)

@@ -1,4 +1,4 @@
-"""Undo in the browser and in Python: the same edits leave the same steps."""
+"""Undo in the browser and in Python: the same edits give the same steps."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from airlight.viewer.parameters.view_parameters import DEFAULTS, view_parameters
 from airlight.viewer.session.history import MOST_STEPS
 from airlight.viewer.session.session import Session
 
-#: What was done: ("set", path, value), ("hold", path, value), ("move", gesture, held, values),
+#: Actions: ("set", path, value), ("hold", path, value), ("move", gesture, held, values),
 #: ("wait", seconds), or a word.
 EDITS = {
     "two drags of one parameter": [
@@ -53,7 +53,7 @@ class Clock:
 
 
 def by_python(edits: list[Any]) -> list[Any]:
-    """View and what can be done after each of the edits."""
+    """View, and whether undo and redo are possible, after each edit."""
     clock = Clock()
     session = Session("earth-atmosphere-plus", clock=lambda: clock.now)
     seen = []
@@ -108,7 +108,7 @@ def test_the_same_edits_leave_the_same_steps(name: str, page: Any) -> None:
 
 
 def test_as_many_steps_are_kept(page: Any) -> None:
-    # one more than are kept: the first is forgotten
+    # one step more than are kept: the first is discarded
     rolls = [float(n % 100) for n in range(1, MOST_STEPS + 2)]
     edits = [one for roll in rolls for one in (("set", "view.roll", roll), "rest")]
     undone = ["undo"] * (MOST_STEPS + 1)

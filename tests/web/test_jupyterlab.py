@@ -1,4 +1,4 @@
-"""The viewer in JupyterLab, moved by a real slider, and by Python."""
+"""Viewer in JupyterLab, controlled by a real slider and by Python."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ print("zenith", viewer.values[path], session.value(path))""",
 
 @pytest.fixture
 def lab(tmp_path: Path) -> Iterator[str]:
-    """A running JupyterLab with a notebook; its address."""
+    """URL of a notebook in a running JupyterLab."""
     cells = [
         {"cell_type": "code", "id": f"c{i}", "metadata": {}, "outputs": [], "source": text,
          "execution_count": None}
@@ -85,14 +85,14 @@ def lab(tmp_path: Path) -> Iterator[str]:
 
 
 def run_cell(page: Any, index: int) -> Any:
-    """Run one cell; gives it."""
+    """Run one cell and return it."""
     cell = page.locator(".jp-Notebook .jp-CodeCell").nth(index)
     prompt = cell.locator(".jp-InputPrompt")
     end = time.monotonic() + 60.0
-    # A kernel that has just started may not have been heard of yet.
+    # A kernel that has just started may not be connected yet.
     while not re.search(r"[*\d]", prompt.inner_text()):
         assert time.monotonic() < end
-        # It then asks which kernel is meant.
+        # It then asks for the kernel.
         while page.locator(".jp-Dialog .jp-mod-accept").count():
             page.locator(".jp-Dialog .jp-mod-accept").first.click()
             page.wait_for_timeout(500)
@@ -103,7 +103,7 @@ def run_cell(page: Any, index: int) -> Any:
 
 
 def seen(page: Any) -> np.ndarray:
-    """The picture as the screen shows it."""
+    """Picture as shown on the screen."""
     page.evaluate("document.querySelector('.airlight').parentElement.viewer.settled()")
     shot = page.locator(".airlight canvas").screenshot()
     return np.asarray(Image.open(io.BytesIO(shot)).convert("RGB"), float)
@@ -129,12 +129,12 @@ def test_slider_in_jupyterlab_moves_python_and_the_picture(lab: str, chromium: A
     field = page.locator("[data-path='view.look_zenith'] input[type=text]")
     shown = float(field.input_value())
     assert 0.0 < shown < 88.0
-    # Python knows it, in the widget and in the session
+    # Python has the value, in the widget and in the session
     cell = run_cell(page, 1)
     cell.locator(".jp-OutputArea-output").wait_for()
     words = cell.locator(".jp-OutputArea-output").inner_text().split()
     assert words == ["zenith", f"{shown:.1f}", f"{shown:.1f}"]
-    # and the picture is another
+    # and the picture has changed
     after = seen(page)
     assert np.abs(after - before).mean() > 2.0
 

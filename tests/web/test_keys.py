@@ -1,4 +1,4 @@
-"""Every key of the table, pressed in a page: each does what its row says."""
+"""Keys of the table, pressed in a page: each has the effect of its row."""
 
 from __future__ import annotations
 
@@ -23,23 +23,23 @@ from airlight.viewer.session.session import Session
 RADIUS, THICKNESS = 6.36e6, 1e5
 TABLE = as_json("page")
 START = {**DEFAULTS, "view.altitude": 1000.0, "view.latitude": 10.0, "display.automatic": False}
-#: What a held key moves, and which way, by its axis.
+#: Value that a held key moves, by its axis.
 MOVES = {
-    "ahead": "view.latitude",  # it looks south
+    "ahead": "view.latitude",  # the camera looks south
     "right": "view.longitude",
     "up": "view.altitude",
     "turn": "view.heading",
     "tilt": "view.look_zenith",
     "widen": "view.field_of_view",
 }
-#: Keys as a browser's driver spells them.
+#: Names of the keys in the browser's driver.
 NAMES = {"arrowup": "ArrowUp", "arrowdown": "ArrowDown", "arrowleft": "ArrowLeft",
          "arrowright": "ArrowRight", "pageup": "PageUp", "pagedown": "PageDown"}  # fmt: skip
 
 
 @pytest.fixture
 def page(opened: Callable[..., Any], tmp_path: Path) -> Any:
-    """A page with a painted sky, ready for keys."""
+    """Page with a painted sky, with the keyboard focus."""
     data = {
         "title": "keys", "planet": "painted", "note": "",
         "parameters": [one.as_json() for one in page_parameters()],
@@ -60,7 +60,7 @@ def now(page: Any, path: str) -> Any:
 
 @pytest.mark.parametrize("axis", MOVES)
 def test_held_keys_move_their_way(axis: str, page: Any) -> None:
-    # the window's flight, stepped once, says which way
+    # the window's flight, advanced by one step, gives the direction
     keys = {key: way for key, way in TABLE["held"].items() if way[0] == axis}
     assert {sign for _, sign in keys.values()} == {-1.0, 1.0}
     for key in keys:
@@ -77,7 +77,7 @@ def test_held_keys_move_their_way(axis: str, page: Any) -> None:
         page.keyboard.up(NAMES.get(key, key))
         got = now(page, MOVES[axis]) - START[MOVES[axis]]
         assert got * wanted > 0.0, key
-        # let go, it stands still, and all of it was one step
+        # once released, it stands still, and the movement was one undo step
         assert page.evaluate("airlight.flight.moving") is False
         page.keyboard.press("Control+z")
         assert now(page, MOVES[axis]) == START[MOVES[axis]]
@@ -85,7 +85,7 @@ def test_held_keys_move_their_way(axis: str, page: Any) -> None:
 
 @pytest.mark.parametrize("factor", TABLE["factors"])
 def test_keys_that_change_the_speed(factor: str, page: Any) -> None:
-    # the logarithm of the altitude grows by 0.8 a second, times the factor; steps of one length
+    # the logarithm of the altitude grows by 0.8 per second, times the factor; equal time steps
     def climbed() -> float:
         return page.evaluate(
             """() => {
@@ -97,7 +97,7 @@ def test_keys_that_change_the_speed(factor: str, page: Any) -> None:
             }"""
         )
 
-    page.evaluate("airlight.flight.request = () => {}")  # no frames but ours
+    page.evaluate("airlight.flight.request = () => {}")  # only the test's frames
     page.keyboard.down("e")
     plain = climbed()
     page.keyboard.down(factor.capitalize())
@@ -109,7 +109,7 @@ def test_keys_that_change_the_speed(factor: str, page: Any) -> None:
 
 
 def test_keys_that_do_something_once(page: Any) -> None:
-    # what is seen after each; all keys of the table are pressed
+    # the effect of each is visible; all keys of the table are pressed
     left = dict(TABLE["once"])
 
     def press(key: str) -> str:
@@ -163,7 +163,7 @@ def test_keys_that_do_something_once(page: Any) -> None:
 
 
 def test_keys_stay_with_what_is_typed_or_slid(page: Any) -> None:
-    # a field takes letters, a slider its arrows; the picture is left alone
+    # a field takes letters, a slider arrow keys; the picture is unchanged
     field = page.locator("[data-path='view.altitude'] input[type=text]")
     field.click()
     page.keyboard.type("w3")
@@ -191,7 +191,7 @@ def test_help_lists_the_table(page: Any) -> None:
 
 
 def test_any_drag_with_ctrl_or_shift_moves_the_sun(page: Any) -> None:
-    # parts of the picture's width are parts of the field of view, as in the window
+    # fractions of the picture's width are fractions of the field of view, as in the window
     box = page.locator("canvas").bounding_box()
     x, y = box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"]
     for modifier, button in (("Shift", "left"), ("Control", "left"), ("", "right")):
@@ -210,7 +210,7 @@ def test_any_drag_with_ctrl_or_shift_moves_the_sun(page: Any) -> None:
 
 
 def test_wheel_climbs_by_notches_and_with_ctrl_widens(page: Any) -> None:
-    # 1.15 a notch, four notches with Shift
+    # 1.15 per notch, four notches with Shift
     box = page.locator("canvas").bounding_box()
     page.mouse.move(box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"])
     for modifier, path, wanted in (

@@ -1,4 +1,4 @@
-"""The viewer in marimo, moved by a real slider, and by Python."""
+"""Viewer in marimo, controlled by a real slider and by Python."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ if __name__ == "__main__":
 
 @pytest.fixture
 def served(tmp_path: Path) -> Iterator[str]:
-    """A running notebook; its address."""
+    """URL of a running notebook."""
     file = tmp_path / "viewer.py"
     file.write_text(_NOTEBOOK, encoding="utf-8")
     with socket.socket() as free:

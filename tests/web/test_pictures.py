@@ -1,4 +1,4 @@
-"""Pictures of planets in a page opened from disk, against those drawn natively."""
+"""Pictures of planets in a page opened from disk, compared with native ones."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from airlight.viewer.browser.page_text import page_text
 from airlight.viewer.parameters.view_parameters import DEFAULTS, scene_of
 
 WIDTH, HEIGHT = 240, 135
-#: Coarser than usual, on both sides: software draws it in a second.
+#: Coarser shape than usual, on both sides: software draws it in a second.
 SKY = (128, 64)
 WAVELENGTHS = (680.0, 550.0, 440.0)
 FIXED = {"display.automatic": False}
@@ -54,7 +54,7 @@ VIEWS = {
 
 @pytest.fixture(scope="module")
 def solutions() -> Callable[[str], Any]:
-    """Solutions by the name of a planet."""
+    """Solutions by the name of the planet."""
     kept: dict[str, Any] = {}
 
     def of(name: str) -> Any:
@@ -67,12 +67,12 @@ def solutions() -> Callable[[str], Any]:
 
 @pytest.fixture(scope="module")
 def native(gpu: Any) -> Pictures:
-    """Pictures drawn without a browser."""
+    """Renderer of pictures without a browser."""
     return Pictures(gpu, SKY)
 
 
 def drawn(native: Pictures, values: dict[str, Any]) -> np.ndarray:
-    """A picture of what ``native`` shows. [0 to 255]"""
+    """Picture drawn by ``native``. [0 to 255]"""
     import wgpu
 
     scene = scene_of(values, WIDTH, HEIGHT)
@@ -87,7 +87,7 @@ def drawn(native: Pictures, values: dict[str, Any]) -> np.ndarray:
 
 
 def page_of(solution: Any, name: str, values: dict[str, Any], place: Path) -> Path:
-    """A page in a file."""
+    """Page written to a file."""
     data = page_data(solution, name, name, values, "three")
     data["picture"]["sky"]["full"] = list(SKY)
     place.write_text(page_text(name, json.loads(json.dumps(data))), encoding="utf-8")
@@ -106,7 +106,7 @@ def test_page_draws_what_the_native_device_draws(
     tmp_path: Path,
     tell: Callable[[str], None],
 ) -> None:
-    # the same shaders on another driver: what differs is rounding, and how each rounds to 8 bits
+    # the same shaders on another driver: only rounding differs, also that to 8 bits
     name, changes = VIEWS[view]
     values = {**DEFAULTS, **FIXED, **changes}
     native.show(solutions(name))

@@ -44,7 +44,7 @@ VALUES = {
 
 @pytest.fixture
 def page(modules: Callable[..., Any]) -> Any:
-    """A page with a state as `state`, and controls over it in its body."""
+    """Page with a state as `state`, and its controls in the body."""
     page = modules(
         {
             "state/state": ("State",),
@@ -152,7 +152,7 @@ def test_comparison_swaps_two_states(page: Any) -> None:
 
 
 def test_two_sides_share_the_camera_and_have_steps_of_their_own(page: Any) -> None:
-    # as the session has it: a swap keeps camera and sun, and undo stays on its side
+    # as in the session: a swap keeps camera and sun, and undo applies to its side
     got = page.evaluate(
         """() => {
           state.set({ "display.tone_map": "reinhard" });
@@ -204,7 +204,7 @@ def test_fields_take_numbers_and_refuse_words(page: Any) -> None:
     assert page.locator(".airlight-wrong").count() == 1
     page.locator("[data-path='display.tone_map'] select").select_option("reinhard")
     assert page.evaluate("state.get('display.tone_map')") == "reinhard"
-    # an advanced parameter is shown when asked for
+    # an advanced parameter is shown on demand
     assert page.locator("[data-path='display.automatic']").count() == 0
     page.evaluate("controls.advanced = true; controls.build();")
     page.locator("[data-path='display.automatic'] input").uncheck()

@@ -1,4 +1,4 @@
-"""What the browser computes by itself: the same numbers as the Python of the scene."""
+"""The browser's computations of the view give the numbers of the Python scene."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from airlight.scene import Camera, Scene
 from airlight.scene.flight import FOOTING, RATE
 from airlight.viewer.navigation.flight import flown
 
-#: Nobody's special case.
+#: Generic view, without special angles.
 VIEW = {
     "view.altitude": 1234.5,
     "view.latitude": 47.0,
@@ -38,7 +38,7 @@ def test_directions_are_those_of_the_scene(modules: Callable[..., Any]) -> None:
     )
     camera = Camera(look_zenith=71.0, look_azimuth=203.0 - 141.0, roll=17.0)
     scene = Scene(camera=camera, sun_zenith=66.0, latitude=47.0, longitude=-12.0, sun_azimuth=141.0)
-    # a few roundings of float64
+    # a few rounding errors of float64
     assert_allclose(got["axes"], camera.axes, atol=1e-14)
     assert_allclose(got["sun"], scene.sun_direction, atol=1e-14)
     assert_allclose(got["ground"], scene.ground_frame, atol=1e-14)
@@ -60,7 +60,7 @@ def test_automatic_exposure_is_that_of_the_picture(modules: Callable[..., Any]) 
 
 
 def test_flight_round_the_planet_ends_where_it_began(modules: Callable[..., Any]) -> None:
-    # a great circle closes; the sun, fixed in space, is then where it was, and so is the heading
+    # a great circle closes; the sun, fixed in space, and the heading then return
     page = modules({"ui/flight": ("flown",)})
     radius, altitude, steps = 1000.0, 250.0, 720
     seconds = 2.0 * np.pi / steps * (radius + altitude) / (RATE * (altitude + FOOTING))
@@ -80,7 +80,7 @@ def test_flight_round_the_planet_ends_where_it_began(modules: Callable[..., Any]
     for path, value in view.items():
         if isinstance(value, float):
             assert_allclose(values[path], value, atol=1e-8, err_msg=path)
-    # on the circle the sun's zenith angle swings between the plane's angle and its supplement
+    # on the circle the sun's zenith angle varies between the plane's angle and its supplement
     east, north, up = np.eye(3)
     heading = np.radians(VIEW["view.heading"])
     sun_zenith, bearing = np.radians(VIEW["view.sun_zenith"]), np.radians(VIEW["view.sun_azimuth"])
@@ -92,7 +92,7 @@ def test_flight_round_the_planet_ends_where_it_began(modules: Callable[..., Any]
 
 
 def test_flight_is_that_of_the_window(modules: Callable[..., Any]) -> None:
-    # a second method: navigation/flight.py, over places, looks, ways and altitudes
+    # a second method: navigation/flight.py, over positions, views, directions and altitudes
     page = modules({"ui/flight": ("flown",)})
     rng = np.random.default_rng(7)
     ways = [(0, 1, 0), (1, 0, 0), (0, 0, 1), (-1, 1, 0), (1, -1, 1), (0, 0, 0)]

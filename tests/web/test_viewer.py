@@ -1,4 +1,4 @@
-"""The viewer in a page opened from disk, on both back ends, over a painted sky."""
+"""Viewer in a page opened from disk, on both back ends, with a painted sky."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ _RANGES = {
 
 
 def parameters() -> list[dict[str, Any]]:
-    """Enough of the declared list."""
+    """Sufficient part of the declared list."""
     made = []
     for path, value in VIEW.items():
         low, high, scale = _RANGES.get(path, (0.0, 1.0, "linear"))
@@ -69,7 +69,7 @@ def parameters() -> list[dict[str, Any]]:
 
 @pytest.fixture
 def file(tmp_path: Path) -> Path:
-    """A page of its own."""
+    """Page with a painted sky in a file."""
     data = {
         "title": "painted", "planet": "painted", "parameters": parameters(), "values": VIEW,
         "note": "nothing to edit", "picture": painted.page(),
@@ -80,7 +80,7 @@ def file(tmp_path: Path) -> Path:
 
 
 def png(page: Any, width: int = WIDTH, height: int = HEIGHT) -> np.ndarray:
-    """The picture that the page shows, drawn at a size. [0 to 255]"""
+    """Picture of the page, drawn at a size. [0 to 255]"""
     url = page.evaluate(
         """async ([width, height]) => {
           const blob = await airlight.png(width, height);
@@ -95,7 +95,7 @@ def png(page: Any, width: int = WIDTH, height: int = HEIGHT) -> np.ndarray:
 
 
 def expected(view: dict[str, Any]) -> np.ndarray:
-    """The same by NumPy. [0 to 255]"""
+    """Same picture by NumPy. [0 to 255]"""
     azimuth = view["view.heading"] - view["view.sun_azimuth"]
     axes = camera_axes(view["view.look_zenith"], azimuth, view["view.roll"])
     field, exposure = view["view.field_of_view"], view["display.exposure"]
@@ -103,7 +103,7 @@ def expected(view: dict[str, Any]) -> np.ndarray:
 
 
 def assert_same_picture(got: np.ndarray, wanted: np.ndarray) -> None:
-    """Rounding, except on a few pixels that lie on an edge between two colours."""
+    """Assert equality up to rounding, except for a few pixels on an edge between two colours."""
     assert got.shape == wanted.shape
     off = np.abs(got - wanted).max(axis=2) > 1.0
     assert off.mean() < 0.01
@@ -114,7 +114,7 @@ def assert_same_picture(got: np.ndarray, wanted: np.ndarray) -> None:
 def test_page_from_disk_shows_the_picture(
     device: str, file: Path, opened: Callable[..., Any]
 ) -> None:
-    # a second method: the same picture by NumPy; top and bottom, left and right are told apart
+    # a second method: the same picture by NumPy; top and bottom, left and right are distinct
     page = opened(file, f"?device={device}")
     assert_same_picture(png(page), expected(VIEW))
     assert page.title() == "painted <sky>"
@@ -186,7 +186,7 @@ def test_page_without_a_device_says_so(file: Path, opened: Callable[..., Any]) -
 
 
 def test_page_carries_all_that_it_needs(file: Path) -> None:
-    # nothing to load: no address but the namespaces of the data that it carries
+    # nothing to load: no URL except the namespaces of the embedded data
     text = file.read_text(encoding="utf-8")
     for word in ("http://", "https://", "import(", "fetch(", "XMLHttpRequest"):
         assert word not in text, word
@@ -212,6 +212,6 @@ def test_probe_tells_the_light_of_the_pixel_that_is_pointed_at(
     light = painted.picture(axes, width, height, VIEW["view.field_of_view"], 0.0)
     rgb = light[int(0.7 * height), int(0.25 * width)]
     xyz = rgb @ np.array(painted.program()["xyz"])
-    # three digits, and four behind the point
+    # three digits, and four decimals
     assert_allclose(float(words[1]), 683.0 * xyz[1], rtol=5e-3)
     assert_allclose([float(words[4]), float(words[6])], xyz[:2] / xyz.sum(), atol=1e-4)

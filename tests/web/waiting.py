@@ -1,16 +1,16 @@
-"""Waiting for a page: asked again and again, since a page may forbid text that becomes code."""
+"""Waiting for a page by polling, since a page may forbid the evaluation of strings."""
 
 from __future__ import annotations
 
 import time
 from typing import Any
 
-#: Two busy cores are slow. [s]
+#: Time limit, generous for two busy cores. [s]
 PATIENCE = 120.0
 
 
 def until(page: Any, expression: str, seconds: float = PATIENCE) -> Any:
-    """The value of an expression once it is true."""
+    """Value of an expression once it is truthy."""
     end = time.monotonic() + seconds
     while True:
         value = page.evaluate(expression)

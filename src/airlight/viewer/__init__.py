@@ -1,1 +1,1 @@
-"""Live views of a planet: one declared list of parameters drives window, notebook and page."""
+"""Interactive views of a planet: window, notebook and page share one list of parameters."""

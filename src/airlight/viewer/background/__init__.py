@@ -1,1 +1,1 @@
-"""Solving behind the edits, on threads."""
+"""Threads that solve in the background of the edits."""

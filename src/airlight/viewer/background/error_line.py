@@ -1,4 +1,4 @@
-"""What went wrong, in one line: for a status line, beside a picture that goes on."""
+"""One-line error messages for a status line, while the picture stays interactive."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ _LOG: Final = logging.getLogger(__name__)
 
 
 def one_line(error: Exception) -> str:
-    r"""An error as one line: the project's own speak for themselves, others with their type.
+    r"""One-line message of an error, with the type unless it is an ``AirlightError``.
 
     Parameters
     ----------
     error : Exception
-        Whatever was raised.
+        Exception that was raised.
 
     Returns
     -------
@@ -38,7 +38,7 @@ def one_line(error: Exception) -> str:
 
 
 class Faults:
-    """Parts of a frame that failed: the frame goes on without them, the next tries them again.
+    """Parts of a frame that failed; the frame omits them, and the next frame tries them again.
 
     Examples
     --------
@@ -58,27 +58,27 @@ class Faults:
 
     @property
     def line(self) -> str:
-        """Which part failed in this frame, and why, in one line; empty if none did."""
+        """First failed part of this frame and its error, in one line; empty if none failed."""
         return next(iter(self._lines.values()), "")
 
     def forget(self) -> None:
-        """Begin a frame, in which nothing has failed yet."""
+        """Clear the failures at the start of a frame."""
         self._lines = {}
 
     @contextmanager
     def caught(self, part: str) -> Iterator[None]:
-        """Catch what a part of the frame raises; its traceback is logged the first time.
+        """Catch an exception of a part of the frame; its traceback is logged the first time.
 
         Parameters
         ----------
         part : str
-            What the user calls it.
+            Name of the part, as shown to the user.
         """
         try:
             yield
         except Exception as error:
             self._lines[part] = f"{part}: {one_line(error)}"
-            # By its place: a message may have another number in it each frame.
+            # Keyed by source line: the message may contain another number in each frame.
             deepest = traceback.extract_tb(error.__traceback__)[-1]
             place = (part, type(error), deepest.filename, deepest.lineno)
             if place not in self._logged:

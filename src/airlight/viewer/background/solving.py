@@ -1,7 +1,7 @@
-"""A thread that follows a session: each planet that is wanted is read and solved, preview first.
+"""Thread that follows a session and reads and solves each requested planet, preview first.
 
-The newest edit wins. The host is never kept waiting: it takes ``latest`` and ``status`` whenever it
-likes, and is called when they change. While nothing is wanted the thread sleeps.
+The newest edit wins. The host never waits: it reads ``latest`` and ``status`` at any time and is
+called when they change. The thread sleeps while there is no request.
 """
 
 from __future__ import annotations
@@ -24,42 +24,42 @@ from airlight.viewer.background.error_line import one_line
 from airlight.viewer.session.constituent_switches import switched
 from airlight.viewer.session.solve_request import Versions, Wanted
 
-#: A preview that takes longer than this is given up for a newer edit. Quicker ones are finished, so
-#: that the picture follows a drag whose edits come faster than previews do. [s]
+#: Time after which a preview is abandoned for a newer edit. Faster previews are finished, so that
+#: the picture follows a drag whose edits come faster than previews. [s]
 PATIENCE: Final = 3.0
-#: Solutions that are kept, so that an undo or a look at the other side costs nothing.
+#: Number of solutions kept, so that an undo or a switch to the other side is immediate.
 MOST_KEPT: Final = 4
-#: Progress is reported no more often than this. [s]
+#: Shortest time between progress reports. [s]
 _REPORT_EVERY: Final = 0.1
 
 
 class Followed(Protocol):
-    """A session, or one side of it."""
+    """Session, or one side of it."""
 
     @property
     def wanted(self) -> Wanted:
-        """What has to be solved."""
+        """Request to solve."""
 
     def follow(self, follower: Callable[[Versions], None]) -> Callable[[], None]:
-        """Call something after every change, on the host's thread; returns how to stop."""
+        """Call ``follower`` after every change, on the host's thread; returns an unsubscriber."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Solved:
-    """A solution and what it belongs to.
+    """Solution with its planet and version.
 
     Attributes
     ----------
     solution : Solution
-        Of the solver.
+        Result of the solver.
     planet : Planet
-        As it was solved: constituents that are switched off neither scatter nor absorb.
+        Planet as solved: constituents that are switched off neither scatter nor absorb.
     version : int
-        Of the session's planet; the picture is of the newest if it equals
-        ``session.versions.planet``.
+        Version of the session's planet; the newest equals ``session.versions.planet``.
     quality : str
+        Quality level of the solution.
     seconds : float
-        From the edit to the solution, reading included. [s]
+        Time from the edit to the solution, including reading. [s]
     """
 
     solution: Any
@@ -71,19 +71,20 @@ class Solved:
 
 @dataclass(frozen=True, kw_only=True)
 class Status:
-    """What the thread does now.
+    """Current activity of the thread.
 
     Attributes
     ----------
     busy : bool
+        Whether the thread is working.
     doing : str
-        A few words, empty if it is idle.
+        Short description of the current task; empty if idle.
     done, total : int
-        Of that.
+        Progress of that task. [1]
     version : int
-        Of the planet that it works at, or worked at last.
+        Version of the planet in work, or of the last one.
     error : str
-        One line if the planet of ``version`` cannot be; else empty.
+        One-line error if the planet of ``version`` is invalid or cannot be solved; else empty.
     """
 
     busy: bool = False
@@ -95,23 +96,23 @@ class Status:
 
 
 class Solving:
-    """Solves what a session wants, on a thread of its own.
+    """Thread that solves the requests of a session.
 
     Parameters
     ----------
     session : Session or SessionSide
-        Followed from now on.
+        Session to follow, from construction on.
     solver : PlanetSolver, optional
-        See there; called on the thread. The processor's without it.
+        Solver, called on the thread; by default the processor's.
     wavelengths : callable
-        ``wavelengths(planet, count)`` with a word of ``picture_wavelengths``.
+        ``wavelengths(planet, count)`` [nm], with ``count`` as for ``picture_wavelengths``.
     on_change : callable, optional
-        Called on the thread when ``latest`` or ``status`` has changed; it should do no more than
-        wake the host.
+        Called on the thread when ``latest`` or ``status`` has changed; it should only wake the
+        host.
 
     Notes
     -----
-    ``close`` ends the thread; so does the end of a ``with`` block.
+    ``close`` ends the thread, as does the end of a ``with`` block.
     """
 
     def __init__(
@@ -140,33 +141,33 @@ class Solving:
         self._thread = threading.Thread(target=self._run, name="airlight solving", daemon=True)
         self._thread.start()
 
-    # --- the host's side ----------------------------------------------------------------------
+    # --- on the host's thread -----------------------------------------------------------------
 
     @property
     def latest(self) -> Solved | None:
-        """The newest solution, or None before the first."""
+        """Newest solution, or None before the first."""
         return self._latest
 
     @property
     def status(self) -> Status:
-        """What is being done, and the error if the newest planet cannot be."""
+        """Current activity, and the error of the newest planet."""
         return self._status
 
     @property
     def idle(self) -> bool:
-        """Whether all that was wanted is solved, or known to be impossible."""
+        """Whether the newest request is solved or has failed."""
         with self._condition:
             return self._served is self._wanted
 
     def wait(self, timeout: float | None = None) -> bool:
-        """Wait until it is idle; False if that took longer. [s]"""
+        """Wait until the thread is idle; False after ``timeout``. [s]"""
         with self._condition:
             return self._condition.wait_for(
                 lambda: self._closed or self._served is self._wanted, timeout
             )
 
     def close(self) -> None:
-        """Stop what is running and end the thread."""
+        """Cancel the running solve and end the thread."""
         self._unfollow()
         with self._condition:
             self._closed = True
@@ -181,7 +182,7 @@ class Solving:
         self.close()
 
     def _follow(self, versions: Versions) -> None:
-        """A change of the session, on the host's thread: view and display need no solution."""
+        """Handle a change of the session; changes of view and display need no solution."""
         if versions.planet == self._wanted.version:
             return
         with self._condition:
@@ -189,7 +190,7 @@ class Solving:
             self._asked = time.perf_counter()
             self._condition.notify_all()
 
-    # --- the thread's side --------------------------------------------------------------------
+    # --- on the solving thread ----------------------------------------------------------------
 
     def _run(self) -> None:
         while True:
@@ -206,7 +207,7 @@ class Solving:
                     continue
                 error = str(stopped)
             except Exception as failure:
-                # Whatever goes wrong with one planet, the next edit must find the thread alive.
+                # The thread must survive any failure of one planet, to serve the next edit.
                 error = one_line(failure)
             with self._condition:
                 self._status = Status(version=wanted.version, error=error)
@@ -215,7 +216,7 @@ class Solving:
             self._tell()
 
     def _serve(self, wanted: Wanted, asked: float) -> None:
-        """Every quality of a planet up to the wanted one, the quickest first."""
+        """Solve a planet at each quality up to the requested one, the fastest first."""
         kept = self._kept.get((*wanted.key, wanted.quality))
         if kept is not None:
             self._publish(replace(kept, version=wanted.version, seconds=0.0), wanted)
@@ -232,7 +233,7 @@ class Solving:
                 continue
             planet = self._planet(wanted, newer)
             wavelengths = self._wavelengths(planet, wanted.wavelengths)
-            # Refuses a star without light at one of them: its picture would have no colours.
+            # Rejects a star without light at one of them: the picture would have no colours.
             rgb_weights(wavelengths, planet.star.irradiances)
             solution = self._solver(
                 planet,
@@ -253,7 +254,7 @@ class Solving:
             )
 
     def _gives_up(self, wanted: Wanted, started: float | None) -> Cancel:
-        """Whether to stop: closed, or something newer is wanted and patience has ended."""
+        """Cancellation test: closed, or superseded after ``PATIENCE`` has passed."""
 
         def newer() -> bool:
             if self._closed:

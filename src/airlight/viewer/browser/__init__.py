@@ -1,1 +1,1 @@
-"""The page and the notebook widget."""
+"""HTML page and notebook widget."""

@@ -1,4 +1,4 @@
-"""The formulas that a page works out by itself, in JavaScript: emitted, and kept nowhere."""
+"""Formulas that a page evaluates itself, emitted as JavaScript on demand."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ from airlight.solvers.moments.convergence import change_at, count_at, rest_after
 from airlight.solvers.moments.packing import thick_share
 from airlight.solvers.moments.reduced_optics import cut_part, cut_weight, is_peaked
 
-#: Each formula with what its arguments are; without that, numbers. An array that a formula writes
-#: to may have any length.
+#: Formulas with the types of their arguments, by default all numbers. An array that a formula
+#: writes to may have any length.
 FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     direction_of: (),
     camera_frame: (),
@@ -56,7 +56,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
 
 @cache
 def emitted_formulas() -> Emitter:
-    """All formulas in JavaScript, with what they call."""
+    """Emitter of all formulas in JavaScript, with the functions that they call."""
     emitter = Emitter(JAVASCRIPT)
     for function, given in FORMULAS.items():
         plain = getattr(function, "py_func", function)
@@ -68,7 +68,7 @@ def emitted_formulas() -> Emitter:
 
 @cache
 def formulas_text() -> str:
-    """The module ``generated/formulas.js``: a function each, and what depends on the projection."""
+    """Text of ``generated/formulas.js``: formulas, pixel angles and aspects of projections."""
     angles = ", ".join(f"{name}: pixel_angle_{name}" for name in PROJECTIONS)
     aspects = {name: form.aspect for name, form in PROJECTIONS.items()}
     tables = (

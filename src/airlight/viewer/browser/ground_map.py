@@ -1,4 +1,4 @@
-"""The map of the ground as a browser takes it: a picture file, which it decodes by itself."""
+"""Ground map for a browser: an image file, which the browser decodes."""
 
 from __future__ import annotations
 
@@ -13,27 +13,27 @@ from numpy.typing import NDArray
 from airlight.color.encoding import srgb_decode, srgb_encode
 from airlight.scene.surface_map import map_file, surface_map
 
-#: Widest map that is carried; a wider one is halved until it fits. [pixel]
+#: Widest map that is embedded; a wider one is halved until it fits. [pixel]
 _WIDEST: Final = 2048
 _QUALITY: Final = 90
-#: Largest file that is carried as it is. [byte]
+#: Largest file that is embedded unchanged. [byte]
 _LARGEST: Final = 1_000_000
 _KINDS: Final = {".jpg": "jpeg", ".jpeg": "jpeg", ".png": "png"}
 
 
 def ground_map(name: str | None) -> dict[str, Any] | None:
-    """A map of the ground for ``web/drawing/ground.js``.
+    """Ground map for ``web/drawing/ground.js``.
 
     Parameters
     ----------
     name : str or None
-        As ``surface_map`` takes it.
+        Name of the map, as for ``surface_map``.
 
     Returns
     -------
     dict or None
-        ``image``, a data address; ``levels``, the first number, height and width of each;
-        ``decoded``, the reflectance of each of 256 levels of a channel. None without a map.
+        ``image``, a data URL; ``levels``, the offset, height and width of each; ``decoded``, the
+        reflectance of the 256 values of a channel [1]. None without a map.
     """
     if name is None:
         return None
@@ -49,7 +49,7 @@ def ground_map(name: str | None) -> dict[str, Any] | None:
 
 
 def _as_address(file: Path | None, pixels: NDArray[np.float32]) -> str:
-    """The picture itself if a browser reads it and it is not large, else one made of its pixels."""
+    """Data URL of the file if a browser can read it and it is small, else of its pixels."""
     kind = None if file is None else _KINDS.get(file.suffix.lower())
     if file is not None and kind is not None and file.stat().st_size <= _LARGEST:
         content = file.read_bytes()

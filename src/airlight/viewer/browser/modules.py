@@ -1,8 +1,8 @@
-"""The JavaScript of the viewer as one module: for a page in one file, and for a notebook.
+"""Bundler that joins the viewer's JavaScript into one module, for a page and for a notebook.
 
 The files in ``web/`` and its folders are plain ES modules that import each other by relative names.
-A page opened from disk cannot load modules beside it, and a notebook wants one text: so they are
-joined, each in a function of its own, in the order in which they need each other.
+A page opened from disk cannot load neighbouring modules, and a notebook needs a single text, so
+they are joined in the order of their dependencies, each in its own function.
 """
 
 from __future__ import annotations
@@ -24,16 +24,16 @@ _IMPORT: Final = re.compile(r'^import \{([^}]*)\} from "(\.[\w./]+)";\n', re.MUL
 _EXPORT: Final = re.compile(
     r"^export (?=(?:const|let|class|function\*?|async function)\s+([\w$]+))", re.MULTILINE
 )
-#: Every other line that a module alone may have.
+#: Any other line that is only valid in a module.
 _OTHER: Final = re.compile(r"^(?:import|export)\b.*$", re.MULTILINE)
 
 
 def _keys_module() -> str:
-    """The table of keys as a module."""
+    """Text of the module with the table of keys."""
     return f"export const KEYS = {json.dumps(keys.as_json('page'), ensure_ascii=False)};\n"
 
 
-#: Modules that are made of what Python declares.
+#: Modules generated from Python's declarations.
 GENERATED: Final[Mapping[str, Callable[[], str]]] = {
     "generated/formulas.js": formulas_text,
     "generated/keys.js": _keys_module,
@@ -41,7 +41,7 @@ GENERATED: Final[Mapping[str, Callable[[], str]]] = {
 
 
 def web_file(name: str) -> str:
-    """The text of a file of the viewer that runs in a browser.
+    """Text of one of the viewer's files for the browser.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def web_file(name: str) -> str:
     Raises
     ------
     FileError
-        If there is none.
+        If there is no such file.
     """
     if name in GENERATED:
         return GENERATED[name]()
@@ -62,24 +62,24 @@ def web_file(name: str) -> str:
 
 
 def join_modules(entry: str, read: Callable[[str], str] = web_file) -> str:
-    r"""One ES module that does what a module and all that it imports do.
+    r"""Join a module and all its imports into one ES module.
 
     Parameters
     ----------
     entry : str
-        The file's path in the folder; what it exports, the joined module exports.
+        Path of the file in the folder; the joined module has its exports.
     read : callable
-        Gives the text of a file.
+        Function that returns the text of a file by path.
 
     Returns
     -------
     str
+        Text of the joined module.
 
     Raises
     ------
     FileError
-        If a file imports or exports in a form that is not known here, or files import each other
-        in a ring.
+        If a file has an unsupported form of import or export, or imports form a cycle.
 
     Examples
     --------
@@ -117,7 +117,7 @@ def join_modules(entry: str, read: Callable[[str], str] = web_file) -> str:
 
 
 def _resolved(folder: str, target: str) -> str:
-    """Path in the folder ``web`` of what a file in ``folder`` imports."""
+    """Path in the folder ``web`` of an import from a file in ``folder``."""
     return posixpath.normpath(posixpath.join(folder, target))
 
 

@@ -1,7 +1,7 @@
-"""The viewer in a notebook: JupyterLab, marimo, and whatever else shows anywidgets.
+"""Viewer in a notebook: JupyterLab, marimo and other hosts of anywidget.
 
-The picture is drawn in the browser, by the same JavaScript as the page's; the planet is solved
-here. Needs the extra ``airlight[notebook]``.
+The picture is drawn in the browser, by the page's JavaScript; the planet is solved in Python.
+Requires the extra ``airlight[notebook]``.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ except ImportError as error:
 
 
 def quickest_solver() -> PlanetSolver:
-    """The solver of this machine's GPU, or of its processor where there is none."""
+    """Solver of this machine's GPU, or of its processor if there is none."""
     try:
         return live_solver("auto", open_device())
     except NoDevice:
@@ -38,30 +38,35 @@ def quickest_solver() -> PlanetSolver:
 
 
 class Viewer(anywidget.AnyWidget):
-    """A planet to fly around and to edit, as the last line of a cell.
+    """Interactive planet, shown as the last expression of a cell.
 
-    ``viewer.values["view.altitude"]`` is what a slider says, and ``viewer.set("view.altitude",
-    1e5)`` moves it: parameters go both ways.
+    Parameters are synchronised both ways: ``viewer.values["view.altitude"]`` is the value of a
+    slider, and ``viewer.set("view.altitude", 1e5)`` moves it.
 
     Parameters
     ----------
     planet : str, Path or Session
-        The name of a preset, a planet file, or a session that is shown elsewhere too.
+        Name of a preset, path of a planet file, or a session, which may be shared.
     height : int
-        Of the widget. [pixel]
+        Height of the widget. [pixel]
     device : str
-        ``auto``, or which the browser is to draw with: ``webgpu`` or ``webgl2``.
+        Graphics interface of the browser: ``auto``, ``webgpu`` or ``webgl2``.
     solving : callable, optional
-        Makes what follows the session, with the arguments of ``Solving``.
+        Factory of the solving thread, with the arguments of ``Solving``.
 
     Attributes
     ----------
     session : Session
-        What is shown; changes to it are shown too.
+        Session that is shown; its changes are followed.
     values : dict
-        Every parameter's value by its path, in its unit; both ways.
+        Values of all parameters by path, synchronised both ways. [parameter.unit]
     status, message : str
-        A few words about the solution; one line about a fault, or nothing.
+        Status of the solution; error in one line, or empty.
+
+    Raises
+    ------
+    FileError, ParameterError
+        If the planet does not exist or is invalid.
 
     Examples
     --------
@@ -120,17 +125,17 @@ class Viewer(anywidget.AnyWidget):
     # --- from Python --------------------------------------------------------------------------
 
     def set(self, path: str, value: Value) -> None:
-        """Give a parameter another value: see ``Session.set``."""
+        """Set a parameter; see ``Session.set``."""
         self.session.set(path, value)
 
     def wait(self, timeout: float | None = None) -> bool:
-        """Wait until the planet is solved; False if that took longer. [s]"""
+        """Wait until the planet is solved; False after ``timeout``. [s]"""
         done = bool(self._solving.wait(timeout))
         self._follow_solution()
         return done
 
     def close(self) -> None:
-        """End the solving, and take the widget away; once is enough."""
+        """End the solving thread and close the widget; later calls do nothing to the thread."""
         ending, self._ending = self._ending, ()
         for end in ending:
             end()
@@ -154,7 +159,7 @@ class Viewer(anywidget.AnyWidget):
         }
 
     def _tell(self) -> None:
-        """What the session holds, as far as the browser does not know it."""
+        """Send the state of the session to the browser."""
         self._telling = True
         try:
             with self.hold_sync():
@@ -164,14 +169,14 @@ class Viewer(anywidget.AnyWidget):
             self._telling = False
 
     def _wake(self) -> None:
-        """Called on the thread that solves: what has come is shown by the notebook's own."""
+        """Pass a new solution from the solving thread to the notebook's event loop."""
         if self._loop is None or self._loop.is_closed():
             self._follow_solution()
         else:
             self._loop.call_soon_threadsafe(self._follow_solution)
 
     def _follow_solution(self) -> None:
-        if self._solving is None:  # the thread may be quicker than the end of ``__init__``
+        if self._solving is None:  # the thread may report before the end of ``__init__``
             return
         solved, now = self._solving.latest, self._solving.status
         self.message = now.error
@@ -201,11 +206,11 @@ class Viewer(anywidget.AnyWidget):
             if path in known and value != known[path]
         }
         self._try(lambda: self._edit(news))
-        # What could not be taken, or was taken as something else, goes back.
+        # Rejected or adjusted values are sent back.
         self._tell()
 
     def _edit(self, news: Mapping[str, Value]) -> None:
-        """Take over what was done in the browser, as steps like those of its own history."""
+        """Apply edits of the browser, with undo steps like those of a page's history."""
         gesture, self.gesture = self.gesture, {}
         name, held = str(gesture.get("name", "")), bool(gesture.get("held", False))
         view = {path: value for path, value in news.items() if path.startswith("view.")}

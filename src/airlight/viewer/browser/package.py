@@ -1,8 +1,8 @@
-"""What the viewer in a browser is given: the shaders, how they follow each other, and the tables.
+"""Data for the viewer in a browser: shaders, plan of the passes, tables.
 
 The plan and the shaders are the same for every planet; tables and uniforms belong to a solution.
-The names are those of ``gpu.uniforms`` and ``gpu.shaders``; ``web/drawing/picture.js`` reads all
-this.
+The names are those of ``gpu.picture.uniforms`` and ``gpu.picture.shaders``; the data are read by
+``web/drawing/picture.js``.
 """
 
 from __future__ import annotations
@@ -33,11 +33,11 @@ from airlight.viewer.parameters.view_parameters import VIEW_VALUES
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: The side of the small picture that the exposure is found from. [pixel]
+#: Longer side of the small picture from which the exposure is measured. [pixel]
 GLANCE: Final = 64
 _FORMAT: Final = "rgba32float"
 _ROW: Final = 2048
-#: Altitudes at which the optical radius is told.
+#: Number of altitudes at which the optical radius is tabulated.
 _RADII: Final = 1024
 
 
@@ -46,7 +46,7 @@ _PEAKS: Final = ("first", "second")
 
 
 def plan() -> dict[str, Any]:
-    """The passes of a picture, and where each uniform stands: see ``web/drawing/program.js``."""
+    """Passes of a picture, and offset of each uniform; see ``web/drawing/program.js``."""
     columns, rows = SKY_SHAPE
     where = layout()
     places = {name: [start, 1] for name, start in where["numbers"].items()}
@@ -80,7 +80,7 @@ def plan() -> dict[str, Any]:
 
 
 def program() -> dict[str, Any]:
-    """What is the same for every planet, as JSON takes it."""
+    """Data that are the same for every planet, as JSON values."""
     grey = np.full(3, MIDDLE_GREY)
     return {
         "plan": plan(),
@@ -112,23 +112,23 @@ def program() -> dict[str, Any]:
 def planet_tables(
     solution: MomentsSolution, weights: FloatArray | None = None
 ) -> tuple[dict[str, Any], dict[str, tuple[str, Float32Array]]]:
-    """A solution as the browser takes it.
+    """Data of a solution for the browser.
 
     Parameters
     ----------
     solution : MomentsSolution
-        Of three or four wavelengths.
+        Solution at three or four wavelengths.
     weights : array, shape (nl, 3), optional
         Linear sRGB per radiance; by default ``picture_weights``.
 
     Returns
     -------
     numbers : dict
-        As JSON takes them: ``uniforms`` by name, ``radius`` of the ground and ``thickness`` of the
-        shell [m], ``star`` (angular radius [rad]), ``paths`` of light where it is bent,
-        ``ground``, its map, and ``viewpoints``.
+        JSON values: ``uniforms`` by name, ``radius`` of the ground and ``thickness`` of the shell
+        [m], ``star`` (angular radius [rad]), ``paths`` of refracted light, the ``ground`` map,
+        and ``viewpoints``.
     tables : dict
-        Format and numbers of each texture.
+        Format and values of each texture.
     """
     made = SolutionTables.of(solution)
     medium = solution.medium
@@ -158,7 +158,7 @@ def planet_tables(
 
 
 def light_paths(solution: MomentsSolution) -> dict[str, Any] | None:
-    """Optical radii and the lift of stars, where light is bent; None where it goes straight."""
+    """Optical radii [m] and lift of stars in a refracting atmosphere; None without refraction."""
     paths, medium = solution.paths, solution.medium
     if paths.shell is None:
         return None

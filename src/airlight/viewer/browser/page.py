@@ -1,4 +1,4 @@
-"""A planet as one HTML file that opens from disk: flight, sun, exposure, without a server."""
+"""Export of a planet as one HTML file with flight, sun and exposure, without a server."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.view_parameters import VIEW_VALUES
 from airlight.viewer.session.session import Session
 
-#: A page larger than this is refused. [byte]
+#: Largest size of a page. [byte]
 LARGEST: Final = 3_000_000
-#: What the page says about the planet's own parameters.
+#: Note of a page about the planet's parameters.
 NOTE: Final = "The planet is as it was solved; the desktop viewer edits it: airlight view {name}"
 
-#: The same where the page solves for itself.
+#: Note of a page that solves edits of amounts and ground.
 EDITED: Final = (
     "Amounts and the ground are edited here; the desktop viewer edits all: airlight view {name}"
 )
@@ -38,15 +38,16 @@ EDITED: Final = (
 
 @dataclass(frozen=True)
 class Page:
-    """A page that was written.
+    """Written page.
 
     Attributes
     ----------
     path : Path
+        Path of the file.
     size : int
-        [byte]
+        Size of the file. [byte]
     quality : str
-        Of the solution: ``preview`` where that of the better one is too large for a page.
+        Quality of the solution; ``preview`` if the requested one is too large for a page.
     """
 
     path: Path
@@ -55,25 +56,30 @@ class Page:
 
 
 def page_parameters() -> tuple[Parameter, ...]:
-    """The declared parameters that a page can change: all of the view that need no solution."""
+    """View parameters that a page can change: those that need no new solution."""
     return tuple(one for one in VIEW_VALUES if one.part != "planet")
 
 
 def page_data(
     solution: Any, name: str, title: str, values: Mapping[str, Value], count: str
 ) -> dict[str, Any]:
-    """What a page carries, as ``web/main.js`` reads it.
+    """Data of a page, as read by ``web/main.js``.
 
     Parameters
     ----------
     solution : MomentsSolution
-        Of three or four wavelengths.
+        Solution at three or four wavelengths.
     name, title : str
-        Of the preset or file; of the page.
+        Name of the preset or file; title of the page.
     values : mapping
-        Of the view's parameters, by path.
+        View values by path.
     count : str
-        ``three`` or ``four``: how many wavelengths were solved.
+        Number of wavelengths, ``three`` or ``four``.
+
+    Returns
+    -------
+    dict
+        JSON values.
     """
     numbers, tables = planet_tables(solution)
     solver = solver_data(solution)
@@ -104,9 +110,9 @@ def page_data(
 
 
 def _table_text(key: str, table: NDArray[np.float32], uniforms: Mapping[str, Any]) -> str:
-    """A table as text, with the digits that a display shows, next to its neighbour in radius."""
+    """Encode a table as text, with display precision, as differences along the radius."""
     constituents = int(uniforms["constituents"])
-    if key == "scalars":  # of which the columns alone may be rounded
+    if key == "scalars":  # only the columns may be rounded
         start, *shape = (int(n) for n in uniforms["table_columns"])
         columns = slice(start, start + int(np.prod(shape)) * 2)
         table = table.copy()
@@ -136,19 +142,19 @@ def export_page(
     Parameters
     ----------
     planet : str or Path
-        The name of a preset, or a planet file.
+        Name of a preset, or path of a planet file.
     output : str or Path
-        The page; written whole or not at all.
+        Path of the page; written completely or not at all.
     changes : mapping, optional
-        Of the planet's file, by path, as ``load_planet`` takes them.
+        Overrides of the planet's file by path, as for ``load_planet``.
     view : mapping, optional
-        Where the page begins: values of the view's parameters by path, in their units.
+        Initial view values by path. [parameter.unit]
     quality : str
-        ``preview``, ``default`` or ``fine``; where the page would be larger than 3 MB, ``preview``.
+        ``preview``, ``default`` or ``fine``; replaced by ``preview`` above 3 MB.
     wavelengths : str
-        ``three`` or ``four``.
+        Number of wavelengths, ``three`` or ``four``.
     cache : bool
-        Whether solutions on disk are read and kept.
+        Whether solutions are read from and kept on disk.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -159,7 +165,7 @@ def export_page(
     Raises
     ------
     ParameterError
-        If the planet or a value of the view cannot be.
+        If the planet or a view value is invalid.
     FileError
         If the page cannot be written, or would be larger than 3 MB even at ``preview``.
     """

@@ -1,8 +1,8 @@
-"""What a page is given to solve the planet anew: the passes, the air's numbers, the amounts.
+"""Data for a page that solves edits of the planet: passes, optical coefficients, amounts.
 
-Only what leaves rays and densities as they are can be changed: how much each constituent scatters
-and absorbs, and how bright the ground is. ``web/solving/edited_air.js`` makes the
-coefficients from it, and ``web/solving/solver.js`` runs the passes.
+Only values that leave rays and densities unchanged can be edited: scattering and absorption of each
+constituent, and brightness of the ground. ``web/solving/edited_air.js`` computes the coefficients,
+and ``web/solving/solver.js`` runs the passes.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ from airlight.viewer.browser.tables_text import DIGITS, as_text, deflated, round
 from airlight.viewer.browser.web_shaders import solver_shaders
 from airlight.viewer.parameters.parameter import Parameter
 
-#: How much of a constituent there may be, in parts of what the planet has.
+#: Largest amount of a constituent, relative to the planet's. [1]
 MOST: Final = 10.0
-#: Tables of the solver's plan that a picture reads too, by their names there.
+#: Names in the picture of the solver plan's tables that it shares.
 SHARED: Final = {
     "row": "row", "place": "place", "start": "harmonic", "ahead": "ahead", "back": "back",
 }  # fmt: skip
@@ -39,13 +39,13 @@ _TOLERANCE: Final = 2e-3
 
 
 def page_settings() -> Settings:
-    """How finely a page solves: like ``preview``, with the degree that thick dust needs."""
+    """Solver settings of a page: like ``preview``, with the degree that thick dust needs."""
     preview = QUALITIES["preview"]
     return replace(preview, degree=preview.thick_degree, tolerance=_TOLERANCE)
 
 
 def amount_parameters(solution: MomentsSolution) -> tuple[Parameter, ...]:
-    """The parameters of a planet that a page solves for: factors, 1 in the beginning."""
+    """Parameters of a planet that a page can edit: factors, initially 1."""
     medium = solution.medium
     found = [
         Parameter(
@@ -70,19 +70,19 @@ def amount_parameters(solution: MomentsSolution) -> tuple[Parameter, ...]:
 def solver_data(
     solution: MomentsSolution, settings: Settings | None = None
 ) -> dict[str, Any] | None:
-    """What ``web/solving/solver.js`` reads, as JSON takes it.
+    """Data of the solver as JSON values, read by ``web/solving/solver.js``.
 
     Parameters
     ----------
     solution : MomentsSolution
-        Of the planet that is edited, of three or four wavelengths.
+        Solution of the unedited planet at three or four wavelengths.
     settings : Settings, optional
-        How finely an edit is solved; ``page_settings()`` without it.
+        Settings for solving edits; by default ``page_settings()``.
 
     Returns
     -------
     dict or None
-        None where the air is too thick for successive orders of scattering.
+        None if the atmosphere is too thick for successive orders of scattering.
     """
     chosen = page_settings() if settings is None else settings
     medium = solution.medium
@@ -124,7 +124,7 @@ def solver_data(
 
 
 def _tables(plan: SolverPlan, places: dict[str, Any]) -> dict[str, str]:
-    """The tables of numbers as text, each next to its neighbour along the axis that helps most."""
+    """Encode the tables as text, each as differences along the axis that compresses best."""
     found = {}
     for name in SCALARS:
         start, shape = places[name]["start"], places[name]["shape"]
@@ -137,5 +137,5 @@ def _tables(plan: SolverPlan, places: dict[str, Any]) -> dict[str, str]:
 
 
 def _four(values: NDArray[np.float64]) -> Any:
-    """Wavelengths (..., w) as lists of four numbers."""
+    """Convert values of shape (..., w) to lists of four wavelengths."""
     return filled(np.asarray(values, np.float64))[..., :WAVELENGTHS].tolist()

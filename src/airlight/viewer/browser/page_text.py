@@ -1,4 +1,4 @@
-"""One HTML file with everything in it: style, script and data; it asks for nothing else."""
+"""Self-contained HTML file with style, script and data."""
 
 from __future__ import annotations
 
@@ -10,28 +10,28 @@ from typing import Any, Final
 
 from airlight.viewer.browser.modules import join_modules, web_file
 
-#: Nothing may be loaded, and the only script and style are those of the page itself.
+#: Content security policy: nothing may be loaded, only inline script and style are allowed.
 _POLICY: Final = (
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: data:"
 )
 
 
 def page_text(title: str, data: Mapping[str, Any]) -> str:
-    """The text of a page.
+    """Text of a page.
 
     Parameters
     ----------
     title : str
-        Of the page.
+        Title of the page.
     data : mapping
-        What ``web/main.js`` reads, as JSON takes it.
+        Data for ``web/main.js``, as JSON values.
 
     Returns
     -------
     str
-        HTML.
+        Text in HTML.
     """
-    # Within a script element "</" might end it, and "<!--" begin a comment.
+    # Within a script element "</" could end it, and "<!--" could start a comment.
     carried = json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
     script = join_modules("main.js")
     if "</script" in script.lower() or "<!--" in script:

@@ -1,4 +1,4 @@
-"""Tables as text: for a page that carries its numbers in itself."""
+"""Tables as text, for a page with embedded data."""
 
 from __future__ import annotations
 
@@ -11,23 +11,28 @@ from numpy.typing import NDArray
 
 Float32Array = NDArray[np.float32]
 
-#: Binary digits that are kept of light and of columns: 1e-4, a tenth of what a display shows.
+#: Binary digits kept of light and of columns: 1e-4, a tenth of a display's precision.
 DIGITS: Final = 12
 
 
 def as_text(values: Float32Array, stride: int = 1) -> str:
-    """Numbers as base64 of their deflated differences, as ``web/drawing/package.js`` reads them.
+    """Encode numbers as base64 of deflated differences, for ``web/drawing/package.js``.
 
-    What is deflated are the differences of the numbers' bit patterns, small ones next to 0
-    whatever their sign, their bytes sorted by their place within a number: neighbours in a smooth
-    table differ in their last bytes only.
+    The differences are those of the numbers' bit patterns, zigzag-encoded so that small ones of
+    either sign are near 0, with their bytes grouped by significance: neighbours in a smooth table
+    differ only in their last bytes.
 
     Parameters
     ----------
     values : array
-        Of any shape; only the order of the numbers is kept.
+        Values of any shape, which is not kept.
     stride : int
-        How many numbers before it a number's neighbour stands.
+        Distance to the previous neighbour of a number, in numbers.
+
+    Returns
+    -------
+    str
+        Stride, semicolon, base64.
 
     Examples
     --------
@@ -44,7 +49,7 @@ def as_text(values: Float32Array, stride: int = 1) -> str:
 
 
 def from_text(text: str) -> Float32Array:
-    """The numbers that ``as_text`` was given, flat."""
+    """Decode the text of ``as_text`` to a flat array."""
     stride, _, data = text.partition(";")
     places = np.frombuffer(zlib.decompress(base64.b64decode(data)), np.uint8).reshape(4, -1)
     folded = np.ascontiguousarray(places.T).view("<u4").reshape(-1)
@@ -56,14 +61,18 @@ def from_text(text: str) -> Float32Array:
 
 
 def rounded(values: Float32Array, digits: int) -> Float32Array:
-    """Numbers with so many binary digits behind the first, which makes a shorter text.
+    """Round numbers to binary digits after the first, for a shorter text.
 
     Parameters
     ----------
     values : array
-        Finite.
+        Finite numbers.
     digits : int
-        1 to 22; the relative error is at most 2 to the power of -digits - 1.
+        Binary digits, 1 to 22; the relative error is at most 2 to the power of -digits - 1.
+
+    Returns
+    -------
+    array, same shape
     """
     last = np.uint32(1) << np.uint32(23 - digits)
     bits = np.ascontiguousarray(values, np.float32).view(np.uint32)
@@ -72,5 +81,5 @@ def rounded(values: Float32Array, digits: int) -> Float32Array:
 
 
 def deflated(text: str) -> str:
-    """A text as base64 of its deflated bytes."""
+    """Encode a text as base64 of its deflated bytes."""
     return base64.b64encode(zlib.compress(text.encode(), 9)).decode("ascii")

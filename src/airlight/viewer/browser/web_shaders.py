@@ -1,4 +1,4 @@
-"""The shaders that a browser needs, in both languages."""
+"""Shaders for the browser, in WGSL and GLSL."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.picture.shaders import picture_shader, sky_air_shader, sky_peaks_shader
 from airlight.gpu.solver.passes import PASSES, shader
 
-#: The vertex function of all passes.
+#: Vertex function of all passes.
 CORNERS: Final = "full_screen_triangle"
-#: The fragment function of the solver's passes.
+#: Fragment function of the solver's passes.
 FILL: Final = "fill"
 
 
 @cache
 def web_shaders() -> dict[str, dict[str, Any]]:
-    """Every shader of a picture by the table of the sky, as ``web/drawing/program.js`` takes it.
+    """Shaders of a picture drawn from the sky table, for ``web/drawing/program.js``.
 
     Returns
     -------
     dict
-        By name: ``wgsl``, and ``glsl`` by entry point.
+        Texts by name: ``wgsl``, and ``glsl`` by entry point.
     """
     found: dict[str, dict[str, Any]] = {}
     for dialect in (WGSL, GLSL):
@@ -44,7 +44,13 @@ def web_shaders() -> dict[str, dict[str, Any]]:
 
 @cache
 def solver_shaders() -> dict[str, dict[str, Any]]:
-    """Every pass of the solver as ``web/solving/solver.js`` takes it, with its slots."""
+    """Passes of the solver with their binding slots, for ``web/solving/solver.js``.
+
+    Returns
+    -------
+    dict
+        By name: ``wgsl``, ``glsl`` by entry point, ``uniforms`` and ``reads``.
+    """
     found = {}
     for name in sorted(PASSES):
         text = shader(name)

@@ -1,7 +1,7 @@
-"""Free flight over a planet, from the ground to deep space, under a sun that keeps its place.
+"""Free flight over a planet, from the ground to deep space, under a fixed sun.
 
-The planet does not turn: the sun's direction is fixed to it until time is set. The formulas are
-those of ``scene.flight``, which the page has too; the keys are those of ``navigation.keys``.
+The planet does not rotate: the sun's direction is fixed to it until the time is set. The formulas
+are those of ``scene.flight``, which the page shares; the keys are those of ``navigation.keys``.
 """
 
 from __future__ import annotations
@@ -30,24 +30,24 @@ View = Mapping[str, Any]
 def flown(
     view: View, right: float, ahead: float, up: float, seconds: float, bottom_radius: float
 ) -> dict[str, float]:
-    """The view after flying for a while.
+    """View values changed by a flight of some time.
 
     Parameters
     ----------
     view : mapping
         Values of the parameters ``view.…`` by path.
     right, ahead, up : float
-        Where to, in the camera's frame: ahead is along the line of sight, up away from the ground.
-        Of length 1 for the usual speed.
+        Direction in the camera's frame: ahead along the line of sight, up away from the ground.
+        Length 1 is the usual speed. [1]
     seconds : float
-        [s]
+        Duration. [s]
     bottom_radius : float
-        Of the planet. [m]
+        Radius of the planet's ground. [m]
 
     Returns
     -------
     dict
-        The values that changed: position, heading, sun.
+        Values that changed, by path: position, heading, sun.
 
     Examples
     --------
@@ -74,7 +74,7 @@ def _numbers(view: View, *names: str) -> tuple[float, ...]:
 
 
 class Flight:
-    """Keys, mouse and wheel of a host, turned into the view of a session.
+    """Controller that turns keys, mouse and wheel of a host into a session's view.
 
     Parameters
     ----------
@@ -82,8 +82,8 @@ class Flight:
 
     Notes
     -----
-    The host tells which keys go down and up and calls ``step`` before each frame; while ``moving``
-    is false it need not draw. What is done between two rests is one step to undo.
+    The host reports key presses and releases and calls ``step`` before each frame; while ``moving``
+    is False it need not draw. All movement between two rests is one undo step.
     """
 
     def __init__(self, session: Session) -> None:
@@ -91,7 +91,7 @@ class Flight:
         self._held: set[str] = set()
 
     def press(self, key: str) -> bool:
-        """A key goes down, by its name; whether it is one of the flight's."""
+        """Handle a key press; returns whether the key, by its name, belongs to the flight."""
         name = key.lower()
         if name not in HELD and name not in FACTORS:
             return False
@@ -99,7 +99,7 @@ class Flight:
         return True
 
     def release(self, key: str = "") -> None:
-        """A key goes up; without a name all do, as when the window loses the keyboard."""
+        """Handle a key release; without a name, of all keys, as when the window loses focus."""
         moving = self.moving
         if key:
             self._held.discard(key.lower())
@@ -109,7 +109,7 @@ class Flight:
             self.rest()
 
     def rest(self) -> None:
-        """The movement is over: the next one is a step of its own."""
+        """End the movement; the next one is a separate undo step."""
         self._session.end_drag()
 
     @property
@@ -118,7 +118,7 @@ class Flight:
         return any(key in HELD for key in self._held)
 
     def step(self, seconds: float) -> bool:
-        """Move on for the time since the last frame; whether the view has changed. [s]"""
+        """Advance by the time since the last frame [s]; returns whether the view has changed."""
         if not self.moving or seconds <= 0.0:
             return False
         ways = dict.fromkeys(("right", "ahead", "up", "turn", "tilt", "widen"), 0.0)
@@ -140,7 +140,7 @@ class Flight:
 
     @property
     def speed(self) -> float:
-        """How many times as fast as usual held keys make everything. [1]"""
+        """Speed factor of the held keys. [1]"""
         return math.prod(FACTORS[key] for key in self._held if key in FACTORS)
 
     def _flown(self, ways: Mapping[str, float], time: float) -> dict[str, float]:
@@ -157,18 +157,18 @@ class Flight:
         return 1e3 * float(self._session.value("shell.bottom_radius"))
 
     def look(self, right: float, down: float) -> None:
-        """The mouse has moved by parts of the picture's width: the picture follows it."""
+        """Turn the camera by a mouse drag, in fractions of the picture's width. [1]"""
         view = self._session.view
         field = float(view["view.field_of_view"])
         self._session.move(_looked(view, -right * field, -down * field), gesture="look", held=True)
 
     def wheel(self, notches: float) -> None:
-        """The wheel has turned: towards the ground for notches above 0."""
+        """Change the altitude by wheel notches, towards the ground if positive."""
         altitude = float(self._session.view["view.altitude"])
         self._session.move({"view.altitude": risen(altitude, -notches)}, gesture="wheel")
 
     def widen(self, notches: float) -> None:
-        """The wheel has turned to change the field of view: wider for notches above 0."""
+        """Change the field of view by wheel notches, wider if positive."""
         field = float(self._session.view["view.field_of_view"])
         changed = self._widened(field * RATES["notch"] ** notches)
         self._session.move(changed, gesture="field of view")
@@ -178,7 +178,7 @@ class Flight:
         return {"view.field_of_view": min(max(field, limits.low), limits.most)}
 
     def drag_sun(self, right: float, down: float) -> None:
-        """The mouse drags the sun by parts of the picture's width."""
+        """Move the sun by a mouse drag, in fractions of the picture's width. [1]"""
         view = self._session.view
         field = float(view["view.field_of_view"])
         zenith, azimuth = _numbers(view, "sun_zenith", "sun_azimuth")
@@ -186,13 +186,16 @@ class Flight:
         self._session.move(_sun(moved), gesture="sun", held=True)
 
     def set_time(self, declination: float, hour: float, *, gesture: str = "time of day") -> None:
-        """Move the sun by time, see ``sun_at``; no step to undo without a gesture. [deg], [h]"""
+        """Set the sun by declination [deg] and hour [h]; without a gesture, no undo step.
+
+        See ``sun_at``.
+        """
         latitude = float(self._session.view["view.latitude"])
         self._session.move(_sun(sun_at(latitude, declination, hour)), gesture=gesture)
 
     @property
     def time(self) -> tuple[float, float]:
-        """Declination [deg] and local solar time [h] of the sun where the observer is."""
+        """Declination [deg] and local solar time [h] of the sun at the observer."""
         return time_of(*_numbers(self._session.view, "latitude", "sun_zenith", "sun_azimuth"))
 
 

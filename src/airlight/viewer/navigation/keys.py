@@ -1,8 +1,8 @@
-"""What keys and mouse do on a picture: one table for the window, the page and the notebook.
+"""Key and mouse bindings on a picture: one table for the window, the page and the notebook.
 
-Each row is a line of the help, and says which keys it binds. What a host cannot offer is bound to
-the other one alone: a browser keeps Ctrl with a letter for itself (Ctrl+W closes the page), has no
-file of the planet to write and shows one picture; a window has no touch screen.
+Each row is a line of the help and the keys that it binds. Rows that one host cannot offer are
+bound in the other only: a browser reserves Ctrl with a letter (Ctrl+W closes the page), writes no
+planet file and shows one picture; a window has no touch screen.
 """
 
 from __future__ import annotations
@@ -17,44 +17,44 @@ from airlight.viewer.session.history import MOST_STEPS, TOGETHER
 
 Host = Literal["window", "page"]
 
-#: Hosts of a row that all have.
+#: Hosts of a row that every host has.
 _ALL: Final[tuple[Host, ...]] = ("window", "page")
 
-#: How quickly and how far.
+#: Speeds, factors and limits of the controls.
 RATES: Final[Mapping[str, float]] = {
-    "fly": RATE,  # distances to the ground a second [1/s]
+    "fly": RATE,  # distances to the ground per second [1/s]
     "footing": FOOTING,  # added to that distance [m]
-    "turn": 0.5,  # fields of view a second that keys turn the camera by [1/s]
+    "turn": 0.5,  # fields of view per second by which keys turn the camera [1/s]
     "widen": 1.0,  # logarithm of the field of view's growth, by keys [1/s]
-    "notch": NOTCH,  # growth of altitude and of field of view by a notch of the wheel [1]
-    "wheel": 100.0,  # of a browser's units, for one notch [pixel]
+    "notch": NOTCH,  # growth of altitude and of field of view per notch of the wheel [1]
+    "wheel": 100.0,  # a browser's wheel delta for one notch [pixel]
     "stop": 1.0 / 3.0,  # exposure [EV]
-    "time": 1800.0,  # sun's time over a clock's, at first [1]
-    "longest_step": 0.1,  # after a pause nobody wants to be far away [s]
+    "time": 1800.0,  # initial ratio of the sun's time to the clock's [1]
+    "longest_step": 0.1,  # limits the distance flown after a pause [s]
     "click": 3.0,  # a press that moves less is a click [logical pixel]
-    "steps": MOST_STEPS,  # that can be undone
-    "together": TOGETHER,  # edits of one thing that follow so quickly are one step [s]
+    "steps": MOST_STEPS,  # number of undo steps
+    "together": TOGETHER,  # longest time between edits that are one undo step [s]
 }
 
 
 @dataclass(frozen=True, kw_only=True)
 class Row:
-    """One line of the help, and what it binds.
+    """Line of the help and its bindings.
 
     Attributes
     ----------
     group : str
-        Heading that it stands under.
+        Heading of the row in the help.
     keys, text : str
-        What is pressed and what that does, for people.
+        Keys or gestures, and their effect, as the help shows them.
     held : mapping from str to (str, float)
-        Movements while a key is down: axis and sign, by the key's name in lower case.
+        Movement while a key is down: axis and sign, by the key's name in lower case.
     factors : mapping from str to float
-        Keys that make everything faster or slower while they are down. [1]
+        Speed factors of keys while they are down. [1]
     once : mapping from str to str
-        Commands by key, with ``Control+`` and ``Shift+`` before its name.
+        Commands by key, its name prefixed with ``Control+`` and ``Shift+``.
     hosts : tuple of str
-        Who offers it.
+        Hosts that offer the row.
     """
 
     group: str
@@ -131,12 +131,12 @@ _EDIT: Final = (
         hosts=_WINDOW),
 )  # fmt: skip
 
-#: The whole table, in the order of the help.
+#: All rows, in the order of the help.
 TABLE: Final = (*_FLY, *_LIGHT, *_READ, *_EDIT)
 
 
 def rows_of(host: Host) -> tuple[Row, ...]:
-    """The rows that a host offers.
+    """Rows that a host offers.
 
     Examples
     --------
@@ -150,14 +150,14 @@ def _together(name: str, host: Host) -> dict[str, Any]:
     return {key: value for row in rows_of(host) for key, value in getattr(row, name).items()}
 
 
-#: What the window's keys do: while they are held, how much faster, once.
+#: Bindings of the window's keys: movements while held, speed factors, commands.
 HELD: Final[Mapping[str, tuple[str, float]]] = _together("held", "window")
 FACTORS: Final[Mapping[str, float]] = _together("factors", "window")
 ONCE: Final[Mapping[str, str]] = _together("once", "window")
 
 
 def chord(key: str, *, control: bool, shift: bool) -> str:
-    """A key with its modifier keys, as ``Row.once`` spells it.
+    """Key with its modifiers, as ``Row.once`` spells it.
 
     Examples
     --------
@@ -169,7 +169,7 @@ def chord(key: str, *, control: bool, shift: bool) -> str:
 
 
 def as_json(host: Host) -> dict[str, Any]:
-    """The table as a page takes it: ``help`` by group, bindings as a row has them, ``rates``."""
+    """Table for a page: ``help`` by group, bindings as in ``Row``, ``rates``."""
     found: dict[str, list[list[str]]] = {}
     for row in rows_of(host):
         found.setdefault(row.group, []).append([row.keys, row.text])
@@ -181,7 +181,7 @@ def as_json(host: Host) -> dict[str, Any]:
 
 
 def markdown(host: Host) -> str:
-    """The table as the documentation shows it.
+    """Table in Markdown, for the documentation.
 
     Examples
     --------

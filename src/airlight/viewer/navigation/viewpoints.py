@@ -1,4 +1,4 @@
-"""Viewpoints worth seeing: from the ground to the whole planet, wherever the air ends."""
+"""Preset viewpoints, from the ground to the whole planet, scaled to the shell's thickness."""
 
 from __future__ import annotations
 
@@ -9,28 +9,28 @@ from typing import Any, Final
 
 from airlight.scene.observer import horizon_zenith
 
-#: How far the camera stands back to see a whole planet: so many radii. [1]
+#: Altitude from which the camera sees a whole planet, in radii. [1]
 _FAR: Final = 2.4
 
 
 @dataclass(frozen=True, kw_only=True)
 class Viewpoint:
-    """An observer, and what the camera looks at.
+    """Observer and camera direction of a preset.
 
     Attributes
     ----------
     name : str
-        As a button has it.
+        Label of the button.
     sentence : str
-        What is seen.
+        Description of the picture.
     altitude : float
-        As a share of the shell's thickness; below 0: so many radii of the ground. [1]
+        Altitude as a fraction of the shell's thickness; negative: in ground radii. [1]
     below_horizon : float
-        How far under the horizon the camera looks. [deg]
+        Angle of the line of sight below the horizon. [deg]
     aside : float
-        How far from the sun the camera looks, around the zenith. [deg]
+        Azimuth of the line of sight from the sun. [deg]
     sun_zenith : float
-        [deg]
+        Zenith angle of the sun. [deg]
     """
 
     name: str
@@ -41,7 +41,7 @@ class Viewpoint:
     sun_zenith: float
 
 
-#: Altitudes of the air of 100 km: 2 m, 35 km, 400 km.
+#: Presets; in an atmosphere of 100 km their altitudes are 2 m, 35 km, 400 km.
 VIEWPOINTS: Final = (
     Viewpoint(name="ground", sentence="the sky from the ground", altitude=2e-5,
                   below_horizon=-8.0, aside=60.0, sun_zenith=60.0),
@@ -59,15 +59,20 @@ VIEWPOINTS: Final = (
 def view_of(
     viewpoint: Viewpoint, *, bottom_radius: float, top_radius: float, bearing: float
 ) -> Mapping[str, float]:
-    """Camera and sun of a viewpoint, as ``Session.move`` takes them.
+    """Camera and sun of a viewpoint, as arguments of ``Session.move``.
 
     Parameters
     ----------
     viewpoint : Viewpoint
     bottom_radius, top_radius : float
-        Of the planet. [m]
+        Radii of the planet's shell. [m]
     bearing : float
-        Of the sun, which stays. [deg]
+        Compass bearing of the sun, which is kept. [deg]
+
+    Returns
+    -------
+    mapping
+        Values by path.
 
     Examples
     --------
@@ -90,12 +95,17 @@ def view_of(
 
 
 def as_json(bottom_radius: float, top_radius: float) -> list[dict[str, Any]]:
-    """The viewpoints of a planet as a page takes them: the heading is counted from the sun's.
+    """Viewpoints of a planet for a page, with headings relative to the sun's bearing.
 
     Parameters
     ----------
     bottom_radius, top_radius : float
-        [m]
+        Radii of the planet's shell. [m]
+
+    Returns
+    -------
+    list of dict
+        ``name``, ``sentence`` and ``view`` of each.
     """
     ends = {"bottom_radius": bottom_radius, "top_radius": top_radius}
     return [

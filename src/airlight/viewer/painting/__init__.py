@@ -1,1 +1,1 @@
-"""Pictures and probes of a session, by processor or GPU."""
+"""Pictures and probes of a session, computed by the processor or the GPU."""

@@ -1,7 +1,7 @@
-"""Pictures by the processor: coarse at once, finer behind it.
+"""Pictures rendered by the processor: a coarse one at once, then finer ones.
 
-The first is so small that it takes about a twentieth of a second, the next are larger, the last
-has all pixels. What is wanted anew interrupts all but the first.
+The first is small enough to take about a twentieth of a second, the next are larger, the last has
+all pixels. A new request interrupts all but the first.
 """
 
 from __future__ import annotations
@@ -19,34 +19,34 @@ from airlight.render import render
 from airlight.viewer.painting.picture_source import Picture, Request, scaled
 from airlight.viewer.painting.picture_texture import Canvases
 
-#: The first picture of a new view is as large as this allows. [s]
+#: Time for the first picture of a new view, which limits its size. [s]
 _AT_ONCE: Final = 0.05
-#: Each next one has so many times the pixels a side.
+#: Factor of the pixels per side from one picture to the next. [1]
 _STEP: Final = 3.0
-#: Smallest picture: fewer pixels a side show nothing. [1]
+#: Scale of the smallest picture; fewer pixels per side show nothing. [1]
 _SMALLEST: Final = 1.0 / 12.0
-#: Speed assumed before one was measured. [pixel s⁻¹]
+#: Speed assumed until one has been measured. [pixel s⁻¹]
 _FIRST_GUESS: Final = 2e5
 
 
 class CpuPainter:
-    """Pictures by ``airlight.render.render``.
+    """Painter that calls ``airlight.render.render``.
 
     Parameters
     ----------
     device : wgpu.GPUDevice
-        Shows them.
+        Device that holds the pictures.
     """
 
     def __init__(self, device: Any) -> None:
         self._canvases = Canvases(device)
         self._rate = _FIRST_GUESS
-        self._last: tuple[Request, NDArray[np.float32]] | None = None  # finished, with its light
+        self._last: tuple[Request, NDArray[np.float32]] | None = None  # finished, with its radiance
 
     def paint(
         self, request: Request, stale: Callable[[], bool], *, coarse: bool = True
     ) -> Iterator[Picture]:
-        """See ``Painter``; without ``coarse`` only the last picture is made."""
+        """See ``Painter.paint``; without ``coarse``, only the last picture is made."""
         if self._last is not None and request.same_light(self._last[0]):
             yield self._shown(request, self._last[1], perf_counter(), finished=True)
             self._last = (request, self._last[1])
@@ -54,7 +54,7 @@ class CpuPainter:
         for step, part in enumerate(self._parts(request) if coarse else [1.0]):
             started = perf_counter()
             scene = scaled(request.scene, part)
-            # The first, coarse picture is never interrupted: in flight every one is soon stale.
+            # The first, coarse picture is never interrupted: in flight, each is stale quickly.
             stop = None if step == 0 and part < 1.0 else stale
             light = render(request.solution, scene, orders=request.orders, cancel=stop).rgb
             seconds = max(perf_counter() - started, 1e-6)
@@ -93,4 +93,4 @@ class CpuPainter:
         )
 
     def close(self) -> None:
-        """See ``Painter``."""
+        """See ``Painter.close``."""

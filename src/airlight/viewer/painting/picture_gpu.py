@@ -1,9 +1,9 @@
-"""Pictures by the graphics device.
+"""Pictures rendered by the graphics device.
 
-A device in software paints with a coarse table of the sky while something moves; when all has been
-still for a moment the processor paints the exact picture, which, unlike a long pass, leaves the
-device free for the window. The processor also paints until the shaders are compiled, and what they
-have no room for.
+A software device renders from a coarse sky table while the view changes; after a short time
+without changes, the processor renders the exact picture, which, unlike a long pass, leaves the
+device free for the window. The processor also renders until the shaders are compiled, and for
+solutions that exceed the shaders' capacity.
 """
 
 from __future__ import annotations
@@ -22,18 +22,19 @@ from airlight.viewer.painting.picture_cpu import CpuPainter
 from airlight.viewer.painting.picture_source import Picture, Request, scaled
 from airlight.viewer.painting.picture_texture import Canvases
 
-#: After so long without a change the exact picture is painted. [s]
+#: Time without a change after which the exact picture is rendered. [s]
 _STILL: Final = 0.2
-#: Automatic exposure is measured on a picture so wide. [pixel]
+#: Width of the picture on which automatic exposure is measured. [pixel]
 _MEASURED: Final = 96.0
 
 
 class GpuPainter:
-    """Pictures by ``airlight.gpu.picture.pictures.Pictures``.
+    """Painter that calls ``airlight.gpu.picture.pictures.Pictures``.
 
     Parameters
     ----------
     device : Device
+        Hardware or software device that renders the pictures.
     """
 
     def __init__(self, device: Device) -> None:
@@ -45,10 +46,10 @@ class GpuPainter:
         self._compiled = False
         self._loaded: object = None
         self._last: Picture | None = None
-        self._exact: Request | None = None  # painted last by the processor
+        self._exact: Request | None = None  # last rendered by the processor
 
     def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
-        """See ``Painter``."""
+        """See ``Painter.paint``."""
         if not self._compiled:
             yield from self._while_compiling(request, stale)
             if stale() or request is self._exact:
@@ -88,7 +89,7 @@ class GpuPainter:
             time.sleep(0.02)
 
     def _compile(self, request: Request) -> None:
-        """Paint once, very small: the first time compiles the shaders, which takes seconds."""
+        """Render one very small picture, which compiles the shaders; this takes seconds."""
         try:
             if self._load(request):
                 small = scaled(request.scene, 16.0 / request.scene.camera.width)
@@ -100,7 +101,7 @@ class GpuPainter:
             self._compiled = True
 
     def _load(self, request: Request) -> bool:
-        """Whether the device has room for a solution, which it then holds."""
+        """Upload the request's solution; False if it exceeds the device's capacity."""
         if request.solution is self._loaded:
             return True
         try:
@@ -153,7 +154,7 @@ class GpuPainter:
         return min(max(measured + request.exposure, -100.0), 100.0)
 
     def close(self) -> None:
-        """See ``Painter``."""
+        """See ``Painter.close``."""
         if self._compiling is not None:
             self._compiling.join()
         self._processor.close()

@@ -1,4 +1,4 @@
-"""A picture that is wanted, a picture that was made, and who makes the one of the other."""
+"""Request for a picture, the picture, and the protocol of painters that turn one into the other."""
 
 from __future__ import annotations
 
@@ -10,30 +10,30 @@ from airlight.scene import Scene
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.viewer.parameters.view_parameters import fitting
 
-#: Which scattered light is shown.
+#: Orders of scattering that are shown.
 Orders = Literal["all", "single", "multiple"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Request:
-    """A picture that is wanted.
+    """Request for a picture.
 
     Parameters
     ----------
     solution : MomentsSolution
-        The light of the planet's air.
+        Solution of the planet's atmosphere.
     scene : Scene
-        Its camera has the size of the finished picture in pixels of the display.
+        Scene whose camera has the size of the finished picture, in physical pixels.
     exposure : float
-        On top of the automatic one, if that is on. [EV]
+        Exposure, added to the automatic one if that is on. [EV]
     automatic : bool
-        Whether the exposure follows the picture.
+        Whether the exposure adapts to the picture.
     tone_map : str
-        One of ``airlight.color.tone_maps.TONE_MAPS``.
+        Name from ``airlight.color.tone_maps.TONE_MAPS``.
     orders : str
         ``all``, ``single`` (scattered or reflected once) or ``multiple`` (all but once).
     uniforms : mapping
-        Values of the view that are numbers of the shaders, by name; see ``uniforms_of``.
+        View values that the shaders take as uniforms, by name; see ``uniforms_of``.
     """
 
     solution: MomentsSolution
@@ -45,7 +45,7 @@ class Request:
     uniforms: Mapping[str, float] = field(default_factory=dict)
 
     def same_light(self, other: Request | None) -> bool:
-        """Whether the other's frame would be the same, before exposure and tone map."""
+        """Whether the other request has the same frame, before exposure and tone map."""
         return (
             other is not None
             and self.solution is other.solution
@@ -54,7 +54,7 @@ class Request:
         )
 
     def same(self, other: Request | None) -> bool:
-        """Whether the other's picture would be the same."""
+        """Whether the other request has the same picture."""
         return (
             other is not None
             and self.same_light(other)
@@ -67,24 +67,24 @@ class Request:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Picture:
-    """A picture on the graphics device.
+    """Finished or coarse picture on the graphics device.
 
     Parameters
     ----------
     view : wgpu.GPUTextureView
-        Encoded sRGB, 8 bits a channel.
+        Encoded sRGB, 8 bits per channel.
     width, height : int
-        Of the texture. [pixel]
+        Size of the texture. [pixel]
     request : Request
-        What it shows.
+        Request that the picture answers.
     exposure : float
-        That was used. [EV]
+        Exposure applied, including the automatic one. [EV]
     finished : bool
         False for a coarse picture that a finer one will follow.
     seconds : float
-        What it took. [s]
+        Time to compute it. [s]
     by : str
-        Who computed it, in a few words.
+        Short name of the processor or device that computed it.
     """
 
     view: Any
@@ -98,30 +98,44 @@ class Picture:
 
 
 class Painter(Protocol):
-    """Makes pictures; everything is called on one thread, which is not the window's."""
+    """Renderer of pictures; all methods are called on one thread, which is not the window's."""
 
     def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
-        """Pictures of what is wanted, each finer than the one before.
+        """Yield pictures of a request, each finer than the one before.
 
         Parameters
         ----------
         request : Request
-            What is wanted.
+            Request to render.
         stale : callable
-            Whether it is wanted no longer: then the rest need not be made.
+            ``stale()`` is True once the request is superseded; the rest may then be skipped.
+
+        Yields
+        ------
+        Picture
 
         Raises
         ------
         AirlightError
-            If there is no such picture.
+            If the request cannot be rendered.
         """
 
     def close(self) -> None:
-        """End its threads."""
+        """End the painter's threads."""
 
 
 def scaled(scene: Scene, part: float) -> Scene:
-    """The same scene on a picture with so many times the pixels a side.
+    """Scene whose picture has ``part`` times the pixels per side.
+
+    Parameters
+    ----------
+    scene : Scene
+    part : float
+        Scale of width and height. [1]
+
+    Returns
+    -------
+    Scene
 
     Examples
     --------

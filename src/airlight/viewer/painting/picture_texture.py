@@ -1,4 +1,4 @@
-"""A texture that shows 8-bit pictures of changing size."""
+"""Texture for 8-bit pictures of changing size."""
 
 from __future__ import annotations
 
@@ -9,14 +9,15 @@ from numpy.typing import NDArray
 
 
 class PictureTexture:
-    """Eight-bit pixels on the graphics device; a new texture only when the size changes.
+    """8-bit picture on the graphics device; its texture is replaced only when the size changes.
 
     Parameters
     ----------
     device : wgpu.GPUDevice
+        Device that owns the texture.
     """
 
-    #: Encoded sRGB: what is written is what is shown.
+    #: Format for encoded sRGB: values are shown as written.
     form: Final = "rgba8unorm"
 
     def __init__(self, device: Any) -> None:
@@ -26,7 +27,7 @@ class PictureTexture:
         self.view: Any = None
 
     def resize(self, width: int, height: int) -> Any:
-        """The texture, of this size in pixels; what it showed is lost if the size is new."""
+        """Return the texture at this size [pixel]; its contents are lost if the size changes."""
         import wgpu
 
         if (width, height) != self._size:
@@ -45,7 +46,7 @@ class PictureTexture:
         return self._texture
 
     def write(self, pixels: NDArray[np.uint8]) -> None:
-        """Show pixels, shape (height, width, 3)."""
+        """Upload pixels of encoded sRGB, shape (height, width, 3)."""
         height, width = pixels.shape[:2]
         texture = self.resize(width, height)
         padded = np.full((height, width, 4), 255, np.uint8)
@@ -58,7 +59,7 @@ class PictureTexture:
         )
 
     def wait(self) -> None:
-        """Return when all that was submitted for it has been done."""
+        """Block until all work submitted for the texture is complete."""
         self._device.queue.read_texture(
             {"texture": self._texture, "mip_level": 0, "origin": (0, 0, 0)},
             {"offset": 0, "bytes_per_row": 4, "rows_per_image": 1},
@@ -67,17 +68,18 @@ class PictureTexture:
 
 
 class Canvases:
-    """Two textures in turn: while one is shown, the other is painted.
+    """Pair of textures used in turn: one is shown while the other is rendered to.
 
     Parameters
     ----------
     device : wgpu.GPUDevice
+        Device that owns the textures.
     """
 
     def __init__(self, device: Any) -> None:
         self._both = [PictureTexture(device), PictureTexture(device)]
 
     def next(self) -> PictureTexture:
-        """The one that was not given last."""
+        """Return the texture that was not returned last."""
         self._both.reverse()
         return self._both[0]

@@ -1,4 +1,4 @@
-"""A thread that paints what is wanted last, so that the window never waits for a picture."""
+"""Thread that renders the latest request, so that the window never waits for a picture."""
 
 from __future__ import annotations
 
@@ -11,13 +11,14 @@ from airlight.viewer.painting.picture_source import Painter, Picture, Request
 
 
 class PictureThread:
-    """Pictures by a painter, on a thread of their own.
+    """Thread that runs a painter on the latest request.
 
     Parameters
     ----------
     painter : Painter
+        Called on the thread only, and closed there.
     wake : callable
-        Called from the thread whenever there is a new picture.
+        Function without arguments, called on the thread after each new picture.
     """
 
     def __init__(self, painter: Painter, wake: Callable[[], None]) -> None:
@@ -33,7 +34,7 @@ class PictureThread:
         self._thread.start()
 
     def want(self, request: Request) -> None:
-        """Say what is to be shown from now on; returns at once."""
+        """Set the request to be shown from now on; returns at once."""
         with self._news:
             if request.same(self._wanted):
                 return
@@ -43,7 +44,7 @@ class PictureThread:
 
     @property
     def picture(self) -> Picture | None:
-        """The newest picture, which may lag behind what is wanted."""
+        """Newest picture, which may be older than the request."""
         return self._picture
 
     @property
@@ -54,11 +55,11 @@ class PictureThread:
 
     @property
     def error(self) -> str:
-        """Why there is no picture of what is wanted, in one line; empty if there is."""
+        """Reason why the request has no picture, in one line; empty if it has one."""
         return self._error
 
     def close(self) -> None:
-        """End the thread."""
+        """End the thread and wait for it."""
         with self._news:
             self._closing = True
             self._news.notify()
@@ -77,7 +78,7 @@ class PictureThread:
             except Cancelled:
                 pass
             except Exception as failure:
-                # Whatever goes wrong with one picture, the next must find the thread alive.
+                # The thread must survive any failure of one picture, to render the next.
                 error = one_line(failure)
             last = request
             with self._news:
@@ -86,7 +87,7 @@ class PictureThread:
             self._wake()
 
     def _next(self, last: Request | None) -> Request | None:
-        """Wait for a request other than the last; None at the end."""
+        """Wait for a request other than the last; None when the thread is closing."""
         with self._news:
             while not self._closing and (self._wanted is None or self._wanted is last):
                 self._news.wait()

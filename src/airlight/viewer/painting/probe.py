@@ -1,7 +1,7 @@
-"""What is seen in one direction, in numbers: spectrum, luminance, colour, depths, parts.
+"""Values of the light in one direction: spectrum, luminance, colour, optical depths, parts.
 
-On the CPU, from the moments of the solution that is shown: some milliseconds a direction. Each part
-is marched for itself, and none is the difference of others.
+Computed on the CPU from the moments of the solution shown, in some milliseconds per direction.
+Each part is integrated separately; none is the difference of others.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from airlight.tables.columns import columns
 
 FloatArray = NDArray[np.float64]
 
-#: Parts that are not a constituent's.
+#: Names of the parts that belong to no constituent.
 MORE: Final = "scattered more often"
 GROUND_STAR: Final = "ground, lit by the star"
 GROUND_SKY: Final = "ground, lit by the sky"
@@ -37,16 +37,16 @@ STAR: Final = "the star itself"
 
 @dataclass(frozen=True, kw_only=True)
 class Part:
-    """A part of the light in one direction.
+    """Part of the light in one direction.
 
     Attributes
     ----------
     name : str
-        ``scattered once by …`` for each constituent, and the parts above.
+        ``scattered once by …`` for each constituent, or a name above.
     radiance : tuple of float, length nl
-        [W m⁻² sr⁻¹ nm⁻¹]
+        Spectral radiance. [W m⁻² sr⁻¹ nm⁻¹]
     luminance : float
-        A part whose colour lies outside what the wavelengths can show may be below 0. [cd m⁻²]
+        Luminance; below 0 if the colour is outside the gamut of the wavelengths. [cd m⁻²]
     """
 
     name: str
@@ -56,34 +56,34 @@ class Part:
 
 @dataclass(frozen=True, kw_only=True)
 class Probe:
-    """What is seen in one direction.
+    """Values of the light in one direction.
 
     Attributes
     ----------
     view_zenith, azimuth : float
-        Of the direction; the azimuth from the sun's side. [deg]
+        Angles of the direction; the azimuth is measured from the sun. [deg]
     wavelengths : tuple of float, length nl
-        [nm]
+        Wavelengths of the solution. [nm]
     radiance : tuple of float, length nl
-        The sum of the parts. [W m⁻² sr⁻¹ nm⁻¹]
+        Spectral radiance, the sum of the parts. [W m⁻² sr⁻¹ nm⁻¹]
     luminance : float
-        [cd m⁻²]
+        Luminance. [cd m⁻²]
     chromaticity : tuple of float
-        CIE 1931 x and y; those of no light are 0. [1]
+        CIE 1931 x and y; 0 without light. [1]
     rgb : tuple of float
-        Linear sRGB, as a frame has it. [W m⁻² sr⁻¹]
+        Linear sRGB, as in a frame. [W m⁻² sr⁻¹]
     names : tuple of str, length nc
-        Of the constituents.
-    optical_depth : array, shape (nc, nl)
-        From the observer to the ground or to space, of each constituent. [1]
+        Names of the constituents.
+    optical_depth : tuple, shape (nc, nl)
+        Optical depth of each constituent from the observer to the ground or to space. [1]
     transmittance : tuple of float, length nl
-        Of all of them, to the same end. [1]
+        Transmittance of all constituents along the same path. [1]
     distance : float
-        To the ground, straight; infinite if the direction leads past it. [m]
+        Straight distance to the ground; infinite if the line of sight misses it. [m]
     latitude, longitude : float or None
-        Of the ground that is seen. [deg]
+        Coordinates of the ground that is seen; None without ground. [deg]
     parts : tuple of Part
-        They sum to ``radiance``.
+        Parts that sum to ``radiance``.
     """
 
     view_zenith: float
@@ -103,32 +103,46 @@ class Probe:
 
 
 def probe_pixel(solution: Any, scene: Scene, x: float, y: float) -> Probe | None:
-    """What a pixel of the scene's picture shows; None outside a fisheye's circle.
+    """Probe of a pixel of the scene's picture; None outside a fisheye's circle.
 
     Parameters
     ----------
     solution : MomentsSolution
     scene : Scene
     x, y : float
-        From the left and the top edge of the picture; the first pixel's centre is at 0.5. [pixel]
+        Position from the left and top edges; the first pixel's centre is at 0.5. [pixel]
+
+    Returns
+    -------
+    Probe or None
 
     Raises
     ------
     ParameterError
-        If the place is outside the picture.
+        If the position is outside the picture, or the solution is another solver's.
     """
     direction = pixel_direction(scene.camera, x, y)
     return None if direction is None else probe(solution, scene, direction)
 
 
 def pixel_direction(camera: Camera, x: float, y: float) -> FloatArray | None:
-    """Unit vector that a place on the picture looks in, shape (3,); None where it shows nothing.
+    """Direction of a position on the picture; None outside a fisheye's circle.
 
     Parameters
     ----------
     camera : Camera
     x, y : float
-        As for ``probe_pixel``. [pixel]
+        Position as for ``probe_pixel``. [pixel]
+
+    Returns
+    -------
+    array, shape (3,), or None
+        Unit vector in the observer's local frame. [1]
+
+    Raises
+    ------
+    ParameterError
+        If the position is outside the picture.
     """
     for field, value, most in (("x", x, camera.width), ("y", y, camera.height)):
         if not 0.0 <= value <= most:
@@ -140,14 +154,14 @@ def pixel_direction(camera: Camera, x: float, y: float) -> FloatArray | None:
 
 
 def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
-    """What an observer sees in a direction.
+    """Probe of the light that an observer receives from a direction.
 
     Parameters
     ----------
     solution : MomentsSolution
-        As it is shown: with constituents switched off, if they are.
+        Solution shown, without the constituents that are switched off.
     scene : Scene
-        Observer and star; its camera only says how sharply the map of the ground is read.
+        Observer and star; its camera only sets the level of detail of the ground map.
     direction : array, shape (3,)
         Unit vector in the observer's local frame.
 
@@ -158,12 +172,12 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
     Raises
     ------
     ParameterError
-        If the solution is of another solver.
+        If the solution is another solver's.
 
     Notes
     -----
-    Where light is bent, the place on the ground is that of a line as straight as the air allows,
-    off by up to the angle of bending, half a degree on Earth.
+    With refraction, the point on the ground is that of a straight line of sight; its error is up
+    to the angle of refraction, half a degree on Earth.
     """
     if not isinstance(solution, MomentsSolution):
         raise ParameterError("solution", type(solution).__name__, "one of the moments solver")
@@ -212,7 +226,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
 def _spectra(
     solution: MomentsSolution, sight: Sight, painted: FloatArray
 ) -> list[tuple[str, FloatArray]]:
-    """Name and spectral radiance of each part but the star. [W m⁻² sr⁻¹ nm⁻¹]"""
+    """Name and spectral radiance of each part except the star. [W m⁻² sr⁻¹ nm⁻¹]"""
     parts = radiance_parts(solution, sight)
     sun = solution.lights[0].irradiance
     once = [
@@ -242,7 +256,7 @@ def _star(
     through: FloatArray,
     to_ground: bool,
 ) -> FloatArray:
-    """Radiance of the star's own disc, 0 beside it, shape (nl,). [W m⁻² sr⁻¹ nm⁻¹]"""
+    """Radiance of the star's disc, 0 outside it, shape (nl,). [W m⁻² sr⁻¹ nm⁻¹]"""
     star, position = solution.lights[0], scene.lights[0]
     alpha = star.angular_radius
     nothing = np.zeros_like(through)
@@ -265,7 +279,7 @@ def _ground(
     bottom = medium.bottom_radius
     r, mu = bottom + scene.altitude, float(direction[2])
     sine = math.hypot(float(direction[0]), float(direction[1]))
-    # (h)(2R + h) keeps its digits near the ground, where r² - R² has none left.
+    # h (2R + h) keeps its precision near the ground, where r² - R² loses it to cancellation.
     power = scene.altitude * (2.0 * bottom + scene.altitude)
     half = math.sqrt(max((bottom - r * sine) * (bottom + r * sine), 0.0))
     distance = power / (half - r * mu) if half - r * mu > 0.0 else 0.0

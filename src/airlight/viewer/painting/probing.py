@@ -1,4 +1,4 @@
-"""Probes on a thread of their own: at once by what is shown, then with a finer spectrum."""
+"""Thread that runs probes: at once from the solution shown, then with a finer spectrum."""
 
 from __future__ import annotations
 
@@ -14,24 +14,24 @@ from airlight.viewer.background.error_line import one_line
 from airlight.viewer.painting.picture_source import Request
 from airlight.viewer.painting.probe import Probe, probe_pixel
 
-#: Wavelengths of the finer spectrum, which is solved as finely as what is shown.
+#: Number of wavelengths of the finer spectrum, solved with the settings of the solution shown.
 FINER: Final = 16
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Reading:
-    """What a probe found.
+    """Result of a probe.
 
     Attributes
     ----------
     probe : Probe
-        By the solution that is shown.
+        Probe of the solution shown.
     spectrum : Probe
-        The same direction with as many wavelengths as are known by now.
+        Probe in the same direction with as many wavelengths as are solved so far.
     quality : str
-        What is known of the second, in words.
+        Description of the wavelengths of ``spectrum``.
     place : (float, float)
-        On the picture, as shares of its width and height. [1]
+        Position on the picture, as fractions of its width and height. [1]
     """
 
     probe: Probe
@@ -41,12 +41,19 @@ class Reading:
 
 
 class Probing:
-    """Answers the newest question.
+    """Thread that answers the newest query.
 
     Parameters
     ----------
     wake : callable
-        Called from the thread when there is an answer.
+        Function without arguments, called on the thread after each result.
+
+    Attributes
+    ----------
+    reading : Reading or None
+        Newest result; None before the first, and outside a fisheye's circle.
+    working, error : str
+        Status and error, one line each; empty if idle, or without an error.
     """
 
     def __init__(self, wake: Callable[[], None]) -> None:
@@ -54,7 +61,7 @@ class Probing:
         self._news = threading.Condition()
         self._asked: tuple[Request, tuple[float, float]] | None = None
         self._closing = False
-        self._finer: tuple[Any, Any] = (None, None)  # what was shown, and its finer solution
+        self._finer: tuple[Any, Any] = (None, None)  # solution shown, finer solution
         self.reading: Reading | None = None
         self.working = ""
         self.error = ""
@@ -63,18 +70,18 @@ class Probing:
 
     @property
     def busy(self) -> bool:
-        """Whether an answer or a finer one will follow."""
+        """Whether a result, or a finer one, will follow."""
         return bool(self.working)
 
     def ask(self, request: Request, place: tuple[float, float]) -> None:
-        """Ask for a point of a picture.
+        """Probe a point of a picture; a newer query replaces an older one.
 
         Parameters
         ----------
         request : Request
-            What the picture shows.
+            Request that the picture answers.
         place : (float, float)
-            Shares of its width and height. [1]
+            Position, as fractions of the picture's width and height. [1]
         """
         with self._news:
             self._asked = (request, place)
@@ -82,7 +89,7 @@ class Probing:
             self._news.notify()
 
     def close(self) -> None:
-        """End the thread."""
+        """End the thread and wait for it."""
         with self._news:
             self._closing = True
             self._news.notify()
@@ -134,7 +141,7 @@ class Probing:
         self.reading = Reading(probe=found, spectrum=found, quality=words, place=place)
 
     def _solved(self, request: Request) -> Any:
-        """The planet that is shown, at more wavelengths; None if there is none."""
+        """Solution of the planet shown at more wavelengths; None without a planet."""
         planet = request.solution.planet
         if planet is None:
             return None

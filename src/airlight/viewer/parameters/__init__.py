@@ -1,1 +1,1 @@
-"""The declared parameters of a planet file and of a view."""
+"""Declared parameters of a planet file and of a view."""

@@ -1,4 +1,4 @@
-"""The nested tables of a planet file: a value by its path, copies with a change, differences."""
+"""Nested tables of a planet file: values by path, copies with a change, differences."""
 
 from __future__ import annotations
 
@@ -15,7 +15,12 @@ _STEPS: Final = re.compile(r"([^.\[\]]+)|\[(\d{1,6})\]|\.")
 
 
 def steps_of(path: str) -> list[Step]:
-    """The keys and indices that a path names.
+    """Keys and indices of a path.
+
+    Raises
+    ------
+    ParameterError
+        If the path is malformed.
 
     Examples
     --------
@@ -38,7 +43,7 @@ def steps_of(path: str) -> list[Step]:
 
 
 def joined(path: str, step: Step) -> str:
-    """The path of something within what a path names.
+    """Path of a key or an item within the table or list at a path.
 
     Examples
     --------
@@ -51,7 +56,7 @@ def joined(path: str, step: Step) -> str:
 
 
 def get(tables: Tables, path: str) -> Any:
-    """What stands at a path, or None if nothing does."""
+    """Value at a path, or None if there is none."""
     node: Any = tables
     for step in steps_of(path):
         if isinstance(node, dict) and isinstance(step, str):
@@ -64,18 +69,22 @@ def get(tables: Tables, path: str) -> Any:
 
 
 def put(tables: Tables, path: str, value: Any) -> Tables:
-    """The tables with another value at a path, or without it for None; the given stay as they are.
+    """Copy of the tables with another value at a path, or with the key removed for None.
 
-    Only the tables on the way are copied.
+    Only the tables along the path are copied.
 
     Parameters
     ----------
     tables : dict
         Not changed.
     path : str
-        The tables on the way to its last key exist.
+        Path whose tables exist, up to its last key.
     value : object
-        As the file would hold it.
+        Value as in the file, or None.
+
+    Returns
+    -------
+    dict
 
     Raises
     ------
@@ -111,7 +120,7 @@ def _put(node: Any, steps: list[Step], value: Any, path: str) -> Any:
 
 
 def differences(first: Any, second: Any, path: str = "") -> Iterator[tuple[str, Any, Any]]:
-    """Paths at which two trees of tables differ, with both values; None where one has none.
+    """Paths at which two trees of tables differ, with both values; None for a missing value.
 
     Lists of different length differ as a whole.
 

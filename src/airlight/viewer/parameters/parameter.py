@@ -1,4 +1,4 @@
-"""One parameter of the viewer: what it is called, where it lies, and what it may be."""
+"""Parameter of the viewer: its name, path, unit, range and control."""
 
 from __future__ import annotations
 
@@ -10,49 +10,49 @@ from airlight.errors import ParameterError
 
 Value = float | str | bool
 
-#: What a control is made of.
+#: Kinds of controls.
 KINDS: Final = ("number", "choice", "switch", "text")
-#: Longest text that can be typed.
+#: Longest text that can be typed. [character]
 LONGEST_TEXT: Final = 1000
 
 
 @dataclass(frozen=True, kw_only=True)
 class Parameter:
-    """A declared parameter: enough for a window, a notebook or a page to make its control.
+    """Declaration of a parameter, sufficient to build its control in any host.
 
     Attributes
     ----------
     path : str
-        Where it is: as the overrides of a planet file name it (``shell.top_radius``,
-        ``constituents[0].scattering[2]``), or one of the view's own (``view.altitude``).
+        Path, as in the overrides of a planet file (``shell.top_radius``,
+        ``constituents[0].scattering[2]``), or of the view (``view.altitude``).
     label : str
-        A few words, without the unit.
+        Label of a few words, without the unit.
     group : str
-        Controls that stand together: ``planet``, ``shell``, ``ground``, ``star``, the name of a
+        Group of the control: ``planet``, ``shell``, ``ground``, ``star``, the name of a
         constituent; ``camera``, ``sun``, ``display``, ``light``.
     help : str
-        A sentence.
+        Help text of one sentence.
     kind : str
-        ``number``, ``choice``, ``switch`` or ``text``.
+        Kind of the control: ``number``, ``choice``, ``switch`` or ``text``.
     unit : str
-        That its number is in; ``1`` for none.
+        Unit of the number; ``1`` for none.
     low, high : float
-        The ends of a slider. [unit]
+        Ends of the slider. [unit]
     least, most : float
-        What may be typed; beyond the slider's ends or equal to them. [unit] Of a text: how many
-        letters it has.
+        Limits of a typed number, equal to the slider's ends or beyond. [unit] For a text, limits
+        of its length. [character]
     scale : str
-        ``linear`` or ``log``, of the slider; a value of 0 lies at the low end of ``log``.
+        Scale of the slider, ``linear`` or ``log``; 0 lies at the low end of ``log``.
     step : float
-        Of an arrow key: added if the scale is linear, a factor if it is ``log``. [unit] or [1]
+        Step of an arrow key, added on a linear scale, a factor on ``log``. [unit] or [1]
     wraps : bool
-        Whether the number goes round, as an azimuth does.
+        Whether the number is periodic, as an azimuth is.
     options : tuple of str
-        Of a choice.
+        Options of a choice.
     mode : str
         ``standard``: always shown; ``advanced``: composition, shown in the advanced mode.
     part_of : str
-        The list that it is an item of, so that a host may fold the list; empty if it is none.
+        Path of the list that contains the item, so that a host may collapse it; else empty.
     """
 
     path: str
@@ -73,12 +73,12 @@ class Parameter:
     part_of: str = ""
 
     def checked(self, value: Any) -> Value:
-        """The value as the parameter takes it, wrapped round if it goes round.
+        """Validate a value, wrapping it into the range if the parameter is periodic.
 
         Raises
         ------
         ParameterError
-            If it is of another kind, or outside.
+            If the value is of another kind or out of range.
 
         Examples
         --------
@@ -121,7 +121,7 @@ class Parameter:
         return min(max(number, self.least), self.most)
 
     def as_json(self) -> dict[str, Any]:
-        """All fields as JSON takes them: infinite limits are left out."""
+        """All fields as JSON values, without infinite limits."""
         fields = asdict(self)
         fields["options"] = list(self.options)
         return {
@@ -131,12 +131,12 @@ class Parameter:
         }
 
     def at(self, share: float) -> float:
-        """The number at a share of the slider, 0 at its low and 1 at its high end. [unit]"""
+        """Value [unit] at a fraction of the slider, 0 at its low end, 1 at its high end."""
         if self.scale == "log":
             return float(self.low * (self.high / self.low) ** share)
         return self.low + (self.high - self.low) * share
 
 
 def _slack(limit: float) -> float:
-    """What a number may miss a limit by."""
+    """Tolerance of a limit against rounding; 0 for an infinite limit. [the limit's unit]"""
     return 1e-12 * abs(limit) if math.isfinite(limit) else 0.0

@@ -1,8 +1,8 @@
-"""The one declared list: every parameter of a planet file, for any planet.
+"""Declared list of every parameter of a planet file, for any planet.
 
-Window, notebook and page make their controls from it. The tables of the file are walked, and each
-key is known by its declaration in ``planets.reading.tables``; a key that is not declared is an
-error, so that the list is complete.
+Window, notebook and page build their controls from it. The tables of the file are traversed, and
+each key is looked up in ``planets.reading.tables``; an undeclared key is an error, so that the list
+is complete.
 """
 
 from __future__ import annotations
@@ -22,15 +22,15 @@ from airlight.viewer.parameters.nested_tables import Tables, get, joined, steps_
 from airlight.viewer.parameters.parameter import Parameter
 from airlight.viewer.parameters.view_parameters import VIEW_GROUPS
 
-#: Groups of a planet that are not constituents.
+#: Groups of a planet other than constituents.
 PLANET_GROUPS: Final = ("planet", "shell", "ground", "star")
-#: Tables of the file that are a group of their own.
+#: Tables of the file that form a group.
 _GROUPED: Final = ("shell", "ground", "star")
 
 
 @dataclass(frozen=True)
 class _Cursor:
-    """Where the walk is: path, kind of table, group, words before labels, lists of this part."""
+    """State of the traversal: path, kind of table, group, prefix of labels, lists in scope."""
 
     path: str
     kind: str
@@ -40,22 +40,22 @@ class _Cursor:
 
 
 def parameters_of(tables: Tables) -> tuple[Parameter, ...]:
-    """Every parameter of a planet, in the order of its file.
+    """Parameters of a planet, in the order of its file.
 
     Parameters
     ----------
     tables : dict
-        Of a planet file, as ``spelled_out`` leaves them.
+        Tables of a planet file, as returned by ``spelled_out``.
 
     Returns
     -------
     tuple of Parameter
-        Keys that the file leaves out, but whose value is then known, included.
+        Parameters of all keys, including omitted ones that have a default.
 
     Raises
     ------
     ParameterError
-        If the file has a key that is not declared, or a value is not of its kind.
+        If the file has an undeclared key, or a value of the wrong kind.
 
     Examples
     --------
@@ -68,19 +68,19 @@ def parameters_of(tables: Tables) -> tuple[Parameter, ...]:
 
 
 def group_of(constituents: list[Tables], index: int) -> str:
-    """The group of a constituent: its name, marked if a group of that name exists already."""
+    """Group of a constituent: its name, numbered if that name is already taken."""
     name = str(constituents[index].get("name", index))
     taken = [*PLANET_GROUPS, *VIEW_GROUPS, *(one.get("name") for one in constituents[:index])]
     return f"{name} ({index + 1})" if name in taken else name
 
 
 def key_at(tables: Tables, path: str) -> Key:
-    """The declaration of the key that a path names, items of lists by the list's key.
+    """Declaration of the key at a path; items of a list have the list's key.
 
     Raises
     ------
     ParameterError
-        If nothing is declared there.
+        If no key is declared at the path.
     """
     cursor: Any = tables
     kind, found = "planet", None
@@ -96,7 +96,7 @@ def key_at(tables: Tables, path: str) -> Key:
 
 
 def value_at(tables: Tables, parameter: Parameter) -> float | str:
-    """The value of a parameter of the planet: a number in its unit, or a word."""
+    """Value of a parameter of the planet: a number [parameter.unit], or a text."""
     key = key_at(tables, parameter.path)
     value = get(tables, parameter.path)
     if value is None:
@@ -107,16 +107,25 @@ def value_at(tables: Tables, parameter: Parameter) -> float | str:
 
 
 def spelled_out(tables: Tables, folder: Path | None = None) -> Tables:
-    """The tables with lists in one text taken apart, and files named from the root.
+    """Copy of the tables with comma-separated lists split, and file names made absolute.
 
-    What they say stays the same; every number then has a path of its own.
+    The meaning is unchanged; every number then has its own path.
 
     Parameters
     ----------
     tables : dict
-        Of a planet file.
+        Tables of a planet file.
     folder : Path, optional
-        Where files that it names are.
+        Folder of the files that it names.
+
+    Returns
+    -------
+    dict
+
+    Raises
+    ------
+    ParameterError
+        If a key is undeclared.
 
     Examples
     --------
@@ -145,12 +154,12 @@ def _spelled(value: Any, kind: str, path: str, folder: Path | None) -> Any:
 
 
 def _flat(value: Any) -> bool:
-    """Whether it is a list without tables."""
+    """Whether the value is a list without tables."""
     return isinstance(value, list) and not any(isinstance(one, dict) for one in value)
 
 
 def _declared(kind: str, name: str, path: str, table: Tables | None) -> Key:
-    """The declaration of a key of a table: by the table's own kind, else by any that has it."""
+    """Declaration of a key: from the table's own variant, else from any that has the key."""
     for declared in (keys_of(kind, table), keys_of(kind)) if kind else ():
         for key in declared:
             if key.name in (name, "*"):
@@ -161,11 +170,11 @@ def _declared(kind: str, name: str, path: str, table: Tables | None) -> Key:
 
 
 def _left_out(key: Key) -> Any:
-    """What an editor shows for a key that the file leaves out."""
+    """Value that an editor shows for a key omitted from the file."""
     return key.stand_in or key.default
 
 
-# --- the walk ---------------------------------------------------------------------------------
+# --- traversal --------------------------------------------------------------------------------
 
 
 def _table(table: Tables, cursor: _Cursor) -> Iterator[Parameter]:
@@ -217,14 +226,14 @@ def _value(key: Key, value: Any, path: str, cursor: _Cursor) -> Iterator[Paramet
 
 
 def _holds_tables(value: Any) -> bool:
-    """Whether it is a table or a list of tables."""
+    """Whether the value is a table or a list of tables."""
     if isinstance(value, list):
         return bool(value) and all(isinstance(one, dict) for one in value)
     return isinstance(value, dict)
 
 
 def _within(key: Key, path: str, cursor: _Cursor, table: Tables) -> _Cursor:
-    """The cursor of a table that stands at a key."""
+    """Cursor of the table at a key."""
     if key.table in _GROUPED and cursor.kind == "planet":
         return _Cursor(path, key.table, key.table, "", {})
     prefix = cursor.prefix
@@ -237,7 +246,7 @@ def _items(key: Key, values: list[Any], path: str, cursor: _Cursor) -> Iterator[
     axis = cursor.axes.get(key.per)
     for index, value in enumerate(values):
         here = joined(path, index)
-        if isinstance(value, list):  # one row for each wavelength
+        if isinstance(value, list):  # one row per wavelength
             row = replace(cursor, prefix=f"{cursor.prefix}row {index + 1}: ")
             yield from _items(key, value, here, row)
             continue
@@ -273,7 +282,7 @@ def _number(key: Key, value: Any, path: str, cursor: _Cursor) -> Parameter:
 
 
 def _shell_range(key: Key, now: float, shell: Mapping[str, Any], path: str) -> tuple[float, float]:
-    """Slider's ends for a radius: about the planet's own, and the top above the ground. [km]"""
+    """Slider's ends for a radius: around the planet's radius, or from the ground up. [km]"""
     if key.name == "top_radius" and "bottom_radius" in shell:
         bottom = number_in(shell["bottom_radius"], key.shown_unit, key.unit, path)
         return bottom, bottom + 4.0 * max(now - bottom, 1e-6 * bottom)
@@ -293,7 +302,7 @@ def _parameter(key: Key, path: str, cursor: _Cursor, **more: Any) -> Parameter:
 
 
 def finite_range(parameter: Parameter) -> tuple[float, float]:
-    """The allowed numbers of a parameter; a limit that it lacks is the slider's. [unit]"""
+    """Limits of a parameter; an infinite limit is replaced by the slider's end. [unit]"""
     least = parameter.least if math.isfinite(parameter.least) else parameter.low
     most = parameter.most if math.isfinite(parameter.most) else parameter.high
     return least, most

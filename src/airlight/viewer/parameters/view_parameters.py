@@ -1,7 +1,7 @@
-"""The view's own parameters: camera, sun, display and light, declared as the planet's are.
+"""Parameters of the view: camera, sun, display and light, declared like the planet's.
 
-Angles on the planet are compass bearings. The scene's azimuth, counted from the sun's side, is the
-heading less the sun's bearing: see ``scene_of``.
+Angles on the planet are compass bearings. The scene's azimuth, measured from the sun, is the
+heading minus the sun's bearing: see ``scene_of``.
 """
 
 from __future__ import annotations
@@ -18,30 +18,30 @@ from airlight.scene.projections import PROJECTIONS
 from airlight.scene.scene import HIGHEST_ALTITUDE, Scene
 from airlight.viewer.parameters.parameter import Parameter, Value
 
-#: Groups of the view's own parameters.
+#: Groups of the view's parameters.
 VIEW_GROUPS: Final = ("camera", "sun", "display", "light")
-#: Quality levels, from quick to exact, of the picture once the preview is there.
+#: Quality levels of the solution that follows the preview, from fast to exact.
 QUALITIES: Final = ("preview", "default", "fine")
-#: Which light is shown.
+#: Orders of scattering that are shown.
 ORDERS: Final = ("all", "single", "multiple")
-#: How many wavelengths are solved.
+#: Numbers of wavelengths that are solved, in words.
 WAVELENGTHS: Final = ("three", "four", "eight", "sixteen")
 
 
 @dataclass(frozen=True, kw_only=True)
 class ViewValue(Parameter):
-    """One value of the view: all that window, notebook, page, address and shaders know about it.
+    """Declaration of a view value, used by window, notebook, page, URL and shaders.
 
     Attributes
     ----------
     default : float, str or bool
-        What a view starts with. [unit]
+        Initial value. [unit]
     part : str
-        What a change of it makes anew: ``planet`` (the solution), ``view`` (the light of the
-        picture) or ``display`` (the colours that are shown of it).
+        Part that a change invalidates: ``planet`` (the solution), ``view`` (the picture's
+        radiance) or ``display`` (its displayed colours).
     uniform : str
-        The number of the shaders that this value is, if there is one: a number itself, a choice
-        as the place among its options, a switch as 0 or 1.
+        Name of the shader uniform with this value, if any: a number itself, a choice as the index
+        of its option, a switch as 0 or 1.
     """
 
     default: Value
@@ -50,7 +50,7 @@ class ViewValue(Parameter):
 
 
 def _turning(path: str, label: str, group: str, text: str, **more: Any) -> ViewValue:
-    """An angle that goes round."""
+    """Declare a periodic angle."""
     return ViewValue(path=path, label=label, group=group, help=text, unit="deg", step=1.0,
                      wraps=True, **more)  # fmt: skip
 
@@ -66,8 +66,8 @@ def _choice(
                      options=options, **more)  # fmt: skip
 
 
-#: Every value of the view, in the order in which it is shown. One more slider is one more line
-#: here; if its number is a uniform's, it reaches the shaders by that name.
+#: Values of the view, in display order. A new slider takes one entry here; if it has a uniform, its
+#: value reaches the shaders under that name.
 VIEW_VALUES: Final = (
     ViewValue(path="view.altitude", label="altitude", group="camera", unit="m",
               low=LOWEST_ALTITUDE, high=1e9, least=0.0, most=HIGHEST_ALTITUDE, scale="log",
@@ -114,23 +114,23 @@ VIEW_VALUES: Final = (
             default="four", part="planet"),
 )  # fmt: skip
 
-#: By path.
+#: View values by path.
 VIEW_VALUE: Final[Mapping[str, ViewValue]] = {one.path: one for one in VIEW_VALUES}
-#: What a view starts with.
+#: Initial values of a view, by path.
 DEFAULTS: Final[Mapping[str, Value]] = {one.path: one.default for one in VIEW_VALUES}
-#: Values of the view that need a new solution, beside the constituents' switches.
+#: Paths of view values that need a new solution, besides the constituents' switches.
 SOLVED: Final = tuple(one.path for one in VIEW_VALUES if one.part == "planet")
-#: Exposure that suits the sunlit Earth, where it is not automatic. [EV]
+#: Exposure for the sunlit Earth when it is not automatic. [EV]
 FIXED_EXPOSURE: Final = DEFAULT_EXPOSURE
 
 
 def view_parameters(constituents: tuple[str, ...] = ()) -> tuple[Parameter, ...]:
-    """The view's parameters, with one switch for each constituent.
+    """Parameters of the view, with one switch per constituent.
 
     Parameters
     ----------
     constituents : tuple of str
-        Their groups, in the planet's order.
+        Groups of the constituents, in the planet's order.
 
     Examples
     --------
@@ -146,7 +146,7 @@ def view_parameters(constituents: tuple[str, ...] = ()) -> tuple[Parameter, ...]
 
 
 def switch_path(index: int) -> str:
-    """The path of a constituent's switch.
+    """Path of a constituent's switch.
 
     Examples
     --------
@@ -157,12 +157,12 @@ def switch_path(index: int) -> str:
 
 
 def uniforms_of(view: Mapping[str, Value]) -> dict[str, float]:
-    """The shaders' numbers that are values of the view, by the names of their uniforms.
+    """Values of the shader uniforms that are view values, by name.
 
     Parameters
     ----------
     view : mapping
-        Values by path.
+        View values by path.
 
     Examples
     --------
@@ -177,15 +177,19 @@ def uniforms_of(view: Mapping[str, Value]) -> dict[str, float]:
 
 
 def scene_of(view: Mapping[str, Any], width: int, height: int) -> Scene:
-    """The scene that a view shows.
+    """Scene of a view.
 
     Parameters
     ----------
     view : mapping
         Values of the parameters ``view.…`` by path.
     width, height : int
-        Of the window; a panorama and a cube strip take the largest size of their own shape that
-        fits into it. [pixel]
+        Size of the window; a panorama or a cube strip takes the largest size of its aspect ratio
+        that fits into it. [pixel]
+
+    Returns
+    -------
+    Scene
 
     Examples
     --------
@@ -217,7 +221,7 @@ def scene_of(view: Mapping[str, Any], width: int, height: int) -> Scene:
 
 
 def fitting(projection: str, width: int, height: int) -> tuple[int, int]:
-    """The largest picture of a projection's shape within a window. [pixel]
+    """Largest size with a projection's aspect ratio that fits into a window. [pixel]
 
     Examples
     --------

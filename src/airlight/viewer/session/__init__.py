@@ -1,1 +1,1 @@
-"""Planet, view and display under edit, with undo, files and comparison. No window."""
+"""Editable state of planet, view and display, with undo, files and comparison. No window."""

@@ -1,4 +1,4 @@
-"""One side of a session's comparison, to be followed by a solver of its own."""
+"""One side of a session's comparison, followed by its own solver."""
 
 from __future__ import annotations
 
@@ -9,13 +9,14 @@ from airlight.viewer.session.solve_request import Versions, Wanted
 
 
 class SessionSide:
-    """What a session wants to be solved for one side, whichever is shown.
+    """Solve requests of a session for one side, independent of the side shown.
 
     Parameters
     ----------
     session : Session
+        Session that holds the sides.
     side : str
-        ``A`` or ``B``.
+        Side, ``A`` or ``B``.
     """
 
     def __init__(self, session: Session, side: str) -> None:
@@ -24,7 +25,7 @@ class SessionSide:
 
     @property
     def wanted(self) -> Wanted:
-        """What has to be solved; the shown side's, while there is only one."""
+        """Request to solve; that of the shown side while there is only one."""
         if self._session.showing == self._side:
             return self._session.wanted
         return self._session.wanted_other or self._session.wanted

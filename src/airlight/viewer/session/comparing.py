@@ -1,4 +1,4 @@
-"""What differs between two edited planets, in the words of the declared list."""
+"""Differences between two edited planets, with the labels of the declared parameters."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from airlight.viewer.session.planet_state import PlanetState
 
 @dataclass(frozen=True, kw_only=True)
 class Difference:
-    """One parameter that two sides do not share.
+    """Parameter whose values differ between two sides.
 
     Attributes
     ----------
     path, label, unit : str
-        Of the parameter; the label with its group before it.
+        Path, label and unit of the parameter; the group precedes the label.
     first, second : float, str, bool or None
-        Its values; None where a side does not have it. [unit]
+        Values; None on a side without the parameter. [unit]
     """
 
     path: str
@@ -30,11 +30,15 @@ class Difference:
 
 
 def differing(first: PlanetState, second: PlanetState) -> Iterator[Difference]:
-    """Parameters of two planets that differ: constituents with the same name belong together.
+    """Parameters that differ between two planets; constituents are matched by name.
 
     Parameters
     ----------
     first, second : PlanetState
+
+    Yields
+    ------
+    Difference
     """
     ones, others = _by_words(first), _by_words(second)
     for words in (*ones, *(words for words in others if words not in ones)):

@@ -1,4 +1,4 @@
-"""A planet with some of its constituents switched off."""
+"""Planets with some of their constituents switched off."""
 
 from __future__ import annotations
 
@@ -7,19 +7,19 @@ from airlight.planets.planet import Planet
 
 
 def switched(planet: Planet, off: tuple[int, ...]) -> Planet:
-    """The planet without what some constituents scatter and absorb; they keep their places.
+    """Planet in which some constituents neither scatter nor absorb; indices are unchanged.
 
     Parameters
     ----------
     planet : Planet
-        Not changed.
+        Planet with all constituents; not modified.
     off : tuple of int
         Indices of the constituents that are switched off.
 
     Returns
     -------
     Planet
-        If no gas is left that bends light, it goes straight.
+        Planet without refraction if no refracting gas is left.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Editing a planet and its view: values, edits, undo and redo, reset, and who follows."""
+"""Editing of a planet and its view: values, edits, undo and redo, reset, followers."""
 
 from __future__ import annotations
 
@@ -23,19 +23,24 @@ from airlight.viewer.session.planet_state import PlanetState
 from airlight.viewer.session.side import Side
 from airlight.viewer.session.solve_request import Versions, Wanted
 
-#: Size of the picture until a host says otherwise. [pixel]
+#: Size of the picture until a host sets it. [pixel]
 DEFAULT_SIZE: Final = (960, 540)
 
 
 class Editing:
-    """A planet and a view that are edited; see ``Session``, which compares and saves them too.
+    """Editable planet and view; ``Session`` adds comparison and saving.
 
     Parameters
     ----------
     planet : str or Path
-        The name of a preset, or a planet file.
+        Name of a preset, or path of a planet file.
     clock : callable
-        Seconds that only grow, for joining quick edits into one step.
+        Monotonic clock, used to merge edits in quick succession into one undo step. [s]
+
+    Raises
+    ------
+    FileError, ParameterError
+        If the planet does not exist or its file is invalid.
     """
 
     def __init__(
@@ -51,48 +56,48 @@ class Editing:
         self.size = DEFAULT_SIZE
         self.shares_camera = True
 
-    # --- what there is ------------------------------------------------------------------------
+    # --- state --------------------------------------------------------------------------------
 
     @property
     def planet(self) -> PlanetState:
-        """The planet that is shown."""
+        """Planet that is shown."""
         return self._side.planet
 
     @property
     def planet_name(self) -> str:
-        """The planet's name, as its file has it."""
+        """Name of the planet, from its file."""
         return str(self.planet.tables.get("name", ""))
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """The declared list for the planet that is shown, and for the view."""
+        """Declared parameters of the planet that is shown, and of the view."""
         return self._side.parameters
 
     @property
     def values(self) -> dict[str, Value]:
-        """Every parameter's value by its path: numbers in the parameter's unit."""
+        """Values of all parameters by path. [parameter.unit]"""
         if self._valued is None or self._valued[0] != self._versions:
             values = {one.path: self._side.value(one) for one in self.parameters}
             self._valued = (self._versions, values)
         return dict(self._valued[1])
 
     def parameter(self, path: str) -> Parameter:
-        """A parameter by its path; constituents by place or by name.
+        """Parameter by its path, with constituents by index or by name.
 
         Raises
         ------
         ParameterError
-            If there is none: the nearest is suggested.
+            If there is none; the message suggests the nearest path.
         """
         return self._side.parameter(path)
 
     def value(self, path: str) -> Value:
-        """One parameter's value. [parameter.unit]"""
+        """Value of a parameter. [parameter.unit]"""
         return self._side.value(self.parameter(path))
 
     @property
     def versions(self) -> Versions:
-        """Counters: a host redoes what grew."""
+        """Version counters; a host updates the parts whose counter has increased."""
         return self._versions
 
     @property
@@ -107,45 +112,45 @@ class Editing:
 
     @property
     def display(self) -> dict[str, Value]:
-        """``automatic``, ``exposure`` [EV] and ``tone_map``."""
+        """Display values: ``automatic``, ``exposure`` [EV] and ``tone_map``."""
         return {name: self._side.view[f"display.{name}"] for name in
                 ("automatic", "exposure", "tone_map")}  # fmt: skip
 
     @property
     def orders(self) -> str:
-        """Which light is shown: ``all``, ``single`` or ``multiple``."""
+        """Orders of scattering that are shown: ``all``, ``single`` or ``multiple``."""
         return str(self._side.view["light.orders"])
 
     @property
     def switches(self) -> dict[str, bool]:
-        """Which constituents are on, by group."""
+        """Whether each constituent is on, by group."""
         return {
             group: index not in self.planet.off for index, group in enumerate(self.planet.groups)
         }
 
     @property
     def wanted(self) -> Wanted:
-        """What has to be solved for what is shown."""
+        """Solve request of the side that is shown."""
         return self._wanted(self._side)
 
     @property
     def wanted_other(self) -> Wanted | None:
-        """What has to be solved for the other side of the comparison, if there is one."""
+        """Solve request of the other side of the comparison; None without one."""
         return None if self._other is None else self._wanted(self._other)
 
     def _wanted(self, side: Side) -> Wanted:
         quality, count = (str(side.view[path]) for path in SOLVED)
         return Wanted(self._versions.planet, side.planet, quality, count)
 
-    # --- who follows --------------------------------------------------------------------------
+    # --- followers ----------------------------------------------------------------------------
 
     def follow(self, follower: Callable[[Versions], None]) -> Callable[[], None]:
-        """Call something after every change, from the host's thread; returns how to stop."""
+        """Call ``follower`` after every change, on the host's thread; returns an unsubscriber."""
         self._followers.append(follower)
         return lambda: self._followers.remove(follower) if follower in self._followers else None
 
     def _changed(self, paths: AbstractSet[str]) -> None:
-        """Count what changed: paths of the view, and ``planet``."""
+        """Increment the versions of the changed parts, from view paths and ``planet``."""
         self._grown({"planet" if path == "planet" else VIEW_VALUE[path].part for path in paths})
 
     def _grown(self, parts: set[str]) -> None:
@@ -159,20 +164,20 @@ class Editing:
     # --- edits --------------------------------------------------------------------------------
 
     def set(self, path: str, value: Value) -> None:
-        """Give a parameter another value; a step to undo, joined with those of the same drag.
+        """Set a parameter, as an undo step merged with others of the same drag.
 
         Parameters
         ----------
         path : str
-            Of the parameter.
+            Path of the parameter.
         value : float, str or bool
-            A number in the parameter's unit.
+            New value. [parameter.unit]
 
         Raises
         ------
         ParameterError
-            If there is no such parameter or the value is outside; nothing is changed then. What
-            cannot be together is found by ``solving``.
+            If there is no such parameter or the value is out of range; nothing is changed then.
+            Inconsistent values are reported by ``solving``.
         """
         parameter = self.parameter(path)
         new = parameter.checked(value)
@@ -180,20 +185,20 @@ class Editing:
             self._changed(self._side.assign(parameter, new))
 
     def begin_drag(self, path: str) -> None:
-        """All edits of a parameter until ``end_drag`` are one step."""
+        """Merge all edits of a parameter until ``end_drag`` into one undo step."""
         self._side.begin_drag(path)
 
     @property
     def dragged(self) -> str:
-        """The path of the parameter that is being dragged; empty if there is none."""
+        """Path of the parameter that is being dragged; empty if there is none."""
         return self._side.dragged
 
     def end_drag(self) -> None:
-        """The next edit is a step of its own."""
+        """End the drag, so that the next edit is a separate undo step."""
         self._side.end_drag()
 
     def undo(self) -> str | None:
-        """Take back the last step; what it had changed, or None if there is none."""
+        """Undo the last step; returns its name, or None if there is none."""
         step = self._side.history.undo()
         if step is None:
             return None
@@ -201,7 +206,7 @@ class Editing:
         return step.name
 
     def redo(self) -> str | None:
-        """Do the step last taken back again; what it changes, or None."""
+        """Redo the last undone step; returns its name, or None if there is none."""
         step = self._side.history.redo()
         if step is None:
             return None
@@ -210,25 +215,25 @@ class Editing:
 
     @property
     def can_undo(self) -> bool:
-        """Whether ``undo`` would do something."""
+        """Whether there is a step to undo."""
         return self._side.history.can_undo
 
     @property
     def can_redo(self) -> bool:
-        """Whether ``redo`` would do something."""
+        """Whether there is a step to redo."""
         return self._side.history.can_redo
 
     def forget_steps(self) -> None:
-        """Make what was done so far the beginning: it cannot be undone."""
+        """Clear the history: the edits so far cannot be undone."""
         self._side.history = History()
 
     def reset(self, what: str = "") -> None:
-        """Back to what the planet came with, and the view started with: one step to undo.
+        """Restore values of the planet's file and defaults of the view, as one undo step.
 
         Parameters
         ----------
         what : str
-            The path of a parameter, the name of a group, or nothing for everything.
+            Path of a parameter, name of a group, or empty for everything.
 
         Raises
         ------
@@ -238,48 +243,60 @@ class Editing:
         self._changed(self._side.reset(what))
 
     def open(self, planet: str | Path) -> None:
-        """Another planet, in place of the one that is shown; a step to undo.
+        """Replace the planet that is shown, as an undo step.
+
+        Parameters
+        ----------
+        planet : str or Path
+            Name of a preset, or path of a planet file.
 
         Raises
         ------
         FileError, ParameterError
-            If there is none; nothing is changed then.
+            If the planet does not exist or is invalid; nothing is changed then.
         """
         opened = PlanetState.opened(planet)
         self._changed(self._side.change("planet", Change(planet=opened)))
 
     def replace_tables(self, path: str, tables: Mapping[str, Any]) -> None:
-        """Other tables for the whole planet, as one step named by a path."""
+        """Replace the planet's tables, as one undo step named ``path``."""
         planet = self.planet.with_tables(dict(tables))
         self._changed(self._side.change(path, Change(planet=planet)))
 
     def change_view(self, name: str, view: Mapping[str, Value]) -> None:
-        """Give several parameters of the view other values, as one step of this name.
+        """Set several parameters of the view, as one undo step of this name.
+
+        Parameters
+        ----------
+        name : str
+            Name of the step.
+        view : mapping
+            Values by path.
 
         Raises
         ------
         ParameterError
-            If one is none of the view's, or a value is outside; nothing is changed then.
+            If a path is not one of the view or a value is out of range; nothing is changed then.
         """
         self._changed(self._side.change(name, Change(view=_checked(view, view_parameters()))))
 
     def move(self, view: Mapping[str, float], *, gesture: str = "", held: bool = False) -> None:
-        """Camera and sun as a flight leaves them.
+        """Set camera and sun.
 
         Parameters
         ----------
         view : mapping
             Values by path, ``view.…`` only.
         gesture : str
-            What moves them, such as ``look``: a step to undo, joined with those of the same
-            gesture as edits of one parameter are. Without it there is no step.
+            Name of the undo step, such as ``look``; steps of one gesture are merged as edits of
+            one parameter are. Without it there is no undo step.
         held : bool
-            Whether the gesture goes on until ``end_drag``.
+            Whether the gesture lasts until ``end_drag``.
 
         Raises
         ------
         ParameterError
-            If one is outside; nothing is changed then.
+            If a path is unknown or a value is out of range; nothing is changed then.
         """
         of_view = (one for one in view_parameters() if one.path.startswith("view."))
         after = _checked(view, of_view)
@@ -290,14 +307,14 @@ class Editing:
             self._changed(self._side.record(gesture, change, held=held))
 
     def resize(self, width: int, height: int) -> None:
-        """Take the picture's size, for ``scene``. [pixel]"""
+        """Set the size of the picture for ``scene``. [pixel]"""
         if (width, height) != self.size:
             self.size = (max(1, int(width)), max(1, int(height)))
             self._grown({"view"})
 
 
 def _checked(view: Mapping[str, Value], parameters: Iterable[Parameter]) -> dict[str, Value]:
-    """Values by path, as their parameters take them."""
+    """Validate values by path."""
     known = {one.path: one for one in parameters}
     for path in view:
         if path not in known:

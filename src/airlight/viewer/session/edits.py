@@ -1,4 +1,4 @@
-"""What an edit does to the tables of a planet: the value, and what has to go along with it."""
+"""Edits of a planet's tables: the value itself, and the values that depend on it."""
 
 from __future__ import annotations
 
@@ -22,20 +22,20 @@ _SUN_TEMPERATURE: Final = "5772 K"
 
 
 def edited(tables: Tables, parameter: Parameter, value: Value) -> Tables:
-    """The tables with a parameter's new value.
+    """Copy of the tables with a parameter's new value.
 
-    A word that chooses another form (of a profile, of a phase function, of sizes) puts that form's
-    keys into the table; mole fractions make room for each other; the air moves with the ground;
-    a tabulated phase function keeps its integral.
+    Choosing another kind (of a profile, a phase function, a size distribution) fills in that kind's
+    keys; mole fractions keep their sum; the top of the shell moves with the ground; a tabulated
+    phase function stays normalised.
 
     Parameters
     ----------
     tables : dict
-        Not changed.
+        Tables before the edit; not modified.
     parameter : Parameter
-        Of ``parameters_of(tables)``.
+        Parameter from ``parameters_of(tables)``.
     value : float or str
-        As ``parameter.checked`` returns it. [parameter.unit]
+        New value, as returned by ``parameter.checked``. [parameter.unit]
 
     Returns
     -------
@@ -72,9 +72,10 @@ def edited(tables: Tables, parameter: Parameter, value: Value) -> Tables:
 
 
 def _normalised(tables: Tables, path: str) -> Tables:
-    """A tabulated phase function divided by its integral over the sphere, row by row.
+    """Divide a tabulated phase function by its integral over the sphere, row by row.
 
-    One that has none, since its angles do not grow, is left for the reader to refuse.
+    An invalid table, such as one with angles that do not increase, is left for the reader to
+    reject.
     """
     table = get(tables, path)
     angles = np.array([number_in(one, "deg", "deg", path) for one in table["angles"]])
@@ -90,7 +91,7 @@ def _normalised(tables: Tables, path: str) -> Tables:
 
 
 def _mixed(tables: Tables, path: str, share: float) -> Tables:
-    """A mole fraction changed, the others in proportion, so that the sum stays."""
+    """Set a mole fraction and rescale the others, so that the sum is unchanged."""
     table, _, name = path.rpartition(".")
     shares = {one: number_in(text, "1", "1", path) for one, text in get(tables, table).items()}
     total = sum(shares.values())
@@ -107,7 +108,7 @@ def _mixed(tables: Tables, path: str, share: float) -> Tables:
 
 
 def _lifted(tables: Tables, bottom: float) -> Tables:
-    """The top of the air, moved with a ground at another radius. [km]"""
+    """Move the top of the shell with the ground to a new bottom radius. [km]"""
     shell = tables["shell"]
     old, top = (
         number_in(shell[key], "km", "m", f"shell.{key}") for key in ("bottom_radius", "top_radius")
@@ -116,7 +117,7 @@ def _lifted(tables: Tables, bottom: float) -> Tables:
 
 
 def _thickness(tables: Tables) -> float:
-    """Of the shell. [km]"""
+    """Thickness of the shell. [km]"""
     bottom, top = (
         number_in(tables["shell"][key], "km", "m", f"shell.{key}")
         for key in ("bottom_radius", "top_radius")
@@ -125,7 +126,7 @@ def _thickness(tables: Tables) -> float:
 
 
 def _with_phase(tables: Tables, constituent: str) -> Tables:
-    """The constituent with a phase function, if it has none yet."""
+    """Add a phase function to a constituent that has none."""
     if get(tables, f"{constituent}.phase_function") is not None:
         return tables
     fresh = PHASES.fresh("henyey-greenstein", {}, 1e3 * _thickness(tables))
@@ -133,7 +134,7 @@ def _with_phase(tables: Tables, constituent: str) -> Tables:
 
 
 def _star(old: Tables, spectrum: str) -> Tables:
-    """The sun, or a black body of its size and temperature, as far away as the star was."""
+    """Star with another spectrum at the same distance; a black body is like the sun."""
     if spectrum != BLACK_BODY:
         kept: Tables = {key: old[key] for key in ("distance", "angular_radius") if key in old}
         return {"spectrum": spectrum, **kept}
@@ -142,23 +143,24 @@ def _star(old: Tables, spectrum: str) -> Tables:
 
 
 def _fresh(tables: Tables, path: str, kind: str) -> Tables:
-    """A table of another kind, filled with what is usual."""
+    """Table of another kind, filled with typical values."""
     kinds = TABLES[key_at(tables, path).table]
     assert isinstance(kinds, Kinds)
     return kinds.fresh(kind, get(tables, path), 1e3 * _thickness(tables))
 
 
 def restored(tables: Tables, base: Tables, path: str) -> Tables:
-    """The tables with what stands at a path as it was at first.
+    """Copy of the tables with the original value at a path.
 
-    What only makes sense together goes back together: a composition, the shell, the keys of a
-    profile that had another form.
+    Dependent values are restored together: a composition, the shell, the keys of a profile of
+    another kind.
 
     Parameters
     ----------
     tables, base : dict
-        As they are, and as they were; not changed.
+        Current and original tables; not modified.
     path : str
+        Path of the value to restore.
 
     Returns
     -------
@@ -174,7 +176,7 @@ def restored(tables: Tables, base: Tables, path: str) -> Tables:
         path, table = table, table.rpartition(".")[0]
         old = get(base, path)
     if path.startswith("constituents[") and old is None and path.endswith("]"):
-        return tables  # a constituent that was not there at first
+        return tables  # the original had no such constituent
     kind, old_kind = (get(one, f"{table}.kind") if table else None for one in (tables, base))
     if kind != old_kind:
         return put(tables, table, get(base, table))

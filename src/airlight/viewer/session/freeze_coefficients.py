@@ -1,4 +1,4 @@
-"""A constituent given by what it is made of, frozen to coefficients: the standard form."""
+"""Conversion of a constituent's composition to fixed coefficients, the standard form."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ from airlight.viewer.parameters.nested_tables import Tables, put
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Where coefficients are given, besides the planet's own wavelengths: the ends and the middle of
-#: what is seen, as far as the planet is known there. [nm]
+#: Wavelengths of the coefficients besides the planet's own: the ends and the middle of the visible
+#: range, clipped to the planet's limits. [nm]
 WAVELENGTHS: Final = (360.0, 440.0, 550.0, 680.0, 830.0)
-#: Keys that say what a constituent is made of.
+#: Keys of a constituent's composition.
 _MADE_OF: Final = tuple(one.keyword for one in MATTER)
-#: Those that a frozen constituent has otherwise.
+#: Keys replaced by the conversion.
 _REPLACED: Final = (*_MADE_OF, *COEFFICIENTS, "wavelengths", "phase_function", "amount")
 
 
 def is_advanced(constituent: Tables) -> bool:
-    """Whether a constituent's table says what it is made of, rather than coefficients."""
+    """Whether a constituent's table holds a composition rather than coefficients."""
     forms = (constituent.get(key) for key in ("scattering", "absorption"))
     return any(key in constituent for key in _MADE_OF) or any(
         isinstance(one, dict) for one in forms
@@ -35,20 +35,20 @@ def is_advanced(constituent: Tables) -> bool:
 
 
 def as_standard(tables: Tables, planet: Planet, index: int) -> Tables:
-    """The tables with one constituent given by its coefficients at a few wavelengths.
+    """Copy of the tables with one constituent's coefficients at a few wavelengths.
 
-    Coefficients are linear between the wavelengths, those of gases times λ⁴. Particles get one
-    smooth lobe (Henyey-Greenstein) of their mean cosine, whose glow around the star is weaker than
-    theirs; phase functions of few parameters are kept.
+    Coefficients are linear between the wavelengths, those of gases times λ⁴. Particles get a
+    Henyey-Greenstein phase function of their mean cosine, whose aureole around the star is weaker
+    than theirs; phase functions of few parameters are kept.
 
     Parameters
     ----------
     tables : dict
-        Of the planet's file; not changed.
+        Tables of the planet's file; not modified.
     planet : Planet
-        What the reader made of them.
+        Planet read from the tables.
     index : int
-        Of the constituent.
+        Index of the constituent.
 
     Returns
     -------
@@ -57,7 +57,7 @@ def as_standard(tables: Tables, planet: Planet, index: int) -> Tables:
     Raises
     ------
     ParameterError
-        If the constituent is given by coefficients already.
+        If the constituent already has coefficients.
     """
     old = tables["constituents"][index]
     one = planet.constituents[index]
@@ -81,13 +81,13 @@ def as_standard(tables: Tables, planet: Planet, index: int) -> Tables:
 
 
 def _wavelengths(planet: Planet) -> FloatArray:
-    """Those that the coefficients are given at, ascending. [nm]"""
+    """Wavelengths of the coefficients, ascending. [nm]"""
     low, high = planet.wavelength_limits
     inside = [min(max(nm, low), high) for nm in WAVELENGTHS]
     return np.unique([*inside, *(planet.own_wavelengths or ())])
 
 
 def _per_km(values: FloatArray) -> Any:
-    """One text if all are the same, else one for each wavelength."""
+    """Coefficients as texts per km: one if all are equal, else one per wavelength."""
     texts = [text_of(float(f"{1e3 * value:.7g}"), "/km") for value in values]
     return texts[0] if len(set(texts)) == 1 else texts

@@ -1,6 +1,6 @@
-"""What was changed, one step after another, for undo and redo.
+"""Undo history of edits.
 
-The page keeps its steps by the same rules, in ``web/state/history.js``.
+The page follows the same rules, in ``web/state/history.js``.
 """
 
 from __future__ import annotations
@@ -9,47 +9,47 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
-#: Edits of one thing that follow each other so quickly are one step. [s]
+#: Longest time between edits of one name that are merged into one step. [s]
 TOGETHER: Final = 0.5
-#: The most steps that are kept.
+#: Largest number of steps kept.
 MOST_STEPS: Final = 1000
 
 
 @dataclass(frozen=True, kw_only=True)
 class Change:
-    """Part of what is edited: never changed itself.
+    """Immutable change of the planet, the view, or both.
 
     Attributes
     ----------
     planet : object
-        The whole planet, or None where it is left as it is.
+        New state of the whole planet, or None if unchanged.
     view : mapping
-        Values of the view by path; other paths are left as they are.
+        New values of the view by path; other paths are unchanged.
     """
 
     planet: Any = None
     view: Mapping[str, Any] = field(default_factory=dict)
 
     def over(self, earlier: Change) -> Change:
-        """One change of an earlier one and this."""
+        """Merge an earlier change with this one, which takes precedence."""
         planet = earlier.planet if self.planet is None else self.planet
         return Change(planet=planet, view={**earlier.view, **self.view})
 
 
 @dataclass
 class Step:
-    """One step.
+    """One undo step.
 
     Attributes
     ----------
     name : str
-        What was changed: the path of a parameter, or the name of a gesture.
+        Path of the changed parameter, or name of a gesture.
     before, after : Change
-        What it changed, as it was and as it became.
+        Changed values before and after the step.
     time : float
-        Of the last edit that joined it. [s]
+        Time of the last edit merged into it. [s]
     open : bool
-        Whether a drag still adds to it.
+        Whether a drag is still merged into it.
     """
 
     name: str
@@ -60,7 +60,7 @@ class Step:
 
 
 class History:
-    """Steps done and undone; a new edit forgets what was undone."""
+    """Steps done and undone; a new edit discards the undone ones."""
 
     def __init__(self) -> None:
         self._done: list[Step] = []
@@ -68,16 +68,16 @@ class History:
 
     @property
     def can_undo(self) -> bool:
-        """Whether there is a step to take back."""
+        """Whether there is a step to undo."""
         return bool(self._done)
 
     @property
     def can_redo(self) -> bool:
-        """Whether there is a step to do again."""
+        """Whether there is a step to redo."""
         return bool(self._undone)
 
     def joined(self, name: str, time: float) -> Step | None:
-        """The last step, if an edit of this name now belongs to it."""
+        """Last step, if an edit of this name at this time is merged into it; else None."""
         if not self._done or self._undone:
             return None
         last = self._done[-1]
@@ -86,7 +86,7 @@ class History:
         return last if last.open or time - last.time <= TOGETHER else None
 
     def record(self, step: Step) -> None:
-        """A new edit: a step of its own, or part of the last one."""
+        """Add an edit, as a new step or merged into the last one."""
         last = self.joined(step.name, step.time)
         if last is not None:
             last.before = last.before.over(step.before)
@@ -98,20 +98,20 @@ class History:
         del self._done[:-MOST_STEPS]
 
     def close(self) -> None:
-        """End the last step: the next edit is one of its own."""
+        """Close the last step, so that the next edit is a new one."""
         if self._done:
             self._done[-1].open = False
             self._done[-1].time = float("-inf")
 
     def undo(self) -> Step | None:
-        """The step to take back, or None."""
+        """Step to undo, moved to the undone ones; None if there is none."""
         if not self._done:
             return None
         self._undone.append(self._done.pop())
         return self._undone[-1]
 
     def redo(self) -> Step | None:
-        """The step to do again, or None."""
+        """Step to redo, moved to the done ones; None if there is none."""
         if not self._undone:
             return None
         step = self._undone.pop()

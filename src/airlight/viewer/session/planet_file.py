@@ -1,4 +1,4 @@
-"""The tables of a planet as the text of a planet file: the reader's way back."""
+"""Writer of planet files, the inverse of the reader."""
 
 from __future__ import annotations
 
@@ -9,27 +9,27 @@ from typing import Any, Final
 
 from airlight.viewer.parameters.nested_tables import Tables
 
-#: Longest line of a list or a table. [letter]
+#: Longest line of a list or a table. [character]
 _WIDTH: Final = 96
 _BARE: Final = re.compile(r"[A-Za-z0-9_-]+")
-#: A table within a constituent that is longer than this has a header of its own. [letter]
+#: Length above which a table within a constituent gets its own header. [character]
 _INLINE: Final = 160
 
 
 def planet_file(tables: Tables, comments: tuple[str, ...] = ()) -> str:
-    """A planet file, which the reader turns into the same tables again.
+    """Text of a planet file, from which the reader restores the same tables.
 
     Parameters
     ----------
     tables : dict
-        Texts, numbers, truth values, and lists and tables of them.
+        Strings, numbers, booleans, and lists and tables of them.
     comments : tuple of str
-        Lines that stand at the top.
+        Comment lines at the top.
 
     Returns
     -------
     str
-        TOML.
+        Text in TOML.
 
     Examples
     --------
@@ -67,7 +67,7 @@ def _table(table: Tables, path: str) -> Iterator[str]:
 
 
 def _own_header(value: Any, path: str) -> bool:
-    """Whether it is a table, or a list of tables, that does not go into one line."""
+    """Whether the value is a table, or a list of tables, that needs its own header."""
     if isinstance(value, list):
         whole = bool(value) and all(isinstance(one, dict) for one in value)
         return whole and (not path or len(_value(value, 0)) > _INLINE)
@@ -79,7 +79,7 @@ def _key(key: str) -> str:
 
 
 def _text(text: str) -> str:
-    # JSON's escapes are TOML's, but for the delete character, which TOML wants escaped too.
+    # JSON's escapes are TOML's, except that TOML also requires DEL to be escaped.
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
@@ -89,7 +89,7 @@ def _inline(table: Tables) -> str:
 
 
 def _flat(value: Any) -> str:
-    """A value in one line."""
+    """Value in one line."""
     if isinstance(value, dict):
         return _inline(value)
     if isinstance(value, list):
@@ -102,7 +102,7 @@ def _flat(value: Any) -> str:
 
 
 def _value(value: Any, indent: int) -> str:
-    """A value; a long list is broken into lines."""
+    """Value, with a long list broken into lines."""
     line = _flat(value)
     if not isinstance(value, list) or indent + len(line) <= _WIDTH:
         return line

@@ -1,4 +1,4 @@
-"""One planet as the viewer holds it: what it came with, what it became, what is switched off."""
+"""Planet in the viewer: original tables, edited tables, constituents switched off."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ from airlight.viewer.session.planet_file import planet_file
 
 @dataclass(frozen=True)
 class PlanetState:
-    """A planet with its edits; never changed, only replaced.
+    """Planet with its edits; immutable.
 
     Attributes
     ----------
     source : str
-        The name of the preset, or the path of the planet file.
+        Name of the preset, or path of the planet file.
     base : dict
-        The tables that it came with, spelled out.
+        Original tables, as returned by ``spelled_out``.
     tables : dict
-        Those that it has now.
+        Current tables.
     off : tuple of int
         Indices of the constituents that are switched off, ascending.
     """
@@ -40,12 +40,12 @@ class PlanetState:
 
     @classmethod
     def opened(cls, name_or_path: str | Path) -> PlanetState:
-        """A planet by the name of a preset, or from a planet file.
+        """Open a preset by name, or a planet file by path.
 
         Raises
         ------
         FileError, ParameterError
-            If there is none, or it has a key that the declared list does not know.
+            If there is none, or it has an undeclared key.
         """
         text, file, folder = planet_text(name_or_path)
         tables = planet_tables(text, file)
@@ -62,42 +62,42 @@ class PlanetState:
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """Those of the planet. The sliders' ends stay as long as the keys do."""
+        """Parameters of the planet; the sliders' ends are kept as long as the keys are."""
         if not self._parameters:
             self._parameters.append(parameters_of(self.tables))
         return self._parameters[0]
 
     def with_tables(self, tables: Tables, *, same_keys: bool = False) -> PlanetState:
-        """The planet with other tables; ``same_keys`` keeps the list of parameters."""
+        """Copy with other tables; ``same_keys`` keeps the list of parameters."""
         kept = self._parameters if same_keys else []
         return replace(self, tables=tables, _parameters=kept)
 
     def with_off(self, off: tuple[int, ...]) -> PlanetState:
-        """The planet with other constituents switched off; the list of parameters stays."""
+        """Copy with other constituents switched off; the list of parameters is kept."""
         return replace(self, off=off)
 
     @property
     def groups(self) -> tuple[str, ...]:
-        """Groups of the constituents, in their order."""
+        """Groups of the constituents, in the planet's order."""
         constituents = self.tables["constituents"]
         return tuple(group_of(constituents, index) for index in range(len(constituents)))
 
     @property
     def text(self) -> str:
-        """The planet file of its tables."""
+        """Text of the planet file of the current tables."""
         return planet_file(self.tables)
 
     @cached_property
     def tables_key(self) -> str:
-        """A fingerprint of the tables."""
+        """Fingerprint of the tables."""
         return hashlib.sha256(repr(self.tables).encode()).hexdigest()[:32]
 
     @property
     def changes(self) -> tuple[tuple[str, Any, Any], ...]:
-        """Paths that differ from what it came with, and both values."""
+        """Changed paths, with the original and the current value of each."""
         return tuple(differences(self.base, self.tables))
 
     @property
     def key(self) -> str:
-        """A fingerprint of what has to be solved: the tables and the switches."""
+        """Fingerprint of the tables and the switches, which determine the solution."""
         return f"{self.tables_key} {self.off}"

@@ -1,4 +1,4 @@
-"""A session as JSON, short enough for the address of a page: only what differs is kept."""
+"""Session state as JSON, short enough for a page's URL: only differences are kept."""
 
 from __future__ import annotations
 
@@ -15,29 +15,29 @@ from airlight.viewer.parameters.parameter_list import spelled_out
 from airlight.viewer.parameters.view_parameters import DEFAULTS, view_parameters
 from airlight.viewer.session.planet_state import PlanetState
 
-#: Letters that stay as they are in the address.
+#: Characters that are not escaped in the URL.
 _PLAIN: Final = ",:[]{}\"'!*()"
 #: Keys of a state.
 _KEYS: Final = ("planet", "set", "off", "view", "air")
-#: What a page solves for itself, by its path there: the keys of a planet file that say the same.
+#: Path of a constituent's amount on a page that solves its own edits.
 _AMOUNT: Final = re.compile(r"air\.amounts\[(\d+)\]")
 
 
 def state_of(planet: PlanetState, view: Mapping[str, Value]) -> dict[str, Any]:
-    """Planet and view as JSON takes them.
+    """State of planet and view as JSON values.
 
     Parameters
     ----------
     planet : PlanetState
     view : mapping
-        Values by path.
+        View values by path.
 
     Returns
     -------
     dict
-        ``planet``: name of the preset or path of the file; ``set``: overrides of it, as
-        ``load_planet`` takes them; ``off``: places of constituents; ``view``: values by path. Only
-        the first is always there.
+        ``planet``: name of the preset or path of the file; ``set``: its overrides, as for
+        ``load_planet``; ``off``: indices of constituents; ``view``: values by path. Only the first
+        is always present.
     """
     state: dict[str, Any] = {"planet": planet.source}
     changed = {path: value for path, _, value in planet.changes}
@@ -52,7 +52,7 @@ def state_of(planet: PlanetState, view: Mapping[str, Value]) -> dict[str, Any]:
 
 
 def _short(value: Value) -> Value:
-    """A number with nine digits, which no picture tells apart from all of them."""
+    """Number rounded to nine digits, an invisible change in a picture."""
     if isinstance(value, bool) or not isinstance(value, float):
         return value
     short = float(f"{value:.9g}")
@@ -62,23 +62,27 @@ def _short(value: Value) -> Value:
 def read_state(
     state: Mapping[str, Any], current: PlanetState
 ) -> tuple[PlanetState, dict[str, Value]]:
-    """Planet and view from what ``state_of`` made.
+    """Planet and view of a state made by ``state_of``.
 
     Parameters
     ----------
     state : mapping
+        State as JSON values.
     current : PlanetState
-        Whose file is not read again, if it is the same planet.
+        Current planet, whose file is not read again if the state has the same one.
 
     Returns
     -------
     planet : PlanetState
     view : dict
+        View values by path, complete.
 
     Raises
     ------
     ParameterError
-        If something in it cannot be: named.
+        If an entry is invalid; the message names it.
+    FileError
+        If the planet does not exist.
     """
     if not isinstance(state, Mapping) or not isinstance(state.get("planet"), str):
         raise ParameterError("state", state, "a table with the name of a planet")
@@ -108,7 +112,7 @@ def _table(state: Mapping[str, Any], name: str) -> Mapping[str, Any]:
 
 
 def _of_page(air: Mapping[str, Any]) -> dict[str, Any]:
-    """A page's amounts as keys of the planet file."""
+    """Convert a page's amounts to keys of the planet file."""
     found = {}
     for path, value in air.items():
         amount = _AMOUNT.fullmatch(path)
@@ -147,7 +151,7 @@ def _view(state: Mapping[str, Any]) -> dict[str, Value]:
 
 
 def to_fragment(state: Mapping[str, Any]) -> str:
-    """A state as the fragment of an address, without the ``#``.
+    """Encode a state as the fragment of a URL, without the ``#``.
 
     Examples
     --------
@@ -159,12 +163,12 @@ def to_fragment(state: Mapping[str, Any]) -> str:
 
 
 def from_fragment(fragment: str) -> dict[str, Any]:
-    """The state of a fragment, with or without the ``#``.
+    """Decode the state of a URL fragment, with or without the ``#``.
 
     Raises
     ------
     ParameterError
-        If it is none.
+        If the fragment is not a state.
 
     Examples
     --------

@@ -1,7 +1,7 @@
-"""The session: a planet, a view and a display that are edited, undone, compared and saved.
+"""Session: editing, undo, comparison and saving of a planet, a view and a display.
 
-It belongs to one thread, that of its host, and never waits: what an edit makes of the planet is
-found out by ``solving``, on a thread of its own.
+A session belongs to its host's thread and never blocks: an edited planet is read and solved by
+``solving``, on another thread.
 """
 
 from __future__ import annotations
@@ -29,21 +29,21 @@ __all__ = ["Session", "Versions", "Wanted"]
 
 
 class Session(Editing):
-    """What window, notebook and page edit.
+    """Editable state behind window, notebook and page.
 
     Parameters
     ----------
     planet : str or Path
-        The name of a preset, or a planet file.
+        Name of a preset, or path of a planet file.
     clock : callable
-        Seconds that only grow, for joining quick edits into one step.
+        Monotonic clock, used to merge edits in quick succession into one undo step. [s]
 
     Attributes
     ----------
     size : (int, int)
-        Of the picture; set by ``resize``. [pixel]
+        Size of the picture, set by ``resize``. [pixel]
     shares_camera : bool
-        Whether both sides of a comparison are seen by the same camera, under the same sun.
+        Whether both sides of a comparison share the camera and the sun.
 
     Examples
     --------
@@ -57,11 +57,11 @@ class Session(Editing):
     0.5
     """
 
-    # --- another form -------------------------------------------------------------------------
+    # --- composition --------------------------------------------------------------------------
 
     @property
     def advanced(self) -> tuple[str, ...]:
-        """Groups of the constituents that are given by what they are made of."""
+        """Groups of the constituents that have a composition rather than coefficients."""
         constituents = self.planet.tables["constituents"]
         return tuple(
             group
@@ -70,22 +70,21 @@ class Session(Editing):
         )
 
     def as_standard(self, group: str, planet: Planet | None = None) -> None:
-        """Freeze a constituent to coefficients; see ``as_standard``. A step to undo.
+        """Convert a constituent to fixed coefficients, as an undo step.
 
         Parameters
         ----------
         group : str
-            The constituent's.
+            Group of the constituent.
         planet : Planet, optional
-            What the reader made of the planet that is shown, none of it switched off, if that is
-            at hand; without it the planet is read here, and particles that were never met take
-            seconds.
+            Planet that is shown, as read, with nothing switched off; by default it is read here,
+            which takes seconds for particles that are not cached.
 
         Raises
         ------
         ParameterError
-            If there is no such constituent, if it has coefficients already, or if the planet
-            cannot be; nothing is changed then.
+            If there is no such constituent, if it already has coefficients, or if the planet is
+            invalid; nothing is changed then.
         """
         state = self.planet
         if group not in state.groups:
@@ -99,7 +98,7 @@ class Session(Editing):
 
     @property
     def showing(self) -> str:
-        """``A`` or ``B``."""
+        """Side that is shown, ``A`` or ``B``."""
         return self._showing
 
     @property
@@ -109,7 +108,7 @@ class Session(Editing):
 
     @property
     def view_other(self) -> Mapping[str, Value] | None:
-        """The other side's view, with the camera and the sun of this one if they share them."""
+        """View of the other side, with the camera and the sun of this one if they are shared."""
         if self._other is None:
             return None
         shared = self._side.view if self.shares_camera else {}
@@ -118,15 +117,15 @@ class Session(Editing):
 
     @property
     def planet_name_other(self) -> str:
-        """The name of the other side's planet; empty without one."""
+        """Name of the other side's planet; empty without one."""
         return "" if self._other is None else str(self._other.planet.tables.get("name", ""))
 
     def store_b(self) -> None:
-        """Keep what is shown as the other side; edits from now on are of this one alone."""
+        """Copy the shown side to the other; later edits apply to the shown side only."""
         self._other = Side(self._side.planet, self._side.view, self._clock)
 
     def swap(self) -> None:
-        """Show the other side; the first time it is a copy of this one."""
+        """Show the other side, which is first copied from this one if there is none."""
         if self._other is None:
             self.store_b()
         assert self._other is not None
@@ -140,12 +139,12 @@ class Session(Editing):
         self._grown({"planet", "view", "display"})
 
     def forget_other(self) -> None:
-        """One side again: the one that is shown, as A."""
+        """Discard the other side; the shown one becomes A."""
         self._other = None
         self._showing = "A"
 
     def differences(self) -> tuple[Difference, ...]:
-        """What differs from A to B, in the words of the list; empty without another side."""
+        """Parameters that differ between A and B; empty without another side."""
         if self._other is None:
             return ()
         first, second = (self._side, self._other) if self._showing == "A" else (
@@ -155,12 +154,12 @@ class Session(Editing):
     # --- saving -------------------------------------------------------------------------------
 
     def save_planet(self, path: str | Path) -> None:
-        """Write the planet as a planet file, whole or not at all.
+        """Write the planet to a planet file, completely or not at all.
 
         Raises
         ------
         FileError
-            If it cannot be written.
+            If the file cannot be written.
         """
         state = self.planet
         comments = [f"Made with airlight from {Path(state.source).name}."]
@@ -171,16 +170,16 @@ class Session(Editing):
             place.write_text(planet_file(state.tables, tuple(comments)), encoding="utf-8")
 
     def to_state(self) -> dict[str, Any]:
-        """What is shown as JSON takes it: the planet's name, and what differs from it."""
+        """State of the shown side as JSON values: the planet's name, and the changes."""
         return saved_state.state_of(self.planet, self._side.view)
 
     def from_state(self, state: Mapping[str, Any]) -> None:
-        """Show what ``to_state`` had kept: one step to undo.
+        """Show a state made by ``to_state``, as one undo step.
 
         Raises
         ------
         ParameterError, FileError
-            If it cannot be; nothing is changed then.
+            If the state is invalid; nothing is changed then.
         """
         planet, view = saved_state.read_state(state, self.planet)
         self._changed(self._side.change("state", Change(planet=planet, view=view)))

@@ -1,4 +1,4 @@
-"""One state that is edited: a planet, a view, and the steps that led there."""
+"""One editable side: a planet, a view, and their undo history."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from airlight.viewer.session.edits import edited, restored
 from airlight.viewer.session.history import Change, History, Step
 from airlight.viewer.session.planet_state import PlanetState
 
-#: How the paths of a constituent's switch and of its keys begin.
+#: Prefixes of the paths of a constituent's switch and of its keys.
 _SWITCH: Final = "light.constituents["
 _CONSTITUENT: Final = "constituents["
 
 
 def _index(path: str) -> int:
-    """Place of a constituent by the path of its switch.
+    """Index of a constituent, from the path of its switch.
 
     Examples
     --------
@@ -33,19 +33,19 @@ def _index(path: str) -> int:
 
 
 class Side:
-    """What a session edits; two of them are compared.
+    """Editable state of a session, one per compared side.
 
     Parameters
     ----------
     planet : PlanetState
     view : mapping
-        Values by path.
+        View values by path.
     clock : callable
-        Seconds that only grow, for joining quick edits into one step.
+        Monotonic clock, used to merge edits in quick succession into one undo step. [s]
 
     Notes
     -----
-    Whatever edits tells which paths of the view it has changed, and ``planet`` if that is another.
+    Editing methods return the paths of the view that have changed, and ``planet`` if it has.
     """
 
     def __init__(
@@ -61,11 +61,11 @@ class Side:
         self.dragged = ""
         self._listed: tuple[Any, tuple[str, ...], Any, dict[str, Parameter]] | None = None
 
-    # --- what there is ------------------------------------------------------------------------
+    # --- state --------------------------------------------------------------------------------
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """The declared list for the planet, and for the view."""
+        """Declared parameters of the planet and of the view."""
         planet, groups = self.planet.parameters, self.planet.groups
         if self._listed is None or self._listed[0] is not planet or self._listed[1] != groups:
             whole = (*planet, *view_parameters(groups))
@@ -73,12 +73,12 @@ class Side:
         return self._listed[2]
 
     def parameter(self, path: str) -> Parameter:
-        """A parameter by its path; constituents by place or by name.
+        """Parameter by its path, with constituents by index or by name.
 
         Raises
         ------
         ParameterError
-            If there is none: the nearest is suggested.
+            If there is none; the message suggests the nearest path.
         """
         full = self._full(path)
         whole = self.parameters
@@ -91,7 +91,7 @@ class Side:
         raise ParameterError("path", path, f"a parameter of the list{hint}")
 
     def _full(self, path: str) -> str:
-        """The path with a constituent's place instead of its name."""
+        """Path with a constituent's index instead of its name."""
         for index, one in enumerate(self.planet.tables["constituents"]):
             name = str(one.get("name", ""))
             inside = name and path.startswith((f"{name}.", f"{name}["))
@@ -100,7 +100,7 @@ class Side:
         return path
 
     def value(self, parameter: Parameter) -> Value:
-        """A parameter's value. [parameter.unit]"""
+        """Value of a parameter. [parameter.unit]"""
         path = parameter.path
         if path in self.view:
             return self.view[path]
@@ -111,14 +111,14 @@ class Side:
     # --- edits --------------------------------------------------------------------------------
 
     def assign(self, parameter: Parameter, value: Value) -> AbstractSet[str]:
-        """Give a parameter a value that it takes, joined with those of the same drag."""
+        """Set a parameter to a validated value, merged with others of the same drag."""
         path = parameter.path
         if path in self.view:
             return self.record(path, Change(view={path: value}), held=path == self.dragged)
         if path.startswith(_SWITCH):
             planet = self._switched(_index(path), bool(value))
         else:
-            # A drag starts from where it began, so that what goes along with it comes back.
+            # A drag edits the state at its start, so that dependent values are reversible.
             joined = self.history.joined(path, self._clock())
             is_number = parameter.kind == "number"
             start = joined.before.planet if joined and is_number else self.planet
@@ -130,15 +130,16 @@ class Side:
         return self.planet.with_off(tuple(sorted(off)))
 
     def record(self, name: str, after: Change, *, held: bool = False) -> AbstractSet[str]:
-        """Make a change that is a step to undo, or part of the last one.
+        """Apply a change as an undo step, or as part of the last one.
 
         Parameters
         ----------
         name : str
-            Of the step: changes of one name join while it is held, or if they are quick.
+            Name of the step; changes of one name are merged while held or in quick succession.
         after : Change
+            Change to apply.
         held : bool
-            Whether the step goes on until ``end_drag``, however long that takes.
+            Whether the step lasts until ``end_drag``, regardless of time.
         """
         before = Change(
             planet=None if after.planet is None else self.planet,
@@ -148,7 +149,7 @@ class Side:
         return self.put(after)
 
     def change(self, name: str, after: Change) -> AbstractSet[str]:
-        """Make a change that is a step of its own; none if nothing changes."""
+        """Apply a change as a separate undo step; no step if nothing changes."""
         planet = None if after.planet == self.planet else after.planet
         view = {path: value for path, value in after.view.items() if value != self.view[path]}
         if planet is None and not view:
@@ -159,7 +160,7 @@ class Side:
         return changed
 
     def put(self, after: Change) -> AbstractSet[str]:
-        """Take a change over without a step."""
+        """Apply a change without an undo step."""
         changed = {path for path, value in after.view.items() if value != self.view[path]}
         self.view = {**self.view, **after.view}
         if after.planet is not None:
@@ -168,24 +169,24 @@ class Side:
         return changed
 
     def begin_drag(self, path: str) -> None:
-        """All edits of a parameter until ``end_drag`` are one step."""
+        """Merge all edits of a parameter until ``end_drag`` into one undo step."""
         self.end_drag()
         self.dragged = self.parameter(path).path
 
     def end_drag(self) -> None:
-        """The next edit is a step of its own."""
+        """End the drag, so that the next edit is a separate undo step."""
         self.dragged = ""
         self.history.close()
 
-    # --- back to what it came with ------------------------------------------------------------
+    # --- reset --------------------------------------------------------------------------------
 
     def reset(self, what: str) -> AbstractSet[str]:
-        """Back to what the planet came with, and the view started with, as one step.
+        """Restore values of the planet's file and defaults of the view, as one undo step.
 
         Parameters
         ----------
         what : str
-            The path of a parameter, the name of a group, or nothing for everything.
+            Path of a parameter, name of a group, or empty for everything.
 
         Raises
         ------

@@ -1,4 +1,4 @@
-"""What a session wants to be solved, and the counters that tell what has changed."""
+"""Solve request of a session, and version counters of its parts."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ class Versions(NamedTuple):
     Attributes
     ----------
     planet : int
-        What is solved: planet, switches, wavelengths, quality.
+        Inputs of the solution: planet, switches, wavelengths, quality.
     view : int
-        What is rendered: camera, sun, orders, size.
+        Inputs of the rendering: camera, sun, orders, size.
     display : int
-        What is shown of it: exposure, tone map.
+        Inputs of the display: exposure, tone map.
     """
 
     planet: int = 0
@@ -26,17 +26,18 @@ class Versions(NamedTuple):
 
 
 class Wanted(NamedTuple):
-    """What has to be solved; see ``solving``.
+    """Request for a solution; see ``solving``.
 
     Attributes
     ----------
     version : int
-        Of the planet.
+        Version of the planet.
     state : PlanetState
+        Planet to solve.
     quality : str
-        That follows the preview.
+        Quality of the solution that follows the preview.
     wavelengths : str
-        How many, in a word: one of ``view_parameters.WAVELENGTHS``.
+        Number of wavelengths, a word of ``view_parameters.WAVELENGTHS``.
     """
 
     version: int
@@ -46,5 +47,5 @@ class Wanted(NamedTuple):
 
     @property
     def key(self) -> tuple[str, str]:
-        """Equal where the same has to be solved, the quality apart."""
+        """Key that is equal for equal requests, regardless of the quality."""
         return self.state.key, self.wavelengths

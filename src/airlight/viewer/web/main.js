@@ -1,10 +1,10 @@
-/** The page in one file: reads what is in it, and keeps the address in step with the state. */
+/** Entry point of the page: reads its embedded data, and keeps the URL in sync with the state. */
 import { Edits } from "./solving/edits.js";
 import { textOf } from "./drawing/package.js";
 import { Picture } from "./drawing/picture.js";
 import { Viewer } from "./ui/viewer.js";
 
-/** So long after the last change the address follows. [ms] */
+/** Delay from the last change to the update of the URL. [ms] */
 const CALM = 300;
 
 const data = JSON.parse(document.getElementById("airlight-data").textContent);

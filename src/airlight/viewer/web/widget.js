@@ -1,4 +1,4 @@
-/** The viewer in a notebook: the front end of `airlight.viewer.browser.notebook.Viewer`. */
+/** Viewer in a notebook: the front end of `airlight.viewer.browser.notebook.Viewer`. */
 import { Picture } from "./drawing/picture.js";
 import { RemoteState } from "./state/remote_state.js";
 import { Viewer } from "./ui/viewer.js";
@@ -47,7 +47,7 @@ function render({ model, el }) {
   };
 }
 
-/** A promise that there is a picture: the first solution takes a moment. */
+/** Promise that resolves once the first solution is available. */
 function first(model, on) {
   if (model.get("picture").tables) return Promise.resolve();
   return new Promise((resolve) => {

@@ -1,1 +1,1 @@
-"""The window on the desktop."""
+"""Desktop window of the viewer."""

@@ -1,4 +1,4 @@
-"""What keys and buttons of the window do, by the names of ``navigation.keys``."""
+"""Actions of the window's keys and buttons, by the names of ``navigation.keys``."""
 
 from __future__ import annotations
 
@@ -14,24 +14,24 @@ from airlight.viewer.window.panels.side import SidePanel
 
 
 class Actions:
-    """Does them, each by its name.
+    """Actions by name.
 
     Parameters
     ----------
     session : Session
     panel : SidePanel
-        Knows whether time passes, and whether there is a probe and a comparison.
+        Panel with the switches of time, probe and comparison.
     dialog : SaveDialog
     messages : Messages
     shown : callable
-        The picture of the side that is edited, or None.
+        Function that returns the picture of the edited side, or None.
     close : callable
-        Ends the window.
+        Function that closes the window.
 
     Attributes
     ----------
     shows_panels, shows_help : bool
-        Whether there is anything but the picture, and whether the help lies over it.
+        Whether the panels are visible, and whether the help is shown over the picture.
     """
 
     def __init__(
@@ -73,7 +73,7 @@ class Actions:
             self._known[f"viewpoint {number}"] = lambda one=viewpoint: self._go(one)  # type: ignore[misc]
 
     def do(self, action: str) -> None:
-        """Do one; if it cannot be, say so."""
+        """Perform an action; an error is shown in the window."""
         self._messages.attempt(self._known[action])
 
     def _go(self, viewpoint: Viewpoint) -> None:
@@ -113,7 +113,7 @@ class Actions:
     def _toggle_exposure(self) -> None:
         automatic = bool(self._session.view["display.automatic"])
         shown = self._shown()
-        # The picture stays as bright as it was when the camera stops to adjust.
+        # The picture keeps its brightness when automatic exposure is switched off.
         exposure = shown.exposure if automatic and shown is not None else 0.0
         view = {"display.automatic": not automatic, "display.exposure": exposure}
         self._session.change_view("automatic exposure", view)

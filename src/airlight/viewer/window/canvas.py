@@ -1,8 +1,8 @@
-"""Where the window draws: a window on the desktop that rests while nothing happens, or no window.
+"""Canvases of the window: a desktop window that sleeps while idle, or an offscreen canvas.
 
-A canvas that is drawn on demand still looks for events many times a second. Here the loop sleeps
-inside the window system instead, until an event comes or ``wake`` is called, so that an idle
-window costs no processor time.
+A canvas that is drawn on demand still polls for events many times a second. Here the loop blocks
+inside the window system instead, until an event arrives or ``wake`` is called, so that an idle
+window uses no processor time.
 """
 
 from __future__ import annotations
@@ -19,16 +19,16 @@ from numpy.typing import NDArray
 
 from airlight.errors import AirlightError
 
-#: What a user without the extra reads.
+#: Error message without the optional packages.
 MISSING_EXTRA: Final = "the window needs more packages: pip install 'airlight[view]'"
-#: Frames a second at most, and how often events are looked for while something moves. [s⁻¹]
+#: Highest frame rate, and polling rate of events while the window is active. [s⁻¹]
 _FRAME_RATE: Final = 60.0
-#: The loop goes to sleep after so long without an event or a drawing. [s]
+#: Time without an event or a draw after which the loop sleeps. [s]
 _AWAKE: Final = 0.5
-#: And looks up so often in its sleep, for signals such as Ctrl+C. [s]
+#: Longest sleep between checks for signals such as Ctrl+C. [s]
 _NAP: Final = 0.5
 
-#: Events that change what is seen.
+#: Events after which the window is redrawn.
 EVENTS: Final = (
     "resize",
     "pointer_move",
@@ -45,32 +45,33 @@ EVENTS: Final = (
 
 
 class WindowError(AirlightError):
-    """There can be no window here; says why in one line."""
+    """Error in one line: a window cannot be opened here."""
 
 
 class Place(Protocol):
-    """A canvas, and how it runs."""
+    """Canvas and its event loop."""
 
     canvas: Any
 
     def run(self, draw: Callable[[], None]) -> None:
-        """Draw whenever asked to, until the canvas is closed."""
+        """Call ``draw`` on request until the canvas is closed."""
 
     def wake(self) -> None:
-        """Draw once more; may be called from any thread."""
+        """Request a draw, from any thread."""
 
     def close(self) -> None:
         """End ``run``."""
 
 
 class DesktopPlace:
-    """A window of the desktop.
+    """Window on the desktop.
 
     Parameters
     ----------
     size : (int, int)
         Width and height. [logical pixel]
     title : str
+        Title of the window.
 
     Raises
     ------
@@ -95,10 +96,10 @@ class DesktopPlace:
             max_fps=_FRAME_RATE,
             vsync=False,
         )
-        self._wanted = True  # a draw was asked for by another thread
+        self._wanted = True  # a draw was requested by another thread
         self._busy_until = 0.0
         self._closed = False
-        # The order puts this before the panels' handler, which keeps events to itself.
+        # The order puts this before the panels' handler, which consumes events.
         self.canvas.add_event_handler(self._stir, *EVENTS, order=-1000)
 
     def _stir(self, _event: Any = None) -> None:
@@ -106,7 +107,7 @@ class DesktopPlace:
         self.canvas.request_draw()
 
     def run(self, draw: Callable[[], None]) -> None:
-        """Draw whenever asked to, until the window is closed."""
+        """Call ``draw`` on request until the window is closed."""
         self.canvas.request_draw(draw)
         self._loop.add_task(self._rest)
         self._loop.run()
@@ -125,30 +126,30 @@ class DesktopPlace:
                 continue
             started = time.perf_counter()
             self._glfw.wait_events_timeout(_NAP)
-            if time.perf_counter() - started < 0.9 * _NAP:  # something woke us: let it be handled
+            if time.perf_counter() - started < 0.9 * _NAP:  # woken: handle the event
                 self._busy_until = time.perf_counter() + _AWAKE
 
     def wake(self) -> None:
-        """Draw once more; may be called from any thread."""
+        """Request a draw, from any thread."""
         self._wanted = True
         if not self._closed:
-            with suppress(Exception):  # the window system may have ended in this moment
+            with suppress(Exception):  # the window system may just have ended
                 self._glfw.post_empty_event()
 
     def close(self) -> None:
-        """Close the window once this frame is done, which ends ``run``."""
+        """Close the window after this frame, which ends ``run``."""
         self._loop.call_soon(self.canvas.close)
 
 
 class OffscreenPlace:
-    """A canvas in memory, for pictures of the window itself.
+    """Offscreen canvas, for screenshots of the window.
 
     Parameters
     ----------
     size : (int, int)
         Width and height. [logical pixel]
     ratio : float
-        Pixels per logical pixel: 2 on a fine display. [1]
+        Physical pixels per logical pixel; 2 on a high-density display. [1]
 
     Raises
     ------
@@ -173,11 +174,11 @@ class OffscreenPlace:
         self.picture = np.array(self.canvas.draw(), dtype=np.uint8)[..., :3]
 
     def wake(self) -> None:
-        """Remember that there is something new to draw."""
+        """Set the flag that a draw is requested."""
         self.wanted = True
 
     def close(self) -> None:
-        """Let go of the canvas."""
+        """Release the canvas."""
         self.canvas.close()
 
 

@@ -1,4 +1,4 @@
-"""Mouse and keys on the picture, where no panel is in the way, as words of what to do."""
+"""Mouse and key events on the picture, outside the panels, mapped to actions."""
 
 from __future__ import annotations
 
@@ -9,46 +9,47 @@ from airlight.viewer.navigation.flight import Flight
 from airlight.viewer.navigation.keys import FACTORS, ONCE, RATES, chord
 from airlight.viewer.window.picture_area import PictureArea, Rectangle
 
-#: Buttons of the mouse.
+#: Mouse buttons.
 _LEFT, _RIGHT = 1, 2
 #: Modifier keys with which any drag moves the sun.
 _SUN: Final = frozenset({"Control", "Shift"})
 
 
 class Host(Protocol):
-    """What the mouse and the keys act on."""
+    """Target of the mouse and the keys."""
 
     area: PictureArea
 
     @property
     def covered(self) -> bool:
-        """Whether something lies over the picture that takes the mouse."""
+        """Whether an overlay on the picture captures the mouse."""
 
     def picture_rectangle(self) -> Rectangle:
-        """Where the picture lies."""
+        """Rectangle of the picture. [logical pixel]"""
 
     def attempt(self, edit: Callable[[], object]) -> None:
-        """Do something; if it cannot be, say so."""
+        """Run an edit; an error is shown in the window."""
 
     def click(self, x: float, y: float) -> None:
-        """A point of the window was clicked. [logical pixel]"""
+        """Handle a click at a point of the window. [logical pixel]"""
 
     def do(self, action: str) -> None:
-        """One of the values of ``keys.ONCE``."""
+        """Perform an action, one of the values of ``keys.ONCE``."""
 
 
 class WindowInput:
-    """Listens to a canvas.
+    """Event handlers of a canvas.
 
     Parameters
     ----------
     canvas : rendercanvas canvas
+        Canvas whose events are handled.
     host : Host
-        Told what to do.
+        Target of actions and clicks.
     flight : Flight
-        Told how to fly.
+        Target of movements.
     typing : callable
-        Whether the user is typing into a field.
+        Function that returns whether the user is typing into a field.
     """
 
     def __init__(self, canvas: Any, host: Host, flight: Flight, typing: Callable[[], bool]) -> None:
@@ -58,9 +59,9 @@ class WindowInput:
         self._at = (0.0, 0.0)
         self._pressed_at = (0.0, 0.0)
         self._drag = ""
-        # Releases count wherever they happen, before the panels see them.
+        # Releases are handled everywhere, before the panels receive them.
         canvas.add_event_handler(self._release, "pointer_up", "key_up", order=-500)
-        # Where the picture is bare is known here at once; ImGui knows it a frame later.
+        # The uncovered part of the picture is known here at once, in ImGui a frame later.
         canvas.add_event_handler(self._press, "pointer_down", order=-500)
         canvas.add_event_handler(self._move, "pointer_move", order=-500)
         canvas.add_event_handler(self._wheel, "wheel", order=-500)

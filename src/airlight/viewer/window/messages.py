@@ -1,4 +1,4 @@
-"""What the window says in its line: what was done, and what could not be."""
+"""Messages of the window's status line: results and errors."""
 
 from __future__ import annotations
 
@@ -8,22 +8,22 @@ from typing import Final
 
 from airlight.errors import AirlightError
 
-#: A message is shown for so long. [s]
+#: Time for which a message is shown. [s]
 _SHOWN: Final = 5.0
 
 
 class Messages:
-    """The last message and the last error.
+    """Last message and last error.
 
     Parameters
     ----------
     draw : callable
-        Asks for another frame.
+        Function that requests another frame.
 
     Attributes
     ----------
     error : str
-        Why the last edit could not be; empty if it could.
+        Error of the last edit, in one line; empty if it succeeded.
     """
 
     def __init__(self, draw: Callable[[], None]) -> None:
@@ -32,7 +32,7 @@ class Messages:
         self.error = ""
 
     def attempt(self, edit: Callable[[], object]) -> None:
-        """Do something; if it cannot be, say so in one line."""
+        """Run an edit; an ``AirlightError`` is shown in one line."""
         try:
             edit()
             self.error = ""
@@ -41,11 +41,11 @@ class Messages:
         self._draw()
 
     def say(self, text: str) -> None:
-        """Show a line for a while."""
+        """Show a message for a limited time."""
         self._said = (text, perf_counter() + _SHOWN)
 
     @property
     def text(self) -> str:
-        """The last message, while it is shown."""
+        """Last message, or empty once it has expired."""
         text, until = self._said
         return text if perf_counter() < until else ""

@@ -1,4 +1,4 @@
-"""The help over the picture: what mouse and keys do."""
+"""Help overlay: mouse and key bindings."""
 
 from __future__ import annotations
 
@@ -7,18 +7,18 @@ from typing import Final
 from airlight.viewer.navigation.keys import as_json
 from airlight.viewer.window import style
 
-#: Width of the whole, and of the column of keys. [logical pixel]
+#: Widths of the overlay and of the column of keys. [logical pixel]
 _WIDTH: Final = 840.0
 _KEYS: Final = 112.0
 
 
 def draw_help(width: float, height: float) -> bool:
-    """Draw the help in the middle of the window.
+    """Draw the help centred in the window.
 
     Parameters
     ----------
     width, height : float
-        Of the window. [logical pixel]
+        Size of the window. [logical pixel]
 
     Returns
     -------

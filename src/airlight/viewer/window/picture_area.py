@@ -1,4 +1,4 @@
-"""Where on the window the pictures lie: one, or two side by side with a divider to drag."""
+"""Layout of the pictures in the window: one, or two side by side with a draggable divider."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from typing import Any, Final
 from airlight.viewer.painting.picture_source import Picture
 from airlight.viewer.window import style
 
-#: The divider can be grabbed so far from its line. [logical pixel]
+#: Distance from the divider within which it can be grabbed. [logical pixel]
 _GRAB: Final = 7.0
 
 
 @dataclass(frozen=True, kw_only=True)
 class Rectangle:
-    """Part of the window. [logical pixel]"""
+    """Rectangular part of the window. [logical pixel]"""
 
     left: float
     top: float
@@ -26,7 +26,7 @@ class Rectangle:
         return self.left <= x < self.left + self.width and self.top <= y < self.top + self.height
 
     def centered(self, width: float, height: float) -> Rectangle:
-        """A rectangle of a size in the middle of this one.
+        """Rectangle of a size, centred in this one.
 
         Examples
         --------
@@ -41,19 +41,24 @@ class Rectangle:
         )
 
     def place_of(self, x: float, y: float) -> tuple[float, float] | None:
-        """A point as shares of width and height, or None outside."""
+        """Position of a point as fractions of width and height [1]; None outside."""
         if not self.holds(x, y):
             return None
         return (x - self.left) / self.width, (y - self.top) / self.height
 
 
 class PictureArea:
-    """Draws pictures behind the panels.
+    """Area of the pictures, behind the panels.
 
     Parameters
     ----------
     backend : ImguiWgpuBackend
-        Knows textures by a number.
+        Back end that registers textures.
+
+    Attributes
+    ----------
+    divider : float
+        Position of the divider, as a fraction of the width. [1]
     """
 
     def __init__(self, backend: Any) -> None:
@@ -64,15 +69,16 @@ class PictureArea:
         self._split = False
 
     def draw(self, left: Picture | None, right: Picture | None, into: Rectangle) -> None:
-        """Draw a picture, or the left part of one and the right part of another.
+        """Draw one picture, or parts of two on either side of the divider.
 
         Parameters
         ----------
         left : Picture or None
-            The whole picture if there is no other.
+            Picture left of the divider, or the whole picture if there is no other.
         right : Picture or None
-            What the part to the right of the divider shows.
+            Picture right of the divider.
         into : Rectangle
+            Rectangle to fill.
         """
         views = {id(one.view) for one in (left, right) if one is not None}
         for old in set(self._known) - views:
@@ -94,7 +100,7 @@ class PictureArea:
             reference = self._backend.register_texture(picture.view)
             self._known[id(picture.view)] = (picture.view, reference)
         _, reference = self._known[id(picture.view)]
-        # Half a texel in, a stretched picture does not bleed from its opposite edge.
+        # An inset of half a texel keeps a magnified picture from wrapping around at its edges.
         edge_x, edge_y = 0.0, 0.0
         if picture.width < into.width or picture.height < into.height:
             edge_x, edge_y = 0.5 / picture.width, 0.5 / picture.height
@@ -107,7 +113,7 @@ class PictureArea:
         )
 
     def draw_divider(self, into: Rectangle, names: tuple[str, str]) -> None:
-        """The line between two pictures and their names."""
+        """Draw the line between two pictures, and their names."""
         from imgui_bundle import imgui
 
         drawing = imgui.get_background_draw_list()
@@ -129,7 +135,7 @@ class PictureArea:
             drawing.add_text(imgui.ImVec2(start, into.top + 13.0), white, name)
 
     def draw_mark(self, into: Rectangle, place: tuple[float, float]) -> None:
-        """A small circle at a place, given as shares of width and height."""
+        """Draw a small circle at a position, in fractions of width and height. [1]"""
         from imgui_bundle import imgui
 
         drawing = imgui.get_background_draw_list()
@@ -140,33 +146,38 @@ class PictureArea:
         drawing.add_circle(imgui.ImVec2(x, y), 6.0, white, 0, 1.2)
 
     def grab(self, x: float, y: float, into: Rectangle) -> bool:
-        """Begin to drag the divider if it is at this point."""
+        """Start dragging the divider if it is at this point; returns whether it is."""
         line = into.left + self.divider * into.width
         self._dragging = self._split and into.holds(x, y) and abs(x - line) <= _GRAB
         return self._dragging
 
     def drag(self, x: float, into: Rectangle) -> bool:
-        """Move the divider if it is being dragged."""
+        """Move the divider if it is being dragged; returns whether it is."""
         if self._dragging and into.width > 0.0:
             self.divider = min(max((x - into.left) / into.width, 0.02), 0.98)
         return self._dragging
 
     def release(self) -> None:
-        """End the dragging."""
+        """Stop dragging."""
         self._dragging = False
 
 
 def layout(size: tuple[float, float], *, panels: bool, probe: float) -> dict[str, Rectangle]:
-    """Where picture, panel, probe and status line lie.
+    """Rectangles of picture, panel, probe and status line.
 
     Parameters
     ----------
     size : (float, float)
-        Of the window. [logical pixel]
+        Size of the window. [logical pixel]
     panels : bool
-        False hides all but the picture.
+        Whether the panels are visible; without them only the picture has a rectangle.
     probe : float
         Height of the probe's panel below the picture, 0 if it is closed. [logical pixel]
+
+    Returns
+    -------
+    dict
+        Rectangles by name. [logical pixel]
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""The sides of the comparison, each with a solver and a painter on threads of their own."""
+"""Sides of the comparison, each with a solver thread and a painter thread."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from airlight.viewer.session.session import Session
 
 
 class Sides:
-    """What is solved and painted of a session's one or two sides.
+    """Solutions and pictures of a session's one or two sides.
 
     Parameters
     ----------
     session : Session
     painter : callable
-        Makes a painter; called once for each side.
+        Factory of painters, called once per side.
     solver : PlanetSolver, optional
-        Called on threads of ``Solving``.
+        Solver, called on the threads of ``Solving``; by default the processor's.
     wake : callable
-        Called from any thread when there is something new.
+        Called from any thread after each new solution, status or picture.
     """
 
     def __init__(
@@ -46,7 +46,7 @@ class Sides:
         self._wanted: tuple[str, ...] = ()
 
     def follow(self, *, both: bool) -> None:
-        """Say what is wanted now, of the side that is edited or of both."""
+        """Request the current pictures, of the edited side or of both."""
         shown = self._session.showing
         other = "A" if shown == "B" else "B"
         sides = (shown, other) if both else (shown,)
@@ -70,7 +70,7 @@ class Sides:
             self._pictures[side] = newest
 
     def _request(self, side: str, solved: Solved) -> Request:
-        """The picture that is wanted of a side."""
+        """Picture request of a side."""
         session = self._session
         view = session.view if side == session.showing else session.view_other or session.view
         return Request(
@@ -84,23 +84,23 @@ class Sides:
         )
 
     def picture(self, side: str = "") -> Picture | None:
-        """What is shown of a side; of the one that is edited if left out."""
+        """Picture shown of a side, by default of the edited one."""
         return self._pictures.get(side or self._session.showing)
 
     def solved(self, side: str = "") -> Solved | None:
-        """The newest solution of a side."""
+        """Newest solution of a side, by default of the edited one."""
         solving = self._solvings.get(side or self._session.showing)
         return None if solving is None else solving.latest
 
     @property
     def status(self) -> Status:
-        """What the solver of the side that is edited does now."""
+        """Status of the edited side's solver."""
         solving = self._solvings.get(self._session.showing)
         return Status() if solving is None else solving.status
 
     @property
     def planet(self) -> Planet | None:
-        """What the reader made of the planet that is edited, if nothing of it is switched off."""
+        """Edited planet as read; None if not yet read or if constituents are switched off."""
         solved = self.solved()
         if solved is None or solved.version != self._session.versions.planet:
             return None
@@ -108,7 +108,7 @@ class Sides:
 
     @property
     def settled(self) -> bool:
-        """Whether all that is wanted is shown, in full quality."""
+        """Whether all requested pictures are shown, in full quality."""
         return bool(self._wanted) and all(self._is_settled(side) for side in self._wanted)
 
     def _is_settled(self, side: str) -> bool:
@@ -124,7 +124,7 @@ class Sides:
 
     @property
     def error(self) -> str:
-        """Why what is wanted cannot be shown, in one line; empty if it can."""
+        """First error of the requested sides, in one line; empty if there is none."""
         errors = [self._solvings[side].status.error for side in self._wanted]
         errors += [self._threads[side].error for side in self._wanted]
         return next((one for one in errors if one), "")

@@ -1,4 +1,4 @@
-"""From what was asked for to an open window: session, device, canvas."""
+"""Start-up of the window: session, device, canvas."""
 
 from __future__ import annotations
 
@@ -25,40 +25,40 @@ from airlight.viewer.session.session import Session
 from airlight.viewer.window.canvas import DesktopPlace, OffscreenPlace, WindowError
 from airlight.viewer.window.window import Window
 
-#: Where the camera looks from a given altitude if nobody says: across the sunlight. [deg]
+#: Default azimuth from the sun, across the sunlight, if only an altitude is given. [deg]
 _ACROSS: Final = -75.0
-#: Whoever gives one of these has a view of his own.
+#: View values that replace the default viewpoint.
 _PLACED: Final = frozenset(
     {"view.altitude", "view.sun_zenith", "view.field_of_view", "view.projection"}
 )
-#: The longest wait for a picture of the window. [s]
+#: Longest wait for a screenshot. [s]
 _PATIENCE: Final = 300.0
 
 
 @dataclass(frozen=True, kw_only=True)
 class Start:
-    """What a window shows first.
+    """Initial state of a window.
 
     Parameters
     ----------
     planet : str
-        Name of a preset, the path of a planet file, or the address of a page.
+        Name of a preset, path of a planet file, or URL of a page.
     other : str, optional
-        A planet to compare it with.
+        Planet to compare it with.
     changes : tuple of str
-        ``PATH=VALUE``, as ``airlight render --set`` takes them.
+        Overrides ``PATH=VALUE``, as for ``airlight render --set``.
     view : mapping
-        Values of the view's parameters by path.
+        View values by path.
     look : (float, float), optional
-        Zenith angle, and azimuth from the sun's side. [deg]
+        Zenith angle, and azimuth from the sun, of the line of sight. [deg]
     look_at : str, optional
-        Instead: ``horizon``, ``nadir``, ``zenith`` or ``sun``.
+        Target instead of ``look``: ``horizon``, ``nadir``, ``zenith`` or ``sun``.
     size : (int, int)
-        Of the window. [logical pixel]
+        Size of the window. [logical pixel]
     device : str
-        ``auto``, ``gpu`` or ``cpu``.
+        Device that solves and renders: ``auto``, ``gpu`` or ``cpu``.
     screenshot : Path, optional
-        Open no window; write what it would show.
+        File for a screenshot, written instead of opening a window.
     """
 
     planet: str = "earth"
@@ -73,20 +73,24 @@ class Start:
 
 
 def show(start: Start) -> None:
-    """Open a window and run it until it is closed, or write a picture of it.
+    """Open a window and run it until it is closed, or write a screenshot.
+
+    Parameters
+    ----------
+    start : Start
 
     Raises
     ------
     WindowError
-        If there can be no window: without the packages, a display or a graphics device.
+        If the packages, a display or a graphics device are missing.
     ParameterError, FileError
-        If the planet or a value is not allowed.
+        If the planet, a value or the file is invalid.
     """
     if start.screenshot is not None:
         if start.screenshot.suffix.lower() != ".png":
             raise FileError(start.screenshot, "the name of a screenshot ends in .png")
         check_target(start.screenshot)
-    # Two sides may compile a function at the same time; the second finds it done, and says so.
+    # Two sides may compile a function at the same time; the second then warns that it is done.
     warnings.filterwarnings("ignore", message="Compilation requested for previously compiled")
     session = opened(start)
     place: DesktopPlace | OffscreenPlace
@@ -113,7 +117,7 @@ def show(start: Start) -> None:
 
 
 def opened(start: Start) -> Session:
-    """A session as it was asked for, with nothing to undo."""
+    """Session in the initial state, with an empty history."""
     session = _session_of(start.planet)
     if start.changes:
         from airlight.planets.reading.overrides import overridden, parsed
@@ -145,7 +149,7 @@ def opened(start: Start) -> Session:
 
 
 def _session_of(planet: str) -> Session:
-    """A session on a planet by its name or file, or on what the address of a page shows."""
+    """Session on a planet by its name or file, or in the state of a page's URL."""
     _, sign, fragment = planet.partition("#")
     if not sign:
         return Session(planet)
@@ -156,14 +160,14 @@ def _session_of(planet: str) -> Session:
 
 
 def _first_view(session: Session) -> Mapping[str, float]:
-    """The sky from the ground, a little aside from the sun."""
+    """View of the sky from the ground, 60° aside from the sun."""
     bottom, top = (1e3 * float(session.value(f"shell.{end}_radius")) for end in ("bottom", "top"))
     bearing = float(session.view["view.sun_azimuth"])
     return view_of(VIEWPOINTS[0], bottom_radius=bottom, top_radius=top, bearing=bearing)
 
 
 def painter_by(choice: Literal["auto", "gpu", "cpu"], device: Device) -> Callable[[], Painter]:
-    """What makes painters: by the graphics device, or by the processor."""
+    """Factory of painters for the graphics device or the processor."""
 
     def make() -> Painter:
         if choice == "cpu":
@@ -176,7 +180,7 @@ def painter_by(choice: Literal["auto", "gpu", "cpu"], device: Device) -> Callabl
 
 
 def _photograph(window: Window, place: OffscreenPlace, path: Path) -> None:
-    """Draw until everything wanted is shown, and write the picture."""
+    """Draw until everything requested is shown, and write the picture."""
     from airlight.exports.png import write_png
 
     until = time.monotonic() + _PATIENCE
@@ -188,7 +192,7 @@ def _photograph(window: Window, place: OffscreenPlace, path: Path) -> None:
             raise WindowError(f"the picture was not finished after {_PATIENCE:.0f} s")
         time.sleep(0.02)
         place.run(window.draw)
-    for _ in range(2):  # panels settle their sizes in the frame after
+    for _ in range(2):  # panels reach their final sizes one frame later
         place.run(window.draw)
     assert place.picture is not None
     write_png(path, np.ascontiguousarray(place.picture), {"software": "airlight view"})

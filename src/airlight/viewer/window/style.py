@@ -1,4 +1,4 @@
-"""How the window looks: typeface, colours, distances."""
+"""Style of the window: typeface, colours, spacing."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from typing import Final
 TEXT: Final = 15.0
 #: Width of the panel of parameters. [logical pixel]
 PANEL_WIDTH: Final = 384.0
-#: Height of the line at the bottom. [logical pixel]
+#: Height of the status line. [logical pixel]
 STATUS_HEIGHT: Final = 26.0
 
-#: Quiet text, what may be clicked, a warning, an error: red, green, blue, opacity. [1]
+#: Colours of secondary text, links, warnings and errors: red, green, blue, opacity. [1]
 QUIET: Final = (0.62, 0.65, 0.70, 1.0)
 ACCENT: Final = (0.36, 0.66, 0.96, 1.0)
 WARNING: Final = (0.98, 0.76, 0.36, 1.0)
 ERROR: Final = (1.00, 0.50, 0.45, 1.0)
-#: What surrounds the picture: dark and without hue, so that colours can be judged.
+#: Colour around the picture, dark and neutral, so that colours can be judged. [1]
 SURROUND: Final = (0.055, 0.055, 0.055, 1.0)
 
-#: Icons of the icon typeface.
+#: Code points of the icon typeface.
 UNDO: Final = "\uf2ea"
 REDO: Final = "\uf2f9"
 RESET: Final = "\uf0e2"
@@ -32,7 +32,7 @@ HELP: Final = "\uf059"
 
 
 def apply_style() -> None:
-    """Set the style of the current ImGui context, and load its typeface."""
+    """Set the style and load the typeface of the current ImGui context."""
     from imgui_bundle import imgui
 
     imgui.style_colors_dark()
@@ -82,7 +82,7 @@ def apply_style() -> None:
 
 
 def _load_typeface() -> None:
-    """Roboto; superscripts and arrows from Inconsolata; icons from Font Awesome."""
+    """Load Roboto, with superscripts and arrows of Inconsolata and icons of Font Awesome."""
     import imgui_bundle
     from imgui_bundle import imgui
 
@@ -92,7 +92,7 @@ def _load_typeface() -> None:
         ("Roboto/Roboto-Regular.ttf", "Inconsolata-Medium.ttf", "Font_Awesome_6_Free-Solid-900.otf")
     ):
         path = folder / name
-        if not path.is_file():  # another build of the package: its built-in typeface serves
+        if not path.is_file():  # another build of the package: use its built-in typeface
             if index == 0:
                 return
             continue
@@ -102,7 +102,7 @@ def _load_typeface() -> None:
 
 
 def colored(text: str, color: tuple[float, float, float, float]) -> None:
-    """Text of a colour, wrapped at the panel's edge."""
+    """Draw coloured text, wrapped at the panel's edge."""
     from imgui_bundle import imgui
 
     imgui.push_style_color(imgui.Col_.text, imgui.ImVec4(*color))
@@ -113,7 +113,7 @@ def colored(text: str, color: tuple[float, float, float, float]) -> None:
 
 
 def hint(text: str, *, width: float = 300.0) -> None:
-    """Show a text while the pointer rests on the last thing drawn."""
+    """Show a tooltip while the pointer rests on the last item drawn."""
     from imgui_bundle import imgui
 
     if text and imgui.is_item_hovered(imgui.HoveredFlags_.for_tooltip.value):
@@ -125,7 +125,7 @@ def hint(text: str, *, width: float = 300.0) -> None:
 
 
 def item_place() -> tuple[float, float, float, float]:
-    """Where the last thing was drawn: left, top, right, bottom. [logical pixel]"""
+    """Rectangle of the last item drawn: left, top, right, bottom. [logical pixel]"""
     from imgui_bundle import imgui
 
     low, high = imgui.get_item_rect_min(), imgui.get_item_rect_max()
@@ -135,7 +135,7 @@ def item_place() -> tuple[float, float, float, float]:
 def button(
     icon: str, name: str, sentence: str, act: Callable[[], object], *, on: bool = True
 ) -> None:
-    """A button with an icon, greyed out unless ``on``."""
+    """Draw a button with an icon, disabled unless ``on``."""
     from imgui_bundle import imgui
 
     imgui.begin_disabled(not on)

@@ -1,4 +1,4 @@
-"""The surface of a canvas: cleared, with the pictures and the panels of ImGui on it."""
+"""Surface of a canvas, on which ImGui draws the pictures and the panels."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any, Final
 from airlight.viewer.window import style
 from airlight.viewer.window.canvas import MISSING_EXTRA, WindowError
 
-#: What ImGui does about an end that is missing, besides adding it: raise, print, show.
+#: ImGui's settings for a missing ``end``, besides adding it: raise, print, show.
 _STRICT: Final = (
     "config_error_recovery_enable_assert",
     "config_error_recovery_enable_debug_log",
@@ -18,7 +18,7 @@ _STRICT: Final = (
 
 
 class WindowSurface:
-    """ImGui on a canvas.
+    """ImGui renderer on a canvas.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ class WindowSurface:
         self._device = device
         try:
             self._context = canvas.get_wgpu_context()
-            # Colours are encoded by whoever makes them; the surface must not encode them again.
+            # Colours are already encoded; the surface must not encode them again.
             form = self._context.get_preferred_format(device.adapter).removesuffix("-srgb")
             self._context.configure(device=device, format=form)
         except Exception as error:
@@ -62,7 +62,7 @@ class WindowSurface:
 
     @property
     def ratio(self) -> float:
-        """Pixels of the display per logical pixel. [1]"""
+        """Physical pixels per logical pixel. [1]"""
         return float(self._context.pixel_ratio)
 
     @property
@@ -72,20 +72,20 @@ class WindowSurface:
 
     @property
     def pressed(self) -> bool:
-        """Whether a panel's control is held."""
+        """Whether a control of a panel is held."""
         return bool(self._imgui.is_any_item_active())
 
     @property
     def asks(self) -> bool:
-        """Whether a list or a menu is open over the rest."""
+        """Whether a popup list or menu is open."""
         any_of = self._imgui.PopupFlags_.any_popup.value
         return bool(self._imgui.is_popup_open("", any_of))
 
     @contextmanager
     def balanced(self) -> Iterator[None]:
-        """End whatever is begun and not ended within: windows, tables, styles.
+        """End windows, tables and styles left open by an exception within.
 
-        Without it ImGui would refuse the end of this frame, and every frame after it.
+        Otherwise ImGui would reject the end of this frame and every later frame.
         """
         internal, style_now = self._imgui.internal, self._imgui.get_style()
         state, alpha = internal.ErrorRecoveryState(), style_now.alpha
@@ -93,7 +93,7 @@ class WindowSurface:
         try:
             yield
         except BaseException:
-            # Each end that is missing counts as an error of its own, which here it is not.
+            # ImGui reports each missing end as an error; here it is a consequence of one.
             io = self._imgui.get_io()
             settings = {name: getattr(io, name) for name in _STRICT}
             try:
@@ -103,12 +103,12 @@ class WindowSurface:
             finally:
                 for name, value in settings.items():
                     setattr(io, name, value)
-                # After begin_disabled(False) ImGui "recovers" an opacity that it never kept: 0.
+                # After begin_disabled(False) ImGui restores an opacity it never stored: 0.
                 style_now.alpha = alpha
             raise
 
     def draw(self, gui: Callable[[], None]) -> None:
-        """Clear the surface and draw what ``gui`` says."""
+        """Clear the surface and draw ``gui``."""
         encoder = self._device.create_command_encoder()
         view = self._context.get_current_texture().create_view()
         clearing = encoder.begin_render_pass(

@@ -1,7 +1,7 @@
-"""The window: a planet, its light and all its parameters, in one loop that never waits.
+"""Main window: picture and parameters of a planet, in a loop that never blocks.
 
-Everything slow is done elsewhere: ``solving`` solves, a picture source renders, ``Saving`` writes;
-each wakes the window when there is something new. A frame takes what is there and draws it.
+Slow work runs on other threads: ``solving`` solves, a painter renders, ``Saving`` writes; each
+wakes the window when it has a result. A frame draws the results that are available.
 """
 
 from __future__ import annotations
@@ -39,24 +39,30 @@ from airlight.viewer.window.picture_area import PictureArea, Rectangle, layout
 from airlight.viewer.window.sides import Sides
 from airlight.viewer.window.surface import WindowSurface
 
-#: After an event the window goes on drawing for so long: hints appear, buttons fade. [s]
+#: Time for which the window is redrawn after an event, for tooltips and fading buttons. [s]
 _LINGER: Final = 1.0
 
 
 class Window:
-    """A window on a session.
+    """Window of a session.
 
     Parameters
     ----------
     session : Session
-        What is shown and edited.
+        Session that is shown and edited.
     place : Place
-        A window of the desktop, or memory.
+        Canvas on the desktop or offscreen.
     device : wgpu.GPUDevice
+        Device that draws the window.
     painter : callable
-        Makes a painter; called once for each side.
+        Factory of painters, called once per side.
     solver : PlanetSolver, optional
-        Solves, on threads of ``Solving``.
+        Solver, called on the threads of ``Solving``; by default the processor's.
+
+    Raises
+    ------
+    WindowError
+        If the packages are missing, or the device cannot draw on the canvas.
     """
 
     def __init__(
@@ -107,19 +113,19 @@ class Window:
 
     @property
     def settled(self) -> bool:
-        """Whether all that is wanted is shown, in full quality."""
+        """Whether all requested pictures and probes are shown, in full quality."""
         return self._sides.settled and not self._probing.busy
 
     @property
     def problem(self) -> str:
-        """Why what is wanted cannot be shown, in one line; empty if it can."""
+        """First current error, in one line; empty if there is none."""
         return self.messages.error or self._faults.line or self._sides.error
 
     def shown(self, side: str = "") -> Picture | None:
-        """What the last frame showed of a side; of the one that is edited if left out."""
+        """Picture of a side in the last frame, by default of the edited one."""
         return self._sides.picture(side)
 
-    # --- a frame ------------------------------------------------------------------------------
+    # --- frames -------------------------------------------------------------------------------
 
     def draw(self) -> None:
         """Draw one frame."""
@@ -141,7 +147,7 @@ class Window:
 
     @property
     def _restless(self) -> bool:
-        """Whether something moves without any event."""
+        """Whether the window must be redrawn without an event."""
         return (
             self._flight.moving
             or self.panel.plays
@@ -153,7 +159,7 @@ class Window:
         self._last_event = perf_counter()
 
     def _step(self) -> None:
-        """Fly, and let time pass, since the last frame."""
+        """Advance flight and time since the last frame."""
         now = perf_counter()
         seconds = min(now - self._last_frame, RATES["longest_step"])
         self._last_frame = now
@@ -167,7 +173,7 @@ class Window:
             self.attempt(lambda: self._flight.set_time(declination, hour % 24.0, gesture=""))
 
     def _follow(self) -> None:
-        """Say what is wanted to those who solve and render."""
+        """Send the current requests to the solvers and painters."""
         session = self.session
         into = self._parts["picture"]
         ratio = self.surface.ratio
@@ -176,7 +182,7 @@ class Window:
 
     @contextmanager
     def _part(self, name: str) -> Iterator[None]:
-        """A part of the frame whose fault does not end it."""
+        """Isolate a part of the frame, whose failure does not end the frame."""
         with self._faults.caught(name), self.surface.balanced():
             yield
 
@@ -195,7 +201,7 @@ class Window:
                 self.actions.shows_help = draw_help(width, height)
         with self._part("save dialog"):
             self._dialog.draw(width, height, self._save_picture, self._save_planet)
-        if self.actions.shows_panels:  # the last, so that it tells what the others came to
+        if self.actions.shows_panels:  # last, to show the results of the others
             with self._part("status line"):
                 draw_status(self._status(), self._parts["status"])
 
@@ -238,22 +244,22 @@ class Window:
             error=self.problem or self._saving.error or self._probing.error,
         )
 
-    # --- what mouse and keys do ---------------------------------------------------------------
+    # --- targets of mouse and keys ------------------------------------------------------------
 
     @property
     def covered(self) -> bool:
-        """See ``Host``."""
+        """See ``Host.covered``."""
         return self.actions.shows_help or bool(self._dialog.asks) or self.surface.asks
 
     def picture_rectangle(self) -> Rectangle:
-        """Where the picture lies: in the middle of its part, in its own shape."""
+        """Rectangle of the picture, centred in its area, with its own aspect ratio."""
         into = self._parts["picture"]
         camera = self.session.scene.camera
         ratio = self.surface.ratio
         return into.centered(camera.width / ratio, camera.height / ratio)
 
     def click(self, x: float, y: float) -> None:
-        """See ``Host``."""
+        """Probe the picture at a clicked point; see ``Host.click``."""
         if not self.panel.probes:
             return
         rectangle = self.picture_rectangle()
@@ -268,11 +274,11 @@ class Window:
             self._probing.ask(shown.request, at)
 
     def do(self, action: str) -> None:
-        """See ``Host``."""
+        """See ``Host.do``."""
         self.actions.do(action)
 
     def attempt(self, edit: Callable[[], object]) -> None:
-        """See ``Host``."""
+        """See ``Host.attempt``."""
         self.messages.attempt(edit)
 
     def _save_picture(self, path: str, size: tuple[int, int] | None) -> None:

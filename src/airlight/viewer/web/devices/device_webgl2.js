@@ -1,14 +1,14 @@
 /** Full-screen fragment passes on WebGL2; the interface is described in device.js. */
 import { CHANNELS, flatSize, wholeRows } from "./textures.js";
 
-/** How often an unfinished compilation or drawing is asked for. [ms] */
+/** Polling interval for unfinished compilation or drawing. [ms] */
 const PATIENCE = 4;
 
 export class WebGl2Device {
   /**
    * @param {HTMLCanvasElement} canvas
    * @returns {Promise<WebGl2Device>}
-   * @throws {Error} If there is no context, or none that draws into float targets.
+   * @throws {Error} If there is no context, or none that renders to float targets.
    */
   static async open(canvas) {
     const gl = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false });
@@ -89,13 +89,13 @@ export class WebGl2Device {
     return { program, formats, buffers: this.buffers(program, shader), places: new Map() };
   }
 
-  /** A buffer for each uniform struct that the shader has left, with its slot. */
+  /** Buffers, with their slots, of the uniform structs that are active in the shader. */
   buffers(program, { uniforms }) {
     const { gl } = this;
     const found = [];
     const blocks = gl.getProgramParameter(program, gl.ACTIVE_UNIFORM_BLOCKS);
     for (let block = 0; block < blocks; block++) {
-      // A block has the name of its variable, with a capital.
+      // A block has the capitalised name of its variable.
       const name = gl.getActiveUniformBlockName(program, block).toLowerCase();
       const named = Object.entries(uniforms ?? {}).find(([one]) => name === one);
       gl.uniformBlockBinding(program, block, block);
@@ -152,8 +152,8 @@ export class WebGl2Device {
   }
 
   /**
-   * Pictures are drawn into a buffer of their own first: the shaders put the first row where
-   * a texture has it, and on a canvas that is the bottom.
+   * Attach the buffer into which pictures are drawn first, to be flipped: the shaders' first row is
+   * that of a texture, which is the bottom row of a canvas.
    */
   attachScreen() {
     const { gl, canvas } = this;

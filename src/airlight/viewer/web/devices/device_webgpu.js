@@ -1,14 +1,14 @@
 /** Full-screen fragment passes on WebGPU; the interface is described in device.js. */
 import { CHANNELS, ROW, flatSize, wholeRows } from "./textures.js";
 
-/** Bytes to which rows are aligned when a texture is copied into a buffer. */
+/** Alignment of rows when a texture is copied into a buffer. [byte] */
 const ROW_ALIGNMENT = 256;
 
 export class WebGpuDevice {
   /**
    * @param {HTMLCanvasElement} canvas
    * @returns {Promise<WebGpuDevice>}
-   * @throws {Error} If there is no adapter, or it refuses.
+   * @throws {Error} If there is no adapter, device or context.
    */
   static async open(canvas) {
     if (!navigator.gpu) throw new Error("not offered");
@@ -73,7 +73,7 @@ export class WebGpuDevice {
     return { pipeline, layout, buffers, groups: null, bound: null };
   }
 
-  /** Layouts of bind groups, spelled out: an automatic one lacks what an entry does not use. */
+  /** Explicit bind group layouts; automatic ones omit bindings that an entry does not use. */
   layout(shader) {
     const groups = [];
     const visibility = GPUShaderStage.VERTEX | GPUShaderStage.FRAGMENT;
@@ -119,7 +119,7 @@ export class WebGpuDevice {
     device.queue.submit([encoder.finish()]);
   }
 
-  /** Bind groups are kept as long as a pass reads the same textures. */
+  /** Make the bind groups, which are kept as long as a pass reads the same textures. */
   bind(compiled, reads) {
     const same =
       compiled.bound && Object.entries(reads).every(([slot, t]) => compiled.bound[slot] === t);
@@ -185,7 +185,7 @@ export class WebGpuDevice {
   }
 }
 
-/** Slots of the uniform structs of a shader: one, several by name, or none. */
+/** Slots of a shader's uniform structs. */
 function slotsOf({ uniforms }) {
   if (!uniforms) return [];
   return typeof uniforms === "string" ? [uniforms] : Object.values(uniforms);

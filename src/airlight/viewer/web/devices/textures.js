@@ -1,22 +1,22 @@
 /**
- * Flat textures: a table of any shape, element after element, in rows of 2048 texels.
+ * Flat textures: the elements of a table of any shape in sequence, in rows of 2048 texels.
  *
- * Shaders read element i at (i & 2047, i >> 11), without filtering, so that the same text runs on
+ * Shaders read element i at (i & 2047, i >> 11), without filtering, so that the same code runs on
  * WebGPU and on WebGL2.
  */
 
-/** Texels in a row. */
+/** Number of texels in a row. */
 export const ROW = 2048;
 
-/** Numbers in a texel of each format. */
+/** Number of channels of each format. */
 export const CHANNELS = { r32float: 1, rgba32float: 4 };
 
 /**
- * The size of the flat texture that holds so many numbers.
+ * Size of a flat texture.
  *
- * @param {number} count Numbers, not texels.
+ * @param {number} count Number of values, not of texels.
  * @param {string} format r32float or rgba32float.
- * @returns {{width: number, height: number}} In texels.
+ * @returns {{width: number, height: number}} Size. [texel]
  */
 export function flatSize(count, format) {
   const texels = Math.ceil(count / CHANNELS[format]);
@@ -24,11 +24,11 @@ export function flatSize(count, format) {
 }
 
 /**
- * Numbers in whole rows: the last one is filled with zeros.
+ * Pad values with zeros to whole rows.
  *
  * @param {Float32Array} data
  * @param {string} format r32float or rgba32float.
- * @returns {Float32Array} The same array where nothing is missing.
+ * @returns {Float32Array} The same array if no padding is needed.
  */
 export function wholeRows(data, format) {
   const { width, height } = flatSize(data.length, format);

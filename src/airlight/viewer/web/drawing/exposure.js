@@ -1,10 +1,12 @@
-/** Automatic exposure: the picture's mean is shown as middle grey. */
+/** Automatic exposure, which shows the picture's mean as middle grey. */
 import { exposure_of, luminance_of } from "../generated/formulas.js";
 
 /**
- * @param {Float32Array} rgba Linear sRGB of a small picture, four numbers a pixel.
+ * Exposure of a picture.
+ *
+ * @param {Float32Array} rgba Linear sRGB of a small picture, four values per pixel.
  * @param {number} grey Luminance that the tone map shows as middle grey.
- * @returns {number} -100 to 100; 0 for a black picture. [EV]
+ * @returns {number} Exposure, -100 to 100; 0 for a black picture. [EV]
  */
 export function automaticExposure(rgba, grey) {
   const bright = [];

@@ -1,10 +1,12 @@
-/** The map of the ground: a picture, made into linear reflectances and their halvings. */
+/** Ground map: an image converted to linear reflectances and their mip levels. */
 
 /**
+ * Table of the ground map.
+ *
  * @param {{image: string, levels: number[][], decoded: number[]} | null} map From
- *     viewer/browser/ground_map.py; null for a ground of one colour.
- * @returns {Promise<{numbers: Float32Array, places: {levels: number[], texels: number[]}}>} The
- *     table, and where its two parts stand.
+ *     viewer/browser/ground_map.py; null for a ground of uniform colour.
+ * @returns {Promise<{numbers: Float32Array, places: {levels: number[], texels: number[]}}>} Table,
+ *     and offsets of its two parts.
  */
 export async function groundTable(map) {
   if (!map) {
@@ -44,7 +46,7 @@ function fill(texels, pixels, decoded) {
   }
 }
 
-/** Means of 2 x 2. */
+/** Fill a level with the means of 2 × 2 texels of the previous one. */
 function halve(texels, [from, , wide], [to, height, width]) {
   for (let row = 0; row < height; row++) {
     for (let column = 0; column < width; column++) {

@@ -1,10 +1,10 @@
-/** What a host is given: tables as text or as bytes, made into numbers. */
+/** Decoding of tables from text or bytes. */
 
 /**
- * The numbers of a table.
+ * Decode a table.
  *
- * @param {string | DataView | ArrayBuffer | Uint8Array} data Text as viewer/browser/tables_text.py makes it,
- *     or little-endian float32.
+ * @param {string | DataView | ArrayBuffer | Uint8Array} data Text from
+ *     viewer/browser/tables_text.py, or little-endian float32.
  * @returns {Promise<Float32Array>}
  */
 export async function numbersOf(data) {
@@ -26,7 +26,7 @@ export async function numbersOf(data) {
   return new Float32Array(bits.buffer);
 }
 
-/** A promise of the text that was deflated into base64. */
+/** Promise of the text of deflated base64. */
 export function textOf(data) {
   return inflated(data).text();
 }

@@ -1,13 +1,13 @@
 /**
- * What draws a planet: its tables on the device, and the passes over them.
+ * Renderer of a planet: its tables on the device, and the passes over them.
  *
- * A description, as viewer/browser/package.py makes it, has what is the same for every planet — `plan` and
- * `shaders` (see program.js), `sky` (shapes of the table of the sky), `glance` (side of the picture
- * that the exposure is found from), `projections` with their fields of view, `tone_maps` with the
- * luminance that each shows as middle grey, `encodings`, `orders`, and `view_uniforms`, the shaders'
- * numbers that are values of the view — and what belongs
- * to a solution: `uniforms`, `tables` (`{format, data}` by name, or a `texture` that is given away), `ground` (see ground.js), `radius`,
- * `thickness`, `star` and `paths` (see view_uniforms.js).
+ * A description from viewer/browser/package.py has data that are the same for every planet — `plan`
+ * and `shaders` (see program.js), `sky` (shapes of the sky table), `glance` (longer side of the
+ * picture from which the exposure is measured), `projections` with their fields of view,
+ * `tone_maps` with the luminance that each shows as middle grey, `encodings`, `orders`, and
+ * `view_uniforms`, the uniforms that are view values — and data of a solution: `uniforms`, `tables`
+ * (`{format, data}` by name, or a `texture` whose ownership is transferred), `ground` (see
+ * ground.js), `radius`, `thickness`, `star` and `paths` (see view_uniforms.js).
  */
 import { automaticExposure } from "./exposure.js";
 import { groundTable } from "./ground.js";
@@ -16,18 +16,21 @@ import { Program } from "./program.js";
 import { cameraNumbers, observerNumbers } from "./view_uniforms.js";
 import { cameraOf } from "./view.js";
 
-/** A table of the sky may take so long while something moves, and while it rests. [ms] */
+/** Time limits of a sky table while the view moves, and while it rests. [ms] */
 const SMOOTH = 60;
 const PATIENT = 2500;
-/** A texel of it takes so long on a processor; until it is known it is taken to. [ms] */
+/** Time per texel of the sky table on a processor, assumed until it is measured. [ms] */
 const SLOW = 0.05;
-/** Texels in a row of a flat texture. */
+/** Number of texels in a row of a flat texture. */
 const ROW = 2048;
 
 export class Picture {
   /**
+   * Compile the shaders and upload a solution.
+   *
    * @param {object} device See devices/device.js.
    * @param {object} description
+   * @returns {Promise<Picture>}
    */
   static async make(device, description) {
     const program = new Program(device, description.plan, description.shaders);
@@ -50,7 +53,7 @@ export class Picture {
     this.exposure = 0;
   }
 
-  /** Another solution, as after an edit. */
+  /** Upload another solution, as after an edit. */
   async take(solution) {
     const names = Object.keys(solution.tables).filter((n) => !solution.tables[n].texture);
     const numbers = await Promise.all(names.map((n) => numbersOf(solution.tables[n].data)));
@@ -76,14 +79,13 @@ export class Picture {
   /**
    * Draw on the canvas.
    *
-   * The last pass follows without a pause, so that the canvas can be copied when the promise is
-   * kept.
+   * The promise resolves directly after the last pass, so that the canvas can be copied then.
    *
-   * @param {Object<string, number | string | boolean>} values Of all parameters, by path.
-   * @param {number} width
-   * @param {number} height [pixel]
-   * @param {string} effort `moving`: at once; `resting`: as well as a short while allows; `best`.
-   * @returns {Promise<boolean>} Whether it can be drawn better while it rests.
+   * @param {Object<string, number | string | boolean>} values Values of all parameters, by path.
+   * @param {number} width Width of the canvas. [pixel]
+   * @param {number} height Height of the canvas. [pixel]
+   * @param {string} effort `moving`: at once; `resting`: within a time limit; `best`: unlimited.
+   * @returns {Promise<boolean>} Whether a finer picture is possible while the view rests.
    */
   async draw(values, width, height, effort) {
     const { program, fixed } = this;
@@ -104,7 +106,7 @@ export class Picture {
     return this.texels(this.shapeFor("resting")) > this.texels(this.shape);
   }
 
-  /** The table of what this observer sees around himself, unless it is there. */
+  /** Draw the sky table of the observer, unless it is up to date. */
   async drawSky(values, camera, effort) {
     const { program, fixed, planet } = this;
     const numbers = this.seenBy(values, camera);
@@ -119,16 +121,16 @@ export class Picture {
     const began = performance.now();
     program.run("sky_air", ...(peaks ? ["sky_peaks"] : []));
     this.seen = seen;
-    // A GPU is asked now and then what it takes; a processor that stands in for one, always.
+    // The time is measured occasionally on a GPU, always on a software device.
     if (this.drawings++ % 16 === 0 || this.texelTime > SLOW) {
       await this.device.finished();
       const time = (performance.now() - began) / this.texels(shape);
-      // The first one has the driver's own compilation in it.
+      // The first time includes the driver's compilation.
       this.texelTime = this.drawings > 1 ? time : SLOW;
     }
   }
 
-  /** The largest table that an effort allows: the first one of all is the smallest. */
+  /** Largest sky table that an effort allows; the very first one is the smallest. */
   shapeFor(effort) {
     if (effort === "best") return "full";
     if (this.shape === null) return "quick";
@@ -142,7 +144,7 @@ export class Picture {
     return 2 * columns * rows;
   }
 
-  /** The numbers that the table of the sky depends on. */
+  /** Values on which the sky table depends. */
   seenBy(values, camera) {
     return {
       ...observerNumbers(this.planet, values["view.altitude"], camera.sun),
@@ -150,7 +152,7 @@ export class Picture {
     };
   }
 
-  /** Values of the view that are numbers of the shaders, by name: `uniforms_of` in Python. */
+  /** Uniforms that are view values, by name: `uniforms_of` in Python. */
   viewNumbers(values) {
     const numbers = {};
     for (const [name, { path, options }] of Object.entries(this.fixed.view_uniforms)) {
@@ -172,12 +174,12 @@ export class Picture {
   }
 
   /**
-   * What a pixel's light is, in words.
+   * Description of a pixel's light.
    *
-   * @param {Object<string, number | string | boolean>} values Of all parameters.
-   * @param {[number, number]} size Of the picture as it is seen. [pixel]
-   * @param {[number, number]} place Of the pixel, from the left and the top. [pixel]
-   * @returns {Promise<string>} Empty if the picture does not show this view yet.
+   * @param {Object<string, number | string | boolean>} values Values of all parameters, by path.
+   * @param {[number, number]} size Size of the picture as displayed. [pixel]
+   * @param {[number, number]} place Position of the pixel, from the left and the top. [pixel]
+   * @returns {Promise<string>} Text; empty if the picture does not show this view yet.
    */
   async probe(values, size, place) {
     const { program, fixed } = this;
@@ -191,7 +193,7 @@ export class Picture {
     return described(rgb, fixed);
   }
 
-  /** The exposure that suits what is seen. [EV] */
+  /** Automatic exposure of the view. [EV] */
   async found(camera, width, height, tone) {
     const { program, fixed } = this;
     const share = fixed.glance / Math.max(width, height);
@@ -204,7 +206,7 @@ export class Picture {
   }
 }
 
-/** Luminance and chromaticity of linear sRGB light. [W m⁻² sr⁻¹] */
+/** Text of luminance and chromaticity of linear sRGB light. [W m⁻² sr⁻¹] */
 function described(rgb, { xyz, efficacy }) {
   const [x, y, z] = [0, 1, 2].map((i) => xyz.reduce((sum, row, c) => sum + row[i] * rgb[c], 0));
   if (!(y > 0)) return "no light";

@@ -1,7 +1,7 @@
 /**
- * A list of passes, as the Python host declares it, on a device.
+ * Passes, as declared by the Python host, on a device.
  *
- * A plan has `layout`, which maps each field of the uniform struct to its place and length in
+ * A plan has `layout`, which maps each field of the uniform struct to its offset and length in
  * floats, `size`, the length of the struct, and `passes`; each pass has `name`, `shader`, `entry`,
  * `vertex`, `uniforms` (the slot "group/binding" of the struct), `reads` (slot to name of a
  * table or target) and `targets` (`{name, format, width, height}` each, or none for the canvas).
@@ -10,8 +10,8 @@ export class Program {
   /**
    * @param {object} device See devices/device.js.
    * @param {object} plan
-   * @param {Object<string, object>} shaders By name: `wgsl`, and `glsl` with `vertex` and one text
-   *     for each entry.
+   * @param {Object<string, object>} shaders Texts by name: `wgsl`, and `glsl` by vertex function
+   *     and entry.
    */
   constructor(device, plan, shaders) {
     this.device = device;
@@ -22,7 +22,7 @@ export class Program {
     this.compiled = new Map();
   }
 
-  /** Compile all passes and make their targets. */
+  /** Compile all passes and create their targets. */
   async build() {
     const { device } = this;
     const work = this.plan.passes.map(async (pass) => {
@@ -45,7 +45,7 @@ export class Program {
     return this;
   }
 
-  /** Set a field of the uniform struct: a number, or its first numbers. */
+  /** Set a field of the uniform struct: a number, or the leading numbers of an array. */
   set(field, value) {
     const place = this.plan.layout[field];
     if (!place) throw new Error(`the shaders know no ${field}`);
@@ -58,7 +58,7 @@ export class Program {
     for (const [field, value] of Object.entries(values)) this.set(field, value);
   }
 
-  /** Give a target another size; what it held is gone. */
+  /** Resize a target; its contents are lost. */
   resize(name, width, height) {
     const before = this.textures.get(name);
     if (before.width === width && before.height === height) return;
@@ -66,14 +66,14 @@ export class Program {
     this.device.release(before);
   }
 
-  /** Set the table that passes read by this name. */
+  /** Upload the table that passes read by this name. */
   setTable(name, format, numbers) {
     const before = this.textures.get(name);
     this.textures.set(name, this.device.flatTexture(format, numbers));
     if (before) this.device.release(before);
   }
 
-  /** Let passes read a texture that is on the device already by this name; it is kept here. */
+  /** Set the table of this name to a texture already on the device, taking ownership. */
   takeTexture(name, texture) {
     const before = this.textures.get(name);
     this.textures.set(name, texture);
@@ -85,7 +85,7 @@ export class Program {
     for (const name of names) this.runIn(name, null);
   }
 
-  /** Run a pass in an area of its targets: left, top, width and height. */
+  /** Run a pass in an area of its targets: left, top, width, height. [texel] */
   runIn(name, area) {
     const pass = this.plan.passes.find((one) => one.name === name);
     const reads = Object.entries(pass.reads).map(([slot, one]) => [slot, this.textures.get(one)]);
@@ -99,7 +99,7 @@ export class Program {
     );
   }
 
-  /** A promise of the numbers of a target, or of an area of it. */
+  /** Promise of the values of a target, or of an area of it. */
   read(name, area) {
     return this.device.read(this.textures.get(name), area);
   }

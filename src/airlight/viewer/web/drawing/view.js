@@ -1,19 +1,20 @@
 /**
- * From the view's parameters to what the shaders are told: directions in the observer's frame.
+ * Conversion of the view's parameters to directions in the observer's frame, for the shaders.
  *
- * The frame has z to the zenith, x to the sun's side and y to the left of x; azimuth grows
- * clockwise seen from above. The formulas are Python's: scene/directions.py and scene/observer.py.
+ * The frame has z towards the zenith, x towards the sun's azimuth and y to the left of x; azimuth
+ * increases clockwise seen from above. The formulas are those of scene/directions.py and
+ * scene/observer.py.
  */
 import { ASPECTS, camera_frame, direction_of, ground_axes } from "../generated/formulas.js";
 
 const RADIAN = Math.PI / 180;
 
-/** Nine numbers as three rows. */
+/** Split nine numbers into three rows. */
 function rows(nine) {
   return [0, 3, 6].map((start) => nine.slice(start, start + 3));
 }
 
-/** The largest picture of a projection's shape within a window. [pixel] */
+/** Largest size with a projection's aspect ratio that fits into a window. [pixel] */
 export function fitting(projection, width, height) {
   const ratio = ASPECTS[projection];
   if (!ratio) return [Math.max(1, width), Math.max(1, height)];
@@ -22,12 +23,12 @@ export function fitting(projection, width, height) {
 }
 
 /**
- * The camera that a view shows.
+ * Camera of a view.
  *
- * @param {Object<string, number | string>} values Of the view's parameters, by path.
- * @param {Object<string, [number, number]>} limits Fields of view of each projection. [deg]
+ * @param {Object<string, number | string>} values View values by path.
+ * @param {Object<string, [number, number]>} limits Limits of each projection's field of view. [deg]
  * @returns {{axes: number[][], sun: number[], fieldOfView: number, projection: string,
- *     ground: number[][]}} The field of view in radians.
+ *     ground: number[][]}} Camera, with the field of view in radians.
  */
 export function cameraOf(values, limits) {
   const projection = values["view.projection"];

@@ -1,12 +1,12 @@
-/** The uniforms that belong to the view; their names are those of gpu/picture/uniforms.py. */
+/** Uniforms of the view, with the names of gpu/picture/uniforms.py. */
 import { PIXEL_ANGLES, observer_numbers, raised_star } from "../generated/formulas.js";
 
 /**
  * Uniforms of the observer and the star.
  *
- * @param {object} planet `radius`, `thickness` [m], `star` [rad], and `paths` where light is bent.
- * @param {number} altitude [m]
- * @param {number[]} sun Towards the star, in the observer's frame.
+ * @param {object} planet `radius`, `thickness` [m], `star` [rad], and `paths` with refraction.
+ * @param {number} altitude Altitude of the observer. [m]
+ * @param {number[]} sun Unit vector towards the star, in the observer's frame.
  */
 export function observerNumbers(planet, altitude, sun) {
   const { radius, thickness, star, paths } = planet;
@@ -60,7 +60,7 @@ export function cameraNumbers(camera, width, height, projections) {
   return numbers;
 }
 
-/** Distance from the centre at which light, drawn straight, passes an observer. [m] */
+/** Optical radius of an observer: its radius in the frame in which rays are straight. [m] */
 function opticalRadius({ radius, thickness, paths }, altitude) {
   if (altitude > thickness) return radius + altitude;
   const { excess } = paths;

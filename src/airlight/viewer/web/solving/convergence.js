@@ -1,15 +1,15 @@
 /**
- * When the orders of scattering have arrived, and what the next guess is.
+ * Convergence test and acceleration of the orders of scattering.
  *
- * Light is (node, wavelength), four wavelengths a node. What concerns one node or one wavelength are
- * the formulas of solvers/moments/convergence.py and acceleration.py.
+ * Arrays of light have shape (node, wavelength), with four wavelengths per node. The formulas per
+ * node or wavelength are those of solvers/moments/convergence.py and acceleration.py.
  */
 import { change_at, combine, count_at, rest_after } from "../generated/formulas.js";
 
-/** Wavelengths of a texel. */
+/** Number of wavelengths in a texel. */
 const LANES = 4;
 
-/** The largest value of each wavelength. */
+/** Largest value of each wavelength. */
 export function brightest(light) {
   const most = new Float64Array(LANES).fill(-Infinity);
   light.forEach((value, i) => {
@@ -18,19 +18,19 @@ export function brightest(light) {
   return most;
 }
 
-/** Relative change where it is not dark, else 0. */
+/** Relative change; 0 where it is dark. */
 export function relativeChange(before, after) {
   const most = brightest(after);
   return Float64Array.from(after, (value, i) => change_at(before[i], value, most[i % LANES]));
 }
 
-/** How much a relative change counts: less in the night of thick air. */
+/** Weight of a relative change, which is smaller on the night side of a thick atmosphere. */
 export function counts(mean, thick) {
   const most = brightest(mean);
   return Float64Array.from(mean, (value, i) => count_at(value, most[i % LANES], thick[i % LANES]));
 }
 
-/** All later changes together over the last one, of each wavelength, from so many steps back. */
+/** Ratio of the sum of all later changes to the last one, from `back` steps, by wavelength. */
 export function whatFollows(residuals, back) {
   const size = (one, lane) => Math.sqrt(product(one, one, lane));
   const steps = Math.min(residuals.length, back + 1) - 1;
@@ -41,10 +41,10 @@ export function whatFollows(residuals, back) {
 }
 
 /**
- * Weights of the last images whose residuals combine to the smallest one, the latest last.
+ * Weights of the last images that minimise the combined residual, the latest last.
  *
  * @param {Float64Array[]} residuals
- * @param {number} lane Wavelength.
+ * @param {number} lane Index of the wavelength.
  */
 export function mixingWeights(residuals, lane) {
   const weights = new Float64Array(residuals.length);

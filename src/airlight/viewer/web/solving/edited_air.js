@@ -1,19 +1,18 @@
 /**
- * The coefficients of air of which there is more or less, as viewer/browser/page_solver.py carries it.
+ * Optical coefficients for edited amounts of the constituents in viewer/browser/page_solver.py.
  *
- * What is computed here is what solvers/moments/reduced_optics.py and level_weights of packing.py
- * compute, by the same formulas.
+ * The formulas are those of solvers/moments/reduced_optics.py and of level_weights in packing.py.
  */
 import { cut_part, cut_weight, is_peaked, thick_share } from "../generated/formulas.js";
 
-/** Wavelengths of a texel. */
+/** Number of wavelengths in a texel. */
 const LANES = [0, 1, 2, 3];
 
 /**
- * Amounts and brightness that a state asks for.
+ * Edited amounts and brightness of a state.
  *
  * @param {object} air
- * @param {Object<string, number>} values Of all parameters, by path.
+ * @param {Object<string, number>} values Values of all parameters, by path.
  */
 export function editOf(air, values) {
   return {
@@ -22,20 +21,20 @@ export function editOf(air, values) {
   };
 }
 
-/** Whether there is as much of everything as the planet has. */
+/** Whether all amounts are the planet's. */
 export function isPlain({ amounts, ground }) {
   return ground === 1 && amounts.every((one) => one === 1);
 }
 
 /**
- * The tables of edited air.
+ * Tables of an edited atmosphere.
  *
  * @param {object} air
  * @param {{amounts: number[], ground: number}} edit
- * @returns {object} Tables by name, four wavelengths a texel: `extinction` and `moments` without
+ * @returns {object} Tables by name, four wavelengths per texel: `extinction` and `moments` without
  *     forward peaks, `scattering`, `albedo`, `level`; `strongest` and `brightest` of each
- *     constituent; and `thick`, how much the night counts.
- * @throws {RangeError} One line, if the air is too thick to be solved here.
+ *     constituent; and `thick`, the weight of the night side.
+ * @throws {RangeError} If the atmosphere is too thick for this solver; one line.
  */
 export function editedAir(air, { amounts, ground }) {
   const times = (table) => table.map((row, c) => row.map((x) => x * (amounts[c] ?? 1)));
@@ -68,7 +67,7 @@ export function editedAir(air, { amounts, ground }) {
   };
 }
 
-/** Part of each constituent's scattering that counts as none. */
+/** Fraction of each constituent's scattering that is treated as unscattered. [1] */
 function forwardPeaks({ phases }, scattering, over) {
   const beyond = phases.map((one) => one[one.length - 1]);
   const depth = over((c, w) => (is_peaked(beyond[c][w]) ? scattering[c][w] : 0));

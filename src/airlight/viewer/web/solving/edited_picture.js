@@ -1,13 +1,13 @@
-/** The picture's tables after an edit: those of the planet as it is, with new ones behind them. */
+/** Tables of the picture after an edit: those of the unedited planet, with new ones appended. */
 import { numbersOf } from "../drawing/package.js";
 
 /**
- * What picture.js takes.
+ * Solution data for picture.js.
  *
- * @param {object} plain The picture of the planet as it is.
+ * @param {object} plain Picture of the unedited planet.
  * @param {object} solver See solver.js.
  * @param {object} air See edited_air.js.
- * @param {object} light The texture of the solved light.
+ * @param {object} light Texture of the solved light.
  * @param {number} ground Factor of the ground's reflectance.
  */
 export async function editedPicture(plain, { plan, scalars, fixed }, air, light, ground) {
@@ -43,7 +43,7 @@ export async function editedPicture(plain, { plan, scalars, fixed }, air, light,
   };
 }
 
-/** Tables behind others, in texels of so many numbers; the uniforms are told where they are. */
+/** Append tables, in texels of `width` numbers, and set the uniforms of their offsets. */
 function appended(before, tables, width, uniforms) {
   const all = [before];
   let at = before.length / width;

@@ -1,16 +1,16 @@
-/** Solves the planet anew whenever its parameters change: the newest edit wins. */
+/** Solving of the planet after each change of its parameters; the newest edit wins. */
 import { editOf, editedAir, isPlain } from "./edited_air.js";
 import { editedPicture } from "./edited_picture.js";
 import { Solver } from "./solver.js";
 
-/** Paths that need a solution. */
+/** Paths whose change needs a new solution. */
 const SOLVED = /^air\./;
 
 export class Edits {
   /**
-   * @param {object} viewer With `device`, `state`, `take` and `say`.
-   * @param {object} description Of the solver, see solver.js.
-   * @param {object} plain The picture of the planet as it is, see drawing/picture.js.
+   * @param {object} viewer Viewer with `device`, `state`, `take` and `say`.
+   * @param {object} description Description of the solver, see solver.js.
+   * @param {object} plain Picture of the unedited planet, see drawing/picture.js.
    */
   constructor(viewer, description, plain) {
     this.viewer = viewer;
@@ -34,7 +34,7 @@ export class Edits {
     });
   }
 
-  /** A promise that the picture shows the newest edit. */
+  /** Promise that the picture shows the newest edit. */
   async settled() {
     await this.work;
   }
@@ -69,7 +69,7 @@ export class Edits {
     await viewer.take(await editedPicture(plain, this.solver, air, light, edit.ground));
   }
 
-  /** A few words about the solution. */
+  /** Short status of the solution. */
   status() {
     return this.text;
   }

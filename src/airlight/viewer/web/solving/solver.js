@@ -1,9 +1,9 @@
 /**
- * The moments solver on a device: successive orders of scattering as passes of fragments.
+ * Moments solver on a device: successive orders of scattering as fragment passes.
  *
- * A description, as viewer/browser/page_solver.py makes it, has the `plan` of gpu/solver_plan.py, its
- * `uniforms`, `scalars` (its tables in their order) and `shaders`, the numbers of the `air`, and
- * when to stop.
+ * A description from viewer/browser/page_solver.py has the `plan` of gpu/solver/plan.py, its
+ * `uniforms`, `scalars` (its tables in order) and `shaders`, the coefficients of the `air`, and the
+ * stopping criteria.
  */
 import { brightest, counts, mixingWeights, relativeChange, whatFollows } from "./convergence.js";
 import { numbersOf, textOf } from "../drawing/package.js";
@@ -17,7 +17,7 @@ export class Solver {
   /**
    * @param {object} device See devices/device.js.
    * @param {object} description
-   * @returns {Promise<Solver>} Its passes compiled.
+   * @returns {Promise<Solver>} Solver with compiled passes.
    */
   static async make(device, description) {
     const shaders = JSON.parse(await textOf(description.shaders));
@@ -61,13 +61,12 @@ export class Solver {
   }
 
   /**
-   * Solve.
+   * Solve for an atmosphere.
    *
    * @param {object} air See edited_air.js.
-   * @param {() => boolean} stale Whether the result is not wanted any more.
-   * @returns {Promise<object | null>} The texture of the light, the caller's from now on; null if
-   *     it is stale.
-   * @throws {Error} One line, if the orders do not end.
+   * @param {() => boolean} stale Whether the request is superseded.
+   * @returns {Promise<object | null>} Texture of the light, owned by the caller; null if stale.
+   * @throws {Error} If the orders do not converge; one line.
    */
   async light(air, stale) {
     this.load(air);
@@ -102,7 +101,7 @@ export class Solver {
     return packed;
   }
 
-  /** The tables of edited air in place of those before. */
+  /** Replace the tables of the atmosphere. */
   load(air) {
     const { plan, scalars } = this;
     const lanes = ["extinction", "moments", "albedo"].sort(
@@ -136,7 +135,7 @@ export class Solver {
     }
   }
 
-  /** A texture by its name in a shader: images turn, and the first guess is the first order. */
+  /** Texture by its name in a shader; images rotate, and the first guess is the first order. */
   texture(name, isTarget = false) {
     if (name === "image") return this.textures.get(this.ring[0]);
     if (name === "light" && !isTarget) return this.textures.get(this.guess);
@@ -144,7 +143,7 @@ export class Solver {
     return this.textures.get(image < 0 ? name : this.ring[image]);
   }
 
-  /** Mean radiance and irradiance of the last image, and mean radiance of the guess. */
+  /** Promise of mean radiance and irradiance of the last image, and mean radiance of the guess. */
   async means() {
     const { radii, suns } = this.plan.sizes;
     const length = radii * suns * LANES;
@@ -152,7 +151,7 @@ export class Solver {
     return [0, 1, 2].map((part) => numbers.slice(part * length, (part + 1) * length));
   }
 
-  /** The largest change that is still to come. */
+  /** Largest remaining change, estimated. [1] */
   toCome(change, mean, residuals, thick) {
     const { fixed } = this;
     const night = counts(mean, thick.map((x) => fixed.night * x));
@@ -161,7 +160,7 @@ export class Solver {
     return Math.max(...largest.map((x, lane) => x * follows[lane]));
   }
 
-  /** What the pass `next_guess` combines: weights, the last image first, and two largest values. */
+  /** Set the inputs of the pass `next_guess`: weights, last image first, and two largest values. */
   weigh(residuals, mean, sky) {
     this.mix.fill(0);
     const images = this.ring.length;

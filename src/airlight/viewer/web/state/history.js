@@ -1,10 +1,10 @@
-/** What was changed, one step after another: the rules of session/history.py. */
+/** Undo history, with the rules of session/history.py. */
 import { KEYS } from "../generated/keys.js";
 
 const { steps: MOST_STEPS, together: TOGETHER } = KEYS.rates;
 
 export class History {
-  /** @param {() => number} clock Seconds that only grow, for joining quick edits into one step. */
+  /** @param {() => number} clock Monotonic clock, to merge edits in quick succession. [s] */
   constructor(clock = () => performance.now() / 1000) {
     this.clock = clock;
     this.done = [];
@@ -12,12 +12,12 @@ export class History {
   }
 
   /**
-   * A new edit: a step of its own, or part of the last one.
+   * Add an edit, as a new step or merged into the last one.
    *
-   * @param {string} name What was changed: a path, or the name of a gesture.
-   * @param {Object<string, number | string | boolean>} before
-   * @param {Object<string, number | string | boolean>} after The values that it changed, by path.
-   * @param {boolean} held Whether the step goes on until `close`, however long that takes.
+   * @param {string} name Path of the changed parameter, or name of a gesture.
+   * @param {Object<string, number | string | boolean>} before Previous values, by path.
+   * @param {Object<string, number | string | boolean>} after New values, by path.
+   * @param {boolean} held Whether the step lasts until `close`, regardless of time.
    */
   record(name, before, after, held) {
     const now = this.clock();
@@ -35,13 +35,13 @@ export class History {
     if (this.done.length > MOST_STEPS) this.done.shift();
   }
 
-  /** End the last step: the next edit is one of its own. */
+  /** Close the last step, so that the next edit is a new one. */
   close() {
     const last = this.done.at(-1);
     if (last) Object.assign(last, { open: false, time: -Infinity });
   }
 
-  /** The values to go back to, or null. */
+  /** Values to restore for undo, or null. */
   undo() {
     const step = this.done.pop();
     if (!step) return null;
@@ -49,7 +49,7 @@ export class History {
     return step.before;
   }
 
-  /** The values that were taken back, or null. */
+  /** Values to restore for redo, or null. */
   redo() {
     const step = this.undone.pop();
     if (!step) return null;

@@ -1,19 +1,19 @@
 /**
- * A state as the part of an address behind `#`, and back.
+ * Conversion between a state and the fragment of a URL.
  *
- * It is the JSON of viewer/session/saved_state.py: `planet`, and by path `view` and `set`, `off` by
- * place; and `air`, the amounts of a page that solves for itself, which a planet file knows as
- * `constituents[…].amount` and `ground.brightness`.
+ * The format is the JSON of viewer/session/saved_state.py: `planet`, `view` and `set` by path,
+ * `off` by index; and `air`, the amounts of a page that solves its own edits, which in a planet
+ * file are `constituents[…].amount` and `ground.brightness`.
  */
 import { checked } from "./parameters.js";
 
-/** Paths of the view's own parameters, and of the constituents' switches. */
+/** Paths of the view's parameters, and of the constituents' switches. */
 const VIEW = /^(view|display|light)\./;
-/** Those of the planet that a page solves for itself. */
+/** Paths of the planet's parameters that a page solves. */
 const AIR = /^air\./;
 const SWITCH = /^light\.constituents\[(\d+)\]$/;
 
-/** What differs from the beginning of a state; empty if nothing does. */
+/** Differences of a state from its initial values; empty if there are none. */
 export function fragmentOf(state) {
   const changes = state.changes();
   if (changes.length === 0) return "";
@@ -29,10 +29,10 @@ export function fragmentOf(state) {
 }
 
 /**
- * The values that a fragment says, and a line for each thing that cannot be taken.
+ * Values of a fragment, and a line for each entry that is rejected.
  *
  * @param {State} state
- * @param {string} fragment With or without the `#`.
+ * @param {string} fragment Fragment, with or without the `#`.
  */
 export function readFragment(state, fragment) {
   const faults = [];
@@ -62,13 +62,13 @@ export function readFragment(state, fragment) {
   return { values, faults };
 }
 
-/** The path by which a page that solves for itself knows a key of the planet file. */
+/** Path, on a page that solves its own edits, of a key of the planet file. */
 function inPage(path) {
   if (path === "ground.brightness") return "air.ground";
   return path.replace(/^constituents(\[\d+\])\.amount$/, "air.amounts$1");
 }
 
-/** A value as a planet file has it: with its unit. */
+/** Value as in a planet file, with its unit. */
 function inFile({ kind, unit }, value) {
   return kind === "number" && unit !== "1" ? `${value} ${unit}` : value;
 }

@@ -1,16 +1,16 @@
 /**
- * Declared parameters: what a value may be, where it lies on a slider, how it is written.
+ * Declared parameters: validation, slider position and formatting of values.
  *
- * A parameter is an object as viewer/parameters/parameter.py declares it and `as_json` writes it.
+ * A parameter is an object as declared in viewer/parameters/parameter.py and written by `as_json`.
  */
 
 /**
- * The value as a parameter takes it.
+ * Validate a value, wrapping it into the range if the parameter is periodic.
  *
  * @param {object} parameter
  * @param {number | string | boolean} value
  * @returns {number | string | boolean}
- * @throws {RangeError} One line: what is allowed.
+ * @throws {RangeError} If the value is invalid; one line with the allowed values.
  */
 export function checked(parameter, value) {
   const refuse = (allowed) => {
@@ -38,20 +38,20 @@ export function checked(parameter, value) {
   return Math.min(Math.max(number, least), most);
 }
 
-/** A number brought round into a range. */
+/** Number wrapped into a range. */
 export function wrapped(number, least, most) {
   const span = most - least;
   return least + ((((number - least) % span) + span) % span);
 }
 
-/** The number at a share of the slider, 0 at its low and 1 at its high end. */
+/** Value [unit] at a fraction of the slider, 0 at its low end, 1 at its high end. */
 export function numberAt(parameter, share) {
   const { low, high, scale } = parameter;
   if (scale !== "log") return low + (high - low) * share;
   return low * (high / low) ** share;
 }
 
-/** The share of the slider at which a number lies, held between 0 and 1. */
+/** Fraction of the slider at which a number lies, clamped to between 0 and 1. */
 export function shareOf(parameter, number) {
   const { low, high, scale } = parameter;
   const share =
@@ -61,7 +61,7 @@ export function shareOf(parameter, number) {
   return Math.min(Math.max(share, 0), 1);
 }
 
-/** A number from a slider: no more digits than the slider can tell apart. */
+/** Number from a slider, rounded to the slider's resolution. */
 export function rounded(parameter, number) {
   const fine =
     parameter.scale === "log" ? Math.abs(number) : Math.abs(parameter.high - parameter.low);
@@ -70,7 +70,7 @@ export function rounded(parameter, number) {
   return digits >= 0 ? Number(number.toFixed(digits)) : Math.round(number * 10 ** digits) / 10 ** digits;
 }
 
-/** A number as it is shown in a field: at most six digits. */
+/** Text of a number in a field, with at most six digits. */
 export function written(number) {
   return typeof number === "number" ? String(Number(number.toPrecision(6))) : String(number);
 }

@@ -1,10 +1,10 @@
-/** A state whose planet and history live in Python; every change goes there too. */
+/** State whose planet and history live in Python, to which every change is sent. */
 import { State } from "./state.js";
 
 export class RemoteState extends State {
   /**
-   * @param {object} model Of the widget: `values` and `gesture` to Python, `values` and `can` from
-   *     there, `command` to Python.
+   * @param {object} model Model of the widget: `values`, `gesture` and `command` to Python,
+   *     `values` and `can` from Python.
    */
   constructor(model) {
     super(model.get("parameters"), model.get("values"));
@@ -36,7 +36,7 @@ export class RemoteState extends State {
     super.move(changes);
   }
 
-  /** All changes of one gesture in one frame go together. */
+  /** Send all changes of one gesture in one frame together. */
   sendLater(gesture) {
     if (this.waiting && this.waiting.name !== gesture.name) this.send();
     if (!this.waiting) requestAnimationFrame(() => this.send());
@@ -51,7 +51,7 @@ export class RemoteState extends State {
     this.model.save_changes();
   }
 
-  /** Something that Python does to its session. */
+  /** Send a command for Python's session. */
   command(name) {
     this.send();
     this.model.set("command", { name, count: ++this.commands });

@@ -1,15 +1,15 @@
-/** The values of all parameters, with undo and redo, and two states to compare. */
+/** Values of all parameters, with undo and redo, and two states to compare. */
 import { History } from "./history.js";
 import { fragmentOf, readFragment } from "./link.js";
 import { checked } from "./parameters.js";
 
-/** Paths of camera and sun, which both states of a comparison share. */
+/** Paths of camera and sun, which the states of a comparison can share. */
 const CAMERA = /^view\./;
 
 export class State {
   /**
-   * @param {object[]} parameters As declared.
-   * @param {Object<string, number | string | boolean>} values Where it begins, and returns on reset.
+   * @param {object[]} parameters Declared parameters.
+   * @param {Object<string, number | string | boolean>} values Initial values, restored by `reset`.
    */
   constructor(parameters, values) {
     this.parameters = new Map(parameters.map((one) => [one.path, one]));
@@ -23,7 +23,7 @@ export class State {
     this.listeners = new Set();
   }
 
-  /** Call `listener(changed)` with the set of paths after every change; returns how to stop it. */
+  /** Call `listener(changed)` with the changed paths after each change; returns an unsubscriber. */
   follow(listener) {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
@@ -45,19 +45,19 @@ export class State {
     return this.other !== null;
   }
 
-  /** Another declared list, as after a change of what a planet consists of. */
+  /** Replace the declared parameters, as after a change of a planet's composition. */
   declare(parameters, values) {
     this.parameters = new Map(parameters.map((one) => [one.path, one]));
     this.show({ ...values });
   }
 
   /**
-   * Change values: a step to undo, or part of the last one.
+   * Change values, as an undo step or part of the last one.
    *
-   * @param {Object<string, number | string | boolean>} changes
-   * @param {string | null} gesture Changes of one gesture, such as a drag, are undone together.
-   * @param {boolean} held Whether the gesture goes on until `rest`; else quick ones join.
-   * @throws {RangeError} If a value cannot be; nothing is changed then.
+   * @param {Object<string, number | string | boolean>} changes New values, by path.
+   * @param {string | null} gesture Gesture, such as a drag, whose changes are undone together.
+   * @param {boolean} held Whether the gesture lasts until `rest`; else it ends after a pause.
+   * @throws {RangeError} If a value is invalid; nothing is changed then.
    */
   set(changes, gesture = null, held = gesture !== null) {
     const sound = this.sound(changes);
@@ -67,12 +67,12 @@ export class State {
     this.show({ ...this.values, ...sound });
   }
 
-  /** Change values without a step to undo, as time does. */
+  /** Change values without an undo step, as time does. */
   move(changes) {
     this.show({ ...this.values, ...this.sound(changes) });
   }
 
-  /** The values that differ, as their parameters take them. */
+  /** Validated values that differ from the current ones. */
   sound(changes) {
     const sound = {};
     for (const [path, value] of Object.entries(changes)) {
@@ -88,7 +88,7 @@ export class State {
     this.history.record(name, before, after, held);
   }
 
-  /** End a gesture: the next change is a step of its own. */
+  /** End a gesture, so that the next change is a separate undo step. */
   rest() {
     this.history.close();
   }
@@ -101,20 +101,20 @@ export class State {
     this.take(this.history.redo() ?? {});
   }
 
-  /** Everything as it was in the beginning: one step to undo. */
+  /** Restore all initial values, as one undo step. */
   reset() {
     this.rest();
     this.set(this.initial);
     this.rest();
   }
 
-  /** Keep what is shown as the other state of a comparison. */
+  /** Copy the shown state to the other state of the comparison. */
   keepOther() {
     this.other = { values: { ...this.values }, history: new History() };
     this.tell(new Set());
   }
 
-  /** Show the other state, and keep this one in its place; the first time it is a copy of this. */
+  /** Swap the two states; the other is first copied from this one if there is none. */
   swap() {
     if (this.other === null) this.keepOther();
     this.rest();
@@ -126,13 +126,13 @@ export class State {
     this.show({ ...values, ...(this.sharesCamera && Object.fromEntries(camera)) });
   }
 
-  /** Whether both states of a comparison are seen by one camera, under one sun. */
+  /** Set whether both states of a comparison share the camera and the sun. */
   shareCamera(shared) {
     this.sharesCamera = shared;
     this.tell(new Set());
   }
 
-  /** Values that come from elsewhere: no step of undo. */
+  /** Take over external values, without an undo step. */
   take(values) {
     this.show({ ...this.values, ...values });
   }
@@ -149,22 +149,22 @@ export class State {
     for (const listener of [...this.listeners]) listener(changed);
   }
 
-  /** The values that are not as in the beginning. */
+  /** Values that differ from the initial ones. */
   changes() {
     const differs = ([path, value]) => value !== this.initial[path];
     return Object.entries(this.values).filter(differs);
   }
 
-  /** What differs from the beginning, as the part of an address behind `#`. */
+  /** Differences from the initial values, as the fragment of a URL. */
   asFragment() {
     return fragmentOf(this);
   }
 
   /**
-   * Take what a fragment says.
+   * Apply the values of a fragment.
    *
-   * @param {string} fragment With or without the `#`.
-   * @returns {string[]} One line for each thing that cannot be taken.
+   * @param {string} fragment Fragment, with or without the `#`.
+   * @returns {string[]} One line for each entry that is rejected.
    */
   takeFragment(fragment) {
     const { values, faults } = readFragment(this, fragment);

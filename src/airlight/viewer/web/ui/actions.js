@@ -1,7 +1,9 @@
-/** What buttons and keys do, by the names of navigation/keys.py, and the buttons themselves. */
+/** Actions of buttons and keys, by the names of navigation/keys.py, and the buttons. */
 import { KEYS } from "../generated/keys.js";
 
 /**
+ * Actions of a viewer.
+ *
  * @param {Viewer} viewer
  * @returns {Object<string, () => void>} Actions by name.
  */
@@ -39,7 +41,7 @@ export function actionsOf(viewer) {
     darker: () => expose(-KEYS.rates.stop),
     "automatic exposure": () => {
       const automatic = state.get("display.automatic");
-      // The picture stays as bright as it was when the camera stops to adjust.
+      // The picture keeps its brightness when automatic exposure is switched off.
       const exposure = automatic ? (viewer.picture?.exposure ?? 0) : 0;
       state.rest();
       state.set({ "display.automatic": !automatic, "display.exposure": exposure });
@@ -48,7 +50,7 @@ export function actionsOf(viewer) {
   };
 }
 
-/** The buttons: action, text, explanation, and what they are at the moment. */
+/** Buttons: action, text, explanation, and a function of their current state. */
 export const BUTTONS = [
   ["undo", "undo", "Take back the last change (Ctrl+Z).", (s) => ({ disabled: !s.canUndo })],
   ["redo", "redo", "Bring back what was taken back (Ctrl+Y).", (s) => ({ disabled: !s.canRedo })],

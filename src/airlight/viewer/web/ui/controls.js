@@ -1,14 +1,14 @@
-/** The panel: one control for each declared parameter, in groups that fold. */
+/** Panel with one control per declared parameter, in collapsible groups. */
 import { checked, numberAt, rounded, shareOf, written } from "../state/parameters.js";
 
-/** Groups that stand first, unfolded: those of the view. */
+/** Groups of the view, shown first and expanded. */
 const FIRST = ["camera", "sun", "display", "light"];
-/** What the label of a list's item ends with. */
+/** Suffix of the label of a list's item. */
 const ITEM = / (at \S+ \S+|\d+)$/;
-/** Positions of a slider. */
+/** Number of positions of a slider. */
 const STEPS = 1000;
 
-/** A new element with properties and children. */
+/** Create an element with properties and children. */
 export function element(tag, properties = {}, ...children) {
   const made = Object.assign(document.createElement(tag), properties);
   made.append(...children);
@@ -17,9 +17,9 @@ export function element(tag, properties = {}, ...children) {
 
 export class Controls {
   /**
-   * @param {HTMLElement} place Filled with the controls.
+   * @param {HTMLElement} place Parent element of the controls.
    * @param {State} state
-   * @param {(text: string) => void} explain Called with the help of the control in use.
+   * @param {(text: string) => void} explain Called with the help text of the control in use.
    */
   constructor(place, state, explain) {
     this.place = place;
@@ -32,7 +32,7 @@ export class Controls {
     this.stop = state.follow((changed) => this.update(changed));
   }
 
-  /** Make the controls anew, as after a change of the declared list. */
+  /** Rebuild the controls, as after a change of the declared parameters. */
   build() {
     this.rows.clear();
     const groups = new Map();
@@ -131,7 +131,7 @@ function numberRow(parameter, set, rest) {
     try {
       set(checked(parameter, rounded(parameter, moved)));
     } catch {
-      // An arrow at the end of the range does nothing.
+      // An arrow key at the end of the range does nothing.
     }
   });
   return {

@@ -1,5 +1,5 @@
 /**
- * Keys, mouse and wheel turned into the view, as navigation/flight.py does it for the window.
+ * Controller that turns keys, mouse and wheel into the view, like navigation/flight.py.
  *
  * The formulas are emitted from scene/flight.py and its neighbours, the table of keys from
  * navigation/keys.py.
@@ -19,24 +19,24 @@ import {
 import { KEYS } from "../generated/keys.js";
 
 const { held: HELD, factors: FACTORS, rates: RATES } = KEYS;
-/** What flying on a great circle changes, in the order of `turned`. */
+/** Values changed by flying on a great circle, in the order of `turned`. */
 const CARRIED = ["latitude", "longitude", "heading", "sun_zenith", "sun_azimuth"];
 
-/** Values of the view by their names. */
+/** View values by name. */
 function numbers(values, ...names) {
   return names.map((name) => values[`view.${name}`]);
 }
 
 /**
- * The view after flying for a while.
+ * View values changed by a flight of some time.
  *
- * @param {Object<string, number>} values Of the view's parameters.
- * @param {number} right
- * @param {number} ahead
- * @param {number} up In parts of the usual speed.
- * @param {number} seconds [s]
- * @param {number} radius Of the planet's ground. [m]
- * @returns {Object<string, number>} The values that changed.
+ * @param {Object<string, number>} values View values by path.
+ * @param {number} right Speed to the right, relative to the usual speed. [1]
+ * @param {number} ahead Speed along the line of sight. [1]
+ * @param {number} up Speed away from the ground. [1]
+ * @param {number} seconds Duration. [s]
+ * @param {number} radius Radius of the planet's ground. [m]
+ * @returns {Object<string, number>} Values that changed, by path.
  */
 export function flown(values, right, ahead, up, seconds, radius) {
   const [altitude, tilt, heading] = numbers(values, "altitude", "look_zenith", "heading");
@@ -55,8 +55,8 @@ export function flown(values, right, ahead, up, seconds, radius) {
 export class Flight {
   /**
    * @param {State} state
-   * @param {() => void} request Called when something begins to move, so that frames come.
-   * @param {() => number} radius Of the planet's ground. [m]
+   * @param {() => void} request Requests frames when a movement starts.
+   * @param {() => number} radius Radius of the planet's ground. [m]
    */
   constructor(state, request, radius) {
     this.state = state;
@@ -72,10 +72,11 @@ export class Flight {
   }
 
   /**
-   * A key goes down; whether it is one of the flight's.
+   * Handle a key press.
    *
-   * @param {string} code Of the key, which stays the same whatever is pressed with it.
-   * @param {string} key
+   * @param {string} code Code of the key, independent of modifiers.
+   * @param {string} key Name of the key.
+   * @returns {boolean} Whether the key belongs to the flight.
    */
   press(code, key) {
     const name = key.toLowerCase();
@@ -86,7 +87,7 @@ export class Flight {
     return true;
   }
 
-  /** A key goes up; without one all do, as when the page loses the keyboard. */
+  /** Handle a key release; without a code, of all keys, as when the page loses focus. */
   release(code = null) {
     const moving = this.moving;
     if (code === null) this.down.clear();
@@ -94,7 +95,7 @@ export class Flight {
     if (moving && !this.moving) this.state.rest();
   }
 
-  /** Let time pass, or stop it. */
+  /** Start or stop the passage of time. */
   play() {
     this.playing = !this.playing;
     this.now = null;
@@ -102,10 +103,10 @@ export class Flight {
   }
 
   /**
-   * Move as the keys and the time say; called before each frame.
+   * Advance the movement of keys and time; called before each frame.
    *
-   * @param {number} now [ms]
-   * @returns {boolean} Whether something moves, so that another frame must follow.
+   * @param {number} now Time of the frame. [ms]
+   * @returns {boolean} Whether something moves, so that another frame is needed.
    */
   advance(now) {
     if (!this.moving && !this.playing) return false;
@@ -149,25 +150,25 @@ export class Flight {
     this.state.set(changed, "keys");
   }
 
-  /** The mouse has moved by parts of the picture's width: the picture follows it. */
+  /** Turn the camera by a mouse drag, in fractions of the picture's width. [1] */
   look(right, down) {
     const field = this.state.get("view.field_of_view");
     this.state.set(lookedValues(this.state.values, -right * field, -down * field), "look");
   }
 
-  /** The mouse drags the sun by parts of the picture's width. */
+  /** Move the sun by a mouse drag, in fractions of the picture's width. [1] */
   dragSun(right, down) {
     const field = this.state.get("view.field_of_view");
     this.state.set(sunValues(sun_dragged(...this.sun(), right * field, down * field)), "sun");
   }
 
-  /** The wheel has turned: away from the ground for notches above 0. */
+  /** Change the altitude by wheel notches, away from the ground if positive. */
   rise(notches, held = false) {
     const altitude = risen(this.state.get("view.altitude"), notches);
     this.state.set({ "view.altitude": altitude }, "wheel", held);
   }
 
-  /** The wheel has turned to change the field of view: wider for notches above 0. */
+  /** Change the field of view by wheel notches, wider if positive. */
   widen(notches) {
     const field = this.state.get("view.field_of_view") * RATES.notch ** notches;
     this.state.set(this.widened(field), "field of view", false);
@@ -182,7 +183,7 @@ export class Flight {
     return numbers(this.state.values, "sun_zenith", "sun_azimuth");
   }
 
-  /** A viewpoint, whose heading is counted from the sun's. */
+  /** Go to a viewpoint, whose heading is relative to the sun's bearing. */
   goTo({ view }) {
     const heading = compass(view["view.heading"] + this.state.get("view.sun_azimuth"));
     this.state.set({ ...view, "view.heading": heading });

@@ -1,9 +1,9 @@
-/** Draws when something has changed, and only then. */
+/** Frame loop that draws only after changes. */
 
 export class FrameLoop {
   /**
-   * @param {(now: number) => Promise<boolean>} draw Draws once, waits until it is done, and says
-   *     whether another frame must follow.
+   * @param {(now: number) => Promise<boolean>} draw Draws one frame, and resolves once it is done
+   *     to whether another frame is needed.
    */
   constructor(draw) {
     this.draw = draw;
@@ -13,7 +13,7 @@ export class FrameLoop {
     this.frames = 0;
   }
 
-  /** Something has changed. */
+  /** Request a frame after a change. */
   request() {
     this.wanted = true;
     if (!this.running && !this.closed) {
@@ -33,7 +33,7 @@ export class FrameLoop {
     }
   }
 
-  /** A promise that nothing is left to draw. */
+  /** Promise that all requested frames are drawn. */
   async settled() {
     while (this.running) await this.running;
   }
@@ -43,7 +43,7 @@ export class FrameLoop {
   }
 }
 
-/** The time of the next frame; hidden pages have none, so that a timer stands in. [ms] */
+/** Promise of the next frame's time [ms]; hidden pages have no frames, and use a timer. */
 function nextFrame() {
   return new Promise((resolve) => {
     const timer = setTimeout(() => resolve(performance.now()), 250);

@@ -1,12 +1,12 @@
-/** Keys on the viewer: held ones fly, others are actions; see navigation/keys.py. */
+/** Keyboard input: held keys fly, others trigger actions; see navigation/keys.py. */
 import { KEYS } from "../generated/keys.js";
 
-/** Keys that move a slider, or the focus, where that is not the picture. */
+/** Keys that move a slider or the focus when the focus is outside the picture. */
 const FOCUS = /^(arrow|page|tab|home|end|enter| )/;
 
 export class Keyboard {
   /**
-   * @param {HTMLElement} root Of the viewer.
+   * @param {HTMLElement} root Root element of the viewer.
    * @param {HTMLCanvasElement} canvas
    * @param {Flight} flight
    * @param {(action: string) => void} act

@@ -1,11 +1,11 @@
-/** Mouse, wheel and touch on the picture. */
+/** Mouse, wheel and touch input on the picture. */
 import { KEYS } from "../generated/keys.js";
 
 const { rates: RATES, factors: FACTORS } = KEYS;
-/** Pixels of a wheel's line and page. */
+/** Pixels per line and per page of a wheel event. */
 const LINE = 30;
 const SHEET = 300;
-/** Most notches of one turn of the wheel. */
+/** Largest number of notches of one wheel event. */
 const MOST_NOTCHES = 6;
 
 export class Pointer {
@@ -59,7 +59,7 @@ export class Pointer {
 
   wheel(event) {
     event.preventDefault();
-    // With Shift a browser may turn the wheel sideways.
+    // With Shift a browser may report horizontal scrolling.
     const turned = event.deltaY || event.deltaX;
     const pixels = turned * (event.deltaMode === 1 ? LINE : event.deltaMode === 2 ? SHEET : 1);
     const notches = Math.min(Math.max(pixels / RATES.wheel, -MOST_NOTCHES), MOST_NOTCHES);

@@ -1,13 +1,13 @@
-/** The read-out of the pixel that is pointed at. */
+/** Readout of the pixel under the pointer. */
 
-/** At most so often. [ms] */
+/** Shortest time between readouts. [ms] */
 const PAUSE = 100;
 
 export class Probe {
   /**
    * @param {HTMLCanvasElement} canvas
-   * @param {HTMLElement} place Shows the text.
-   * @param {object} viewer Has `state`, `picture` with `probe`, `source` with `probe` perhaps.
+   * @param {HTMLElement} place Element that shows the text.
+   * @param {object} viewer Viewer with `state`, `picture.probe`, and optionally `source.probe`.
    */
   constructor(canvas, place, viewer) {
     this.place = place;

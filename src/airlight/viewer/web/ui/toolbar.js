@@ -1,12 +1,14 @@
-/** The buttons above the controls. */
+/** Toolbar of buttons above the controls. */
 import { element } from "./controls.js";
 
 /**
- * @param {HTMLElement} place Filled with buttons.
- * @param {[string, string, string, (state: State, viewer: Viewer) => object][]} buttons Action, text,
- *     explanation, and `disabled` and `pressed` of the moment.
- * @param {Viewer} viewer Does the actions, and has the `state`.
- * @returns {() => void} Brings the buttons up to date.
+ * Fill a toolbar.
+ *
+ * @param {HTMLElement} place Parent element of the buttons.
+ * @param {[string, string, string, (state: State, viewer: Viewer) => object][]} buttons Action,
+ *     text, explanation, and a function of the current `disabled` and `pressed`.
+ * @param {Viewer} viewer Viewer that performs the actions and has the `state`.
+ * @returns {() => void} Function that updates the buttons.
  */
 export function toolbar(place, buttons, viewer) {
   const made = buttons.map(([action, text, help, moment]) => {

@@ -1,15 +1,15 @@
 /**
- * The viewer: panel, picture and flight over one state, in any element of a page.
+ * Viewer: panel, picture and flight on one state, in any element of a page.
  *
- * A *source* tells it what to show:
+ * A *source* provides the contents:
  *
  * - `title`;
- * - `parameters` and `values`, as declared and as they begin, or a `state` that has them;
- * - `picture(device)` — a promise of what draws them: see drawing/picture.js;
- * - `edits(viewer)` — what solves the planet after edits, see solving/edits.js, or none;
- * - `radius()` — of the planet; [m]
- * - `status()` — a few words about the solution, or none;
- * - `note` — a line about what cannot be edited here, or none;
+ * - `parameters` and `values`, declared and initial, or a `state` that has them;
+ * - `picture(device)` — promise of the renderer, see drawing/picture.js;
+ * - `edits(viewer)` — optional solver of the planet after edits, see solving/edits.js;
+ * - `radius()` — radius of the planet; [m]
+ * - `status()` — optional short status of the solution;
+ * - `note` — optional line about parameters that cannot be edited here;
  * - `device` — auto, webgpu or webgl2.
  */
 import { openDevice } from "../devices/device.js";
@@ -25,18 +25,18 @@ import { Pointer } from "./pointer.js";
 import { Probe } from "./probe.js";
 import { toolbar } from "./toolbar.js";
 
-/** Frames that take longer than this are drawn smaller while something moves. [ms] */
+/** Time of a frame above which frames are drawn smaller while something moves. [ms] */
 const SMOOTH = 40;
-/** So long after the last change a smaller frame is followed by a whole one. [ms] */
+/** Delay from the last change to a full-size frame after a smaller one. [ms] */
 const REST = 150;
-/** Least part of the width and height that is drawn while something moves. */
+/** Smallest scale of width and height while something moves. [1] */
 const COARSEST = 0.2;
 
 export class Viewer {
   /**
-   * Show a source in an element, which is filled.
+   * Show a source in an element.
    *
-   * @param {HTMLElement} place
+   * @param {HTMLElement} place Parent element, whose children are replaced.
    * @param {object} source
    */
   constructor(place, source) {
@@ -90,13 +90,13 @@ export class Viewer {
     parts.view = part("div", "view");
     parts.view.append(parts.canvas, parts.probe, parts.help, parts.message);
     parts.root = element("div", { className: "airlight" }, panel, parts.view);
-    // In JupyterLab single letters edit cells.
+    // In JupyterLab, single letters are shortcuts that edit cells.
     parts.root.dataset.lmSuppressShortcuts = "true";
     place.replaceChildren(parts.root);
     this.parts = parts;
   }
 
-  /** One of the actions, by a button or a key. */
+  /** Perform an action of a button or a key. */
   do(name) {
     this.actions[name]?.();
     this.updateTools();
@@ -134,13 +134,13 @@ export class Viewer {
     }
   }
 
-  /** Other parameters, as after a change of what a planet consists of. */
+  /** Replace the parameters, as after a change of a planet's composition. */
   declare(parameters, values) {
     this.state.declare(parameters, values);
     this.controls.build();
   }
 
-  /** Other tables, as after an edit of the planet. */
+  /** Replace the tables, as after an edit of the planet. */
   async take(update) {
     await this.ready;
     if (!this.picture || this.closed) return;
@@ -153,7 +153,7 @@ export class Viewer {
     this.parts.title.textContent = title;
   }
 
-  /** Something has to be drawn again. */
+  /** Request a frame. */
   request() {
     if (this.picture) this.loop.request();
   }
@@ -165,7 +165,7 @@ export class Viewer {
   }
 
   /**
-   * Do something that uses the device when nothing else does.
+   * Run a function that needs exclusive use of the device.
    *
    * @template T
    * @param {() => Promise<T>} act
@@ -189,7 +189,7 @@ export class Viewer {
     await this.device.finished();
     this.milliseconds = performance.now() - began;
     this.drawn = [width, height];
-    // What a frame takes goes with its pixels; half-way to the new share, so that it is calm.
+    // The time of a frame is proportional to its pixels; half a step damps oscillations.
     const wanted = share * Math.sqrt(SMOOTH / Math.max(this.milliseconds, 1));
     this.share = Math.min(Math.max(0.5 * (this.share + wanted), COARSEST), 1);
     this.showStatus();
@@ -205,11 +205,11 @@ export class Viewer {
   }
 
   /**
-   * A picture of any size.
+   * Render a picture of any size.
    *
-   * @param {number} width
-   * @param {number} height [pixel]
-   * @returns {Promise<Blob>} A PNG.
+   * @param {number} width Width. [pixel]
+   * @param {number} height Height. [pixel]
+   * @returns {Promise<Blob>} PNG file.
    */
   async png(width, height) {
     await this.ready;
@@ -231,7 +231,7 @@ export class Viewer {
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }
 
-  /** A promise that the picture shows the state, whole. */
+  /** Promise that the picture shows the state, in full size. */
   async settled() {
     await this.ready;
     await this.edits?.settled();
@@ -248,7 +248,7 @@ export class Viewer {
     this.parts.note.textContent = text;
   }
 
-  /** Show a fault; an empty text takes it away. */
+  /** Show an error; an empty text removes it. */
   say(text) {
     this.parts.message.textContent = text;
   }
@@ -275,7 +275,7 @@ export class Viewer {
   }
 }
 
-/** The table of keys over the picture. */
+/** Help overlay with the table of keys. */
 function helpPanel() {
   const groups = KEYS.help.map(([group, lines]) => {
     const rows = lines.map(([keys, text]) =>

@@ -1,1 +1,1 @@
-"""The panels of the window."""
+"""Panels of the window."""

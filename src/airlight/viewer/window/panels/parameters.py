@@ -1,4 +1,4 @@
-"""Parameters as rows under headings that fold, of the planet and of the view alike."""
+"""Rows of parameters under collapsible headings, for the planet and for the view."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.window import style
 from airlight.viewer.window.panels.row import parameter_row, same_value
 
-#: Lists of more items than this are folded.
+#: Largest number of items of a list that is not collapsed.
 _SHORT_LIST = 4
 
 
@@ -20,17 +20,17 @@ class ParameterRows:
     Parameters
     ----------
     marks : bool
-        Whether changed parameters stand out.
+        Whether changed parameters are highlighted.
 
     Attributes
     ----------
     search : str
-        Only parameters with all these words in name, group or help are shown.
+        Search words; only parameters with all of them in label, group, path or help are shown.
     advanced : bool
-        Whether those of the composition are shown too.
+        Whether parameters of composition are shown too.
     places : dict
-        Where each row's control, and the ``search``, was drawn last: left, top, right,
-        bottom. [logical pixel]
+        Last rectangles of the rows' controls, by path, and of the ``search`` field: left, top,
+        right, bottom. [logical pixel]
     """
 
     def __init__(self, *, marks: bool = True) -> None:
@@ -40,12 +40,12 @@ class ParameterRows:
         self.places: dict[str, tuple[float, float, float, float]] = {}
 
     def draw_search(self, hidden: int) -> None:
-        """The line above the rows.
+        """Draw the search field and the advanced switch.
 
         Parameters
         ----------
         hidden : int
-            How many advanced parameters there are.
+            Number of advanced parameters.
         """
         from imgui_bundle import imgui
 
@@ -79,17 +79,17 @@ class ParameterRows:
         Parameters
         ----------
         parameters : iterable of Parameter
-            In order; those of a group one after another.
+            Parameters in display order, sorted by group.
         values, defaults : callable
-            What a parameter is set to, and what it was.
+            Functions that return a parameter's value and default. [parameter.unit]
         change : callable
-            ``change(path, value)`` after each movement of a control.
+            ``change(path, value)`` is called after each movement of a control.
         reset : callable
-            ``reset(path)`` when a parameter shall be what it was.
+            ``reset(path)`` is called to restore a parameter's default.
         closed : iterable of str
-            Groups that are folded at first.
+            Groups that are initially collapsed.
         under : callable
-            ``under(group)`` draws what stands below the rows of a group.
+            ``under(group)`` draws additional controls below the rows of a group.
         """
         from imgui_bundle import imgui
 
@@ -142,7 +142,7 @@ class ParameterRows:
                 imgui.tree_pop()
 
     def _more(self, count: int) -> None:
-        """A line that says how many parameters of a group are not shown."""
+        """Draw a button with the number of hidden parameters of a group, which shows them."""
         from imgui_bundle import imgui
 
         if count:

@@ -1,4 +1,4 @@
-"""What the probe reads: numbers of one direction, its parts, its spectrum."""
+"""Panel of the probe: values of one direction, its parts, its spectrum."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from airlight.viewer.window.picture_area import Rectangle
 
 #: Height of the panel. [logical pixel]
 PROBE_HEIGHT: Final = 236.0
-#: Widths of the numbers and of the parts. [logical pixel]
+#: Widths of the columns of values and of parts. [logical pixel]
 _NUMBERS: Final = 236.0
 _PARTS: Final = 292.0
-#: Narrower, a plot shows nothing. [logical pixel]
+#: Smallest width of a plot. [logical pixel]
 _PLOT: Final = 200.0
-#: The wavelength that single numbers are given for: the nearest there is. [nm]
+#: Wavelength of single values; the nearest available one is used. [nm]
 _GREEN: Final = 550.0
 
 
@@ -30,10 +30,11 @@ def draw_probe(reading: Reading | None, working: str, into: Rectangle) -> bool:
     Parameters
     ----------
     reading : Reading or None
-        None until a point has been chosen.
+        Result of the probe; None until a point has been chosen.
     working : str
-        What is being computed; empty if nothing is.
+        Status of the computation; empty if idle.
     into : Rectangle
+        Rectangle of the panel. [logical pixel]
 
     Returns
     -------
@@ -71,7 +72,7 @@ def draw_probe(reading: Reading | None, working: str, into: Rectangle) -> bool:
 
 
 def numbers_of(probe: Probe) -> tuple[tuple[str, str], ...]:
-    """Names and values with their units, for a reader."""
+    """Names and formatted values of a probe, with units."""
     green = int(np.argmin(np.abs(np.asarray(probe.wavelengths) - _GREEN)))
     nm = f"{probe.wavelengths[green]:.0f} nm"
     depth = sum(row[green] for row in probe.optical_depth)
@@ -94,7 +95,7 @@ def numbers_of(probe: Probe) -> tuple[tuple[str, str], ...]:
 
 
 def _on_globe(latitude: float, longitude: float) -> str:
-    """A place in words.
+    """Format coordinates on the globe [deg].
 
     Examples
     --------
@@ -106,7 +107,7 @@ def _on_globe(latitude: float, longitude: float) -> str:
 
 
 def _parts(probe: Probe) -> None:
-    """Luminance by part, in the colours of the plot; optical depth by constituent."""
+    """Draw luminance by part, in the colours of the plot, and optical depth by constituent."""
     from imgui_bundle import imgui, implot
 
     green = int(np.argmin(np.abs(np.asarray(probe.wavelengths) - _GREEN)))
@@ -148,7 +149,7 @@ def _row(*texts: str, color: Any = None) -> None:
 
 
 def _plot(probe: Probe) -> None:
-    """The spectrum and its parts over the wavelength."""
+    """Draw the spectrum and its parts over the wavelength."""
     from imgui_bundle import imgui, implot
 
     order = np.argsort(probe.wavelengths)
@@ -164,7 +165,7 @@ def _plot(probe: Probe) -> None:
     )
     implot.push_style_var(implot.StyleVar_.plot_padding, imgui.ImVec2(6.0, 6.0))
     is_drawn = implot.begin_plot("##spectrum", imgui.ImVec2(-1.0, -1.0), flags)
-    try:  # the surface balances what ImGui began, but knows nothing of plots
+    try:  # the surface recovers ImGui's state, but not that of plots
         if is_drawn:
             implot.setup_axes("wavelength [nm]", unit)
             first, last = float(nm[0]), float(nm[-1])
@@ -181,12 +182,12 @@ def _plot(probe: Probe) -> None:
 
 
 def scaled_unit(top: float) -> tuple[float, str]:
-    """A factor that makes the largest radiance 1 to 1000, and the unit it leads to.
+    """Factor that scales the largest radiance to between 1 and 1000, and the resulting unit.
 
     Parameters
     ----------
     top : float
-        [W m⁻² sr⁻¹ nm⁻¹]
+        Largest radiance. [W m⁻² sr⁻¹ nm⁻¹]
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""One parameter as a row of a panel: its name, a control with the unit, and a way back."""
+"""Row of a panel: a parameter's name, its control with the unit, and a reset button."""
 
 from __future__ import annotations
 
@@ -8,22 +8,22 @@ from typing import Any, NamedTuple
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.window import style
 
-#: Width of the names, and of the way back. [logical pixel]
+#: Widths of the names and of the reset button. [logical pixel]
 NAME_WIDTH = 138.0
 RESET_WIDTH = 26.0
 
 
 class Answer(NamedTuple):
-    """What the user did to a row.
+    """User input of a row.
 
     Attributes
     ----------
     value : float, str, bool or None
-        The new value, or None if it was left alone.
+        New value, or None if unchanged. [parameter.unit]
     reset : bool
-        Whether it shall go back to the default.
+        Whether the reset button was pressed.
     place : (float, float, float, float)
-        Where the control is: left, top, right, bottom. [logical pixel]
+        Rectangle of the control: left, top, right, bottom. [logical pixel]
     """
 
     value: Value | None
@@ -34,18 +34,18 @@ class Answer(NamedTuple):
 def parameter_row(
     parameter: Parameter, value: Value, default: Value, *, marks: bool = True
 ) -> Answer:
-    """Draw a row, and say what the user changed.
+    """Draw a row and return the user's input.
 
     Parameters
     ----------
     parameter : Parameter
-        What it is.
+        Declaration of the parameter.
     value : float, str or bool
-        What it is set to.
+        Current value. [parameter.unit]
     default : float, str or bool
-        What the way back leads to.
+        Value restored by the reset button. [parameter.unit]
     marks : bool
-        Whether the name of a changed parameter has another colour.
+        Whether the name of a changed parameter is highlighted.
 
     Returns
     -------
@@ -80,7 +80,7 @@ def parameter_row(
 
 
 def same_value(one: Value, other: Value) -> bool:
-    """Whether two values are the same but for rounding of the last digits.
+    """Whether two values are equal up to rounding of the last digits.
 
     Examples
     --------
@@ -93,7 +93,7 @@ def same_value(one: Value, other: Value) -> bool:
 
 
 def shown(parameter: Parameter, value: Value) -> str:
-    """A value with its unit, as text.
+    """Format a value with its unit.
 
     Examples
     --------
@@ -108,7 +108,7 @@ def shown(parameter: Parameter, value: Value) -> str:
 
 
 def unit_text(unit: str) -> str:
-    """A unit as it is written on a panel: powers raised, none for pure numbers.
+    """Format a unit for a panel, with superscript powers; empty for pure numbers.
 
     Examples
     --------
@@ -127,7 +127,7 @@ def unit_text(unit: str) -> str:
 
 
 def with_unit(number: str, unit: str) -> str:
-    """A number and its unit, with a space between them where there is one.
+    """Join a number and its unit, with a space except before °.
 
     Examples
     --------
@@ -158,7 +158,7 @@ def _name(label: str, color: tuple[float, float, float, float] | None) -> None:
 
 
 def _explained(parameter: Parameter, default: Value) -> str:
-    """What a row is about, for a reader who rests the pointer on it."""
+    """Tooltip of a row: label, help, range and default."""
     lines = [parameter.label, parameter.help]
     if parameter.kind == "number":
         low, high = (max(parameter.least, -1e300), min(parameter.most, 1e300))
@@ -194,7 +194,7 @@ def _control(parameter: Parameter, value: Any) -> tuple[bool, Any]:
     moved, new = imgui.slider_float(
         "##value", number, float(parameter.low), float(parameter.high), form, flags
     )
-    return moved, float(f"{new:.7g}")  # the slider is of single precision
+    return moved, float(f"{new:.7g}")  # the slider has single precision
 
 
 def _choice(parameter: Parameter, value: str) -> tuple[bool, str]:

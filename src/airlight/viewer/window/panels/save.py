@@ -1,4 +1,4 @@
-"""Saving from the window: the picture as PNG or EXR, the planet as a file."""
+"""Saving from the window: the picture as PNG or EXR, the planet as a planet file."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.parameters.view_parameters import fitting
 from airlight.viewer.window import style
 
-#: Sizes that a picture can be saved in, by name; the window's own comes first. [pixel]
+#: Sizes in which a picture can be saved, by name; None is the window's. [pixel]
 SIZES: Final[tuple[tuple[str, tuple[int, int] | None], ...]] = (
     ("as in the window", None),
     ("1280 × 720", (1280, 720)),
@@ -30,12 +30,17 @@ SIZES: Final[tuple[tuple[str, tuple[int, int] | None], ...]] = (
 
 
 class Saving:
-    """Writes pictures on a thread of its own.
+    """Thread that writes pictures.
 
     Parameters
     ----------
     wake : callable
-        Called from the thread when there is something new to say.
+        Called on the thread when ``message`` or ``error`` has changed.
+
+    Attributes
+    ----------
+    message, error : str
+        Progress or result, and error, in one line each; empty if there is none.
     """
 
     def __init__(self, wake: Callable[[], None]) -> None:
@@ -47,20 +52,21 @@ class Saving:
 
     @property
     def busy(self) -> bool:
-        """Whether a picture is being made."""
+        """Whether a picture is being rendered or written."""
         return self._thread is not None and self._thread.is_alive()
 
     def save(self, path: str, picture: Picture, size: tuple[int, int] | None) -> None:
-        """Begin to render and write what a picture shows.
+        """Start to render and write a picture; does nothing while busy.
 
         Parameters
         ----------
         path : str
-            Ends in ``.png`` or ``.exr``.
+            Path that ends in ``.png`` or ``.exr``.
         picture : Picture
-            Its exposure is used.
+            Picture whose scene and exposure are used.
         size : (int, int), optional
-            A panorama and a cube strip take the largest of their shape that fits. [pixel]
+            Width and height, by default the window's; a panorama or a cube strip takes the
+            largest size of its aspect ratio that fits. [pixel]
         """
         if self.busy:
             return
@@ -106,24 +112,32 @@ class Saving:
         self._wake()
 
     def close(self) -> None:
-        """Stop, and wait until the thread has ended."""
+        """Cancel, and wait for the thread to end."""
         self._cancelled = True
         if self._thread is not None:
             self._thread.join()
 
 
 class SaveDialog:
-    """The question where to save, over the picture."""
+    """Save dialog, over the picture.
+
+    Attributes
+    ----------
+    asks : str
+        Kind of file in question, ``picture`` or ``planet``; empty if the dialog is closed.
+    picture_path, planet_path : str
+        Paths in the text fields.
+    """
 
     def __init__(self) -> None:
-        self.asks = ""  # picture, planet, or nothing
+        self.asks = ""  # "picture", "planet" or empty
         self.picture_path = "airlight.png"
         self.planet_path = "my-planet.toml"
         self._size = 0
         self._fresh = False
 
     def ask(self, what: str) -> None:
-        """Open the question: ``picture`` or ``planet``."""
+        """Open the dialog for a ``picture`` or a ``planet``."""
         self.asks, self._fresh = what, True
 
     def draw(
@@ -133,7 +147,17 @@ class SaveDialog:
         save_picture: Callable[[str, tuple[int, int] | None], object],
         save_planet: Callable[[str], object],
     ) -> None:
-        """Draw the question, and act on the answer."""
+        """Draw the dialog if it is open, and save once confirmed.
+
+        Parameters
+        ----------
+        width, height : float
+            Size of the window. [logical pixel]
+        save_picture : callable
+            ``save_picture(path, size)``, with the size in pixels or None.
+        save_planet : callable
+            ``save_planet(path)``.
+        """
         from imgui_bundle import imgui
 
         if not self.asks:

@@ -1,4 +1,4 @@
-"""The panel at the left: which planet, its parameters, the view's, and the comparison."""
+"""Left panel: choice of planet, parameters of planet and view, comparison."""
 
 from __future__ import annotations
 
@@ -18,36 +18,36 @@ from airlight.viewer.window.panels.status import fixed_window_flags
 from airlight.viewer.window.panels.values import PanelValues
 from airlight.viewer.window.picture_area import Rectangle
 
-#: Sun's speeds to choose from: times as fast as a clock.
+#: Speeds of the sun to choose from, relative to real time. [1]
 SPEEDS = (60.0, 600.0, 1800.0, 3600.0, 14400.0)
 
 
 class SidePanel:
-    """Draws the panel and edits the session.
+    """Left panel, which edits the session.
 
     Parameters
     ----------
     session : Session
     flight : Flight
-        Knows and sets the time of day.
+        Controller that reads and sets the time of day.
     do : callable
-        ``do(deed)``, as the keys do it.
+        ``do(action)`` performs an action, as the keys do.
     attempt : callable
-        Runs an edit and shows its error in the window.
+        ``attempt(edit)`` runs an edit and shows its error in the window.
     read_planet : callable
-        The planet that is shown as it was read, or None while that is not known.
+        Function that returns the shown planet as read, or None while it is not available.
 
     Attributes
     ----------
     plays, speed : bool, float
-        Whether time passes, and how many times as fast as a clock.
+        Whether time passes, and its speed relative to real time. [1]
     compares, probes : bool
-        Whether two pictures are shown side by side, and whether a click reads a point.
+        Whether two pictures are shown side by side, and whether a click probes a point.
     opens : str
-        The name of a tab that the next frame brings to the front.
+        Name of a tab that the next frame selects.
     places : dict
-        Where controls of the head were drawn last: ``planet``, the names in its list, ``undo``
-        and ``redo``: left, top, right, bottom. [logical pixel]
+        Last rectangles of the header's controls: ``planet``, the names in its list, ``undo`` and
+        ``redo``: left, top, right, bottom. [logical pixel]
     """
 
     def __init__(
@@ -75,14 +75,14 @@ class SidePanel:
         self._dragged = ""
 
     def draw(self, into: Rectangle) -> None:
-        """Draw the panel."""
+        """Draw the panel in a rectangle. [logical pixel]"""
         from imgui_bundle import imgui
 
         imgui.set_next_window_pos(imgui.ImVec2(into.left, into.top))
         imgui.set_next_window_size(imgui.ImVec2(into.width, into.height))
         imgui.begin("side", None, fixed_window_flags())
         self._head()
-        # Only now: the head may have opened another planet, whose rows are to be drawn.
+        # After the header, which may have opened another planet.
         self._values.refresh()
         if imgui.begin_tab_bar("tabs"):
             for name, draw in (
@@ -172,7 +172,7 @@ class SidePanel:
         imgui.end_child()
 
     def _freeze(self, group: str) -> None:
-        """The way from what a constituent is made of to its coefficients."""
+        """Draw the button that converts a constituent's composition to coefficients."""
         from imgui_bundle import imgui
 
         if group not in self._session.advanced or not self.planet_rows.advanced:
@@ -217,7 +217,7 @@ class SidePanel:
         imgui.end_child()
 
     def _time_of_day(self) -> None:
-        """The sun by local solar time and declination."""
+        """Draw the sliders of local solar time and declination."""
         from imgui_bundle import imgui
 
         declination, hour = self._flight.time
@@ -283,7 +283,7 @@ class SidePanel:
         imgui.end_child()
 
     def compare_with(self, planet: str) -> None:
-        """Show a planet as B beside what is shown."""
+        """Show a planet as side B next to A."""
         session = self._session
         was = session.showing
         if not session.has_other:

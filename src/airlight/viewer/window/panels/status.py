@@ -1,4 +1,4 @@
-"""The line at the bottom: what is shown, how well, how fast, and what went wrong."""
+"""Status line: what is shown, its quality and timing, and errors."""
 
 from __future__ import annotations
 
@@ -16,53 +16,54 @@ from airlight.viewer.window.picture_area import Rectangle
 
 
 class FrameTimes:
-    """Times of the last frames."""
+    """Times of the last 30 frames."""
 
     def __init__(self) -> None:
         self._took: deque[float] = deque(maxlen=30)
         self._starts: deque[float] = deque(maxlen=30)
 
     def begin(self) -> None:
-        """A frame begins."""
+        """Start a frame."""
         self._starts.append(perf_counter())
 
     def end(self) -> None:
-        """It is done."""
+        """End the frame."""
         self._took.append(perf_counter() - self._starts[-1])
 
     @property
     def milliseconds(self) -> float:
-        """Mean time that drawing took. [ms]"""
+        """Mean drawing time. [ms]"""
         return 1e3 * sum(self._took) / max(len(self._took), 1)
 
     @property
     def rate(self) -> float:
-        """Frames in the last second; few while the window rests. [s⁻¹]"""
+        """Frames in the last second; few while the window is idle. [s⁻¹]"""
         now = perf_counter()
         return float(sum(1 for start in self._starts if now - start < 1.0))
 
 
 @dataclass(frozen=True, kw_only=True)
 class Status:
-    """What the line says.
+    """Texts of the status line.
 
     Parameters
     ----------
     place : str
-        Where the observer is.
+        Altitude of the observer, and the sun.
     exposure : str
+        Exposure in EV.
     frame : str
         Time of a frame.
     picture : str
-        Who made the picture, how large, in what time.
+        Renderer, size and time of the picture.
     solver : str
         Quality and time of the solution.
     working : str
-        What is being computed; empty if nothing is.
+        Current computation; empty if idle.
     message : str
-        Of the last deed.
+        Message of the last action.
     error : str
-        What went wrong.
+        Error; empty if there is none.
     """
 
     place: str = ""
@@ -76,19 +77,19 @@ class Status:
 
 
 def where_text(view: Mapping[str, Any]) -> str:
-    """Where the observer is, and the sun."""
+    """Altitude of the observer and zenith angle of the sun, formatted."""
     zenith = float(view["view.sun_zenith"])
     return f"{_length(float(view['view.altitude']))} up    sun {zenith:.1f}° from the zenith"
 
 
 def picture_text(shown: Picture) -> str:
-    """Who made a picture, how large, in what time."""
+    """Renderer, size and time of a picture, formatted."""
     fine = "" if shown.finished else ", finer follows"
     return f"{shown.by}: {shown.width}×{shown.height} in {_seconds(shown.seconds)}{fine}"
 
 
 def working_text(status: Solving) -> str:
-    """What is being solved; empty if nothing is."""
+    """Current task of the solver with its progress; empty if idle."""
     if not status.busy:
         return ""
     part = f" {100 * status.done // status.total} %" if status.total else ""
@@ -96,13 +97,13 @@ def working_text(status: Solving) -> str:
 
 
 def solver_text(solved: Solved | None, status: Solving) -> str:
-    """Quality and time of a solution, and what is being solved."""
+    """Quality and time of a solution, and the solver's current task."""
     done = "" if solved is None else f"{solved.quality}: {_seconds(solved.seconds)}"
     return ", ".join(one for one in (done, working_text(status)) if one)
 
 
 def _length(metres: float) -> str:
-    """A length in m or km.
+    """Format a length [m] in m or km.
 
     Examples
     --------
@@ -117,7 +118,7 @@ def _length(metres: float) -> str:
 
 
 def _seconds(seconds: float) -> str:
-    """A time in ms or s.
+    """Format a time [s] in ms or s.
 
     Examples
     --------
@@ -130,7 +131,7 @@ def _seconds(seconds: float) -> str:
 
 
 def draw_status(status: Status, into: Rectangle) -> None:
-    """Draw the line."""
+    """Draw the status line."""
     from imgui_bundle import imgui
 
     imgui.set_next_window_pos(imgui.ImVec2(into.left, into.top))
@@ -161,7 +162,7 @@ def draw_status(status: Status, into: Rectangle) -> None:
 
 
 def fixed_window_flags() -> int:
-    """Of a panel that has its place."""
+    """Window flags of a fixed panel."""
     from imgui_bundle import imgui
 
     flags = imgui.WindowFlags_

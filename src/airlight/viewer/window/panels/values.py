@@ -1,4 +1,4 @@
-"""What the rows of the panels show: parameters, values and defaults, read once a change."""
+"""Parameters, values and defaults for the rows of the panels, read once per change."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from airlight.viewer.session.session import Session, Versions
 
 
 class PanelValues:
-    """Parameters of a session as they were at the last ``refresh``, all of one moment.
+    """Snapshot of a session's parameters at the last ``refresh``.
 
-    A row may edit the session while the others are drawn: they go on with what they began with.
+    A row may edit the session while the others are drawn; they keep the values of the snapshot.
 
     Parameters
     ----------
@@ -23,9 +23,9 @@ class PanelValues:
     Attributes
     ----------
     parameters : tuple of Parameter
-        All of them.
+        All parameters.
     of_planet : tuple of Parameter
-        Those of the planet's file.
+        Parameters of the planet's file.
     """
 
     def __init__(self, session: Session) -> None:
@@ -38,7 +38,7 @@ class PanelValues:
         self.of_planet: tuple[Parameter, ...] = ()
 
     def refresh(self) -> None:
-        """Read what changed since the last call; if that fails, the next call tries again."""
+        """Read the changes since the last call; after an error, the next call tries again."""
         session = self._session
         planet = session.planet
         if self._versions == session.versions and self._planet is planet:
@@ -52,17 +52,17 @@ class PanelValues:
 
     @property
     def of_view(self) -> tuple[Parameter, ...]:
-        """Those of camera, sun, display and light."""
+        """Parameters of camera, sun, display and light."""
         return tuple(
             one for one in self.parameters if one.path.startswith(("view.", "display.", "light."))
         )
 
     def value(self, parameter: Parameter) -> Value:
-        """What a parameter is set to."""
+        """Value of a parameter. [parameter.unit]"""
         return self._values[parameter.path]
 
     def default(self, parameter: Parameter) -> Value:
-        """What it came with; its own value if it came without."""
+        """Default or original value; the current value without one. [parameter.unit]"""
         path = parameter.path
         if path in DEFAULTS:
             return DEFAULTS[path]
