@@ -85,10 +85,13 @@ class Driven:
         self.mouse("mousemove", int(x), int(y), "sleep", 0.2, "mousedown", 1, "sleep", 0.2)
 
     def click(self, name: str) -> None:
-        """Click a control of the panel."""
-        left, top, right, bottom = self.ask("place_of", name)
-        self.press(0.5 * (left + right), 0.5 * (top + bottom))
-        self.mouse("mouseup", 1, "sleep", 0.2)
+        """Click a control of the panel, once it stays where it is: a list opens over frames."""
+        before: list[float] = []
+        while (place := self.ask("place_of", name)) != before:
+            left, top, right, bottom = before = place
+            x, y = int(0.5 * (left + right)), int(0.5 * (top + bottom))
+            self.mouse("mousemove", x, y, "sleep", 0.2, "mousemove", x + 1, y, "sleep", 0.2)
+        self.mouse("mousedown", 1, "sleep", 0.2, "mouseup", 1, "sleep", 0.2)
 
     def pixels(self) -> np.ndarray:
         """Pixels of the display, shape (rows, columns, 3).
