@@ -75,7 +75,7 @@ class Constituent(Record):
         str,
         Key(
             label="name",
-            help="What the constituent is called.",
+            help="Name of the constituent.",
             note="1 to 60 letters.",
             kind="text",
             range=(1.0, 60.0),
@@ -87,8 +87,8 @@ class Constituent(Record):
         instance_of(Profile),
         Key(
             label="profile",
-            help="How its density changes with altitude.",
-            note="Not required of a `gas` with a gravity.",
+            help="Density profile over altitude.",
+            note="Optional for a `gas` with a gravity.",
             kind="table",
             table="profile",
         ),
@@ -121,8 +121,8 @@ class Constituent(Record):
             instance_of(PhaseFunction),
             Key(
                 label="phase function",
-                help="Where the scattered light goes.",
-                note="Required of what scatters and has none of its own.",
+                help="Phase function.",
+                note="Required if the constituent scatters and its composition implies none.",
                 kind="table",
                 table="phase_function",
             ),
@@ -133,8 +133,8 @@ class Constituent(Record):
         float,
         Key(
             label="amount",
-            help="Factor of what it scatters and absorbs, at all wavelengths.",
-            note="A gas bends light as without it.",
+            help="Factor applied to scattering and absorption at all wavelengths.",
+            note="Refraction is not affected.",
             range=(0.0, 100.0),
             slider=(0.1, 10.0),
             scale="log",

@@ -69,7 +69,7 @@ class Planet(Record):
         str,
         Key(
             label="name",
-            help="What the planet is called.",
+            help="Name of the planet.",
             note="1 to 60 letters.",
             kind="text",
             range=(1.0, 60.0),
@@ -80,8 +80,8 @@ class Planet(Record):
         str,
         Key(
             label="description",
-            help="What the numbers are and where they come from.",
-            note="A sentence that `airlight planets` shows.",
+            help="Short description, with the source of the data.",
+            note="Listed by `airlight planets`.",
             kind="text",
             example="a sentence",
             offered=always,
@@ -92,7 +92,7 @@ class Planet(Record):
             tuple[float, ...],
             dataclasses.replace(
                 WAVELENGTHS,
-                help="The planet's own wavelengths, used where none are asked for.",
+                help="Default wavelengths of the planet.",
                 note="Without them: 680, 550, 440 nm; if the planet is not known there, those of"
                 " its first constituent that names any.",
             ),
@@ -103,8 +103,8 @@ class Planet(Record):
         str,
         Key(
             label="refraction",
-            help="Whether the gases bend light, so that the star is seen lifted and flattened.",
-            note="Refused where light would follow the ground, as on Venus.",
+            help="Refraction by the gases, which lifts and flattens the low star.",
+            note="Rejected where rays would be trapped by super-refraction, as on Venus.",
             kind="choice",
             words=lambda: ("none", "bouguer"),
             offered=always,
@@ -114,7 +114,7 @@ class Planet(Record):
         float,
         Key(
             label="radius of the ground",
-            help="Distance of the ground from the planet's centre; the air moves with it.",
+            help="Radius of the ground; the atmosphere keeps its thickness when it is edited.",
             unit="m",
             range=(1e3, 1e12),
             example="6360 km",
@@ -128,7 +128,7 @@ class Planet(Record):
         float,
         Key(
             label="radius of the top of the air",
-            help="Where the air ends, from the centre: up to ten times the ground's radius.",
+            help="Radius of the top of the atmosphere, up to ten times that of the ground.",
             unit="m",
             range=(1e3, 1e13),
             example="6460 km",
@@ -140,18 +140,24 @@ class Planet(Record):
     ground: Annotated[
         Ground,
         instance_of(Ground),
-        Key(label="ground", help="What lies below.", kind="table", table="ground", required=True),
+        Key(
+            label="ground",
+            help="Surface of the planet.",
+            kind="table",
+            table="ground",
+            required=True,
+        ),
     ] = Ground()
     star: Annotated[
         Star,
         instance_of(Star),
-        Key(label="star", help="What shines.", kind="table", table="star"),
+        Key(label="star", help="Star that lights the planet.", kind="table", table="star"),
     ]
     constituents: Annotated[
         tuple[Annotated[Constituent, instance_of(Constituent)], ...],
         Key(
             label="constituents",
-            help="What the air is made of.",
+            help="Constituents of the atmosphere.",
             note="1 to 64 of them, each with a name of its own.",
             kind="table",
             table="constituent",

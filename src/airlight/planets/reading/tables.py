@@ -52,7 +52,7 @@ def _planet() -> _Listed:
     """Keys of a whole file: those of a planet, with the shell's in a nested table."""
     own = Planet.declared()
     first = next(i for i, key in enumerate(own) if key.kind == "table")
-    shell = Key(name="shell", label="shell", help="Where the air lies.", kind="table",
+    shell = Key(name="shell", label="shell", help="Radii of the atmosphere.", kind="table",
                 table="shell", required=True)  # fmt: skip
     return _Listed(*own[:first], shell, *own[first:])
 
