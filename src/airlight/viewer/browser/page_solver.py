@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from airlight.gpu.solver.plan import SolverPlan
 from airlight.gpu.solver.planning import THICKEST, ThickAir, plan_for
-from airlight.gpu.solver.tables import SCALARS
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.planets.medium import BENDING
 from airlight.solvers.light_paths import LightPaths
@@ -126,9 +125,11 @@ def solver_data(
 def _tables(plan: SolverPlan, places: dict[str, Any]) -> dict[str, str]:
     """Encode the tables as text, each as differences along the axis that compresses best."""
     found = {}
-    for name in SCALARS:
-        start, shape = places[name]["start"], places[name]["shape"]
-        values = plan.scalars[start : start + int(np.prod(shape))]
+    for name, place in places.items():
+        if place["texture"] != "scalars":  # the page computes those of the wavelengths
+            continue
+        start, shape = place["start"], place["shape"]
+        values = plan.tables["scalars"][start : start + int(np.prod(shape)), 0]
         if name == "ratios":
             found[name] = as_text(rounded(values, DIGITS), shape[-1] * shape[-2])
         else:
