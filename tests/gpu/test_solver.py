@@ -25,7 +25,6 @@ from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.first_order import first_order_radius
 from airlight.solvers.moments.iterate import gather
 from airlight.solvers.moments.packing import pack_light
-from airlight.solvers.moments.reduced_optics import make_air
 from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.moments.setup import Setup
 from airlight.solvers.moments.solution import MomentsSolution, solve
@@ -244,5 +243,5 @@ def test_the_plan_can_be_run_by_another_host(name):
     # Tables are at their recorded positions.
     places = written["tables"]["extinction"]
     rows = plan.tables["spectra"][places["start"] : places["start"] + places["shape"][0]]
-    air = make_air(plan.setup.medium, plan.setup.degree, slice(None))
+    air = plan.setup.optics.air(slice(None))
     assert_array_equal(rows, air.extinction.reshape(-1, 8)[:, :4])

@@ -62,7 +62,7 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
             "constituents", constituents, f"at most {MOST_CONSTITUENTS} on the GPU"
         )
     setup = Setup(paths=paths, settings=settings)
-    if setup.transport_depth.max() > THICKEST:
+    if setup.optics.transport_depth.max() > THICKEST:
         raise ThickAir
     block = setup.block(slice(None))
     grid, rays, air = setup.grid, block.rays, block.air
