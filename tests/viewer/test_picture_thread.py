@@ -10,7 +10,8 @@ import pytest
 
 from airlight.errors import Cancelled, ParameterError
 from airlight.scene import Camera, Scene
-from airlight.viewer.painting.picture_source import Picture, Request, scaled
+from airlight.scene.picture_size import scaled
+from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.painting.picture_thread import PictureThread
 
 #: Time limit of any wait here, generous for a busy machine. [s]

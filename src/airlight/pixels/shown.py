@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import Annotated, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from airlight.errors import ParameterError
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel.lanes import LANES
+from airlight.pixels.shader_fields import CHOICE, FIELDS, SPECTRA, scalars
 from airlight.solvers.moments.packing import pack
 from airlight.solvers.moments.solution import MomentsSolution
 
@@ -69,38 +70,28 @@ class Shown(NamedTuple):
     radii: int
     suns: int
     phase_nodes: int
-    first_peak: int
-    second_peak: int
-    columns: FloatArray
-    density: FloatArray
-    strongest: FloatArray
-    brightest: FloatArray
-    lift: FloatArray
-    ends: FloatArray
-    row: FloatArray
-    place: FloatArray
-    start: FloatArray
-    ahead: FloatArray
-    back: FloatArray
-    rules: FloatArray
-    extinction: Float32Array
-    scattering: Float32Array
-    moments: Float32Array
-    albedo: Float32Array
-    phase: Float32Array
-    basis: Float32Array
-    field: Float32Array
-    sky: Float32Array
-
-
-#: Tables of plain numbers, with their ranks, and spectral ones; two of these change with each
-#: solution alone and have separate textures.
-SCALAR_TABLES: Final = {
-    "columns": 4, "density": 2, "strongest": 1, "brightest": 1, "lift": 3, "ends": 1, "row": 1,
-    "place": 1, "start": 1, "ahead": 1, "back": 1, "rules": 1,
-}  # fmt: skip
-SPECTRAL_TABLES: Final = ("extinction", "scattering", "moments", "albedo", "phase", "basis")
-FIELD_TABLES: Final = ("field", "sky")
+    first_peak: Annotated[int, CHOICE]
+    second_peak: Annotated[int, CHOICE]
+    columns: Annotated[FloatArray, scalars(4)]
+    density: Annotated[FloatArray, scalars(2)]
+    strongest: Annotated[FloatArray, scalars()]
+    brightest: Annotated[FloatArray, scalars()]
+    lift: Annotated[FloatArray, scalars(3)]
+    ends: Annotated[FloatArray, scalars()]
+    row: Annotated[FloatArray, scalars()]
+    place: Annotated[FloatArray, scalars()]
+    start: Annotated[FloatArray, scalars()]
+    ahead: Annotated[FloatArray, scalars()]
+    back: Annotated[FloatArray, scalars()]
+    rules: Annotated[FloatArray, scalars()]
+    extinction: Annotated[Float32Array, SPECTRA]
+    scattering: Annotated[Float32Array, SPECTRA]
+    moments: Annotated[Float32Array, SPECTRA]
+    albedo: Annotated[Float32Array, SPECTRA]
+    phase: Annotated[Float32Array, SPECTRA]
+    basis: Annotated[Float32Array, SPECTRA]
+    field: Annotated[Float32Array, FIELDS]
+    sky: Annotated[Float32Array, FIELDS]
 
 
 def quadratures(counts: tuple[int, ...]) -> FloatArray:

@@ -36,7 +36,6 @@ from airlight.solvers.moments.march import (
     new_workspace,
 )
 from airlight.solvers.moments.packing import filled, pack, pack_light
-from airlight.solvers.moments.reduced_optics import make_air
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.setup import Setup
 from airlight.solvers.sight import Sight
@@ -102,7 +101,7 @@ class MomentsSolution(Solution):
         table = ColumnTable(medium.bottom_radius, medium.top_radius, moments.columns)
         return Light(
             grid=moments.grid,
-            air=make_air(medium, moments.degree, slice(None)),
+            air=self.setup.optics.air(slice(None)),
             scattering=pack(medium.scattering),
             expansion=self.setup.expansion,
             field=field,
