@@ -26,7 +26,7 @@ from PIL import Image
 from airlight.gpu.device.device import open_device
 from airlight.paint.solve_planet import live_solver
 from airlight.viewer.parameters.parameter import Value
-from airlight.viewer.window.canvas import OffscreenPlace
+from airlight.viewer.window.canvas import OffscreenCanvas
 from airlight.viewer.window.start import Start, opened, painter_by
 from airlight.viewer.window.window import Window
 
@@ -88,18 +88,18 @@ def window(
     name: str, view: Mapping[str, Value], look: tuple[float, float], tab: str, *, other: str = ""
 ) -> None:
     """Picture of the window with a tab open; alone with the probe, or beside another planet."""
-    place = OffscreenPlace(WINDOW)
+    canvas = OffscreenCanvas(WINDOW)
     device = open_device()
     view = {"light.quality": "preview", **view}
     start = Start(planet="earth", view=view, look=look, size=WINDOW)
     made = Window(
-        opened(start), place, device.device, painter_by("auto", device),
+        opened(start), canvas, device.device, painter_by("auto", device),
         live_solver("auto", device),
     )  # fmt: skip
 
     def drawn() -> bool:
-        place.run(made.draw)
-        return bool(made.settled) and made.shown() is not None and not place.wanted
+        canvas.run(made.draw)
+        return bool(made.settled) and made.shown() is not None and not canvas.wanted
 
     try:
         if other:
@@ -111,9 +111,9 @@ def window(
             made.click(into.left + 0.5 * into.width, into.top + 0.4 * into.height)
             wait(drawn, lambda: time.sleep(0.02))
         for _ in range(2):  # panels reach their final sizes one frame later
-            place.run(made.draw)
-        assert place.picture is not None
-        keep(name, Image.fromarray(place.picture))
+            canvas.run(made.draw)
+        assert canvas.picture is not None
+        keep(name, Image.fromarray(canvas.picture))
     finally:
         made.close()
 
