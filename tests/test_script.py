@@ -50,7 +50,7 @@ def run(environment: Path, failing: str, *arguments: str) -> subprocess.Complete
     }
     return subprocess.run(
         ["bash", str(SCRIPT), *arguments], env={**os.environ, **named}, cwd="/",
-        capture_output=True, text=True, timeout=120, check=False,
+        capture_output=True, text=True, timeout=600, check=False,
     )  # fmt: skip
 
 
