@@ -16,14 +16,15 @@ from airlight.gpu.device.flat import FLAT_WIDTH, MOST_ROWS, flat_rows, flat_text
 from airlight.gpu.solver.solver import fields_on
 from airlight.pixels.shown import (
     FIELD_TABLES,
+    FIXED_SIZES,
     MOST_CONSTITUENTS,
     SCALAR_TABLES,
     SPECTRAL_TABLES,
-    Shown,
     as_texels,
     shown_solution,
 )
 from airlight.scene.surface_map import surface_map
+from airlight.solvers.moments.march_tables import MarchTables
 from airlight.solvers.moments.solution import MomentsSolution
 
 Shape = tuple[int, ...]
@@ -82,14 +83,14 @@ class SolutionTables:
     places: dict[str, Shape]
 
     @classmethod
-    def of(cls, solution: MomentsSolution, shown: Shown | None = None) -> SolutionTables:
+    def of(cls, solution: MomentsSolution, shown: MarchTables | None = None) -> SolutionTables:
         """Make the tables of a solution; ``shown`` if it is known already.
 
         Parameters
         ----------
         solution : MomentsSolution
             Solution of at most four wavelengths.
-        shown : Shown, optional
+        shown : MarchTables, optional
             The same solution, prepared for a march.
 
         Raises
@@ -99,7 +100,7 @@ class SolutionTables:
         """
         count = solution.wavelengths.size
         if shown is None:
-            shown = shown_solution(solution, solution.medium.map_basis)
+            shown = shown_solution(solution)
         if shown.constituents > MOST_CONSTITUENTS:
             allowed = f"at most {MOST_CONSTITUENTS} on the GPU"
             raise ParameterError("constituents", shown.constituents, allowed)
@@ -114,8 +115,8 @@ class SolutionTables:
         )
         numbers = {
             name: float(getattr(shown, name))
-            for name in Shown._fields
-            if name not in (*SCALAR_TABLES, *SPECTRAL_TABLES, *FIELD_TABLES)
+            for name in shown._fields
+            if name not in (*SCALAR_TABLES, *SPECTRAL_TABLES, *FIELD_TABLES, *FIXED_SIZES)
         }
         return cls(numbers, scalars, spectra, fields, places | more | most)
 
@@ -141,7 +142,7 @@ class SolutionTextures:
         cls,
         device: Device,
         solution: MomentsSolution,
-        shown: Shown | None = None,
+        shown: MarchTables | None = None,
         before: SolutionTextures | None = None,
     ) -> SolutionTextures:
         """Upload a solution; an unchanged map of the ground is not uploaded again.
@@ -150,7 +151,7 @@ class SolutionTextures:
         ----------
         device : Device
             Device from ``open_device``.
-        solution, shown : MomentsSolution, Shown
+        solution, shown : MomentsSolution, MarchTables
             Arguments of ``SolutionTables.of``.
         before : SolutionTextures, optional
             Textures shown previously, for their map.

@@ -13,8 +13,9 @@ from airlight.gpu.emit.dialect import ShaderDialect
 from airlight.gpu.emit.shader_types import BOOL, F32, I32, Scalar, Uniform
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.pixels.pixel import Display, Screen
-from airlight.pixels.shown import FIELD_TABLES, SCALAR_TABLES, SPECTRAL_TABLES, Shown
+from airlight.pixels.shown import FIELD_TABLES, FIXED_SIZES, SCALAR_TABLES, SPECTRAL_TABLES
 from airlight.pixels.sky_table import Observer
+from airlight.solvers.moments.march_tables import MarchTables
 
 #: Types of those fields of NamedTuples that are uniforms; the other fields are tables.
 _KINDS: Final = {float: F32, int: I32, bool: BOOL}
@@ -23,9 +24,9 @@ _KINDS: Final = {float: F32, int: I32, bool: BOOL}
 NUMBERS: Final[dict[str, Scalar]] = {
     **{
         name: _KINDS[kind]
-        for bundle in (Shown, Observer, Screen, Display)
+        for bundle in (MarchTables, Observer, Screen, Display)
         for name, kind in get_type_hints(bundle).items()
-        if kind in _KINDS
+        if kind in _KINDS and name not in FIXED_SIZES
     },
     "first_row": F32,
     "exact": BOOL,
