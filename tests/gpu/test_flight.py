@@ -17,22 +17,17 @@ from numpy.testing import assert_allclose
 from airlight import Camera, Scene, load_planet, look_at, render
 from airlight.color.xyz import rgb_to_xyz
 from airlight.gpu.device.device import Device
-from airlight.gpu.device.flat import FLAT_WIDTH, empty_flat_texture, flat_texture, read_flat
+from airlight.gpu.device.flat import empty_flat_texture, flat_texture, read_flat
 from airlight.gpu.device.fragment_pass import FragmentPass
 from airlight.gpu.emit.emitter import Emitter
-from airlight.gpu.emit.shader_types import F32, VEC4, LocalArray
+from airlight.gpu.emit.shader_types import F32, FLAT_WIDTH, VEC4, LocalArray
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.picture.pictures import Pictures, scene_numbers
-from airlight.gpu.picture.shaders import (
-    TEXTURES,
-    assembled,
-    filled_by,
-    light,
-    march_workspace,
-)
-from airlight.gpu.picture.uniforms import packed
+from airlight.gpu.picture.shaders import assembled, filled_by, march_workspace
+from airlight.gpu.picture.uniforms import FRAME
 from airlight.pixels.sky_table import phases_towards
 from airlight.solvers.moments.march import march
+from airlight.solvers.moments.march_tables import MarchTables
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.sight import Sight
 
@@ -118,12 +113,12 @@ def stretches(device: Device, pictures: Pictures) -> Callable[[np.ndarray], np.n
     import wgpu
 
     emitter = Emitter()
-    found = LocalArray(4, VEC4)
     made = emitter.add(
-        stretch, *[F32] * 6, light(), march_workspace(emitter), found, name="light_of_stretch"
-    )
+        stretch, *[F32] * 6, FRAME.bundle(MarchTables), march_workspace(emitter),
+        LocalArray(4, VEC4), name="light_of_stretch",
+    )  # fmt: skip
     given = [f"number(item + {k})" for k in range(6)]
-    base = assembled("stretch", {}, TEXTURES[:3], emitter).text
+    base = assembled("stretch", {}, emitter).text
     text = f"""{base}
 @group(0) @binding(9) var given: texture_2d<f32>;
 fn number(index: i32) -> f32 {{ return textureLoad(given, vec2i(index & 2047, index >> 11), 0).x; }}
@@ -139,7 +134,7 @@ fn number(index: i32) -> f32 {{ return textureLoad(given, vec2i(index & 2047, in
         assert textures is not None
         numbers: dict[str, Any] = {**scene_numbers(Scene(), pictures._shown()), **textures.numbers}
         use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
-        values = packed({**numbers, "first_peak": -1.0, "second_peak": -1.0}, textures.places)
+        values = FRAME.packed({**numbers, "first_peak": -1.0, "second_peak": -1.0}, textures.places)
         uniforms = device.device.create_buffer(size=values.nbytes, usage=use)
         device.device.queue.write_buffer(uniforms, 0, values)
         target = empty_flat_texture(device, len(rows), 4)

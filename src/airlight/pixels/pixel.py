@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from math import atan2, pi, sqrt
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from airlight.geometry.bending import bend_angle
 from airlight.geometry.shell import first_meeting
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, load, maximum, minimum, splat, store
+from airlight.kernel.shader_fields import CHOICE, InTexture
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle, row_from_impact
 from airlight.pixels.shown import MOST_CONSTITUENTS
 from airlight.pixels.sky_table import half_sine_between, look, phases_towards
@@ -28,7 +29,7 @@ class Screen(NamedTuple):
     width: float
     height: float
     field_of_view: float
-    projection: int
+    projection: Annotated[int, CHOICE]
     right_x: float
     right_y: float
     right_z: float
@@ -55,12 +56,12 @@ class Screen(NamedTuple):
     sky_columns: int
     sky_rows: int
     keeps_peaks: bool
-    levels: np.ndarray
-    texels: np.ndarray
-    sky_air: np.ndarray
-    sky_ground: np.ndarray
-    sky_first: np.ndarray
-    sky_second: np.ndarray
+    levels: Annotated[np.ndarray, InTexture("ground", 2)]
+    texels: Annotated[np.ndarray, InTexture("ground")]
+    sky_air: Annotated[np.ndarray, InTexture("air", spectral=True, whole=True)]
+    sky_ground: Annotated[np.ndarray, InTexture("behind", spectral=True, whole=True)]
+    sky_first: Annotated[np.ndarray, InTexture("first", spectral=True, whole=True)]
+    sky_second: Annotated[np.ndarray, InTexture("second", spectral=True, whole=True)]
 
 
 class Display(NamedTuple):
@@ -77,8 +78,8 @@ class Display(NamedTuple):
     """
 
     exposure: float
-    tone_map: int
-    encoding: int
+    tone_map: Annotated[int, CHOICE]
+    encoding: Annotated[int, CHOICE]
 
 
 @inlined

@@ -21,8 +21,6 @@ WAVELENGTHS: Final = 4
 MOST_CONSTITUENTS: Final = 8
 MOST_POINTS: Final = 24
 MOST_TERMS: Final = 325
-#: Fields of ``MarchTables`` with one value in all shaders: a texel is one group of lanes.
-FIXED_SIZES: Final = {"lanes": 1, "panels": 1}
 #: Numbers of points that may serve all lines; and loop iterations that Mesa's software renderer
 #: allows a shader, less a reserve for other loops.
 _EVEN: Final = (24, 20, 16, 12, 8)
@@ -31,16 +29,6 @@ _MOST_TURNS: Final = 60_000
 _PEAKED: Final = 0.08
 #: Largest number of constituents whose peaks can be kept out of the table of the sky.
 MOST_PEAKS: Final = 2
-
-
-#: Tables of plain numbers, with their ranks, and spectral ones; two of these change with each
-#: solution alone and have separate textures.
-SCALAR_TABLES: Final = {
-    "columns": 4, "density": 2, "strongest": 1, "brightest": 1, "lift": 3, "ends": 1, "row": 1,
-    "place": 1, "start": 1, "ahead": 1, "back": 1, "rules": 1,
-}  # fmt: skip
-SPECTRAL_TABLES: Final = ("extinction", "scattering", "moments", "albedo", "phase", "basis")
-FIELD_TABLES: Final = ("field", "sky")
 
 
 def peaked_constituents(solution: MomentsSolution) -> tuple[int, ...]:

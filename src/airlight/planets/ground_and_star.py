@@ -70,7 +70,7 @@ class Ground(Record):
         Any,
         Key(
             label="albedo",
-            help="Share of the light that the ground reflects, alike into all directions.",
+            help="Lambertian albedo of the ground.",
             note="A number, a list beside `wavelengths`, or the name of a table of reflectances.",
             range=(0.0, 1.0),
             spectral=True,
@@ -85,7 +85,7 @@ class Ground(Record):
             str,
             Key(
                 label="map",
-                help="Name of the picture of the ground.",
+                help="Name of the map of the ground.",
                 note="Used where the ground is seen; the light that the ground sends back into the"
                 " air comes from the albedo.",
                 kind="text",
@@ -99,8 +99,8 @@ class Ground(Record):
         float,
         Key(
             label="brightness",
-            help="Factor of the ground's albedo, and of its picture.",
-            note="No albedo gets beyond 1.",
+            help="Factor applied to the ground's albedo and to its map.",
+            note="Albedos are limited to 1.",
             range=(0.0, 100.0),
             slider=(0.0, 5.0),
             offered=always,
@@ -164,7 +164,7 @@ class Star(Record):
             str,
             Key(
                 label="spectrum",
-                help="The sun as measured outside the air, at 1 au; or a star of a temperature.",
+                help="Measured solar spectrum at 1 au, or a black body.",
                 note="`distance` scales it.",
                 kind="choice",
                 read=_read_spectrum,
@@ -180,7 +180,7 @@ class Star(Record):
             Spectral,
             Key(
                 label="irradiance",
-                help="The star's light at the planet, on a plane that faces it.",
+                help="Spectral irradiance at the planet, on a plane facing the star.",
                 unit="W/m^2/nm",
                 range=(0.0, 1e9),
                 spectral=True,
@@ -197,7 +197,7 @@ class Star(Record):
             float,
             Key(
                 label="temperature",
-                help="Of the star, as a black body.",
+                help="Effective temperature of the star, a black body.",
                 note="Needs `radius` and `distance`.",
                 unit="K",
                 range=(100.0, 1e6),
@@ -214,7 +214,7 @@ class Star(Record):
             float,
             Key(
                 label="radius of the star",
-                help="With the distance it gives the light of a black body and the angle it fills.",
+                help="Radius; with the distance it gives irradiance and angular radius.",
                 unit="m",
                 range=(1e3, 1e13),
                 example="695700 km",
@@ -231,7 +231,7 @@ class Star(Record):
             float,
             Key(
                 label="distance",
-                help="From the star to the planet.",
+                help="Distance from the star to the planet.",
                 unit="m",
                 range=(1e6, 1e16),
                 example="1 au",
@@ -249,7 +249,7 @@ class Star(Record):
             float,
             Key(
                 label="angular radius",
-                help="Half the angle that the star fills in the sky; 0 is a point.",
+                help="Angular radius of the star's disc; 0 for a point.",
                 note="From radius and distance where those are known; required beside an"
                 " `irradiance`.",
                 unit="deg",

@@ -12,23 +12,21 @@ from numpy.typing import NDArray
 from airlight.color.four_wavelengths import picture_weights
 from airlight.errors import Cancelled, ParameterError
 from airlight.gpu.device.device import Device
-from airlight.gpu.device.flat import FLAT_WIDTH, empty_flat_texture, read_texture, update_flat
+from airlight.gpu.device.flat import empty_flat_texture, read_texture, update_flat
 from airlight.gpu.device.fragment_pass import FragmentPass
+from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.picture.bands import Band, bands
 from airlight.gpu.picture.shaders import (
-    Fixed,
     Shader,
     picture_shader,
     sky_air_shader,
     sky_peaks_shader,
 )
 from airlight.gpu.picture.solution_textures import SolutionTextures
-from airlight.gpu.picture.uniforms import SWITCHES, packed
+from airlight.gpu.picture.uniforms import FRAME
 from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.march_points import FEW
 from airlight.pixels.picture_numbers import (
-    CHOICES,
-    NOT_THE_SKYS,
     display_numbers,
     observer_from,
     order_number,
@@ -36,6 +34,7 @@ from airlight.pixels.picture_numbers import (
 )
 from airlight.pixels.shown import WAVELENGTHS, as_texels, shown_solution
 from airlight.pixels.sky_by_processor import filled_sky
+from airlight.pixels.sky_table import Observer
 from airlight.pixels.sky_window import SkyWindow
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
@@ -63,7 +62,7 @@ class Pictures:
     device : Device
         Device from ``open_device``.
     sky_shape : (int, int)
-        Azimuths and rows of the table of the sky; together a multiple of 2048.
+        Azimuths and rows of the table of the sky; together a multiple of ``FLAT_WIDTH``.
     sky_by_processor : bool, optional
         Whether the CPU fills that table; by default on software devices.
 
@@ -90,7 +89,7 @@ class Pictures:
         self._shown_tables: MarchTables | None = None
         self._weights: FloatArray = np.zeros((0, 3))
         self._groups: dict[Any, list[Any]] = {}
-        self._seen: bytes = b""
+        self._seen: tuple[Observer, float] | None = None
         self.sky_shape = sky_shape
 
     @property
@@ -111,7 +110,7 @@ class Pictures:
             for name in ("air", "behind", "first", "second")
         }
         self._groups.clear()
-        self._seen = b""
+        self._seen = None
 
     def show(self, solution: MomentsSolution, weights: FloatArray | None = None) -> None:
         """Set the solution that is drawn from now on.
@@ -146,27 +145,20 @@ class Pictures:
         self._weights = np.zeros((WAVELENGTHS, 3))
         self._weights[: nm.size] = solution.lights[0].colors(weights)
         self._groups.clear()
-        self._seen = b""
+        self._seen = None
 
     @cached_property
     def _uniforms(self) -> Any:
         import wgpu
 
         use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
-        return self.device.device.create_buffer(size=packed({}, {}).nbytes, usage=use)
+        return self.device.device.create_buffer(size=FRAME.packed({}, {}).nbytes, usage=use)
 
     def _pass(self, shader: Shader, entry: str, targets: tuple[str, ...]) -> FragmentPass:
         key = (shader, entry, targets)
         if key not in self._passes:
             self._passes[key] = FragmentPass(self.device, shader.text, entry, targets, entry)
         return self._passes[key]
-
-    def _fixed(self, numbers: Mapping[str, float]) -> Fixed:
-        """Uniforms bound as constants, which a software device need not test for every pixel."""
-        return tuple(
-            (name, bool(numbers[name]) if name in SWITCHES else int(numbers.get(name, 0)))
-            for name in CHOICES
-        )
 
     def _bound(self, one: FragmentPass) -> list[Any]:
         if one not in self._groups:
@@ -303,7 +295,7 @@ class Pictures:
                     "mapped": numbers["mapped"] * band.ground,
                     "draws_disc": numbers["draws_disc"] * band.star,
                 }
-                shader = picture_shader(exact, self._fixed(seen))
+                shader = picture_shader(exact, FRAME.fixed(seen))
                 one = self._pass(shader, entry, (target_format,))
                 area = (0, band.first, width, band.rows)
                 self._draw_strip(one, numbers, view, area, band.first > 0)
@@ -326,7 +318,6 @@ class Pictures:
             "width": size[0],
             "height": size[1],
             "orders": order_number(orders),
-            "exact": float(exact),
             "draws_disc": float(
                 disc and orders == "all" and solution.medium.star_angular_radius > 0.0
             ),
@@ -371,7 +362,7 @@ class Pictures:
 
     def _draw_sky(self, numbers: Mapping[str, float]) -> None:
         """Draw the table of the sky, unless it is current for this observer and star."""
-        seen = packed({**numbers, **dict.fromkeys(NOT_THE_SKYS, 0.0)}, self._places()).tobytes()
+        seen = observer_from(numbers), numbers["keeps_peaks"]
         if seen == self._seen:
             return
         if self._by_processor:
@@ -406,7 +397,7 @@ class Pictures:
     def _write(self, numbers: Mapping[str, float]) -> None:
         # Above the ground as the shader has it: its radii are accurate to half a metre.
         r = float(np.float32(numbers["bottom"])) + (numbers["r"] - numbers["bottom"])
-        values = packed({**numbers, "r": r}, self._places())
+        values = FRAME.packed({**numbers, "r": r}, self._places())
         self.device.device.queue.write_buffer(self._uniforms, 0, values)
 
     def _shown(self) -> MomentsSolution:

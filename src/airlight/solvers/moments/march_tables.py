@@ -7,13 +7,14 @@ workspace is arrays of constant size.
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.path import MAX_EDGES
 from airlight.geometry.quadrature import gauss_legendre
+from airlight.kernel.shader_fields import CHOICE, FIELDS, SPECTRA, Always, scalars
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -31,7 +32,7 @@ class MarchTables(NamedTuple):
     bend : float
         Bending over impact parameter and column of the last constituent. [m⁻²]
     lanes : int
-        Number of lanes w: a multiple of ``LANES``, and ``LANES`` itself in a shader.
+        Number of lanes w: a multiple of ``LANES``; in a shader one texel is one group of lanes.
     panels : int
         Number of panels a leg of a line; 1 in a shader.
     law : int
@@ -79,36 +80,36 @@ class MarchTables(NamedTuple):
     top: float
     star_radius: float
     bend: float
-    lanes: int
-    panels: int
+    lanes: Annotated[int, Always(1)]
+    panels: Annotated[int, Always(1)]
     law: int
     constituents: int
     degree: int
     radii: int
     suns: int
     phase_nodes: int
-    first_peak: int
-    second_peak: int
-    columns: FloatArray
-    density: FloatArray
-    strongest: FloatArray
-    brightest: FloatArray
-    lift: FloatArray
-    ends: FloatArray
-    row: FloatArray
-    place: FloatArray
-    start: FloatArray
-    ahead: FloatArray
-    back: FloatArray
-    rules: FloatArray
-    extinction: Float32Array
-    scattering: Float32Array
-    moments: Float32Array
-    albedo: Float32Array
-    phase: Float32Array
-    basis: Float32Array
-    field: Float32Array
-    sky: Float32Array
+    first_peak: Annotated[int, CHOICE]
+    second_peak: Annotated[int, CHOICE]
+    columns: Annotated[FloatArray, scalars(4)]
+    density: Annotated[FloatArray, scalars(2)]
+    strongest: Annotated[FloatArray, scalars()]
+    brightest: Annotated[FloatArray, scalars()]
+    lift: Annotated[FloatArray, scalars(3)]
+    ends: Annotated[FloatArray, scalars()]
+    row: Annotated[FloatArray, scalars()]
+    place: Annotated[FloatArray, scalars()]
+    start: Annotated[FloatArray, scalars()]
+    ahead: Annotated[FloatArray, scalars()]
+    back: Annotated[FloatArray, scalars()]
+    rules: Annotated[FloatArray, scalars()]
+    extinction: Annotated[Float32Array, SPECTRA]
+    scattering: Annotated[Float32Array, SPECTRA]
+    moments: Annotated[Float32Array, SPECTRA]
+    albedo: Annotated[Float32Array, SPECTRA]
+    phase: Annotated[Float32Array, SPECTRA]
+    basis: Annotated[Float32Array, SPECTRA]
+    field: Annotated[Float32Array, FIELDS]
+    sky: Annotated[Float32Array, FIELDS]
 
 
 class MarchWorkspace(NamedTuple):

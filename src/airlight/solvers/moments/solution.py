@@ -30,7 +30,6 @@ from airlight.solvers.moments.iterate import Moments, solve_moments
 from airlight.solvers.moments.march import march
 from airlight.solvers.moments.march_tables import MarchTables, new_workspace, quadratures
 from airlight.solvers.moments.packing import filled, pack, pack_light
-from airlight.solvers.moments.reduced_optics import make_air
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.setup import Setup
 from airlight.solvers.sight import Sight
@@ -94,7 +93,7 @@ class MomentsSolution(Solution):
         level, expansion, grid = self.setup.level(slice(None)), self.setup.expansion, moments.grid
         field, sky = pack_light(filled(moments.field), filled(moments.sky), level, moments.parts)
         table = ColumnTable(medium.bottom_radius, medium.top_radius, moments.columns)
-        air = make_air(medium, moments.degree, slice(None))
+        air = self.setup.optics.air(slice(None))
         return MarchTables(
             bottom=grid.bottom_radius,
             top=grid.top_radius,

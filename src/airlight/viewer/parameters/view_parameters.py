@@ -14,6 +14,7 @@ from airlight.color.exposure import DEFAULT_EXPOSURE
 from airlight.color.tone_maps import TONE_MAPS
 from airlight.scene.camera import Camera
 from airlight.scene.flight import LOWEST_ALTITUDE
+from airlight.scene.picture_size import fitting
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.scene import HIGHEST_ALTITUDE, Scene
 from airlight.viewer.parameters.parameter import Parameter, Value
@@ -71,38 +72,38 @@ def _choice(
 VIEW_VALUES: Final = (
     ViewValue(path="view.altitude", label="altitude", group="camera", unit="m",
               low=LOWEST_ALTITUDE, high=1e9, least=0.0, most=HIGHEST_ALTITUDE, scale="log",
-              step=1.1, help="Of the observer above the ground.", default=2.0),
+              step=1.1, help="Altitude of the observer above the ground.", default=2.0),
     ViewValue(path="view.latitude", label="latitude", group="camera", unit="deg", low=-90.0,
               high=90.0, least=-90.0, most=90.0, step=1.0,
-              help="Of the point below the observer, north positive.", default=0.0),
+              help="Latitude of the point below, positive north.", default=0.0),
     _turning("view.longitude", "longitude", "camera",
-             "Of the point below the observer, east positive.", **_HALF_ROUND, default=0.0),
+             "Longitude of the point below, positive east.", **_HALF_ROUND, default=0.0),
     ViewValue(path="view.look_zenith", label="look zenith", group="camera", unit="deg", low=0.0,
               high=180.0, least=0.0, most=180.0, step=1.0,
-              help="Angle of the line of sight from the zenith: 90 is level.", default=88.0),
+              help="Zenith angle of the line of sight; 90 is horizontal.", default=88.0),
     _turning("view.heading", "heading", "camera",
-             "Compass bearing that the camera looks in: 0 north, 90 east.", **_ROUND,
+             "Compass bearing of the line of sight: 0 north, 90 east.", **_ROUND,
              default=180.0),
     _turning("view.roll", "roll", "camera",
              "Turns the camera clockwise about its line of sight.", **_HALF_ROUND, default=0.0),
     ViewValue(path="view.field_of_view", label="field of view", group="camera", unit="deg",
               low=1.0, high=170.0, least=1e-3, most=360.0, step=1.0, default=60.0,
-              help="Between the left and the right edge, up to 170; across a fisheye's circle."),
+              help="Horizontal field of view, up to 170; the full circle of a fisheye."),
     _choice("view.projection", "projection", "camera", tuple(PROJECTIONS),
-            "How directions are laid out on the picture.", default="perspective"),
+            "Projection of the picture.", default="perspective"),
     ViewValue(path="view.sun_zenith", label="sun zenith", group="sun", unit="deg", low=0.0,
               high=180.0, least=0.0, most=180.0, step=0.5, default=60.0,
-              help="Angle of the sun from the observer's zenith: beyond 90 it has set."),
+              help="Zenith angle of the sun at the observer; beyond 90 it has set."),
     _turning("view.sun_azimuth", "sun bearing", "sun", "Compass bearing of the sun: 180 south.",
              **_ROUND, default=180.0),
     ViewValue(path="display.automatic", label="automatic exposure", group="display",
-              kind="switch", help="Shows the picture's mean as middle grey.", default=True,
+              kind="switch", help="The picture's mean becomes middle grey.", default=True,
               part="display"),
     ViewValue(path="display.exposure", label="exposure", group="display", unit="EV", low=-12.0,
               high=20.0, least=-100.0, most=100.0, step=0.25, default=0.0, part="display",
-              help="Light is multiplied by 2 to this power; when automatic, on top of it."),
+              help="Radiance is multiplied by 2 to this power, on top of automatic."),
     _choice("display.tone_map", "tone map", "display", tuple(TONE_MAPS),
-            "How bright light is fitted into what a display shows.", default="hable",
+            "Tone curve that maps radiance to the display's range.", default="hable",
             part="display", uniform="tone_map"),
     _choice("light.orders", "orders of scattering", "light", ORDERS,
             "All light, that scattered or reflected once, or that scattered more often.",
@@ -218,18 +219,3 @@ def scene_of(view: Mapping[str, Any], width: int, height: int) -> Scene:
         longitude=float(view["view.longitude"]),
         sun_azimuth=bearing,
     )
-
-
-def fitting(projection: str, width: int, height: int) -> tuple[int, int]:
-    """Largest size with a projection's aspect ratio that fits into a window. [pixel]
-
-    Examples
-    --------
-    >>> fitting("equirectangular", 1280, 720), fitting("perspective", 1280, 720)
-    ((1280, 640), (1280, 720))
-    """
-    ratio = PROJECTIONS[projection].aspect
-    if ratio is None:
-        return max(1, width), max(1, height)
-    side = max(1, min(height, width // ratio))
-    return ratio * side, side
