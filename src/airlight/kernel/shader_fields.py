@@ -2,8 +2,9 @@
 
 A field of type ``int``, ``float`` or ``bool`` is a number of a uniform struct. ``Annotated`` adds
 what its type does not say: ``CHOICE`` for an index that is fixed for a whole picture, ``Always``
-for a constant of all shaders, ``InTexture`` for an array. Struct, readers in every language, layout of the textures and upload follow
-(``gpu.emit.uniform_struct``); the formulas that take the NamedTuple decide who reads the table.
+for a constant of all shaders, ``InTexture`` for an array. Struct, readers in every language, layout
+of the textures and upload follow (``gpu.emit.uniform_struct``); the formulas that take the
+NamedTuple decide who reads the table.
 """
 
 from __future__ import annotations
