@@ -17,8 +17,9 @@ from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.emit.uniform_struct import Place
 from airlight.gpu.picture.uniforms import FRAME
 from airlight.gpu.solver.solver import fields_on
-from airlight.pixels.shown import MOST_CONSTITUENTS, Shown, as_texels, shown_solution
+from airlight.pixels.shown import MOST_CONSTITUENTS, as_texels, shown_solution
 from airlight.scene.surface_map import surface_map
+from airlight.solvers.moments.march_tables import MarchTables
 from airlight.solvers.moments.solution import MomentsSolution
 
 Levels = Sequence[NDArray[np.float32]]
@@ -46,14 +47,14 @@ class SolutionTables:
     places: dict[str, Place]
 
     @classmethod
-    def of(cls, solution: MomentsSolution, shown: Shown | None = None) -> SolutionTables:
+    def of(cls, solution: MomentsSolution, shown: MarchTables | None = None) -> SolutionTables:
         """Make the tables of a solution; ``shown`` if it is known already.
 
         Parameters
         ----------
         solution : MomentsSolution
             Solution of at most four wavelengths.
-        shown : Shown, optional
+        shown : MarchTables, optional
             The same solution, prepared for a march.
 
         Raises
@@ -63,7 +64,7 @@ class SolutionTables:
         """
         count = solution.wavelengths.size
         if shown is None:
-            shown = shown_solution(solution, solution.medium.map_basis)
+            shown = shown_solution(solution)
         if shown.constituents > MOST_CONSTITUENTS:
             allowed = f"at most {MOST_CONSTITUENTS} on the GPU"
             raise ParameterError("constituents", shown.constituents, allowed)
@@ -75,7 +76,7 @@ class SolutionTables:
                 for name, table in tables.items()
             }
         )
-        numbers = {name: float(value) for name, value in values.items() if name not in tables}
+        numbers = {name: float(values[name]) for name in values if name in FRAME.numbers}
         return cls(numbers, textures, places)
 
 
@@ -100,7 +101,7 @@ class SolutionTextures:
         cls,
         device: Device,
         solution: MomentsSolution,
-        shown: Shown | None = None,
+        shown: MarchTables | None = None,
         before: SolutionTextures | None = None,
     ) -> SolutionTextures:
         """Upload a solution; an unchanged map of the ground is not uploaded again.
@@ -109,7 +110,7 @@ class SolutionTextures:
         ----------
         device : Device
             Device from ``open_device``.
-        solution, shown : MomentsSolution, Shown
+        solution, shown : MomentsSolution, MarchTables
             Arguments of ``SolutionTables.of``.
         before : SolutionTextures, optional
             Textures shown previously, for their map.
