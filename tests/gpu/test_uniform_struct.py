@@ -19,8 +19,8 @@ from airlight.gpu.emit.uniform_struct import UniformStruct
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.solver.tables import Ground
 from airlight.kernel.lanes import LANES, load
+from airlight.kernel.shader_fields import CHOICE, SPECTRA, InTexture, scalars
 from airlight.optics.reflection import Reflection
-from airlight.pixels.shader_fields import CHOICE, SPECTRA, InTexture, scalars
 
 RNG = np.random.default_rng(8)
 COUNT = 12

@@ -12,9 +12,9 @@ from airlight.color.tone_maps import tone_mapped
 from airlight.geometry.bending import bend_angle
 from airlight.geometry.shell import first_meeting
 from airlight.kernel import inlined, kernel
-from airlight.kernel.lanes import LANES, lane_array, load, maximum, minimum, splat, store
+from airlight.kernel.lanes import LANES, load, maximum, minimum, splat, store
+from airlight.kernel.shader_fields import CHOICE, InTexture
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle, row_from_impact
-from airlight.pixels.shader_fields import CHOICE, InTexture
 from airlight.pixels.shown import MOST_CONSTITUENTS
 from airlight.pixels.sky_table import half_sine_between, look, phases_towards
 from airlight.pixels.star_disc import camera_direction, star_disc
@@ -170,7 +170,7 @@ def phase_of(half_sine, constituent, light, lanes, at):
         sin(θ/2). [1]
     constituent : int
         Index of the constituent.
-    light : Shown
+    light : MarchTables
         Tables of the solution.
     lanes, at : int
         Arguments of ``between_texels``.
@@ -193,7 +193,7 @@ def air_between(near, stride, right, down, half_sine, screen, light, lanes, at):
         Arguments of ``between_texels``.
     half_sine : float
         sin(θ/2) of the angle to the apparent star. [1]
-    screen, light : Screen, Shown
+    screen, light : Screen, MarchTables
         Table of the sky, and tables of the solution.
     """
     total = between_texels(screen.sky_air, near, stride, right, down, lanes, at)
@@ -216,7 +216,7 @@ def sight(x, y, z, observer, light):
     ----------
     x, y, z : float
         Direction in the observer's frame; zero vector for none. [1]
-    observer, light : Observer, Shown
+    observer, light : Observer, MarchTables
         Observer, and tables of the solution.
 
     Returns
@@ -246,7 +246,7 @@ def bent_to_ground(z, sine, observer, light, columns):
     ----------
     z, sine : float
         Cosine and sine of its zenith angle. [1]
-    observer, light : Observer, Shown
+    observer, light : Observer, MarchTables
         Observer, and tables of the solution.
     columns : array, shape (nc,)
         Workspace. [m]
@@ -272,7 +272,7 @@ def ground_color(x, y, z, sine, angle, observer, screen, light, color):
         Direction in the observer's frame. [1]
     sine, angle : float
         Sine of its zenith angle [1]; angle of refraction [rad].
-    observer, screen, light : Observer, Screen, Shown
+    observer, screen, light : Observer, Screen, MarchTables
         Observer, camera with its maps, and tables of the solution.
     color : array, shape (3,)
         Receives linear sRGB reflectance. [1]
@@ -303,7 +303,7 @@ def reflectance(color, mapped, light, lanes, at):
         Linear sRGB reflectance. [1]
     mapped : bool
         Whether the ground has a map.
-    light : Shown
+    light : MarchTables
         Tables of the solution.
     lanes, at : int
         Arguments of ``between_texels``.
@@ -317,7 +317,7 @@ def reflectance(color, mapped, light, lanes, at):
 
 
 @inlined
-def pixel_light(px, py, exact, observer, screen, light, result):
+def pixel_light(px, py, exact, observer, screen, light, work, result):
     """Spectral light of a pixel, per irradiance of the star. [sr⁻¹]
 
     Parameters
@@ -326,8 +326,10 @@ def pixel_light(px, py, exact, observer, screen, light, result):
         Position from the picture's left and top edge. [pixel]
     exact : bool
         Constant: whether the pixel is marched instead of read from the table of the sky.
-    observer, screen, light : Observer, Screen, Shown
+    observer, screen, light : Observer, Screen, MarchTables
         Observer, camera with its maps, and tables of the solution.
+    work : MarchWorkspace
+        Workspace.
     result : array, shape (w,)
         Receives the radiance. [sr⁻¹]
     """
@@ -341,13 +343,14 @@ def pixel_light(px, py, exact, observer, screen, light, result):
         ground = splat(0.0)
         bent = 0.0
         if exact:
-            phase = lane_array(MOST_CONSTITUENTS)
-            found = lane_array(4)
             cos_azimuth = x / sine if sine > 0.0 else 1.0
-            phases_towards(half_sine, True, light, LANES, phase)
-            bent = look(z, sine, cos_azimuth, to_ground, True, False, observer, light, phase, found)
-            total = load(found, 0)
-            ground = load(found, LANES)
+            phases_towards(half_sine, True, light, work.phase)
+            bent = look(
+                z, sine, cos_azimuth, to_ground, True, False, observer, light, work.phase, work,
+                work.found,
+            )  # fmt: skip
+            total = load(work.found, 0)
+            ground = load(work.found, LANES)
         else:
             stride, rows = screen.sky_columns, screen.sky_rows
             column, right = texel_before(atan2(abs(y), x) / pi * (stride - 1), 0, stride - 1)

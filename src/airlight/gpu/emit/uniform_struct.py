@@ -18,7 +18,7 @@ from airlight.errors import ParameterError
 from airlight.gpu.emit.dialect import ShaderDialect
 from airlight.gpu.emit.shader_types import BOOL, F32, I32, Bundle, Constant, Scalar, Uniform, Value
 from airlight.gpu.emit.texture_table import TextureTable
-from airlight.pixels.shader_fields import CHOICE, InTexture, ShaderField, shader_fields
+from airlight.kernel.shader_fields import CHOICE, Always, InTexture, ShaderField, shader_fields
 
 Float32Array = NDArray[np.float32]
 #: Start of a table in its texture, and lengths of its axes.
@@ -71,6 +71,8 @@ class UniformStruct:
                 self.tables[one.name] = self._table(one.name, one.mark)
                 self.textures.setdefault(one.mark.texture, one.mark.channels)
                 continue
+            if isinstance(one.mark, Always):
+                continue
             if one.kind not in _SCALARS:
                 raise TypeError(f"{one.name} is an array without a mark of its texture")
             self.numbers[one.name] = _SCALARS[one.kind]
@@ -120,6 +122,8 @@ class UniformStruct:
         for one in shader_fields(kind):
             if _is_group(one):
                 fields[one.name] = self.bundle(one.kind, fixed)
+            elif isinstance(one.mark, Always):
+                fields[one.name] = Constant(one.mark.value)
             elif one.name in known:
                 fields[one.name] = Constant(known[one.name])
             elif one.name in self.tables:

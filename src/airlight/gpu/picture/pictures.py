@@ -33,12 +33,13 @@ from airlight.pixels.picture_numbers import (
     order_number,
     scene_numbers,
 )
-from airlight.pixels.shown import WAVELENGTHS, Shown, as_texels, shown_solution
+from airlight.pixels.shown import WAVELENGTHS, as_texels, shown_solution
 from airlight.pixels.sky_by_processor import filled_sky
 from airlight.pixels.sky_table import Observer
 from airlight.pixels.sky_window import SkyWindow
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
+from airlight.solvers.moments.march_tables import MarchTables, quadratures
 from airlight.solvers.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
@@ -86,7 +87,7 @@ class Pictures:
         self._passes: dict[tuple[Shader, str, tuple[str, ...]], FragmentPass] = {}
         self._solution: MomentsSolution | None = None
         self._textures: SolutionTextures | None = None
-        self._shown_tables: Shown | None = None
+        self._shown_tables: MarchTables | None = None
         self._weights: FloatArray = np.zeros((0, 3))
         self._groups: dict[Any, list[Any]] = {}
         self._seen: tuple[Observer, float] | None = None
@@ -133,7 +134,7 @@ class Pictures:
         if np.shape(weights) != (nm.size, 3):
             raise ParameterError("weights", np.shape(weights), f"an array of shape ({nm.size}, 3)")
         points = None if self.device.software else FEW.points
-        self._shown_tables = shown_solution(solution, solution.medium.map_basis, points=points)
+        self._shown_tables = shown_solution(solution, points=points)
         self._textures = SolutionTextures.of(
             self.device, solution, self._shown_tables, self._textures
         )
@@ -379,10 +380,8 @@ class Pictures:
     def _upload_sky(self, numbers: Mapping[str, float]) -> None:
         """Upload the table of the sky, marched on the CPU."""
         assert self._shown_tables is not None
-        layers = filled_sky(
-            self._shown(), self._shown_tables, observer_from(numbers),
-            SkyWindow.whole(*self._sky_shape), FEW,
-        )  # fmt: skip
+        tables = self._shown_tables._replace(rules=quadratures(FEW.points), panels=FEW.panels)
+        layers = filled_sky(tables, observer_from(numbers), SkyWindow.whole(*self._sky_shape))
         names = LAYERS if numbers["keeps_peaks"] else LAYERS[:2]
         for name, layer in zip(names, layers, strict=False):
             if layer.size > 1:

@@ -5,16 +5,18 @@ They do not depend on the planet: sizes are uniforms.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 
 from airlight.gpu.emit.dialect import ShaderDialect
-from airlight.gpu.emit.emitter import Emitter
+from airlight.gpu.emit.emitter import Emitted, Emitter
 from airlight.gpu.emit.shader_types import (
     F32,
     FLAT_WIDTH,
     I32,
     VEC4,
+    Bundle,
     Constant,
     LocalArray,
     TupleType,
@@ -23,8 +25,9 @@ from airlight.gpu.emit.uniform_struct import Fixed
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.picture.uniforms import CHANNELS, FRAME
 from airlight.pixels.pixel import Display, Screen, displayed, pixel_light
-from airlight.pixels.shown import Shown
+from airlight.pixels.shown import MOST_CONSTITUENTS, MOST_POINTS, MOST_TERMS
 from airlight.pixels.sky_table import Observer, sky_texel
+from airlight.solvers.moments.march_tables import MarchTables, spectral_sizes, workspace_sizes
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,7 +111,7 @@ def sky_air_shader(dialect: ShaderDialect = WGSL) -> Shader:
     dialect : ShaderDialect
         Shading language.
     """
-    return _sky_shader(dialect, "sky_air", "air_texel", (0, 1), gathers=True, peaks=False)
+    return _sky_shader(dialect, "sky_air", "air_texel", (0, 1), air=True, peaks=False)
 
 
 @cache
@@ -120,7 +123,7 @@ def sky_peaks_shader(dialect: ShaderDialect = WGSL) -> Shader:
     dialect : ShaderDialect
         Shading language.
     """
-    return _sky_shader(dialect, "sky_peaks", "peaks_texel", (2, 3), gathers=False, peaks=True)
+    return _sky_shader(dialect, "sky_peaks", "peaks_texel", (2, 3), air=False, peaks=True)
 
 
 def _sky_shader(
@@ -129,14 +132,14 @@ def _sky_shader(
     function: str,
     layers: tuple[int, int],
     *,
-    gathers: bool,
+    air: bool,
     peaks: bool,
 ) -> Shader:
     emitter = Emitter(dialect)
-    found = emitter.module_array("found", LocalArray(4, VEC4))
-    emitter.add(
-        sky_texel, I32, I32, I32, I32, Constant(gathers), Constant(peaks), FRAME.bundle(Observer),
-        FRAME.bundle(Shown), found, name=function,
+    found = emitter.module_array("result", LocalArray(4, VEC4))
+    made = emitter.add(
+        sky_texel, I32, I32, I32, I32, Constant(air), Constant(peaks), FRAME.bundle(Observer),
+        FRAME.bundle(MarchTables), march_workspace(emitter), found, name=function,
     )  # fmt: skip
     columns, rows = (
         dialect.uniform(FRAME.uniform(one).text, I32) for one in ("sky_columns", "sky_rows")
@@ -146,20 +149,45 @@ def _sky_shader(
     body = [
         dialect.kept("columns", I32, columns),
         dialect.kept("number", I32, f"{y} * {FLAT_WIDTH} + {x}"),
-        *_filled("found", found, function, places, dialect),
+        *filled_by(made, places, dialect),
     ]
-    entry = dialect.fragment(name, 2, body, [f"found[{layer}]" for layer in layers])
+    entry = dialect.fragment(name, 2, body, [f"result[{layer}]" for layer in layers])
     return assembled(name, {name: entry}, emitter)
 
 
-def _filled(
-    name: str, array: LocalArray, function: str, places: tuple[str, ...], dialect: ShaderDialect
-) -> list[str]:
-    """Statements in which a function fills an array."""
-    if array.variable:
-        return [f"{function}({', '.join(places)});"]
-    handed = ", ".join([*places, dialect.array_argument(name)])
-    return [dialect.declared(name, array), f"{function}({handed});"]
+def march_workspace(emitter: Emitter) -> Bundle:
+    """Workspace of a line, for the emitter.
+
+    Parameters
+    ----------
+    emitter : Emitter
+        Emitter of the shader.
+    """
+    numbers = workspace_sizes(MOST_CONSTITUENTS, MOST_POINTS, MOST_TERMS)
+    arrays = {name: LocalArray(size) for name, size in numbers.items()}
+    arrays |= {name: LocalArray(n, VEC4) for name, n in spectral_sizes(MOST_CONSTITUENTS).items()}
+    return Bundle({
+        name: emitter.module_array(f"work_{name}", kind) for name, kind in arrays.items()
+    })  # fmt: skip
+
+
+def filled_by(made: Emitted, arguments: Sequence[str], dialect: ShaderDialect) -> list[str]:
+    """Statements in which a function fills arrays, which they declare.
+
+    Parameters
+    ----------
+    made : Emitted
+        Function whose other parameters are arrays.
+    arguments : sequence of str
+        Its arguments before the arrays.
+    dialect : ShaderDialect
+        Shading language.
+    """
+    handed = [one for several in made.handed(dialect) for one in several]
+    arrays = [(name, kind) for name, kind in handed if isinstance(kind, LocalArray)]
+    given = [*arguments, *(dialect.array_argument(name) for name, _ in arrays)]
+    declared = [dialect.declared(name, kind) for name, kind in arrays]
+    return [*declared, f"{made.name}({', '.join(given)});"]
 
 
 @cache
@@ -177,18 +205,19 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
         Shading language.
     """
     emitter = Emitter(dialect)
-    found = emitter.module_array("found", LocalArray(1, VEC4))
-    emitter.add(
+    found = emitter.module_array("result", LocalArray(1, VEC4))
+    made = emitter.add(
         pixel_light, F32, F32, Constant(exact), FRAME.bundle(Observer, fixed),
-        FRAME.bundle(Screen, fixed), FRAME.bundle(Shown, fixed), found, name="light_of_pixel",
+        FRAME.bundle(Screen, fixed), FRAME.bundle(MarchTables, fixed), march_workspace(emitter),
+        found, name="light_of_pixel",
     )  # fmt: skip
     display = FRAME.bundle(Display, fixed)
     shown = emitter.add(displayed, F32, F32, F32, display, name="displayed").result
     assert isinstance(shown, TupleType)
     row = f"at.y + {FRAME.uniform('first_row').text}"
     lines = [
-        *_filled("found", found, "light_of_pixel", ("at.x", row), dialect),
-        *(dialect.kept(one, F32, f"dot(found[0], frame.{one})") for one in CHANNELS),
+        *filled_by(made, ("at.x", row), dialect),
+        *(dialect.kept(one, F32, f"dot(result[0], frame.{one})") for one in CHANNELS),
     ]
     vector = f"{dialect.type_name(VEC4)}({{}}, 1.0)"
     parts = [dialect.part("seen", i) for i in range(3)]

@@ -17,8 +17,9 @@ from airlight.gpu.emit.uniform_struct import Place
 from airlight.gpu.picture.uniforms import FRAME
 from airlight.gpu.solver.solver import fields_on
 from airlight.pixels.capacity import check_capacity
-from airlight.pixels.shown import Shown, as_texels, shown_solution
+from airlight.pixels.shown import as_texels, shown_solution
 from airlight.scene.surface_map import surface_map
+from airlight.solvers.moments.march_tables import MarchTables
 from airlight.solvers.moments.solution import MomentsSolution
 
 Levels = Sequence[NDArray[np.float32]]
@@ -46,14 +47,14 @@ class SolutionTables:
     places: dict[str, Place]
 
     @classmethod
-    def of(cls, solution: MomentsSolution, shown: Shown | None = None) -> SolutionTables:
+    def of(cls, solution: MomentsSolution, shown: MarchTables | None = None) -> SolutionTables:
         """Make the tables of a solution; ``shown`` if it is known already.
 
         Parameters
         ----------
         solution : MomentsSolution
             Solution of at most four wavelengths.
-        shown : Shown, optional
+        shown : MarchTables, optional
             The same solution, prepared for a march.
 
         Raises
@@ -63,7 +64,7 @@ class SolutionTables:
         """
         count = solution.wavelengths.size
         if shown is None:
-            shown = shown_solution(solution, solution.medium.map_basis)
+            shown = shown_solution(solution)
         check_capacity(count, shown.constituents)
         values = shown._asdict()
         tables = {name: FRAME.tables[name] for name in values if name in FRAME.tables}
@@ -73,7 +74,7 @@ class SolutionTables:
                 for name, table in tables.items()
             }
         )
-        numbers = {name: float(value) for name, value in values.items() if name not in tables}
+        numbers = {name: float(values[name]) for name in values if name in FRAME.numbers}
         return cls(numbers, textures, places)
 
 
@@ -98,7 +99,7 @@ class SolutionTextures:
         cls,
         device: Device,
         solution: MomentsSolution,
-        shown: Shown | None = None,
+        shown: MarchTables | None = None,
         before: SolutionTextures | None = None,
     ) -> SolutionTextures:
         """Upload a solution; an unchanged map of the ground is not uploaded again.
@@ -107,7 +108,7 @@ class SolutionTextures:
         ----------
         device : Device
             Device from ``open_device``.
-        solution, shown : MomentsSolution, Shown
+        solution, shown : MomentsSolution, MarchTables
             Arguments of ``SolutionTables.of``.
         before : SolutionTextures, optional
             Textures shown previously, for their map.

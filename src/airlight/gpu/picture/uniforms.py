@@ -6,8 +6,8 @@ from typing import Final, NamedTuple
 
 from airlight.gpu.emit.uniform_struct import UniformStruct
 from airlight.pixels.pixel import Display, Screen
-from airlight.pixels.shown import Shown
 from airlight.pixels.sky_table import Observer
+from airlight.solvers.moments.march_tables import MarchTables
 
 #: Separate vectors: contributions of the wavelengths to a channel.
 CHANNELS: Final = ("red", "green", "blue")
@@ -26,6 +26,6 @@ class Strip(NamedTuple):
 
 
 #: Numbers and tables that the shaders of pictures may read.
-FRAME: Final = UniformStruct("frame", (Shown, Observer, Screen, Display, Strip), CHANNELS)
+FRAME: Final = UniformStruct("frame", (MarchTables, Observer, Screen, Display, Strip), CHANNELS)
 #: Textures of the table of the sky: those of the air, then those of its two peaks.
 LAYERS: Final = tuple(table.texture for table in FRAME.tables.values() if not table.start)

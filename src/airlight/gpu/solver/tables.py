@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Annotated, Any, Final, NamedTuple
 
 from airlight.gpu.emit.uniform_struct import UniformStruct
-from airlight.pixels.shader_fields import SPECTRA, scalars
+from airlight.kernel.shader_fields import SPECTRA, scalars
 
 
 class Sizes(NamedTuple):

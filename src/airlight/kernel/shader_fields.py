@@ -1,9 +1,10 @@
 """How fields of a NamedTuple reach a shader: the one declaration of a number or a table.
 
 A field of type ``int``, ``float`` or ``bool`` is a number of a uniform struct. ``Annotated`` adds
-what its type does not say: ``CHOICE`` for an index that is fixed for a whole picture, ``InTexture``
-for an array. Struct, readers in every language, layout of the textures and upload follow
-(``gpu.emit.uniform_struct``); the formulas that take the NamedTuple decide who reads the table.
+what its type does not say: ``CHOICE`` for an index that is fixed for a whole picture, ``Always``
+for a constant of all shaders, ``InTexture`` for an array. Struct, readers in every language, layout
+of the textures and upload follow (``gpu.emit.uniform_struct``); the formulas that take the
+NamedTuple decide who reads the table.
 """
 
 from __future__ import annotations
@@ -44,6 +45,19 @@ class Choice:
     """Index that is fixed for a whole picture, as are all switches."""
 
 
+@dataclass(frozen=True)
+class Always:
+    """Number with one value in all shaders, which the processor may have otherwise.
+
+    Attributes
+    ----------
+    value : int
+        Its value.
+    """
+
+    value: int
+
+
 #: Marks of fields: an index, a table of four wavelengths, and one that an edit of the light renews.
 CHOICE: Final = Choice()
 SPECTRA: Final = InTexture("spectra", spectral=True)
@@ -70,13 +84,13 @@ class ShaderField(NamedTuple):
         Name of the field.
     kind : type
         Its type; a NamedTuple is a group of further fields.
-    mark : InTexture, Choice or None
-        Mark of an array or of an index.
+    mark : InTexture, Choice, Always or None
+        Mark of an array, of an index or of a constant.
     """
 
     name: str
     kind: Any
-    mark: InTexture | Choice | None
+    mark: InTexture | Choice | Always | None
 
 
 def shader_fields(bundle: Any) -> list[ShaderField]:
@@ -100,6 +114,8 @@ def shader_fields(bundle: Any) -> list[ShaderField]:
         kind, mark = hint, None
         if get_origin(hint) is Annotated:
             kind, *marks = get_args(hint)
-            mark = next((one for one in marks if isinstance(one, (InTexture, Choice))), None)
+            mark = next(
+                (one for one in marks if isinstance(one, (InTexture, Choice, Always))), None
+            )
         found.append(ShaderField(name, kind, mark))
     return found
