@@ -82,7 +82,7 @@ def _run_with_cache(folder: Path | str, kind: str = "float64") -> str:
     run = subprocess.run(
         [sys.executable, "-c", _PROGRAM, kind],
         env={**os.environ, "AIRLIGHT_CACHE": str(folder)},
-        capture_output=True, text=True, check=False, timeout=120,
+        capture_output=True, text=True, check=False, timeout=600,
     )  # fmt: skip
     assert run.returncode == 0, run.stderr
     return run.stdout
