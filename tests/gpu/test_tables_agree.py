@@ -399,7 +399,7 @@ WHOLE = {
         "columns_along", "columns_between", "meets_ground", "ground_light", "camera_direction",
     ),
     "test_pictures.py::test_a_picture_from_the_table_is_shown_as_the_processor_s": (
-        "phase_of", "air_between", "bent_to_ground",
+        "phase_of", "air_between", "bent_to_ground", "place_in_sky", "seen_line",
     ),
     "test_pictures.py::test_the_shader_fills_the_table_as_the_processor_does": (
         "sky_texel", "direction_of_texel",
