@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import LANES, load, splat, store
+from airlight.kernel.lanes import INVERSE_PI, LANES, load, store
 from airlight.pixels.sky_table import line_of_sight, star_on_ground
 from airlight.solvers.moments.irradiance import ground_light
-from airlight.solvers.moments.source import reflected
 
 
 @inlined
@@ -33,7 +32,7 @@ def aim(p, mu, sine, cos_azimuth, to_ground, observer, shown, packet):
 
 @compiled_loop
 def ground_behind(p, sine, cos_azimuth, observer, shown, light, packet, work, ground):
-    """Light of a ground of albedo 1 behind the air of line ``p``, which has been marched.
+    """Light of a white Lambert ground behind the air of line ``p``, which has been marched.
 
     Parameters
     ----------
@@ -57,5 +56,5 @@ def ground_behind(p, sine, cos_azimuth, observer, shown, light, packet, work, gr
     ground_light(min(max(mu_s, -1.0), 1.0), observer.orders, light, work)
     received, through = work.received, work.through[p]
     for at in range(0, received.size, LANES):
-        store(ground, at, reflected(load(received, at), splat(1.0)) * load(through, at))
+        store(ground, at, load(received, at) * INVERSE_PI * load(through, at))
     return angle

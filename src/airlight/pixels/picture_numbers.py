@@ -29,7 +29,7 @@ ORDERS: Final = {"all": 2, "single": 1, "multiple": 0}
 #: Choices that are fixed for a whole picture.
 CHOICES: Final = (
     "projection", "tone_map", "encoding", "outside", "mapped", "draws_disc", "first_peak",
-    "second_peak",
+    "second_peak", "law",
 )  # fmt: skip
 #: Uniforms that may change without a new table of the sky.
 NOT_THE_SKYS: Final = (

@@ -9,16 +9,9 @@ import numpy as np
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import LANES, load, splat, store
+from airlight.pixels.ground import SEEN_NUMBERS, bent_to_ground, ground_factor, ground_seen
 from airlight.pixels.lines_by_processor import aim, ground_behind
-from airlight.pixels.pixel import (
-    air_between,
-    bent_to_ground,
-    between_texels,
-    ground_color,
-    reflectance,
-    sight,
-    texel_before,
-)
+from airlight.pixels.pixel import air_between, between_texels, sight, texel_before
 from airlight.pixels.sky_table import half_sine_between, phases_towards
 from airlight.pixels.star_disc import camera_direction, star_disc
 from airlight.solvers.moments.march import NO_PEAKS, PACKET, march
@@ -26,15 +19,24 @@ from airlight.solvers.moments.source import through_columns
 
 
 @inlined
+def _ground_workspace(constituents):
+    """Arrays that ``ground_seen`` fills: colour, columns to the star, and numbers."""
+    return (
+        np.zeros(3), np.empty(constituents), np.empty(constituents), np.empty(SEEN_NUMBERS),
+    )  # fmt: skip
+
+
+@inlined
 def _finish(
     px, py, x, y, z, sine, through_air, to_ground, bent, air, ground, observer, screen, shown,
-    weights, reach, color, columns, sums, out,
+    weights, reach, spot, columns, sums, out,
 ):  # fmt: skip
     """Add the ground and the star's disc to the air of a pixel, and convert it to linear sRGB."""
-    lanes = shown.albedo.size
+    lanes = shown.ground.albedo.size
     part = 0.0
-    if to_ground and screen.mapped:
-        ground_color(x, y, z, sine, bent, observer, screen, shown, color)
+    color, below, above, seen = spot
+    if to_ground:
+        ground_seen(x, y, z, sine, bent, observer, screen, shown, color, below, above, seen)
     if screen.draws_disc and not to_ground:
         apart = 2.0 * half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
         if apart < reach:
@@ -45,7 +47,9 @@ def _finish(
         if through_air:
             total = load(air, at)
         if to_ground:
-            total = total + load(ground, at) * reflectance(color, screen.mapped, shown, lanes, at)
+            total = total + load(ground, at) * ground_factor(
+                color, screen.mapped, observer.orders, below, above, seen, shown, lanes, at
+            )
         if part > 0.0:
             through = through_columns(columns, shown.extinction, shown.constituents, lanes, at)
             total = total + through * np.float32(part)
@@ -82,9 +86,9 @@ def draw_rows(first, last, window, observer, screen, shown, weights, reach, out)
         Receives linear sRGB; pixels that show nothing are not changed.
     """
     screen, shown, weights, out = borrowed((screen, shown, weights, out))
-    lanes = shown.albedo.size
+    lanes = shown.ground.albedo.size
     air, ground = np.empty(lanes, np.float32), np.empty(lanes, np.float32)
-    color, columns = np.zeros(3), np.empty(shown.constituents)
+    columns, spot = np.empty(shown.constituents), _ground_workspace(shown.constituents)
     sums = np.empty(3 * LANES, np.float32)
     stride = window.last_column - window.first_column + 1
     ground_texels = stride * (window.last_sky - window.first_sky + 1)
@@ -117,11 +121,11 @@ def draw_rows(first, last, window, observer, screen, shown, weights, reach, out)
                             screen.sky_ground, near, stride, right, down, lanes, at
                         )
                         store(ground, at, value)
-                if to_ground and screen.mapped and shown.bend > 0.0:
+                if to_ground and shown.bend > 0.0:
                     bent = bent_to_ground(z, sine, observer, shown, columns)
             _finish(
                 px, py, x, y, z, sine, through_air, to_ground, bent, air, ground, observer,
-                screen, shown, weights, reach, color, columns, sums, out[j, i],
+                screen, shown, weights, reach, spot, columns, sums, out[j, i],
             )  # fmt: skip
 
 
@@ -140,9 +144,9 @@ def march_rows(
     """
     screen, shown, weights, out = borrowed((screen, shown, weights, out))
     light, packet, work = borrowed((light, packet, work))
-    lanes = shown.albedo.size
+    lanes = shown.ground.albedo.size
     ground = np.empty(lanes, np.float32)
-    color, columns = np.zeros(3), np.empty(shown.constituents)
+    columns, spot = np.empty(shown.constituents), _ground_workspace(shown.constituents)
     sums = np.empty(3 * LANES, np.float32)
     width = out.shape[1]
     pixels = np.empty(PACKET, np.int64)
@@ -161,7 +165,7 @@ def march_rows(
         else:
             _finish(
                 px, py, x, y, z, sine, False, False, 0.0, ground, ground, observer, screen,
-                shown, weights, reach, color, columns, sums, out[pixel // width, pixel % width],
+                shown, weights, reach, spot, columns, sums, out[pixel // width, pixel % width],
             )  # fmt: skip
         if lines < PACKET and pixel < last * width - 1:
             continue
@@ -180,5 +184,5 @@ def march_rows(
                 )
             _finish(
                 px, py, x, y, z, sine, True, to_ground, bent, work.radiance[p], ground, observer,
-                screen, shown, weights, reach, color, columns, sums, out[j, i],
+                screen, shown, weights, reach, spot, columns, sums, out[j, i],
             )  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from airlight.errors import ParameterError
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel.lanes import LANES
+from airlight.optics.reflection import Reflection
 from airlight.solvers.moments.packing import pack
 from airlight.solvers.moments.solution import MomentsSolution
 
@@ -55,9 +56,11 @@ class Shown(NamedTuple):
     rules : array, flat
         Starts of three quadratures; then for each: n, nodes, weights, and running integrals over
         the weights, (n, n).
-    extinction, scattering, moments, albedo, phase, basis, field, sky : array
+    extinction, scattering, moments, phase, basis, field, sky : array
         Spectral tables; the last two as in ``Light``, ``phase`` on even steps of sin(θ/2),
         ``basis`` as in ``shown_solution``.
+    ground : Reflection
+        Field of ``Air``; its ``albedo`` is a spectral table.
     """
 
     bottom: float
@@ -86,11 +89,17 @@ class Shown(NamedTuple):
     extinction: Float32Array
     scattering: Float32Array
     moments: Float32Array
-    albedo: Float32Array
     phase: Float32Array
     basis: Float32Array
     field: Float32Array
     sky: Float32Array
+    ground: Reflection
+
+    def flat(self) -> dict[str, Any]:
+        """Fields by name, those of the ground beside the others."""
+        fields: dict[str, Any] = self._asdict()
+        del fields["ground"]
+        return fields | self.ground._asdict()
 
 
 #: Tables of plain numbers, with their ranks, and spectral ones; two of these change with each
@@ -227,11 +236,11 @@ def shown_solution(
         extinction=light.air.extinction,
         scattering=light.scattering,
         moments=light.air.moments,
-        albedo=light.air.ground.albedo,
         phase=pack(np.moveaxis(medium.phase_table, 2, 0)),
         basis=pack(basis.T),
         field=light.field,
         sky=light.sky,
+        ground=light.air.ground,
     )
 
 

@@ -14,11 +14,11 @@ import numpy as np
 from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_meeting
 from airlight.kernel import inlined, kernel
-from airlight.kernel.lanes import LANES, fourth_root, lane_array, load, splat, store
+from airlight.kernel.lanes import INVERSE_PI, LANES, fourth_root, lane_array, load, splat, store
 from airlight.mappings.sky_view import direction_from_row, impact_from_row
 from airlight.pixels.march import ground_received, march_line
 from airlight.pixels.shown import MOST_CONSTITUENTS
-from airlight.solvers.moments.source import read_phase, reflected
+from airlight.solvers.moments.source import read_phase
 
 #: Position of the last row of the sky, seen from outside, in rows inside the top.
 INSIDE = 0.1
@@ -162,7 +162,7 @@ def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phas
     phase : array, shape (nc·w,)
         Phase functions, as in ``march_line``. [sr⁻¹]
     result : array, shape (4·w,)
-        Receives the air's radiance, that of a ground of albedo 1 behind it [sr⁻¹], and the single
+        Receives the air's radiance, that of a white Lambert ground behind it [sr⁻¹], and the single
         scattering by the two peaked constituents [1].
 
     Returns
@@ -188,7 +188,7 @@ def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phas
             light,
         )  # fmt: skip
         ground_received(mu_s, observer.orders, light, received)
-        ground = reflected(load(received, 0), splat(1.0)) * load(along, LANES)
+        ground = load(received, 0) * INVERSE_PI * load(along, LANES)
     store(result, 0, load(along, 0))
     store(result, LANES, ground)
     store(result, 2 * LANES, load(along, 2 * LANES))

@@ -19,7 +19,7 @@ from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.optics.bent_density import BentShell
 from airlight.optics.density_profile import DensitySegments, Row
-from airlight.optics.reflection import LAWS, Reflection
+from airlight.optics.reflection import WHITE, Reflection
 from airlight.planets.light_source import LightSource
 from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
 from airlight.planets.matter.profiles import Uniform
@@ -79,6 +79,8 @@ class Medium:
         Constituents from which the arrays were sampled.
     map_brightness : float
         Factor of the picture of the ground. [1]
+    reflection : Reflection
+        Law by which the ground reflects, for an albedo of 1.
 
     Examples
     --------
@@ -103,6 +105,7 @@ class Medium:
     refractivity: FloatArray
     constituents: tuple[Constituent, ...] = field(repr=False)
     map_brightness: float = 1.0
+    reflection: Reflection = WHITE
 
     @property
     def lights(self) -> tuple[LightSource, ...]:
@@ -118,7 +121,7 @@ class Medium:
     @property
     def ground(self) -> Reflection:
         """Reflection by the ground, at all wavelengths."""
-        return Reflection(LAWS["lambert"], self.ground_albedo)
+        return self.reflection._replace(albedo=self.ground_albedo)
 
     @classmethod
     def from_planet(
@@ -190,6 +193,7 @@ class Medium:
             refractivity=_refractivity(planet),
             constituents=constituents,
             map_brightness=planet.ground.brightness,
+            reflection=planet.ground.reflection,
         )
         medium._check()
         _ = medium.bent_shell  # refuses air in which light would follow the ground
@@ -311,9 +315,9 @@ class Medium:
         >>> red == green
         False
         """
-        digest = hashlib.sha256(b"airlight medium 1\n")
+        digest = hashlib.sha256(b"airlight medium 2\n")
         scalars = (self.bottom_radius, self.top_radius, self.star_angular_radius)
-        digest.update(repr((scalars, self.names, self.ground_map)).encode())
+        digest.update(repr((scalars, self.names, self.ground_map, self.reflection)).encode())
         for name, array in self._arrays().items():
             digest.update(f"{name} {array.shape}\n".encode())
             digest.update(np.ascontiguousarray(array, dtype="<f8").tobytes())

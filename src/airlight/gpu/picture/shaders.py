@@ -25,6 +25,7 @@ from airlight.gpu.emit.shader_types import (
 from airlight.gpu.emit.texture_table import TextureTable
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.picture.uniforms import CHANNELS, struct_text, uniform
+from airlight.optics.reflection import Reflection
 from airlight.pixels.pixel import Display, Screen, displayed, pixel_light
 from airlight.pixels.shown import FIELD_TABLES, SCALAR_TABLES, SPECTRAL_TABLES, Shown
 from airlight.pixels.sky_table import Observer, sky_texel
@@ -107,7 +108,9 @@ def _bundle(kind: Any, fixed: Fixed = ()) -> Bundle:
     fields: dict[str, Value] = {}
     known = dict(fixed)
     for name in kind._fields:
-        if name in known:
+        if (kind, name) == (Shown, "ground"):
+            fields[name] = _bundle(Reflection, fixed)
+        elif name in known:
             fields[name] = Constant(known[name])
         elif name in tables():
             fields[name] = tables()[name].table

@@ -103,18 +103,17 @@ class SolutionTables:
         if shown.constituents > MOST_CONSTITUENTS:
             allowed = f"at most {MOST_CONSTITUENTS} on the GPU"
             raise ParameterError("constituents", shown.constituents, allowed)
+        given = shown.flat()
         scalars, places = laid_out(
-            {name: np.asarray(getattr(shown, name), float) for name in SCALAR_TABLES}, 1
+            {name: np.asarray(given[name], float) for name in SCALAR_TABLES}, 1
         )
         spectra, more = laid_out(
-            {name: as_texels(getattr(shown, name), count) for name in SPECTRAL_TABLES}, 4
+            {name: as_texels(given[name], count) for name in SPECTRAL_TABLES}, 4
         )
-        fields, most = laid_out(
-            {name: as_texels(getattr(shown, name), count) for name in FIELD_TABLES}, 4
-        )
+        fields, most = laid_out({name: as_texels(given[name], count) for name in FIELD_TABLES}, 4)
         numbers = {
-            name: float(getattr(shown, name))
-            for name in Shown._fields
+            name: float(value)
+            for name, value in given.items()
             if name not in (*SCALAR_TABLES, *SPECTRAL_TABLES, *FIELD_TABLES)
         }
         return cls(numbers, scalars, spectra, fields, places | more | most)

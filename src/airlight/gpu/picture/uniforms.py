@@ -12,6 +12,7 @@ from airlight.errors import ParameterError
 from airlight.gpu.emit.dialect import ShaderDialect
 from airlight.gpu.emit.shader_types import BOOL, F32, I32, Scalar, Uniform
 from airlight.gpu.emit.wgsl import WGSL
+from airlight.optics.reflection import Reflection
 from airlight.pixels.pixel import Display, Screen
 from airlight.pixels.shown import FIELD_TABLES, SCALAR_TABLES, SPECTRAL_TABLES, Shown
 from airlight.pixels.sky_table import Observer
@@ -23,7 +24,7 @@ _KINDS: Final = {float: F32, int: I32, bool: BOOL}
 NUMBERS: Final[dict[str, Scalar]] = {
     **{
         name: _KINDS[kind]
-        for bundle in (Shown, Observer, Screen, Display)
+        for bundle in (Shown, Reflection, Observer, Screen, Display)
         for name, kind in get_type_hints(bundle).items()
         if kind in _KINDS
     },

@@ -15,6 +15,7 @@ from airlight.errors import AirlightError, ParameterError
 from airlight.gpu.solver.plan import SolverPlan, Span
 from airlight.gpu.solver.tables import COUNTS, MEASURES, SCALARS, SPECTRA, uniform_fields
 from airlight.kernel.lanes import LANES
+from airlight.optics.reflection import NUMBERS
 from airlight.pixels.shown import MOST_CONSTITUENTS, WAVELENGTHS
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.settings import Settings
@@ -92,12 +93,12 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
         "directions": table.values.shape[1],
         "levels": grid.radii.size,
         "parts": setup.parts,
-        "law": air.ground.law,
         "bottom": grid.bottom_radius,
         "top": grid.top_radius,
         "star_radius": air.star_radius,
     }
-    solve, scalars, spectra = _laid_out(arrays, sizes)
+    reflection = tuple(getattr(air.ground, name) for name in NUMBERS)
+    solve, scalars, spectra = _laid_out(arrays, sizes, reflection)
     return SolverPlan(
         block=block,
         sizes=sizes,
@@ -114,13 +115,14 @@ def _lanes(flat: Float32Array) -> Float32Array:
 
 
 def _laid_out(
-    arrays: dict[str, NDArray[Any]], sizes: dict[str, Any]
+    arrays: dict[str, NDArray[Any]], sizes: dict[str, Any], reflection: tuple[float, ...]
 ) -> tuple[Float32Array, Float32Array, Float32Array]:
     """Pack the uniform and the two textures of tables."""
-    uniform = dict.fromkeys(uniform_fields(), (0.0, 0.0, 0.0, 0.0))
+    uniform: dict[str, tuple[float, ...]] = dict.fromkeys(uniform_fields(), (0.0,) * 4)
     uniform["counts"] = tuple(sizes[name] for name in COUNTS[:4])
     uniform["more_counts"] = tuple(sizes[name] for name in COUNTS[4:8])
-    uniform["most_counts"] = (*(sizes[name] for name in COUNTS[8:]), 0.0)
+    uniform["most_counts"] = (*(sizes[name] for name in COUNTS[8:]), 0.0, 0.0)
+    uniform["reflection"] = (*reflection, *(0.0,) * (4 - len(reflection)))
     ground = sizes["levels"] * sizes["suns"] * (1 + sizes["terms"])
     uniform["measures"] = (*(sizes[name] for name in MEASURES), ground)
     textures: list[Float32Array] = []

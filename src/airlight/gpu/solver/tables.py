@@ -10,7 +10,7 @@ from typing import Any, Final, NamedTuple
 
 from airlight.gpu.emit.shader_types import F32, I32, Bundle, Uniform, Value
 from airlight.gpu.emit.texture_table import TextureTable
-from airlight.optics.reflection import Reflection
+from airlight.optics.reflection import NUMBERS
 
 #: Tables of numbers and of four wavelengths that the host uploads, with their ranks.
 SCALARS: Final = {
@@ -22,7 +22,7 @@ SPECTRA: Final = ("extinction", "moments", "albedo")
 #: Integers of ``Sizes`` in the uniform, four to a vector.
 COUNTS: Final = (
     "radii", "angles", "suns", "turns", "degree", "terms", "constituents", "directions", "levels",
-    "parts", "law",
+    "parts",
 )  # fmt: skip
 MEASURES: Final = ("bottom", "top", "star_radius")
 
@@ -40,8 +40,6 @@ class Sizes(NamedTuple):
         the table of columns.
     levels, parts : int
         Number of radii of the grid; light is gathered at every ``parts``-th of them.
-    law : int
-        Law of the ground's ``Reflection``.
     bottom, top, star_radius : float
         Radii of the ground and the top [m]; angular radius of the star [rad].
     """
@@ -56,7 +54,6 @@ class Sizes(NamedTuple):
     directions: Any
     levels: Any
     parts: Any
-    law: Any
     bottom: Any
     top: Any
     star_radius: Any
@@ -118,7 +115,7 @@ def uniform_fields() -> tuple[str, ...]:
     """Names of the vectors of the uniform ``solve``, in their order."""
     tables = [*SCALARS, *SPECTRA]
     return (
-        "counts", "more_counts", "most_counts", "measures",
+        "counts", "more_counts", "most_counts", "measures", "reflection",
         *(f"{name}_{part}" for name in tables for part in ("shape", "start")),
     )  # fmt: skip
 
@@ -137,8 +134,10 @@ def sizes_in_shader() -> Bundle:
 def tables_in_shader() -> Bundle:
     """Bundle of ``Tables`` as a shader reads them, from textures."""
     fields: dict[str, Value] = {name: texture_table(name).table for name in (*SCALARS, *SPECTRA)}
-    ground = Reflection(law=sizes_in_shader().fields["law"], albedo=fields.pop("albedo"))
-    fields["ground"] = Bundle(ground._asdict())
+    ground = {"albedo": fields.pop("albedo")}
+    for at, (name, kind) in enumerate(NUMBERS.items()):
+        ground[name] = Uniform(f"solve.reflection[{at}]", I32 if kind is int else F32)
+    fields["ground"] = Bundle(ground)
     return Bundle(Tables(**fields)._asdict())
 
 

@@ -19,7 +19,6 @@ from numpy.typing import NDArray
 from airlight.kernel import kernel, vectorized
 from airlight.mappings.transmittance import radius_from_coordinate
 from airlight.optics.layer_edges import layer_edges
-from airlight.optics.reflection import Reflection
 from airlight.planets.medium import Medium
 from airlight.solvers.moments.grid import Grid
 from airlight.solvers.moments.levels import Depths, panel_cuts
@@ -165,7 +164,7 @@ def make_air(medium: Medium, degree: int, block: slice) -> Air:
     return Air(
         extinction=pack(extinction - peak * scattering),
         moments=pack(np.moveaxis(smooth, 2, 1)),
-        ground=Reflection(medium.ground.law, pack(medium.ground.albedo[block])),
+        ground=medium.ground._replace(albedo=pack(medium.ground.albedo[block])),
         star_radius=float(medium.star_angular_radius),
     )
 
