@@ -6,6 +6,7 @@ from airlight.errors import Cancelled, ParameterError
 from airlight.kernel import disk
 from airlight.optics import mie
 from airlight.optics.size_distribution import single_size
+from airlight.planets.constituent import Constituent
 from airlight.planets.matter import mie_nodes, particles
 from airlight.planets.matter.particle_index import GivenIndex, MixedIndex, TableIndex
 from airlight.planets.matter.particle_sizes import GammaSizes, LogNormalSizes, SingleSize
@@ -13,7 +14,7 @@ from airlight.planets.matter.particles import Particles
 from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Exponential
 from airlight.planets.medium import Medium
-from airlight.planets.planet import Constituent, Planet
+from airlight.planets.planet import Planet
 from airlight.planets.spectral import PerWavelength
 
 RGB = (680.0, 550.0, 440.0)

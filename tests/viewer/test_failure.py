@@ -17,7 +17,7 @@ from airlight.viewer.painting.probe import Part, Probe
 from airlight.viewer.painting.probing import Reading
 from airlight.viewer.session.session import Session
 from airlight.viewer.window import overlay_help
-from airlight.viewer.window.canvas import OffscreenPlace
+from airlight.viewer.window.canvas import OffscreenCanvas
 from airlight.viewer.window.panels import parameters as panel_parameters
 from airlight.viewer.window.panels import probe as panel_probe
 from airlight.viewer.window.panels import side as panel_side
@@ -66,17 +66,17 @@ class Read:
 
 
 @pytest.fixture
-def place() -> OffscreenPlace:
+def canvas() -> OffscreenCanvas:
     pytest.importorskip("imgui_bundle")
-    return OffscreenPlace(SIZE)
+    return OffscreenCanvas(SIZE)
 
 
 @pytest.fixture
-def window(place: OffscreenPlace, device: Device) -> Iterator[Window]:
+def window(canvas: OffscreenCanvas, device: Device) -> Iterator[Window]:
     session = Session("earth")
     session.store_b()
     session.set("shell.top_radius", 6500.0)
-    window = Window(session, place, device.device, Idle, unsolved)
+    window = Window(session, canvas, device.device, Idle, unsolved)
     window._probing.close()
     window._probing = Read()  # type: ignore[assignment]
     yield window
@@ -133,22 +133,22 @@ PARTS: tuple[tuple[str, str, Breaks], ...] = (
 )
 
 
-def drawn(window: Window, place: OffscreenPlace, frames: int) -> np.ndarray:
+def drawn(window: Window, canvas: OffscreenCanvas, frames: int) -> np.ndarray:
     """Pixels of the window above its status line, after some frames."""
     for _ in range(frames):
-        place.run(window.draw)
-    assert place.picture is not None
-    return place.picture[:STATUS].copy()
+        canvas.run(window.draw)
+    assert canvas.picture is not None
+    return canvas.picture[:STATUS].copy()
 
 
-def opened(window: Window, place: OffscreenPlace, part: str, tab: str) -> np.ndarray:
+def opened(window: Window, canvas: OffscreenCanvas, part: str, tab: str) -> np.ndarray:
     """Window with a part and a tab open, at rest."""
     window.panel.opens, window.panel.probes = tab, part == "probe"
     if part == "help":
         window.do("help")
     if part == "save dialog":
         window.do("save planet")
-    return drawn(window, place, 4)
+    return drawn(window, canvas, 4)
 
 
 @pytest.mark.parametrize(
@@ -161,7 +161,7 @@ def opened(window: Window, place: OffscreenPlace, part: str, tab: str) -> np.nda
 )
 def test_a_part_that_fails_is_named_and_drawn_again_once_it_can_be(
     window: Window,
-    place: OffscreenPlace,
+    canvas: OffscreenCanvas,
     caplog: pytest.LogCaptureFixture,
     part: str,
     tab: str,
@@ -169,28 +169,28 @@ def test_a_part_that_fails_is_named_and_drawn_again_once_it_can_be(
     raised: Callable[[], Exception],
 ) -> None:
     # A missing end or a style left pushed would change the window.
-    before, frames, fault = opened(window, place, part, tab), window.frames, raised()
+    before, frames, fault = opened(window, canvas, part, tab), window.frames, raised()
     with pytest.MonkeyPatch.context() as patch:
         broken(window, patch, fault)
         with caplog.at_level(logging.WARNING):
-            drawn(window, place, 3)
+            drawn(window, canvas, 3)
         assert window.problem.startswith(f"{part}: ")
         assert window.problem.endswith(str(fault))
     assert window.frames == frames + 3
     assert [(one.name, one.exc_info is not None) for one in caplog.records] == [
         ("airlight.viewer.background.error_line", True)
     ]
-    after = drawn(window, place, 3)
+    after = drawn(window, canvas, 3)
     assert part not in window.problem
     assert_array_equal(after, before)
 
 
 def test_an_interrupt_ends_the_frame_and_leaves_the_window_whole(
-    window: Window, place: OffscreenPlace, monkeypatch: pytest.MonkeyPatch
+    window: Window, canvas: OffscreenCanvas, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    before = opened(window, place, "side panel", "Planet")
+    before = opened(window, canvas, "side panel", "Planet")
     with monkeypatch.context() as patch:
         patch.setattr(panel_parameters, "parameter_row", failing(KeyboardInterrupt()))
         with pytest.raises(KeyboardInterrupt):
-            place.run(window.draw)
-    assert_array_equal(drawn(window, place, 3), before)
+            canvas.run(window.draw)
+    assert_array_equal(drawn(window, canvas, 3), before)

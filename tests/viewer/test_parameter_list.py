@@ -13,7 +13,7 @@ from airlight.errors import ParameterError
 from airlight.gpu.picture.uniforms import layout
 from airlight.pixels.picture_numbers import display_numbers
 from airlight.planets import load_planet, planet_names
-from airlight.planets.reading.reader import planet_tables, planet_text
+from airlight.planets.reading.reader import nested_tables, planet_text
 from airlight.planets.reading.tables import TABLES, keys_of
 from airlight.viewer.parameters.nested_tables import Tables
 from airlight.viewer.parameters.parameter import KINDS
@@ -29,7 +29,7 @@ from airlight.viewer.parameters.view_parameters import (
 
 def tables_of(name: str) -> Tables:
     text, file, folder = planet_text(name)
-    return spelled_out(planet_tables(text, file), folder)
+    return spelled_out(nested_tables(text, file), folder)
 
 
 @pytest.mark.parametrize("planet", planet_names())

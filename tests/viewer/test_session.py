@@ -452,7 +452,7 @@ def test_a_gas_frozen_to_coefficients_scatters_the_same(session: Session, tmp_pa
     # Fixed and computed coefficients agree at the nodes, and within 0.1 % between: the factor of
     # λ⁻⁴ has little curvature.
     session = Session("earth")
-    session.as_standard("air")
+    session.freeze_coefficients("air")
     assert "air" not in session.advanced
     assert session.value("air.profile.scale_height") == pytest.approx(8.434, abs=1e-3)
     session.save_planet(tmp_path / "frozen.toml")
@@ -472,7 +472,7 @@ def test_particles_frozen_to_coefficients_keep_extinction_albedo_and_mean_cosine
 ) -> None:
     # At the wavelengths of the lists they equal the medium's.
     session = Session("mars")
-    session.as_standard("dust")
+    session.freeze_coefficients("dust")
     session.save_planet(tmp_path / "frozen.toml")
     nm = [440.0, 550.0, 680.0]
     frozen, whole = (
@@ -484,4 +484,4 @@ def test_particles_frozen_to_coefficients_keep_extinction_albedo_and_mean_cosine
     cosines = (one.phase_moments(1)[1, :, 1] for one in (frozen, whole))
     assert_allclose(*cosines, atol=2e-4)
     with pytest.raises(ParameterError, match="given by its composition"):
-        session.as_standard("dust")
+        session.freeze_coefficients("dust")

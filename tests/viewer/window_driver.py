@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from airlight.gpu.device.device import open_device
-from airlight.viewer.window.canvas import DesktopPlace
+from airlight.viewer.window.canvas import DesktopCanvas
 from airlight.viewer.window.panels import parameters as panel_parameters
 from airlight.viewer.window.panels.row import parameter_row
 from airlight.viewer.window.start import Start, opened, painter_by
@@ -26,8 +26,8 @@ from airlight.viewer.window.window import Window
 class Answers:
     """Queries."""
 
-    def __init__(self, window: Window, place: DesktopPlace) -> None:
-        self.window, self.place = window, place
+    def __init__(self, window: Window, canvas: DesktopCanvas) -> None:
+        self.window, self.canvas = window, canvas
 
     def settled(self, seconds: float) -> bool:
         """Whether everything is shown in full quality within a time, and the window then rests."""
@@ -123,7 +123,7 @@ class Answers:
         until, last = time.monotonic() + seconds, time.monotonic()
         frames, longest = self.window.frames, 0.0
         while time.monotonic() < until:
-            self.place.wake()
+            self.canvas.wake()
             time.sleep(0.004)
             if self.window.frames != frames:
                 longest = max(longest, time.monotonic() - last)
@@ -147,10 +147,10 @@ class Answers:
 def main() -> None:
     planet, width, height, by = sys.argv[1], int(sys.argv[2]), int(sys.argv[3]), sys.argv[4]
     session = opened(Start(planet=planet, view={"light.quality": "preview"}))
-    place = DesktopPlace((width, height), "airlight test")
+    canvas = DesktopCanvas((width, height), "airlight test")
     device = open_device()
-    window = Window(session, place, device.device, painter_by(by, device))
-    answers = Answers(window, place)
+    window = Window(session, canvas, device.device, painter_by(by, device))
+    answers = Answers(window, canvas)
 
     def listen() -> None:
         for line in sys.stdin:

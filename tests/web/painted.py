@@ -119,7 +119,7 @@ def program() -> dict[str, Any]:
 
 
 def solution(paint: tuple[float, ...] = PAINT) -> dict[str, Any]:
-    """Counterpart of ``viewer.browser.package.planet_tables``, with tables as text."""
+    """Counterpart of ``viewer.browser.package.solution_package``, with tables as text."""
     return {
         "uniforms": {"first_peak": -1.0, **{f"red_{i}": x for i, x in enumerate(paint)}},
         "tables": {"fields": {"format": "rgba32float", "data": as_text(COLORS)}},

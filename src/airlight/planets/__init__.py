@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from airlight.planets.constituent import Constituent
 from airlight.planets.ground_and_star import Ground, Star
 from airlight.planets.medium import Medium
 from airlight.planets.parameters import replace
-from airlight.planets.planet import Constituent, Planet
+from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import load_planet, planet_names
 
 __all__ = [

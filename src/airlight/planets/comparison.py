@@ -10,9 +10,10 @@ from typing import Any, Final
 import numpy as np
 import numpy.typing as npt
 
+from airlight.planets.constituent import Constituent
 from airlight.planets.medium import Medium
 from airlight.planets.parameter_values import parameter_values
-from airlight.planets.planet import RED_GREEN_BLUE, Constituent, Planet
+from airlight.planets.planet import RED_GREEN_BLUE, Planet
 from airlight.planets.schema.record import fields_of
 from airlight.planets.spectral import narrowest
 

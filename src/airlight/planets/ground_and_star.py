@@ -75,7 +75,7 @@ class Ground(Record):
         Any,
         Key(
             label="albedo",
-            help="Share of a uniform sky's light that the ground reflects.",
+            help="Fraction of a uniform sky's light that the ground reflects.",
             note="A number, a list beside `wavelengths`, or the name of a table of reflectances.",
             range=(0.0, 1.0),
             spectral=True,
@@ -90,7 +90,7 @@ class Ground(Record):
             str,
             Key(
                 label="map",
-                help="Name of the picture of the ground.",
+                help="Name of the map of the ground.",
                 note="Used where the ground is seen; the light that the ground sends back into the"
                 " air comes from the albedo.",
                 kind="text",
@@ -104,8 +104,8 @@ class Ground(Record):
         float,
         Key(
             label="brightness",
-            help="Factor of the ground's albedo, and of its picture.",
-            note="No albedo gets beyond 1, or 0.409 by Lommel and Seeliger's law.",
+            help="Factor applied to the ground's albedo and to its map.",
+            note="Albedos are limited to 1, by Lommel and Seeliger's law to 0.409.",
             range=(0.0, 100.0),
             slider=(0.0, 5.0),
             offered=always,
@@ -115,8 +115,8 @@ class Ground(Record):
         str,
         Key(
             label="law of reflection",
-            help="Where the ground sends the light: alike into all directions, or as porous rock.",
-            note="By Lommel and Seeliger's law the airless full disc is as bright at its limb as in"
+            help="Directions into which the ground reflects: all alike, or as porous rock.",
+            note="By Lommel and Seeliger's law the full disc of an airless body is as bright at its limb as in"
             " its middle.",
             kind="choice",
             words=lambda: tuple(LAWS),
@@ -186,7 +186,7 @@ class Star(Record):
             str,
             Key(
                 label="spectrum",
-                help="The sun as measured outside the air, at 1 au; or a star of a temperature.",
+                help="Measured solar spectrum at 1 au, or a black body.",
                 note="`distance` scales it.",
                 kind="choice",
                 read=_read_spectrum,
@@ -202,7 +202,7 @@ class Star(Record):
             Spectral,
             Key(
                 label="irradiance",
-                help="The star's light at the planet, on a plane that faces it.",
+                help="Spectral irradiance at the planet, on a plane facing the star.",
                 unit="W/m^2/nm",
                 range=(0.0, 1e9),
                 spectral=True,
@@ -219,7 +219,7 @@ class Star(Record):
             float,
             Key(
                 label="temperature",
-                help="Of the star, as a black body.",
+                help="Effective temperature of the star, a black body.",
                 note="Needs `radius` and `distance`.",
                 unit="K",
                 range=(100.0, 1e6),
@@ -236,7 +236,7 @@ class Star(Record):
             float,
             Key(
                 label="radius of the star",
-                help="With the distance it gives the light of a black body and the angle it fills.",
+                help="Radius; with the distance it gives irradiance and angular radius.",
                 unit="m",
                 range=(1e3, 1e13),
                 example="695700 km",
@@ -253,7 +253,7 @@ class Star(Record):
             float,
             Key(
                 label="distance",
-                help="From the star to the planet.",
+                help="Distance from the star to the planet.",
                 unit="m",
                 range=(1e6, 1e16),
                 example="1 au",
@@ -271,7 +271,7 @@ class Star(Record):
             float,
             Key(
                 label="angular radius",
-                help="Half the angle that the star fills in the sky; 0 is a point.",
+                help="Angular radius of the star's disc; 0 for a point.",
                 note="From radius and distance where those are known; required beside an"
                 " `irradiance`.",
                 unit="deg",

@@ -20,10 +20,11 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.optics.bent_density import BentShell
 from airlight.optics.density_profile import DensitySegments, Row
 from airlight.optics.reflection import WHITE, Reflection
+from airlight.planets.constituent import Constituent
 from airlight.planets.light_source import LightSource
 from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
 from airlight.planets.matter.profiles import Uniform
-from airlight.planets.planet import Constituent, Planet
+from airlight.planets.planet import Planet
 from airlight.planets.spectral import check_wavelength_list
 
 FloatArray = npt.NDArray[np.float64]

@@ -16,10 +16,10 @@ from typing import Any, Final
 import numpy as np
 
 from airlight.errors import ParameterError
+from airlight.planets.constituent import Constituent
 from airlight.planets.matter.particle_sizes import ParticleSizes
 from airlight.planets.matter.phases import PhaseFunction
 from airlight.planets.matter.profiles import Profile
-from airlight.planets.planet import Constituent
 from airlight.planets.schema.record import fields_of
 from airlight.planets.spectral import PerWavelength
 

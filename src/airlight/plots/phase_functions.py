@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.planets.planet import Constituent, Planet
+from airlight.planets.constituent import Constituent
+from airlight.planets.planet import Planet
 from airlight.plots.figure import (
     LINE_STYLES,
     PALETTE,

@@ -162,7 +162,7 @@ class CrossSectionAbsorption(Absorber):
         Any,
         Key(
             label="cross-section",
-            help="Area that one molecule blocks.",
+            help="Absorption cross-section of one molecule.",
             note="One value or a list, the name of a table, or the path to a CSV file.",
             unit="m^2",
             range=(0.0, 1e-10),
@@ -194,7 +194,7 @@ class CrossSectionAbsorption(Absorber):
         float,
         Key(
             label="share",
-            help="Of the number density.",
+            help="Fraction of the number density.",
             range=(0.0, 1.0),
             offered=lambda table: "number_density" in table,
             mode="advanced",
@@ -305,8 +305,8 @@ class SmallParticleAbsorption(Absorber):
             Key(
                 name=cls.keyword,
                 label="small particles",
-                help="Much smaller than the wavelength.",
-                note="Their scattering is left out: 8π²r³N/λ · Im[(m²-1)/(m²+2)], m = n + ik."
+                help="Absorbing particles much smaller than the wavelength.",
+                note="Their scattering is neglected: 8π²r³N/λ · Im[(m²-1)/(m²+2)], m = n + ik."
                 " 5 % too small at 2πr = 0.3 λ; refused at wavelengths below 2πr.",
                 kind="table",
                 table=cls.keyword,

@@ -93,7 +93,7 @@ def _read_composition(
 SHARE: Final = Key(
     name="*",
     label="share",
-    help="Mole fraction; the other gases make room for it in proportion.",
+    help="Mole fraction; the other gases are rescaled in proportion.",
     range=(0.0, 1.0),
     example="0.79",
     mode="advanced",
@@ -171,7 +171,7 @@ class GasMixture(Matter):
         Key(
             label="composition",
             help="Mole fractions.",
-            note="Their sum is 1 within 1 %, and they are divided by it.",
+            note="The sum must be 1 within 1 %; the fractions are normalised.",
             kind="table",
             table="composition",
             read=_read_composition,
@@ -192,7 +192,7 @@ class GasMixture(Matter):
             float,
             Key(
                 label="gravity",
-                help="With it the scale height follows, RT/(Mg).",
+                help="Gravity, from which the scale height RT/(Mg) follows.",
                 note="Required without a `profile`.",
                 unit="m/s^2",
                 range=(1e-3, 1e4),

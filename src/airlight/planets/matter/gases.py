@@ -111,8 +111,8 @@ _MASS_KEYS: Final = (
     Key(
         name="mass_density",
         label="mass density",
-        help="Of the gas where its profile is 1.",
-        note="With the molar mass, instead of the number density.",
+        help="Mass density of the gas where its profile is 1.",
+        note="Together with the molar mass, an alternative to the number density.",
         unit="kg/m^3",
         range=(0.0, 1e6),
         open_ends=True,
@@ -125,7 +125,7 @@ _MASS_KEYS: Final = (
     Key(
         name="molar_mass",
         label="molar mass",
-        help="Of the gas.",
+        help="Molar mass of the gas.",
         unit="kg/mol",
         range=(1e-4, 1.0),
         example="28.9644 g/mol",
@@ -189,7 +189,7 @@ class GasScattering(_Molecules):
         Key(
             name="rayleigh",
             label="gas",
-            help="A gas whose scattering is known.",
+            help="Gas with tabulated refractivity and depolarisation.",
             note="`air`: refractivity of Peck & Reeder (1972), King factor of Bates (1984), 230 to"
             " 1690 nm; `co2`: Bideau-Mehu et al. (1973), Alms et al. (1975), 180.7 to 1694.5 nm.",
             kind="choice",

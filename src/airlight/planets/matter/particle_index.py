@@ -94,7 +94,7 @@ class GivenIndex(ParticleIndex):
         Spectral,
         Key(
             label="index, real part",
-            help="How much slower light is within.",
+            help="Real part n of the refractive index.",
             range=(0.1, 10.0),
             spectral=True,
             example="1.52",
@@ -107,7 +107,7 @@ class GivenIndex(ParticleIndex):
         Spectral,
         Key(
             label="index, imaginary part",
-            help="How much is swallowed within.",
+            help="Imaginary part k of the refractive index.",
             range=(0.0, 10.0),
             spectral=True,
             example="0.006",
@@ -197,7 +197,7 @@ class MixedIndex(ParticleIndex):
         float,
         Key(
             label="share of the grains",
-            help="By volume (Maxwell Garnett).",
+            help="Volume fraction of the inclusions (Maxwell Garnett).",
             range=(0.0, 1.0),
             example="0.02",
             mode="advanced",

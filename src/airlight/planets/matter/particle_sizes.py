@@ -58,7 +58,7 @@ class GammaSizes(ParticleSizes):
         float,
         Key(
             label="effective variance",
-            help="How much the radii differ.",
+            help="Width of the size distribution.",
             range=(0.0, 0.5),
             open_ends=True,
             example="0.3",
@@ -100,7 +100,7 @@ class LogNormalSizes(ParticleSizes):
         float,
         Key(
             label="geometric deviation",
-            help="Two thirds of the radii lie within this factor of the median.",
+            help="Geometric standard deviation, a factor about the median radius.",
             range=(1.0, 5.0),
             example="1.6",
             slider=(1.0, 3.0),
@@ -149,6 +149,6 @@ class SingleSize(ParticleSizes):
 SIZES: Final[Kinds[ParticleSizes]] = Kinds(
     (GammaSizes, LogNormalSizes, SingleSize),
     label="sizes",
-    help="How the radii are distributed.",
+    help="Size distribution of the radii.",
     mode="advanced",
 )

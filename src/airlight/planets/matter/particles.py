@@ -104,7 +104,7 @@ class Particles(Matter):
         instance_of(ParticleSizes),
         Key(
             label="sizes",
-            help="How large they are.",
+            help="Sizes of the particles.",
             kind="table",
             table="sizes",
             read=_sizes,
@@ -127,7 +127,7 @@ class Particles(Matter):
             float,
             Key(
                 label="number density",
-                help="Particles in a cubic centimetre, where their profile is 1.",
+                help="Number density where the profile is 1.",
                 unit="1/m^3",
                 range=(0.0, 1e25),
                 example="1e6 /m^3",
@@ -143,7 +143,7 @@ class Particles(Matter):
         float,
         Key(
             label="wavelength of the optical depth",
-            help="Where it is given.",
+            help="Wavelength at which the optical depth is given.",
             unit="nm",
             range=WIDEST,
             example="550 nm",
@@ -156,7 +156,7 @@ class Particles(Matter):
         str,
         Key(
             label="method",
-            help="Exact for spheres, or the approximation of van de Hulst.",
+            help="Method: exact Mie theory for spheres, or van de Hulst's anomalous diffraction.",
             note="The latter needs a `phase_function` and takes 9 to 13 % off the extinction of"
             " Martian dust.",
             kind="choice",

@@ -38,7 +38,7 @@ def density_key(
 
 def depolarisation_key(**more: Any) -> Key:
     """Key of the depolarisation of molecules."""
-    return Key(label="depolarisation", help="How far its molecules are from round, 0 to 0.5.",
+    return Key(label="depolarisation", help="Depolarisation ratio of the molecules, 0 to 0.5.",
                range=(0.0, 0.5), spectral=True, example="0.035", per="wavelengths",
                mode="advanced", **more)  # fmt: skip
 
@@ -59,7 +59,7 @@ def radius_key(label: str, text: str, **more: Any) -> Key:
 
 def albedo_key(**more: Any) -> Key:
     """Key of the single-scattering albedo."""
-    return Key(label="single-scattering albedo", help="Share of the extinction that is scattering.",
+    return Key(label="single-scattering albedo", help="Scattering over extinction.",
                range=(0.0, 1.0), example="0.9", **more)  # fmt: skip
 
 

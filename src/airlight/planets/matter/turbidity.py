@@ -92,7 +92,7 @@ class Turbidity(_Haze):
             float,
             Key(
                 label="optical depth of the gas",
-                help="At 550 nm; the haze has turbidity - 1 times as much.",
+                help="Vertical optical depth of the clear air at 550 nm.",
                 range=(0.0, 1e3),
                 slider=(1e-3, 10.0),
                 scale="log",
@@ -117,8 +117,8 @@ class Turbidity(_Haze):
             float,
             Key(
                 label="Junge exponent",
-                help="Of the sizes: 4 for haze that falls with the wavelength squared.",
-                note="Scattering and absorption fall like λ^-(v-2).",
+                help="Junge exponent of the size distribution; 4 makes the haze vary as λ^-2.",
+                note="Scattering and absorption vary as λ^-(v-2).",
                 range=(2.0, 6.0),
                 mode="advanced",
             ),
@@ -130,8 +130,8 @@ class Turbidity(_Haze):
             float,
             Key(
                 label="Ångström exponent",
-                help="Power of the wavelength that the haze falls with.",
-                note="Instead of the Junge exponent.",
+                help="Exponent of the haze's decrease with wavelength.",
+                note="Alternative to the Junge exponent.",
                 range=(0.0, 4.0),
                 mode="advanced",
             ),
@@ -241,7 +241,7 @@ class LiteralTurbidity(_Haze):
         float,
         Key(
             label="Junge exponent",
-            help="The printed equation holds for 4 only.",
+            help="The published equation holds for 4 only.",
             range=(4.0, 4.0),
             mode="advanced",
         ),

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
+from airlight.planets.constituent import coefficient_key
 from airlight.planets.matter.state_keys import albedo_key, depth_key
-from airlight.planets.planet import coefficient_key
 from airlight.planets.schema.key import Key
 
 EXTINCTION: Final = coefficient_key(

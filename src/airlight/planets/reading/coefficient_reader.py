@@ -7,12 +7,12 @@ from collections.abc import Callable
 from typing import Any, Final
 
 from airlight.errors import ParameterError
+from airlight.planets.constituent import LARGEST_COEFFICIENT, Constituent
 from airlight.planets.matter.absorbers import ABSORBERS
 from airlight.planets.matter.gases import SCATTERERS
 from airlight.planets.matter.matter import Absorber, Scatterer
 from airlight.planets.matter.profiles import Profile
 from airlight.planets.parameters import MISSING
-from airlight.planets.planet import LARGEST_COEFFICIENT, Constituent
 from airlight.planets.reading.coefficient_keys import ALBEDO, DEPTH, EXTINCTION
 from airlight.planets.schema.key import Key, Wavelengths
 from airlight.planets.schema.record import fields_of

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from airlight.errors import ParameterError
+from airlight.planets.constituent import Constituent
 from airlight.planets.matter.matter import Matter
 from airlight.planets.matter.phases import PHASES
 from airlight.planets.matter.profiles import PROFILES, Exponential, Profile
 from airlight.planets.parameters import MISSING
-from airlight.planets.planet import Constituent
 from airlight.planets.reading.coefficient_reader import (
     COEFFICIENTS,
     read_absorption,

@@ -48,7 +48,7 @@ def key_table(kind: str) -> str:
     Examples
     --------
     >>> print(key_table("bulk").splitlines()[2])
-    | `temperature` | 0.001 to 1e9 K | required | T of RT/(Mg). |
+    | `temperature` | 0.001 to 1e9 K | required | Temperature T in the scale height RT/(Mg). |
     """
     lines: list[str] = []
     table = TABLES[kind]

@@ -186,7 +186,7 @@ def read_planet(
     ParameterError
         If the file is invalid.
     """
-    tables = planet_tables(text, file)
+    tables = nested_tables(text, file)
     return read_tables(tables, file, folder, overrides, progress=progress, cancel=cancel)
 
 
@@ -205,7 +205,7 @@ def read_tables(
     Parameters
     ----------
     tables : mapping
-        Tables from ``planet_tables``; not changed.
+        Tables from ``nested_tables``; not changed.
     file, folder, overrides, progress, cancel
         See ``read_planet``.
     wavelengths : callable
@@ -233,7 +233,7 @@ def read_tables(
         raise error.in_file(file) from None
 
 
-def planet_tables(text: str, file: str) -> dict[str, Any]:
+def nested_tables(text: str, file: str) -> dict[str, Any]:
     """Nested tables of a planet file, before anything in them is checked.
 
     Parameters

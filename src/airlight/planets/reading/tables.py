@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Final, Protocol
 
+from airlight.planets.constituent import Constituent
 from airlight.planets.ground_and_star import Ground, Star
 from airlight.planets.matter.absorbers import ABSORBERS, SmallParticleAbsorption
 from airlight.planets.matter.gas_mixture import SHARE, GasMixture
@@ -15,7 +16,7 @@ from airlight.planets.matter.particles import Particles
 from airlight.planets.matter.phases import PHASES
 from airlight.planets.matter.profiles import PROFILES, BulkGas, Layer
 from airlight.planets.matter.turbidity import LiteralTurbidity, Turbidity
-from airlight.planets.planet import Constituent, Planet
+from airlight.planets.planet import Planet
 from airlight.planets.reading.coefficient_keys import COEFFICIENT_KEYS
 from airlight.planets.schema.key import WAVELENGTHS, FileTable, Key
 from airlight.planets.schema.record import fields_of
@@ -51,7 +52,7 @@ def _planet() -> _Listed:
     """Keys of a whole file: those of a planet, with the shell's in a nested table."""
     own = Planet.declared()
     first = next(i for i, key in enumerate(own) if key.kind == "table")
-    shell = Key(name="shell", label="shell", help="Where the air lies.", kind="table",
+    shell = Key(name="shell", label="shell", help="Radii of the atmosphere.", kind="table",
                 table="shell", required=True)  # fmt: skip
     return _Listed(*own[:first], shell, *own[first:])
 

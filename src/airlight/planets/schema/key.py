@@ -252,7 +252,7 @@ def _inverse(unit: str) -> str:
 WAVELENGTHS = Key(
     name="wavelengths",
     label="wavelength",
-    help="The wavelengths that the lists of this part belong to.",
+    help="Wavelengths of this part's lists.",
     unit="nm",
     range=(SHORTEST, LONGEST),
     slider=(300.0, 1000.0),

@@ -22,7 +22,7 @@ from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import read_tables
 from airlight.viewer.background.error_line import one_line
 from airlight.viewer.session.constituent_switches import switched
-from airlight.viewer.session.solve_request import Versions, Wanted
+from airlight.viewer.session.solve_request import SolveRequest, Versions
 
 #: Time after which a preview is abandoned for a newer edit. Faster previews are finished, so that
 #: the picture follows a drag whose edits come faster than previews. [s]
@@ -37,7 +37,7 @@ class Followed(Protocol):
     """Session, or one side of it."""
 
     @property
-    def wanted(self) -> Wanted:
+    def solve_request(self) -> SolveRequest:
         """Request to solve."""
 
     def follow(self, follower: Callable[[Versions], None]) -> Callable[[], None]:
@@ -70,7 +70,7 @@ class Solved:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Status:
+class SolverStatus:
     """Current activity of the thread.
 
     Attributes
@@ -128,11 +128,11 @@ class Solving:
         self._wavelengths = wavelengths
         self._on_change = on_change
         self._condition = threading.Condition()
-        self._wanted = session.wanted
+        self._request = session.solve_request
         self._asked = time.perf_counter()
-        self._served: Wanted | None = None
+        self._served: SolveRequest | None = None
         self._latest: Solved | None = None
-        self._status = Status(busy=True, doing="starting", version=self._wanted.version)
+        self._status = SolverStatus(busy=True, doing="starting", version=self._request.version)
         self._closed = False
         self._kept: OrderedDict[tuple[Any, ...], Solved] = OrderedDict()
         self._planets: OrderedDict[str, Planet] = OrderedDict()
@@ -149,7 +149,7 @@ class Solving:
         return self._latest
 
     @property
-    def status(self) -> Status:
+    def status(self) -> SolverStatus:
         """Current activity, and the error of the newest planet."""
         return self._status
 
@@ -157,13 +157,13 @@ class Solving:
     def idle(self) -> bool:
         """Whether the newest request is solved or has failed."""
         with self._condition:
-            return self._served is self._wanted
+            return self._served is self._request
 
     def wait(self, timeout: float | None = None) -> bool:
         """Wait until the thread is idle; False after ``timeout``. [s]"""
         with self._condition:
             return self._condition.wait_for(
-                lambda: self._closed or self._served is self._wanted, timeout
+                lambda: self._closed or self._served is self._request, timeout
             )
 
     def close(self) -> None:
@@ -183,10 +183,10 @@ class Solving:
 
     def _follow(self, versions: Versions) -> None:
         """Handle a change of the session; changes of view and display need no solution."""
-        if versions.planet == self._wanted.version:
+        if versions.planet == self._request.version:
             return
         with self._condition:
-            self._wanted = self._session.wanted
+            self._request = self._session.solve_request
             self._asked = time.perf_counter()
             self._condition.notify_all()
 
@@ -195,108 +195,108 @@ class Solving:
     def _run(self) -> None:
         while True:
             with self._condition:
-                self._condition.wait_for(lambda: self._closed or self._served is not self._wanted)
+                self._condition.wait_for(lambda: self._closed or self._served is not self._request)
                 if self._closed:
                     return
-                wanted, asked = self._wanted, self._asked
+                request, asked = self._request, self._asked
             error = ""
             try:
-                self._serve(wanted, asked)
+                self._serve(request, asked)
             except Cancelled as stopped:
-                if self._closed or self._wanted is not wanted:
+                if self._closed or self._request is not request:
                     continue
                 error = str(stopped)
             except Exception as failure:
                 # The thread must survive any failure of one planet, to serve the next edit.
                 error = one_line(failure)
             with self._condition:
-                self._status = Status(version=wanted.version, error=error)
-                self._served = wanted
+                self._status = SolverStatus(version=request.version, error=error)
+                self._served = request
                 self._condition.notify_all()
             self._tell()
 
-    def _serve(self, wanted: Wanted, asked: float) -> None:
+    def _serve(self, request: SolveRequest, asked: float) -> None:
         """Solve a planet at each quality up to the requested one, the fastest first."""
-        kept = self._kept.get((*wanted.key, wanted.quality))
+        kept = self._kept.get((*request.key, request.quality))
         if kept is not None:
-            self._publish(replace(kept, version=wanted.version, seconds=0.0), wanted)
+            self._publish(replace(kept, version=request.version, seconds=0.0), request)
             return
-        levels = ["preview", wanted.quality] if wanted.quality != "preview" else ["preview"]
+        levels = ["preview", request.quality] if request.quality != "preview" else ["preview"]
         started = time.perf_counter()
         for level in levels:
-            newer = self._gives_up(wanted, started if level == "preview" else None)
+            newer = self._gives_up(request, started if level == "preview" else None)
             if level != levels[0] and newer():
                 raise Cancelled("a newer edit")
-            known = self._kept.get((*wanted.key, level))
+            known = self._kept.get((*request.key, level))
             if known is not None:
-                self._publish(replace(known, version=wanted.version, seconds=0.0), wanted)
+                self._publish(replace(known, version=request.version, seconds=0.0), request)
                 continue
-            planet = self._planet(wanted, newer)
-            wavelengths = self._wavelengths(planet, wanted.wavelengths)
+            planet = self._planet(request, newer)
+            wavelengths = self._wavelengths(planet, request.wavelengths)
             # Rejects a star without light at one of them: the picture would have no colours.
             rgb_weights(wavelengths, planet.star.irradiances)
             solution = self._solver(
                 planet,
                 wavelengths,
                 level,
-                progress=self._reporter(wanted, f"solving, {level}"),
+                progress=self._reporter(request, f"solving, {level}"),
                 cancel=newer,
             )
             self._publish(
                 Solved(
                     solution=solution,
                     planet=planet,
-                    version=wanted.version,
+                    version=request.version,
                     quality=level,
                     seconds=time.perf_counter() - asked,
                 ),
-                wanted,
+                request,
             )
 
-    def _gives_up(self, wanted: Wanted, started: float | None) -> Cancel:
+    def _gives_up(self, request: SolveRequest, started: float | None) -> Cancel:
         """Cancellation test: closed, or superseded after ``PATIENCE`` has passed."""
 
         def newer() -> bool:
             if self._closed:
                 return True
-            if self._wanted is wanted:
+            if self._request is request:
                 return False
             return started is None or time.perf_counter() - started > PATIENCE
 
         return newer
 
-    def _planet(self, wanted: Wanted, cancel: Cancel) -> Planet:
-        key = wanted.state.tables_key
+    def _planet(self, request: SolveRequest, cancel: Cancel) -> Planet:
+        key = request.state.tables_key
         planet = self._planets.get(key)
         if planet is None:
-            report = self._reporter(wanted, "reading the planet")
+            report = self._reporter(request, "reading the planet")
             report(0, 0, "")
             planet = read_tables(
-                wanted.state.tables,
-                wanted.state.source,
-                wavelengths=lambda planet: self._wavelengths(planet, wanted.wavelengths),
+                request.state.tables,
+                request.state.source,
+                wavelengths=lambda planet: self._wavelengths(planet, request.wavelengths),
                 progress=report,
                 cancel=cancel,
             )
             self._planets[key] = planet
             while len(self._planets) > MOST_KEPT:
                 self._planets.popitem(last=False)
-        return switched(planet, wanted.state.off)
+        return switched(planet, request.state.off)
 
-    def _publish(self, solved: Solved, wanted: Wanted) -> None:
-        self._kept[(*wanted.key, solved.quality)] = solved
-        self._kept.move_to_end((*wanted.key, solved.quality))
+    def _publish(self, solved: Solved, request: SolveRequest) -> None:
+        self._kept[(*request.key, solved.quality)] = solved
+        self._kept.move_to_end((*request.key, solved.quality))
         while len(self._kept) > 2 * MOST_KEPT:
             self._kept.popitem(last=False)
         self._latest = solved
         self._status = replace(self._status, version=solved.version, error="")
         self._tell()
 
-    def _reporter(self, wanted: Wanted, doing: str) -> Progress:
+    def _reporter(self, request: SolveRequest, doing: str) -> Progress:
         def report(done: int, total: int, message: str) -> None:
             now = time.perf_counter()
-            self._status = Status(
-                busy=True, doing=doing, done=done, total=total, version=wanted.version
+            self._status = SolverStatus(
+                busy=True, doing=doing, done=done, total=total, version=request.version
             )
             if now - self._reported >= _REPORT_EVERY:
                 self._reported = now

@@ -18,7 +18,7 @@ from airlight.paint.solve_planet import PlanetSolver, live_solver
 from airlight.planets.picture_wavelengths import LIVE, picture_wavelengths
 from airlight.viewer.background.solving import Solving
 from airlight.viewer.browser.modules import join_modules, web_file
-from airlight.viewer.browser.package import planet_tables, program
+from airlight.viewer.browser.package import program, solution_package
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.session.session import Session
 
@@ -182,7 +182,7 @@ class Viewer(anywidget.AnyWidget):
         self.message = now.error
         if solved is not None and solved is not self._shown:
             self._shown = solved
-            numbers, tables = planet_tables(solved.solution)
+            numbers, tables = solution_package(solved.solution)
             self.picture = numbers | {
                 "tables": {
                     name: {"format": kind, "data": values.tobytes()}

@@ -109,7 +109,7 @@ def program() -> dict[str, Any]:
     }
 
 
-def planet_tables(
+def solution_package(
     solution: MomentsSolution, weights: FloatArray | None = None
 ) -> tuple[dict[str, Any], dict[str, tuple[str, Float32Array]]]:
     """Data of a solution for the browser.

@@ -17,7 +17,7 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.paint.solve_planet import solve_planet
 from airlight.planets import load_planet
 from airlight.planets.picture_wavelengths import LIVE, picture_wavelengths
-from airlight.viewer.browser.package import planet_tables, program
+from airlight.viewer.browser.package import program, solution_package
 from airlight.viewer.browser.page_solver import amount_parameters, solver_data
 from airlight.viewer.browser.page_text import page_text
 from airlight.viewer.browser.tables_text import DIGITS, as_text, deflated, rounded
@@ -81,7 +81,7 @@ def page_data(
     dict
         JSON values.
     """
-    numbers, tables = planet_tables(solution)
+    numbers, tables = solution_package(solution)
     solver = solver_data(solution)
     edited = () if solver is None else amount_parameters(solution)
     parameters = page_parameters()

@@ -59,8 +59,8 @@ def parameters_of(tables: Tables) -> tuple[Parameter, ...]:
 
     Examples
     --------
-    >>> from airlight.planets.reading.reader import planet_tables, planet_text
-    >>> mars = spelled_out(planet_tables(*planet_text("mars")[:2]))
+    >>> from airlight.planets.reading.reader import nested_tables, planet_text
+    >>> mars = spelled_out(nested_tables(*planet_text("mars")[:2]))
     >>> [(one.path, one.unit) for one in parameters_of(mars) if one.group == "shell"]
     [('shell.bottom_radius', 'km'), ('shell.top_radius', 'km')]
     """

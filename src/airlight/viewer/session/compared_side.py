@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from airlight.viewer.session.session import Session
-from airlight.viewer.session.solve_request import Versions, Wanted
+from airlight.viewer.session.solve_request import SolveRequest, Versions
 
 
 class SessionSide:
@@ -24,11 +24,11 @@ class SessionSide:
         self._side = side
 
     @property
-    def wanted(self) -> Wanted:
+    def solve_request(self) -> SolveRequest:
         """Request to solve; that of the shown side while there is only one."""
         if self._session.showing == self._side:
-            return self._session.wanted
-        return self._session.wanted_other or self._session.wanted
+            return self._session.solve_request
+        return self._session.solve_request_other or self._session.solve_request
 
     def follow(self, follower: Callable[[Versions], None]) -> Callable[[], None]:
         """See ``Session.follow``."""

@@ -11,7 +11,7 @@ from airlight.viewer.session.planet_state import PlanetState
 
 
 @dataclass(frozen=True, kw_only=True)
-class Difference:
+class ParameterDifference:
     """Parameter whose values differ between two sides.
 
     Attributes
@@ -29,7 +29,7 @@ class Difference:
     second: Value | None
 
 
-def differing(first: PlanetState, second: PlanetState) -> Iterator[Difference]:
+def differing(first: PlanetState, second: PlanetState) -> Iterator[ParameterDifference]:
     """Parameters that differ between two planets; constituents are matched by name.
 
     Parameters
@@ -38,7 +38,7 @@ def differing(first: PlanetState, second: PlanetState) -> Iterator[Difference]:
 
     Yields
     ------
-    Difference
+    ParameterDifference
     """
     ones, others = _by_words(first), _by_words(second)
     for words in (*ones, *(words for words in others if words not in ones)):
@@ -49,12 +49,14 @@ def differing(first: PlanetState, second: PlanetState) -> Iterator[Difference]:
             known = one or other
             assert known is not None
             label = f"{known.group}: {known.label}"
-            yield Difference(path=known.path, label=label, unit=known.unit, first=a, second=b)
+            yield ParameterDifference(
+                path=known.path, label=label, unit=known.unit, first=a, second=b
+            )
     for group in (*first.groups, *(one for one in second.groups if one not in first.groups)):
         on = [None if group not in state.groups else state.groups.index(group) not in state.off
               for state in (first, second)]  # fmt: skip
         if None not in on and on[0] != on[1]:
-            yield Difference(path="light.constituents", label=f"{group}: on", unit="1",
+            yield ParameterDifference(path="light.constituents", label=f"{group}: on", unit="1",
                              first=on[0], second=on[1])  # fmt: skip
 
 

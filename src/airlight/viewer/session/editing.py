@@ -21,7 +21,7 @@ from airlight.viewer.parameters.view_parameters import (
 from airlight.viewer.session.history import Change, History
 from airlight.viewer.session.planet_state import PlanetState
 from airlight.viewer.session.side import Side
-from airlight.viewer.session.solve_request import Versions, Wanted
+from airlight.viewer.session.solve_request import SolveRequest, Versions
 
 #: Size of the picture until a host sets it. [pixel]
 DEFAULT_SIZE: Final = (960, 540)
@@ -129,18 +129,18 @@ class Editing:
         }
 
     @property
-    def wanted(self) -> Wanted:
+    def solve_request(self) -> SolveRequest:
         """Solve request of the side that is shown."""
-        return self._wanted(self._side)
+        return self._request(self._side)
 
     @property
-    def wanted_other(self) -> Wanted | None:
+    def solve_request_other(self) -> SolveRequest | None:
         """Solve request of the other side of the comparison; None without one."""
-        return None if self._other is None else self._wanted(self._other)
+        return None if self._other is None else self._request(self._other)
 
-    def _wanted(self, side: Side) -> Wanted:
+    def _request(self, side: Side) -> SolveRequest:
         quality, count = (str(side.view[path]) for path in SOLVED)
-        return Wanted(self._versions.planet, side.planet, quality, count)
+        return SolveRequest(self._versions.planet, side.planet, quality, count)
 
     # --- followers ----------------------------------------------------------------------------
 

@@ -34,7 +34,7 @@ def is_advanced(constituent: Tables) -> bool:
     )
 
 
-def as_standard(tables: Tables, planet: Planet, index: int) -> Tables:
+def freeze_coefficients(tables: Tables, planet: Planet, index: int) -> Tables:
     """Copy of the tables with one constituent's coefficients at a few wavelengths.
 
     Coefficients are linear between the wavelengths, those of gases times λ⁴. Particles get a

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from airlight.errors import ParameterError
-from airlight.planets.reading.reader import planet_tables, planet_text
+from airlight.planets.reading.reader import nested_tables, planet_text
 from airlight.viewer.parameters.nested_tables import Tables, differences
 from airlight.viewer.parameters.parameter import Parameter
 from airlight.viewer.parameters.parameter_list import group_of, parameters_of, spelled_out
@@ -48,7 +48,7 @@ class PlanetState:
             If there is none, or it has an undeclared key.
         """
         text, file, folder = planet_text(name_or_path)
-        tables = planet_tables(text, file)
+        tables = nested_tables(text, file)
         try:
             base = spelled_out(tables, folder)
             state = cls(str(name_or_path), base, base)

@@ -17,15 +17,15 @@ from airlight.planets.reading.reader import read_tables
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.parameters.view_parameters import view_parameters
 from airlight.viewer.session import saved_state
-from airlight.viewer.session.comparing import Difference, differing
+from airlight.viewer.session.comparing import ParameterDifference, differing
 from airlight.viewer.session.editing import Editing
-from airlight.viewer.session.freeze_coefficients import as_standard, is_advanced
+from airlight.viewer.session.freeze_coefficients import freeze_coefficients, is_advanced
 from airlight.viewer.session.history import Change
 from airlight.viewer.session.planet_file import planet_file
 from airlight.viewer.session.side import Side
-from airlight.viewer.session.solve_request import Versions, Wanted
+from airlight.viewer.session.solve_request import SolveRequest, Versions
 
-__all__ = ["Session", "Versions", "Wanted"]
+__all__ = ["Session", "Versions", "SolveRequest"]
 
 
 class Session(Editing):
@@ -69,7 +69,7 @@ class Session(Editing):
             if is_advanced(one)
         )
 
-    def as_standard(self, group: str, planet: Planet | None = None) -> None:
+    def freeze_coefficients(self, group: str, planet: Planet | None = None) -> None:
         """Convert a constituent to fixed coefficients, as an undo step.
 
         Parameters
@@ -92,7 +92,9 @@ class Session(Editing):
         if planet is None:
             planet = read_tables(state.tables, state.source)
         index = state.groups.index(group)
-        self.replace_tables(f"constituents[{index}]", as_standard(state.tables, planet, index))
+        self.replace_tables(
+            f"constituents[{index}]", freeze_coefficients(state.tables, planet, index)
+        )
 
     # --- two sides ----------------------------------------------------------------------------
 
@@ -143,7 +145,7 @@ class Session(Editing):
         self._other = None
         self._showing = "A"
 
-    def differences(self) -> tuple[Difference, ...]:
+    def differences(self) -> tuple[ParameterDifference, ...]:
         """Parameters that differ between A and B; empty without another side."""
         if self._other is None:
             return ()
@@ -185,11 +187,13 @@ class Session(Editing):
         self._changed(self._side.change("state", Change(planet=planet, view=view)))
 
 
-def _side_differences(first: Side, second: Side, shares: bool) -> Iterator[Difference]:
+def _side_differences(first: Side, second: Side, shares: bool) -> Iterator[ParameterDifference]:
     yield from differing(first.planet, second.planet)
     for one in view_parameters():
         if shares and one.path.startswith("view."):
             continue
         a, b = first.view[one.path], second.view[one.path]
         if a != b:
-            yield Difference(path=one.path, label=one.label, unit=one.unit, first=a, second=b)
+            yield ParameterDifference(
+                path=one.path, label=one.label, unit=one.unit, first=a, second=b
+            )

@@ -25,7 +25,7 @@ class Versions(NamedTuple):
     display: int = 0
 
 
-class Wanted(NamedTuple):
+class SolveRequest(NamedTuple):
     """Request for a solution; see ``solving``.
 
     Attributes

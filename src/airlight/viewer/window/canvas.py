@@ -48,10 +48,10 @@ class WindowError(AirlightError):
     """Error in one line: a window cannot be opened here."""
 
 
-class Place(Protocol):
+class Canvas(Protocol):
     """Canvas and its event loop."""
 
-    canvas: Any
+    render_canvas: Any
 
     def run(self, draw: Callable[[], None]) -> None:
         """Call ``draw`` on request until the canvas is closed."""
@@ -63,7 +63,7 @@ class Place(Protocol):
         """End ``run``."""
 
 
-class DesktopPlace:
+class DesktopCanvas:
     """Window on the desktop.
 
     Parameters
@@ -89,7 +89,7 @@ class DesktopPlace:
             raise WindowError(MISSING_EXTRA) from error
         self._glfw, self._loop = glfw, loop
         _check_display(glfw)
-        self.canvas: Any = RenderCanvas(
+        self.render_canvas: Any = RenderCanvas(
             size=size,
             title=title,
             update_mode="ondemand",
@@ -100,15 +100,15 @@ class DesktopPlace:
         self._busy_until = 0.0
         self._closed = False
         # The order puts this before the panels' handler, which consumes events.
-        self.canvas.add_event_handler(self._stir, *EVENTS, order=-1000)
+        self.render_canvas.add_event_handler(self._stir, *EVENTS, order=-1000)
 
     def _stir(self, _event: Any = None) -> None:
         self._busy_until = time.perf_counter() + _AWAKE
-        self.canvas.request_draw()
+        self.render_canvas.request_draw()
 
     def run(self, draw: Callable[[], None]) -> None:
         """Call ``draw`` on request until the window is closed."""
-        self.canvas.request_draw(draw)
+        self.render_canvas.request_draw(draw)
         self._loop.add_task(self._rest)
         self._loop.run()
         self._closed = True
@@ -117,7 +117,7 @@ class DesktopPlace:
         from rendercanvas.utils.asyncs import sleep
 
         self._stir()
-        while not self.canvas.get_closed():
+        while not self.render_canvas.get_closed():
             if self._wanted:
                 self._wanted = False
                 self._stir()
@@ -138,10 +138,10 @@ class DesktopPlace:
 
     def close(self) -> None:
         """Close the window after this frame, which ends ``run``."""
-        self._loop.call_soon(self.canvas.close)
+        self._loop.call_soon(self.render_canvas.close)
 
 
-class OffscreenPlace:
+class OffscreenCanvas:
     """Offscreen canvas, for screenshots of the window.
 
     Parameters
@@ -162,16 +162,16 @@ class OffscreenPlace:
             from rendercanvas.offscreen import RenderCanvas
         except ImportError as error:
             raise WindowError(MISSING_EXTRA) from error
-        self.canvas: Any = RenderCanvas(size=size, pixel_ratio=ratio)
+        self.render_canvas: Any = RenderCanvas(size=size, pixel_ratio=ratio)
         self._frames = 1
         self.wanted = True
         self.picture: NDArray[np.uint8] | None = None
 
     def run(self, draw: Callable[[], None]) -> None:
         """Draw once."""
-        self.canvas.request_draw(draw)
+        self.render_canvas.request_draw(draw)
         self.wanted = False
-        self.picture = np.array(self.canvas.draw(), dtype=np.uint8)[..., :3]
+        self.picture = np.array(self.render_canvas.draw(), dtype=np.uint8)[..., :3]
 
     def wake(self) -> None:
         """Set the flag that a draw is requested."""
@@ -179,7 +179,7 @@ class OffscreenPlace:
 
     def close(self) -> None:
         """Release the canvas."""
-        self.canvas.close()
+        self.render_canvas.close()
 
 
 def _check_display(glfw: Any) -> None:

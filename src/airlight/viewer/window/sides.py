@@ -7,7 +7,7 @@ from typing import cast
 
 from airlight.paint.solve_planet import PlanetSolver
 from airlight.planets.planet import Planet
-from airlight.viewer.background.solving import Solved, Solving, Status
+from airlight.viewer.background.solving import Solved, SolverStatus, Solving
 from airlight.viewer.painting.picture_source import Orders, Painter, Picture, Request
 from airlight.viewer.painting.picture_thread import PictureThread
 from airlight.viewer.parameters.view_parameters import scene_of, uniforms_of
@@ -93,10 +93,10 @@ class Sides:
         return None if solving is None else solving.latest
 
     @property
-    def status(self) -> Status:
+    def status(self) -> SolverStatus:
         """Status of the edited side's solver."""
         solving = self._solvings.get(self._session.showing)
-        return Status() if solving is None else solving.status
+        return SolverStatus() if solving is None else solving.status
 
     @property
     def planet(self) -> Planet | None:

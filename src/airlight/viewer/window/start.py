@@ -22,7 +22,7 @@ from airlight.viewer.painting.picture_source import Painter
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.session.saved_state import from_fragment
 from airlight.viewer.session.session import Session
-from airlight.viewer.window.canvas import DesktopPlace, OffscreenPlace, WindowError
+from airlight.viewer.window.canvas import DesktopCanvas, OffscreenCanvas, WindowError
 from airlight.viewer.window.window import Window
 
 #: Default azimuth from the sun, across the sunlight, if only an altitude is given. [deg]
@@ -93,25 +93,25 @@ def show(start: Start) -> None:
     # Two sides may compile a function at the same time; the second then warns that it is done.
     warnings.filterwarnings("ignore", message="Compilation requested for previously compiled")
     session = opened(start)
-    place: DesktopPlace | OffscreenPlace
+    canvas: DesktopCanvas | OffscreenCanvas
     if start.screenshot is not None:
-        place = OffscreenPlace(start.size)
+        canvas = OffscreenCanvas(start.size)
     else:
-        place = DesktopPlace(start.size, f"airlight · {session.planet_name}")
+        canvas = DesktopCanvas(start.size, f"airlight · {session.planet_name}")
     try:
         device = open_device()
     except NoDevice as error:
-        place.close()
+        canvas.close()
         raise WindowError(f"the window needs a graphics device: {error.reason}") from error
     painter, solver = painter_by(start.device, device), live_solver(start.device, device)
-    window = Window(session, place, device.device, painter, solver)
+    window = Window(session, canvas, device.device, painter, solver)
     if start.other is not None:
         window.panel.compare_with(start.other)
-    if start.screenshot is None or isinstance(place, DesktopPlace):
+    if start.screenshot is None or isinstance(canvas, DesktopCanvas):
         window.run()
         return
     try:
-        _photograph(window, place, start.screenshot)
+        _photograph(window, canvas, start.screenshot)
     finally:
         window.close()
 
@@ -179,20 +179,20 @@ def painter_by(choice: Literal["auto", "gpu", "cpu"], device: Device) -> Callabl
     return make
 
 
-def _photograph(window: Window, place: OffscreenPlace, path: Path) -> None:
+def _photograph(window: Window, canvas: OffscreenCanvas, path: Path) -> None:
     """Draw until everything requested is shown, and write the picture."""
     from airlight.exports.png import write_png
 
     until = time.monotonic() + _PATIENCE
-    place.run(window.draw)
-    while not (window.settled and window.shown() is not None and not place.wanted):
+    canvas.run(window.draw)
+    while not (window.settled and window.shown() is not None and not canvas.wanted):
         if window.problem:
             raise WindowError(window.problem)
         if time.monotonic() > until:
             raise WindowError(f"the picture was not finished after {_PATIENCE:.0f} s")
         time.sleep(0.02)
-        place.run(window.draw)
+        canvas.run(window.draw)
     for _ in range(2):  # panels reach their final sizes one frame later
-        place.run(window.draw)
-    assert place.picture is not None
-    write_png(path, np.ascontiguousarray(place.picture), {"software": "airlight view"})
+        canvas.run(window.draw)
+    assert canvas.picture is not None
+    write_png(path, np.ascontiguousarray(canvas.picture), {"software": "airlight view"})

@@ -19,7 +19,7 @@ from airlight.viewer.painting.picture_source import Painter, Picture
 from airlight.viewer.painting.probing import Probing
 from airlight.viewer.session.session import Session
 from airlight.viewer.window.actions import Actions
-from airlight.viewer.window.canvas import EVENTS, Place
+from airlight.viewer.window.canvas import EVENTS, Canvas
 from airlight.viewer.window.input import WindowInput
 from airlight.viewer.window.messages import Messages
 from airlight.viewer.window.overlay_help import draw_help
@@ -28,7 +28,7 @@ from airlight.viewer.window.panels.save import SaveDialog, Saving
 from airlight.viewer.window.panels.side import SidePanel
 from airlight.viewer.window.panels.status import (
     FrameTimes,
-    Status,
+    StatusLine,
     draw_status,
     picture_text,
     solver_text,
@@ -50,7 +50,7 @@ class Window:
     ----------
     session : Session
         Session that is shown and edited.
-    place : Place
+    canvas : Canvas
         Canvas on the desktop or offscreen.
     device : wgpu.GPUDevice
         Device that draws the window.
@@ -68,40 +68,42 @@ class Window:
     def __init__(
         self,
         session: Session,
-        place: Place,
+        canvas: Canvas,
         device: Any,
         painter: Callable[[], Painter],
         solver: PlanetSolver | None = None,
     ) -> None:
         self.session = session
-        self._place = place
-        self.surface = WindowSurface(device, place.canvas)
+        self._canvas = canvas
+        self.surface = WindowSurface(device, canvas.render_canvas)
         self.area = PictureArea(self.surface.backend)
-        self._sides = Sides(session, painter, solver, place.wake)
+        self._sides = Sides(session, painter, solver, canvas.wake)
         self._flight = Flight(session)
-        self.messages = Messages(place.canvas.request_draw)
+        self.messages = Messages(canvas.render_canvas.request_draw)
         self.panel = SidePanel(
             session, self._flight, self.do, self.attempt, lambda: self._sides.planet
         )
-        self._saving = Saving(place.wake)
+        self._saving = Saving(canvas.wake)
         self._dialog = SaveDialog()
         self.actions = Actions(
-            session, self.panel, self._dialog, self.messages, self.shown, place.close
+            session, self.panel, self._dialog, self.messages, self.shown, canvas.close
         )
-        self._probing = Probing(place.wake)
+        self._probing = Probing(canvas.wake)
         self._times = FrameTimes()
         self._parts: dict[str, Rectangle] = {}
         self._faults = Faults()
         self._last_event = perf_counter()
         self._last_frame = perf_counter()
         self.frames = 0
-        self.input = WindowInput(place.canvas, self, self._flight, lambda: self.surface.typing)
-        place.canvas.add_event_handler(self._noticed, *EVENTS, order=-999)
+        self.input = WindowInput(
+            canvas.render_canvas, self, self._flight, lambda: self.surface.typing
+        )
+        canvas.render_canvas.add_event_handler(self._noticed, *EVENTS, order=-999)
 
     def run(self) -> None:
         """Show the window until it is closed; then end all threads."""
         try:
-            self._place.run(self.draw)
+            self._canvas.run(self.draw)
         finally:
             self.close()
 
@@ -143,7 +145,7 @@ class Window:
         self._times.end()
         self.frames += 1
         if self._restless:
-            self._place.canvas.request_draw()
+            self._canvas.render_canvas.request_draw()
 
     @property
     def _restless(self) -> bool:
@@ -228,12 +230,12 @@ class Window:
             names.reverse()
         return f"A  {names[0]}", f"B  {names[1]}"
 
-    def _status(self) -> Status:
+    def _status(self) -> StatusLine:
         if self._saving.message and not self._saving.busy:
             self.messages.say(self._saving.message)
             self._saving.message = ""
         shown, status = self.shown(), self._sides.status
-        return Status(
+        return StatusLine(
             place=where_text(self.session.view),
             exposure="" if shown is None else f"{shown.exposure:+.1f} EV",
             frame=f"window: {self._times.milliseconds:.0f} ms",

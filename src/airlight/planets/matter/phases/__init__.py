@@ -34,5 +34,5 @@ PHASES: Final[Kinds[PhaseFunction]] = Kinds(
         TabulatedPhase,
     ),
     label="phase function",
-    help="Its form over the scattering angle.",
+    help="Shape of the phase function.",
 )

@@ -41,7 +41,7 @@ class Rayleigh(FormulaPhase):
         Spectral,
         Key(
             label="depolarisation",
-            help="How far its molecules are from round: 0 for round ones.",
+            help="Depolarisation ratio of the molecules; 0 for isotropic ones.",
             range=(0.0, 0.5),
             spectral=True,
             example="0.035",
@@ -131,7 +131,7 @@ class DoubleHenyeyGreenstein(FormulaPhase):
         Spectral,
         Key(
             label="weight of the first lobe",
-            help="The second lobe has the rest.",
+            help="Weight of the first lobe; the second has the remainder.",
             range=(0.0, 1.0),
             spectral=True,
             example="0.743",

@@ -78,7 +78,7 @@ class TabulatedPhase(PhaseFunction):
         tuple[float, ...],
         Key(
             label="angle",
-            help="Scattering angles of the rows, each above the one before it.",
+            help="Scattering angles of the rows, in increasing order.",
             note="From 0 to 180 deg.",
             unit="deg",
             range=(0.0, 180.0),
@@ -94,7 +94,7 @@ class TabulatedPhase(PhaseFunction):
         Key(
             name="values",
             label="phase function",
-            help="Its values there; the integral over the sphere is 1.",
+            help="Values at these angles; the integral over the sphere is 1.",
             note="One list, or one list per wavelength. Linear in the logarithm between angles. A"
             " table whose integral is off 1 by more than 0.001 is refused; the error names the"
             " integral to divide by.",

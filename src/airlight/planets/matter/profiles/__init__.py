@@ -25,5 +25,5 @@ PROFILES: Final[Kinds[Profile]] = Kinds(
         Uniform,
     ),
     label="profile",
-    help="The form of its density over altitude.",
+    help="Shape of the density profile.",
 )

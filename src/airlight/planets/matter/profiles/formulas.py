@@ -32,7 +32,7 @@ class BulkGas(Record):
         float,
         Key(
             label="temperature",
-            help="T of RT/(Mg).",
+            help="Temperature T in the scale height RT/(Mg).",
             unit="K",
             range=(0.0, 1e30),
             open_ends=True,
@@ -47,7 +47,7 @@ class BulkGas(Record):
         float,
         Key(
             label="molar mass",
-            help="M of RT/(Mg).",
+            help="Molar mass M in the scale height RT/(Mg).",
             unit="kg/mol",
             range=(0.0, 1e30),
             open_ends=True,
@@ -143,7 +143,7 @@ class Tent(Profile):
         float,
         Key(
             label="centre",
-            help="Altitude where it is densest.",
+            help="Altitude of the maximum density.",
             unit="m",
             range=(0.0, 1e9),
             example="25 km",

@@ -48,7 +48,7 @@ class Layer(Record):
         float,
         Key(
             label="thickness",
-            help="Of the layer; the topmost reaches the top of the air.",
+            help="Thickness of the layer; the topmost extends to the top of the atmosphere.",
             unit="m",
             range=(0.0, 1e9),
             shown="km",
@@ -86,7 +86,7 @@ class Layered(Profile):
         tuple[Layer, ...],
         Key(
             label="layer",
-            help="The layers from the ground up.",
+            help="Layers, from the ground up.",
             note="Each is exp_term·e^(exp_scale·h) + linear_term·h + constant_term, clamped to"
             " [0, 1]; what is left out is 0.",
             kind="table",

@@ -41,8 +41,8 @@ class Tabulated(Profile):
         Key(
             name="table",
             label="table",
-            help="A table of densities that comes with the package.",
-            note="Instead of altitudes and densities.",
+            help="Name of a density table included in the package.",
+            note="Alternative to altitudes and densities.",
             kind="choice",
             words=lambda: (OZONE_TABLE,),
         ),
@@ -52,8 +52,8 @@ class Tabulated(Profile):
         tuple[float, ...],
         Key(
             label="altitude",
-            help="Altitudes of the rows of the table, each above the one before it.",
-            note="Required without a `table`. Beyond its ends the table goes on exponentially,"
+            help="Altitudes of the table's rows, in increasing order.",
+            note="Required without a `table`. Beyond its ends it is extrapolated exponentially,"
             " never growing upwards.",
             unit="m",
             range=(0.0, 1e9),
@@ -68,7 +68,7 @@ class Tabulated(Profile):
         tuple[float, ...],
         Key(
             label="density",
-            help="Relative density in each row.",
+            help="Relative density of each row.",
             note="Interpolated in the logarithm with a monotone cubic; straight lines next to a"
             " density of 0.",
             range=(0.0, 1e6),

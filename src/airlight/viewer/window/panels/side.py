@@ -180,7 +180,7 @@ class SidePanel:
         planet = self._read_planet()
         imgui.begin_disabled(planet is None)
         if imgui.small_button("give it by coefficients"):
-            self._attempt(lambda: self._session.as_standard(group, planet))
+            self._attempt(lambda: self._session.freeze_coefficients(group, planet))
         imgui.end_disabled()
         style.hint("freeze what follows from its composition to numbers of its own; can be undone")
 

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 from time import perf_counter
 from typing import Any
 
-from airlight.viewer.background.solving import Solved
-from airlight.viewer.background.solving import Status as Solving
+from airlight.viewer.background.solving import Solved, SolverStatus
 from airlight.viewer.painting.picture_source import Picture
 from airlight.viewer.window import style
 from airlight.viewer.window.picture_area import Rectangle
@@ -43,7 +42,7 @@ class FrameTimes:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Status:
+class StatusLine:
     """Texts of the status line.
 
     Parameters
@@ -88,7 +87,7 @@ def picture_text(shown: Picture) -> str:
     return f"{shown.by}: {shown.width}×{shown.height} in {_seconds(shown.seconds)}{fine}"
 
 
-def working_text(status: Solving) -> str:
+def working_text(status: SolverStatus) -> str:
     """Current task of the solver with its progress; empty if idle."""
     if not status.busy:
         return ""
@@ -96,7 +95,7 @@ def working_text(status: Solving) -> str:
     return f"{status.doing}{part} …"
 
 
-def solver_text(solved: Solved | None, status: Solving) -> str:
+def solver_text(solved: Solved | None, status: SolverStatus) -> str:
     """Quality and time of a solution, and the solver's current task."""
     done = "" if solved is None else f"{solved.quality}: {_seconds(solved.seconds)}"
     return ", ".join(one for one in (done, working_text(status)) if one)
@@ -130,7 +129,7 @@ def _seconds(seconds: float) -> str:
     return f"{1e3 * seconds:.0f} ms" if seconds < 1.0 else f"{seconds:.1f} s"
 
 
-def draw_status(status: Status, into: Rectangle) -> None:
+def draw_status(status: StatusLine, into: Rectangle) -> None:
     """Draw the status line."""
     from imgui_bundle import imgui
 

@@ -1,0 +1,292 @@
+"""Constituent of the air: how much of it there is where, what it scatters and absorbs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Annotated, Any, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.errors import ParameterError
+from airlight.planets.matter.matter import Absorber, Matter, Scatterer
+from airlight.planets.matter.phases import PhaseFunction
+from airlight.planets.matter.profiles import Profile
+from airlight.planets.parameters import MISSING, instance_of, parameters
+from airlight.planets.schema.key import Key, always
+from airlight.planets.schema.record import Record
+from airlight.planets.spectral import (
+    Limits,
+    PerWavelength,
+    Spectral,
+    narrowest,
+    spectral_at,
+)
+
+FloatArray = npt.NDArray[np.float64]
+
+#: Largest coefficient: a mean free path of a metre. [m⁻¹]
+LARGEST_COEFFICIENT: Final = 1.0
+
+
+def coefficient_key(label: str, text: str, **more: Any) -> Key:
+    """Key of a coefficient at relative density 1."""
+    return Key(label=label, help=text, unit="1/m", range=(0.0, LARGEST_COEFFICIENT), shown="/km",
+               slider=(1e-7, 1.0), scale="log", spectral=True, per="wavelengths",
+               **{"example": "5.802e-6 /m", **more})  # fmt: skip
+
+
+def _coefficients_alone(constituent: Mapping[str, Any]) -> bool:
+    """Whether a missing absorption means none: no other key determines it."""
+    others = ("extinction", "single_scattering_albedo", "optical_depth", "absorption")
+    return not any(name in constituent for name in others)
+
+
+@parameters
+class Constituent(Record):
+    """One constituent of the air.
+
+    Parameters
+    ----------
+    name : str
+        1 to 60 letters; no two constituents of a planet share one.
+    profile : Exponential, Tent, Layered, Tabulated or Uniform
+        Relative density over altitude.
+    scattering : float, PerWavelength, GasScattering or RefractiveScattering
+        Coefficient at relative density 1, 0 to 1. [m⁻¹]
+    absorption : float, PerWavelength or Absorber
+        Coefficient at relative density 1, 0 to 1. [m⁻¹]
+    phase_function : Rayleigh, CornetteShanks, …, optional
+        Needed if it scatters; replaces the phase function of a gas or of ``matter``.
+    matter : Matter, optional
+        Substance, a gas mixture or particles; then ``scattering`` is not given, and ``absorption``
+        ``absorption`` comes on top of the matter's own.
+    amount : float
+        Factor of scattering and absorption at all wavelengths, 0 to 100; the bending of light by a
+        gas is unchanged. [1]
+
+    Notes
+    -----
+    Given scattering coefficients beside a ``Rayleigh`` phase function follow λ⁻⁴ between and beyond
+    their wavelengths. All other values are linear between them and constant for 10 nm beyond.
+    """
+
+    name: Annotated[
+        str,
+        Key(
+            label="name",
+            help="Name of the constituent.",
+            note="1 to 60 letters.",
+            kind="text",
+            range=(1.0, 60.0),
+            example="a name of its own",
+        ),
+    ]
+    profile: Annotated[
+        Profile,
+        instance_of(Profile),
+        Key(
+            label="profile",
+            help="Density profile over altitude.",
+            note="Optional for a `gas` with a gravity.",
+            kind="table",
+            table="profile",
+        ),
+    ]
+    scattering: Annotated[
+        Spectral | Scatterer,
+        instance_of(int, float, PerWavelength, Scatterer),
+        coefficient_key(
+            "scattering",
+            "How much light it scatters on a kilometre of way, where its profile is 1.",
+            table="scattering",
+            prefix="scattering",
+        ),
+    ] = 0.0
+    absorption: Annotated[
+        Spectral | Absorber,
+        instance_of(int, float, PerWavelength, Absorber),
+        coefficient_key(
+            "absorption",
+            "How much light it swallows on a kilometre of way, where its profile is 1.",
+            table="absorption",
+            prefix="absorption",
+            example="0.65e-6 /m",
+            offered=_coefficients_alone,
+        ),
+    ] = 0.0
+    phase_function: (
+        Annotated[
+            PhaseFunction,
+            instance_of(PhaseFunction),
+            Key(
+                label="phase function",
+                help="Phase function.",
+                note="Required if the constituent scatters and its composition implies none.",
+                kind="table",
+                table="phase_function",
+            ),
+        ]
+        | None
+    ) = None
+    amount: Annotated[
+        float,
+        Key(
+            label="amount",
+            help="Factor applied to scattering and absorption at all wavelengths.",
+            note="Refraction is not affected.",
+            range=(0.0, 100.0),
+            slider=(0.1, 10.0),
+            scale="log",
+            offered=always,
+        ),
+    ] = 1.0
+    matter: Annotated[Matter, instance_of(Matter)] | None = None
+
+    def __post_init__(self) -> None:
+        if self.matter is not None and self.scattering != 0.0:
+            raise ParameterError("scattering", self.scattering, "none beside matter")
+        if self.scatters and self._substance is None and self.phase_function is None:
+            raise ParameterError("phase_function", MISSING, "one, since it scatters")
+
+    @property
+    def _substance(self) -> Matter | Scatterer | None:
+        """Substance with its own scattering and phase function; None if coefficients are given."""
+        if self.matter is not None:
+            return self.matter
+        return self.scattering if isinstance(self.scattering, Scatterer) else None
+
+    @property
+    def bends(self) -> bool:
+        """Whether it is a gas of known refractivity, so that it bends light."""
+        return self._substance is not None and self._substance.bends
+
+    @property
+    def scatters(self) -> bool:
+        """Whether any light is scattered at any wavelength."""
+        if isinstance(self.scattering, PerWavelength):
+            return any(value > 0.0 for value in self.scattering.values)
+        return self._substance is not None or self.scattering != 0.0
+
+    @property
+    def _follows_fourth_power(self) -> bool:
+        return self.phase_function is not None and self.phase_function.molecular
+
+    @property
+    def limits(self) -> Limits:
+        """Wavelengths at which all its properties are known. [nm]"""
+        own = (self._substance, self.absorption, self.phase_function)
+        limits = [part.limits for part in own if isinstance(part, Record)]
+        given = [self.absorption, *([] if self._follows_fourth_power else [self.scattering])]
+        listed = [value.limits for value in given if isinstance(value, PerWavelength)]
+        return narrowest([*limits, *listed])
+
+    def scattering_coefficients(self, wavelengths: npt.ArrayLike, thickness: float) -> FloatArray:
+        """Scattering coefficient at relative density 1, shape (nl,). [m⁻¹]
+
+        Parameters
+        ----------
+        wavelengths : array, shape (nl,)
+            Wavelengths. [nm]
+        thickness : float
+            Thickness of the shell, over which an optical depth is spread. [m]
+        """
+        return self.amount * self._scattering(wavelengths, thickness)
+
+    def _scattering(self, wavelengths: npt.ArrayLike, thickness: float) -> FloatArray:
+        if self.matter is not None:
+            return self.matter.scattering_coefficients(wavelengths, self._column(thickness))
+        if isinstance(self.scattering, Scatterer):
+            return self.scattering.coefficients(wavelengths)
+        if self._follows_fourth_power and isinstance(self.scattering, PerWavelength):
+            return self.scattering.at_fourth_power(wavelengths)
+        return spectral_at(self.scattering, wavelengths)
+
+    def absorption_coefficients(self, wavelengths: npt.ArrayLike, thickness: float) -> FloatArray:
+        """Absorption coefficient at relative density 1, shape (nl,). [m⁻¹]
+
+        Parameters
+        ----------
+        wavelengths, thickness
+            See ``scattering_coefficients``; a column of gas is spread over the shell too.
+            [nm], [m]
+        """
+        if isinstance(self.absorption, Absorber):
+            total = self.absorption.coefficients(wavelengths, self._column(thickness))
+        else:
+            total = spectral_at(self.absorption, wavelengths)
+        if self.matter is not None:
+            column = self._column(thickness)
+            total = total + self.matter.absorption_coefficients(wavelengths, column)
+        return self.amount * total
+
+    def refractivities(self, wavelengths: npt.ArrayLike, thickness: float) -> FloatArray:
+        """Refractivity n - 1 of a gas at relative density 1, shape (nl,); otherwise 0. [1]
+
+        Parameters
+        ----------
+        wavelengths, thickness
+            See ``scattering_coefficients``. [nm], [m]
+
+        Raises
+        ------
+        ParameterError
+            If the gas is denser than any gas is.
+        """
+        if self._substance is None:
+            return np.zeros(np.shape(wavelengths))
+        return self._substance.refractivities(wavelengths)
+
+    def _column(self, thickness: float) -> float:
+        column = self.profile.column(thickness)
+        if not column > 0.0:
+            raise ParameterError(
+                "profile", self.profile, "one that is not 0 everywhere in the shell"
+            )
+        return column
+
+    def phase_values(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
+        """Phase function, shape of nu (...) and wavelengths (nl,) to (..., nl). [sr⁻¹]
+
+        Zero where it does not scatter.
+        """
+        nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+        if not self.scatters:
+            return np.zeros((*np.shape(nu), len(nm)))
+        return self.phase_function_at(nm).values(nu, nm)
+
+    def phase_moments(self, wavelengths: npt.ArrayLike, degree: int) -> FloatArray:
+        """Legendre moments of the phase function, shape (nl, degree + 1). [1]
+
+        See ``optics.legendre``; all zero where it does not scatter.
+
+        Parameters
+        ----------
+        wavelengths : array, shape (nl,)
+            Wavelengths. [nm]
+        degree : int
+            Highest degree l.
+        """
+        nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+        if not self.scatters:
+            return np.zeros((len(nm), degree + 1))
+        return self.phase_function_at(nm).moments(nm, degree)
+
+    def phase_function_at(self, wavelengths: npt.ArrayLike) -> PhaseFunction:
+        """Phase function given, or that of the gas or matter, known at these wavelengths.
+
+        Parameters
+        ----------
+        wavelengths : array, shape (nl,)
+            Wavelengths. [nm]
+
+        Raises
+        ------
+        ParameterError
+            If it does not scatter.
+        """
+        if self.phase_function is not None:
+            return self.phase_function
+        if self._substance is None:
+            raise ParameterError("phase_function", MISSING, "one, if it scatters")
+        return self._substance.phase_function(wavelengths)
