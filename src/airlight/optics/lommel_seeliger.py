@@ -62,7 +62,7 @@ def sky_share(ground, leaving):
     Examples
     --------
     >>> matte, gloss = sky_share(None, 0.0)
-    >>> matte * LARGEST_ALBEDO, gloss
+    >>> round(matte * LARGEST_ALBEDO, 6), gloss
     (1.0, 0.0)
     """
     cosine = max(leaving, 1e-9)

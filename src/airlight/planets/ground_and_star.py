@@ -116,8 +116,8 @@ class Ground(Record):
         Key(
             label="law of reflection",
             help="Directions into which the ground reflects: all alike, or as porous rock.",
-            note="By Lommel and Seeliger's law the full disc of an airless body is as bright at its limb as in"
-            " its middle.",
+            note="By Lommel and Seeliger's law the full disc of an airless body is as bright at its"
+            " limb as in its middle.",
             kind="choice",
             words=lambda: tuple(LAWS),
             offered=always,

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import contextlib
+import copy
 import dataclasses
 import hashlib
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -110,7 +110,7 @@ class Medium:
 
     @property
     def lights(self) -> tuple[LightSource, ...]:
-        """Light sources, sampled at the wavelengths: today only the star."""
+        """Light sources, sampled at the wavelengths: that for which the medium is solved."""
         star = LightSource(
             name="star",
             angular_radius=self.star_angular_radius,
@@ -118,6 +118,13 @@ class Medium:
             irradiance=self.solar_irradiance,
         )
         return (star,)
+
+    def lit_by(self, source: LightSource) -> Medium:
+        """Medium under another light source, sampled at the same wavelengths."""
+        other = copy.copy(self)
+        object.__setattr__(other, "solar_irradiance", source.irradiance)
+        object.__setattr__(other, "star_angular_radius", source.angular_radius)
+        return other
 
     @property
     def ground(self) -> Reflection:
@@ -173,7 +180,7 @@ class Medium:
             [_row(planet, i) for i in range(len(planet.constituents))]
         )
         nu = 1.0 - 2.0 * np.linspace(0.0, 1.0, PHASE_NODES) ** 2
-        constituents = planet.constituents
+        constituents, light = planet.constituents, planet.lights(nm)[0]
         medium = cls(
             bottom_radius=planet.bottom_radius,
             top_radius=planet.top_radius,
@@ -189,8 +196,8 @@ class Medium:
             phase_table=np.stack([one.phase_values(nu, nm).T for one in constituents]),
             ground_albedo=planet.ground.albedos(nm),
             ground_map=planet.ground.map,
-            solar_irradiance=planet.star.irradiances(nm),
-            star_angular_radius=math.radians(planet.star.angular_radius_degrees),
+            solar_irradiance=light.irradiance,
+            star_angular_radius=light.angular_radius,
             refractivity=_refractivity(planet),
             constituents=constituents,
             map_brightness=planet.ground.brightness,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cached_property
 from typing import Any, Final
 
@@ -25,6 +26,7 @@ from airlight.gpu.picture.shaders import (
 from airlight.gpu.picture.solution_textures import SolutionTextures
 from airlight.gpu.picture.uniforms import SWITCHES, packed
 from airlight.kernel.threads import Cancel, Progress
+from airlight.pixels.lit_scenes import lit_scenes
 from airlight.pixels.march_points import FEW
 from airlight.pixels.picture_numbers import (
     CHOICES,
@@ -87,6 +89,7 @@ class Pictures:
         self._solution: MomentsSolution | None = None
         self._textures: SolutionTextures | None = None
         self._shown_tables: Shown | None = None
+        self._given: FloatArray | None = None
         self._weights: FloatArray = np.zeros((0, 3))
         self._groups: dict[Any, list[Any]] = {}
         self._seen: bytes = b""
@@ -132,6 +135,7 @@ class Pictures:
         nm = solution.wavelengths
         if nm.size > WAVELENGTHS:
             raise ParameterError("wavelengths", nm.size, f"at most {WAVELENGTHS} on the GPU")
+        self._given = weights
         if weights is None:
             weights = picture_weights(nm, solution.lights[0].spectrum)
         if np.shape(weights) != (nm.size, 3):
@@ -189,7 +193,7 @@ class Pictures:
         Parameters
         ----------
         scene : Scene
-            Observer, star and camera.
+            Observer, lights and camera; the pictures of several lights are added on the host.
         exact : bool
             Whether each pixel is marched; otherwise it reads the table of the sky.
         orders : str
@@ -211,6 +215,30 @@ class Pictures:
         Cancelled
             If ``cancel`` requested it.
         """
+        solution, weights = self._shown(), self._given
+        frames = []
+        try:
+            for seen, lit in lit_scenes(scene, solution):
+                if lit is not self._solution:
+                    self.show(lit, weights)
+                frames.append(self._frame(seen, exact, orders, disc, progress, cancel))
+        finally:
+            if self._solution is not solution:
+                self.show(solution, weights)
+        if len(frames) == 1:
+            return frames[0]
+        return replace(frames[0], rgb=np.sum([one.rgb for one in frames], axis=0, dtype=np.float32))
+
+    def _frame(
+        self,
+        scene: Scene,
+        exact: bool,
+        orders: str,
+        disc: bool,
+        progress: Progress | None,
+        cancel: Cancel | None,
+    ) -> Frame:
+        """Draw a picture by one light; arguments of ``frame``."""
         import wgpu
 
         solution = self._shown()
@@ -285,7 +313,15 @@ class Pictures:
             Size of the target if it differs from the camera's. [pixel]
         uniforms : mapping, optional
             Further uniforms of the shaders, by name.
+
+        Raises
+        ------
+        ParameterError
+            If the scene has other lights than the solution's star: ``frame`` adds several.
         """
+        (scene, lit), *others = lit_scenes(scene, self._shown())
+        if others or lit is not self._solution:
+            raise ParameterError("scene.lights", 1 + len(others), "the star alone, drawn live")
         width, height = size or (scene.camera.width, scene.camera.height)
         numbers = self._numbers(scene, (width, height), exact, orders, disc)
         if exposure is not None:
@@ -327,7 +363,7 @@ class Pictures:
             "orders": order_number(orders),
             "exact": float(exact),
             "draws_disc": float(
-                disc and orders == "all" and solution.medium.star_angular_radius > 0.0
+                disc and orders == "all" and solution.lights[0].angular_radius > 0.0
             ),
             "sky_columns": self._sky_shape[0],
             "sky_rows": self._sky_shape[1],
@@ -365,7 +401,7 @@ class Pictures:
             return [Band(0, height, True, True)]
         solution = self._shown()
         star = (numbers["seen_x"], 0.0, numbers["seen_z"])
-        reach = 2.0 * solution.medium.star_angular_radius + 3.0 * numbers["pixel_angle"]
+        reach = 2.0 * solution.lights[0].angular_radius + 3.0 * numbers["pixel_angle"]
         return bands(scene, numbers["horizon_mu"], star, reach + solution.paths.largest_bend)
 
     def _draw_sky(self, numbers: Mapping[str, float]) -> None:

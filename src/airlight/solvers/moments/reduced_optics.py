@@ -165,7 +165,7 @@ def make_air(medium: Medium, degree: int, block: slice) -> Air:
         extinction=pack(extinction - peak * scattering),
         moments=pack(np.moveaxis(smooth, 2, 1)),
         ground=medium.ground._replace(albedo=pack(medium.ground.albedo[block])),
-        star_radius=float(medium.star_angular_radius),
+        star_radius=float(medium.lights[0].angular_radius),
     )
 
 

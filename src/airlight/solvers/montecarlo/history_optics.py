@@ -124,7 +124,7 @@ def history_optics(medium: Medium, wavelength: int) -> HistoryOptics:
         scattering=np.ascontiguousarray(medium.scattering[:, wavelength]),
         lobes=lobes(medium, wavelength),
         ground=medium.ground._replace(albedo=float(medium.ground.albedo[wavelength])),
-        star_radius=medium.star_angular_radius,
+        star_radius=medium.lights[0].angular_radius,
         light=make_starlight(chosen),
     )
 
