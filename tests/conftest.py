@@ -3,11 +3,18 @@
 from __future__ import annotations
 
 import os
+import pickle
+import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
 import pytest
+
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None  # type: ignore[assignment]
 
 if TYPE_CHECKING:
     from airlight.gpu.device.device import Device
@@ -23,6 +30,11 @@ _APART = "tests/against/test_solvers_agree.py"
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    from hypothesis import settings
+
+    # The first call of a kernel compiles, which takes seconds; and a run must be repeatable.
+    settings.register_profile("airlight", deadline=None, derandomize=True, database=None)
+    settings.load_profile("airlight")
     workers = os.environ.get("PYTEST_XDIST_WORKER_COUNT")
     if workers is not None:  # all workers together have as many threads as there are processors
         threads = str(max(1, (os.cpu_count() or 1) // int(workers)))
@@ -139,6 +151,30 @@ def own_solutions(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(cache, "cache_folder", lambda: folder)
         yield folder / "solutions"
+
+
+@pytest.fixture(scope="session")
+def once(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str, Callable[[], Any]], Any]:
+    """``once(name, make)``: what ``make`` returns, made by one worker of a run, read by the others.
+
+    Whoever asks while another makes it waits; so nothing that is made asks in its turn.
+    """
+    base = tmp_path_factory.getbasetemp()
+    folder = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "once"
+
+    def made(name: str, make: Callable[[], Any]) -> Any:
+        folder.mkdir(exist_ok=True)
+        file = folder / f"{re.sub(r'[^-.0-9a-z]+', '-', name)}.pickle"
+        with file.with_suffix(".lock").open("w") as lock:
+            if fcntl is not None:  # elsewhere each worker may make it, with the same result
+                fcntl.flock(lock, fcntl.LOCK_EX)  # gone with this process, however it ends
+            if not file.is_file():
+                part = file.with_suffix(f".{os.getpid()}")
+                part.write_bytes(pickle.dumps(make()))
+                part.replace(file)
+            return pickle.loads(file.read_bytes())
+
+    return made
 
 
 @pytest.fixture(scope="session")

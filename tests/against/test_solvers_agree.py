@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
-from airlight.validation.agreement import agreements, answers
+from airlight.validation.agreement import Answer, agreements, answers
 from airlight.validation.cases import CASES, WAVELENGTHS
 from airlight.validation.metrics import summarise
 
@@ -21,13 +23,51 @@ SOLVERS = (
 LEAST_LINES = 50
 #: What no value may differ by, beyond three standard errors: the direct solver's table in twilight.
 LARGEST = 0.03
+PLANETS = ("earth-atmosphere-plus", "mars-standard")
+
+Answered = Callable[[str, float], list[Answer]]
+
+
+@pytest.fixture
+def answered(once: Callable[[str, Callable[[], Any]], Any]) -> Answered:
+    """Direct and Monte Carlo at a wavelength, which is solved by one worker of a run."""
+    return lambda planet, nm: once(
+        f"{planet} at {nm:g} nm", lambda: answers(planet, SOLVERS[1:], wavelengths=(nm,))
+    )
+
+
+def joined(parts: Sequence[Answer]) -> Answer:
+    """Answers of a solver at single wavelengths, as one."""
+    return replace(
+        parts[0],
+        radiance=np.hstack([one.radiance for one in parts]),
+        standard_error=np.hstack([one.standard_error for one in parts]),
+        seconds=sum(one.seconds for one in parts),
+    )
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("planet", ["earth-atmosphere-plus", "mars-standard"])
-def test_three_solvers_agree_from_ground_to_space(planet: str, tell: Callable[[str], None]) -> None:
+@pytest.mark.parametrize("nm", WAVELENGTHS)
+@pytest.mark.parametrize("planet", PLANETS[::-1])  # the longer ones first
+def test_direct_and_monte_carlo_agree_at_a_wavelength(
+    planet: str, nm: float, answered: Answered
+) -> None:
+    # As below, and the longest part of it, which several workers share.
+    (pair,) = agreements(answered(planet, nm))
+    assert (np.abs(pair.relative[pair.disagree]) < LARGEST).all()
+    assert (pair.judged & ~pair.disagree).sum() >= LEAST_LINES
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("planet", PLANETS[::-1])
+def test_three_solvers_agree_from_ground_to_space(
+    planet: str, answered: Answered, tell: Callable[[str], None]
+) -> None:
     # Three independent methods; two values agree within 1 % or within three standard errors.
-    given = answers(planet, SOLVERS)
+    given = answers(planet, SOLVERS[:1])
+    given += [
+        joined(parts) for parts in zip(*(answered(planet, nm) for nm in WAVELENGTHS), strict=True)
+    ]
     pairs = agreements(given)
     tell(f"{planet}: radiance per irradiance at 550 nm [sr⁻¹], and differences at all three [%]")
     tell(f"{'line of sight':48s} {'moments':>10s} {'direct':>10s} {'Monte Carlo':>19s}   "

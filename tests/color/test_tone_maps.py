@@ -148,7 +148,7 @@ def test_agx_turns_bright_colours_white():
 
 
 def test_an_unknown_tone_map_is_refused():
-    with pytest.raises(ParameterError, match="allowed: exponential, hable"):
+    with pytest.raises(ParameterError, match="allowed: natural, exponential, hable"):
         tone_map_named("filmic")
 
 

@@ -10,12 +10,13 @@ import pytest
 from numpy.typing import ArrayLike, NDArray
 
 from airlight.gpu.device.device import Device
-from airlight.gpu.device.flat import FLAT_WIDTH, empty_flat_texture, flat_texture, read_flat
+from airlight.gpu.device.flat import empty_flat_texture, flat_texture, read_flat
 from airlight.gpu.device.fragment_pass import FragmentPass
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.shader_types import (
     BOOL,
     F32,
+    FLAT_WIDTH,
     I32,
     VEC4,
     Scalar,

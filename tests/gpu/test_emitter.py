@@ -12,6 +12,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.gpu.emit.emitter import Emitter, SubsetError
+from airlight.gpu.emit.glsl import GLSL
 from airlight.gpu.emit.shader_types import (
     F32,
     I32,
@@ -23,6 +24,7 @@ from airlight.gpu.emit.shader_types import (
     Uniform,
     Value,
 )
+from airlight.gpu.emit.wgsl import WGSL
 from airlight.kernel import kernel
 from airlight.kernel.lanes import (
     LANES,
@@ -367,6 +369,61 @@ def test_constants_are_bound_and_their_other_branches_left_out(on_gpu: Run) -> N
         assert_array_equal(on_gpu(switched, X, Constant(which), Constant(False)),
                            np.float32(factor) * np.float32(X))  # fmt: skip
         assert_array_equal(on_gpu(switched, X, which, False), np.float32(factor) * np.float32(X))
+
+
+def one_group(i, field):
+    total = splat(0.0)
+    for at in range(0, LANES, LANES):
+        total = total + load(field, LANES * i + at)
+    return total
+
+
+def test_a_loop_over_groups_of_lanes_is_one_turn(on_gpu: Run) -> None:
+    # A device has one group of lanes: the loop is gone from the text, its body is not.
+    emitter = Emitter()
+    emitter.add(one_group, I32, Table("field", 1, True))
+    assert "for" not in emitter.functions_text()
+    field = np.random.default_rng(5).uniform(0.0, 1.0, (9, 4))
+    seen = on_gpu(one_group, np.arange(9), Table("field", 1, True), spectra={"field": field})
+    assert_array_equal(seen, field.astype(np.float32))
+
+
+def halved(x, work):
+    work.first[0] = 0.5 * x
+    return work.first[0]
+
+
+def from_arrays(x, work):
+    work.second[1] = 2.0 * x
+    return halved(x, work) + work.second[1]
+
+
+def test_the_arrays_of_a_bundle_are_handed_over_where_they_are_used() -> None:
+    # By hand: each function has the arrays that it or a function called by it uses, no other.
+    sizes = {"first": 1, "second": 2, "unused": 3}
+    work = Bundle({name: LocalArray(size) for name, size in sizes.items()})
+    emitter = Emitter()
+    made = emitter.add(from_arrays, F32, work)
+    handed = [name for several in made.handed(WGSL) for name, _ in several]
+    assert handed == ["x", "work_first", "work_second"]
+    text = emitter.functions_text()
+    assert "fn halved(x: f32, work_first: ptr<function, array<f32, 1>>) -> f32 {" in text
+    assert "(halved(x, work_first) + (*work_second)[1])" in text
+    # Arrays of the module are not handed over at all.
+    emitter = Emitter(GLSL)
+    named = {name: emitter.module_array(name, one) for name, one in work.fields.items()}
+    emitter.add(from_arrays, F32, Bundle(named))
+    assert "float halved(float x) {" in emitter.functions_text()
+    assert "(halved(x) + second[1])" in emitter.functions_text()
+
+
+def another_name(x, work):
+    room = work.first  # here
+    return x * room[0]
+
+
+def test_an_array_has_one_name() -> None:
+    assert_refused(another_name, F32, Bundle({"first": LocalArray(1)}))
 
 
 def test_a_function_is_emitted_once_and_before_its_callers() -> None:

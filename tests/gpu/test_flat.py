@@ -8,7 +8,6 @@ from numpy.testing import assert_array_equal
 
 from airlight.errors import ParameterError
 from airlight.gpu.device.flat import (
-    FLAT_WIDTH,
     empty_flat_texture,
     flat_texture,
     read_flat,
@@ -16,6 +15,7 @@ from airlight.gpu.device.flat import (
     update_flat,
 )
 from airlight.gpu.device.fragment_pass import FragmentPass
+from airlight.gpu.emit.shader_types import FLAT_WIDTH
 
 
 def numbers(count, channels):

@@ -17,17 +17,17 @@ from numpy.testing import assert_allclose
 from airlight import Camera, Scene, load_planet, look_at, render
 from airlight.color.xyz import rgb_to_xyz
 from airlight.gpu.device.device import Device
-from airlight.gpu.device.flat import FLAT_WIDTH, empty_flat_texture, flat_texture, read_flat
+from airlight.gpu.device.flat import empty_flat_texture, flat_texture, read_flat
 from airlight.gpu.device.fragment_pass import FragmentPass
 from airlight.gpu.emit.emitter import Emitter
-from airlight.gpu.emit.shader_types import F32, VEC4, LocalArray
+from airlight.gpu.emit.shader_types import F32, FLAT_WIDTH, VEC4, LocalArray
+from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.picture.pictures import Pictures, scene_numbers
-from airlight.gpu.picture.shaders import TEXTURES, assembled, light
-from airlight.gpu.picture.uniforms import packed
-from airlight.kernel.lanes import LANES, lane_array
-from airlight.pixels.march import march_line
-from airlight.pixels.shown import MOST_CONSTITUENTS
+from airlight.gpu.picture.shaders import assembled, filled_by, march_workspace
+from airlight.gpu.picture.uniforms import FRAME
 from airlight.pixels.sky_table import phases_towards
+from airlight.solvers.moments.march import march
+from airlight.solvers.moments.march_tables import MarchTables
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.sight import Sight
 
@@ -101,12 +101,10 @@ def test_the_top_of_the_air_is_crossed_without_a_jump(
     assert np.abs(steps).max() < 1e-3
 
 
-def stretch(r, mu, mu_s, nu, half_sine, length, light, result):
+def stretch(r, mu, mu_s, nu, half_sine, length, light, work, result):
     """Light of the air between an observer and an object, as the shaders march it."""
-    phase = lane_array(MOST_CONSTITUENTS)
-    totals = np.empty(MOST_CONSTITUENTS)
-    phases_towards(half_sine, True, light, LANES, phase)
-    march_line(r, mu, mu_s, nu, length, 2, True, False, phase, light, totals, result)
+    phases_towards(half_sine, True, light, work.phase)
+    march(r, mu, mu_s, nu, length, 2, True, False, work.phase, light, work, result)
 
 
 @pytest.fixture(scope="module")
@@ -115,17 +113,19 @@ def stretches(device: Device, pictures: Pictures) -> Callable[[np.ndarray], np.n
     import wgpu
 
     emitter = Emitter()
-    emitter.add(stretch, *[F32] * 6, light(), LocalArray(4, VEC4), name="light_of_stretch")
-    base = assembled("stretch", {}, TEXTURES[:3], emitter).text
+    made = emitter.add(
+        stretch, *[F32] * 6, FRAME.bundle(MarchTables), march_workspace(emitter),
+        LocalArray(4, VEC4), name="light_of_stretch",
+    )  # fmt: skip
+    given = [f"number(item + {k})" for k in range(6)]
+    base = assembled("stretch", {}, emitter).text
     text = f"""{base}
 @group(0) @binding(9) var given: texture_2d<f32>;
 fn number(index: i32) -> f32 {{ return textureLoad(given, vec2i(index & 2047, index >> 11), 0).x; }}
 @fragment fn before_object(@builtin(position) at: vec4f) -> @location(0) vec4f {{
   let item = 6 * (i32(at.y) * {FLAT_WIDTH} + i32(at.x));
-  var found: array<vec4f, 4>;
-  light_of_stretch(number(item), number(item + 1), number(item + 2), number(item + 3),
-    number(item + 4), number(item + 5), &found);
-  return found[0];
+  {" ".join(filled_by(made, given, WGSL))}
+  return result[0];
 }}"""
     one = FragmentPass(device, text, "before_object", ["rgba32float"])
 
@@ -134,7 +134,7 @@ fn number(index: i32) -> f32 {{ return textureLoad(given, vec2i(index & 2047, in
         assert textures is not None
         numbers: dict[str, Any] = {**scene_numbers(Scene(), pictures._shown()), **textures.numbers}
         use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
-        values = packed({**numbers, "first_peak": -1.0, "second_peak": -1.0}, textures.places)
+        values = FRAME.packed({**numbers, "first_peak": -1.0, "second_peak": -1.0}, textures.places)
         uniforms = device.device.create_buffer(size=values.nbytes, usage=use)
         device.device.queue.write_buffer(uniforms, 0, values)
         target = empty_flat_texture(device, len(rows), 4)

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from airlight.color import aces, agx, encoding, tone_maps, xyz
+from airlight.color import aces, agx, encoding, natural, oklab, tone_maps, xyz
 from airlight.color.encoding import ENCODINGS
 from airlight.color.floating import physical_light
 from airlight.color.tone_maps import TONE_MAPS
@@ -167,6 +167,10 @@ LIGHTS = tuple(
 #: WGSL's table of accuracy gives log₂ and 2ˣ an error of 2⁻²¹ and of 3 + 2|x| units: for powers up
 #: to 2.4 of numbers down to 1e-4, 64 EPS.
 POWER = 64 * EPS
+UNITS = tuple(uniform(0.0, 1.0, 33 + c) for c in range(3))
+CHROMA = (uniform(-0.3, 0.3, 36), uniform(-0.3, 0.3, 37))
+#: What the cones' roots of red colours differ by from their lightness, beyond the gamut.
+SATURATED = (uniform(0.1, 0.3, 38), uniform(-0.1, -0.03, 39), uniform(-0.4, -0.1, 40))
 COLORS = [
     Case(physical_light, LIGHTS[:1], rtol=EPS),
     Case(xyz.luminance_of, LIGHTS),
@@ -182,6 +186,28 @@ COLORS = [
     Case(agx.agx_curve, LIGHTS[:1], rtol=POWER, atol=4 * EPS),  # ½ less its toe
     # The outset subtracts up to 0.1 of one channel from 1.2 of another, before a power again.
     Case(agx.agx_color, LIGHTS, rtol=2 * POWER, atol=16 * EPS),
+    # Weighted differences of cube roots up to 10, with weights up to 2.4.
+    Case(oklab.lab_of, LIGHTS, atol=10 * POWER),
+    Case(oklab.cone_roots, (uniform(0.1, 1.0, 30), *CHROMA), atol=4 * EPS),
+    # Differences of cones' responses up to 1, with weights up to 4.
+    Case(oklab.rgb_of_cones, UNITS, atol=16 * EPS),
+    Case(natural.signed_light, (LIGHTS[0] - 1.0,), rtol=EPS),
+    Case(natural.natural_curve, LIGHTS[:1], atol=4 * EPS),
+    Case(natural.softened, LIGHTS[:1], atol=8 * EPS),
+    # Differences of the channels and the grey, over the grey's distance to 0 or 1, at least 0.05.
+    Case(natural.gamut_share, (uniform(0.4, 0.95, 31), *UNITS), atol=4 * EPS / 0.05),
+    Case(
+        natural.share_at,
+        (uniform(0.4, 0.95, 31), *CHROMA, CHROMA[0] - CHROMA[1], UNIT),
+        atol=(64 * EPS / 0.05, 256 * EPS / 0.05),
+    ),
+    # The chroma that Newton's method finds is as good as the share that it compares.
+    Case(
+        natural.amount_of_share,
+        (uniform(0.4, 0.9, 31), *SATURATED, uniform(0.8, 1.0, 32)),
+        rtol=512 * EPS,
+    ),
+    Case(natural.natural_color, LIGHTS, atol=10 * POWER),
     Case(encoding.srgb_curve, (uniform(0.0, 1.0, 24),), rtol=POWER),
     Case(encoding.gamma_curve, (uniform(0.0, 1.0, 24),), rtol=POWER),
 ]

@@ -10,7 +10,8 @@ from numpy.testing import assert_allclose
 
 from airlight import load_planet
 from airlight.gpu.solver.solver import fields_on
-from airlight.paint.solve_planet import fits, live_solver, solve_planet
+from airlight.paint.capacity import fits
+from airlight.paint.solve_planet import live_solver, solve_planet
 from airlight.pixels.shown import MOST_CONSTITUENTS
 from airlight.planets import replace as planet_replace
 

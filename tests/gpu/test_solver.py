@@ -11,8 +11,9 @@ from numpy.testing import assert_allclose, assert_array_equal
 from airlight import load_planet
 from airlight.errors import Cancelled, ParameterError
 from airlight.gpu.device.device import BROWSER_LIMITS
-from airlight.gpu.device.flat import FLAT_WIDTH, read_flat
+from airlight.gpu.device.flat import read_flat
 from airlight.gpu.device.fragment_pass import declared_bindings
+from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.solver import planning as solver_planning
 from airlight.gpu.solver.passes import PASSES, shader
 from airlight.gpu.solver.planning import ThickAir, plan_for
@@ -24,7 +25,6 @@ from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.first_order import first_order_radius
 from airlight.solvers.moments.iterate import gather
 from airlight.solvers.moments.packing import pack_light
-from airlight.solvers.moments.reduced_optics import make_air
 from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.moments.setup import Setup
 from airlight.solvers.moments.solution import MomentsSolution, solve
@@ -234,7 +234,7 @@ def test_the_plan_can_be_run_by_another_host(name):
             assert one["target"] in known
             reads = declared_bindings(written["shaders"][one["shader"]])
             assert {two.name for two in reads if "texture" in two.layout} <= known
-    for texels in (plan.scalars.shape[0], plan.spectra.shape[0], *written["textures"].values()):
+    for texels in (*map(len, plan.tables.values()), *written["textures"].values()):
         assert texels <= FLAT_WIDTH * BROWSER_LIMITS["max-texture-dimension-2d"]
     # Spans fill each texel of a ray's radiance once.
     spans = [one["span"] for one in written["passes"]["sweep"] if one["target"] == "radiances"]
@@ -242,6 +242,6 @@ def test_the_plan_can_be_run_by_another_host(name):
     assert spans[-1][1] == written["textures"]["radiances"]
     # Tables are at their recorded positions.
     places = written["tables"]["extinction"]
-    rows = plan.spectra[places["start"] : places["start"] + places["shape"][0]]
-    air = make_air(plan.setup.medium, plan.setup.degree, slice(None))
+    rows = plan.tables["spectra"][places["start"] : places["start"] + places["shape"][0]]
+    air = plan.setup.optics.air(slice(None))
     assert_array_equal(rows, air.extinction.reshape(-1, 8)[:, :4])

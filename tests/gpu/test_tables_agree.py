@@ -390,8 +390,9 @@ WHOLE = {
     "test_pictures.py::test_a_marched_picture_has_the_processor_s_radiance": (
         "pixel_light", "sight", "reflectance", "ground_color", "ground_seen", "ground_angles",
         "ground_factor", "look", "line_of_sight",
-        "star_on_ground", "phases_towards", "march_line", "place_panel", "panel_columns",
-        "columns_along", "ground_received", "camera_direction",
+        "star_on_ground", "phases_towards", "march", "add_point", "add_star", "star_columns",
+        "field_place", "gathered_at", "place_panels", "place_panel", "panel_columns",
+        "columns_along", "columns_between", "meets_ground", "ground_light", "camera_direction",
     ),
     "test_pictures.py::test_a_picture_from_the_table_is_shown_as_the_processor_s": (
         "phase_of", "air_between", "bent_to_ground",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import time
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -27,6 +28,7 @@ from airlight.viewer.window.window import Window
 
 SIZE = (1280, 720)
 STATUS = 690  # the line with times, different in each frame, begins below
+LONG = 60.0  # time limit, generous for a busy machine [s]
 
 Breaks = Callable[[Window, pytest.MonkeyPatch, BaseException], None]
 
@@ -142,13 +144,18 @@ def drawn(window: Window, canvas: OffscreenCanvas, frames: int) -> np.ndarray:
 
 
 def opened(window: Window, canvas: OffscreenCanvas, part: str, tab: str) -> np.ndarray:
-    """Window with a part and a tab open, at rest."""
+    """Window with a part and a tab open, at rest: its solver has said that it does not solve."""
     window.panel.opens, window.panel.probes = tab, part == "probe"
     if part == "help":
         window.do("help")
     if part == "save dialog":
         window.do("save planet")
-    return drawn(window, canvas, 4)
+    drawn(window, canvas, 4)
+    limit = time.monotonic() + LONG
+    while not window._sides.error:
+        assert time.monotonic() < limit
+        time.sleep(0.01)
+    return drawn(window, canvas, 1)
 
 
 @pytest.mark.parametrize(

@@ -13,11 +13,11 @@ from numpy.testing import assert_allclose
 
 from airlight import Camera, Scene, load_planet
 from airlight.gpu.device.device import Device
+from airlight.paint.scene_painter import ScenePainter
 from airlight.paint.solve_planet import live_solver
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.viewer.painting.picture_cpu import CpuPainter
-from airlight.viewer.painting.picture_gpu import GpuPainter
+from airlight.viewer.painting.picture_painter import PicturePainter
 from airlight.viewer.painting.picture_source import Picture, Request
 
 Solved = Callable[..., MomentsSolution]
@@ -49,10 +49,17 @@ def never() -> bool:
     return False
 
 
+def painter_of(device: Device, by: Device | None = None) -> PicturePainter:
+    """Painter with textures on a device, that draws by the processor or by a device."""
+    return PicturePainter(device.device, ScenePainter(by))
+
+
 def test_the_processor_paints_finer_and_finer(device: Device, request_: Request) -> None:
     # Each picture has more pixels than the one before, the last has all.
-    painter = CpuPainter(device.device)
-    painter._rate = 2000.0  # as if the processor were slow: the first picture is a small one
+    painter = painter_of(device)
+    painter._painter._rate = (
+        2000.0  # as if the processor were slow: the first picture is a small one
+    )
     pictures = list(painter.paint(request_, never))
     widths = [one.width for one in pictures]
     assert widths == sorted(set(widths))
@@ -63,7 +70,7 @@ def test_the_processor_paints_finer_and_finer(device: Device, request_: Request)
 
 def test_a_change_of_exposure_renders_nothing_anew(device: Device, request_: Request) -> None:
     # The requested exposure is added to the measured one; an existing frame is shown at once.
-    painter = CpuPainter(device.device)
+    painter = painter_of(device)
     automatic = list(painter.paint(request_, never))[-1]
     stops = dataclasses.replace(request_, exposure=-2.0)
     again = list(painter.paint(stops, never))
@@ -73,9 +80,9 @@ def test_a_change_of_exposure_renders_nothing_anew(device: Device, request_: Req
 
 def test_both_painters_show_the_same(device: Device, request_: Request) -> None:
     # Two renderers of one solution: by the sky table, and by ray marching for each pixel.
-    processor = CpuPainter(device.device)
+    processor = painter_of(device)
     exact = pixels(device, list(processor.paint(request_, never))[-1])
-    painter = GpuPainter(dataclasses.replace(device, software=False))
+    painter = painter_of(device, dataclasses.replace(device, software=False))
     while True:  # the processor renders the first pictures while the shaders are compiled
         shown = list(painter.paint(request_, never))[-1]
         if shown.by == "GPU":
@@ -91,10 +98,9 @@ def test_in_software_the_exact_picture_follows(device: Device, request_: Request
     # From the sky table while the view moves, by the processor at rest.
     if not device.software:
         pytest.skip("this device is no software")
-    painter = GpuPainter(device)
+    painter = painter_of(device, device)
     list(painter.paint(request_, never))
-    assert painter._compiling is not None
-    painter._compiling.join()
+    painter._painter.close()  # the shaders are compiled
     moved = dataclasses.replace(
         request_, scene=dataclasses.replace(request_.scene, sun_zenith=60.0)
     )

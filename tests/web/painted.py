@@ -15,7 +15,7 @@ from airlight.gpu.emit.glsl import GLSL
 from airlight.gpu.emit.shader_types import F32, I32, VEC4, Bundle
 from airlight.gpu.emit.texture_table import TextureTable
 from airlight.gpu.emit.wgsl import WGSL
-from airlight.gpu.picture.uniforms import layout, struct_text, uniform
+from airlight.gpu.picture.uniforms import FRAME
 from airlight.kernel.lanes import LANES, load
 from airlight.pixels.pixel import Screen
 from airlight.viewer.browser.tables_text import as_text, deflated
@@ -49,18 +49,18 @@ def shader_in(dialect: ShaderDialect) -> tuple[str, dict[str, str]]:
     """Shared shader code, and each entry point."""
     tables = [TextureTable(name, name, 1, True) for name in ("fields", "air")]
     fields, air = (one.table for one in tables)
-    names = [name for name in Screen._fields if name in layout()["numbers"]]
+    names = [name for name in Screen._fields if name in FRAME.layout()["numbers"]]
     emitter = Emitter(dialect)
     emitter.add(painted, I32, fields)
-    emitter.add(looked_at, F32, F32, Bundle({name: uniform(name) for name in names}), air)
-    parts = [struct_text(dialect)]
+    emitter.add(looked_at, F32, F32, Bundle({name: FRAME.uniform(name) for name in names}), air)
+    parts = [FRAME.text(dialect)]
     for slot, one in enumerate(tables, start=1):
         parts.append(dialect.texture(one.texture, 0, slot))
         parts.append(one.reader(dialect, dialect.texture_name(one.texture, 0, slot)))
     vector = dialect.type_name(VEC4)
     sky = f"painted({dialect.converted('at.x', I32)}) * frame.red"
     seen = "looked_at(at.x, at.y).rgb"
-    exposed = f"{uniform('exposure').text} * {seen}"
+    exposed = f"{FRAME.uniform('exposure').text} * {seen}"
     entries = {
         "sky_air": dialect.fragment("sky_air", 2, [], [sky, sky]),
         "linear_picture": dialect.fragment("linear_picture", 1, [], [f"{vector}({seen}, 1.0)"]),
@@ -80,7 +80,7 @@ def shader() -> dict[str, Any]:
 
 def program() -> dict[str, Any]:
     """Counterpart of ``viewer.browser.package.program``."""
-    where = layout()
+    where = FRAME.layout()
     places = {name: [start, 1] for name, start in where["numbers"].items()}
     places |= {f"table_{name}": [start, 4] for name, start in where["tables"].items()}
 

@@ -19,7 +19,7 @@ from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.acceleration import mixing_weights
 from airlight.solvers.moments.convergence import counts, relative_change, remaining_change
 from airlight.solvers.moments.packing import level_weights, thickness
-from airlight.solvers.moments.reduced_optics import make_air, scattering_depth
+from airlight.solvers.moments.reduced_optics import Optics
 from airlight.solvers.moments.settings import QUALITIES
 from airlight.solvers.moments.solution import solve
 from airlight.viewer.browser.page_solver import amount_parameters, solver_data
@@ -71,8 +71,8 @@ def test_edited_air_is_that_of_an_edited_medium(
     )
     paths = LightPaths.of(medium)
     degree = int(data["plan"]["sizes"]["degree"])
-    air = make_air(paths.medium, degree, slice(None))
-    depth = scattering_depth(paths.medium, degree)
+    optics = Optics(paths.medium, degree)
+    air, depth = optics.air(slice(None)), optics.scattering_depth
     grid = solution.moments.grid  # the suns are the same for every degree
     dip = acos(grid.bottom_radius / grid.top_radius)
     # float32, to which both are rounded, after sums in different orders

@@ -30,7 +30,7 @@ PIXELS = (numbers(64.0, 2000.0), numbers(64.0, 2000.0), numbers(0.01, 2.9))
 POSITIVE = np.geomspace(1e-8, 10.0, COUNT)
 STEPS = 4
 #: Formulas that write to an array, which are compared in a separate test.
-FILLING = {"combine"}
+FILLING = {"combine", "reduce_optics"}
 #: Arguments of each function: numbers, or tables, which are the same for all calls.
 CASES: dict[str, tuple[Any, ...]] = {
     "direction_of": ANGLES[:2],
@@ -71,6 +71,7 @@ CASES: dict[str, tuple[Any, ...]] = {
     "cut_weight": (POSITIVE,),
     "cut_part": (numbers(-1.0, 1.2), numbers(0.0, 1.0)),
     "thick_share": (POSITIVE,),
+    "level_weight": (numbers(0.0, 1.0), POSITIVE),
 }  # fmt: skip
 
 
@@ -142,3 +143,25 @@ def test_the_weights_of_the_next_guess_are_python_s(calls: Callable[..., Any]) -
         products = np.hstack([changes @ changes.T, (changes @ values[-1])[:, None]])
         seen = calls("combine", [[products.ravel().tolist(), STEPS, [0.0] * STEPS]], 2)
         assert_allclose(seen[0], mixing_weights(values), rtol=1e-9)
+
+
+def test_optics_without_forward_peaks_are_python_s(calls: Callable[..., Any]) -> None:
+    # Sums in the same order: a few roundings. One constituent has no peak, one does not scatter.
+    wavelengths, degree = 4, 5
+    g = np.array([0.0, 0.85, 0.7])[:, None, None]
+    phases = np.broadcast_to(g ** np.arange(degree + 2), (3, wavelengths, degree + 2)).copy()
+    scattering, absorption = RNG.uniform(1e-6, 1e-4, (2, 3, wavelengths))
+    scattering[2] = 0.0
+    columns = np.array([8e3, 1e3, 2e3])
+    tables = (scattering, absorption, phases, columns)
+    sizes = (3 * wavelengths, 3 * (degree + 1) * wavelengths, 3 * wavelengths)
+    filled = [np.zeros(size) for size in sizes]
+    functions()["reduce_optics"](*tables, degree, *filled)
+    row = [
+        *({"values": one.ravel().tolist(), "shape": list(one.shape)} for one in tables),
+        degree,
+        *([0.0] * size for size in sizes),
+    ]
+    for index, wanted in enumerate(filled, start=5):
+        assert np.ptp(wanted) > 0.0
+        assert_allclose(calls("reduce_optics", [row], index)[0], wanted, rtol=1e-12)

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from waiting import PATIENCE
 
 pytest.importorskip("marimo")
 pytest.importorskip("anywidget")
@@ -104,7 +105,7 @@ def test_slider_in_marimo_moves_python_and_python_the_slider(served: str, chromi
         slider.press("PageUp")
     shown = float(field.input_value())
     assert 0.0 < shown < 88.0
-    end = time.monotonic() + 60.0
+    end = time.monotonic() + PATIENCE
     while [float(x) for x in said.inner_text().split()] != [shown, shown]:
         assert time.monotonic() < end, said.inner_text()
         page.wait_for_timeout(200)
@@ -112,7 +113,7 @@ def test_slider_in_marimo_moves_python_and_python_the_slider(served: str, chromi
     page.locator(".airlight-status", has_text="preview").wait_for()
 
     page.get_by_role("button", name="up").click()
-    end = time.monotonic() + 60.0
+    end = time.monotonic() + PATIENCE
     while field.input_value() != "30":
         assert time.monotonic() < end, field.input_value()
         page.wait_for_timeout(200)

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from airlight.color.aces import aces, aces_color, aces_inverse
 from airlight.color.agx import agx, agx_color, agx_inverse
 from airlight.color.floating import each, each_pixel, physical, physical_light
+from airlight.color.natural import natural, natural_color, natural_inverse
 from airlight.color.xyz import luminance, luminance_of
 from airlight.errors import ParameterError
 from airlight.kernel import compiled_loop, kernel
@@ -298,6 +299,7 @@ class ToneMap(NamedTuple):
 
 #: Tone maps by name; a new one is a file beside this one and a line here.
 TONE_MAPS: Final[dict[str, ToneMap]] = {
+    "natural": ToneMap(natural, natural_inverse, natural_color),
     "exponential": ToneMap(exponential, exponential_inverse, exponential_color),
     "hable": ToneMap(hable, hable_inverse, hable_color),
     "reinhard": ToneMap(reinhard, reinhard_inverse, reinhard_color),

@@ -14,7 +14,7 @@ which every solver, table and shader passes on.
 from __future__ import annotations
 
 from math import sqrt
-from typing import Any, Final, NamedTuple, get_type_hints
+from typing import Annotated, Any, Final, NamedTuple, get_type_hints
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.choice import chosen_kernel
 from airlight.kernel.lanes import load
+from airlight.kernel.shader_fields import CHOICE, SPECTRA
 from airlight.optics import lambert, lommel_seeliger
 
 FloatArray = NDArray[np.float64]
@@ -52,8 +53,8 @@ class Reflection(NamedTuple):
         Number of the law, its position in ``LAWS``.
     """
 
-    albedo: Any
-    law: int = 0
+    albedo: Annotated[Any, SPECTRA]
+    law: Annotated[int, CHOICE] = 0
 
 
 #: White ground by Lambert's law.

@@ -1,4 +1,8 @@
-"""Device that draws a picture, and the reason if it is not the requested one."""
+"""Device that solves and draws, and the reason if it is not the requested one.
+
+A still picture leaves a software device out unless it is requested by name. Live pictures take one,
+since the processor finishes them (``ScenePainter``), and solves in its place (``solve_planet``).
+"""
 
 from __future__ import annotations
 
@@ -13,6 +17,29 @@ if TYPE_CHECKING:
 Choice = Literal["auto", "cpu", "gpu"]
 
 
+def live_device(choice: Choice, device: Device | None) -> Device | None:
+    """Device for the pictures and solutions of a session, or None for the CPU.
+
+    Parameters
+    ----------
+    choice : "auto", "cpu" or "gpu"
+        ``cpu`` ignores a device, the others take it.
+    device : Device or None
+        Open device, if any.
+    """
+    return None if choice == "cpu" else device
+
+
+def any_device() -> Device | None:
+    """Device of this machine, opened, or None if there is none."""
+    from airlight.gpu.device.device import NoDevice, open_device
+
+    try:
+        return open_device()
+    except NoDevice:
+        return None
+
+
 def drawing_device(
     choice: Choice,
     planet: Planet,
@@ -20,7 +47,7 @@ def drawing_device(
     width: int,
     refused: Callable[[str], None] | None = None,
 ) -> Device | None:
-    """Device that can draw a picture, or None for the CPU.
+    """Device that can draw a still picture, or None for the CPU.
 
     Parameters
     ----------
@@ -39,7 +66,7 @@ def drawing_device(
         return None
     from airlight.errors import ParameterError
     from airlight.gpu.device.device import NoDevice, open_device
-    from airlight.paint.solve_planet import check_capacity
+    from airlight.paint.capacity import check_capacity
 
     try:
         check_capacity(planet, wavelengths)

@@ -8,8 +8,13 @@ from typing import TYPE_CHECKING, Final
 
 from airlight.errors import ParameterError
 from airlight.paint.drawing_device import Choice, drawing_device
+from airlight.paint.scene_painter import ScenePainter
 from airlight.paint.solve_planet import solve_planet
-from airlight.planets.picture_wavelengths import LIVE, picture_wavelengths
+from airlight.planets.picture_wavelengths import (
+    LIVE,
+    picture_wavelengths,
+    texel_wavelengths,
+)
 from airlight.scene.frame import Frame
 
 if TYPE_CHECKING:
@@ -17,8 +22,6 @@ if TYPE_CHECKING:
     from airlight.planets.planet import Planet
     from airlight.scene import Scene
 
-#: The frame's ``device`` where the CPU draws.
-PROCESSOR: Final = "processor"
 #: Smallest number of wavelengths that gives colours.
 FEWEST: Final = 3
 
@@ -95,23 +98,16 @@ def paint_scene(
     weights, colour = None, {}
     nm = wavelengths
     if nm is None:
-        nm = tuple(picture_wavelengths(planet, most=None if chosen is None else LIVE).tolist())
+        by_default = picture_wavelengths if chosen is None else texel_wavelengths
+        nm = tuple(by_default(planet).tolist())
         if chosen is not None:
             from airlight.color.four_wavelengths import fitted_weights
 
             weights = fitted_weights(nm, planet.lights(nm)[0].spectrum)
             colour = {"colour": "from four wavelengths, fitted to the star"}
     solution = solve_planet(planet, nm, quality, cache=cache, progress=progress, cancel=cancel)
-    if chosen is None:
-        from airlight.render import render
-
-        frame = render(
-            solution, scene, exact=exact, orders=orders, progress=progress, cancel=cancel
-        )
-    else:
-        from airlight.gpu.picture.pictures import Pictures
-
-        pictures = Pictures(chosen)
-        pictures.show(solution, weights)
-        frame = pictures.frame(scene, exact=exact, orders=orders, progress=progress, cancel=cancel)
-    return replace(frame, metadata={"device": PROCESSOR, **frame.metadata, **colour})
+    frame = ScenePainter(chosen).frame(
+        solution, scene, exact=exact, orders=orders, weights=weights, progress=progress,
+        cancel=cancel,
+    )  # fmt: skip
+    return replace(frame, metadata={**frame.metadata, **colour})

@@ -9,25 +9,24 @@ Edits are many, and few recur: their solutions are not stored on disk.
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Literal, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from airlight import solvers
-from airlight.errors import ConvergenceError, ParameterError
+from airlight.errors import ConvergenceError
 from airlight.kernel.threads import Cancel, Progress
+from airlight.paint.capacity import fits
+from airlight.paint.drawing_device import Choice, live_device
 from airlight.planets.medium import Medium
-from airlight.planets.picture_wavelengths import LIVE, picture_wavelengths
+from airlight.planets.picture_wavelengths import picture_wavelengths, texel_wavelengths
 from airlight.planets.planet import Planet
 from airlight.solvers.moments.settings import Settings, settings_for
 
 if TYPE_CHECKING:
     from airlight.gpu.device.device import Device
     from airlight.solvers.moments.solution import MomentsSolution
-
-#: Requested solver.
-Processor = Literal["auto", "gpu", "cpu"]
 
 
 class PlanetSolver(Protocol):
@@ -85,7 +84,8 @@ def solve_planet(
         If the orders of scattering do not converge on the CPU either.
     """
     if wavelengths is None:
-        wavelengths = picture_wavelengths(planet, most=None if device is None else LIVE)
+        chosen = picture_wavelengths if device is None else texel_wavelengths
+        wavelengths = chosen(planet)
     nm = np.asarray(wavelengths, float)
     if device is not None and not device.software and fits(planet, nm.size):
         from airlight.gpu.solver.planning import ThickAir
@@ -104,56 +104,14 @@ def solve_planet(
     return solvers.solve(planet, nm, quality, cache=cache, progress=progress, cancel=cancel)
 
 
-def live_solver(processor: Processor = "auto", device: Device | None = None) -> PlanetSolver:
+def live_solver(choice: Choice = "auto", device: Device | None = None) -> PlanetSolver:
     """Make the solver for the edits of a session.
 
     Parameters
     ----------
-    processor : str
-        ``cpu`` ignores a device; ``auto`` and ``gpu`` take it if it is a hardware GPU.
+    choice : "auto", "cpu" or "gpu"
+        Device as for ``live_device``; it solves if it is a hardware GPU.
     device : Device, optional
         Device from ``open_device``, if any.
     """
-    return partial(solve_planet, device=None if processor == "cpu" else device, cache=False)
-
-
-def fits(planet: Planet, wavelengths: int) -> bool:
-    """Whether the shaders have the capacity for a planet and a number of wavelengths.
-
-    Parameters
-    ----------
-    planet : Planet
-        Planet whose constituents the shaders must hold.
-    wavelengths : int
-        Number of wavelengths.
-    """
-    try:
-        check_capacity(planet, wavelengths)
-    except ParameterError:
-        return False
-    return True
-
-
-def check_capacity(planet: Planet, wavelengths: int) -> None:
-    """Refuse a planet that exceeds the capacity of the shaders.
-
-    Parameters
-    ----------
-    planet : Planet
-        Planet whose constituents the shaders must hold.
-    wavelengths : int
-        Number of wavelengths.
-
-    Raises
-    ------
-    ParameterError
-        If there are too many wavelengths or constituents.
-    """
-    from airlight.pixels.shown import MOST_CONSTITUENTS, WAVELENGTHS
-
-    if wavelengths > WAVELENGTHS:
-        raise ParameterError("--wavelengths", wavelengths, f"at most {WAVELENGTHS} on the GPU")
-    constituents = len(planet.constituents) + (planet.refraction != "none")  # "bending" is one
-    if constituents > MOST_CONSTITUENTS:
-        allowed = f"at most {MOST_CONSTITUENTS} on the GPU"
-        raise ParameterError("constituents", constituents, allowed)
+    return partial(solve_planet, device=live_device(choice, device), cache=False)

@@ -34,7 +34,7 @@ def bent_to_ground(z, sine, observer, light, columns):
     ----------
     z, sine : float
         Cosine and sine of its zenith angle. [1]
-    observer, light : Observer, Shown
+    observer, light : Observer, MarchTables
         Observer, and tables of the solution.
     columns : array, shape (nc,)
         Workspace. [m]
@@ -60,7 +60,7 @@ def ground_color(x, y, z, sine, angle, observer, screen, light, color):
         Direction in the observer's frame. [1]
     sine, angle : float
         Sine of its zenith angle [1]; angle of refraction [rad].
-    observer, screen, light : Observer, Screen, Shown
+    observer, screen, light : Observer, Screen, MarchTables
         Observer, camera with its maps, and tables of the solution.
     color : array, shape (3,)
         Receives linear sRGB reflectance. [1]
@@ -151,7 +151,7 @@ def reflectance(color, mapped, light, lanes, at):
         Linear sRGB reflectance. [1]
     mapped : bool
         Whether the ground has a map.
-    light : Shown
+    light : MarchTables
         Tables of the solution.
     lanes, at : int
         Number of lanes of a texel, and index of the first that is read.

@@ -26,19 +26,6 @@ Float32Array = NDArray[np.float32]
 
 #: Values of ``orders``, with their numbers in the shaders.
 ORDERS: Final = {"all": 2, "single": 1, "multiple": 0}
-#: Choices that are fixed for a whole picture.
-CHOICES: Final = (
-    "projection", "tone_map", "encoding", "outside", "mapped", "draws_disc", "first_peak",
-    "second_peak", "law",
-)  # fmt: skip
-#: Uniforms that may change without a new table of the sky.
-NOT_THE_SKYS: Final = (
-    "width", "height", "field_of_view", "projection", "pixel_angle", "disc", "exact", "mapped",
-    "map_levels", "draws_disc", "exposure", "tone_map", "encoding", "first_row",
-    *(f"{axis}_{c}" for axis in ("right", "up", "forward") for c in "xyz"),
-    *(f"{a}{b}" for a in "xyz" for b in "xyz"),
-    *(f"{channel}_{i}" for channel in ("red", "green", "blue") for i in range(4)),
-)  # fmt: skip
 
 
 def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from math import atan2, pi, sqrt
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from airlight.color.encoding import encoded
 from airlight.color.tone_maps import tone_mapped
 from airlight.kernel import inlined, kernel
-from airlight.kernel.lanes import LANES, lane_array, load, splat, store
+from airlight.kernel.lanes import LANES, load, splat, store
+from airlight.kernel.shader_fields import CHOICE, InTexture
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle, row_from_impact
 from airlight.pixels.ground import SEEN_NUMBERS, bent_to_ground, ground_factor, ground_seen
 from airlight.pixels.shown import MOST_CONSTITUENTS
@@ -25,7 +26,7 @@ class Screen(NamedTuple):
     width: float
     height: float
     field_of_view: float
-    projection: int
+    projection: Annotated[int, CHOICE]
     right_x: float
     right_y: float
     right_z: float
@@ -52,12 +53,12 @@ class Screen(NamedTuple):
     sky_columns: int
     sky_rows: int
     keeps_peaks: bool
-    levels: np.ndarray
-    texels: np.ndarray
-    sky_air: np.ndarray
-    sky_ground: np.ndarray
-    sky_first: np.ndarray
-    sky_second: np.ndarray
+    levels: Annotated[np.ndarray, InTexture("ground", 2)]
+    texels: Annotated[np.ndarray, InTexture("ground")]
+    sky_air: Annotated[np.ndarray, InTexture("air", spectral=True, whole=True)]
+    sky_ground: Annotated[np.ndarray, InTexture("behind", spectral=True, whole=True)]
+    sky_first: Annotated[np.ndarray, InTexture("first", spectral=True, whole=True)]
+    sky_second: Annotated[np.ndarray, InTexture("second", spectral=True, whole=True)]
 
 
 class Display(NamedTuple):
@@ -74,8 +75,8 @@ class Display(NamedTuple):
     """
 
     exposure: float
-    tone_map: int
-    encoding: int
+    tone_map: Annotated[int, CHOICE]
+    encoding: Annotated[int, CHOICE]
 
 
 @inlined
@@ -166,7 +167,7 @@ def phase_of(half_sine, constituent, light, lanes, at):
         sin(θ/2). [1]
     constituent : int
         Index of the constituent.
-    light : Shown
+    light : MarchTables
         Tables of the solution.
     lanes, at : int
         Arguments of ``between_texels``.
@@ -189,7 +190,7 @@ def air_between(near, stride, right, down, half_sine, screen, light, lanes, at):
         Arguments of ``between_texels``.
     half_sine : float
         sin(θ/2) of the angle to the apparent star. [1]
-    screen, light : Screen, Shown
+    screen, light : Screen, MarchTables
         Table of the sky, and tables of the solution.
     """
     total = between_texels(screen.sky_air, near, stride, right, down, lanes, at)
@@ -212,7 +213,7 @@ def sight(x, y, z, observer, light):
     ----------
     x, y, z : float
         Direction in the observer's frame; zero vector for none. [1]
-    observer, light : Observer, Shown
+    observer, light : Observer, MarchTables
         Observer, and tables of the solution.
 
     Returns
@@ -235,7 +236,7 @@ def sight(x, y, z, observer, light):
 
 
 @inlined
-def pixel_light(px, py, exact, observer, screen, light, result):
+def pixel_light(px, py, exact, observer, screen, light, work, result):
     """Spectral light of a pixel, per irradiance of the star. [sr⁻¹]
 
     Parameters
@@ -244,8 +245,10 @@ def pixel_light(px, py, exact, observer, screen, light, result):
         Position from the picture's left and top edge. [pixel]
     exact : bool
         Constant: whether the pixel is marched instead of read from the table of the sky.
-    observer, screen, light : Observer, Screen, Shown
+    observer, screen, light : Observer, Screen, MarchTables
         Observer, camera with its maps, and tables of the solution.
+    work : MarchWorkspace
+        Workspace.
     result : array, shape (w,)
         Receives the radiance. [sr⁻¹]
     """
@@ -259,13 +262,14 @@ def pixel_light(px, py, exact, observer, screen, light, result):
         ground = splat(0.0)
         bent = 0.0
         if exact:
-            phase = lane_array(MOST_CONSTITUENTS)
-            found = lane_array(4)
             cos_azimuth = x / sine if sine > 0.0 else 1.0
-            phases_towards(half_sine, True, light, LANES, phase)
-            bent = look(z, sine, cos_azimuth, to_ground, True, False, observer, light, phase, found)
-            total = load(found, 0)
-            ground = load(found, LANES)
+            phases_towards(half_sine, True, light, work.phase)
+            bent = look(
+                z, sine, cos_azimuth, to_ground, True, False, observer, light, work.phase, work,
+                work.found,
+            )  # fmt: skip
+            total = load(work.found, 0)
+            ground = load(work.found, LANES)
         else:
             stride, rows = screen.sky_columns, screen.sky_rows
             column, right = texel_before(atan2(abs(y), x) / pi * (stride - 1), 0, stride - 1)

@@ -10,20 +10,16 @@ from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.pixels.ground import SEEN_NUMBERS, bent_to_ground, ground_factor, ground_seen
-from airlight.pixels.lines_by_processor import aim, ground_behind
 from airlight.pixels.pixel import air_between, between_texels, sight, texel_before
-from airlight.pixels.sky_table import half_sine_between, phases_towards
+from airlight.pixels.sky_table import half_sine_between, look, phases_towards
 from airlight.pixels.star_disc import camera_direction, star_disc
-from airlight.solvers.moments.march import NO_PEAKS, PACKET, march
 from airlight.solvers.moments.source import through_columns
 
 
 @inlined
 def _ground_workspace(constituents):
     """Arrays that ``ground_seen`` fills: colour, columns to the star, and numbers."""
-    return (
-        np.zeros(3), np.empty(constituents), np.empty(constituents), np.empty(SEEN_NUMBERS),
-    )  # fmt: skip
+    return np.zeros(3), np.empty(constituents), np.empty(constituents), np.empty(SEEN_NUMBERS)
 
 
 @inlined
@@ -32,7 +28,7 @@ def _finish(
     weights, reach, spot, columns, sums, out,
 ):  # fmt: skip
     """Add the ground and the star's disc to the air of a pixel, and convert it to linear sRGB."""
-    lanes = shown.ground.albedo.size
+    lanes = shown.lanes
     part = 0.0
     color, below, above, seen = spot
     if to_ground:
@@ -76,7 +72,7 @@ def draw_rows(first, last, window, observer, screen, shown, weights, reach, out)
         Rows ``first`` to ``last`` - 1.
     window : SkyWindow
         Available part of the table.
-    observer, screen, shown : Observer, Screen, Shown
+    observer, screen, shown : Observer, Screen, MarchTables
         Observer, camera with its maps, and tables of the solution.
     weights : array, shape (3·w,)
         Linear sRGB per radiance over irradiance. [W m⁻² sr⁻¹ sr]
@@ -86,7 +82,7 @@ def draw_rows(first, last, window, observer, screen, shown, weights, reach, out)
         Receives linear sRGB; pixels that show nothing are not changed.
     """
     screen, shown, weights, out = borrowed((screen, shown, weights, out))
-    lanes = shown.ground.albedo.size
+    lanes = shown.lanes
     air, ground = np.empty(lanes, np.float32), np.empty(lanes, np.float32)
     columns, spot = np.empty(shown.constituents), _ground_workspace(shown.constituents)
     sums = np.empty(3 * LANES, np.float32)
@@ -130,59 +126,39 @@ def draw_rows(first, last, window, observer, screen, shown, weights, reach, out)
 
 
 @compiled_loop
-def march_rows(
-    first, last, observer, screen, shown, light, panels, rules, packet, work, weights, reach, out
-):
+def march_rows(first, last, observer, screen, light, work, weights, reach, out):
     """Draw rows of pixels, each pixel by its own march.
 
     Parameters
     ----------
-    first, last, observer, screen, shown, weights, reach, out :
+    first, last, observer, screen, light, weights, reach, out :
         Arguments of ``draw_rows``.
-    light, panels, rules, packet, work :
-        Arguments of ``march``.
+    work : MarchWorkspace
+        Workspace of the thread.
     """
-    screen, shown, weights, out = borrowed((screen, shown, weights, out))
-    light, packet, work = borrowed((light, packet, work))
-    lanes = shown.ground.albedo.size
+    screen, light, work, weights, out = borrowed((screen, light, work, weights, out))
+    lanes = light.lanes
+    air = work.found
     ground = np.empty(lanes, np.float32)
-    columns, spot = np.empty(shown.constituents), _ground_workspace(shown.constituents)
+    columns, spot = np.empty(light.constituents), _ground_workspace(light.constituents)
     sums = np.empty(3 * LANES, np.float32)
-    width = out.shape[1]
-    pixels = np.empty(PACKET, np.int64)
-    lines, marched = 0, 0
-    for pixel in range(first * width, last * width):
-        px, py = pixel % width + 0.5, pixel // width + 0.5
-        x, y, z = camera_direction(px, py, screen)
-        sine, _, through_air, to_ground = sight(x, y, z, observer, shown)
-        if through_air:
-            cos_azimuth = x / sine if sine > 0.0 else 1.0
-            half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
-            aim(lines, z, sine, cos_azimuth, to_ground, observer, shown, packet)
-            phases_towards(half_sine, True, shown, lanes, packet.phase[lines])
-            pixels[lines] = pixel
-            lines += 1
-        else:
-            _finish(
-                px, py, x, y, z, sine, False, False, 0.0, ground, ground, observer, screen,
-                shown, weights, reach, spot, columns, sums, out[pixel // width, pixel % width],
-            )  # fmt: skip
-        if lines < PACKET and pixel < last * width - 1:
-            continue
-        marched, lines = lines, 0
-        march(packet, marched, observer.orders, NO_PEAKS, panels, rules, light, work)
-        for p in range(marched):
-            j, i = pixels[p] // width, pixels[p] % width
+    for j in range(first, last):
+        for i in range(out.shape[1]):
             px, py = i + 0.5, j + 0.5
             x, y, z = camera_direction(px, py, screen)
-            sine, _, through_air, to_ground = sight(x, y, z, observer, shown)
+            sine, _, through_air, to_ground = sight(x, y, z, observer, light)
             bent = 0.0
-            if to_ground:
+            if through_air:
                 cos_azimuth = x / sine if sine > 0.0 else 1.0
-                bent = ground_behind(
-                    p, sine, cos_azimuth, observer, shown, light, packet, work, ground
-                )
+                half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
+                phases_towards(half_sine, True, light, work.phase)
+                bent = look(
+                    z, sine, cos_azimuth, to_ground, True, False, observer, light, work.phase,
+                    work, air,
+                )  # fmt: skip
+                for at in range(0, lanes, LANES):
+                    store(ground, at, load(air, lanes + at))
             _finish(
-                px, py, x, y, z, sine, True, to_ground, bent, work.radiance[p], ground, observer,
-                screen, shown, weights, reach, spot, columns, sums, out[j, i],
+                px, py, x, y, z, sine, through_air, to_ground, bent, air, ground, observer,
+                screen, light, weights, reach, spot, columns, sums, out[j, i],
             )  # fmt: skip

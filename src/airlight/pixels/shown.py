@@ -1,26 +1,26 @@
-"""Tables of a solution for the shaders, under the names that the march uses."""
+"""Tables of a solution for pictures, and how much of them a shader holds."""
 
 from __future__ import annotations
 
-from typing import Any, Final, NamedTuple
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel.lanes import LANES
-from airlight.optics.reflection import Reflection
-from airlight.solvers.moments.packing import pack
+from airlight.solvers.moments.march_tables import MarchTables, quadratures
 from airlight.solvers.moments.solution import MomentsSolution
 
-FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 #: Number of wavelengths in a texel.
 WAVELENGTHS: Final = 4
-#: Largest number of constituents in a shader, including "bending".
+#: Largest number of constituents in a shader, including "bending", of points of a panel there, and
+#: number of harmonics up to degree 24.
 MOST_CONSTITUENTS: Final = 8
+MOST_POINTS: Final = 24
+MOST_TERMS: Final = 325
 #: Numbers of points that may serve all lines; and loop iterations that Mesa's software renderer
 #: allows a shader, less a reserve for other loops.
 _EVEN: Final = (24, 20, 16, 12, 8)
@@ -29,113 +29,6 @@ _MOST_TURNS: Final = 60_000
 _PEAKED: Final = 0.08
 #: Largest number of constituents whose peaks can be kept out of the table of the sky.
 MOST_PEAKS: Final = 2
-
-
-class Shown(NamedTuple):
-    """Solution as the march of the shaders reads it; names as in ``moments.march.Light``.
-
-    On the CPU the arrays are flat and the spectral ones have eight lanes; on the GPU each is a
-    part of a texture, and a spectral element is a texel of four wavelengths.
-
-    Attributes
-    ----------
-    bottom, top : float
-        Radii of the ground and of the shell's top, optical where light is bent. [m]
-    star_radius, bend : float
-        Angular radius of the star [rad]; bending as in ``Light`` [m⁻²].
-    constituents, degree, radii, suns, phase_nodes : int
-        Sizes of the tables.
-    first_peak, second_peak : int
-        Constituents whose single scattering is stored without its phase function; -1 for none.
-    columns, density, strongest, brightest, lift, ends : array
-        Fields of ``Light``.
-    row, place : array
-        Fields of ``Grid``.
-    start, ahead, back : array
-        Fields of ``Harmonics``.
-    rules : array, flat
-        Starts of three quadratures; then for each: n, nodes, weights, and running integrals over
-        the weights, (n, n).
-    extinction, scattering, moments, phase, basis, field, sky : array
-        Spectral tables; the last two as in ``Light``, ``phase`` on even steps of sin(θ/2),
-        ``basis`` as in ``shown_solution``.
-    ground : Reflection
-        Field of ``Air``; its ``albedo`` is a spectral table.
-    """
-
-    bottom: float
-    top: float
-    star_radius: float
-    bend: float
-    constituents: int
-    degree: int
-    radii: int
-    suns: int
-    phase_nodes: int
-    first_peak: int
-    second_peak: int
-    columns: FloatArray
-    density: FloatArray
-    strongest: FloatArray
-    brightest: FloatArray
-    lift: FloatArray
-    ends: FloatArray
-    row: FloatArray
-    place: FloatArray
-    start: FloatArray
-    ahead: FloatArray
-    back: FloatArray
-    rules: FloatArray
-    extinction: Float32Array
-    scattering: Float32Array
-    moments: Float32Array
-    phase: Float32Array
-    basis: Float32Array
-    field: Float32Array
-    sky: Float32Array
-    ground: Reflection
-
-    def flat(self) -> dict[str, Any]:
-        """Fields by name, those of the ground beside the others."""
-        fields: dict[str, Any] = self._asdict()
-        del fields["ground"]
-        return fields | self.ground._asdict()
-
-
-#: Tables of plain numbers, with their ranks, and spectral ones; two of these change with each
-#: solution alone and have separate textures.
-SCALAR_TABLES: Final = {
-    "columns": 4, "density": 2, "strongest": 1, "brightest": 1, "lift": 3, "ends": 1, "row": 1,
-    "place": 1, "start": 1, "ahead": 1, "back": 1, "rules": 1,
-}  # fmt: skip
-SPECTRAL_TABLES: Final = ("extinction", "scattering", "moments", "albedo", "phase", "basis")
-FIELD_TABLES: Final = ("field", "sky")
-
-
-def quadratures(counts: tuple[int, ...]) -> FloatArray:
-    """Concatenate the rules of the march, see ``Shown.rules``.
-
-    Parameters
-    ----------
-    counts : tuple of int
-        Number of points of each rule.
-
-    Returns
-    -------
-    array, shape (n,)
-        Starts and rules.
-    """
-    parts = []
-    starts = []
-    at = len(counts)
-    for count in counts:
-        nodes, weights, running = gauss_legendre(count).as_tuple()
-        # The value of a point, divided by its share of the rule, is the integrand on [0, 1].
-        part = np.concatenate([[count], nodes, weights, (running / weights).ravel()])
-        parts.append(part)
-        starts.append(float(at))
-        at += part.size
-    return np.concatenate([starts, *parts])
 
 
 def peaked_constituents(solution: MomentsSolution) -> tuple[int, ...]:
@@ -187,60 +80,30 @@ def even_points(solution: MomentsSolution) -> tuple[int, int, int]:
 
 def shown_solution(
     solution: MomentsSolution,
-    basis: FloatArray,
     *,
     peaks: bool = True,
     points: tuple[int, int, int] | None = None,
-) -> Shown:
-    """Make the tables of a solution.
+    panels: int = 1,
+) -> MarchTables:
+    """Tables of a solution for pictures.
 
     Parameters
     ----------
     solution : MomentsSolution
         Solution of any number of wavelengths and constituents; shaders accept few.
-    basis : array, shape (nl, 3)
-        Reflectance of a red, a green and a blue ground. [1]
     peaks : bool
         Whether peaked constituents are kept separate.
     points : tuple of int
         Points of a panel, as in ``MarchPoints``; by default ``even_points``.
+    panels : int
+        Number of panels of a leg; shaders have one.
     """
-    light, medium = solution.light, solution.paths.medium
-    count = len(medium.names)
     kept = (*(peaked_constituents(solution) if peaks else ()), -1, -1)
-    expansion = light.expansion
-    return Shown(
-        bottom=light.grid.bottom_radius,
-        top=light.grid.top_radius,
-        star_radius=light.air.star_radius,
-        bend=light.bend,
-        constituents=count,
-        degree=expansion.degree,
-        radii=light.grid.radii.size,
-        suns=light.grid.sun_cosines.size,
-        phase_nodes=medium.phase_table.shape[2],
+    return solution.light._replace(
         first_peak=kept[0],
         second_peak=kept[1],
-        columns=light.columns,
-        density=light.density,
-        strongest=light.strongest,
-        brightest=light.brightest,
-        lift=light.lift,
-        ends=light.ends,
-        row=light.grid.row,
-        place=light.grid.place,
-        start=expansion.start,
-        ahead=expansion.ahead,
-        back=expansion.back,
         rules=quadratures(even_points(solution) if points is None else points),
-        extinction=light.air.extinction,
-        scattering=light.scattering,
-        moments=light.air.moments,
-        phase=pack(np.moveaxis(medium.phase_table, 2, 0)),
-        basis=pack(basis.T),
-        field=light.field,
-        sky=light.sky,
-        ground=light.air.ground,
+        panels=panels,
     )
 
 

@@ -9,15 +9,13 @@ from __future__ import annotations
 from math import cos, pi, sqrt
 from typing import NamedTuple
 
-import numpy as np
-
 from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_meeting
 from airlight.kernel import inlined, kernel
-from airlight.kernel.lanes import INVERSE_PI, LANES, fourth_root, lane_array, load, splat, store
+from airlight.kernel.lanes import INVERSE_PI, LANES, fourth_root, load, splat, store
 from airlight.mappings.sky_view import direction_from_row, impact_from_row
-from airlight.pixels.march import ground_received, march_line
-from airlight.pixels.shown import MOST_CONSTITUENTS
+from airlight.solvers.moments.irradiance import ground_light
+from airlight.solvers.moments.march import march
 from airlight.solvers.moments.source import read_phase
 
 #: Position of the last row of the sky, seen from outside, in rows inside the top.
@@ -146,7 +144,7 @@ def star_on_ground(sine, cos_azimuth, r, start_mu, nu, length, column, observer,
 
 
 @inlined
-def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phase, result):
+def look(mu, sine, cos_azimuth, to_ground, air, peaks, observer, light, phase, work, result):
     """Light along one line of sight, and that of a ground behind the air.
 
     Parameters
@@ -155,12 +153,10 @@ def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phas
         Direction: cosine and sine of the zenith angle, cosine of the azimuth. [1]
     to_ground : bool
         Whether the line ends on the ground.
-    gathers, peaks : bool
-        Constants of ``march_line``.
-    observer, light : Observer, Shown
+    air, peaks, phase, work : bool, bool, array, MarchWorkspace
+        Arguments of ``march``.
+    observer, light : Observer, MarchTables
         Observer, and tables of the solution.
-    phase : array, shape (nc·w,)
-        Phase functions, as in ``march_line``. [sr⁻¹]
     result : array, shape (4·w,)
         Receives the air's radiance, that of a white Lambert ground behind it [sr⁻¹], and the single
         scattering by the two peaked constituents [1].
@@ -170,34 +166,32 @@ def look(mu, sine, cos_azimuth, to_ground, gathers, peaks, observer, light, phas
     float
         Angle of refraction of a line that ends on the ground. [rad]
     """
-    totals = np.empty(MOST_CONSTITUENTS)
-    received = lane_array(1)
-    along = lane_array(4)
     r, start_mu, start_mu_s, nu, length = line_of_sight(
         mu, sine, cos_azimuth, to_ground, observer, light
     )
-    march_line(
-        r, start_mu, start_mu_s, nu, length, observer.orders, gathers, peaks, phase, light, totals,
-        along,
+    march(
+        r, start_mu, start_mu_s, nu, length, observer.orders, air, peaks, phase, light, work,
+        result,
     )  # fmt: skip
-    ground = splat(0.0)
     angle = 0.0
-    if gathers and to_ground:
+    if air and to_ground:
         mu_s, angle = star_on_ground(
-            sine, cos_azimuth, r, start_mu, nu, length, totals[light.constituents - 1], observer,
-            light,
+            sine, cos_azimuth, r, start_mu, nu, length, work.totals[light.constituents - 1],
+            observer, light,
         )  # fmt: skip
-        ground_received(mu_s, observer.orders, light, received)
-        ground = load(received, 0) * INVERSE_PI * load(along, LANES)
-    store(result, 0, load(along, 0))
-    store(result, LANES, ground)
-    store(result, 2 * LANES, load(along, 2 * LANES))
-    store(result, 3 * LANES, load(along, 3 * LANES))
+        ground_light(mu_s, observer.orders, light, work)
+        for at in range(0, light.lanes, LANES):
+            received = load(work.received, at) + load(work.received, light.lanes + at)
+            behind = received * INVERSE_PI * load(result, light.lanes + at)
+            store(result, light.lanes + at, behind)
+    else:
+        for at in range(0, light.lanes, LANES):
+            store(result, light.lanes + at, splat(0.0))
     return angle
 
 
 @inlined
-def phases_towards(half_sine, keeps_peaks, light, lanes, phase):
+def phases_towards(half_sine, keeps_peaks, light, phase):
     """Phase functions of all constituents; 0 for the peaked ones unless they are kept. [sr⁻¹]
 
     Parameters
@@ -206,20 +200,18 @@ def phases_towards(half_sine, keeps_peaks, light, lanes, phase):
         sin(θ/2). [1]
     keeps_peaks : bool
         Whether those of the peaked constituents are kept.
-    light : Shown
+    light : MarchTables
         Tables of the solution.
-    lanes : int
-        Number of lanes of a constituent.
     phase : array, shape (c·w,)
         Receives the phase functions. [sr⁻¹]
     """
-    read_phase(half_sine, light.phase, light.phase_nodes, lanes * light.constituents, phase)
+    read_phase(half_sine, light.phase, light.phase_nodes, light.lanes * light.constituents, phase)
     if not keeps_peaks:
-        for at in range(0, lanes, LANES):
+        for at in range(0, light.lanes, LANES):
             if light.first_peak >= 0:
-                store(phase, lanes * light.first_peak + at, splat(0.0))
+                store(phase, light.lanes * light.first_peak + at, splat(0.0))
             if light.second_peak >= 0:
-                store(phase, lanes * light.second_peak + at, splat(0.0))
+                store(phase, light.lanes * light.second_peak + at, splat(0.0))
 
 
 @inlined
@@ -279,7 +271,7 @@ def row_coordinate(row, rows, outside):
 
 
 @inlined
-def sky_texel(column, row, columns, rows, gathers, peaks, observer, light, result):
+def sky_texel(column, row, columns, rows, air, peaks, observer, light, work, result):
     """Texel of the table: fourth roots of the results of ``look``.
 
     Parameters
@@ -289,15 +281,15 @@ def sky_texel(column, row, columns, rows, gathers, peaks, observer, light, resul
         ground's.
     columns, rows : int
         Numbers of azimuths from 0 to π, ends included, and of rows of one half.
-    gathers, peaks, observer, light, result :
+    air, peaks, observer, light, work, result :
         Arguments of ``look``.
     """
-    phase = lane_array(MOST_CONSTITUENTS)
-    found = lane_array(4)
     mu, sine, cos_azimuth, half_sine = direction_of_texel(
         column, row, columns, rows, observer, light
     )
-    phases_towards(half_sine, False, light, LANES, phase)
-    look(mu, sine, cos_azimuth, row >= rows, gathers, peaks, observer, light, phase, found)
-    for layer in range(4):
-        store(result, LANES * layer, fourth_root(load(found, LANES * layer)))
+    phases_towards(half_sine, False, light, work.phase)
+    look(mu, sine, cos_azimuth, row >= rows, air, peaks, observer, light, work.phase, work, result)
+    for at in range(0, light.lanes, LANES):
+        for layer in range(4):
+            root = fourth_root(load(result, light.lanes * layer + at))
+            store(result, light.lanes * layer + at, root)

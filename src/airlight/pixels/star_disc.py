@@ -60,7 +60,7 @@ def leaving_air(x, y, z, observer, light, columns):
     ----------
     x, y, z : float
         Direction at the observer. [1]
-    observer, light : Observer, Shown
+    observer, light : Observer, MarchTables
         Observer, and tables of the solution.
     columns : array, shape (nc,)
         Receives the columns of the whole line. [m]
@@ -156,7 +156,7 @@ def star_disc(px, py, x, y, z, observer, screen, light, columns):
         Position of the pixel. [pixel]
     x, y, z : float
         Its viewing direction; zero vector for none. [1]
-    observer, screen, light : Observer, Screen, Shown
+    observer, screen, light : Observer, Screen, MarchTables
         Observer, camera with its maps, and tables of the solution.
     columns : array, shape (nc,)
         Receives the columns of the air in front of it. [m]

@@ -76,3 +76,21 @@ def picture_wavelengths(
     else:
         count, fitted = choice, False
     return few_wavelengths(count, *limits) if fitted else default_wavelengths(count, *limits)
+
+
+def texel_wavelengths(planet: Planet, choice: int | str | None = None) -> FloatArray:
+    """Wavelengths of a picture that only a device draws, the browser's or this machine's.
+
+    Parameters
+    ----------
+    planet, choice :
+        Arguments of ``picture_wavelengths``; a word for more wavelengths than a texel holds gets
+        as many as that.
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> texel_wavelengths(load_planet("earth"))
+    array([440., 500., 560., 620.])
+    """
+    return picture_wavelengths(planet, choice, most=LIVE)

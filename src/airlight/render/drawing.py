@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.march_points import march_points
 from airlight.pixels.picture_numbers import (
@@ -20,7 +19,7 @@ from airlight.pixels.sky_by_processor import SkyLayers, filled_sky
 from airlight.pixels.sky_window import sky_window
 from airlight.scene import Scene
 from airlight.scene.surface_map import surface_map
-from airlight.solvers.moments.march import new_packet
+from airlight.solvers.moments.march_tables import new_workspace
 from airlight.solvers.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
@@ -56,15 +55,14 @@ class Drawing:
         numbers = scene_numbers(scene, solution) | {"orders": order_number(orders)}
         numbers["draws_disc"] = float(disc and orders == "all" and numbers["disc"] > 0.0)
         self._numbers, self._camera = numbers, camera
-        self._solution, self._points = solution, march_points(solution)
         self._observer = observer_from(numbers)
         self.window = None
         if not exact:
-            bottom, top = light.grid.bottom_radius, light.grid.top_radius
-            self.window = sky_window(camera, self._observer, bottom, top)
-        self._shown = shown_solution(
-            solution, solution.medium.map_basis, peaks=self.window is not None,
-            points=self._points.points,
+            self.window = sky_window(camera, self._observer, light.bottom, light.top)
+        resolution = march_points(solution)
+        self._tables = shown_solution(
+            solution, peaks=self.window is not None, points=resolution.points,
+            panels=resolution.panels,
         )  # fmt: skip
         name = solution.medium.ground_map
         self._ground = None if name is None else surface_map(name).flat
@@ -89,9 +87,8 @@ class Drawing:
         if self.window is None:
             return
         layers = filled_sky(
-            self._solution, self._shown, self._observer, self.window, self._points,
-            cancel=cancel, progress=progress,
-        )  # fmt: skip
+            self._tables, self._observer, self.window, cancel=cancel, progress=progress
+        )
         self._screen = screen_from(self._numbers, self._camera, self._ground, layers)
 
     def draw(self, first: int, last: int, rgb: Float32Array) -> None:
@@ -106,17 +103,13 @@ class Drawing:
         """
         if self.window is not None:
             draw_rows(
-                first, last, self.window, self._observer, self._screen, self._shown,
+                first, last, self.window, self._observer, self._screen, self._tables,
                 self._weights, self._reach, rgb,
             )  # fmt: skip
             return
-        light, points = self._solution.light, self._points
         march_rows(
-            first, last, self._observer, self._screen, self._shown, light, points.panels,
-            tuple(gauss_legendre(count).as_tuple() for count in points.points),
-            new_packet(light.scattering.size),
-            self._solution.workspace(max(points.points), points.panels), self._weights,
-            self._reach, rgb,
+            first, last, self._observer, self._screen, self._tables, new_workspace(self._tables),
+            self._weights, self._reach, rgb,
         )  # fmt: skip
 
 
@@ -139,6 +132,6 @@ def color_weights(solution: MomentsSolution) -> FloatArray:
 def _lane_weights(solution: MomentsSolution) -> Float32Array:
     """Weights as the rows read them: shape (3·w,), zero in lanes without a wavelength."""
     weights = color_weights(solution)
-    padded = np.zeros((3, solution.light.air.ground.albedo.size), np.float32)
+    padded = np.zeros((3, solution.light.lanes), np.float32)
     padded[:, : weights.shape[0]] = weights.T
     return padded.reshape(-1)

@@ -101,7 +101,8 @@ class Agreement:
 
 def answers(
     planet_name: str, solvers: Sequence[tuple[str, Any]] = SOLVERS, *,
-    cases: Sequence[Case] = CASES, progress: Progress | None = None, cancel: Cancel | None = None,
+    cases: Sequence[Case] = CASES, wavelengths: Sequence[float] = WAVELENGTHS,
+    progress: Progress | None = None, cancel: Cancel | None = None,
 ) -> list[Answer]:  # fmt: skip
     """Compute the radiances of all cases with every solver, under a point star.
 
@@ -112,6 +113,8 @@ def answers(
     solvers : sequence of (str, object)
         Names and qualities, or settings, as ``solve`` takes them.
     cases : sequence of Case
+    wavelengths : sequence of float
+        Three by default. [nm]
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -133,7 +136,7 @@ def answers(
 
         started = perf_counter()
         solution = solve(
-            planet, WAVELENGTHS, quality, solver=name, cache=False, progress=tell, cancel=cancel
+            planet, wavelengths, quality, solver=name, cache=False, progress=tell, cancel=cancel
         )
         sight, _ = solution.lines_of_sight(**geometry(planet, cases))
         if isinstance(solution, MonteCarloSolution):

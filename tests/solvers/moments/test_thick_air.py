@@ -16,7 +16,7 @@ from airlight.solvers.moments.elimination import factorise, substitute
 from airlight.solvers.moments.grid import make_grid
 from airlight.solvers.moments.levels import Depths, finer, finer_weights, place_levels
 from airlight.solvers.moments.rays import trace_rays
-from airlight.solvers.moments.reduced_optics import make_air
+from airlight.solvers.moments.reduced_optics import Optics
 from airlight.solvers.moments.vertical_coupling import sideways
 from airlight.solvers.moments.visible_rays import rays_in_sight
 
@@ -98,7 +98,7 @@ def test_a_source_that_is_the_same_everywhere_is_kept_by_every_ray() -> None:
     altitude = 60e3 * np.linspace(0.0, 1.0, 4097) ** 2
     grid, _ = make_grid(6360e3, 6420e3, 12, 8, Depths(altitude, np.zeros(4097)))
     rays = trace_rays(grid, medium.density, medium.extinction.max(axis=1), 6, 14)
-    air = make_air(medium, 8, slice(0, 1))
+    air = Optics(medium, 8).air(slice(0, 1))
     near, share = rays_in_sight(rays, air)
     assert near.radius.size < rays.radius.size
     extinction = float(air.extinction[0])

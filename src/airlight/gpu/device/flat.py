@@ -1,4 +1,4 @@
-"""Flat textures: long arrays in rows of 2048 texels, read by ``textureLoad`` only."""
+"""Flat textures: long arrays in rows of ``FLAT_WIDTH`` texels, read by ``textureLoad`` only."""
 
 from __future__ import annotations
 
@@ -9,15 +9,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.errors import ParameterError
 from airlight.gpu.device.device import Device
+from airlight.gpu.emit.shader_types import FLAT_WIDTH
 
 Float32Array = NDArray[np.float32]
 
-#: Number of texels in a row: texel i is at (i & 2047, i >> 11).
-FLAT_WIDTH: Final = 2048
 #: Number of rows that every browser allows.
 MOST_ROWS: Final = 8192
 #: Format of a flat texture by number of channels.
-_FORMATS: Final = {1: "r32float", 4: "rgba32float"}
+FORMATS: Final = {1: "r32float", 4: "rgba32float"}
 #: Type and number of channels of the formats that can be read back.
 _CHANNELS: Final = {
     "r32float": (np.float32, 1),
@@ -61,7 +60,7 @@ def flat_texture(device: Device, array: ArrayLike, label: str = "") -> Any:
     Returns
     -------
     wgpu.GPUTexture
-        ``r32float`` or ``rgba32float``, 2048 wide.
+        ``r32float`` or ``rgba32float``, ``FLAT_WIDTH`` wide.
 
     Raises
     ------
@@ -98,7 +97,7 @@ def empty_flat_texture(device: Device, count: int, channels: int, label: str = "
     """
     import wgpu
 
-    if channels not in _FORMATS:
+    if channels not in FORMATS:
         raise ParameterError("channels", channels, "1 or 4")
     if not 0 <= count <= FLAT_WIDTH * MOST_ROWS:
         raise ParameterError("count", count, f"at most {FLAT_WIDTH * MOST_ROWS} texels")
@@ -106,7 +105,7 @@ def empty_flat_texture(device: Device, count: int, channels: int, label: str = "
     return device.device.create_texture(
         label=label,
         size=(FLAT_WIDTH, flat_rows(count), 1),
-        format=_FORMATS[channels],
+        format=FORMATS[channels],
         usage=use.TEXTURE_BINDING | use.COPY_DST | use.COPY_SRC | use.RENDER_ATTACHMENT,
     )
 
@@ -132,7 +131,7 @@ def update_flat(device: Device, texture: Any, start: int, array: ArrayLike) -> N
     """
     values = _texels(array)
     width, height = texture.size[:2]
-    if _FORMATS[values.shape[1]] != texture.format:
+    if FORMATS[values.shape[1]] != texture.format:
         raise ParameterError("array.shape", values.shape, f"texels of format {texture.format}")
     if not 0 <= start <= width * height - values.shape[0]:
         raise ParameterError(
@@ -215,6 +214,6 @@ def _texels(array: ArrayLike) -> Float32Array:
     values = np.ascontiguousarray(array, np.float32)
     if values.ndim == 1:
         values = values[:, None]
-    if values.ndim != 2 or values.shape[1] not in _FORMATS:
+    if values.ndim != 2 or values.shape[1] not in FORMATS:
         raise ParameterError("array.shape", np.shape(array), "(n,) or (n, 4)")
     return values

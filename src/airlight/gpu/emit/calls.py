@@ -58,12 +58,28 @@ class Calls(Names, ABC):
                 return kind
         raise self.refuse(node, "is no number")
 
-    def room(self, node: ast.Name) -> str:
+    def room(self, node: ast.expr) -> str:
         """Array as written before its index."""
         found = self.bound(node)
         if isinstance(found, LocalArray) and found.variable:
             return found.variable
-        return self.dialect.array(self.spelled(node.id), handed_over=self.is_parameter(node.id))
+        name, handed_over = self.array_name(node)
+        return self.dialect.array(name, handed_over=handed_over)
+
+    def array_name(self, node: ast.expr) -> tuple[str, bool]:
+        """Name of an array, alone or of a bundle, and whether it was handed over."""
+        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+            owner = node.value.id
+            self.arrays.add(f"{owner}_{node.attr}")
+            return self.spelled(f"{owner}_{node.attr}"), self.is_parameter(owner)
+        if isinstance(node, ast.Name):
+            return self.spelled(node.id), self.is_parameter(node.id)
+        raise self.refuse(node, "is no name of an array")
+
+    def array_argument(self, node: ast.expr) -> str:
+        """Array as an argument of a call."""
+        name, handed_over = self.array_name(node)
+        return name if handed_over else self.dialect.array_argument(name)
 
     def is_parameter(self, name: str) -> bool:
         """Whether a name is one of the function's parameters."""
@@ -146,7 +162,6 @@ class Calls(Names, ABC):
             if isinstance(owner, Table) and owner.spectral and name == "load":
                 return self.dialect.element(owner.name, index), VEC4
             if isinstance(owner, LocalArray) and owner.element == VEC4:
-                assert isinstance(node.args[0], ast.Name)
                 place = f"{self.room(node.args[0])}[{index}]"
                 if name == "load":
                     return place, VEC4
@@ -175,20 +190,23 @@ class Calls(Names, ABC):
             if found is None:
                 raise self.refuse(one, "is nothing")
             if isinstance(found, LocalArray):
-                assert isinstance(one, ast.Name)
-                text = self.spelled(one.id)
-                if not self.is_parameter(one.id):
-                    text = self.dialect.array_argument(text)
+                text = self.array_argument(one)
             if isinstance(found, Table):
                 text = found.name
             values.append(found)
             texts.append(text)
         made = self.emitter.add(called, *values)
-        handed = [
-            text
-            for text, (_, value) in zip(texts, made.parameters, strict=True)
-            if self.dialect.at_run_time(value)
-        ]
+        handed: list[str] = []
+        several = made.handed(self.dialect)
+        for one, text, (name, value), parts in zip(
+            node.args, texts, made.parameters, several, strict=True
+        ):
+            if not isinstance(value, Bundle):
+                handed += [text] if parts else []
+                continue
+            for part, _ in parts:
+                member = ast.Attribute(one, part.removeprefix(f"{name}_"), ast.Load())
+                handed.append(self.array_argument(ast.copy_location(member, one)))
         return f"{made.name}({', '.join(handed)})", made.result
 
 

@@ -54,7 +54,8 @@ class Expressions(Calls):
                 return self.comparison(node)
             case ast.BoolOp(op=op, values=values):
                 sign = " && " if isinstance(op, ast.And) else " || "
-                return f"({sign.join(self.as_scalar(one, BOOL) for one in values)})", BOOL
+                open_ones = [one for one in values if self.known(one) is None]
+                return f"({sign.join(self.as_scalar(one, BOOL) for one in open_ones)})", BOOL
             case ast.IfExp(test=test, body=body, orelse=orelse):
                 return self.choice(test, body, orelse)
             case ast.Subscript():
@@ -74,7 +75,9 @@ class Expressions(Calls):
             return self.dialect.uniform(found.text, found.scalar), found.scalar
         if isinstance(found, (Table, Bundle)):
             return "", found
-        if isinstance(found, (Scalar, LocalArray, TupleType)):
+        if isinstance(found, LocalArray):
+            return self.array_name(node)[0], found
+        if isinstance(found, (Scalar, TupleType)):
             assert isinstance(node, ast.Name)
             return self.spelled(node.id), found
         raise self.refuse(node, "is not known here")
@@ -172,6 +175,6 @@ class Expressions(Calls):
     def place(self, node: ast.Subscript) -> tuple[str, Scalar]:
         """Write an element of an array, to read or to assign."""
         owner = self.bound(node.value)
-        if not isinstance(owner, LocalArray) or not isinstance(node.value, ast.Name):
+        if not isinstance(owner, LocalArray):
             raise self.refuse(node, "is neither a table nor a room")
         return f"{self.room(node.value)}[{self.as_scalar(node.slice, I32)}]", owner.element

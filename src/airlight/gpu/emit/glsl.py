@@ -13,7 +13,15 @@ from collections.abc import Sequence
 from typing import ClassVar, Final
 
 from airlight.gpu.emit.dialect import PLAIN_NAMES, Named, ShaderDialect
-from airlight.gpu.emit.shader_types import VEC4, LocalArray, Scalar, Table, TupleType
+from airlight.gpu.emit.shader_types import (
+    FLAT_SHIFT,
+    FLAT_WIDTH,
+    VEC4,
+    LocalArray,
+    Scalar,
+    Table,
+    TupleType,
+)
 from airlight.gpu.emit.single_precision import MATHEMATICS
 
 #: GLSL ES 3.00, 3.6 "Keywords" and those names of 8 "Built-in Functions" that a shader might use
@@ -94,7 +102,8 @@ void main() {
         return f"({test} ? {yes} : {no})"
 
     def fetched(self, texture: str, index: str) -> str:
-        return f"texelFetch({texture}, ivec2({index} & 2047, {index} >> 11), 0)"
+        place = f"{index} & {FLAT_WIDTH - 1}, {index} >> {FLAT_SHIFT}"
+        return f"texelFetch({texture}, ivec2({place}), 0)"
 
     def texture_name(self, name: str, group: int, binding: int) -> str:
         return f"texture_{group}_{binding}"

@@ -23,6 +23,7 @@ from airlight.gpu.emit.shader_types import (
     TupleType,
     Value,
 )
+from airlight.kernel.cube_root import cube_root
 
 _RESERVED: Final = """
     arguments await break case catch class const continue debugger default delete do else enum eval
@@ -43,7 +44,7 @@ class JavaScript(Dialect):
             math.asin, math.atan, math.atan2, math.floor, math.hypot, math.expm1, abs, min, max,
             pow,
         )
-    } | {math.isfinite: "Number.isFinite"}  # fmt: skip
+    } | {math.isfinite: "Number.isFinite", cube_root: "Math.cbrt"}  # fmt: skip
     unrolls = False
     largest = math.inf
 

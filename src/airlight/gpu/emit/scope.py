@@ -15,7 +15,7 @@ from typing import Any, Final, Protocol
 import numpy as np
 
 from airlight.errors import AirlightError
-from airlight.gpu.emit.dialect import Dialect
+from airlight.gpu.emit.dialect import Dialect, Named
 from airlight.gpu.emit.shader_types import (
     BOOL,
     F32,
@@ -56,6 +56,9 @@ class Callee(Protocol):
     parameters: tuple[tuple[str, Value], ...]
     result: Scalar | TupleType | None
 
+    def handed(self, dialect: Dialect) -> list[list[Named]]:
+        """Names and types of what a call hands over, for each parameter."""
+
 
 class Functions(Protocol):
     """Emitter of the functions that are called; see ``emitter.Emitter``."""
@@ -89,6 +92,8 @@ class Names:
         Plain Python function; its module provides the constants.
     names : dict from str to Value
         Values and types of the parameters; variables are added as they are met.
+    arrays : set of str
+        Receives the arrays of bundles that are used; see ``statements.Emitted``.
 
     Raises
     ------
@@ -98,9 +103,13 @@ class Names:
     """
 
     def __init__(
-        self, emitter: Functions, function: Callable[..., Any], names: dict[str, Value]
+        self,
+        emitter: Functions,
+        function: Callable[..., Any],
+        names: dict[str, Value],
+        arrays: set[str],
     ) -> None:
-        self.emitter, self.function, self.names = emitter, function, names
+        self.emitter, self.function, self.names, self.arrays = emitter, function, names, arrays
         self.dialect = emitter.dialect
         closure = inspect.getclosurevars(function)
         self.globals = {**function.__globals__, **closure.nonlocals}

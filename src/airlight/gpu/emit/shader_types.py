@@ -6,6 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
+#: Number of texels in a row of a flat texture, and its binary logarithm: texel i is in column
+#: i & (FLAT_WIDTH - 1) of row i >> FLAT_SHIFT.
+FLAT_SHIFT: Final = 11
+FLAT_WIDTH: Final = 1 << FLAT_SHIFT
+
 
 @dataclass(frozen=True)
 class Scalar:

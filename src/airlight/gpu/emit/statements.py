@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Final
 
-from airlight.gpu.emit.dialect import Named
+from airlight.gpu.emit.dialect import Dialect, Named
 from airlight.gpu.emit.expressions import Expressions
 from airlight.gpu.emit.scope import Functions, SubsetError
 from airlight.gpu.emit.shader_types import (
@@ -51,6 +51,9 @@ class Emitted:
         Type of the result; None if the function only fills arrays.
     text : str
         Text in the language of the emitter.
+    arrays : set of str
+        Arrays of bundles that the function uses, by the names of their parameters: only these are
+        handed over.
     """
 
     name: str
@@ -58,6 +61,28 @@ class Emitted:
     parameters: tuple[tuple[str, Value], ...]
     result: Scalar | TupleType | None = None
     text: str = ""
+    arrays: set[str] = field(default_factory=set)
+
+    def handed(self, dialect: Dialect) -> list[list[Named]]:
+        """Names and types of what a call hands over, for each parameter.
+
+        Parameters
+        ----------
+        dialect : Dialect
+            Target language.
+        """
+        handed: list[list[Named]] = []
+        for name, value in self.parameters:
+            several: list[Named] = []
+            if isinstance(value, Bundle):
+                for one, kind in value.fields.items():
+                    array = f"{name}_{one}"
+                    if isinstance(kind, LocalArray) and array in self.arrays:
+                        several += [(array, kind)] if dialect.at_run_time(kind) else []
+            elif dialect.at_run_time(value):
+                several.append((name, value if isinstance(value, Table) else run_time(value)))
+            handed.append(several)
+        return handed
 
 
 class FunctionBody:
@@ -81,7 +106,7 @@ class FunctionBody:
     def __init__(self, emitter: Functions, made: Emitted, tree: ast.FunctionDef) -> None:
         self.made, self.tree = made, tree
         self.dialect = emitter.dialect
-        self.expressions = Expressions(emitter, made.function, dict(made.parameters))
+        self.expressions = Expressions(emitter, made.function, dict(made.parameters), made.arrays)
         self.names = self.expressions.names
         self.lines: list[str] = []
         self.loops = 0
@@ -93,6 +118,7 @@ class FunctionBody:
         for _ in range(3):
             before = dict(self.names)
             self.lines, self.temporaries = [], 0
+            self.made.arrays.clear()
             self.block(self.tree.body, 1)
             if self.names == before:
                 break
@@ -100,10 +126,8 @@ class FunctionBody:
         heads: list[Named] = []
         copies: list[str] = []
         changed = _assigned(self.tree)
-        for name, value in self.made.parameters:
-            if not self.dialect.at_run_time(value):
-                continue
-            kind = value if isinstance(value, Table) else run_time(value)
+        handed = self.made.handed(self.dialect)
+        for name, kind in (one for several in handed for one in several):
             if isinstance(kind, Scalar) and name in changed:
                 given = f"{spell(name)}_given"
                 heads.append((given, kind))
@@ -213,6 +237,8 @@ class FunctionBody:
         sign = "<"
         if len(ends) == 3 and isinstance(call.args[2], ast.UnaryOp):
             sign = ">"
+        if self.single_turn(node, target, call.args, depth):
+            return
         self.expressions.learn(node, target.id, I32)
         name = self.expressions.spelled(target.id)
         if self.dialect.unrolls and len(ends) < 3 and not _turns_inside(node):
@@ -223,6 +249,30 @@ class FunctionBody:
         )
         self.block(node.body, depth + 1)
         self.put(depth, "}")
+
+    def single_turn(
+        self, node: ast.For, target: ast.Name, ends: Sequence[ast.expr], depth: int
+    ) -> bool:
+        """Write the body of a loop that is known to have one turn; return whether it is one.
+
+        So a loop over groups of lanes, of which a device has one, costs it nothing.
+        """
+        known = [self.expressions.fold(one) for one in ends]
+        parts = [inside for statement in node.body for inside in ast.walk(statement)]
+        leaves = any(isinstance(one, (ast.Break, ast.Continue)) for one in parts)
+        if leaves or not all(isinstance(one, int) for one in known):
+            return False
+        turns = range(*known)  # type: ignore[arg-type]
+        if len(turns) != 1:
+            return False
+        before = self.names.get(target.id)
+        self.names[target.id] = Constant(turns[0])
+        self.block(node.body, depth)
+        if before is None:
+            del self.names[target.id]
+        else:
+            self.names[target.id] = before
+        return True
 
     def unrolled(self, node: ast.For, name: str, first: str, last: str, depth: int) -> None:
         """Write an innermost loop unrolled four times, and a loop over the remainder.
@@ -294,6 +344,8 @@ class FunctionBody:
         if isinstance(kind, TupleType):
             raise self.refuse(target, "a tuple is taken apart where it is made")
         if isinstance(kind, LocalArray):
+            if text:
+                raise self.refuse(target, "an array has one name")
             if self.dialect.module_arrays and not kind.variable:
                 name = f"{self.made.name}_{target.id}"
                 kind = self.expressions.emitter.module_array(name, kind)

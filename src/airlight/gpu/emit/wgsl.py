@@ -7,7 +7,14 @@ from collections.abc import Sequence
 from typing import ClassVar, Final
 
 from airlight.gpu.emit.dialect import Named, ShaderDialect
-from airlight.gpu.emit.shader_types import LocalArray, Scalar, Table, TupleType
+from airlight.gpu.emit.shader_types import (
+    FLAT_SHIFT,
+    FLAT_WIDTH,
+    LocalArray,
+    Scalar,
+    Table,
+    TupleType,
+)
 from airlight.gpu.emit.single_precision import MATHEMATICS
 
 _RESERVED: Final = """
@@ -99,7 +106,8 @@ fn full_screen_triangle(@builtin(vertex_index) index: u32) -> @builtin(position)
         return f"(*{name})" if handed_over else name
 
     def fetched(self, texture: str, index: str) -> str:
-        return f"textureLoad({texture}, vec2i({index} & 2047, {index} >> 11), 0)"
+        place = f"{index} & {FLAT_WIDTH - 1}, {index} >> {FLAT_SHIFT}"
+        return f"textureLoad({texture}, vec2i({place}), 0)"
 
     def texture_name(self, name: str, group: int, binding: int) -> str:
         return name

@@ -13,34 +13,34 @@ from numpy.typing import NDArray
 from airlight.color.four_wavelengths import picture_weights
 from airlight.errors import Cancelled, ParameterError
 from airlight.gpu.device.device import Device
-from airlight.gpu.device.flat import FLAT_WIDTH, empty_flat_texture, read_texture, update_flat
+from airlight.gpu.device.flat import empty_flat_texture, read_texture, update_flat
 from airlight.gpu.device.fragment_pass import FragmentPass
+from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.picture.bands import Band, bands
 from airlight.gpu.picture.shaders import (
-    Fixed,
     Shader,
     picture_shader,
     sky_air_shader,
     sky_peaks_shader,
 )
 from airlight.gpu.picture.solution_textures import SolutionTextures
-from airlight.gpu.picture.uniforms import SWITCHES, packed
+from airlight.gpu.picture.uniforms import FRAME
 from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.lit_scenes import lit_scenes
 from airlight.pixels.march_points import FEW
 from airlight.pixels.picture_numbers import (
-    CHOICES,
-    NOT_THE_SKYS,
     display_numbers,
     observer_from,
     order_number,
     scene_numbers,
 )
-from airlight.pixels.shown import WAVELENGTHS, Shown, as_texels, shown_solution
+from airlight.pixels.shown import WAVELENGTHS, as_texels, shown_solution
 from airlight.pixels.sky_by_processor import filled_sky
+from airlight.pixels.sky_table import Observer
 from airlight.pixels.sky_window import SkyWindow
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
+from airlight.solvers.moments.march_tables import MarchTables, quadratures
 from airlight.solvers.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
@@ -64,7 +64,7 @@ class Pictures:
     device : Device
         Device from ``open_device``.
     sky_shape : (int, int)
-        Azimuths and rows of the table of the sky; together a multiple of 2048.
+        Azimuths and rows of the table of the sky; together a multiple of ``FLAT_WIDTH``.
     sky_by_processor : bool, optional
         Whether the CPU fills that table; by default on software devices.
 
@@ -88,11 +88,11 @@ class Pictures:
         self._passes: dict[tuple[Shader, str, tuple[str, ...]], FragmentPass] = {}
         self._solution: MomentsSolution | None = None
         self._textures: SolutionTextures | None = None
-        self._shown_tables: Shown | None = None
         self._given: FloatArray | None = None
+        self._shown_tables: MarchTables | None = None
         self._weights: FloatArray = np.zeros((0, 3))
         self._groups: dict[Any, list[Any]] = {}
-        self._seen: bytes = b""
+        self._seen: tuple[Observer, float] | None = None
         self.sky_shape = sky_shape
 
     @property
@@ -113,7 +113,7 @@ class Pictures:
             for name in ("air", "behind", "first", "second")
         }
         self._groups.clear()
-        self._seen = b""
+        self._seen = None
 
     def show(self, solution: MomentsSolution, weights: FloatArray | None = None) -> None:
         """Set the solution that is drawn from now on.
@@ -141,7 +141,7 @@ class Pictures:
         if np.shape(weights) != (nm.size, 3):
             raise ParameterError("weights", np.shape(weights), f"an array of shape ({nm.size}, 3)")
         points = None if self.device.software else FEW.points
-        self._shown_tables = shown_solution(solution, solution.medium.map_basis, points=points)
+        self._shown_tables = shown_solution(solution, points=points)
         self._textures = SolutionTextures.of(
             self.device, solution, self._shown_tables, self._textures
         )
@@ -149,27 +149,20 @@ class Pictures:
         self._weights = np.zeros((WAVELENGTHS, 3))
         self._weights[: nm.size] = solution.lights[0].colors(weights)
         self._groups.clear()
-        self._seen = b""
+        self._seen = None
 
     @cached_property
     def _uniforms(self) -> Any:
         import wgpu
 
         use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
-        return self.device.device.create_buffer(size=packed({}, {}).nbytes, usage=use)
+        return self.device.device.create_buffer(size=FRAME.packed({}, {}).nbytes, usage=use)
 
     def _pass(self, shader: Shader, entry: str, targets: tuple[str, ...]) -> FragmentPass:
         key = (shader, entry, targets)
         if key not in self._passes:
             self._passes[key] = FragmentPass(self.device, shader.text, entry, targets, entry)
         return self._passes[key]
-
-    def _fixed(self, numbers: Mapping[str, float]) -> Fixed:
-        """Uniforms bound as constants, which a software device need not test for every pixel."""
-        return tuple(
-            (name, bool(numbers[name]) if name in SWITCHES else int(numbers.get(name, 0)))
-            for name in CHOICES
-        )
 
     def _bound(self, one: FragmentPass) -> list[Any]:
         if one not in self._groups:
@@ -338,7 +331,7 @@ class Pictures:
                     "mapped": numbers["mapped"] * band.ground,
                     "draws_disc": numbers["draws_disc"] * band.star,
                 }
-                shader = picture_shader(exact, self._fixed(seen))
+                shader = picture_shader(exact, FRAME.fixed(seen))
                 one = self._pass(shader, entry, (target_format,))
                 area = (0, band.first, width, band.rows)
                 self._draw_strip(one, numbers, view, area, band.first > 0)
@@ -361,7 +354,6 @@ class Pictures:
             "width": size[0],
             "height": size[1],
             "orders": order_number(orders),
-            "exact": float(exact),
             "draws_disc": float(
                 disc and orders == "all" and solution.lights[0].angular_radius > 0.0
             ),
@@ -406,7 +398,7 @@ class Pictures:
 
     def _draw_sky(self, numbers: Mapping[str, float]) -> None:
         """Draw the table of the sky, unless it is current for this observer and star."""
-        seen = packed({**numbers, **dict.fromkeys(NOT_THE_SKYS, 0.0)}, self._places()).tobytes()
+        seen = observer_from(numbers), numbers["keeps_peaks"]
         if seen == self._seen:
             return
         if self._by_processor:
@@ -427,10 +419,8 @@ class Pictures:
     def _upload_sky(self, numbers: Mapping[str, float]) -> None:
         """Upload the table of the sky, marched on the CPU."""
         assert self._shown_tables is not None
-        layers = filled_sky(
-            self._shown(), self._shown_tables, observer_from(numbers),
-            SkyWindow.whole(*self._sky_shape), FEW,
-        )  # fmt: skip
+        tables = self._shown_tables._replace(rules=quadratures(FEW.points), panels=FEW.panels)
+        layers = filled_sky(tables, observer_from(numbers), SkyWindow.whole(*self._sky_shape))
         names = ("air", "behind", "first", "second")[: 4 if numbers["keeps_peaks"] else 2]
         for name, layer in zip(names, layers, strict=False):
             if layer.size > 1:
@@ -443,7 +433,7 @@ class Pictures:
     def _write(self, numbers: Mapping[str, float]) -> None:
         # Above the ground as the shader has it: its radii are accurate to half a metre.
         r = float(np.float32(numbers["bottom"])) + (numbers["r"] - numbers["bottom"])
-        values = packed({**numbers, "r": r}, self._places())
+        values = FRAME.packed({**numbers, "r": r}, self._places())
         self.device.device.queue.write_buffer(self._uniforms, 0, values)
 
     def _shown(self) -> MomentsSolution:

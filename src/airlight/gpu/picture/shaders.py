@@ -5,40 +5,29 @@ They do not depend on the planet: sizes are uniforms.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, Final
 
-from airlight.gpu.device.flat import FLAT_WIDTH
 from airlight.gpu.emit.dialect import ShaderDialect
-from airlight.gpu.emit.emitter import Emitter
+from airlight.gpu.emit.emitter import Emitted, Emitter
 from airlight.gpu.emit.shader_types import (
     F32,
+    FLAT_WIDTH,
     I32,
     VEC4,
     Bundle,
     Constant,
     LocalArray,
     TupleType,
-    Value,
 )
-from airlight.gpu.emit.texture_table import TextureTable
+from airlight.gpu.emit.uniform_struct import Fixed
 from airlight.gpu.emit.wgsl import WGSL
-from airlight.gpu.picture.uniforms import CHANNELS, struct_text, uniform
-from airlight.optics.reflection import Reflection
+from airlight.gpu.picture.uniforms import CHANNELS, FRAME
 from airlight.pixels.pixel import Display, Screen, displayed, pixel_light
-from airlight.pixels.shown import FIELD_TABLES, SCALAR_TABLES, SPECTRAL_TABLES, Shown
+from airlight.pixels.shown import MOST_CONSTITUENTS, MOST_POINTS, MOST_TERMS
 from airlight.pixels.sky_table import Observer, sky_texel
-
-#: Uniforms whose values are known when a shader is written.
-Fixed = tuple[tuple[str, int | bool], ...]
-
-#: Textures of a shader, after the uniforms.
-TEXTURES: Final = ("scalars", "spectra", "fields", "ground", "air", "behind", "first", "second")
-#: Layers of the table of the sky, by their names in ``Screen``.
-_LAYERS: Final = {
-    "sky_air": "air", "sky_ground": "behind", "sky_first": "first", "sky_second": "second",
-}  # fmt: skip
+from airlight.solvers.moments.march_tables import MarchTables, spectral_sizes, workspace_sizes
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,7 +45,7 @@ class Shader:
     entries : dict from str to str
         Text of each entry point, a fragment function.
     textures : tuple of str
-        Textures that it reads, from ``TEXTURES``.
+        Textures that it reads, in the order of its bindings after the uniforms.
     emitter : Emitter
         Emitter with its functions and their sources.
     """
@@ -84,93 +73,10 @@ class Shader:
         return self.dialect.module([self.functions, self.entries[entry]])
 
 
-@cache
-def tables() -> dict[str, TextureTable]:
-    """Tables of the shaders, by name."""
-    found = {}
-    for texture, ranks, spectral in (
-        ("scalars", SCALAR_TABLES, False),
-        ("spectra", dict.fromkeys(SPECTRAL_TABLES, 1), True),
-        ("fields", dict.fromkeys(FIELD_TABLES, 1), True),
-        ("ground", {"levels": 2, "texels": 1}, False),
-    ):
-        for name, rank in ranks.items():
-            where = f"frame.table_{name}"
-            found[name] = TextureTable(
-                name, texture, rank, spectral, f"{where}.x", where, 1, pair=rank == 4
-            )
-    layers = {name: TextureTable(name, texture, 1, True) for name, texture in _LAYERS.items()}
-    return found | layers
-
-
-def _bundle(kind: Any, fixed: Fixed = ()) -> Bundle:
-    """Bundle of a NamedTuple, each field a table, a layer or a uniform of the shader."""
-    fields: dict[str, Value] = {}
-    known = dict(fixed)
-    for name in kind._fields:
-        if (kind, name) == (Shown, "ground"):
-            fields[name] = _bundle(Reflection, fixed)
-        elif name in known:
-            fields[name] = Constant(known[name])
-        elif name in tables():
-            fields[name] = tables()[name].table
-        else:
-            fields[name] = uniform(name)
-    return Bundle(fields)
-
-
-@cache
-def light(fixed: Fixed = ()) -> Bundle:
-    """Solution, for the emitter.
-
-    Parameters
-    ----------
-    fixed : tuple
-        Names and values that are bound when the shader is written.
-    """
-    return _bundle(Shown, fixed)
-
-
-@cache
-def observer(fixed: Fixed = ()) -> Bundle:
-    """Observer, for the emitter.
-
-    Parameters
-    ----------
-    fixed : tuple
-        Constants as in ``light``.
-    """
-    return _bundle(Observer, fixed)
-
-
-@cache
-def screen(fixed: Fixed = ()) -> Bundle:
-    """Camera, for the emitter.
-
-    Parameters
-    ----------
-    fixed : tuple
-        Constants as in ``light``.
-    """
-    return _bundle(Screen, fixed)
-
-
-@cache
-def display(fixed: Fixed = ()) -> Bundle:
-    """Tone map and encoding, for the emitter.
-
-    Parameters
-    ----------
-    fixed : tuple
-        Constants as in ``light``.
-    """
-    return _bundle(Display, fixed)
-
-
-def assembled(
-    name: str, entries: dict[str, str], textures: tuple[str, ...], emitter: Emitter
-) -> Shader:
+def assembled(name: str, entries: dict[str, str], emitter: Emitter) -> Shader:
     """Assemble a shader from its entry points and the functions that were emitted for them.
+
+    It has the tables that those functions read.
 
     Parameters
     ----------
@@ -178,20 +84,21 @@ def assembled(
         Name of the shader.
     entries : dict from str to str
         Text of its entry points.
-    textures : tuple of str
-        Textures that the shader reads, in the order of its bindings.
     emitter : Emitter
         Emitter with the functions that the entry points call, in a shading language.
     """
     dialect = emitter.dialect
     assert isinstance(dialect, ShaderDialect)
-    lines = [struct_text(dialect)]
-    lines += [dialect.texture(one, 0, i) for i, one in enumerate(textures, start=1)]
-    for table in tables().values():
-        if table.texture in textures:
-            slot = textures.index(table.texture) + 1
-            lines.append(table.reader(dialect, dialect.texture_name(table.texture, 0, slot)))
-    functions = "\n".join([*lines, emitter.module()])
+    body = emitter.module()
+    tables = FRAME.read_by(body)
+    textures = tuple(dict.fromkeys(table.texture for table in tables))
+    slots = {texture: slot for slot, texture in enumerate(textures, start=1)}
+    lines = [FRAME.text(dialect)]
+    lines += [dialect.texture(texture, 0, slot) for texture, slot in slots.items()]
+    for table in tables:
+        texture = dialect.texture_name(table.texture, 0, slots[table.texture])
+        lines.append(table.reader(dialect, texture))
+    functions = "\n".join([*lines, body])
     return Shader(name, dialect, functions, entries, textures, emitter)
 
 
@@ -204,7 +111,7 @@ def sky_air_shader(dialect: ShaderDialect = WGSL) -> Shader:
     dialect : ShaderDialect
         Shading language.
     """
-    return _sky_shader(dialect, "sky_air", "air_texel", (0, 1), gathers=True, peaks=False)
+    return _sky_shader(dialect, "sky_air", "air_texel", (0, 1), air=True, peaks=False)
 
 
 @cache
@@ -216,7 +123,7 @@ def sky_peaks_shader(dialect: ShaderDialect = WGSL) -> Shader:
     dialect : ShaderDialect
         Shading language.
     """
-    return _sky_shader(dialect, "sky_peaks", "peaks_texel", (2, 3), gathers=False, peaks=True)
+    return _sky_shader(dialect, "sky_peaks", "peaks_texel", (2, 3), air=False, peaks=True)
 
 
 def _sky_shader(
@@ -225,35 +132,62 @@ def _sky_shader(
     function: str,
     layers: tuple[int, int],
     *,
-    gathers: bool,
+    air: bool,
     peaks: bool,
 ) -> Shader:
     emitter = Emitter(dialect)
-    found = emitter.module_array("found", LocalArray(4, VEC4))
-    emitter.add(
-        sky_texel, I32, I32, I32, I32, Constant(gathers), Constant(peaks), observer(), light(),
-        found, name=function,
+    found = emitter.module_array("result", LocalArray(4, VEC4))
+    made = emitter.add(
+        sky_texel, I32, I32, I32, I32, Constant(air), Constant(peaks), FRAME.bundle(Observer),
+        FRAME.bundle(MarchTables), march_workspace(emitter), found, name=function,
     )  # fmt: skip
-    columns, rows = (dialect.uniform(uniform(one).text, I32) for one in ("sky_columns", "sky_rows"))
+    columns, rows = (
+        dialect.uniform(FRAME.uniform(one).text, I32) for one in ("sky_columns", "sky_rows")
+    )
     places = ("number % columns", "number / columns", "columns", rows)
     x, y = dialect.converted("at.x", I32), dialect.converted("at.y", I32)
     body = [
         dialect.kept("columns", I32, columns),
         dialect.kept("number", I32, f"{y} * {FLAT_WIDTH} + {x}"),
-        *_filled("found", found, function, places, dialect),
+        *filled_by(made, places, dialect),
     ]
-    entry = dialect.fragment(name, 2, body, [f"found[{layer}]" for layer in layers])
-    return assembled(name, {name: entry}, TEXTURES[:3], emitter)
+    entry = dialect.fragment(name, 2, body, [f"result[{layer}]" for layer in layers])
+    return assembled(name, {name: entry}, emitter)
 
 
-def _filled(
-    name: str, array: LocalArray, function: str, places: tuple[str, ...], dialect: ShaderDialect
-) -> list[str]:
-    """Statements in which a function fills an array."""
-    if array.variable:
-        return [f"{function}({', '.join(places)});"]
-    handed = ", ".join([*places, dialect.array_argument(name)])
-    return [dialect.declared(name, array), f"{function}({handed});"]
+def march_workspace(emitter: Emitter) -> Bundle:
+    """Workspace of a line, for the emitter.
+
+    Parameters
+    ----------
+    emitter : Emitter
+        Emitter of the shader.
+    """
+    numbers = workspace_sizes(MOST_CONSTITUENTS, MOST_POINTS, MOST_TERMS)
+    arrays = {name: LocalArray(size) for name, size in numbers.items()}
+    arrays |= {name: LocalArray(n, VEC4) for name, n in spectral_sizes(MOST_CONSTITUENTS).items()}
+    return Bundle({
+        name: emitter.module_array(f"work_{name}", kind) for name, kind in arrays.items()
+    })  # fmt: skip
+
+
+def filled_by(made: Emitted, arguments: Sequence[str], dialect: ShaderDialect) -> list[str]:
+    """Statements in which a function fills arrays, which they declare.
+
+    Parameters
+    ----------
+    made : Emitted
+        Function whose other parameters are arrays.
+    arguments : sequence of str
+        Its arguments before the arrays.
+    dialect : ShaderDialect
+        Shading language.
+    """
+    handed = [one for several in made.handed(dialect) for one in several]
+    arrays = [(name, kind) for name, kind in handed if isinstance(kind, LocalArray)]
+    given = [*arguments, *(dialect.array_argument(name) for name, _ in arrays)]
+    declared = [dialect.declared(name, kind) for name, kind in arrays]
+    return [*declared, f"{made.name}({', '.join(given)});"]
 
 
 @cache
@@ -271,17 +205,19 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
         Shading language.
     """
     emitter = Emitter(dialect)
-    found = emitter.module_array("found", LocalArray(1, VEC4))
-    emitter.add(
-        pixel_light, F32, F32, Constant(exact), observer(fixed), screen(fixed), light(fixed),
+    found = emitter.module_array("result", LocalArray(1, VEC4))
+    made = emitter.add(
+        pixel_light, F32, F32, Constant(exact), FRAME.bundle(Observer, fixed),
+        FRAME.bundle(Screen, fixed), FRAME.bundle(MarchTables, fixed), march_workspace(emitter),
         found, name="light_of_pixel",
     )  # fmt: skip
-    shown = emitter.add(displayed, F32, F32, F32, display(fixed), name="displayed").result
+    display = FRAME.bundle(Display, fixed)
+    shown = emitter.add(displayed, F32, F32, F32, display, name="displayed").result
     assert isinstance(shown, TupleType)
-    row = f"at.y + {uniform('first_row').text}"
+    row = f"at.y + {FRAME.uniform('first_row').text}"
     lines = [
-        *_filled("found", found, "light_of_pixel", ("at.x", row), dialect),
-        *(dialect.kept(one, F32, f"dot(found[0], frame.{one})") for one in CHANNELS),
+        *filled_by(made, ("at.x", row), dialect),
+        *(dialect.kept(one, F32, f"dot(result[0], frame.{one})") for one in CHANNELS),
     ]
     vector = f"{dialect.type_name(VEC4)}({{}}, 1.0)"
     parts = [dialect.part("seen", i) for i in range(3)]
@@ -296,7 +232,7 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
             [vector.format(", ".join(parts))],
         ),
     }
-    return assembled("picture", entries, TEXTURES[: 4 if exact else 8], emitter)
+    return assembled("picture", entries, emitter)
 
 
 def all_shaders() -> tuple[Shader, ...]:

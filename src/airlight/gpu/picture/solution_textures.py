@@ -12,53 +12,20 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.gpu.device.device import Device
-from airlight.gpu.device.flat import FLAT_WIDTH, MOST_ROWS, flat_rows, flat_texture
+from airlight.gpu.device.flat import MOST_ROWS, flat_rows, flat_texture
+from airlight.gpu.emit.shader_types import FLAT_WIDTH
+from airlight.gpu.emit.uniform_struct import Place
+from airlight.gpu.picture.uniforms import FRAME
 from airlight.gpu.solver.solver import fields_on
-from airlight.pixels.shown import (
-    FIELD_TABLES,
-    MOST_CONSTITUENTS,
-    SCALAR_TABLES,
-    SPECTRAL_TABLES,
-    Shown,
-    as_texels,
-    shown_solution,
-)
+from airlight.pixels.shown import MOST_CONSTITUENTS, as_texels, shown_solution
 from airlight.scene.surface_map import surface_map
+from airlight.solvers.moments.march_tables import MarchTables
 from airlight.solvers.moments.solution import MomentsSolution
 
-Shape = tuple[int, ...]
 Levels = Sequence[NDArray[np.float32]]
 
 #: Capacity for a map of the ground with its mip levels, which leaves space for their sizes.
 _MAP_NUMBERS: Final = FLAT_WIDTH * (MOST_ROWS - 1)
-
-
-def laid_out(
-    arrays: dict[str, NDArray[Any]], width: int
-) -> tuple[NDArray[np.float32], dict[str, Shape]]:
-    """Concatenate arrays into texels of ``width`` numbers; with start and axes of each.
-
-    Parameters
-    ----------
-    arrays : dict
-        Arrays of numbers, any shape, or of texels, shape (n, 4).
-    width : int
-        Numbers per texel, 1 or 4.
-
-    Returns
-    -------
-    texels : array, shape (n, width)
-        Concatenated arrays.
-    places : dict
-        (start, lengths of the axes …) by name.
-    """
-    parts, places, at = [], {}, 0
-    for name, array in arrays.items():
-        places[name] = (at, *(array.shape if width == 1 else array.shape[:1]))
-        part = np.ascontiguousarray(array, np.float32).reshape(-1, width)
-        parts.append(part)
-        at += part.shape[0]
-    return np.concatenate(parts), places
 
 
 @dataclass(frozen=True)
@@ -69,27 +36,25 @@ class SolutionTables:
     ----------
     numbers : dict
         Values of uniforms.
-    scalars, spectra, fields : array, shapes (n, 1), (n, 4), (n, 4)
-        Concatenated tables.
+    textures : dict
+        Contents of the textures ``scalars``, ``spectra`` and ``fields``, shape (n, 1) or (n, 4).
     places : dict
         Start and axes of each table.
     """
 
     numbers: dict[str, float]
-    scalars: NDArray[np.float32]
-    spectra: NDArray[np.float32]
-    fields: NDArray[np.float32]
-    places: dict[str, Shape]
+    textures: dict[str, NDArray[np.float32]]
+    places: dict[str, Place]
 
     @classmethod
-    def of(cls, solution: MomentsSolution, shown: Shown | None = None) -> SolutionTables:
+    def of(cls, solution: MomentsSolution, shown: MarchTables | None = None) -> SolutionTables:
         """Make the tables of a solution; ``shown`` if it is known already.
 
         Parameters
         ----------
         solution : MomentsSolution
             Solution of at most four wavelengths.
-        shown : Shown, optional
+        shown : MarchTables, optional
             The same solution, prepared for a march.
 
         Raises
@@ -99,24 +64,20 @@ class SolutionTables:
         """
         count = solution.wavelengths.size
         if shown is None:
-            shown = shown_solution(solution, solution.medium.map_basis)
+            shown = shown_solution(solution)
         if shown.constituents > MOST_CONSTITUENTS:
             allowed = f"at most {MOST_CONSTITUENTS} on the GPU"
             raise ParameterError("constituents", shown.constituents, allowed)
-        given = shown.flat()
-        scalars, places = laid_out(
-            {name: np.asarray(given[name], float) for name in SCALAR_TABLES}, 1
+        values = shown._asdict() | shown.ground._asdict()
+        tables = {name: FRAME.tables[name] for name in values if name in FRAME.tables}
+        textures, places = FRAME.laid_out(
+            {
+                name: as_texels(values[name], count) if table.spectral else values[name]
+                for name, table in tables.items()
+            }
         )
-        spectra, more = laid_out(
-            {name: as_texels(given[name], count) for name in SPECTRAL_TABLES}, 4
-        )
-        fields, most = laid_out({name: as_texels(given[name], count) for name in FIELD_TABLES}, 4)
-        numbers = {
-            name: float(value)
-            for name, value in given.items()
-            if name not in (*SCALAR_TABLES, *SPECTRAL_TABLES, *FIELD_TABLES)
-        }
-        return cls(numbers, scalars, spectra, fields, places | more | most)
+        numbers = {name: float(values[name]) for name in values if name in FRAME.numbers}
+        return cls(numbers, textures, places)
 
 
 @dataclass(frozen=True)
@@ -128,11 +89,11 @@ class SolutionTextures:
     numbers, places : dict
         Values as in ``SolutionTables``, including those of the map.
     textures : dict
-        Textures by the names of ``shaders.TEXTURES``.
+        Textures by their names in the shaders.
     """
 
     numbers: dict[str, float]
-    places: dict[str, Shape]
+    places: dict[str, Place]
     textures: dict[str, Any]
 
     @classmethod
@@ -140,7 +101,7 @@ class SolutionTextures:
         cls,
         device: Device,
         solution: MomentsSolution,
-        shown: Shown | None = None,
+        shown: MarchTables | None = None,
         before: SolutionTextures | None = None,
     ) -> SolutionTextures:
         """Upload a solution; an unchanged map of the ground is not uploaded again.
@@ -149,7 +110,7 @@ class SolutionTextures:
         ----------
         device : Device
             Device from ``open_device``.
-        solution, shown : MomentsSolution, Shown
+        solution, shown : MomentsSolution, MarchTables
             Arguments of ``SolutionTables.of``.
         before : SolutionTextures, optional
             Textures shown previously, for their map.
@@ -160,12 +121,11 @@ class SolutionTextures:
             Errors of ``SolutionTables.of``.
         """
         made = SolutionTables.of(solution, shown)
-        textures = {
-            "scalars": flat_texture(device, _uneven(made.scalars), "scalars"),
-            "spectra": flat_texture(device, _uneven(made.spectra), "spectra"),
-            "fields": fields_on(device, solution)
-            or flat_texture(device, _uneven(made.fields), "fields"),
-        }
+        solved = fields_on(device, solution)
+        textures: dict[str, Any] = {} if solved is None else {"fields": solved}
+        for one, contents in made.textures.items():
+            if one not in textures:
+                textures[one] = flat_texture(device, _uneven(contents), one)
         name = solution.medium.ground_map
         if before is not None and before.textures.get("map of") == name:
             textures["ground"] = before.textures["ground"]
@@ -194,7 +154,7 @@ def _uneven(texels: NDArray[np.float32]) -> NDArray[np.float32]:
     return np.pad(texels, ((0, more), (0, 0)))
 
 
-def _map_texels(name: str | None) -> tuple[NDArray[np.float32], dict[str, Shape]]:
+def _map_texels(name: str | None) -> tuple[NDArray[np.float32], dict[str, Place]]:
     """Map of the ground and its mip levels; without a map a single black pixel."""
     levels: Levels = (np.zeros((1, 1, 3), np.float32),)
     if name is not None:
@@ -203,9 +163,10 @@ def _map_texels(name: str | None) -> tuple[NDArray[np.float32], dict[str, Shape]
     shapes = np.array(
         [(start, *one.shape[:2]) for start, one in zip(starts, levels, strict=True)], np.float32
     )
-    return laid_out(
-        {"levels": shapes, "texels": np.concatenate([one.reshape(-1) for one in levels])}, 1
+    textures, places = FRAME.laid_out(
+        {"levels": shapes, "texels": np.concatenate([one.reshape(-1) for one in levels])}
     )
+    return textures["ground"], places
 
 
 def fitting_levels(levels: Levels, room: int) -> Levels:

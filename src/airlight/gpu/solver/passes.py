@@ -11,21 +11,13 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any, Final, Literal
 
-from airlight.gpu.device.flat import FLAT_WIDTH
 from airlight.gpu.emit.dialect import ShaderDialect
 from airlight.gpu.emit.emitter import Emitter
-from airlight.gpu.emit.shader_types import F32, I32, VEC4, Bundle, Table, Value
+from airlight.gpu.emit.shader_types import F32, FLAT_WIDTH, I32, VEC4, Bundle, Table, Value
 from airlight.gpu.emit.texture_table import TextureTable
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.solver import light, mixing, packing, rays
-from airlight.gpu.solver.tables import (
-    SCALARS,
-    SPECTRA,
-    sizes_in_shader,
-    tables_in_shader,
-    texture_table,
-    uniform_fields,
-)
+from airlight.gpu.solver.tables import SOLVE, Sizes, Tables
 from airlight.solvers.moments.stopping import PASS_IMAGES
 
 #: Ways to read a texture: four wavelengths a texel, or single numbers.
@@ -156,7 +148,7 @@ PASSES: Final = {one.name: one for one in (*ONCE, *PACK, *SWEEP, *MIX)}
 
 def _reading(name: str, one: Reading) -> TextureTable:
     """Table for an argument, from the texture that a pass reads."""
-    start = "solve.measures.w" if one.from_sky else ""
+    start = SOLVE.uniform("received").text if one.from_sky else ""
     spectral = one.view == "lanes"
     return TextureTable(name, one.texture, 1, spectral, start, by_number=not spectral)
 
@@ -186,9 +178,9 @@ def shader(name: str, dialect: ShaderDialect = WGSL) -> str:
     for given in one.host_inputs:
         kind, _, view = given.partition(":")
         if kind == "sizes":
-            arguments.append(sizes_in_shader())
+            arguments.append(SOLVE.bundle(Sizes))
         elif kind == "tables":
-            arguments.append(tables_in_shader())
+            arguments.append(SOLVE.bundle(Tables))
         elif kind == "first_point":
             arguments.append(I32)
             handed.append(dialect.uniform("span.texels.z", I32))
@@ -208,10 +200,10 @@ def shader(name: str, dialect: ShaderDialect = WGSL) -> str:
     emitter = Emitter(dialect)
     made = emitter.add(one.function, *arguments)
     body = emitter.module()
-    tables += [texture_table(one) for one in (*SCALARS, *SPECTRA) if f"_{one}(" in body]
+    tables += SOLVE.read_by(body)
     textures = list(dict.fromkeys(table.texture for table in tables))
     lines = [
-        dialect.uniforms("solve", uniform_fields(), 0, 0),
+        SOLVE.text(dialect),
         dialect.uniforms("span", ["texels"], 0, 1),
     ]
     if readers:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.gpu.emit.uniform_struct import Place
 from airlight.gpu.solver.passes import (
     IMAGES,
     MIX,
@@ -18,7 +19,7 @@ from airlight.gpu.solver.passes import (
     SolverPass,
     shader,
 )
-from airlight.gpu.solver.tables import SCALARS, SPECTRA, uniform_fields
+from airlight.gpu.solver.tables import SOLVE
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.solvers.moments.setup import Block, Setup
 
@@ -53,20 +54,22 @@ class SolverPlan:
     block : Block
         Set-up of its wavelengths: paths, degree, grid, rays, tables.
     sizes : dict
-        Values of ``Sizes`` by name.
+        Values of ``Sizes``, and of the law of reflection, by name.
+    places : dict
+        Start and axes of each table.
     solve : array, shape (n, 4)
         Values of the uniform ``solve``.
-    scalars, spectra : array, shapes (n,), (n, 4)
-        Contents of the two textures of tables.
+    tables : dict
+        Contents of the textures ``scalars`` and ``spectra``, shapes (n, 1) and (n, 4).
     spans : tuple of Span
         Groups of radii.
     """
 
     block: Block
     sizes: dict[str, Any]
+    places: dict[str, Place]
     solve: Float32Array
-    scalars: Float32Array
-    spectra: Float32Array
+    tables: dict[str, Float32Array]
     spans: tuple[Span, ...]
 
     @property
@@ -170,8 +173,8 @@ class SolverPlan:
     def as_dict(self) -> dict[str, Any]:
         """Plan for a host in another language, except three arrays; representable in JSON.
 
-        The arrays are the uniform ``solve``, and ``scalars`` and ``spectra``, which fill flat
-        textures of these names, ``r32float`` and ``rgba32float``. Every other texture is a flat
+        The arrays are the uniform ``solve``, and the ``tables``, which fill the flat textures
+        ``scalars`` and ``spectra``, ``r32float`` and ``rgba32float``. Every other texture is a flat
         ``rgba32float`` with the number of texels in ``textures``, and every shader has the entry
         ``fill``, which skips texels beyond its span. A host
 
@@ -193,18 +196,13 @@ class SolverPlan:
                 for one, texels in self.runs(passes)
             ]
 
-        fields = uniform_fields()
         tables = {
-            name: {
-                "texture": "scalars" if name in SCALARS else "spectra",
-                "start": int(self.solve[fields.index(f"{name}_start")][0]),
-                "shape": [int(n) for n in self.solve[fields.index(f"{name}_shape")] if n > 0],
-            }
-            for name in (*SCALARS, *SPECTRA)
+            name: {"texture": SOLVE.tables[name].texture, "start": start, "shape": shape}
+            for name, (start, *shape) in self.places.items()
         }
         return {
             "sizes": {name: float(value) for name, value in self.sizes.items()},
-            "uniform": list(fields),
+            "uniform": list(SOLVE.vectors()),
             "tables": tables,
             "textures": self.textures,
             "images": list(IMAGES),

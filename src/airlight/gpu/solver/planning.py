@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import AirlightError, ParameterError
 from airlight.gpu.solver.plan import SolverPlan, Span
-from airlight.gpu.solver.tables import COUNTS, MEASURES, SCALARS, SPECTRA, uniform_fields
+from airlight.gpu.solver.tables import SOLVE
 from airlight.kernel.lanes import LANES
 from airlight.optics.reflection import NUMBERS
 from airlight.pixels.shown import MOST_CONSTITUENTS, WAVELENGTHS
@@ -63,7 +63,7 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
             "constituents", constituents, f"at most {MOST_CONSTITUENTS} on the GPU"
         )
     setup = Setup(paths=paths, settings=settings)
-    if setup.transport_depth.max() > THICKEST:
+    if setup.optics.transport_depth.max() > THICKEST:
         raise ThickAir
     block = setup.block(slice(None))
     grid, rays, air = setup.grid, block.rays, block.air
@@ -93,18 +93,19 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
         "directions": table.values.shape[1],
         "levels": grid.radii.size,
         "parts": setup.parts,
+        "received": grid.radii.size * grid.sun_cosines.size * (1 + setup.terms),
         "bottom": grid.bottom_radius,
         "top": grid.top_radius,
         "star_radius": air.star_radius,
+        **{name: getattr(air.ground, name) for name in NUMBERS},
     }
-    reflection = tuple(getattr(air.ground, name) for name in NUMBERS)
-    solve, scalars, spectra = _laid_out(arrays, sizes, reflection)
+    textures, places = SOLVE.laid_out(arrays)
     return SolverPlan(
         block=block,
         sizes=sizes,
-        solve=solve,
-        scalars=scalars,
-        spectra=spectra,
+        places=places,
+        solve=SOLVE.packed(sizes, places).reshape(-1, 4),
+        tables=textures,
         spans=_spans(rays.start, sizes),
     )
 
@@ -112,33 +113,6 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
 def _lanes(flat: Float32Array) -> Float32Array:
     """Split elements of eight lanes to four, shape (n, 4)."""
     return flat.reshape(-1, LANES)[:, :WAVELENGTHS]
-
-
-def _laid_out(
-    arrays: dict[str, NDArray[Any]], sizes: dict[str, Any], reflection: tuple[float, ...]
-) -> tuple[Float32Array, Float32Array, Float32Array]:
-    """Pack the uniform and the two textures of tables."""
-    uniform: dict[str, tuple[float, ...]] = dict.fromkeys(uniform_fields(), (0.0,) * 4)
-    uniform["counts"] = tuple(sizes[name] for name in COUNTS[:4])
-    uniform["more_counts"] = tuple(sizes[name] for name in COUNTS[4:8])
-    uniform["most_counts"] = (*(sizes[name] for name in COUNTS[8:]), 0.0, 0.0)
-    uniform["reflection"] = (*reflection, *(0.0,) * (4 - len(reflection)))
-    ground = sizes["levels"] * sizes["suns"] * (1 + sizes["terms"])
-    uniform["measures"] = (*(sizes[name] for name in MEASURES), ground)
-    textures: list[Float32Array] = []
-    for names, channels in ((SCALARS, 1), (SPECTRA, 4)):
-        start = 0
-        parts = []
-        for name in names:
-            array = arrays[name]
-            shape = array.shape if channels == 1 else array.shape[:1]
-            uniform[f"{name}_shape"] = (*shape, *(0,) * (4 - len(shape)))
-            uniform[f"{name}_start"] = (start, 0.0, 0.0, 0.0)
-            parts.append(np.asarray(array, np.float32).reshape(-1, channels))
-            start += parts[-1].shape[0]
-        textures.append(np.concatenate(parts))
-    solve = np.array(list(uniform.values()), np.float32)
-    return solve, textures[0][:, 0], textures[1]
 
 
 def _spans(start: NDArray[np.int64], sizes: dict[str, Any]) -> tuple[Span, ...]:

@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 from airlight.errors import Cancelled
 from airlight.gpu.device.device import Device
 from airlight.gpu.device.flat import (
-    FLAT_WIDTH,
     empty_flat_texture,
     flat_rows,
     read_flat,
@@ -22,6 +21,7 @@ from airlight.gpu.device.flat import (
 )
 from airlight.gpu.device.fragment_pass import FragmentPass
 from airlight.gpu.device.pass_times import PassTimes
+from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.solver.passes import IMAGES, MIX, ONCE, PACK, SWEEP, SolverPass, shader
 from airlight.gpu.solver.plan import SolverPlan
 from airlight.pixels.shown import WAVELENGTHS
@@ -102,8 +102,8 @@ class GpuSweeper:
             If a texture would be larger than browsers allow.
         """
         self.plan = plan
-        for name, values in (("scalars", plan.scalars), ("spectra", plan.spectra)):
-            self._make(name, values.shape[0], 4 if values.ndim == 2 else 1)
+        for name, values in plan.tables.items():
+            self._make(name, *values.shape)
             update_flat(self.device, self._textures[name], 0, values)
         for name, texels in plan.textures.items():
             self._make(name, texels, 4)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from math import pi, sqrt
+from typing import Final
 
 import numpy as np
 
@@ -21,6 +22,9 @@ from airlight.solvers.moments.sweep import (
     star_from_ray,
     through_ray,
 )
+
+#: Phase function of isotropic scattering. [sr⁻¹]
+ISOTROPIC: Final = 0.25 / pi
 
 
 @inlined
@@ -93,7 +97,7 @@ def fill_phases(moments, nu, degree, constituents, phases):
         before, value = 0.0, 1.0
         for l in range(degree + 1):
             total = total + load(moments, LANES * (c * (degree + 1) + l)) * np.float32(
-                (2 * l + 1) * 0.07957747154594767 * value
+                (2 * l + 1) * ISOTROPIC * value
             )
             following = ((2 * l + 1) * nu * value - l * before) / (l + 1)
             before, value = value, following

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from airlight.geometry.bending import level_light
-from airlight.kernel import compiled_loop
+from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
 from airlight.optics.reflection import sky_factor, star_factor
 from airlight.solvers.moments.grid import radius_index
@@ -14,93 +14,90 @@ from airlight.solvers.moments.sweep import sun_index
 from airlight.tables.column_ratios import columns_to_top
 
 
-@compiled_loop
+@inlined
 def ground_light(mu_s, orders, light, work):
-    """Compute irradiance of level ground per irradiance of the star in ``work.received``. [1]
+    """Compute irradiance of level ground per irradiance of the star, in ``work.received``. [1]
 
-    ``orders`` as in ``march``.
+    Parameters
+    ----------
+    mu_s : float
+        Cosine of the star's zenith angle on the ground. [1]
+    orders, light, work :
+        Arguments of ``march``; the workspace receives the irradiances by the star and by the sky.
     """
-    _light_ground(mu_s, False, 0.0, 0.0, orders, light, work)
+    bottom, top = light.bottom, light.top
+    from_low, from_high, low, high = level_light(
+        bottom, mu_s, bottom, top, light.star_radius, light.lift
+    )
+    direct = orders != 0 and from_low + from_high > 0.0
+    if direct:
+        columns_to_top(bottom, low, bottom, top, light.columns, work.here)
+        columns_to_top(bottom, high, bottom, top, light.columns, work.there)
+    x = sun_index(mu_s, light.place)
+    place = min(int(x), light.suns - 2)
+    for at in range(0, light.lanes, LANES):
+        star, sky = splat(0.0), splat(0.0)
+        if direct:
+            star = level_star(
+                work.here, work.there, from_low, from_high, light.extinction, light.constituents,
+                light.lanes, at,
+            )  # fmt: skip
+        if orders != 1:
+            sky = level_sky(light.sky, place, x - place, light.lanes, at)
+        store(work.received, at, star)
+        store(work.received, light.lanes + at, sky)
 
 
-@compiled_loop
-def ground_radiance(mu_s, leaving, nu, orders, light, work):
-    """Compute radiance of the ground per irradiance of the star in ``work.received``. [sr⁻¹]
+@inlined
+def ground_radiance(mu_s, leaving, nu, orders, light, work, out):
+    """Compute radiance of the ground per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
     mu_s, leaving, nu : float
         Cosines as in ``star_factor``. [1]
     orders, light, work :
-        As in ``march``.
+        Arguments of ``march``.
+    out : array, shape (w,)
+        Receives the radiance. [sr⁻¹]
     """
-    _light_ground(mu_s, True, leaving, nu, orders, light, work)
-
-
-@compiled_loop
-def _light_ground(mu_s, reflects, leaving, nu, orders, light, work):
-    """Compute ``ground_radiance``, or ``ground_light`` without ``reflects``."""
-    grid, air = light.grid, light.air
-    bottom, lanes = grid.bottom_radius, air.ground.albedo.size
-    top = grid.top_radius
-    from_low, from_high, below, above = level_light(
-        bottom, mu_s, bottom, top, air.star_radius, light.lift
-    )
-    direct = from_low + from_high
-    if direct > 0.0:
-        columns_to_top(bottom, below, bottom, top, light.columns, work.here)
-        columns_to_top(bottom, above, bottom, top, light.columns, work.there)
-    x = sun_index(mu_s, grid.place)
-    place = min(int(x), grid.sun_cosines.size - 2)
-    constituents = light.columns.shape[2]
-    for at in range(0, lanes, LANES):
-        received = splat(0.0)
-        if orders != 0 and direct > 0.0:
-            received = level_star(
-                work.here, work.there, from_low, from_high, air.extinction, constituents, lanes, at
-            )
-            if reflects:
-                received = received * star_factor(air.ground, at, mu_s, leaving, nu)
-        if orders != 1:
-            sky = level_sky(light.sky, place, x - place, lanes, at)
-            if reflects:
-                sky = sky * sky_factor(air.ground, at, leaving)
-            received = received + sky
-        if reflects:
-            received = received * INVERSE_PI
-        store(work.received, at, received)
+    ground_light(mu_s, orders, light, work)
+    for at in range(0, light.lanes, LANES):
+        star = load(work.received, at) * star_factor(light.ground, at, mu_s, leaving, nu)
+        sky = load(work.received, light.lanes + at) * sky_factor(light.ground, at, leaving)
+        store(out, at, (star + sky) * INVERSE_PI)
 
 
 @compiled_loop
 def direct_irradiance(r, mu_s, light, work, out):
     """Compute irradiance of a level surface by the star, for arrays of radii and cosines. [1]"""
-    bottom, top = light.grid.bottom_radius, light.grid.top_radius
-    lanes = light.air.ground.albedo.size
+    bottom, top, lanes = light.bottom, light.top, light.lanes
     for k in range(r.size):
         from_low, from_high, low, high = level_light(
-            r[k], mu_s[k], bottom, top, light.air.star_radius, light.lift
+            r[k], mu_s[k], bottom, top, light.star_radius, light.lift
         )
         columns_to_top(r[k], low, bottom, top, light.columns, work.here)
         columns_to_top(r[k], high, bottom, top, light.columns, work.there)
         for at in range(0, lanes, LANES):
             star = level_star(
-                work.here, work.there, from_low, from_high, light.air.extinction,
-                light.columns.shape[2], lanes, at,
+                work.here, work.there, from_low, from_high, light.extinction, light.constituents,
+                lanes, at,
             )  # fmt: skip
             store(out[k], at, star)
 
 
 @compiled_loop
-def sky_irradiance(r, mu_s, light, out):
-    """Compute irradiance of a level surface by the sky, for arrays of radii and cosines. [1]"""
-    grid = light.grid
-    bottom, top = grid.bottom_radius, grid.top_radius
-    suns, lanes = grid.sun_cosines.size, light.air.ground.albedo.size
+def sky_irradiance(r, mu_s, radii, light, out):
+    """Compute irradiance of a level surface by the sky, for arrays of radii and cosines. [1]
+
+    ``radii`` are those of the solution's grid. [m]
+    """
+    suns, lanes = light.suns, light.lanes
     for k in range(r.size):
-        row = min(int(radius_index(r[k], bottom, top, grid.row)), grid.radii.size - 2)
+        row = min(int(radius_index(r[k], light.bottom, light.top, light.row)), light.radii - 2)
         # Linear in altitude: aloft the sky's light falls as the air above does, exponentially.
-        f = (r[k] - grid.radii[row]) / (grid.radii[row + 1] - grid.radii[row])
-        x = sun_index(mu_s[k], grid.place)
+        f = (r[k] - radii[row]) / (radii[row + 1] - radii[row])
+        x = sun_index(mu_s[k], light.place)
         place = min(int(x), suns - 2)
         e = x - place
         for at in range(0, lanes, LANES):

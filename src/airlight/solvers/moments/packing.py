@@ -125,9 +125,36 @@ def level_weights(sun_cosines: FloatArray, dip: float, depth: FloatArray) -> Flo
     array, shape (s, w)
         Weights from 0 to 1. [1]
     """
+    day = daylight(sun_cosines, dip)
+    return np.asarray(vectorized(level_weight)(day[:, None], depth), np.float32)
+
+
+def daylight(sun_cosines: FloatArray, dip: float) -> FloatArray:
+    """Part of the light by day: 0 at night, 1 by day, smooth through dusk. [1]
+
+    Parameters
+    ----------
+    sun_cosines : array, shape (s,)
+        Sun cosines. [1]
+    dip : float
+        Dip of the horizon, seen from the top of the shell. [rad]
+    """
     height = np.clip(0.5 + np.arcsin(sun_cosines) / (_DUSK * dip), 0.0, 1.0)
-    day = height * height * (3.0 - 2.0 * height)
-    return np.asarray(day[:, None] * thickness(depth), np.float32)
+    return np.asarray(height * height * (3.0 - 2.0 * height))
+
+
+@kernel
+def level_weight(day, depth):
+    """``level_weights`` of one sun elevation and wavelength. [1]
+
+    Parameters
+    ----------
+    day : float
+        From ``daylight``. [1]
+    depth : float
+        Vertical scattering optical depth. [1]
+    """
+    return day * thick_share(depth)
 
 
 @kernel

@@ -71,7 +71,7 @@ def radiance_parts(solution: MomentsSolution, sight: Sight) -> Parts:
 
 def _without_source(field: NDArray[np.float32], solution: MomentsSolution) -> NDArray[np.float32]:
     """Moments of a field without light: each node keeps its scale, (s, 0)."""
-    lanes = solution.light.air.ground.albedo.size
+    lanes = solution.light.lanes
     nodes = field.reshape(-1, 1 + _terms(solution), lanes).copy()
     nodes[:, 1:] = 0.0
     return nodes.reshape(field.shape)

@@ -1,4 +1,4 @@
-"""Optics of a medium, packed for kernels that run eight wavelengths at once.
+"""Optics of a medium without forward peaks, packed for kernels of eight wavelengths at once.
 
 Where light is scattered many times by particles with a sharp forward peak, the part
 f = g_{N+1} of each scattering counts as unscattered (δ-M: Wiscombe 1977, JAS 34, 1408), and the
@@ -10,13 +10,15 @@ particles' vertical optical depth. Measurements: docs/decisions/0001-moments-in-
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from functools import cached_property
 from math import exp
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import kernel, vectorized
+from airlight.kernel import compiled_loop, kernel, vectorized
 from airlight.mappings.transmittance import radius_from_coordinate
 from airlight.optics.layer_edges import layer_edges
 from airlight.planets.medium import Medium
@@ -69,104 +71,155 @@ def cut_part(beyond, weight):
     return 0.0
 
 
-def peak_weight(medium: Medium, degree: int) -> FloatArray:
-    """Weight of the removal of forward peaks, from 0 (thin) to 1 (thick), shape (nl,).
+@compiled_loop
+def reduce_optics(scattering, absorption, phases, columns, degree, extinction, moments, depths):
+    """Remove the forward peaks of a medium, at each of its wavelengths.
+
+    Parameters
+    ----------
+    scattering, absorption : array, shape (nc, nl)
+        Coefficients of the constituents at relative density 1. [m⁻¹]
+    phases : array, shape (nc, nl, degree + 2)
+        Legendre moments of the phase functions. [1]
+    columns : array, shape (nc,)
+        Vertical columns. [m]
+    degree : int
+        Degree of the harmonics.
+    extinction : array, shape (nc·nl,)
+        Receives the extinction coefficients without forward peaks. [m⁻¹]
+    moments : array, shape (nc·(degree + 1)·nl,)
+        Receives scattering coefficient times Legendre moment, both without forward peaks. [m⁻¹]
+    depths : array, shape (3·nl,)
+        Receives the weight of the removal, from 0 (thin) to 1 (thick); the vertical scattering
+        optical depth without forward peaks; and the vertical depth in which each scattering counts
+        by 1 - g. [1]
+    """
+    constituents, wavelengths = scattering.shape[0], scattering.shape[1]
+    for w in range(wavelengths):
+        peaked = 0.0
+        for c in range(constituents):
+            if is_peaked(phases[c, w, degree + 1]):
+                peaked += scattering[c, w] * columns[c]
+        weight = cut_weight(peaked)
+        smooth = 0.0
+        transport = 0.0
+        for c in range(constituents):
+            scattered = scattering[c, w]
+            total = scattered + absorption[c, w]
+            part = cut_part(phases[c, w, degree + 1], weight)
+            extinction[c * wavelengths + w] = total - part * scattered
+            smooth += columns[c] * (scattered * (1.0 - part))
+            transport += columns[c] * (total - scattered * phases[c, w, 1])
+            for l in range(degree + 1):
+                moment = 0.0
+                if scattered > 0.0:
+                    moment = scattered * (phases[c, w, l] - part)
+                moments[(c * (degree + 1) + l) * wavelengths + w] = moment
+        depths[w] = weight
+        depths[wavelengths + w] = smooth
+        depths[2 * wavelengths + w] = transport
+
+
+@dataclass(frozen=True, eq=False)
+class Optics:
+    """Optics of a medium for harmonics of a degree; each part is made at its first use.
 
     Parameters
     ----------
     medium : Medium
-        Medium; its scattering counts if the phase function has moments above the degree.
+        Medium with any number of wavelengths.
     degree : int
         Degree of the harmonics.
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> medium = Medium.from_planet(load_planet("earth-atmosphere-plus"), [550.0])
+    >>> bool(Optics(medium, 2).transport_depth < medium.vertical_optical_depth.sum(axis=0))
+    True
     """
-    peaked = vectorized(is_peaked)(medium.phase_moments(degree + 1)[..., degree + 1])
-    depth = (medium.scattering * medium.columns[:, None] * peaked).sum(axis=0)
-    return np.asarray(vectorized(cut_weight)(depth))
 
+    medium: Medium
+    degree: int
 
-def choose_degree(medium: Medium, settings: Settings) -> int:
-    """Degree of the harmonics: no more than the phase functions need, higher for thick dust."""
-    highest = settings.thick_degree
-    moments = medium.phase_moments(highest)
-    strong = np.abs(moments).max(axis=(0, 1)) > NEGLIGIBLE
-    needed = int(np.flatnonzero(strong).max()) if strong.any() else 0
-    thick = bool((peak_weight(medium, settings.degree) > 0.9).any())
-    return max(2, min(needed, highest if thick else settings.degree))
+    @classmethod
+    def chosen(cls, medium: Medium, settings: Settings) -> Optics:
+        """Optics of no higher degree than the phase functions need; it is higher for thick dust.
 
+        Parameters
+        ----------
+        medium : Medium
+            Medium with all wavelengths.
+        settings : Settings
+            Settings with the degrees of clear and of thick air.
+        """
+        highest = settings.thick_degree
+        moments = medium.phase_moments(highest)
+        strong = np.abs(moments).max(axis=(0, 1)) > NEGLIGIBLE
+        needed = int(np.flatnonzero(strong).max()) if strong.any() else 0
+        thick = bool((cls(medium, settings.degree).peak_weight > 0.9).any())
+        return cls(medium, max(2, min(needed, highest if thick else settings.degree)))
 
-def forward_peaks(medium: Medium, degree: int) -> FloatArray:
-    """Part of each constituent's scattering that counts as unscattered, shape (nc, nl). [1]
+    @cached_property
+    def phases(self) -> FloatArray:
+        """Legendre moments of the phase functions, shape (nc, nl, degree + 2). [1]"""
+        return self.medium.phase_moments(self.degree + 1)
 
-    Parameters
-    ----------
-    medium : Medium
-    degree : int
-        Degree of the harmonics.
-    """
-    beyond = medium.phase_moments(degree + 1)[..., degree + 1]
-    return np.asarray(vectorized(cut_part)(beyond, peak_weight(medium, degree)))
+    @cached_property
+    def _reduced(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        medium, (constituents, wavelengths) = self.medium, self.medium.scattering.shape
+        extinction = np.empty((constituents, wavelengths))
+        moments = np.empty((constituents, self.degree + 1, wavelengths))
+        depths = np.empty((3, wavelengths))
+        # Copies, which can be written to: a medium's arrays cannot, and need not be in one piece.
+        given = (medium.scattering, medium.absorption, self.phases, medium.columns)
+        reduce_optics(
+            *(np.array(one, float) for one in given), self.degree, extinction.reshape(-1),
+            moments.reshape(-1), depths.reshape(-1),
+        )  # fmt: skip
+        return extinction, moments, depths
 
+    @property
+    def peak_weight(self) -> FloatArray:
+        """Weight of the removal of forward peaks, from 0 (thin) to 1 (thick), shape (nl,). [1]"""
+        return np.asarray(self._reduced[2][0])
 
-def scattering_depth(medium: Medium, degree: int) -> FloatArray:
-    """Vertical scattering optical depth without forward peaks, shape (nl,). [1]
+    @property
+    def scattering_depth(self) -> FloatArray:
+        """Vertical scattering optical depth without forward peaks, shape (nl,). [1]"""
+        return np.asarray(self._reduced[2][1])
 
-    Parameters
-    ----------
-    medium : Medium
-    degree : int
-        Degree of the harmonics.
-    """
-    smooth = medium.scattering * (1.0 - forward_peaks(medium, degree))
-    return medium.columns @ smooth
+    @property
+    def transport_depth(self) -> FloatArray:
+        """Vertical depth in which each scattering counts by 1 - g, shape (nl,). [1]"""
+        return np.asarray(self._reduced[2][2])
 
+    @cached_property
+    def depths(self) -> Depths:
+        """Depths that the radii follow."""
+        medium = self.medium
+        table = density_table(medium.density, medium.thickness)
+        altitude = medium.thickness * np.linspace(0.0, 1.0, table.shape[0]) ** 2
+        step = 0.5 * (table[1:] + table[:-1]) * np.diff(altitude)[:, None]
+        column = np.concatenate([np.zeros((1, table.shape[1])), np.cumsum(step, axis=0)])
+        smooth = self._reduced[1][:, 0]
+        return Depths(altitude, column @ smooth.max(axis=1))
 
-def transport_depth(medium: Medium) -> FloatArray:
-    """Vertical depth in which each scattering counts by 1 - g, shape (nl,). [1]"""
-    forward = medium.scattering * medium.phase_moments(1)[..., 1]
-    return medium.columns @ (medium.extinction - forward)
+    def air(self, block: slice) -> Air:
+        """Pack the optics of some wavelengths in whole groups of eight lanes.
 
-
-def optical_depths(medium: Medium, degree: int) -> Depths:
-    """Depths that the radii follow.
-
-    Parameters
-    ----------
-    medium : Medium
-    degree : int
-        Degree of the harmonics.
-    """
-    table = density_table(medium.density, medium.thickness)
-    altitude = medium.thickness * np.linspace(0.0, 1.0, table.shape[0]) ** 2
-    step = 0.5 * (table[1:] + table[:-1]) * np.diff(altitude)[:, None]
-    column = np.concatenate([np.zeros((1, table.shape[1])), np.cumsum(step, axis=0)])
-    smooth = medium.scattering * (1.0 - forward_peaks(medium, degree))
-    return Depths(altitude, column @ smooth.max(axis=1))
-
-
-def make_air(medium: Medium, degree: int, block: slice) -> Air:
-    """Pack the optics of some of a medium's wavelengths in whole groups of eight lanes.
-
-    Parameters
-    ----------
-    medium : Medium
-        Medium with all wavelengths.
-    degree : int
-        Degree of the harmonics.
-    block : slice
-        Indices of the wavelengths.
-    """
-    moments = medium.phase_moments(degree + 1)[:, block]
-    scattering = medium.scattering[:, block]
-    extinction = medium.extinction[:, block]
-    peak = forward_peaks(medium, degree)[:, block]
-    scatters = (scattering > 0.0)[..., None]
-    smooth = scattering[..., None] * (moments[..., : degree + 1] - peak[..., None]) * scatters
-    return Air(
-        extinction=pack(extinction - peak * scattering),
-        moments=pack(np.moveaxis(smooth, 2, 1)),
-        ground=medium.ground._replace(albedo=pack(medium.ground.albedo[block])),
-        star_radius=float(medium.lights[0].angular_radius),
-    )
+        Parameters
+        ----------
+        block : slice
+            Indices of the wavelengths.
+        """
+        medium, (extinction, moments, _) = self.medium, self._reduced
+        return Air(
+            extinction=pack(extinction[:, block]),
+            moments=pack(moments[..., block]),
+            ground=medium.ground._replace(albedo=pack(medium.ground.albedo[block])),
+            star_radius=medium.lights[0].angular_radius,
+        )
 
 
 def panel_ends(medium: Medium, grid: Grid, parts: int) -> FloatArray:

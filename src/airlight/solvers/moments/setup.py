@@ -22,18 +22,10 @@ from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.grid import Grid, make_grid
 from airlight.solvers.moments.harmonics import Harmonics, coefficient_count, harmonics
-from airlight.solvers.moments.levels import FEW_NODES, Depths
-from airlight.solvers.moments.packing import filled, level_weights, thickness
+from airlight.solvers.moments.levels import FEW_NODES
+from airlight.solvers.moments.packing import daylight, filled, level_weights, thickness
 from airlight.solvers.moments.rays import Rays, trace_rays
-from airlight.solvers.moments.reduced_optics import (
-    choose_degree,
-    column_rows,
-    make_air,
-    optical_depths,
-    panel_ends,
-    scattering_depth,
-    transport_depth,
-)
+from airlight.solvers.moments.reduced_optics import Optics, column_rows, panel_ends
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.sweep import Air, Azimuths
 from airlight.solvers.moments.visible_rays import rays_in_sight
@@ -75,9 +67,14 @@ class Setup:
         return self.paths.medium
 
     @cached_property
+    def optics(self) -> Optics:
+        """Optics of the medium, with the degree of the harmonics."""
+        return Optics.chosen(self.medium, self.settings)
+
+    @property
     def degree(self) -> int:
         """Degree of the harmonics."""
-        return choose_degree(self.medium, self.settings)
+        return self.optics.degree
 
     @property
     def terms(self) -> int:
@@ -85,15 +82,14 @@ class Setup:
         return coefficient_count(self.degree)
 
     @cached_property
-    def depths(self) -> Depths:
-        """Optical depths that the radii follow."""
-        return optical_depths(self.medium, self.degree)
-
-    @cached_property
     def _nodes(self) -> tuple[Grid, int]:
         medium, settings = self.medium, self.settings
         return make_grid(
-            medium.bottom_radius, medium.top_radius, settings.radii, settings.suns, self.depths
+            medium.bottom_radius,
+            medium.top_radius,
+            settings.radii,
+            settings.suns,
+            self.optics.depths,
         )
 
     @property
@@ -169,25 +165,14 @@ class Setup:
         """``mean_density_ratios`` of that table. [1]"""
         return self._columns[1]
 
-    @cached_property
-    def scattering_depth(self) -> FloatArray:
-        """Vertical scattering optical depth without forward peaks, shape (nl,). [1]"""
-        return scattering_depth(self.medium, self.degree)
-
-    @cached_property
-    def transport_depth(self) -> FloatArray:
-        """Vertical depth in which each scattering counts by 1 - g, shape (nl,). [1]"""
-        return transport_depth(self.medium)
-
     @property
     def daylight(self) -> FloatArray:
         """Level weights of infinitely thick air, shape (s,): 0 at night, 1 by day. [1]"""
-        weights = level_weights(self.grid.sun_cosines, self.dip, np.array([np.inf]))
-        return weights[:, 0].astype(float)
+        return daylight(self.grid.sun_cosines, self.dip)
 
     def level(self, which: slice) -> Float32Array:
         """Level weights of some wavelengths in whole groups of eight, shape (s, 8). [1]"""
-        depth = self.scattering_depth[which]
+        depth = self.optics.scattering_depth[which]
         return np.asarray(filled(level_weights(self.grid.sun_cosines, self.dip, depth)))
 
     def block(self, which: slice) -> Block:
@@ -198,13 +183,13 @@ class Setup:
         which : slice
             Indices of at most eight wavelengths.
         """
-        air = make_air(self.medium, self.degree, which)
+        air = self.optics.air(which)
         rays, share = rays_in_sight(self.rays, air)
-        transport = self.transport_depth[which]
-        thick = filled(thickness(self.scattering_depth[which]))
+        transport = self.optics.transport_depth[which]
+        thick = filled(thickness(self.optics.scattering_depth[which]))
         low, high = _SIDELIT
         wanders = np.maximum(filled(transport) / _WANDERS, 1.0)
-        wide = self.depths.reach
+        wide = self.optics.depths.reach
         return Block(
             setup=self,
             which=which,

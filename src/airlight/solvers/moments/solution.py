@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.bending import bend_angle, turned
-from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel import compiled_loop, disk
+from airlight.kernel.borrowing import borrowed
 from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.lanes import LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
@@ -29,16 +29,9 @@ from airlight.solvers.moments.irradiance import (
     sky_irradiance,
 )
 from airlight.solvers.moments.iterate import Moments, solve_moments
-from airlight.solvers.moments.march import (
-    NO_PEAKS,
-    Light,
-    Workspace,
-    march,
-    new_packet,
-    new_workspace,
-)
+from airlight.solvers.moments.march import march
+from airlight.solvers.moments.march_tables import MarchTables, new_workspace, quadratures
 from airlight.solvers.moments.packing import filled, pack, pack_light
-from airlight.solvers.moments.reduced_optics import make_air
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.setup import Setup
 from airlight.solvers.sight import Sight
@@ -103,35 +96,47 @@ class MomentsSolution(Solution):
         return other
 
     @cached_property
-    def light(self) -> Light:
-        """Input of ``march``, for all wavelengths."""
-        moments, medium = self.moments, self.paths.medium
-        level = self.setup.level(slice(None))
+    def light(self) -> MarchTables:
+        """Tables of the march, for all wavelengths, with the points and panels of queries."""
+        moments, medium, settings = self.moments, self.paths.medium, self.settings
+        level, expansion, grid = self.setup.level(slice(None)), self.setup.expansion, moments.grid
         field, sky = pack_light(filled(moments.field), filled(moments.sky), level, moments.parts)
         table = ColumnTable(medium.bottom_radius, medium.top_radius, moments.columns)
-        return Light(
-            grid=moments.grid,
-            air=make_air(medium, moments.degree, slice(None)),
-            scattering=pack(medium.scattering),
-            expansion=self.setup.expansion,
-            field=field,
-            sky=sky,
+        air = self.setup.optics.air(slice(None))
+        return MarchTables(
+            bottom=grid.bottom_radius,
+            top=grid.top_radius,
+            star_radius=self.lights[0].angular_radius,
+            bend=self.paths.bend,
+            lanes=air.ground.albedo.size,
+            panels=settings.march_panels,
+            constituents=len(medium.names),
+            degree=expansion.degree,
+            radii=grid.radii.size,
+            suns=grid.sun_cosines.size,
+            phase_nodes=medium.phase_table.shape[2],
+            first_peak=-1,
+            second_peak=-1,
             columns=mean_density_ratios(table),
             density=density_table(medium.density, medium.thickness),
             strongest=medium.extinction.max(axis=1),
             brightest=medium.scattering.max(axis=1),
             lift=self.paths.lift,
-            bend=self.paths.bend,
             ends=self.setup.ends,
-        )
-
-    def workspace(self, nodes: int, panels: int) -> Workspace:
-        """Workspace of one thread for a march of ``nodes`` a panel and ``panels`` a leg."""
-        return new_workspace(
-            nodes * (2 * panels + 10 + 2 * self.light.ends.size),
-            len(self.paths.medium.names),
-            coefficient_count(self.moments.degree),
-            self.light.air.ground.albedo.size,
+            row=grid.row,
+            place=grid.place,
+            start=expansion.start,
+            ahead=expansion.ahead,
+            back=expansion.back,
+            rules=quadratures((settings.march_nodes,) * 3),
+            extinction=air.extinction,
+            scattering=pack(medium.scattering),
+            moments=air.moments,
+            phase=pack(np.moveaxis(medium.phase_table, 2, 0)),
+            basis=pack(medium.map_basis.T),
+            field=field,
+            sky=sky,
+            ground=air.ground,
         )
 
     def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
@@ -143,7 +148,7 @@ class MomentsSolution(Solution):
         sight: Sight,
         orders: int,
         *,
-        light: Light | None = None,
+        light: MarchTables | None = None,
         scatterers: Sequence[int] | None = None,
         ground: bool = True,
     ) -> FloatArray:
@@ -155,7 +160,7 @@ class MomentsSolution(Solution):
             n lines of sight.
         orders : int
             1: the star's light scattered or reflected once; 0: all the rest; 2: both together.
-        light : Light, optional
+        light : MarchTables, optional
             Replaces ``self.light``, with some of it left out.
         scatterers : sequence of int, optional
             Constituents that scatter the star's light; all by default.
@@ -171,8 +176,6 @@ class MomentsSolution(Solution):
         seen = self.paths.seen_nu(sight)
         n = sight.r.size
         out = np.empty((n, self.wavelengths.size))
-        nodes, panels = self.settings.march_nodes, self.settings.march_panels
-        rule = gauss_legendre(nodes).as_tuple()
         chosen = self.light if light is None else light
         count = self.wavelengths.size
         ends = sight.to_ground if ground else np.zeros_like(sight.to_ground)
@@ -184,7 +187,7 @@ class MomentsSolution(Solution):
                 silent = [c for c in range(phases.shape[1]) if c not in scatterers]
                 phases[:, silent] = 0.0
             phase = pack(phases).reshape(phases.shape[0], -1)
-            result = np.empty((phase.shape[0], chosen.air.ground.albedo.size), np.float32)
+            result = np.empty((phase.shape[0], chosen.lanes), np.float32)
             _march_all(
                 sight.r[rows],
                 sight.mu[rows],
@@ -194,11 +197,8 @@ class MomentsSolution(Solution):
                 ends[rows],
                 orders,
                 phase,
-                panels,
-                (rule, rule, rule),
                 chosen,
-                new_packet(phase.shape[1]),
-                self.workspace(nodes, panels),
+                new_workspace(chosen),
                 result,
             )
             out[rows] = result[:, :count]
@@ -208,52 +208,47 @@ class MomentsSolution(Solution):
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
-        work = self.workspace(1, 1)
+        work = new_workspace(self.light)
         x = self.paths.optical_radius(r)
         return self._received(x, lambda light, out: direct_irradiance(x, mu_s, light, work, out))
 
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
         x = self.paths.optical_radius(r)
-        return self._received(x, lambda light, out: sky_irradiance(x, mu_s, light, out))
+        radii = self.moments.grid.radii
+        return self._received(x, lambda light, out: sky_irradiance(x, mu_s, radii, light, out))
 
-    def _received(self, r: FloatArray, fill: Callable[[Light, Float32Array], None]) -> FloatArray:
-        result = np.empty((r.size, self.light.air.ground.albedo.size), np.float32)
+    def _received(
+        self, r: FloatArray, fill: Callable[[MarchTables, Float32Array], None]
+    ) -> FloatArray:
+        result = np.empty((r.size, self.light.lanes), np.float32)
         fill(self.light, result)
         return result[:, : self.wavelengths.size].astype(float)
 
 
 @compiled_loop
-def _march_all(
-    r, mu, mu_s, nu, length, to_ground, orders, phase, panels, rules, light, packet, work, out
-):
-    size = packet.r.size
-    for first in range(0, r.size, size):
-        rays = min(size, r.size - first)
-        for p in range(rays):
-            k = first + p
-            packet.r[p], packet.mu[p], packet.length[p] = r[k], mu[k], length[k]
-            packet.mu_s[p], packet.nu[p] = mu_s[k], nu[k]
-            packet.phase[p] = phase[k]
-        march(packet, rays, orders, NO_PEAKS, panels, rules, light, work)
-        for p in range(rays):
-            k = first + p
-            bright = work.radiance[p]
-            if to_ground[k]:
-                bottom = light.grid.bottom_radius
-                mu_s_ground = (r[k] * mu_s[k] + length[k] * nu[k]) / bottom
-                if light.bend > 0.0:
-                    mu_ground = (r[k] * mu[k] + length[k]) / bottom
-                    last = work.total.shape[1] - 1
-                    angle = bend_angle(r[k], mu[k], light.bend, work.total[p, last])
-                    mu_s_ground, _ = turned(mu_ground, mu_s_ground, nu[k], angle)
-                mu_s_ground = min(max(mu_s_ground, -1.0), 1.0)
-                leaving = leaving_cosine(r[k], mu[k], bottom)
-                ground_radiance(mu_s_ground, leaving, nu[k], orders, light, work)
-                for at in range(0, bright.size, LANES):
-                    ground = load(work.through[p], at) * load(work.received, at)
-                    store(bright, at, load(bright, at) + ground)
-            out[k] = bright
+def _march_all(r, mu, mu_s, nu, length, to_ground, orders, phase, light, work, out):
+    light, work = borrowed((light, work))
+    lanes, bottom = light.lanes, light.bottom
+    found, ground = work.found, np.empty(lanes, np.float32)
+    for k in range(r.size):
+        march(
+            r[k], mu[k], mu_s[k], nu[k], length[k], orders, True, False, phase[k], light, work,
+            found,
+        )  # fmt: skip
+        if to_ground[k]:
+            mu_s_ground = (r[k] * mu_s[k] + length[k] * nu[k]) / bottom
+            if light.bend > 0.0:
+                mu_ground = (r[k] * mu[k] + length[k]) / bottom
+                angle = bend_angle(r[k], mu[k], light.bend, work.totals[light.constituents - 1])
+                mu_s_ground, _ = turned(mu_ground, mu_s_ground, nu[k], angle)
+            mu_s_ground = min(max(mu_s_ground, -1.0), 1.0)
+            leaving = leaving_cosine(r[k], mu[k], bottom)
+            ground_radiance(mu_s_ground, leaving, nu[k], orders, light, work, ground)
+            for at in range(0, lanes, LANES):
+                behind = load(found, lanes + at) * load(ground, at)
+                store(found, at, load(found, at) + behind)
+        out[k] = found[:lanes]
 
 
 def solve(

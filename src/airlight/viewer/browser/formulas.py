@@ -20,8 +20,8 @@ from airlight.scene.observer import ground_axes
 from airlight.scene.projections import PROJECTIONS
 from airlight.solvers.moments.acceleration import combine
 from airlight.solvers.moments.convergence import change_at, count_at, rest_after
-from airlight.solvers.moments.packing import thick_share
-from airlight.solvers.moments.reduced_optics import cut_part, cut_weight, is_peaked
+from airlight.solvers.moments.packing import level_weight, thick_share
+from airlight.solvers.moments.reduced_optics import reduce_optics
 
 #: Formulas with the types of their arguments, by default all numbers. An array that a formula
 #: writes to may have any length.
@@ -47,10 +47,18 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     count_at: (),
     rest_after: (F32, F32, I32),
     combine: (LocalArray(1), I32, LocalArray(1)),
-    is_peaked: (),
-    cut_weight: (),
-    cut_part: (),
+    reduce_optics: (
+        Table("scattering", 2),
+        Table("absorption", 2),
+        Table("phases", 3),
+        Table("columns"),
+        I32,
+        LocalArray(1),
+        LocalArray(1),
+        LocalArray(1),
+    ),
     thick_share: (),
+    level_weight: (),
 }
 
 

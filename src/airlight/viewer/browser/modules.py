@@ -15,6 +15,8 @@ from importlib import resources
 from typing import Final
 
 from airlight.errors import FileError
+from airlight.gpu.emit.shader_types import FLAT_WIDTH
+from airlight.pixels.shown import WAVELENGTHS
 from airlight.viewer.browser.formulas import formulas_text
 from airlight.viewer.navigation import keys
 
@@ -33,10 +35,16 @@ def _keys_module() -> str:
     return f"export const KEYS = {json.dumps(keys.as_json('page'), ensure_ascii=False)};\n"
 
 
+def _sizes_module() -> str:
+    """Text of the module with the sizes of textures that shaders and page must agree on."""
+    return f"export const ROW = {FLAT_WIDTH};\nexport const LANES = {WAVELENGTHS};\n"
+
+
 #: Modules generated from Python's declarations.
 GENERATED: Final[Mapping[str, Callable[[], str]]] = {
     "generated/formulas.js": formulas_text,
     "generated/keys.js": _keys_module,
+    "generated/sizes.js": _sizes_module,
 }
 
 

@@ -8,14 +8,13 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable, Mapping
-from functools import partial
 from pathlib import Path
 from typing import Any
 
 from airlight.errors import AirlightError
-from airlight.gpu.device.device import NoDevice, open_device
-from airlight.paint.solve_planet import PlanetSolver, live_solver
-from airlight.planets.picture_wavelengths import LIVE, picture_wavelengths
+from airlight.paint.drawing_device import any_device
+from airlight.paint.solve_planet import live_solver
+from airlight.planets.picture_wavelengths import texel_wavelengths
 from airlight.viewer.background.solving import Solving
 from airlight.viewer.browser.modules import join_modules, web_file
 from airlight.viewer.browser.package import program, solution_package
@@ -27,14 +26,6 @@ try:
     import traitlets
 except ImportError as error:
     raise ImportError("a viewer in a notebook needs pip install 'airlight[notebook]'") from error
-
-
-def quickest_solver() -> PlanetSolver:
-    """Solver of this machine's GPU, or of its processor if there is none."""
-    try:
-        return live_solver("auto", open_device())
-    except NoDevice:
-        return live_solver("cpu")
 
 
 class Viewer(anywidget.AnyWidget):
@@ -115,8 +106,8 @@ class Viewer(anywidget.AnyWidget):
         self.observe(self._take_command, "command")
         self._solving = solving(
             self.session,
-            solver=quickest_solver(),
-            wavelengths=partial(picture_wavelengths, most=LIVE),
+            solver=live_solver("auto", any_device()),
+            wavelengths=texel_wavelengths,
             on_change=self._wake,
         )
         self._ending = (unfollow, self._solving.close)

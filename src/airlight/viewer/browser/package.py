@@ -17,10 +17,12 @@ from airlight.color.exposure import MIDDLE_GREY
 from airlight.color.tone_maps import TONE_MAPS, tone_map_named
 from airlight.color.xyz import luminance, rgb_to_xyz
 from airlight.constants import LUMINOUS_EFFICACY
+from airlight.gpu.device.flat import FORMATS
+from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.picture.pictures import QUICK_SKY_SHAPE, SKY_SHAPE
 from airlight.gpu.picture.shaders import Shader, picture_shader, sky_air_shader, sky_peaks_shader
 from airlight.gpu.picture.solution_textures import SolutionTables
-from airlight.gpu.picture.uniforms import layout
+from airlight.gpu.picture.uniforms import FRAME
 from airlight.pixels.picture_numbers import ORDERS
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.scene.projections import PROJECTIONS
@@ -35,8 +37,7 @@ Float32Array = NDArray[np.float32]
 
 #: Longer side of the small picture from which the exposure is measured. [pixel]
 GLANCE: Final = 64
-_FORMAT: Final = "rgba32float"
-_ROW: Final = 2048
+_FORMAT: Final = FORMATS[4]
 #: Number of altitudes at which the optical radius is tabulated.
 _RADII: Final = 1024
 
@@ -48,11 +49,11 @@ _PEAKS: Final = ("first", "second")
 def plan() -> dict[str, Any]:
     """Passes of a picture, and offset of each uniform; see ``web/drawing/program.js``."""
     columns, rows = SKY_SHAPE
-    where = layout()
+    where = FRAME.layout()
     places = {name: [start, 1] for name, start in where["numbers"].items()}
     places |= {f"table_{name}": [start, 4] for name, start in where["tables"].items()}
-    height = 2 * columns * rows // _ROW
-    sky = {"format": _FORMAT, "width": _ROW, "height": height}
+    height = 2 * columns * rows // FLAT_WIDTH
+    sky = {"format": _FORMAT, "width": FLAT_WIDTH, "height": height}
     glance = {"name": "glance", "format": _FORMAT, "width": GLANCE, "height": GLANCE}
 
     def one(name: str, shader: Shader, entry: str, targets: list[dict[str, Any]]) -> dict[str, Any]:
@@ -149,11 +150,7 @@ def solution_package(
         "ground": ground_map(medium.ground_map),
         "viewpoints": viewpoints(medium.bottom_radius, medium.top_radius),
     }
-    tables = {
-        "scalars": ("r32float", made.scalars),
-        "spectra": (_FORMAT, made.spectra),
-        "fields": (_FORMAT, made.fields),
-    }
+    tables = {name: (FORMATS[values.shape[1]], values) for name, values in made.textures.items()}
     return numbers, tables
 
 

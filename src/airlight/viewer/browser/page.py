@@ -16,7 +16,7 @@ from airlight.exports.whole_file import check_target, whole_file
 from airlight.kernel.threads import Cancel, Progress
 from airlight.paint.solve_planet import solve_planet
 from airlight.planets import load_planet
-from airlight.planets.picture_wavelengths import LIVE, picture_wavelengths
+from airlight.planets.picture_wavelengths import texel_wavelengths
 from airlight.viewer.browser.package import program, solution_package
 from airlight.viewer.browser.page_solver import amount_parameters, solver_data
 from airlight.viewer.browser.page_text import page_text
@@ -181,7 +181,7 @@ def export_page(
     for level in dict.fromkeys((quality, "preview")):
         solution = solve_planet(
             world,
-            picture_wavelengths(world, wavelengths, most=LIVE),
+            texel_wavelengths(world, wavelengths),
             level,
             cache=cache,
             progress=progress,

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from airlight.gpu.solver.plan import SolverPlan
 from airlight.gpu.solver.planning import THICKEST, ThickAir, plan_for
-from airlight.gpu.solver.tables import SCALARS
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.planets.medium import BENDING
 from airlight.solvers.light_paths import LightPaths
@@ -94,7 +93,7 @@ def solver_data(
     made = plan.as_dict()
     stopping = Stopping.of_passes(chosen)
     del made["shaders"]
-    drawn = paths.medium
+    drawn, optics = paths.medium, plan.setup.optics
     return {
         "plan": made,
         "uniforms": [float(x) for x in plan.solve.reshape(-1)],
@@ -107,11 +106,12 @@ def solver_data(
         "back": convergence.BACK,
         "air": {
             "names": [name for name in drawn.names if name != BENDING],
-            "scattering": _four(drawn.scattering),
-            "absorption": _four(drawn.absorption),
-            "phases": _four(np.moveaxis(drawn.phase_moments(plan.setup.degree + 1), 2, 1)),
-            "columns": [float(x) for x in drawn.columns],
-            "albedo": _four(drawn.ground_albedo),
+            "scattering": _table(_four(drawn.scattering)),
+            "absorption": _table(_four(drawn.absorption)),
+            "phases": _table(np.moveaxis(_four(np.moveaxis(optics.phases, 1, 2)), 2, 1)),
+            "columns": _table(drawn.columns),
+            "degree": optics.degree,
+            "albedo": _four(drawn.ground_albedo).tolist(),
             "day": [float(x) for x in plan.setup.daylight],
             "thickest": THICKEST,
         },
@@ -126,9 +126,11 @@ def solver_data(
 def _tables(plan: SolverPlan, places: dict[str, Any]) -> dict[str, str]:
     """Encode the tables as text, each as differences along the axis that compresses best."""
     found = {}
-    for name in SCALARS:
-        start, shape = places[name]["start"], places[name]["shape"]
-        values = plan.scalars[start : start + int(np.prod(shape))]
+    for name, place in places.items():
+        if place["texture"] != "scalars":  # the page computes those of the wavelengths
+            continue
+        start, shape = place["start"], place["shape"]
+        values = plan.tables["scalars"][start : start + int(np.prod(shape)), 0]
         if name == "ratios":
             found[name] = as_text(rounded(values, DIGITS), shape[-1] * shape[-2])
         else:
@@ -136,6 +138,11 @@ def _tables(plan: SolverPlan, places: dict[str, Any]) -> dict[str, str]:
     return found
 
 
-def _four(values: NDArray[np.float64]) -> Any:
-    """Convert values of shape (..., w) to lists of four wavelengths."""
-    return filled(np.asarray(values, np.float64))[..., :WAVELENGTHS].tolist()
+def _four(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Values of shape (..., w) at four wavelengths, of which the last may repeat."""
+    return np.asarray(filled(np.asarray(values, np.float64))[..., :WAVELENGTHS])
+
+
+def _table(values: NDArray[np.float64]) -> dict[str, Any]:
+    """Array as the emitted JavaScript reads a table."""
+    return {"values": values.reshape(-1).tolist(), "shape": list(values.shape)}

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, Literal, Protocol
 
 from airlight.scene import Scene
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.viewer.parameters.view_parameters import fitting
 
 #: Orders of scattering that are shown.
 Orders = Literal["all", "single", "multiple"]
@@ -122,28 +121,3 @@ class Painter(Protocol):
 
     def close(self) -> None:
         """End the painter's threads."""
-
-
-def scaled(scene: Scene, part: float) -> Scene:
-    """Scene whose picture has ``part`` times the pixels per side.
-
-    Parameters
-    ----------
-    scene : Scene
-    part : float
-        Scale of width and height. [1]
-
-    Returns
-    -------
-    Scene
-
-    Examples
-    --------
-    >>> small = scaled(Scene(), 0.25).camera
-    >>> small.width, small.height
-    (320, 180)
-    """
-    camera = scene.camera
-    size = round(camera.width * part), round(camera.height * part)
-    width, height = fitting(camera.projection, *size)
-    return replace(scene, camera=replace(camera, width=width, height=height))

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from airlight.paint.scene_painter import LIVE_FORMAT
 
 
 class PictureTexture:
@@ -16,9 +18,6 @@ class PictureTexture:
     device : wgpu.GPUDevice
         Device that owns the texture.
     """
-
-    #: Format for encoded sRGB: values are shown as written.
-    form: Final = "rgba8unorm"
 
     def __init__(self, device: Any) -> None:
         self._device = device
@@ -35,7 +34,7 @@ class PictureTexture:
             self._texture = self._device.create_texture(
                 label="picture",
                 size=(width, height, 1),
-                format=self.form,
+                format=LIVE_FORMAT,
                 usage=usage.COPY_DST
                 | usage.COPY_SRC
                 | usage.TEXTURE_BINDING

@@ -14,6 +14,7 @@ from airlight.color.exposure import DEFAULT_EXPOSURE
 from airlight.color.tone_maps import TONE_MAPS
 from airlight.scene.camera import Camera
 from airlight.scene.flight import LOWEST_ALTITUDE
+from airlight.scene.picture_size import fitting
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.scene import HIGHEST_ALTITUDE, Scene
 from airlight.viewer.parameters.parameter import Parameter, Value
@@ -218,18 +219,3 @@ def scene_of(view: Mapping[str, Any], width: int, height: int) -> Scene:
         longitude=float(view["view.longitude"]),
         sun_azimuth=bearing,
     )
-
-
-def fitting(projection: str, width: int, height: int) -> tuple[int, int]:
-    """Largest size with a projection's aspect ratio that fits into a window. [pixel]
-
-    Examples
-    --------
-    >>> fitting("equirectangular", 1280, 720), fitting("perspective", 1280, 720)
-    ((1280, 640), (1280, 720))
-    """
-    ratio = PROJECTIONS[projection].aspect
-    if ratio is None:
-        return max(1, width), max(1, height)
-    side = max(1, min(height, width // ratio))
-    return ratio * side, side

@@ -7,17 +7,19 @@ import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Final, Literal
+from typing import Final
 
 import numpy as np
 
 from airlight.errors import FileError
 from airlight.exports.whole_file import check_target
 from airlight.gpu.device.device import Device, NoDevice, open_device
+from airlight.paint.drawing_device import Choice, live_device
+from airlight.paint.scene_painter import ScenePainter
 from airlight.paint.solve_planet import live_solver
 from airlight.scene import look_at
 from airlight.viewer.navigation.viewpoints import VIEWPOINTS, view_of
-from airlight.viewer.painting.picture_cpu import CpuPainter
+from airlight.viewer.painting.picture_painter import PicturePainter
 from airlight.viewer.painting.picture_source import Painter
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.session.saved_state import from_fragment
@@ -68,7 +70,7 @@ class Start:
     look: tuple[float, float] | None = None
     look_at: str | None = None
     size: tuple[int, int] = (1280, 720)
-    device: Literal["auto", "gpu", "cpu"] = "auto"
+    device: Choice = "auto"
     screenshot: Path | None = None
 
 
@@ -166,15 +168,11 @@ def _first_view(session: Session) -> Mapping[str, float]:
     return view_of(VIEWPOINTS[0], bottom_radius=bottom, top_radius=top, bearing=bearing)
 
 
-def painter_by(choice: Literal["auto", "gpu", "cpu"], device: Device) -> Callable[[], Painter]:
+def painter_by(choice: Choice, device: Device) -> Callable[[], Painter]:
     """Factory of painters for the graphics device or the processor."""
 
     def make() -> Painter:
-        if choice == "cpu":
-            return CpuPainter(device.device)
-        from airlight.viewer.painting.picture_gpu import GpuPainter
-
-        return GpuPainter(device)
+        return PicturePainter(device.device, ScenePainter(live_device(choice, device)))
 
     return make
 

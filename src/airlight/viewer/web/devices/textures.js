@@ -1,12 +1,10 @@
 /**
- * Flat textures: the elements of a table of any shape in sequence, in rows of 2048 texels.
+ * Flat textures: the elements of a table of any shape in sequence, in rows of `ROW` texels.
  *
- * Shaders read element i at (i & 2047, i >> 11), without filtering, so that the same code runs on
- * WebGPU and on WebGL2.
+ * Shaders read element i in column i % ROW of row i / ROW, without filtering, so that the same code
+ * runs on WebGPU and on WebGL2.
  */
-
-/** Number of texels in a row. */
-export const ROW = 2048;
+import { ROW } from "../generated/sizes.js";
 
 /** Number of channels of each format. */
 export const CHANNELS = { r32float: 1, rgba32float: 4 };

@@ -15,14 +15,13 @@ import { numbersOf } from "./package.js";
 import { Program } from "./program.js";
 import { cameraNumbers, observerNumbers } from "./view_uniforms.js";
 import { cameraOf } from "./view.js";
+import { ROW } from "../generated/sizes.js";
 
 /** Time limits of a sky table while the view moves, and while it rests. [ms] */
 const SMOOTH = 60;
 const PATIENT = 2500;
 /** Time per texel of the sky table on a processor, assumed until it is measured. [ms] */
 const SLOW = 0.05;
-/** Number of texels in a row of a flat texture. */
-const ROW = 2048;
 
 export class Picture {
   /**
@@ -116,7 +115,7 @@ export class Picture {
     if (shape !== this.shape) this.reshape(shape);
     const peaks = planet.uniforms.first_peak >= 0;
     const [columns, rows] = fixed.sky[shape];
-    program.setAll({ ...numbers, keeps_peaks: Number(peaks), exact: 0 });
+    program.setAll({ ...numbers, keeps_peaks: Number(peaks) });
     program.setAll({ sky_columns: columns, sky_rows: rows });
     const began = performance.now();
     program.run("sky_air", ...(peaks ? ["sky_peaks"] : []));

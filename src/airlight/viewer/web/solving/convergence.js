@@ -5,9 +5,7 @@
  * node or wavelength are those of solvers/moments/convergence.py and acceleration.py.
  */
 import { change_at, combine, count_at, rest_after } from "../generated/formulas.js";
-
-/** Number of wavelengths in a texel. */
-const LANES = 4;
+import { LANES } from "../generated/sizes.js";
 
 /** Largest value of each wavelength. */
 export function brightest(light) {

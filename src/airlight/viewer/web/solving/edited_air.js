@@ -1,12 +1,11 @@
 /**
  * Optical coefficients for edited amounts of the constituents in viewer/browser/page_solver.py.
  *
- * The formulas are those of solvers/moments/reduced_optics.py and of level_weights in packing.py.
+ * What an edit changes is emitted from solvers/moments/reduced_optics.py and packing.py. Tables are
+ * `{values, shape}`, as the emitted functions read them, with four wavelengths on their last axis.
  */
-import { cut_part, cut_weight, is_peaked, thick_share } from "../generated/formulas.js";
-
-/** Number of wavelengths in a texel. */
-const LANES = [0, 1, 2, 3];
+import { level_weight, reduce_optics, thick_share } from "../generated/formulas.js";
+import { LANES } from "../generated/sizes.js";
 
 /**
  * Edited amounts and brightness of a state.
@@ -37,44 +36,39 @@ export function isPlain({ amounts, ground }) {
  * @throws {RangeError} If the atmosphere is too thick for this solver; one line.
  */
 export function editedAir(air, { amounts, ground }) {
-  const times = (table) => table.map((row, c) => row.map((x) => x * (amounts[c] ?? 1)));
-  const scattering = times(air.scattering);
-  const extinction = times(air.absorption).map((row, c) => row.map((x, w) => x + scattering[c][w]));
-  const over = (weigh) => LANES.map((w) => air.columns.reduce((sum, h, c) => sum + h * weigh(c, w), 0));
-  const transport = over((c, w) => extinction[c][w] - scattering[c][w] * air.phases[c][1][w]);
+  const { phases, columns, degree } = air;
+  const scattering = scaled(air.scattering, amounts);
+  const absorption = scaled(air.absorption, amounts);
+  const size = scattering.values.length;
+  const extinction = new Float32Array(size);
+  const moments = new Float32Array(size * (degree + 1));
+  const depths = new Float64Array(3 * LANES);
+  reduce_optics(scattering, absorption, phases, columns, degree, extinction, moments, depths);
+  const [, depth, transport] = split(depths);
   if (Math.max(...transport) > air.thickest) {
     throw new RangeError("so much air is too thick to be solved here; the desktop viewer solves it");
   }
-  const peaks = forwardPeaks(air, scattering, over);
-  const smooth = over((c, w) => scattering[c][w] * (1 - peaks[c][w]));
-  const thick = smooth.map(thick_share);
-  const degrees = air.phases[0].length - 1;
+  const whole = scattering.values.map((x, i) => x + absorption.values[i]);
   return {
-    extinction: flat(extinction.map((row, c) => row.map((x, w) => x - peaks[c][w] * scattering[c][w]))),
-    scattering: flat(scattering),
-    moments: flat(
-      scattering.flatMap((row, c) =>
-        air.phases[c]
-          .slice(0, degrees)
-          .map((phase) => row.map((x, w) => (x > 0 ? x * (phase[w] - peaks[c][w]) : 0))),
-      ),
-    ),
+    extinction,
+    scattering: Float32Array.from(scattering.values),
+    moments,
     albedo: Float32Array.from(air.albedo, (x) => x * ground),
-    level: flat(air.day.map((day) => thick.map((x) => day * x))),
-    strongest: Float32Array.from(extinction, (row) => Math.max(...row)),
-    brightest: Float32Array.from(scattering, (row) => Math.max(...row)),
-    thick,
+    level: Float32Array.from(air.day.flatMap((day) => depth.map((one) => level_weight(day, one)))),
+    strongest: Float32Array.from(split(whole), (row) => Math.max(...row)),
+    brightest: Float32Array.from(split(scattering.values), (row) => Math.max(...row)),
+    thick: depth.map(thick_share),
   };
 }
 
-/** Fraction of each constituent's scattering that is treated as unscattered. [1] */
-function forwardPeaks({ phases }, scattering, over) {
-  const beyond = phases.map((one) => one[one.length - 1]);
-  const depth = over((c, w) => (is_peaked(beyond[c][w]) ? scattering[c][w] : 0));
-  const weight = depth.map(cut_weight);
-  return beyond.map((row) => row.map((x, w) => cut_part(x, weight[w])));
+/** Table whose rows, one for each constituent, are multiplied by its amount. */
+function scaled({ values, shape }, amounts) {
+  return { values: values.map((x, i) => x * (amounts[Math.floor(i / LANES)] ?? 1)), shape };
 }
 
-function flat(rows) {
-  return Float32Array.from(rows.flat());
+/** Rows of four wavelengths. */
+function split(values) {
+  const rows = [];
+  for (let i = 0; i < values.length; i += LANES) rows.push([...values.slice(i, i + LANES)]);
+  return rows;
 }

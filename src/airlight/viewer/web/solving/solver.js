@@ -7,11 +7,10 @@
  */
 import { brightest, counts, mixingWeights, relativeChange, whatFollows } from "./convergence.js";
 import { numbersOf, textOf } from "../drawing/package.js";
-import { ROW } from "../devices/textures.js";
+import { LANES, ROW } from "../generated/sizes.js";
 
 const FORMAT = "rgba32float";
 const VERTEX = "full_screen_triangle";
-const LANES = 4;
 
 export class Solver {
   /**

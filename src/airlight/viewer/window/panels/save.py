@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
 from airlight.errors import AirlightError
 from airlight.exports.picture import picture_suffix, write_picture
-from airlight.render import render
+from airlight.paint.scene_painter import ScenePainter
 from airlight.scene import Scene
+from airlight.scene.picture_size import resized
 from airlight.viewer.background.error_line import one_line
 from airlight.viewer.painting.picture_source import Picture, Request
-from airlight.viewer.parameters.view_parameters import fitting
 from airlight.viewer.window import style
 
 #: Sizes in which a picture can be saved, by name; None is the window's. [pixel]
@@ -78,8 +77,7 @@ class Saving:
             return
         request, scene = picture.request, picture.request.scene
         if size is not None:
-            width, height = fitting(scene.camera.projection, *size)
-            scene = replace(scene, camera=replace(scene.camera, width=width, height=height))
+            scene = resized(scene, *size)
         self.message = f"saving {path}"
         self._thread = threading.Thread(
             target=self._write,
@@ -91,7 +89,7 @@ class Saving:
 
     def _write(self, path: str, request: Request, scene: Scene, exposure: float) -> None:
         try:
-            frame = render(
+            frame = ScenePainter().frame(
                 request.solution, scene, orders=request.orders, cancel=lambda: self._cancelled,
                 progress=self._progress,
             )  # fmt: skip

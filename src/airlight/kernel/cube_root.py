@@ -1,0 +1,37 @@
+"""Cube root of a number above 0, four times as fast as a power."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from airlight.kernel import kernel
+
+#: Bits of a number of double precision whose exponent is two thirds of the bias: what a third of
+#: the bits of any number lack of those of its cube root, with the least largest error, 3.5 %.
+_BITS: Final = 0x2A9F7893782DA1CE
+
+
+@kernel
+def cube_root(x):
+    """Cube root, 0 for numbers that are not above 0.
+
+    A third of the exponent gives a first value; two of Halley's steps, each of which cubes the
+    error, refine it to 2e-14, for numbers from 1e-90 to 1e90. Shaders and JavaScript use what
+    their languages have.
+
+    Examples
+    --------
+    >>> f"{cube_root(27.0):.12f}"
+    '3.000000000000'
+    >>> cube_root(-1.0)
+    0.0
+    """
+    if not x > 0.0:
+        return 0.0
+    root = np.int64(np.float64(x).view(np.int64) // 3 + _BITS).view(np.float64)
+    cube = root * root * root
+    root = root * (cube + 2.0 * x) / (2.0 * cube + x)
+    cube = root * root * root
+    return root * (cube + 2.0 * x) / (2.0 * cube + x)

@@ -1,0 +1,121 @@
+"""How fields of a NamedTuple reach a shader: the one declaration of a number or a table.
+
+A field of type ``int``, ``float`` or ``bool`` is a number of a uniform struct. ``Annotated`` adds
+what its type does not say: ``CHOICE`` for an index that is fixed for a whole picture, ``Always``
+for a constant of all shaders, ``InTexture`` for an array. Struct, readers in every language, layout
+of the textures and upload follow (``gpu.emit.uniform_struct``); the formulas that take the
+NamedTuple decide who reads the table.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, Any, Final, NamedTuple, get_args, get_origin, get_type_hints
+
+
+@dataclass(frozen=True)
+class InTexture:
+    """Array in a flat texture, which it shares with the other tables of that name.
+
+    Attributes
+    ----------
+    texture : str
+        Name of the texture.
+    rank : int
+        Number of axes; of four, the last has the length two.
+    spectral : bool
+        Whether an element is a texel of four wavelengths rather than a single number.
+    whole : bool
+        Whether the table is the whole texture, whose lengths nobody reads: the target of a pass.
+    """
+
+    texture: str
+    rank: int = 1
+    spectral: bool = False
+    whole: bool = False
+
+    @property
+    def channels(self) -> int:
+        """Numbers in a texel of the texture."""
+        return 4 if self.spectral else 1
+
+
+@dataclass(frozen=True)
+class Choice:
+    """Index that is fixed for a whole picture, as are all switches."""
+
+
+@dataclass(frozen=True)
+class Always:
+    """Number with one value in all shaders, which the processor may have otherwise.
+
+    Attributes
+    ----------
+    value : int
+        Its value.
+    """
+
+    value: int
+
+
+#: Marks of fields: an index, a table of four wavelengths, and one that an edit of the light renews.
+CHOICE: Final = Choice()
+SPECTRA: Final = InTexture("spectra", spectral=True)
+FIELDS: Final = InTexture("fields", spectral=True)
+
+
+def scalars(rank: int = 1) -> InTexture:
+    """Table of single numbers.
+
+    Parameters
+    ----------
+    rank : int
+        Number of axes.
+    """
+    return InTexture("scalars", rank)
+
+
+class ShaderField(NamedTuple):
+    """Field of a NamedTuple.
+
+    Attributes
+    ----------
+    name : str
+        Name of the field.
+    kind : type
+        Its type; a NamedTuple is a group of further fields.
+    mark : InTexture, Choice, Always or None
+        Mark of an array, of an index or of a constant.
+    """
+
+    name: str
+    kind: Any
+    mark: InTexture | Choice | Always | None
+
+
+def shader_fields(bundle: Any) -> list[ShaderField]:
+    """Fields of a NamedTuple in their order.
+
+    Parameters
+    ----------
+    bundle : type
+        NamedTuple.
+
+    Examples
+    --------
+    >>> class Light(NamedTuple):
+    ...     degree: int
+    ...     basis: Annotated[Any, SPECTRA]
+    >>> [(one.name, one.mark is SPECTRA) for one in shader_fields(Light)]
+    [('degree', False), ('basis', True)]
+    """
+    found = []
+    for name, hint in get_type_hints(bundle, include_extras=True).items():
+        kind, mark = hint, None
+        if get_origin(hint) is Annotated:
+            kind, *marks = get_args(hint)
+            mark = next(
+                (one for one in marks if isinstance(one, (InTexture, Choice, Always))), None
+            )
+        found.append(ShaderField(name, kind, mark))
+    return found

@@ -1,0 +1,361 @@
+"""``ScenePainter``: who draws the view of a solution, and in which steps it becomes visible.
+
+The policy of command line, window and saved pictures alike:
+
+* Without a device, and where a device has too little capacity, the processor draws.
+* A still picture is drawn once, whole.
+* A live picture of the processor is drawn coarsely at once, then finer; a newer request interrupts
+  all but the first.
+* A live picture of a hardware device is drawn once, whole: that takes milliseconds.
+* A software device draws from a coarse table of the sky while the view changes; after a short time
+  without changes the processor draws the finished picture, which, unlike a long pass, leaves the
+  device free for the window.
+* The processor also draws until the shaders of live pictures are compiled, which takes seconds.
+
+All of them read a table of the sky, unless an exact picture is requested.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from time import perf_counter
+from typing import TYPE_CHECKING, Any, Final
+
+from airlight.errors import Cancelled, ParameterError
+from airlight.render import render
+from airlight.scene.picture_size import scaled
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from airlight.gpu.device.device import Device
+    from airlight.gpu.picture.pictures import Pictures
+    from airlight.kernel.threads import Cancel, Progress
+    from airlight.scene import Scene
+    from airlight.scene.frame import Frame
+    from airlight.solvers.moments.solution import MomentsSolution
+
+#: The frame's ``device`` where the CPU draws.
+PROCESSOR: Final = "processor"
+#: Format of the textures into which a device draws live pictures: encoded sRGB.
+LIVE_FORMAT: Final = "rgba8unorm"
+#: Time for the processor's first picture of a new view, which limits its size. [s]
+_AT_ONCE: Final = 0.05
+#: Factor of the pixels per side from one picture to the next. [1]
+_STEP: Final = 3.0
+#: Scale of the smallest picture, as fewer pixels per side show nothing; and scale above which the
+#: next picture is the whole one. [1]
+_SMALLEST: Final = 1.0 / 12.0
+_NEARLY_WHOLE: Final = 0.7
+#: Speed assumed until one has been measured. [pixel s⁻¹]
+_FIRST_GUESS: Final = 2e5
+#: Time without a change after which a software device's picture is finished. [s]
+_STILL: Final = 0.2
+#: Interval of looking whether that time is over, or the shaders are compiled. [s]
+_POLL: Final = 0.02
+#: Width of the picture that compiles the shaders. [pixel]
+_TINY: Final = 16.0
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LivePicture:
+    """Step of a live picture: a frame, or a device that is ready to draw one into a texture.
+
+    Attributes
+    ----------
+    scene : Scene
+        Scene whose camera has the size of this step.
+    orders : str
+        Orders of scattering.
+    finished : bool
+        False if a finer step follows.
+    seconds : float
+        Time to render the frame; 0 for a device. [s]
+    frame : Frame or None
+        Linear sRGB radiance; None where a device draws.
+    pictures : Pictures or None
+        Renderer with the solution, where a device draws.
+    """
+
+    scene: Scene
+    orders: str
+    finished: bool
+    seconds: float = 0.0
+    frame: Frame | None = None
+    pictures: Pictures | None = None
+
+    @property
+    def by(self) -> str:
+        """Short name of what draws it."""
+        if self.pictures is None:
+            return PROCESSOR
+        return "GPU in software" if self.pictures.device.software else "GPU"
+
+    def linear(self, width: float) -> NDArray[np.float32]:
+        """Linear sRGB radiance of this picture, from a device only ``width`` pixels wide."""
+        if self.frame is not None:
+            return self.frame.rgb
+        assert self.pictures is not None
+        small = scaled(self.scene, min(1.0, width / self.scene.camera.width))
+        return self.pictures.frame(small, orders=self.orders).rgb
+
+    def draw(
+        self, view: Any, *, exposure: float, tone_map: str, uniforms: Mapping[str, float]
+    ) -> None:
+        """Draw into a texture of ``LIVE_FORMAT``, where a device draws.
+
+        Parameters
+        ----------
+        view : wgpu.GPUTextureView
+            View of the target, which has the size of the scene's camera.
+        exposure, tone_map, uniforms :
+            Arguments of ``Pictures.draw``.
+        """
+        assert self.pictures is not None
+        self.pictures.draw(
+            self.scene, view, LIVE_FORMAT, orders=self.orders, exposure=exposure,
+            tone_map=tone_map, uniforms=uniforms,
+        )  # fmt: skip
+
+
+class ScenePainter:
+    """Painter of any number of pictures; it keeps its device, shaders and textures between them.
+
+    Parameters
+    ----------
+    device : Device, optional
+        Device that draws, see ``drawing_device``; without one the processor does.
+    """
+
+    def __init__(self, device: Device | None = None) -> None:
+        self._device = device
+        self._pictures: Pictures | None = None
+        self._shown: object = None
+        self._compiling: threading.Thread | None = None
+        self._compiled = device is None
+        self._rate = _FIRST_GUESS
+        self._last: tuple[MomentsSolution, LivePicture] | None = None  # finished by the processor
+
+    def frame(
+        self,
+        solution: MomentsSolution,
+        scene: Scene,
+        *,
+        exact: bool = False,
+        orders: str = "all",
+        weights: NDArray[np.float64] | None = None,
+        progress: Progress | None = None,
+        cancel: Cancel | None = None,
+    ) -> Frame:
+        """Draw a still picture.
+
+        Parameters
+        ----------
+        solution : MomentsSolution
+            Solution of a planet.
+        scene : Scene
+            Observer, star and camera.
+        exact : bool
+            Whether each pixel is marched, instead of read from a table of the sky.
+        orders : str
+            Orders as for ``airlight.render``.
+        weights : array, shape (nl, 3), optional
+            Linear sRGB per radiance, for a device; by default ``picture_weights``.
+        progress, cancel : callable, optional
+            See ``airlight.kernel.threads``.
+
+        Returns
+        -------
+        Frame
+            Linear sRGB radiance [W m⁻² sr⁻¹]; its metadata name the device.
+
+        Raises
+        ------
+        ParameterError
+            If the solution or the picture exceeds the capacity of the device.
+        Cancelled
+            If ``cancel`` requested it.
+        """
+        if self._device is None:
+            frame = render(
+                solution, scene, exact=exact, orders=orders, progress=progress, cancel=cancel
+            )
+        else:
+            pictures = self._renderer(live=False)
+            pictures.show(solution, weights)
+            self._shown = None
+            frame = pictures.frame(
+                scene, exact=exact, orders=orders, progress=progress, cancel=cancel
+            )
+        return replace(frame, metadata={"device": PROCESSOR, **frame.metadata})
+
+    def live(
+        self,
+        solution: MomentsSolution,
+        scene: Scene,
+        *,
+        orders: str = "all",
+        stale: Callable[[], bool],
+    ) -> Iterator[LivePicture]:
+        """Draw a picture step by step, each finer than the one before; the last is finished.
+
+        Parameters
+        ----------
+        solution, scene, orders :
+            Arguments of ``frame``.
+        stale : callable
+            ``stale()`` is True once the request is superseded; the rest may then be skipped.
+
+        Yields
+        ------
+        LivePicture
+
+        Raises
+        ------
+        Cancelled
+            If the request became stale while the processor was drawing.
+        """
+        picture = LivePicture(scene=scene, orders=orders, finished=True)
+        if self._device is None:
+            yield from self._by_processor(solution, picture, stale)
+            return
+        if not self._compiled:
+            yield from self._while_compiling(solution, picture, stale)
+            if stale() or (self._device.software and self._knows(solution, picture)):
+                return
+        if not self._takes(solution):
+            yield from self._by_processor(solution, picture, stale)
+            return
+        by_device = replace(picture, pictures=self._pictures, finished=not self._device.software)
+        if by_device.finished:
+            yield by_device
+            return
+        if not self._knows(solution, picture):
+            yield by_device
+            until = perf_counter() + _STILL
+            while perf_counter() < until:
+                if stale():
+                    return
+                time.sleep(_POLL)
+        yield from self._by_processor(solution, picture, stale, coarse=False)
+
+    def close(self) -> None:
+        """Wait for the thread that compiles, if there is one."""
+        if self._compiling is not None:
+            self._compiling.join()
+
+    # --- by the processor ---------------------------------------------------------------------
+
+    def _by_processor(
+        self,
+        solution: MomentsSolution,
+        picture: LivePicture,
+        stale: Callable[[], bool],
+        *,
+        coarse: bool = True,
+    ) -> Iterator[LivePicture]:
+        if self._last is not None and self._knows(solution, picture):
+            yield self._last[1]
+            return
+        for step, part in enumerate(self._parts(picture.scene) if coarse else [1.0]):
+            started = perf_counter()
+            scene = scaled(picture.scene, part)
+            # The first, coarse picture is never interrupted: in flight, each is stale quickly.
+            stop = None if step == 0 and part < 1.0 else stale
+            frame = render(solution, scene, orders=picture.orders, cancel=stop)
+            seconds = max(perf_counter() - started, 1e-6)
+            self._rate = scene.camera.width * scene.camera.height / seconds
+            done = replace(picture, scene=scene, frame=frame, seconds=seconds, finished=part == 1.0)
+            if done.finished:
+                self._last = solution, replace(done, seconds=0.0)
+            yield done
+
+    def _parts(self, scene: Scene) -> Iterator[float]:
+        """Scales of successive pictures."""
+        camera = scene.camera
+        part = (self._rate * _AT_ONCE / (camera.width * camera.height)) ** 0.5
+        part = max(part, _SMALLEST)
+        while part < _NEARLY_WHOLE:
+            yield part
+            part *= _STEP
+        yield 1.0
+
+    def _knows(self, solution: MomentsSolution, picture: LivePicture) -> bool:
+        """Whether the processor's last finished picture shows the same light."""
+        if self._last is None:
+            return False
+        of, last = self._last
+        return of is solution and last.orders == picture.orders and last.scene == picture.scene
+
+    # --- by a device --------------------------------------------------------------------------
+
+    def _renderer(self, *, live: bool) -> Pictures:
+        """Renderer with the table of the sky that the device fills quickly enough."""
+        from airlight.gpu.picture.pictures import QUICK_SKY_SHAPE, SKY_SHAPE, Pictures
+
+        assert self._device is not None
+        shape = QUICK_SKY_SHAPE if live and self._device.software else SKY_SHAPE
+        if self._pictures is None:
+            self._pictures = Pictures(self._device, shape)
+        elif self._pictures.sky_shape != shape:
+            self._pictures.sky_shape = shape
+        return self._pictures
+
+    def _takes(self, solution: MomentsSolution) -> bool:
+        """Upload a solution; False if it exceeds the device's capacity."""
+        pictures = self._renderer(live=True)
+        if solution is self._shown:
+            return True
+        try:
+            pictures.show(solution)
+        except ParameterError:  # too many wavelengths or constituents
+            self._shown = None
+            return False
+        self._shown = solution
+        return True
+
+    def _while_compiling(
+        self, solution: MomentsSolution, picture: LivePicture, stale: Callable[[], bool]
+    ) -> Iterator[LivePicture]:
+        assert self._device is not None
+        if self._compiling is None:
+            self._compiling = threading.Thread(
+                target=self._compile, args=(solution, picture), name="airlight-compiling",
+                daemon=True,
+            )  # fmt: skip
+            self._compiling.start()
+        over = (lambda: False) if self._device.software else (lambda: self._compiled)
+        try:
+            yield from self._by_processor(solution, picture, lambda: stale() or over())
+            if self._device.software:
+                return
+        except Cancelled:
+            if stale():
+                raise
+        while not self._compiled and not stale():
+            time.sleep(_POLL)
+
+    def _compile(self, solution: MomentsSolution, picture: LivePicture) -> None:
+        """Draw one very small picture, which compiles the shaders."""
+        import wgpu
+
+        try:
+            if self._takes(solution):
+                assert self._device is not None
+                small = scaled(picture.scene, _TINY / picture.scene.camera.width)
+                texture = self._device.device.create_texture(
+                    size=(small.camera.width, small.camera.height, 1),
+                    format=LIVE_FORMAT,
+                    usage=wgpu.TextureUsage.RENDER_ATTACHMENT,
+                )
+                ready = replace(picture, scene=small, pictures=self._pictures)
+                ready.draw(texture.create_view(), exposure=0.0, tone_map="hable", uniforms={})
+                ready.linear(_TINY)
+        finally:
+            self._compiled = True

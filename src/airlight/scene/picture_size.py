@@ -1,0 +1,64 @@
+"""Sizes of pictures: the largest that fits, and the same view with fewer pixels."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from airlight.scene.projections import PROJECTIONS
+from airlight.scene.scene import Scene
+
+
+def fitting(projection: str, width: int, height: int) -> tuple[int, int]:
+    """Largest size with a projection's aspect ratio that fits into a window. [pixel]
+
+    Parameters
+    ----------
+    projection : str
+        Name from ``PROJECTIONS``.
+    width, height : int
+        Size of the window. [pixel]
+
+    Examples
+    --------
+    >>> fitting("equirectangular", 1280, 720), fitting("perspective", 1280, 720)
+    ((1280, 640), (1280, 720))
+    """
+    ratio = PROJECTIONS[projection].aspect
+    if ratio is None:
+        return max(1, width), max(1, height)
+    side = max(1, min(height, width // ratio))
+    return ratio * side, side
+
+
+def resized(scene: Scene, width: int, height: int) -> Scene:
+    """Scene whose picture has the largest size that fits into another one.
+
+    Parameters
+    ----------
+    scene : Scene
+        Scene with the camera.
+    width, height : int
+        Size into which the picture must fit. [pixel]
+    """
+    wide, high = fitting(scene.camera.projection, width, height)
+    return replace(scene, camera=replace(scene.camera, width=wide, height=high))
+
+
+def scaled(scene: Scene, part: float) -> Scene:
+    """Scene whose picture has ``part`` times the pixels per side.
+
+    Parameters
+    ----------
+    scene : Scene
+        Scene with the camera.
+    part : float
+        Scale of width and height. [1]
+
+    Examples
+    --------
+    >>> small = scaled(Scene(), 0.25).camera
+    >>> small.width, small.height
+    (320, 180)
+    """
+    camera = scene.camera
+    return resized(scene, round(camera.width * part), round(camera.height * part))

@@ -1,0 +1,199 @@
+"""Panels of a line of sight: their ends, their points, and the columns up to each point.
+
+Restricted Python, as in ``march``: one panel is stored at a time, so that a device, which runs one
+line a thread, needs little memory for it.
+"""
+
+from __future__ import annotations
+
+from airlight.geometry.path import (
+    insert_edge,
+    panel_leg,
+    panel_point,
+    place_edges,
+    shadow_edges,
+)
+from airlight.geometry.shell import meets_ground, radius_along
+from airlight.kernel import inlined
+from airlight.tables.column_ratios import columns_to_top
+from airlight.tables.columns import THICK, cut_at_corners, density_index
+
+#: A stretch is steep if its length over the shell's thickness is less; and in full daylight if
+#: the star's zenith cosine is larger at both ends. Eight points then err by less than 1e-3.
+STEEP = 4.0
+#: Length over the shell's thickness above which a stretch grazes the densest air.
+GRAZING = 9.0
+FULL_DAY = 0.1
+#: Numbers of edges, a panel on each leg, beyond which a line needs fewer points a panel.
+SOME_EDGES = 6
+MANY_EDGES = 10
+
+
+@inlined
+def place_panel(r, mu, panel, count, rule, light, work):
+    """Find the points of a panel: positions [m], weights [m] and densities [1].
+
+    Parameters
+    ----------
+    r, mu : float
+        Radius of the line's start [m]; cosine of its zenith angle there. [1]
+    panel, count : int
+        Index of the panel, and number of edges of the line.
+    rule : int
+        Start of the quadrature in ``light.rules``.
+    light, work : MarchTables, MarchWorkspace
+        Tables of the solution; the workspace receives distance, radius, weight and density.
+    """
+    n = int(light.rules[rule])
+    descending, low, beside, first, last = panel_leg(
+        r, mu, work.edges[panel], work.edges[panel + 1], work.edges[count - 1]
+    )
+    for k in range(n):
+        work.distance[k], work.radius[k], slope = panel_point(
+            -r * mu, descending, low, beside, first, last, light.rules[rule + 1 + k]
+        )
+        work.weight[k] = slope * light.rules[rule + 1 + n + k]
+        node, share = density_index(
+            work.radius[k], light.bottom, light.top - light.bottom, light.density.shape[0]
+        )
+        for c in range(light.constituents):
+            here = light.density[node, c]
+            work.density[c * n + k] = here + (light.density[node + 1, c] - here) * share
+
+
+@inlined
+def panel_columns(rule, light, work):
+    """Columns up to each point of a panel, added to ``work.before``, and over the whole panel. [m]
+
+    Parameters
+    ----------
+    rule, light, work :
+        Arguments of ``place_panel``; the workspace receives columns, and ``before`` those up to the
+        panel's end.
+    """
+    n = int(light.rules[rule])
+    for c in range(light.constituents):
+        for k in range(n):
+            work.amounts[c * n + k] = work.density[c * n + k] * work.weight[k]
+        for k in range(n):
+            running = 0.0
+            for j in range(n):
+                share = light.rules[rule + 1 + 2 * n + k * n + j]
+                running += share * work.amounts[c * n + j]
+            # A running integral of a steep profile may dip below its start by rounding.
+            work.columns[c * n + k] = work.before[c] + max(running, 0.0)
+        for k in range(n):
+            work.before[c] += work.amounts[c * n + k]
+
+
+@inlined
+def columns_along(r, mu, count, rule, light, work):
+    """Columns of a whole line, and distances of optical depths 0.5, 3 and 12.
+
+    Parameters
+    ----------
+    r, mu, count, rule, light, work :
+        Arguments of ``place_panel``; the workspace receives totals, and cuts: 0 for a depth that is
+        not reached.
+
+    Returns
+    -------
+    float
+        Largest optical depth of any wavelength. [1]
+    """
+    n = int(light.rules[rule])
+    for c in range(light.constituents):
+        work.totals[c] = 0.0
+    for which in range(3):
+        work.cuts[which] = 0.0
+    reached, at = 0.0, 0.0
+    for panel in range(count - 1):
+        place_panel(r, mu, panel, count, rule, light, work)
+        for k in range(n):
+            depth = reached
+            for c in range(light.constituents):
+                amount = work.density[c * n + k] * work.weight[k]
+                work.totals[c] += amount
+                depth += light.strongest[c] * amount
+            if depth > reached:
+                for which in range(3):
+                    wanted = 0.5 if which == 0 else (3.0 if which == 1 else 12.0)
+                    if reached < wanted and depth >= wanted:
+                        work.cuts[which] = at + (work.distance[k] - at) * (wanted - reached) / (
+                            depth - reached
+                        )
+            reached, at = depth, work.distance[k]
+    return reached
+
+
+@inlined
+def columns_between(r, mu, length, light, work):
+    """Estimate columns of a line from the table of columns to the top, where that suffices.
+
+    It errs by 1e-3 of the columns of the whole ray on which the line lies, and costs a tenth of
+    ``columns_along``.
+
+    Parameters
+    ----------
+    r, mu, length, light, work :
+        Arguments of ``place_panels``; the workspace receives totals.
+
+    Returns
+    -------
+    float
+        Largest optical depth of any wavelength. [1]
+    """
+    bottom, top = light.bottom, light.top
+    end = min(max(radius_along(r, mu, length), bottom), top)
+    mu_end = min(max((r * mu + length) / end, -1.0), 1.0)
+    # The table holds rays that miss the ground.
+    if meets_ground(r, mu, bottom):
+        columns_to_top(end, -mu_end, bottom, top, light.columns, work.totals)
+        columns_to_top(r, -mu, bottom, top, light.columns, work.here)
+    else:
+        columns_to_top(r, mu, bottom, top, light.columns, work.totals)
+        columns_to_top(end, mu_end, bottom, top, light.columns, work.here)
+    depth = 0.0
+    for c in range(light.constituents):
+        work.totals[c] = max(work.totals[c] - work.here[c], 0.0)
+        depth += light.strongest[c] * work.totals[c]
+    return depth
+
+
+@inlined
+def place_panels(r, mu, mu_s, nu, length, light, work):
+    """Cut a line into panels, and choose their quadrature.
+
+    A panel of n points integrates exp(-τ) well while τ over it stays below about n²/8. Where the
+    whole line is thicker, panels end at optical depths 0.5, 3 and 12, found from first columns and
+    once more from the better ones.
+
+    Parameters
+    ----------
+    r, mu, mu_s, nu, length, light, work :
+        Arguments of ``march``; the workspace receives edges and totals.
+
+    Returns
+    -------
+    count, rule : int
+        Number of edges, and start of the quadrature in ``light.rules``.
+    day : bool
+        Whether all of the line is in full daylight.
+    """
+    first_cut, second_cut = shadow_edges(r, mu, mu_s, nu, light.bottom)
+    count = place_edges(r, mu, length, light.panels, first_cut, second_cut, work.edges)
+    count = cut_at_corners(r, mu, light.bottom, light.ends, work.edges, count)
+    end = min(mu_s, (r * mu_s + length * nu) / radius_along(r, mu, length))
+    slant = length / (light.top - light.bottom)
+    day = end > FULL_DAY
+    kind = 1 if slant < GRAZING or count > SOME_EDGES * light.panels else 2
+    if (day and slant < STEEP) or count > MANY_EDGES * light.panels:
+        kind = 0
+    rule = int(light.rules[kind])
+    if columns_between(r, mu, length, light, work) > THICK:
+        for _attempt in range(2):
+            if columns_along(r, mu, count, rule, light, work) <= THICK:
+                break
+            for which in range(3):
+                count = insert_edge(work.edges, count, work.cuts[which])
+    return count, rule, day

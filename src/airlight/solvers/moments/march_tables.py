@@ -1,0 +1,239 @@
+"""Tables of a solution that a march reads, and its workspace, under the same names everywhere.
+
+On the processor the arrays are flat and the spectral ones have whole groups of eight lanes; on a
+device each table is a part of a texture, a spectral element is a texel of four wavelengths, and the
+workspace is arrays of constant size.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.path import MAX_EDGES
+from airlight.geometry.quadrature import gauss_legendre
+from airlight.kernel.shader_fields import CHOICE, FIELDS, SPECTRA, Always, scalars
+from airlight.optics.reflection import Reflection
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+
+class MarchTables(NamedTuple):
+    """Solution as the march reads it; w is the number of lanes.
+
+    Attributes
+    ----------
+    bottom, top : float
+        Radii of the ground and of the shell's top, optical where light is bent. [m]
+    star_radius : float
+        Angular radius of the star. [rad]
+    bend : float
+        Bending over impact parameter and column of the last constituent. [m⁻²]
+    lanes : int
+        Number of lanes w: a multiple of ``LANES``; in a shader one texel is one group of lanes.
+    panels : int
+        Number of panels a leg of a line; 1 in a shader.
+    constituents, degree, radii, suns, phase_nodes : int
+        Sizes of the tables.
+    first_peak, second_peak : int
+        Constituents whose single scattering is also found without its phase function; -1 for none.
+    columns : array, shape (radii, directions, nc, 2)
+        Ratios of a ``ColumnTable``, from ``mean_density_ratios``. [1]
+    density : array, shape (nodes, nc)
+        Densities from ``density_table``. [1]
+    strongest, brightest : array, shape (nc,)
+        Largest extinction and largest scattering of each constituent at any wavelength. [m⁻¹]
+    lift : array, shape (rows, columns, 2)
+        Table from ``star_lift``; without rows where light is not bent. [1]
+    ends : array, shape (n,)
+        Altitudes at which panels end, from ``panel_ends``. [m]
+    row, place : array
+        Fields of ``Grid``.
+    start, ahead, back : array
+        Fields of ``Harmonics``.
+    rules : array, flat
+        Quadratures of a panel, from ``quadratures``.
+    extinction : array, shape (nc·w,)
+        Extinction after the removal of forward peaks. [m⁻¹]
+    scattering : array, shape (nc·w,)
+        True scattering coefficients. [m⁻¹]
+    moments : array, shape (nc·(N + 1)·w,)
+        Scattering coefficient times Legendre moment, both after that removal. [m⁻¹]
+    phase : array, shape (phase_nodes·nc·w,)
+        Phase functions on even steps of sin(θ/2). [sr⁻¹]
+    basis : array, shape (3·w,)
+        Reflectance of a red, a green and a blue ground. [1]
+    field : array, shape (r·s·(1 + k)·w,)
+        Moments of all orders together, as (s, M·s) per node; see ``sweep``.
+    sky : array, shape (r·s·2·w,)
+        Irradiance of a level surface by scattered light, as (s, E·s) per node; the first radius
+        is the ground.
+    ground : Reflection
+        Reflection by the ground.
+    """
+
+    bottom: float
+    top: float
+    star_radius: float
+    bend: float
+    lanes: Annotated[int, Always(1)]
+    panels: Annotated[int, Always(1)]
+    constituents: int
+    degree: int
+    radii: int
+    suns: int
+    phase_nodes: int
+    first_peak: Annotated[int, CHOICE]
+    second_peak: Annotated[int, CHOICE]
+    columns: Annotated[FloatArray, scalars(4)]
+    density: Annotated[FloatArray, scalars(2)]
+    strongest: Annotated[FloatArray, scalars()]
+    brightest: Annotated[FloatArray, scalars()]
+    lift: Annotated[FloatArray, scalars(3)]
+    ends: Annotated[FloatArray, scalars()]
+    row: Annotated[FloatArray, scalars()]
+    place: Annotated[FloatArray, scalars()]
+    start: Annotated[FloatArray, scalars()]
+    ahead: Annotated[FloatArray, scalars()]
+    back: Annotated[FloatArray, scalars()]
+    rules: Annotated[FloatArray, scalars()]
+    extinction: Annotated[Float32Array, SPECTRA]
+    scattering: Annotated[Float32Array, SPECTRA]
+    moments: Annotated[Float32Array, SPECTRA]
+    phase: Annotated[Float32Array, SPECTRA]
+    basis: Annotated[Float32Array, SPECTRA]
+    field: Annotated[Float32Array, FIELDS]
+    sky: Annotated[Float32Array, FIELDS]
+    ground: Reflection
+
+
+class MarchWorkspace(NamedTuple):
+    """Workspace of one thread; p is the largest number of points of a panel.
+
+    Attributes
+    ----------
+    edges : array, shape (MAX_EDGES,)
+        Ends of the panels, from the line's start. [m]
+    cuts : array, shape (3,)
+        Distances of the optical depths at which panels of a thick line end. [m]
+    distance, radius, weight : array, shape (p,)
+        Points of a panel: distances from the line's start, radii, and weights. [m]
+    density, amounts, columns : array, shape (nc·p,)
+        Densities at the points [1], the same times weight, and columns up to the points [m]; one
+        constituent after another.
+    before, totals : array, shape (nc,)
+        Columns up to the end of a panel, and of the whole line. [m]
+    rho, depths : array, shape (nc,)
+        Densities at a point [1], and columns up to it [m].
+    here, there : array, shape (nc,)
+        Columns from a point towards the two points that represent the star. [m]
+    functions : array, shape (k,)
+        Harmonics of the line at a point. [1]
+    received : array, shape (2·w,)
+        Irradiance of the ground by the star and by the sky. [1]
+    phase : array, shape (nc·w,)
+        Phase functions of a line. [sr⁻¹]
+    found : array, shape (4·w,)
+        Result of a march.
+    """
+
+    edges: FloatArray
+    cuts: FloatArray
+    distance: FloatArray
+    radius: FloatArray
+    weight: FloatArray
+    density: FloatArray
+    amounts: FloatArray
+    columns: FloatArray
+    before: FloatArray
+    totals: FloatArray
+    rho: Float32Array
+    depths: Float32Array
+    here: FloatArray
+    there: FloatArray
+    functions: Float32Array
+    received: Float32Array
+    phase: Float32Array
+    found: Float32Array
+
+
+def workspace_sizes(constituents: int, points: int, terms: int) -> dict[str, int]:
+    """Sizes of the arrays of a workspace whose elements are numbers.
+
+    Parameters
+    ----------
+    constituents, points, terms : int
+        Numbers of constituents, of points of a panel and of harmonics, or more.
+    """
+    return {
+        "edges": MAX_EDGES,
+        "cuts": 3,
+        **dict.fromkeys(("distance", "radius", "weight"), points),
+        **dict.fromkeys(("density", "amounts", "columns"), constituents * points),
+        **dict.fromkeys(("before", "totals", "rho", "depths", "here", "there"), constituents),
+        "functions": terms,
+    }
+
+
+def spectral_sizes(constituents: int) -> dict[str, int]:
+    """Sizes of those arrays of a workspace whose elements hold wavelengths, in elements.
+
+    Parameters
+    ----------
+    constituents : int
+        Number of constituents, or more.
+    """
+    return {"received": 2, "phase": constituents, "found": 4}
+
+
+def new_workspace(tables: MarchTables) -> MarchWorkspace:
+    """Workspace of one thread of the processor.
+
+    Parameters
+    ----------
+    tables : MarchTables
+        Tables that the march will read.
+    """
+    count = tables.constituents
+    points = max(int(tables.rules[int(tables.rules[k])]) for k in range(3))
+    single = ("rho", "depths", "functions")
+    arrays: dict[str, Any] = {
+        name: np.empty(size, np.float32 if name in single else np.float64)
+        for name, size in workspace_sizes(count, points, tables.ahead.size).items()
+    }
+    lanes: dict[str, Any] = {
+        name: np.empty(size * tables.lanes, np.float32)
+        for name, size in spectral_sizes(count).items()
+    }
+    return MarchWorkspace(**arrays, **lanes)
+
+
+def quadratures(counts: tuple[int, ...]) -> FloatArray:
+    """Concatenate the rules of the march.
+
+    Parameters
+    ----------
+    counts : tuple of int
+        Number of points of each rule: for stretches that are steep and in full daylight, where the
+        source is smooth; for most; and for those that graze the ground.
+
+    Returns
+    -------
+    array, shape (n,)
+        Starts of the rules; then for each: n, nodes, weights, and running integrals over the
+        weights, (n, n).
+    """
+    parts = []
+    starts = []
+    at = len(counts)
+    for count in counts:
+        nodes, weights, running = gauss_legendre(count).as_tuple()
+        # The value of a point, divided by its share of the rule, is the integrand on [0, 1].
+        part = np.concatenate([[count], nodes, weights, (running / weights).ravel()])
+        parts.append(part)
+        starts.append(float(at))
+        at += part.size
+    return np.concatenate([starts, *parts])
