@@ -23,7 +23,7 @@ USUAL = 0.10
 
 def python(*arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, *arguments], capture_output=True, text=True, check=True, timeout=300
+        [sys.executable, *arguments], capture_output=True, text=True, check=True, timeout=600
     )
 
 
@@ -63,7 +63,7 @@ def test_a_picture_of_earth_imports_only_what_it_uses(tmp_path: Path) -> None:
         f"print('imported', *[m for m in {NEEDLESS} if m in sys.modules])"
     )
     done = subprocess.run(
-        [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=300
+        [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=600
     )
     assert done.returncode == 0, done.stderr
     assert done.stdout.splitlines()[-1] == "imported"

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import hashlib
 import os
+import signal
 import subprocess
 import sys
+import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -14,6 +17,9 @@ ROOT = Path(__file__).parents[1]
 SCRIPT = ROOT / "scripts" / "test"
 #: Programs of the checks; ``python`` runs pytest, and the site's builder.
 PROGRAMS = ("ruff", "mypy", "lint-imports", "airlight", "python")
+
+#: Limit of any wait here, generous for a busy machine. [s]
+LONG = 300.0
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="the script is for a Unix shell")
 
@@ -29,6 +35,7 @@ def environment(tmp_path: Path) -> Path:
             "#!/bin/sh\n"
             f'echo "ran {name} $*"\n'
             f'case "{name} $*" in $FAILING) exit 3;; esac\n'
+            f'case "{name} $*" in $LASTING) echo $$ >>"$0.pid"; exec sleep 3600;; esac\n'
         )  # fmt: skip
         (programs / name).chmod(0o755)
     # what the script writes after an installation: it installs nothing now
@@ -40,17 +47,23 @@ def environment(tmp_path: Path) -> Path:
     return venv
 
 
-def run(environment: Path, failing: str, *arguments: str) -> subprocess.CompletedProcess[str]:
-    """Run the script; ``failing`` is a pattern of what a failing program is called with."""
-    named = {
+def variables(environment: Path, failing: str = "none", lasting: str = "none") -> dict[str, str]:
+    """Environment of the script; patterns of what programs that fail or last are called with."""
+    return {
+        **os.environ,
         "AIRLIGHT_VENV": str(environment),
         "PYTHON": sys.executable,
         "FAILING": failing,
+        "LASTING": lasting,
         "PATH": f"{environment.parent}:{os.environ['PATH']}",
     }
+
+
+def run(environment: Path, failing: str, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """Run the script; ``failing`` is a pattern of what a failing program is called with."""
     return subprocess.run(
-        ["bash", str(SCRIPT), *arguments], env={**os.environ, **named}, cwd="/",
-        capture_output=True, text=True, timeout=120, check=False,
+        ["bash", str(SCRIPT), *arguments], env=variables(environment, failing), cwd="/",
+        capture_output=True, text=True, timeout=600, check=False,
     )  # fmt: skip
 
 
@@ -104,3 +117,34 @@ def test_the_fast_part_builds_no_site(environment: Path) -> None:
     assert done.returncode == 0, done.stderr
     assert "sphinx" not in done.stdout
     assert "not slow and not browser and not gpu" in done.stdout
+
+
+def test_an_interrupt_ends_the_checks_beside_too(environment: Path) -> None:
+    # Ctrl-C goes to the script and to pytest; mypy and the site's builder are not the terminal's
+    lasting = variables(environment, lasting="[pm]y*")
+    with subprocess.Popen(
+        ["bash", str(SCRIPT)], env=lasting, cwd="/", stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT, start_new_session=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+    ) as script:  # fmt: skip
+        notes = [environment / "bin" / f"{name}.pid" for name in ("mypy", "python")]
+        wait(lambda: all(note.is_file() and note.read_text().strip() for note in notes))
+        os.killpg(script.pid, signal.SIGINT)
+        assert script.wait(LONG) == 130
+    for note in notes:
+        wait(lambda note=note: not alive(int(note.read_text())))
+
+
+def wait(condition: Callable[[], bool]) -> None:
+    until = time.monotonic() + LONG
+    while not condition():
+        assert time.monotonic() < until
+        time.sleep(0.05)
+
+
+def alive(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    return True

@@ -70,6 +70,7 @@ def test_gas_alone_meets_its_own_column_where_absorption_is_none(
     assert_allclose(with_it.values, without.values, rtol=1e-5)
 
 
+@pytest.mark.slow
 def test_direct_solver_meets_the_golden_table(reference_earth: Callable[..., Planet]) -> None:
     # Order 1 is integrated along the line itself by nested trapezoids, 96 graded steps on each leg.
     rows = np.array([row[:4] for row in TABLE], float)

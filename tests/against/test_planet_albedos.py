@@ -37,9 +37,9 @@ def geometric_albedo(solution: MomentsSolution) -> np.ndarray:
         # which is part of them, must not change them by more than 15 %
         ("mars", (700.0, 550.0, 440.0), (0.289, 0.170, 0.089), 0.15),
         # NASA, Saturnian Satellite Fact Sheet: 0.2, one digit
-        ("titan", (550.0,), (0.2,), 0.25),
+        pytest.param("titan", (550.0,), (0.2,), 0.25, marks=pytest.mark.slow),
         # Mallama, Wang & Howard (2006), Icarus 182, 10: V 0.67; clouds vary by some per cent
-        ("venus", (550.0,), (0.67,), 0.10),
+        pytest.param("venus", (550.0,), (0.67,), 0.10, marks=pytest.mark.slow),
     ],
 )
 def test_geometric_albedos_are_those_that_telescopes_see(
@@ -55,7 +55,7 @@ def test_geometric_albedos_are_those_that_telescopes_see(
     assert_allclose(ours, expected, rtol=within)
 
 
-@pytest.mark.parametrize("name", ["venus", "titan"])
+@pytest.mark.parametrize("name", [pytest.param("venus", marks=pytest.mark.slow), "titan"])
 def test_the_light_on_the_ground_of_venus_and_titan_is_orange(
     name: str, solved: Callable[..., MomentsSolution], tell: Callable[[str], None]
 ) -> None:

@@ -48,7 +48,7 @@ def test_an_interrupted_solve_leaves_nothing(words: list[str], tmp_path: Path) -
             assert process.stdout.readline() == "begun\n"
             time.sleep(0.3)
             process.send_signal(signal.SIGINT)
-            out, err = process.communicate(timeout=120)
+            out, err = process.communicate(timeout=600)
         finally:
             process.kill()
     assert process.returncode == 130

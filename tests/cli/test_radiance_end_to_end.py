@@ -121,7 +121,7 @@ def test_pipes_work(cases: Path, answers: Path) -> None:
         capture_output=True,
         text=True,
         check=True,
-        timeout=300,
+        timeout=600,
     )
     assert done.stdout == answers.read_text()
     assert done.stderr == ""

@@ -142,7 +142,7 @@ def test_an_interrupted_validation_leaves_no_file(tmp_path: Path) -> None:
         "from airlight.validation import run\n"
         "def long(data, *, progress, cancel):\n"
         "    print('begun', flush=True)\n"
-        "    time.sleep(60)\n"
+        "    time.sleep(3600)\n"
         "run.SUITES['golden'] = replace(run.SUITES['golden'], compute=long)\n"
         "from airlight.cli import main\n"
         "sys.exit(main(sys.argv[1:]))\n"
@@ -159,7 +159,7 @@ def test_an_interrupted_validation_leaves_no_file(tmp_path: Path) -> None:
             assert process.stdout is not None
             assert process.stdout.readline() == "begun\n"
             process.send_signal(signal.SIGINT)
-            _, err = process.communicate(timeout=60)
+            _, err = process.communicate(timeout=600)
         finally:
             process.kill()
     assert process.returncode == 130

@@ -161,7 +161,7 @@ def test_the_ground_s_light_is_taken_off_any_solver_s(earth: Any, order: int | N
 
 
 @pytest.mark.parametrize("planet", ["earth", "mars", "pebble"])
-@pytest.mark.parametrize("precision", ["single", "half"])
+@pytest.mark.parametrize("precision", [pytest.param("single", marks=pytest.mark.slow), "half"])
 def test_tables_are_close_to_the_solver_between_texels(
     planet: str, precision: str, request: pytest.FixtureRequest, tell: Callable[[str], None]
 ) -> None:
@@ -186,6 +186,7 @@ def test_tables_are_close_to_the_solver_between_texels(
     assert baked.errors["irradiance on the ground"].median < 0.01
 
 
+@pytest.mark.slow
 def test_errors_fall_with_the_square_of_the_step(earth: Any) -> None:
     # Linear interpolation is of second order: twice the texels, a quarter of the error; a little
     # less, since the light is not smooth everywhere.
@@ -194,6 +195,7 @@ def test_errors_fall_with_the_square_of_the_step(earth: Any) -> None:
     assert 3.0 < coarse.median / fine.median < 5.0
 
 
+@pytest.mark.slow
 def test_half_precision_costs_next_to_nothing(earth: Any, bruneton: Baked) -> None:
     # Eleven bits are 5e-4, against interpolation's per cents; twilight is not lost to zeros.
     half = bake(earth, size=SMALL, points=2000, precision="half")
@@ -231,6 +233,7 @@ def test_weighted_power_beats_linear_near_the_horizon(
     assert rms["weighted-power"] < rms["power"]
 
 
+@pytest.mark.slow
 def test_packing_states_its_error_and_more_channels_do_not_lose(
     earth: Any, tell: Callable[[str], None]
 ) -> None:

@@ -388,14 +388,14 @@ def test_a_formula_with_tables_on_the_gpu_is_the_processor_s(
 #: another method of the CPU for the same light: the test, and the functions.
 WHOLE = {
     "test_pictures.py::test_a_marched_picture_has_the_processor_s_radiance": (
-        "pixel_light", "sight", "reflectance", "ground_color", "ground_seen", "ground_angles",
+        "pixel_light", "sight", "reflectance", "ground_color", "ground_shares", "ground_angles",
         "ground_factor", "look", "line_of_sight",
         "star_on_ground", "phases_towards", "march", "add_point", "add_star", "star_columns",
         "field_place", "gathered_at", "place_panels", "place_panel", "panel_columns",
         "columns_along", "columns_between", "meets_ground", "ground_light", "camera_direction",
     ),
     "test_pictures.py::test_a_picture_from_the_table_is_shown_as_the_processor_s": (
-        "phase_of", "air_between", "bent_to_ground",
+        "phase_of", "air_between", "bent_to_ground", "place_in_sky", "seen_line",
     ),
     "test_pictures.py::test_the_shader_fills_the_table_as_the_processor_does": (
         "sky_texel", "direction_of_texel",

@@ -82,7 +82,7 @@ def _run_with_cache(folder: Path | str, kind: str = "float64") -> str:
     run = subprocess.run(
         [sys.executable, "-c", _PROGRAM, kind],
         env={**os.environ, "AIRLIGHT_CACHE": str(folder)},
-        capture_output=True, text=True, check=False, timeout=120,
+        capture_output=True, text=True, check=False, timeout=600,
     )  # fmt: skip
     assert run.returncode == 0, run.stderr
     return run.stdout
@@ -96,6 +96,7 @@ def test_a_kernel_and_its_array_function_share_a_cache_in_peace(tmp_path: Path) 
     assert list((tmp_path / "kernels").rglob("*.nbi"))
 
 
+@pytest.mark.slow
 def test_processes_do_not_overwrite_each_others_code(tmp_path: Path) -> None:
     # The second process finds no index, as if it had looked just before the first wrote it.
     # Numba alone would give its code, of other types, the first's name.

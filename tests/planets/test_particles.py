@@ -68,9 +68,10 @@ def test_number_density_counts_cross_sections():
     ("index", "sizes"),
     [
         (TableIndex(table="titan-haze"), GammaSizes(effective_radius=3e-7, effective_variance=0.1)),
-        (
+        pytest.param(
             TableIndex(table="sulphuric-acid"),
             LogNormalSizes(median_radius=3.5e-7, geometric_deviation=1.6),
+            marks=pytest.mark.slow,
         ),
     ],
 )
@@ -183,6 +184,7 @@ def test_anomalous_diffraction_takes_the_phase_function_given():
         Medium.from_planet(_planet(dust), RGB)
 
 
+@pytest.mark.slow
 def test_dust_with_hematite_reddens_the_light_that_it_scatters():
     # Hematite absorbs blue: published albedos of Martian dust rise from blue to red.
     index = MixedIndex(

@@ -42,7 +42,12 @@ def optical_depth(one: Constituent, wavelength: float, thickness: float) -> floa
     return float((scattering + absorption)[0] * one.profile.column(thickness))
 
 
-@pytest.mark.parametrize("row", rows(), ids=lambda row: f"{row.preset} {row.parts}")
+@pytest.mark.parametrize(
+    "row",
+    # Mie of Venus's droplets takes seconds
+    [pytest.param(r, marks=pytest.mark.slow) if r.preset == "venus" else r for r in rows()],
+    ids=lambda row: f"{row.preset} {row.parts}",
+)
 def test_vertical_optical_depths_are_those_of_the_sources(row: Row) -> None:
     # the source is in the row; the tolerance and its reason below the table
     planet = load_planet(row.preset)

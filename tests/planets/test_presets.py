@@ -191,6 +191,7 @@ def test_mars_by_coefficients_has_the_printed_optics_of_dust():
     assert_allclose(1e6 * medium.scattering[0], [0.1023, 0.2429, 0.6081], rtol=0.025)
 
 
+@pytest.mark.slow
 def test_hazy_earth_has_the_optics_of_opac():
     # Hess et al. 1998, Table 4, continental polluted: 0.175 /km, 0.892, 0.698, Ångström 1.13 and
     # 1.45; OPAC 3.1 prints 0.1746, 0.8925, 0.6977. Half the last printed digit

@@ -93,6 +93,7 @@ def test_the_sun_on_the_horizon_is_flattened_to_five_sixths(sunset: MomentsSolut
     assert_allclose(limbs[0], 0.0, atol=1e-6)
 
 
+@pytest.mark.slow
 def test_the_sun_in_a_picture_stands_where_it_is_seen_and_is_as_flat(
     sunset: MomentsSolution,
 ) -> None:

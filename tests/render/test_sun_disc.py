@@ -83,7 +83,15 @@ def test_a_disc_of_many_pixels_sends_the_star_s_irradiance(
         (0.4, 1e-3),
     ],
 )
-@pytest.mark.parametrize("projection", ["perspective", "equirectangular", "cubemap", "fisheye"])
+@pytest.mark.parametrize(
+    "projection",
+    [
+        "perspective",
+        pytest.param("equirectangular", marks=pytest.mark.slow),
+        pytest.param("cubemap", marks=pytest.mark.slow),
+        "fisheye",
+    ],
+)
 def test_a_disc_of_few_pixels_keeps_its_energy(
     projection: str, pixels_per_degree: float, allowed: float, lit: Lit, with_star: Starred,
     disc: Callable[..., np.ndarray], tell: Callable[[str], None],

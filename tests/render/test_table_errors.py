@@ -14,6 +14,8 @@ from airlight.solvers.moments.solution import MomentsSolution
 from picture_errors import CASES, NM, errors
 
 Lit = Callable[..., MomentsSolution]
+#: A sky, a sunset and a limb; the others are marked slow.
+QUICK = ("from 400 km, as by default", "limb from 400 km, 8° wide", "sunset from 30 m")
 
 
 @pytest.fixture(scope="module")
@@ -27,7 +29,10 @@ def planets() -> dict[object, Planet]:
     return made
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize(
+    "name",
+    [name if name in QUICK else pytest.param(name, marks=pytest.mark.slow) for name in CASES],
+)
 def test_a_picture_from_the_table_is_the_marched_one(
     name: str, lit: Lit, planets: dict[object, Planet], tell: Callable[[str], None]
 ) -> None:

@@ -156,7 +156,9 @@ def bent(planet: Planet) -> MomentsSolution:
     return solve(planet, quality="default", cache=False)
 
 
-@pytest.mark.parametrize("sight", SIGHTS)
+@pytest.mark.parametrize(
+    "sight", [SIGHTS[0], *(pytest.param(one, marks=pytest.mark.slow) for one in SIGHTS[1:])]
+)
 def test_light_scattered_once_follows_rays_traced_step_by_step(
     sight: tuple[float, float, float, float], bent: MomentsSolution
 ) -> None:

@@ -188,7 +188,13 @@ def test_light_goes_both_ways_alike_on_a_flat_planet(
 QUALITY_OF = {"earth": "default", "mars": "default"}
 
 
-@pytest.mark.parametrize("name", planet_names())
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=pytest.mark.slow) if name in ("mars", "titan", "venus") else name
+        for name in planet_names()
+    ],
+)
 def test_nothing_is_negative_or_nan_anywhere(
     name: str, solved: Callable[..., MomentsSolution]
 ) -> None:
@@ -332,7 +338,7 @@ def test_default_agrees_with_fine_on_dusty_mars(
     assert error.max() <= largest
 
 
-@pytest.mark.parametrize("depth", [1.0, 5.0])
+@pytest.mark.parametrize("depth", [1.0, pytest.param(5.0, marks=pytest.mark.slow)])
 def test_a_dust_storm_converges(
     depth: float, solved: Callable[..., MomentsSolution], tell: Callable[[str], None]
 ) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -53,10 +54,12 @@ def chromium() -> Iterator[Any]:
         browser.close()
 
 
-@pytest.fixture
-def opened(chromium: Any, tmp_path: Path) -> Iterator[Callable[..., Any]]:
-    """Open a file from disk in an offline page; fails at the end on any error in the page."""
-    context = chromium.new_context(viewport={"width": 960, "height": 540})
+@contextmanager
+def offline_pages(
+    chromium: Any, width: int = 960, height: int = 540
+) -> Iterator[Callable[..., Any]]:
+    """Open files from disk in offline pages; fails at the end on any error in a page."""
+    context = chromium.new_context(viewport={"width": width, "height": height})
     context.set_offline(True)
     faults: list[str] = []
 
@@ -72,6 +75,20 @@ def opened(chromium: Any, tmp_path: Path) -> Iterator[Callable[..., Any]]:
     yield open_file
     context.close()
     assert faults == []
+
+
+@pytest.fixture
+def opened(chromium: Any) -> Iterator[Callable[..., Any]]:
+    """Open a file from disk in an offline page."""
+    with offline_pages(chromium) as open_file:
+        yield open_file
+
+
+@pytest.fixture(scope="module")
+def kept_open(chromium: Any) -> Iterator[Callable[..., Any]]:
+    """As ``opened``, in small, for pages whose shaders several tests of a file need compiled."""
+    with offline_pages(chromium, 480, 270) as open_file:
+        yield open_file
 
 
 @pytest.fixture

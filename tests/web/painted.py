@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from airlight.gpu.emit.dialect import ShaderDialect
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.glsl import GLSL
-from airlight.gpu.emit.shader_types import F32, I32, VEC4, Bundle
+from airlight.gpu.emit.shader_types import F32, FLAT_WIDTH, I32, VEC4, Bundle
 from airlight.gpu.emit.texture_table import TextureTable
 from airlight.gpu.emit.wgsl import WGSL
-from airlight.gpu.picture.uniforms import FRAME
+from airlight.gpu.picture.uniforms import FRAME, LAYERS
 from airlight.kernel.lanes import LANES, load
 from airlight.pixels.pixel import Screen
 from airlight.viewer.browser.tables_text import as_text, deflated
@@ -92,8 +92,8 @@ def program() -> dict[str, Any]:
         return {"name": name, "shader": "painted", "entry": entry, "vertex": CORNERS,
                 "uniforms": "0/0", "reads": reads, "targets": made}  # fmt: skip
 
-    sky = [(name, 2048, 1) for name in ("air", "behind")]
-    peaks = [(name, 2048, 1) for name in ("first", "second")]
+    sky = [(name, FLAT_WIDTH, 1) for name in LAYERS[:2]]
+    peaks = [(name, FLAT_WIDTH, 1) for name in LAYERS[2:]]
     return {
         "plan": {
             "layout": places,
@@ -107,6 +107,7 @@ def program() -> dict[str, Any]:
         },
         "shaders": {"painted": shader()},
         "sky": {"full": [64, 64], "medium": [64, 32], "quick": [64, 16]},
+        "layers": list(LAYERS),
         "glance": 64,
         "projections": {"perspective": [1e-3, 170.0]},
         "tone_maps": {"hable": 0.18},

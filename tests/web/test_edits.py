@@ -73,6 +73,27 @@ def plain() -> Callable[[str], MomentsSolution]:
     return of
 
 
+@pytest.fixture(scope="module")
+def page_by(
+    plain: Callable[[str], MomentsSolution], kept_open: Callable[..., Any],
+    tmp_path_factory: pytest.TempPathFactory,
+) -> Callable[[str, str], Any]:  # fmt: skip
+    """Page of an unedited planet on a device, which compiles its shaders once for all edits."""
+    folder = tmp_path_factory.mktemp("pages")
+    pages: dict[tuple[str, str], Any] = {}
+
+    def page(name: str, device: str) -> Any:
+        if (name, device) not in pages:
+            data = page_data(plain(name), name, name, {**DEFAULTS, **FIXED}, "three")
+            data["picture"]["sky"]["full"] = list(SKY)
+            file = folder / f"{name}.html"
+            file.write_text(page_text(name, json.loads(json.dumps(data))), encoding="utf-8")
+            pages[name, device] = kept_open(file, f"?device={device}")
+        return pages[name, device]
+
+    return page
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("device", ["webgpu", "webgl2"])
 @pytest.mark.parametrize("edit", EDITS)
@@ -81,8 +102,7 @@ def test_an_edit_in_the_page_shows_what_is_solved_without_a_browser(
     device: str,
     plain: Callable[[str], MomentsSolution],
     native: Pictures,
-    opened: Callable[..., Any],
-    tmp_path: Path,
+    page_by: Callable[[str, str], Any],
     tell: Callable[[str], None],
 ) -> None:
     # the same passes as the CPU's sweeps, to the same tolerance; the rays' points, which depend on
@@ -93,17 +113,16 @@ def test_an_edit_in_the_page_shows_what_is_solved_without_a_browser(
     wanted = drawn(native, values)
     native.show(plain(name))
     assert np.abs(drawn(native, values) - wanted).max() > 10.0  # the edit is visible
-    data = page_data(plain(name), name, name, values, "three")
-    data["picture"]["sky"]["full"] = list(SKY)
-    file = tmp_path / "page.html"
-    file.write_text(page_text(name, json.loads(json.dumps(data))), encoding="utf-8")
-    page = opened(file, f"?device={device}")
+    page = page_by(name, device)
     changes = {f"air.amounts[{c}]": factor for c, factor in amounts.items()}
     if ground != 1.0:
         changes["air.ground"] = ground
     url, took, words = page.evaluate(
-        """async ([changes, width, height]) => {
+        """async ([view, changes, width, height]) => {
           await airlight.ready;
+          airlight.state.reset();
+          await airlight.edits.settled();
+          airlight.state.set(view);
           const began = performance.now();
           airlight.state.set(changes);
           await airlight.edits.settled();
@@ -114,7 +133,7 @@ def test_an_edit_in_the_page_shows_what_is_solved_without_a_browser(
           const words = [airlight.edits.status(), airlight.parts.message.textContent];
           return [reader.result, took, words.filter(Boolean).join(", ")];
         }""",
-        [changes, WIDTH, HEIGHT],
+        [{**FIXED, **view}, changes, WIDTH, HEIGHT],
     )
     assert page.evaluate("airlight.device.kind") == device
     image = Image.open(io.BytesIO(base64.b64decode(url.partition(",")[2])))

@@ -81,7 +81,7 @@ def lab(tmp_path: Path) -> Iterator[str]:
         yield f"http://127.0.0.1:{port}/lab/tree/viewer.ipynb?reset"
     finally:
         server.terminate()
-        server.wait(60)
+        server.wait(PATIENCE)
 
 
 def run_cell(page: Any, index: int) -> Any:

@@ -85,7 +85,7 @@ def served(tmp_path: Path) -> Iterator[str]:
         yield f"http://127.0.0.1:{port}"
     finally:
         server.terminate()
-        server.wait(60)
+        server.wait(PATIENCE)
 
 
 @pytest.mark.slow

@@ -94,6 +94,24 @@ def page_of(solution: Any, name: str, values: dict[str, Any], place: Path) -> Pa
     return place
 
 
+@pytest.fixture(scope="module")
+def page_by(
+    solutions: Callable[[str], Any], kept_open: Callable[..., Any],
+    tmp_path_factory: pytest.TempPathFactory,
+) -> Callable[[str, str], Any]:  # fmt: skip
+    """Page of a planet on a device, which compiles its shaders once for all views."""
+    folder = tmp_path_factory.mktemp("pages")
+    pages: dict[tuple[str, str], Any] = {}
+
+    def page(name: str, device: str) -> Any:
+        if (name, device) not in pages:
+            file = page_of(solutions(name), name, {**DEFAULTS, **FIXED}, folder / f"{name}.html")
+            pages[name, device] = kept_open(file, f"?device={device}")
+        return pages[name, device]
+
+    return page
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("device", ["webgpu", "webgl2"])
 @pytest.mark.parametrize("view", VIEWS)
@@ -102,8 +120,7 @@ def test_page_draws_what_the_native_device_draws(
     device: str,
     solutions: Callable[[str], Any],
     native: Pictures,
-    opened: Callable[..., Any],
-    tmp_path: Path,
+    page_by: Callable[[str, str], Any],
     tell: Callable[[str], None],
 ) -> None:
     # the same shaders on another driver: only rounding differs, also that to 8 bits
@@ -111,17 +128,18 @@ def test_page_draws_what_the_native_device_draws(
     values = {**DEFAULTS, **FIXED, **changes}
     native.show(solutions(name))
     wanted = drawn(native, values)
-    page = opened(
-        page_of(solutions(name), name, values, tmp_path / "page.html"), f"?device={device}"
-    )
+    page = page_by(name, device)
     url = page.evaluate(
-        """async ([width, height]) => {
+        """async ([values, width, height]) => {
+          await airlight.ready;
+          airlight.state.reset();
+          airlight.state.set(values);
           const blob = await airlight.png(width, height);
           const reader = new FileReader();
           await new Promise((resolve) => { reader.onload = resolve; reader.readAsDataURL(blob); });
           return reader.result;
         }""",
-        [WIDTH, HEIGHT],
+        [{**FIXED, **changes}, WIDTH, HEIGHT],
     )
     assert page.evaluate("airlight.device.kind") == device
     image = Image.open(io.BytesIO(base64.b64decode(url.partition(",")[2])))

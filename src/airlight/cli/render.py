@@ -85,7 +85,7 @@ def render(
     ] = "-2.5",
     tone_map: Annotated[
         str,
-        typer.Option(metavar="NAME", help="How bright light is held in: hable, reinhard, aces …"),
+        typer.Option(metavar="NAME", help="Tone map: hable, natural, aces, agx …"),
     ] = "hable",
     encoding: Annotated[
         Literal["srgb", "gamma"], typer.Option(help="The picture's transfer curve.")

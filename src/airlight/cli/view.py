@@ -67,7 +67,7 @@ def view(
     ] = "auto",
     tone_map: Annotated[
         str | None,
-        typer.Option(metavar="NAME", help="How bright light is held in: hable, reinhard, aces …"),
+        typer.Option(metavar="NAME", help="Tone map: hable, natural, aces, agx …"),
     ] = None,
     quality: options.Quality = "default",
     latitude: Annotated[

@@ -11,9 +11,10 @@ from airlight.color.encoding import encoding_named
 from airlight.color.exposure import DEFAULT_EXPOSURE, automatic_exposure, exposure_factor
 from airlight.color.tone_maps import tone_map_named
 from airlight.errors import ParameterError
+from airlight.kernel.threads import run_blocks
 
-#: Pixels per block; the workspace of a block takes about 50 MB.
-_BLOCK: Final = 262_144
+#: Pixels per block; the workspace of a block takes about 12 MB.
+_BLOCK: Final = 65_536
 
 
 def resolve_exposure(
@@ -42,7 +43,7 @@ def to_display(
 ) -> NDArray[np.uint8]:
     """Convert a frame of linear light to an 8-bit picture.
 
-    Rows are processed in blocks, so that memory beyond input and output stays bounded.
+    Blocks of rows run on all cores; memory beyond input and output stays bounded.
 
     Parameters
     ----------
@@ -77,10 +78,13 @@ def to_display(
     height, width = rgb.shape[:2]
     picture = np.empty((height, width, 3), dtype=np.uint8)
     rows = max(1, _BLOCK // max(1, width))
-    for first in range(0, height, rows):
-        block = rgb[first : first + rows]
+
+    def show(index: int) -> None:
+        block = rgb[index * rows : (index + 1) * rows]
         with np.errstate(over="ignore"):  # infinite light is very bright light
             exposed = block * block.dtype.type(factor)
         shown = encode(np.clip(shape(exposed), 0.0, 1.0))
-        picture[first : first + rows] = (255.0 * shown + 0.5).astype(np.uint8)
+        picture[index * rows : (index + 1) * rows] = (255.0 * shown + 0.5).astype(np.uint8)
+
+    run_blocks(show, -(-height // rows))
     return picture

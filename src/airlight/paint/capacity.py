@@ -1,4 +1,4 @@
-"""Capacity of the shaders: planets that a graphics device can solve and draw."""
+"""Planets that a graphics device has the capacity to solve and draw."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ def fits(planet: Planet, wavelengths: int) -> bool:
         Number of wavelengths.
     """
     try:
-        check_capacity(planet, wavelengths)
+        check_planet(planet, wavelengths)
     except ParameterError:
         return False
     return True
 
 
-def check_capacity(planet: Planet, wavelengths: int) -> None:
+def check_planet(planet: Planet, wavelengths: int) -> None:
     """Refuse a planet that exceeds the capacity of the shaders.
 
     Parameters
@@ -42,11 +42,7 @@ def check_capacity(planet: Planet, wavelengths: int) -> None:
     ParameterError
         If there are too many wavelengths or constituents.
     """
-    from airlight.pixels.shown import MOST_CONSTITUENTS, WAVELENGTHS
+    from airlight.pixels.capacity import check_capacity
 
-    if wavelengths > WAVELENGTHS:
-        raise ParameterError("--wavelengths", wavelengths, f"at most {WAVELENGTHS} on the GPU")
     constituents = len(planet.constituents) + (planet.refraction != "none")  # "bending" is one
-    if constituents > MOST_CONSTITUENTS:
-        allowed = f"at most {MOST_CONSTITUENTS} on the GPU"
-        raise ParameterError("constituents", constituents, allowed)
+    check_capacity(wavelengths, constituents, field="--wavelengths")

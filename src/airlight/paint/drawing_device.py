@@ -66,10 +66,10 @@ def drawing_device(
         return None
     from airlight.errors import ParameterError
     from airlight.gpu.device.device import NoDevice, open_device
-    from airlight.paint.capacity import check_capacity
+    from airlight.paint.capacity import check_planet
 
     try:
-        check_capacity(planet, wavelengths)
+        check_planet(planet, wavelengths)
         device = open_device()
         widest = device.device.limits["max-texture-dimension-2d"]
         if width > widest:

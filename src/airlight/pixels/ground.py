@@ -11,19 +11,15 @@ from math import sqrt
 
 import numpy as np
 
-from airlight.geometry.bending import bend_angle, level_light, turned
+from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.shell import first_meeting
 from airlight.kernel import inlined
 from airlight.kernel.lanes import load, maximum, minimum, splat
 from airlight.optics.reflection import sky_share, star_share
 from airlight.pixels.sky_table import star_from
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
-from airlight.solvers.moments.source import level_sky, level_star
-from airlight.solvers.moments.sweep import sun_index
+from airlight.solvers.moments.irradiance import ground_light
 from airlight.tables.column_ratios import columns_to_top
-
-#: Numbers of ``ground_seen``.
-SEEN_NUMBERS = 8
 
 
 @inlined
@@ -109,40 +105,34 @@ def ground_angles(x, z, sine, angle, observer, light):
 
 
 @inlined
-def ground_seen(x, y, z, sine, angle, observer, screen, light, color, below, above, seen):
-    """Ground at the end of a line of sight: its colour, its factors, and the star that lights it.
+def ground_shares(x, y, z, sine, angle, observer, screen, light, work, color):
+    """Ground at the end of a line of sight: its colour, and both factors of its law.
 
     Parameters
     ----------
     x, y, z, sine, angle, observer, screen, light, color :
         Arguments of ``ground_color``; ``color`` is received where there is a map.
-    below, above : array, shape (nc,)
-        Receive the columns to two points that represent the star, as in ``level_star``. [m]
-    seen : array, shape (SEEN_NUMBERS,)
-        Receives ``matte`` and ``gloss`` of the star's light, those of the sky's, the weights of
-        the two points, and the star's position in the table of the sky's irradiance. [1]
+    work : MarchWorkspace
+        Workspace, whose ``received`` has the irradiances by star and sky, except for Lambert's law.
+
+    Returns
+    -------
+    star_matte, star_gloss, sky_matte, sky_gloss : float
+        Factor of the albedo, and part without it, of the star's and of the sky's light. [1]
     """
     if screen.mapped:
         ground_color(x, y, z, sine, angle, observer, screen, light, color)
+    star_matte, star_gloss, sky_matte, sky_gloss = 1.0, 0.0, 1.0, 0.0
     if light.ground.law != 0:
         mu_s, leaving, nu = ground_angles(x, z, sine, angle, observer, light)
-        matte, gloss = star_share(light.ground.law, light.ground, mu_s, leaving, nu)
-        seen[0], seen[1] = matte, gloss
-        matte, gloss = sky_share(light.ground.law, light.ground, leaving)
-        seen[2], seen[3] = matte, gloss
-        bottom, top = light.bottom, light.top
-        from_low, from_high, low, high = level_light(
-            bottom, mu_s, bottom, top, light.star_radius, light.lift
-        )
-        if from_low + from_high > 0.0:
-            columns_to_top(bottom, low, bottom, top, light.columns, below)
-            columns_to_top(bottom, high, bottom, top, light.columns, above)
-        seen[4], seen[5] = from_low, from_high
-        seen[6] = sun_index(mu_s, light.place)
+        star_matte, star_gloss = star_share(light.ground.law, light.ground, mu_s, leaving, nu)
+        sky_matte, sky_gloss = sky_share(light.ground.law, light.ground, leaving)
+        ground_light(mu_s, observer.orders, light, work)
+    return star_matte, star_gloss, sky_matte, sky_gloss
 
 
 @inlined
-def reflectance(color, mapped, light, lanes, at):
+def reflectance(color, mapped, light, at):
     """Albedo of the ground: that of a colour of the map, or the solver's. [1]
 
     Parameters
@@ -153,42 +143,34 @@ def reflectance(color, mapped, light, lanes, at):
         Whether the ground has a map.
     light : MarchTables
         Tables of the solution.
-    lanes, at : int
-        Number of lanes of a texel, and index of the first that is read.
+    at : int
+        Index of the first lane.
     """
     if not mapped:
         return load(light.ground.albedo, at)
     total = splat(0.0)
     for c in range(3):
-        total = total + load(light.basis, lanes * c + at) * np.float32(color[c])
+        total = total + load(light.basis, light.lanes * c + at) * np.float32(color[c])
     return minimum(maximum(total, splat(0.0)), splat(1.0))
 
 
 @inlined
-def ground_factor(color, mapped, orders, below, above, seen, light, lanes, at):
+def ground_factor(
+    color, mapped, star_matte, star_gloss, sky_matte, sky_gloss, light, work, at
+):  # fmt: skip
     """Light of the ground relative to that of a white Lambert ground. [1]
 
     Parameters
     ----------
-    color, mapped, light, lanes, at :
+    color, mapped, light, at :
         Arguments of ``reflectance``.
-    orders : int
-        1: the star's light; 0: the sky's; 2: both.
-    below, above, seen : array
-        Results of ``ground_seen``.
+    star_matte, star_gloss, sky_matte, sky_gloss, work :
+        Results of ``ground_shares``, and its workspace.
     """
-    albedo = reflectance(color, mapped, light, lanes, at)
+    albedo = reflectance(color, mapped, light, at)
     if light.ground.law == 0:
         return albedo
-    by_star = albedo * np.float32(seen[0]) + np.float32(seen[1])
-    by_sky = albedo * np.float32(seen[2]) + np.float32(seen[3])
-    star, sky = splat(0.0), splat(0.0)
-    if orders != 0 and seen[4] + seen[5] > 0.0:
-        star = level_star(
-            below, above, seen[4], seen[5], light.extinction, light.constituents, lanes, at
-        )
-    if orders != 1:
-        place = min(int(seen[6]), light.suns - 2)
-        sky = level_sky(light.sky, place, seen[6] - place, lanes, at)
-    received = maximum(star + sky, splat(1e-30))
-    return (star * by_star + sky * by_sky) / received
+    star, sky = load(work.received, at), load(work.received, light.lanes + at)
+    by_star = star * (albedo * np.float32(star_matte) + np.float32(star_gloss))
+    by_sky = sky * (albedo * np.float32(sky_matte) + np.float32(sky_gloss))
+    return (by_star + by_sky) / maximum(star + sky, splat(1e-30))

@@ -13,8 +13,7 @@ from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.kernel.shader_fields import CHOICE, InTexture
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle, row_from_impact
-from airlight.pixels.ground import SEEN_NUMBERS, bent_to_ground, ground_factor, ground_seen
-from airlight.pixels.shown import MOST_CONSTITUENTS
+from airlight.pixels.ground import bent_to_ground, ground_factor, ground_shares
 from airlight.pixels.sky_table import half_sine_between, look, phases_towards
 from airlight.pixels.star_disc import camera_direction, star_disc
 from airlight.solvers.moments.source import through_columns
@@ -236,7 +235,87 @@ def sight(x, y, z, observer, light):
 
 
 @inlined
-def pixel_light(px, py, exact, observer, screen, light, work, result):
+def place_in_sky(x, y, row, to_ground, window):
+    """Position of a line of sight in the available part of the table of the sky.
+
+    Parameters
+    ----------
+    x, y : float
+        Horizontal components of its direction in the observer's frame. [1]
+    row, to_ground : float, bool
+        Results of ``sight``.
+    window : SkyWindow
+        Available part.
+
+    Returns
+    -------
+    near : int
+        Index of the first of the four texels around it.
+    right, down : float
+        Fractions of the distance to the next texel and to the next row. [1]
+    """
+    last = window.first_column + window.column_count - 1
+    azimuth = atan2(abs(y), x) / pi * (window.columns - 1)
+    column, right = texel_before(azimuth, window.first_column, last)
+    first, count, before = window.first_sky, window.sky_count, 0
+    if to_ground:
+        first, count, before = window.first_ground, window.ground_count, window.sky_count
+    line, down = texel_before(row * (window.rows - 1), first, first + count - 1)
+    near = (before + line - first) * window.column_count + column - window.first_column
+    return near, right, down
+
+
+@inlined
+def seen_line(
+    x, y, z, sine, row, to_ground, exact, window, observer, screen, light, work
+):  # fmt: skip
+    """Find the air's light along a line of sight, and that of a white ground behind it.
+
+    Parameters
+    ----------
+    x, y, z : float
+        Its direction in the observer's frame. [1]
+    sine, row, to_ground : float, float, bool
+        Results of ``sight``.
+    exact, window, observer, screen, light, work :
+        Arguments of ``pixel_light``; ``work.found`` receives the air's radiance and, for a line to
+        the ground, that of a white Lambert ground. [sr⁻¹]
+
+    Returns
+    -------
+    float
+        Angle of refraction of a line that ends on the ground. [rad]
+    """
+    half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
+    bent = 0.0
+    if exact:
+        cos_azimuth = x / sine if sine > 0.0 else 1.0
+        phases_towards(half_sine, True, light, work.phase)
+        bent = look(
+            z, sine, cos_azimuth, to_ground, True, False, observer, light, work.phase, work,
+            work.found,
+        )  # fmt: skip
+    else:
+        near, right, down = place_in_sky(x, y, row, to_ground, window)
+        for at in range(0, light.lanes, LANES):
+            value = air_between(
+                near, window.column_count, right, down, half_sine, screen, light, light.lanes, at
+            )
+            store(work.found, at, value)
+            if to_ground:
+                value = between_texels(
+                    screen.sky_ground, near, window.column_count, right, down, light.lanes, at
+                )
+                store(work.found, light.lanes + at, value)
+        if to_ground and light.bend > 0.0:
+            bent = bent_to_ground(z, sine, observer, light, work.totals)
+    return bent
+
+
+@inlined
+def pixel_light(
+    px, py, exact, reach, window, observer, screen, light, work, color, result
+):  # fmt: skip
     """Spectral light of a pixel, per irradiance of the star. [sr⁻¹]
 
     Parameters
@@ -245,51 +324,47 @@ def pixel_light(px, py, exact, observer, screen, light, work, result):
         Position from the picture's left and top edge. [pixel]
     exact : bool
         Constant: whether the pixel is marched instead of read from the table of the sky.
+    reach : float
+        Angle from the apparent star beyond which nothing of its disc is visible. [rad]
+    window : SkyWindow
+        Available part of the table of the sky.
     observer, screen, light : Observer, Screen, MarchTables
         Observer, camera with its maps, and tables of the solution.
-    work : MarchWorkspace
+    work, color : MarchWorkspace, array of shape (3,)
         Workspace.
     result : array, shape (w,)
         Receives the radiance. [sr⁻¹]
     """
-    color = np.empty(3)
-    columns = np.empty(MOST_CONSTITUENTS)
     x, y, z = camera_direction(px, py, screen)
-    total = splat(0.0)
     sine, row, through_air, to_ground = sight(x, y, z, observer, light)
+    star_matte, star_gloss, sky_matte, sky_gloss = 1.0, 0.0, 1.0, 0.0
     if through_air:
-        half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
-        ground = splat(0.0)
-        bent = 0.0
-        if exact:
-            cos_azimuth = x / sine if sine > 0.0 else 1.0
-            phases_towards(half_sine, True, light, work.phase)
-            bent = look(
-                z, sine, cos_azimuth, to_ground, True, False, observer, light, work.phase, work,
-                work.found,
-            )  # fmt: skip
-            total = load(work.found, 0)
-            ground = load(work.found, LANES)
-        else:
-            stride, rows = screen.sky_columns, screen.sky_rows
-            column, right = texel_before(atan2(abs(y), x) / pi * (stride - 1), 0, stride - 1)
-            line, down = texel_before(row * (rows - 1), 0, rows - 1)
-            near = (line + rows if to_ground else line) * stride + column
-            total = air_between(near, stride, right, down, half_sine, screen, light, LANES, 0)
-            if to_ground:
-                ground = between_texels(screen.sky_ground, near, stride, right, down, LANES, 0)
-                if light.bend > 0.0:
-                    bent = bent_to_ground(z, sine, observer, light, columns)
+        bent = seen_line(
+            x, y, z, sine, row, to_ground, exact, window, observer, screen, light, work
+        )
         if to_ground:
-            below, above = np.empty(MOST_CONSTITUENTS), np.empty(MOST_CONSTITUENTS)
-            seen = np.empty(SEEN_NUMBERS)
-            ground_seen(x, y, z, sine, bent, observer, screen, light, color, below, above, seen)
-            total = total + ground * ground_factor(
-                color, screen.mapped, observer.orders, below, above, seen, light, LANES, 0
+            star_matte, star_gloss, sky_matte, sky_gloss = ground_shares(
+                x, y, z, sine, bent, observer, screen, light, work, color
             )
+    for at in range(0, light.lanes, LANES):
+        total = splat(0.0)
+        if through_air:
+            total = load(work.found, at)
+        if to_ground:
+            factor = ground_factor(
+                color, screen.mapped, star_matte, star_gloss, sky_matte, sky_gloss, light,
+                work, at,
+            )  # fmt: skip
+            total = total + load(work.found, light.lanes + at) * factor
+        store(result, at, total)
     if screen.draws_disc and not to_ground:
-        part = star_disc(px, py, x, y, z, observer, screen, light, columns)
+        apart = 2.0 * half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
+        part = 0.0
+        if apart < reach:
+            part = star_disc(px, py, x, y, z, observer, screen, light, work.totals)
         if part > 0.0:
-            through = through_columns(columns, light.extinction, light.constituents, LANES, 0)
-            total = total + through * np.float32(part)
-    store(result, 0, total)
+            for at in range(0, light.lanes, LANES):
+                through = through_columns(
+                    work.totals, light.extinction, light.constituents, light.lanes, at
+                )
+                store(result, at, load(result, at) + through * np.float32(part))

@@ -56,8 +56,8 @@ def _fill(begin, end, window, observer, light, work, layers):
     light, work, layers = borrowed((light, work, layers))
     found, lanes = work.found, light.lanes
     peaks = light.first_peak >= 0
-    stride = window.last_column - window.first_column + 1
-    sky_texels = stride * (window.last_sky - window.first_sky + 1)
+    stride = window.column_count
+    sky_texels = stride * window.sky_count
     for texel in range(begin, end):
         column = window.first_column + texel % stride
         row = window.first_sky + texel // stride

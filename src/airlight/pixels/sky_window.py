@@ -33,20 +33,20 @@ class SkyWindow(NamedTuple):
     ----------
     columns, rows : int
         Azimuths of the whole table over half a turn, and rows of each half.
-    first_column, last_column : int
-        Range of azimuths.
-    first_sky, last_sky, first_ground, last_ground : int
-        Ranges of rows, counted from the horizon in each half.
+    first_column, column_count : int
+        Azimuths: the first, and how many.
+    first_sky, sky_count, first_ground, ground_count : int
+        Rows of each half, counted from the horizon.
     """
 
     columns: int
     rows: int
     first_column: int
-    last_column: int
+    column_count: int
     first_sky: int
-    last_sky: int
+    sky_count: int
     first_ground: int
-    last_ground: int
+    ground_count: int
 
     @classmethod
     def whole(cls, columns: int, rows: int) -> SkyWindow:
@@ -57,13 +57,12 @@ class SkyWindow(NamedTuple):
         columns, rows : int
             Azimuths over half a turn, and rows of each half.
         """
-        return cls(columns, rows, 0, columns - 1, 0, rows - 1, 0, rows - 1)
+        return cls(columns, rows, 0, columns, 0, rows, 0, rows)
 
     @property
     def texels(self) -> int:
         """Number of texels."""
-        lines = self.last_sky - self.first_sky + self.last_ground - self.first_ground + 2
-        return lines * (self.last_column - self.first_column + 1)
+        return (self.sky_count + self.ground_count) * self.column_count
 
 
 def sky_window(camera: Camera, observer: Observer, bottom: float, top: float) -> SkyWindow | None:
@@ -106,7 +105,8 @@ def _window(
     for (low, high), count in zip((azimuths, sky, ground), (shape[0], shape[1], shape[1]),
                                   strict=True):  # fmt: skip
         first = min(max(floor(low * (count - 1)), 0), count - 2)
-        ends += [first, min(max(ceil(high * (count - 1)), first + 1), count - 1)]
+        last = min(max(ceil(high * (count - 1)), first + 1), count - 1)
+        ends += [first, last - first + 1]
     return SkyWindow(*shape, *ends)
 
 

@@ -16,7 +16,7 @@ from airlight.pixels.picture_numbers import (
 from airlight.pixels.rows_by_processor import draw_rows, march_rows
 from airlight.pixels.shown import shown_solution
 from airlight.pixels.sky_by_processor import SkyLayers, filled_sky
-from airlight.pixels.sky_window import sky_window
+from airlight.pixels.sky_window import SkyWindow, sky_window
 from airlight.scene import Scene
 from airlight.scene.surface_map import surface_map
 from airlight.solvers.moments.march_tables import new_workspace
@@ -101,15 +101,11 @@ class Drawing:
         rgb : array, shape (height, width, 3)
             Receives the radiance. [W m⁻² sr⁻¹]
         """
-        if self.window is not None:
-            draw_rows(
-                first, last, self.window, self._observer, self._screen, self._tables,
-                self._weights, self._reach, rgb,
-            )  # fmt: skip
-            return
-        march_rows(
-            first, last, self._observer, self._screen, self._tables, new_workspace(self._tables),
-            self._weights, self._reach, rgb,
+        rows = march_rows if self.window is None else draw_rows
+        window = SkyWindow.whole(0, 0) if self.window is None else self.window
+        rows(
+            first, last, window, self._observer, self._screen, self._tables,
+            new_workspace(self._tables), self._weights, self._reach, rgb,
         )  # fmt: skip
 
 

@@ -98,6 +98,7 @@ def test_printed_bookkeeping_agrees_over_black_ground_and_loses_light_over_white
             assert (got > 0.8 * right).all()
 
 
+@pytest.mark.slow
 def test_first_notes_are_the_sum_of_planets_of_one_constituent(
     reference_earth: Callable[..., Planet],
 ) -> None:
@@ -113,7 +114,15 @@ def test_first_notes_are_the_sum_of_planets_of_one_constituent(
     assert (printed.radiance(**WHERE).values[:2] > 1.005 * right[:2]).all()
 
 
-@pytest.mark.parametrize("mapping", ["linear", "power", "weighted-power", "bruneton"])
+@pytest.mark.parametrize(
+    "mapping",
+    [
+        pytest.param("linear", marks=pytest.mark.slow),
+        "power",
+        pytest.param("weighted-power", marks=pytest.mark.slow),
+        pytest.param("bruneton", marks=pytest.mark.slow),
+    ],
+)
 def test_the_notes_tables_give_the_sky_within_their_error(mapping: str) -> None:
     # Against the angle mapping of the same solver, over the table's own azimuth. The notes' steps
     # of 3 km and equal directions leave ten per cent, the linear mapping more near the horizon.
@@ -130,6 +139,7 @@ def test_the_notes_tables_give_the_sky_within_their_error(mapping: str) -> None:
     assert_allclose(error, 1.0, atol=0.02 if mapping == "bruneton" else 0.15)
 
 
+@pytest.mark.slow
 def test_flux_in_equals_flux_out() -> None:
     # Conservative air over white ground: what the ground receives it sends back, and nothing is
     # lost on the way. Net flux at the ground is 0 by the albedo; at the top it must be as well.
@@ -162,6 +172,7 @@ def test_flux_in_equals_flux_out() -> None:
     assert_allclose(leaving, taken, rtol=5e-3)
 
 
+@pytest.mark.slow
 def test_sky_irradiance_is_the_integral_of_the_sky(reference_earth: Callable[..., Planet]) -> None:
     # The moments solver, a second method with irradiance from its own sweep.
     planet = reference_earth(albedo=0.1)

@@ -51,6 +51,7 @@ def test_the_same_question_has_the_same_answer_in_any_company(earth: Planet) -> 
     assert_allclose(alone["radiance"].values[0], many["radiance"].values[1, 1], rtol=1e-6)
 
 
+@pytest.mark.slow
 def test_seeds_give_independent_answers_with_honest_errors(earth: Planet) -> None:
     # Twelve seeds: the scatter of the answers is the standard error, by its definition; χ² with
     # eleven degrees of freedom is between 1.8 and 33 with a probability of 0.999.
@@ -121,6 +122,7 @@ def test_a_line_that_misses_the_air_costs_nothing(earth: Planet) -> None:
     assert data["reached"].values.all()
 
 
+@pytest.mark.slow
 def test_sky_irradiance_is_the_integral_of_the_sky(earth: Planet) -> None:
     # A second way: 8 x 8 directions of the radiance itself; 3 standard errors.
     from airlight.geometry.quadrature import gauss_legendre

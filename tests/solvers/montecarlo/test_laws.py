@@ -18,7 +18,9 @@ from airlight.solvers.montecarlo.settings import Settings
 SAMPLED = Settings(relative_error=0.004, exact_first_order=False)
 
 
-@pytest.mark.parametrize("disc", [0.0, 0.27, 1.0])
+@pytest.mark.parametrize(
+    "disc", [0.0, *(pytest.param(x, marks=pytest.mark.slow) for x in (0.27, 1.0))]
+)
 @pytest.mark.parametrize(
     "profile", [Exponential(scale_height=8e3), Tent(center=25e3, half_width=15e3)]
 )
@@ -87,6 +89,7 @@ def test_thin_air_scatters_once(one_air: Callable[..., Planet]) -> None:
     assert 0.0 < second < 100.0 * depth * expected
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("albedo", "phase"), [(1.0, Rayleigh()), (0.3, HenyeyGreenstein(asymmetry=0.7))]
 )
@@ -116,6 +119,7 @@ def test_conservative_air_returns_what_the_ground_does_not_take(
     assert_allclose(up + taken, mu_s, rtol=0, atol=3.0 * noise + 1e-3 * mu_s)
 
 
+@pytest.mark.slow
 def test_places_drawn_in_light_change_the_noise_only(
     reference_earth: Callable[..., Planet], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -24,8 +24,9 @@ from airlight.gpu.picture.shaders import (
     sky_peaks_shader,
 )
 from airlight.gpu.picture.solution_textures import SolutionTextures
-from airlight.gpu.picture.uniforms import FRAME
+from airlight.gpu.picture.uniforms import FRAME, LAYERS
 from airlight.kernel.threads import Cancel, Progress
+from airlight.pixels.capacity import check_capacity
 from airlight.pixels.lit_scenes import lit_scenes
 from airlight.pixels.march_points import FEW
 from airlight.pixels.picture_numbers import (
@@ -108,10 +109,7 @@ class Pictures:
             raise ParameterError("sky_shape", shape, "columns and rows whose product fills rows")
         self._sky_shape = (columns, rows)
         count = 2 * columns * rows
-        self._layers = {
-            name: empty_flat_texture(self.device, count, 4, name)
-            for name in ("air", "behind", "first", "second")
-        }
+        self._layers = {name: empty_flat_texture(self.device, count, 4, name) for name in LAYERS}
         self._groups.clear()
         self._seen = None
 
@@ -133,8 +131,7 @@ class Pictures:
         if not isinstance(solution, MomentsSolution):
             raise ParameterError("solution", type(solution), "a solution of the moments solver")
         nm = solution.wavelengths
-        if nm.size > WAVELENGTHS:
-            raise ParameterError("wavelengths", nm.size, f"at most {WAVELENGTHS} on the GPU")
+        check_capacity(nm.size)
         self._given = weights
         if weights is None:
             weights = picture_weights(nm, solution.lights[0].spectrum)
@@ -407,9 +404,9 @@ class Pictures:
             return
         self._write(numbers)
         encoder = self.device.device.create_command_encoder()
-        passes = [(sky_air_shader(), ("air", "behind"))]
+        passes = [(sky_air_shader(), LAYERS[:2])]
         if numbers["keeps_peaks"]:
-            passes.append((sky_peaks_shader(), ("first", "second")))
+            passes.append((sky_peaks_shader(), LAYERS[2:]))
         for shader, layers in passes:
             one = self._pass(shader, next(iter(shader.entries)), (_LINEAR, _LINEAR))
             one.run(encoder, self._bound(one), [self._layers[name] for name in layers])
@@ -421,7 +418,7 @@ class Pictures:
         assert self._shown_tables is not None
         tables = self._shown_tables._replace(rules=quadratures(FEW.points), panels=FEW.panels)
         layers = filled_sky(tables, observer_from(numbers), SkyWindow.whole(*self._sky_shape))
-        names = ("air", "behind", "first", "second")[: 4 if numbers["keeps_peaks"] else 2]
+        names = LAYERS if numbers["keeps_peaks"] else LAYERS[:2]
         for name, layer in zip(names, layers, strict=False):
             if layer.size > 1:
                 update_flat(self.device, self._layers[name], 0, as_texels(layer, WAVELENGTHS))

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
+from typing import Final
 
 from airlight.gpu.emit.dialect import ShaderDialect
 from airlight.gpu.emit.emitter import Emitted, Emitter
@@ -27,7 +28,11 @@ from airlight.gpu.picture.uniforms import CHANNELS, FRAME
 from airlight.pixels.pixel import Display, Screen, displayed, pixel_light
 from airlight.pixels.shown import MOST_CONSTITUENTS, MOST_POINTS, MOST_TERMS
 from airlight.pixels.sky_table import Observer, sky_texel
+from airlight.pixels.sky_window import SkyWindow
 from airlight.solvers.moments.march_tables import MarchTables, spectral_sizes, workspace_sizes
+
+#: A reach that leaves out no pixel: shaders look for the star's disc in all. [rad]
+_NO_REACH: Final = 4.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -190,6 +195,13 @@ def filled_by(made: Emitted, arguments: Sequence[str], dialect: ShaderDialect) -
     return [*declared, f"{made.name}({', '.join(given)});"]
 
 
+def _whole_window() -> Bundle:
+    """Window of a complete table of the sky, for the emitter; see ``SkyWindow``."""
+    columns, rows, first = FRAME.uniform("sky_columns"), FRAME.uniform("sky_rows"), Constant(0)
+    values = (columns, rows, first, columns, first, rows, first, rows)
+    return Bundle(dict(zip(SkyWindow._fields, values, strict=True)))
+
+
 @cache
 def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL) -> Shader:
     """Shader of a pixel's light and its display: from the table, or by its own march.
@@ -205,11 +217,13 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
         Shading language.
     """
     emitter = Emitter(dialect)
+    color = emitter.module_array("color", LocalArray(3))
     found = emitter.module_array("result", LocalArray(1, VEC4))
     made = emitter.add(
-        pixel_light, F32, F32, Constant(exact), FRAME.bundle(Observer, fixed),
-        FRAME.bundle(Screen, fixed), FRAME.bundle(MarchTables, fixed), march_workspace(emitter),
-        found, name="light_of_pixel",
+        pixel_light, F32, F32, Constant(exact), Constant(_NO_REACH), _whole_window(),
+        FRAME.bundle(Observer, fixed), FRAME.bundle(Screen, fixed),
+        FRAME.bundle(MarchTables, fixed), march_workspace(emitter), color, found,
+        name="light_of_pixel",
     )  # fmt: skip
     display = FRAME.bundle(Display, fixed)
     shown = emitter.add(displayed, F32, F32, F32, display, name="displayed").result

@@ -10,14 +10,14 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import ParameterError
 from airlight.gpu.device.device import Device
 from airlight.gpu.device.flat import MOST_ROWS, flat_rows, flat_texture
 from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.emit.uniform_struct import Place
 from airlight.gpu.picture.uniforms import FRAME
 from airlight.gpu.solver.solver import fields_on
-from airlight.pixels.shown import MOST_CONSTITUENTS, as_texels, shown_solution
+from airlight.pixels.capacity import check_capacity
+from airlight.pixels.shown import as_texels, shown_solution
 from airlight.scene.surface_map import surface_map
 from airlight.solvers.moments.march_tables import MarchTables
 from airlight.solvers.moments.solution import MomentsSolution
@@ -65,9 +65,7 @@ class SolutionTables:
         count = solution.wavelengths.size
         if shown is None:
             shown = shown_solution(solution)
-        if shown.constituents > MOST_CONSTITUENTS:
-            allowed = f"at most {MOST_CONSTITUENTS} on the GPU"
-            raise ParameterError("constituents", shown.constituents, allowed)
+        check_capacity(count, shown.constituents)
         values = shown._asdict() | shown.ground._asdict()
         tables = {name: FRAME.tables[name] for name in values if name in FRAME.tables}
         textures, places = FRAME.laid_out(

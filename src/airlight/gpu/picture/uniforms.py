@@ -27,3 +27,5 @@ class Strip(NamedTuple):
 
 #: Numbers and tables that the shaders of pictures may read.
 FRAME: Final = UniformStruct("frame", (MarchTables, Observer, Screen, Display, Strip), CHANNELS)
+#: Textures of the table of the sky: those of the air, then those of its two peaks.
+LAYERS: Final = tuple(table.texture for table in FRAME.tables.values() if not table.start)

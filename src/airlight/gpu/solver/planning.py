@@ -11,12 +11,13 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import AirlightError, ParameterError
+from airlight.errors import AirlightError
 from airlight.gpu.solver.plan import SolverPlan, Span
 from airlight.gpu.solver.tables import SOLVE
 from airlight.kernel.lanes import LANES
 from airlight.optics.reflection import NUMBERS
-from airlight.pixels.shown import MOST_CONSTITUENTS, WAVELENGTHS
+from airlight.pixels.capacity import check_capacity
+from airlight.pixels.shown import WAVELENGTHS
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.setup import Setup
@@ -54,14 +55,8 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
         If light is scattered in the air for many orders.
     """
     medium = paths.medium
-    count = medium.wavelengths.size
-    if count > WAVELENGTHS:
-        raise ParameterError("wavelengths", count, f"at most {WAVELENGTHS} on the GPU")
     constituents = len(medium.names)
-    if constituents > MOST_CONSTITUENTS:
-        raise ParameterError(
-            "constituents", constituents, f"at most {MOST_CONSTITUENTS} on the GPU"
-        )
+    check_capacity(medium.wavelengths.size, constituents)
     setup = Setup(paths=paths, settings=settings)
     if setup.optics.transport_depth.max() > THICKEST:
         raise ThickAir

@@ -15,6 +15,7 @@ from importlib import resources
 from typing import Final
 
 from airlight.errors import FileError
+from airlight.gpu.device.flat import FORMATS
 from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.viewer.browser.formulas import formulas_text
@@ -36,8 +37,12 @@ def _keys_module() -> str:
 
 
 def _sizes_module() -> str:
-    """Text of the module with the sizes of textures that shaders and page must agree on."""
-    return f"export const ROW = {FLAT_WIDTH};\nexport const LANES = {WAVELENGTHS};\n"
+    """Text of the module with the sizes of textures on which shaders and page must agree."""
+    channels = {form: count for count, form in FORMATS.items()}
+    return (
+        f"export const ROW = {FLAT_WIDTH};\nexport const LANES = {WAVELENGTHS};\n"
+        f"export const CHANNELS = {json.dumps(channels)};\n"
+    )
 
 
 #: Modules generated from Python's declarations.

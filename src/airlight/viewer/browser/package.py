@@ -22,7 +22,7 @@ from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.picture.pictures import QUICK_SKY_SHAPE, SKY_SHAPE
 from airlight.gpu.picture.shaders import Shader, picture_shader, sky_air_shader, sky_peaks_shader
 from airlight.gpu.picture.solution_textures import SolutionTables
-from airlight.gpu.picture.uniforms import FRAME
+from airlight.gpu.picture.uniforms import FRAME, LAYERS
 from airlight.pixels.picture_numbers import ORDERS
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.scene.projections import PROJECTIONS
@@ -40,10 +40,6 @@ GLANCE: Final = 64
 _FORMAT: Final = FORMATS[4]
 #: Number of altitudes at which the optical radius is tabulated.
 _RADII: Final = 1024
-
-
-_AIR: Final = ("air", "behind")
-_PEAKS: Final = ("first", "second")
 
 
 def plan() -> dict[str, Any]:
@@ -72,8 +68,13 @@ def plan() -> dict[str, Any]:
         "layout": places,
         "size": where["floats"],
         "passes": [
-            one("sky_air", sky_air_shader(), "sky_air", [{**sky, "name": n} for n in _AIR]),
-            one("sky_peaks", sky_peaks_shader(), "sky_peaks", [{**sky, "name": n} for n in _PEAKS]),
+            one("sky_air", sky_air_shader(), "sky_air", [{**sky, "name": n} for n in LAYERS[:2]]),
+            one(
+                "sky_peaks",
+                sky_peaks_shader(),
+                "sky_peaks",
+                [{**sky, "name": n} for n in LAYERS[2:]],
+            ),
             one("glance", picture, "linear_picture", [glance]),
             one("picture", picture, "shown_picture", []),
         ],
@@ -91,6 +92,7 @@ def program() -> dict[str, Any]:
             "medium": [SKY_SHAPE[0] // 2, SKY_SHAPE[1] // 2],
             "quick": list(QUICK_SKY_SHAPE),
         },
+        "layers": list(LAYERS),
         "glance": GLANCE,
         "projections": {
             name: list(form.field_of_view_limits) for name, form in PROJECTIONS.items()

@@ -1,5 +1,6 @@
 /** Full-screen fragment passes on WebGL2; the interface is described in device.js. */
-import { CHANNELS, flatSize, wholeRows } from "./textures.js";
+import { flatSize, wholeRows } from "./textures.js";
+import { CHANNELS } from "../generated/sizes.js";
 
 /** Polling interval for unfinished compilation or drawing. [ms] */
 const PATIENCE = 4;

@@ -1,6 +1,6 @@
 /** Full-screen fragment passes on WebGPU; the interface is described in device.js. */
-import { CHANNELS, flatSize, wholeRows } from "./textures.js";
-import { ROW } from "../generated/sizes.js";
+import { flatSize, wholeRows } from "./textures.js";
+import { CHANNELS, ROW } from "../generated/sizes.js";
 
 /** Alignment of rows when a texture is copied into a buffer. [byte] */
 const ROW_ALIGNMENT = 256;

@@ -4,10 +4,7 @@
  * Shaders read element i in column i % ROW of row i / ROW, without filtering, so that the same code
  * runs on WebGPU and on WebGL2.
  */
-import { ROW } from "../generated/sizes.js";
-
-/** Number of channels of each format. */
-export const CHANNELS = { r32float: 1, rgba32float: 4 };
+import { CHANNELS, ROW } from "../generated/sizes.js";
 
 /**
  * Size of a flat texture.

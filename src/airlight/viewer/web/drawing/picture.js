@@ -2,7 +2,7 @@
  * Renderer of a planet: its tables on the device, and the passes over them.
  *
  * A description from viewer/browser/package.py has data that are the same for every planet — `plan`
- * and `shaders` (see program.js), `sky` (shapes of the sky table), `glance` (longer side of the
+ * and `shaders` (see program.js), `sky` (shapes of the sky table), `layers` (its textures), `glance` (longer side of the
  * picture from which the exposure is measured), `projections` with their fields of view,
  * `tone_maps` with the luminance that each shows as middle grey, `encodings`, `orders`, and
  * `view_uniforms`, the uniforms that are view values — and data of a solution: `uniforms`, `tables`
@@ -166,7 +166,7 @@ export class Picture {
 
   reshape(shape) {
     const [columns, rows] = this.fixed.sky[shape];
-    for (const name of ["air", "behind", "first", "second"]) {
+    for (const name of this.fixed.layers) {
       this.program.resize(name, ROW, Math.ceil((2 * columns * rows) / ROW));
     }
     this.shape = shape;
