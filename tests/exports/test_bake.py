@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from airlight.exports.bake import Baked, bake
 from airlight.exports.table_errors import random_positions
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import vectorized
+from airlight.optics.reflection import LAWS, leaving_cosine, sky_factors
 from airlight.planets import Constituent, Ground, Planet, Star, load_planet
 from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
 from airlight.planets.matter.profiles import Exponential
@@ -319,8 +321,11 @@ class UniformSky(Solution):
 
         depth = columns(sight.r, sight.mu, sight.length, self.medium.bottom_radius,
                         self.medium.density)  # fmt: skip
-        # A uniform sky of radiance L sends π L down, of which albedo L comes back up.
-        back = np.exp(-(depth @ self.medium.extinction)) * self.medium.ground_albedo * self.SKY
+        # A uniform sky of radiance L sends π L down, of which the sky's factor times L comes back.
+        ground = np.empty(depth.shape[:1] + self.wavelengths.shape)
+        leaving = vectorized(leaving_cosine)(sight.r, sight.mu, self.medium.bottom_radius)
+        sky_factors(self.medium.ground, leaving, ground)
+        back = np.exp(-(depth @ self.medium.extinction)) * ground * self.SKY
         return self.GLOW + np.where(sight.to_ground[:, None], back, 0.0)
 
     def relative_sky_irradiance(self, r: np.ndarray, mu_s: np.ndarray) -> np.ndarray:
@@ -330,11 +335,14 @@ class UniformSky(Solution):
         return np.zeros((r.size, self.wavelengths.size))
 
 
+@pytest.mark.parametrize("law", LAWS)
 def test_second_order_s_reflection_of_the_first_order_s_sky_is_taken_off(
+    law: str,
     reference_earth: Callable[..., Planet],
 ) -> None:
     # A law: a uniform sky of radiance L sends π L to the ground. What is left is the glow.
-    planet = reference_earth(albedo=0.5)
+    planet = reference_earth(albedo=0.4)
+    planet = replace(planet, ground=replace(planet.ground, law=law))
     solution = UniformSky(Medium.from_planet(planet, planet.wavelengths))
     positions = random_positions(solution.medium, 200, 9)
     sight = lines_of_sight(positions, solution.medium)

@@ -20,9 +20,10 @@ from airlight.color.encoding import ENCODINGS
 from airlight.color.floating import physical_light
 from airlight.color.tone_maps import TONE_MAPS
 from airlight.geometry import bending, path, shell, sun_disc
-from airlight.gpu.emit.shader_types import Constant, Table
+from airlight.gpu.emit.shader_types import Bundle, Constant, Table
 from airlight.mappings import sky_view, transmittance
-from airlight.optics import phase_functions
+from airlight.optics import phase_functions, reflection
+from airlight.optics.reflection import LAWS, NUMBERS, Reflection
 from airlight.pixels import sky_table, star_disc
 from airlight.scene import ground_place
 from airlight.scene.projections import PROJECTIONS
@@ -337,6 +338,24 @@ def test_a_tone_map_s_number_is_its_place(on_gpu: Callable[..., Any], which: int
         seen = np.stack(on_gpu(tone_maps.tone_mapped, number, *light.T), -1)
         assert_allclose(seen, wanted, rtol=4 * POWER, atol=POWER)
         assert np.all(seen >= 0.0)
+
+
+@pytest.mark.parametrize("which", range(len(LAWS)), ids=list(LAWS))
+def test_a_law_of_reflection_s_number_is_its_place(on_gpu: Callable[..., Any], which: int) -> None:
+    # The law's own kernels, in double precision; also at the horizon, where cosines are 0.
+    ground = Reflection(1.0, which)
+    bound = Bundle({name: Constant(getattr(ground, name)) for name in NUMBERS})
+    cosines = np.append(UNIT, [0.0, 0.0, 1.0]).astype(np.float32)
+    suns = np.append(MU_S, [0.0, -0.1, 1.0]).astype(np.float32)
+    law = list(LAWS.values())[which]
+    for number in (which, Constant(which)):
+        star = on_gpu(reflection.star_share, number, bound, suns, cosines, suns)
+        wanted = [law.star_share(ground, *each) for each in zip(suns, cosines, suns, strict=True)]
+        assert_allclose(np.broadcast_arrays(*star), np.transpose(wanted), rtol=4 * POWER)
+        sky = on_gpu(reflection.sky_share, number, bound, cosines)
+        # Near 1 the two terms cancel to 0.3.
+        wanted = [law.sky_share(ground, each) for each in cosines]
+        assert_allclose(np.broadcast_arrays(*sky), np.transpose(wanted), rtol=8 * POWER)
 
 
 @pytest.mark.parametrize("which", range(len(ENCODINGS)), ids=list(ENCODINGS))

@@ -71,6 +71,9 @@ PLANETS: dict[str, Callable[[], Planet]] = {
     "titan": lambda: load_planet("titan"),
     "earth, light bent": lambda: load_planet("earth", {"refraction": "bouguer"}),
     "six constituents": _many,
+    "ground of rock, light bent": lambda: load_planet(
+        "earth", {"ground.law": "lommel-seeliger", "refraction": "bouguer"}
+    ),
 }
 
 

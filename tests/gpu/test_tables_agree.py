@@ -22,7 +22,7 @@ from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.shader_types import Table
 from airlight.gpu.picture.shaders import all_shaders
 from airlight.gpu.solver import passes as solver_passes
-from airlight.kernel.lanes import LANES, lane_array, load, splat, store
+from airlight.kernel.lanes import LANES, lane_array, load, store
 from airlight.pixels import pixel as picture
 from airlight.solvers.moments import first_order, grid, harmonics, source, sweep
 from airlight.solvers.moments import visible_rays as block_rays
@@ -84,10 +84,6 @@ def level_by_two(a, b, c, low, high, extinction):
 
 def level_under_sky(place, share, sky):
     return source.level_sky(sky, place, share, LANES, 0)
-
-
-def white(a, albedo):
-    return source.reflected(splat(a), load(albedo, 0))
 
 
 def third_phase(half_sine, table):
@@ -271,7 +267,6 @@ CASES = [
     Case(level_by_two, (source.level_star,), (*AMOUNTS, UNIT, 1.0 - UNIT), {}, SPECTRA, DEPTH),
     Case(level_under_sky, (source.level_sky,), (RNG.integers(0, NODES - 1, COUNT), UNIT), {},
          {"sky": lanes(2 * NODES, low=0.1)}),
-    Case(white, (source.reflected,), (UNIT,), {}, {"albedo": lanes(1)}),
     # The position in the table is accurate to EPS of its length, its slope is the table's step.
     Case(third_phase, (source.read_phase,), (UNIT,), {}, {"table": lanes(NODES * THREE)},
          atol=16 * NODES * EPS),
@@ -393,7 +388,8 @@ def test_a_formula_with_tables_on_the_gpu_is_the_processor_s(
 #: another method of the CPU for the same light: the test, and the functions.
 WHOLE = {
     "test_pictures.py::test_a_marched_picture_has_the_processor_s_radiance": (
-        "pixel_light", "sight", "reflectance", "ground_color", "look", "line_of_sight",
+        "pixel_light", "sight", "reflectance", "ground_color", "ground_shares", "ground_angles",
+        "ground_factor", "look", "line_of_sight",
         "star_on_ground", "phases_towards", "march", "add_point", "add_star", "star_columns",
         "field_place", "gathered_at", "place_panels", "place_panel", "panel_columns",
         "columns_along", "columns_between", "meets_ground", "ground_light", "camera_direction",
@@ -418,6 +414,9 @@ WHOLE = {
     "test_kernels_agree.py::test_an_encoding_s_number_is_its_place": ("encoded",),
     "test_kernels_agree.py::test_a_tone_map_s_number_is_its_place": (
         "tone_mapped", "exponential_color", "hable_color", "reinhard_extended_default_color",
+    ),
+    "test_kernels_agree.py::test_a_law_of_reflection_s_number_is_its_place": (
+        "star_share", "sky_share",
     ),
     "test_kernels_agree.py::test_a_projection_s_number_is_its_place": ("projected_ray",),
     "test_kernels_agree.py::test_the_leg_of_a_panel_is_the_processor_s": ("panel_leg",),

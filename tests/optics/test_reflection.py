@@ -12,11 +12,14 @@ from airlight.kernel.lanes import LANES, load, store
 from airlight.optics.reflection import (
     LAWS,
     Reflection,
+    law_number,
     leaving_cosine,
     sky_factor,
+    sky_factors,
     star_factor,
     star_factors,
 )
+from airlight.planets.ground_and_star import Ground
 from airlight.planets.medium import Medium
 
 ALBEDO = np.linspace(0.05, 0.9, LANES)
@@ -38,7 +41,7 @@ def one(ground, mu_s, leaving, nu):
 def test_lambert_is_as_bright_as_its_albedo_from_everywhere(direction):
     # Lambert's law: radiance albedo·E/π in all directions, in starlight as under a sky.
     out = np.empty(2 * LANES, np.float32)
-    both(Reflection(LAWS["lambert"], ALBEDO.astype(np.float32)), *direction, out)
+    both(Reflection(ALBEDO.astype(np.float32)), *direction, out)
     assert_array_equal(out, np.tile(ALBEDO.astype(np.float32), 2))
 
 
@@ -46,7 +49,7 @@ def test_lambert_is_as_bright_as_its_albedo_from_everywhere(direction):
 def test_one_wavelength_is_what_its_lane_is(direction):
     # Monte Carlo and the direct solver ask in double precision, by the same functions.
     for albedo in ALBEDO:
-        assert one(Reflection(LAWS["lambert"], albedo), *direction) == (albedo, albedo)
+        assert one(Reflection(albedo), *direction) == (albedo, albedo)
 
 
 def test_the_medium_s_ground_has_its_albedo_at_every_wavelength():
@@ -76,3 +79,64 @@ def test_light_leaves_the_ground_at_the_angle_of_the_vector_that_it_is():
     backwards = np.stack([-np.sqrt(1.0 - mu * mu), -mu])
     expected = (end * backwards).sum(axis=0) / bottom
     assert_allclose(vectorized(leaving_cosine)(r, mu, bottom), expected, atol=1e-7)
+
+
+#: Gauss-Legendre over [0, 1].
+NODES, WEIGHTS = (
+    0.5 * (x + shift)
+    for x, shift in zip(np.polynomial.legendre.leggauss(64), (1.0, 0.0), strict=True)
+)
+
+
+def shares(law, mu_s, leaving):
+    """Both factors of a ground of albedo 1 without azimuth."""
+    ground = Reflection(1.0, law_number(law))
+    stars = np.empty((mu_s.size, leaving.size))
+    for i, mu in enumerate(mu_s):
+        for j, cosine in enumerate(leaving):
+            stars[i, j] = one(ground, mu, cosine, 0.0)[0]
+    return stars, np.array([one(ground, 1.0, cosine, 0.0)[1] for cosine in leaving])
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_the_sky_s_factor_is_the_mean_of_the_star_s(law):
+    # A uniform sky is stars everywhere, each weighted by its cosine: 2 ∫ factor mu dmu; the laws
+    # here do not depend on azimuth. Gauss's rule meets 1/(mu + mu') to 1e-4 at these cosines.
+    leaving = np.array([0.1, 0.4, 1.0])
+    stars, sky = shares(law, NODES, leaving)
+    assert_allclose(2.0 * (WEIGHTS * NODES) @ stars, sky, rtol=1e-4)
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_under_a_uniform_sky_the_ground_reflects_its_albedo(law):
+    # The albedo's definition; of the whole hemisphere, 2 ∫ sky_factor mu dmu.
+    _, sky = shares(law, NODES[:1], NODES)
+    assert_allclose(2.0 * np.sum(WEIGHTS * NODES * sky), 1.0, rtol=1e-6)
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_light_takes_the_same_way_back(law):
+    # Helmholtz: the factor is symmetric.
+    stars, _ = shares(law, NODES, NODES)
+    assert_allclose(stars, stars.T, rtol=1e-6)
+
+
+def test_no_ground_reflects_more_than_arrives():
+    # The largest albedo of each law sends back at most all of a level beam.
+    for name, law in LAWS.items():
+        ground = Reflection(law.LARGEST_ALBEDO, law_number(name))
+        assert max(one(ground, 1.0, x, 0.0)[1] for x in np.linspace(0.0, 1.0, 33)) < 1.0 + 1e-6
+    rock = Ground(albedo=0.9, law="lommel-seeliger")
+    assert_allclose(rock.albedos([550.0]), LAWS["lommel-seeliger"].LARGEST_ALBEDO)
+
+
+def test_arrays_of_lines_are_the_single_ones():
+    ground = Reflection(ALBEDO.copy(), law_number("lommel-seeliger"))
+    mu_s, leaving, nu = np.array(DIRECTIONS).T.copy()
+    stars, skies = np.empty((4, LANES)), np.empty((4, LANES))
+    star_factors(ground, mu_s, leaving, nu, stars)
+    sky_factors(ground, leaving, skies)
+    out = np.empty(2 * LANES, np.float32)
+    for k, direction in enumerate(DIRECTIONS):
+        both(ground._replace(albedo=ALBEDO.astype(np.float32)), *direction, out)
+        assert_allclose(np.concatenate([stars[k], skies[k]]), out, rtol=1e-5)

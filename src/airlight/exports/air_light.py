@@ -18,6 +18,7 @@ from airlight.geometry.path import ray_length
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.shell import distance_to_bottom, distance_to_top
 from airlight.kernel import vectorized
+from airlight.optics.reflection import leaving_cosine, sky_factors, star_factors
 from airlight.planets.medium import Medium
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.sight import Sight
@@ -120,25 +121,37 @@ class AirLight:
             sight = replace(sight, to_ground=np.zeros_like(rows))
         light = self.solution.relative_radiance(sight, order=order)
         if rows.any() and not self.apart:
-            medium = self.solution.medium
-            bottom = medium.bottom_radius
-            there = sight.r[rows] * sight.mu_s[rows] + sight.length[rows] * sight.nu[rows]
-            received = self._received(np.clip(there / bottom, -1.0, 1.0), order)
             light = np.array(light)
-            light[rows] -= through * received * medium.ground_albedo / np.pi
+            light[rows] -= through * self._ground(sight, order)
         return np.maximum(light, 0.0)
 
-    def _received(self, mu_s: FloatArray, order: int | None) -> FloatArray:
-        """Irradiance of the ground whose reflection has this order, shape (n, nl). [1]"""
-        r = np.full(mu_s.size, self.solution.medium.bottom_radius)
-        if order == 1:
-            return self.solution.relative_direct_irradiance(r, mu_s)
-        suns, values = self._sky(0 if order is None else order - 1)
+    def _ground(self, sight: Sight, order: int | None) -> FloatArray:
+        """Radiance of the ground, of one order, where lines of sight end on it, (rows, nl). [sr⁻¹]
+
+        Of its light the star's comes from one direction, the sky's from all.
+        """
+        medium, rows = self.solution.medium, sight.to_ground
+        bottom, nu = medium.bottom_radius, sight.nu[rows]
+        mu_s = (sight.r[rows] * sight.mu_s[rows] + sight.length[rows] * nu) / bottom
+        mu_s = np.clip(mu_s, -1.0, 1.0)
+        leaving = vectorized(leaving_cosine)(sight.r[rows], sight.mu[rows], bottom)
+        total = np.zeros((mu_s.size, medium.wavelengths.size))
+        factor = np.empty_like(total)
+        if order in (None, 1):
+            star_factors(medium.ground, mu_s, leaving, nu, factor)
+            r = np.full(mu_s.size, bottom)
+            total += factor * self.solution.relative_direct_irradiance(r, mu_s)
+        if order != 1:
+            sky_factors(medium.ground, leaving, factor)
+            total += factor * self._sky_at(mu_s, 0 if order is None else order - 1)
+        return total / np.pi
+
+    def _sky_at(self, mu_s: FloatArray, order: int) -> FloatArray:
+        """Irradiance of the ground by the sky of one order, or of all (0), shape (n, nl). [1]"""
+        suns, values = self._sky(order)
         # In twilight the sky falls e-fold in a degree or two: its logarithm is interpolated.
         logs = np.log(np.maximum(values.T, 1e-300))
         sky = np.exp(np.stack([np.interp(mu_s, suns, column) for column in logs], axis=-1))
-        if order is None:
-            sky = sky + self.solution.relative_direct_irradiance(r, mu_s)
         return np.asarray(sky)
 
     def _sky(self, order: int) -> tuple[FloatArray, FloatArray]:

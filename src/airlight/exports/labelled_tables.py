@@ -78,9 +78,9 @@ def facts(solution: Solution, orders: str) -> dict[str, Any]:
         "solver": str(solution.report),
         "orders": orders,
         "wavelengths_nm": medium.wavelengths.tolist(),
-        "solar_irradiance_W_m-2_nm-1": medium.solar_irradiance.tolist(),
+        "solar_irradiance_W_m-2_nm-1": medium.lights[0].irradiance.tolist(),
         "ground_albedo": medium.ground_albedo.tolist(),
-        "star_angular_radius_rad": medium.star_angular_radius,
+        "star_angular_radius_rad": medium.lights[0].angular_radius,
         "bottom_radius_m": medium.bottom_radius,
         "top_radius_m": medium.top_radius,
     }

@@ -1,30 +1,45 @@
-"""Reflection by the ground: one object for every solver, sweep and march.
+"""Reflection by the ground: one object for every solver, sweep, march and pixel.
 
 A law of reflection gives the radiance of the ground along a line, relative to that of a white
 Lambert surface in the same light: the reflectance factor, π times the BRDF (Nicodemus et al. 1977,
 NBS Monograph 160). It is evaluated twice, because the ground's light has two parts: the star's
-comes from one direction, the sky's from all.
+comes from one direction, the sky's from all. Each factor is ``matte · albedo + gloss``: light that
+the matter below the surface has coloured, and light that the surface itself mirrors.
 
-A new law is a file of its own with its two factors, a number in ``LAWS``, and a branch in
-``star_factor`` and ``sky_factor``; its parameters other than the albedo are fields of
-``Reflection``.
+A new law is a file of its own with its two kernels, ``star_share`` and ``sky_share``, and a line in
+``LAWS``; its parameters other than the albedo are fields of ``Reflection``, numbers with a default,
+which every solver, table and shader passes on.
 """
 
 from __future__ import annotations
 
 from math import sqrt
-from typing import Any, Final, NamedTuple
+from typing import Annotated, Any, Final, NamedTuple, get_type_hints
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, inlined
+from airlight.kernel.choice import chosen_kernel
 from airlight.kernel.lanes import load
+from airlight.kernel.shader_fields import CHOICE, SPECTRA
+from airlight.optics import lambert, lommel_seeliger
 
 FloatArray = NDArray[np.float64]
 
-#: Laws of reflection by name, with the numbers that kernels use.
-LAWS: Final = {"lambert": 0}
+#: Laws of reflection by name: modules with their kernels and largest albedos.
+LAWS: Final[dict[str, Any]] = {"lambert": lambert, "lommel-seeliger": lommel_seeliger}
+
+
+def law_number(name: str) -> int:
+    """Number by which kernels know a law.
+
+    Parameters
+    ----------
+    name : str
+        Name from ``LAWS``.
+    """
+    return list(LAWS).index(name)
 
 
 class Reflection(NamedTuple):
@@ -32,14 +47,25 @@ class Reflection(NamedTuple):
 
     Attributes
     ----------
-    law : int
-        Number of the law in ``LAWS``.
     albedo : array, shape (w,), or float
         Fraction of diffuse light that is reflected; wavelengths in the lanes, or one of them. [1]
+    law : int
+        Number of the law, its position in ``LAWS``.
     """
 
-    law: Any
-    albedo: Any
+    albedo: Annotated[Any, SPECTRA]
+    law: Annotated[int, CHOICE] = 0
+
+
+#: White ground by Lambert's law.
+WHITE: Final = Reflection(1.0)
+#: Fields that are one number for all wavelengths, with their types.
+NUMBERS: Final[dict[str, type]] = {
+    name: kind for name, kind in get_type_hints(Reflection).items() if name != "albedo"
+}
+
+star_share = chosen_kernel("star_share", [law.star_share for law in LAWS.values()], __name__)
+sky_share = chosen_kernel("sky_share", [law.sky_share for law in LAWS.values()], __name__)
 
 
 @inlined
@@ -62,7 +88,8 @@ def star_factor(ground, at, mu_s, leaving, nu):
     -------
     lanes, or a float where ``ground`` is of one wavelength
     """
-    return load(ground.albedo, at)
+    matte, gloss = star_share(ground.law, ground, mu_s, leaving, nu)
+    return load(ground.albedo, at) * np.float32(matte) + np.float32(gloss)
 
 
 @inlined
@@ -84,7 +111,8 @@ def sky_factor(ground, at, leaving):
     -------
     lanes, or a float where ``ground`` is of one wavelength
     """
-    return load(ground.albedo, at)
+    matte, gloss = sky_share(ground.law, ground, leaving)
+    return load(ground.albedo, at) * np.float32(matte) + np.float32(gloss)
 
 
 @inlined
@@ -103,9 +131,17 @@ def leaving_cosine(r, mu, bottom):
 
 
 @inlined
-def at_wavelength(ground, l):
-    """Return the ground at one of its wavelengths."""
-    return Reflection(ground.law, ground.albedo[l])
+def star_factor_at(ground, l, mu_s, leaving, nu):
+    """``star_factor`` at one of the wavelengths, in double precision. [1]"""
+    matte, gloss = star_share(ground.law, ground, mu_s, leaving, nu)
+    return matte * ground.albedo[l] + gloss
+
+
+@inlined
+def sky_factor_at(ground, l, leaving):
+    """``sky_factor`` at one of the wavelengths, in double precision. [1]"""
+    matte, gloss = sky_share(ground.law, ground, leaving)
+    return matte * ground.albedo[l] + gloss
 
 
 @compiled_loop
@@ -113,4 +149,12 @@ def star_factors(ground, mu_s, leaving, nu, out):
     """Write ``star_factor`` of n lines at all wavelengths to ``out``, shape (n, nl). [1]"""
     for k in range(mu_s.size):
         for l in range(out.shape[1]):
-            out[k, l] = star_factor(at_wavelength(ground, l), 0, mu_s[k], leaving[k], nu[k])
+            out[k, l] = star_factor_at(ground, l, mu_s[k], leaving[k], nu[k])
+
+
+@compiled_loop
+def sky_factors(ground, leaving, out):
+    """Write ``sky_factor`` of n lines at all wavelengths to ``out``, shape (n, nl). [1]"""
+    for k in range(leaving.size):
+        for l in range(out.shape[1]):
+            out[k, l] = sky_factor_at(ground, l, leaving[k])

@@ -103,7 +103,7 @@ def paint_scene(
         if chosen is not None:
             from airlight.color.four_wavelengths import fitted_weights
 
-            weights = fitted_weights(nm, planet.star.irradiances)
+            weights = fitted_weights(nm, planet.lights(nm)[0].spectrum)
             colour = {"colour": "from four wavelengths, fitted to the star"}
     solution = solve_planet(planet, nm, quality, cache=cache, progress=progress, cancel=cancel)
     frame = ScenePainter(chosen).frame(

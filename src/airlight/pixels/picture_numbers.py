@@ -29,7 +29,7 @@ ORDERS: Final = {"all": 2, "single": 1, "multiple": 0}
 
 
 def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
-    """Uniforms of observer, star and camera.
+    """Uniforms of observer, star and camera, for one light: the first of the solution's.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     r = float(solution.paths.optical_radius(np.array(true_r)))
     outside = scene.altitude >= solution.medium.thickness
     bottom = medium.bottom_radius
-    sun = scene.lights[0].direction
+    sun = scene.sun_direction
     seen, lift = sun[2], solution.paths
     if lift.shell is not None and not outside:
         seen = float(seen_star(r, sun[2], lift.shell.bottom, lift.shell.top, lift.lift)[0])

@@ -9,17 +9,14 @@ import numpy as np
 
 from airlight.color.encoding import encoded
 from airlight.color.tone_maps import tone_mapped
-from airlight.geometry.bending import bend_angle
-from airlight.geometry.shell import first_meeting
 from airlight.kernel import inlined, kernel
-from airlight.kernel.lanes import LANES, load, maximum, minimum, splat, store
+from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.kernel.shader_fields import CHOICE, InTexture
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle, row_from_impact
+from airlight.pixels.ground import bent_to_ground, ground_factor, ground_shares
 from airlight.pixels.sky_table import half_sine_between, look, phases_towards
 from airlight.pixels.star_disc import camera_direction, star_disc
-from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
 from airlight.solvers.moments.source import through_columns
-from airlight.tables.column_ratios import columns_to_top
 
 
 class Screen(NamedTuple):
@@ -238,84 +235,6 @@ def sight(x, y, z, observer, light):
 
 
 @inlined
-def bent_to_ground(z, sine, observer, light, columns):
-    """Angle of refraction of a line of sight that ends on the ground. [rad]
-
-    Parameters
-    ----------
-    z, sine : float
-        Cosine and sine of its zenith angle. [1]
-    observer, light : Observer, MarchTables
-        Observer, and tables of the solution.
-    columns : array, shape (nc,)
-        Workspace. [m]
-    """
-    bottom, top = light.bottom, light.top
-    impact = min(observer.r * sine, bottom)
-    slant = sqrt(max((bottom - impact) * (bottom + impact), 0.0)) / bottom
-    columns_to_top(bottom, slant, bottom, top, light.columns, columns)
-    column = columns[light.constituents - 1]
-    if not observer.outside:
-        columns_to_top(observer.r, -z, bottom, top, light.columns, columns)
-        column = max(column - columns[light.constituents - 1], 0.0)
-    return bend_angle(bottom, slant, light.bend, column)
-
-
-@inlined
-def ground_color(x, y, z, sine, angle, observer, screen, light, color):
-    """Colour of the map at the end of a line of sight, into ``color`` (3,). [1]
-
-    Parameters
-    ----------
-    x, y, z : float
-        Direction in the observer's frame. [1]
-    sine, angle : float
-        Sine of its zenith angle [1]; angle of refraction [rad].
-    observer, screen, light : Observer, Screen, MarchTables
-        Observer, camera with its maps, and tables of the solution.
-    color : array, shape (3,)
-        Receives linear sRGB reflectance. [1]
-    """
-    impact = min(observer.r * sine, light.bottom)
-    cosine = sqrt(max((light.bottom - impact) * (light.bottom + impact), 0.0)) / light.bottom
-    across, up = first_meeting(impact, sine, light.bottom)
-    scale = across / max(sine, 1e-30)
-    px, py, pz = scale * x, scale * y, up
-    px, py, pz = moved_on(px, py, pz, x, y, z, cosine, angle, light.bottom)
-    latitude, longitude = latitude_longitude(
-        screen.xx * px + screen.xy * py + screen.xz * pz,
-        screen.yx * px + screen.yy * py + screen.yz * pz,
-        screen.zx * px + screen.zy * py + screen.zz * pz,
-    )
-    reach = sqrt(px * px + py * py + (pz - observer.r) * (pz - observer.r))
-    level = map_level(screen.pixel_angle, reach, cosine, light.bottom, screen.levels[0, 1])
-    map_color(screen.texels, screen.levels, latitude, longitude, level, color)
-
-
-@inlined
-def reflectance(color, mapped, light, lanes, at):
-    """Reflectance of the ground: that of a colour of the map, or the solver's albedo. [1]
-
-    Parameters
-    ----------
-    color : array, shape (3,)
-        Linear sRGB reflectance. [1]
-    mapped : bool
-        Whether the ground has a map.
-    light : MarchTables
-        Tables of the solution.
-    lanes, at : int
-        Arguments of ``between_texels``.
-    """
-    if not mapped:
-        return load(light.albedo, at)
-    total = splat(0.0)
-    for c in range(3):
-        total = total + load(light.basis, lanes * c + at) * np.float32(color[c])
-    return minimum(maximum(total, splat(0.0)), splat(1.0))
-
-
-@inlined
 def place_in_sky(x, y, row, to_ground, window):
     """Position of a line of sight in the available part of the table of the sky.
 
@@ -360,7 +279,7 @@ def seen_line(
         Results of ``sight``.
     exact, window, observer, screen, light, work :
         Arguments of ``pixel_light``; ``work.found`` receives the air's radiance and, for a line to
-        the ground, that of a ground of albedo 1. [sr⁻¹]
+        the ground, that of a white Lambert ground. [sr⁻¹]
 
     Returns
     -------
@@ -418,18 +337,24 @@ def pixel_light(
     """
     x, y, z = camera_direction(px, py, screen)
     sine, row, through_air, to_ground = sight(x, y, z, observer, light)
+    star_matte, star_gloss, sky_matte, sky_gloss = 1.0, 0.0, 1.0, 0.0
     if through_air:
         bent = seen_line(
             x, y, z, sine, row, to_ground, exact, window, observer, screen, light, work
         )
-        if to_ground and screen.mapped:
-            ground_color(x, y, z, sine, bent, observer, screen, light, color)
+        if to_ground:
+            star_matte, star_gloss, sky_matte, sky_gloss = ground_shares(
+                x, y, z, sine, bent, observer, screen, light, work, color
+            )
     for at in range(0, light.lanes, LANES):
         total = splat(0.0)
         if through_air:
             total = load(work.found, at)
         if to_ground:
-            factor = reflectance(color, screen.mapped, light, light.lanes, at)
+            factor = ground_factor(
+                color, screen.mapped, star_matte, star_gloss, sky_matte, sky_gloss, light,
+                work, at,
+            )  # fmt: skip
             total = total + load(work.found, light.lanes + at) * factor
         store(result, at, total)
     if screen.draws_disc and not to_ground:

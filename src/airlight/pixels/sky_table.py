@@ -12,11 +12,11 @@ from typing import NamedTuple
 from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_meeting
 from airlight.kernel import inlined, kernel
-from airlight.kernel.lanes import LANES, fourth_root, load, splat, store
+from airlight.kernel.lanes import INVERSE_PI, LANES, fourth_root, load, splat, store
 from airlight.mappings.sky_view import direction_from_row, impact_from_row
 from airlight.solvers.moments.irradiance import ground_light
 from airlight.solvers.moments.march import march
-from airlight.solvers.moments.source import read_phase, reflected
+from airlight.solvers.moments.source import read_phase
 
 #: Position of the last row of the sky, seen from outside, in rows inside the top.
 INSIDE = 0.1
@@ -158,7 +158,7 @@ def look(mu, sine, cos_azimuth, to_ground, air, peaks, observer, light, phase, w
     observer, light : Observer, MarchTables
         Observer, and tables of the solution.
     result : array, shape (4·w,)
-        Receives the air's radiance, that of a ground of albedo 1 behind it [sr⁻¹], and the single
+        Receives the air's radiance, that of a white Lambert ground behind it [sr⁻¹], and the single
         scattering by the two peaked constituents [1].
 
     Returns
@@ -182,7 +182,7 @@ def look(mu, sine, cos_azimuth, to_ground, air, peaks, observer, light, phase, w
         ground_light(mu_s, observer.orders, light, work)
         for at in range(0, light.lanes, LANES):
             received = load(work.received, at) + load(work.received, light.lanes + at)
-            behind = reflected(received, splat(1.0)) * load(result, light.lanes + at)
+            behind = received * INVERSE_PI * load(result, light.lanes + at)
             store(result, light.lanes + at, behind)
     else:
         for at in range(0, light.lanes, LANES):

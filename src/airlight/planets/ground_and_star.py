@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from airlight.constants import ASTRONOMICAL_UNIT, SOLAR_RADIUS
 from airlight.errors import ParameterError
+from airlight.optics.reflection import LAWS, Reflection, law_number
 from airlight.planets.parameters import MISSING, parameters
 from airlight.planets.schema.key import Key, Wavelengths, always
 from airlight.planets.schema.record import Record
@@ -51,7 +52,7 @@ def _read_albedo(section: Section, name: str, wavelengths: Wavelengths) -> Any:
 
 @parameters
 class Ground(Record):
-    """Lambertian ground: it reflects equally into all directions.
+    """Ground: how much it reflects, and where to.
 
     Parameters
     ----------
@@ -61,7 +62,11 @@ class Ground(Record):
         Name of a picture of the ground, used where the ground is seen; the light that the ground
         sends back into the air comes from ``albedo``.
     brightness : float
-        Factor of albedo and picture, 0 to 100; no albedo exceeds 1. [1]
+        Factor of albedo and picture, 0 to 100; no albedo exceeds that of the law, 1 of Lambert's.
+        [1]
+    law : str
+        Name from ``airlight.optics.reflection.LAWS``: ``lambert`` reflects alike into all
+        directions, ``lommel-seeliger`` as dark, porous ground does.
     """
 
     has_wavelengths = True
@@ -70,7 +75,7 @@ class Ground(Record):
         Any,
         Key(
             label="albedo",
-            help="Lambertian albedo of the ground.",
+            help="Fraction of a uniform sky's light that the ground reflects.",
             note="A number, a list beside `wavelengths`, or the name of a table of reflectances.",
             range=(0.0, 1.0),
             spectral=True,
@@ -100,12 +105,24 @@ class Ground(Record):
         Key(
             label="brightness",
             help="Factor applied to the ground's albedo and to its map.",
-            note="Albedos are limited to 1.",
+            note="Albedos are limited to 1, by Lommel and Seeliger's law to 0.409.",
             range=(0.0, 100.0),
             slider=(0.0, 5.0),
             offered=always,
         ),
     ] = 1.0
+    law: Annotated[
+        str,
+        Key(
+            label="law of reflection",
+            help="Directions into which the ground reflects: all alike, or as porous rock.",
+            note="By Lommel and Seeliger's law the full disc of an airless body is as bright at its"
+            " limb as in its middle.",
+            kind="choice",
+            words=lambda: tuple(LAWS),
+            offered=always,
+        ),
+    ] = "lambert"
 
     @property
     def limits(self) -> Limits:
@@ -122,7 +139,12 @@ class Ground(Record):
             known = read_spectrum(self.albedo).at(wavelengths)
         else:
             known = spectral_at(self.albedo, wavelengths)
-        return np.clip(self.brightness * known, 0.0, 1.0)
+        return np.clip(self.brightness * known, 0.0, LAWS[self.law].LARGEST_ALBEDO)
+
+    @property
+    def reflection(self) -> Reflection:
+        """Law of reflection with its parameters, for an albedo of 1."""
+        return Reflection(albedo=1.0, law=law_number(self.law))
 
 
 def _read_spectrum(section: Section, name: str, wavelengths: Wavelengths) -> str:

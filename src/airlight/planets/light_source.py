@@ -1,9 +1,9 @@
 """Light sources of a scene: the star today; a second star or a moon has the same interface.
 
-A solution holds the light of one source of irradiance 1 at all its elevations, so each further
-source costs one more look-up: the radiance at a point is the sum over ``lights`` of irradiance
-times the solution at that light's direction. This module holds a source's properties, seen from the
-planet; its direction is the scene's (``Scene.lights``, in the same order).
+A solution holds the light of one source of irradiance 1 at all its elevations, so no further source
+costs another solve: the radiance at a point is the sum over lights of irradiance times the solution
+at that light's direction. This module holds a source's properties, seen from the planet; a light of
+a scene (``Scene.lights``) has the direction and names its source.
 """
 
 from __future__ import annotations

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import contextlib
+import copy
 import dataclasses
 import hashlib
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -19,7 +19,7 @@ from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.optics.bent_density import BentShell
 from airlight.optics.density_profile import DensitySegments, Row
-from airlight.optics.reflection import LAWS, Reflection
+from airlight.optics.reflection import WHITE, Reflection
 from airlight.planets.constituent import Constituent
 from airlight.planets.light_source import LightSource
 from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
@@ -80,6 +80,8 @@ class Medium:
         Constituents from which the arrays were sampled.
     map_brightness : float
         Factor of the picture of the ground. [1]
+    reflection : Reflection
+        Law by which the ground reflects, for an albedo of 1.
 
     Examples
     --------
@@ -104,10 +106,11 @@ class Medium:
     refractivity: FloatArray
     constituents: tuple[Constituent, ...] = field(repr=False)
     map_brightness: float = 1.0
+    reflection: Reflection = WHITE
 
     @property
     def lights(self) -> tuple[LightSource, ...]:
-        """Light sources, sampled at the wavelengths: today only the star."""
+        """Light sources, sampled at the wavelengths: that for which the medium is solved."""
         star = LightSource(
             name="star",
             angular_radius=self.star_angular_radius,
@@ -116,10 +119,17 @@ class Medium:
         )
         return (star,)
 
+    def lit_by(self, source: LightSource) -> Medium:
+        """Medium under another light source, sampled at the same wavelengths."""
+        other = copy.copy(self)
+        object.__setattr__(other, "solar_irradiance", source.irradiance)
+        object.__setattr__(other, "star_angular_radius", source.angular_radius)
+        return other
+
     @property
     def ground(self) -> Reflection:
         """Reflection by the ground, at all wavelengths."""
-        return Reflection(LAWS["lambert"], self.ground_albedo)
+        return self.reflection._replace(albedo=self.ground_albedo)
 
     @classmethod
     def from_planet(
@@ -170,7 +180,7 @@ class Medium:
             [_row(planet, i) for i in range(len(planet.constituents))]
         )
         nu = 1.0 - 2.0 * np.linspace(0.0, 1.0, PHASE_NODES) ** 2
-        constituents = planet.constituents
+        constituents, light = planet.constituents, planet.lights(nm)[0]
         medium = cls(
             bottom_radius=planet.bottom_radius,
             top_radius=planet.top_radius,
@@ -186,11 +196,12 @@ class Medium:
             phase_table=np.stack([one.phase_values(nu, nm).T for one in constituents]),
             ground_albedo=planet.ground.albedos(nm),
             ground_map=planet.ground.map,
-            solar_irradiance=planet.star.irradiances(nm),
-            star_angular_radius=math.radians(planet.star.angular_radius_degrees),
+            solar_irradiance=light.irradiance,
+            star_angular_radius=light.angular_radius,
             refractivity=_refractivity(planet),
             constituents=constituents,
             map_brightness=planet.ground.brightness,
+            reflection=planet.ground.reflection,
         )
         medium._check()
         _ = medium.bent_shell  # refuses air in which light would follow the ground
@@ -312,9 +323,9 @@ class Medium:
         >>> red == green
         False
         """
-        digest = hashlib.sha256(b"airlight medium 1\n")
+        digest = hashlib.sha256(b"airlight medium 2\n")
         scalars = (self.bottom_radius, self.top_radius, self.star_angular_radius)
-        digest.update(repr((scalars, self.names, self.ground_map)).encode())
+        digest.update(repr((scalars, self.names, self.ground_map, self.reflection)).encode())
         for name, array in self._arrays().items():
             digest.update(f"{name} {array.shape}\n".encode())
             digest.update(np.ascontiguousarray(array, dtype="<f8").tobytes())

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Annotated, Final
+import math
+from typing import TYPE_CHECKING, Annotated, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -22,6 +23,9 @@ from airlight.planets.spectral import (
     check_wavelength_list,
     narrowest,
 )
+
+if TYPE_CHECKING:
+    from airlight.planets.light_source import LightSource
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -206,6 +210,26 @@ class Planet(Record):
     def wavelength_limits(self) -> Limits:
         """Wavelengths at which every part is known, lowest and highest. [nm]"""
         return narrowest([(SHORTEST, LONGEST), *self._limits_by_part().values()])
+
+    def lights(self, wavelengths: npt.ArrayLike) -> tuple[LightSource, ...]:
+        """Light sources of the planet: today only the star.
+
+        Parameters
+        ----------
+        wavelengths : array, shape (nl,)
+            Wavelengths of the samples. [nm]
+        """
+        from airlight.planets.light_source import LightSource
+
+        nm = np.asarray(wavelengths, float)
+        star = LightSource(
+            name="star",
+            angular_radius=math.radians(self.star.angular_radius_degrees),
+            wavelengths=nm,
+            irradiance=self.star.irradiances(nm),
+            spectrum=self.star.irradiances,
+        )
+        return (star,)
 
     @property
     def wavelengths(self) -> tuple[float, ...]:

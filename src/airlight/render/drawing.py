@@ -27,7 +27,7 @@ Float32Array = NDArray[np.float32]
 
 
 class Drawing:
-    """Picture with all inputs of its rows.
+    """Picture by one light, with all inputs of its rows.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ class Drawing:
         self._ground = None if name is None else surface_map(name).flat
         self._screen = screen_from(numbers, camera, self._ground, SkyLayers.none())
         self._weights = _lane_weights(solution)
-        alpha = solution.medium.star_angular_radius
+        alpha = solution.lights[0].angular_radius
         self._reach = 2.0 * (alpha + 3.0 * camera.pixel_angle) + solution.paths.largest_bend
 
     def fill_sky(self, *, cancel: Cancel | None = None, progress: Progress | None = None) -> None:

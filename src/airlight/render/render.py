@@ -5,13 +5,17 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.pixels.lit_scenes import lit_scenes
 from airlight.render.drawing import Drawing
-from airlight.scene import Scene
+from airlight.scene import Camera, Scene
 from airlight.scene.frame import Frame
 from airlight.solvers.moments.solution import MomentsSolution
+
+Float32Array = NDArray[np.float32]
 
 #: Pixels in one block of rows: few enough that no core waits long for the last block.
 _BLOCK_PIXELS: Final = 1 << 13
@@ -26,14 +30,14 @@ def render(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Frame:
-    """Render a camera's view of a planet's air, its ground and its star's disc.
+    """Render a camera's view of a planet's air, its ground and the discs of its lights.
 
     Parameters
     ----------
     solution : MomentsSolution
         Solution of at least three wavelengths.
     scene : Scene
-        Observer, star and camera.
+        Observer, lights and camera; each light takes as long as the first.
     orders : str
         Light that is drawn: ``"all"``; ``"single"``, scattered or reflected once by the air or the
         ground; or ``"multiple"``, more often. The star's own disc is visible in the first alone.
@@ -62,8 +66,33 @@ def render(
             "solution", solution.report.solver, "a solution of the moments solver: a picture "
             "marches its moments",
         )  # fmt: skip
-    drawing = Drawing(solution, scene, orders=orders, exact=exact)
-    camera = scene.camera
+    pairs = lit_scenes(scene, solution)
+    frames = []
+    for number, (seen, lit) in enumerate(pairs):
+        drawing = Drawing(lit, seen, orders=orders, exact=exact)
+        share = None if progress is None else _shared(progress, number, len(pairs))
+        frames.append(_drawn(drawing, scene.camera, share, cancel))
+    rgb = frames[0] if len(frames) == 1 else np.asarray(np.sum(frames, axis=0, dtype=np.float32))
+    wavelengths = ", ".join(f"{nm:g}" for nm in solution.wavelengths)
+    return Frame(
+        rgb=rgb,
+        metadata={
+            "solver": str(solution.report),
+            "wavelengths": f"{wavelengths} nm",
+            "unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931",
+        },
+    )
+
+
+def _shared(progress: Progress, number: int, count: int) -> Progress:
+    """Progress of one of several pictures that make a frame."""
+    return lambda done, total, message: progress(number * total + done, count * total, message)
+
+
+def _drawn(
+    drawing: Drawing, camera: Camera, progress: Progress | None, cancel: Cancel | None
+) -> Float32Array:
+    """Linear sRGB of a picture by one light, shape (height, width, 3). [W m⁻² sr⁻¹]"""
     rgb = np.zeros((camera.height, camera.width, 3), np.float32)
     step = max(1, _BLOCK_PIXELS // camera.width)
     blocks = -(-camera.height // step)
@@ -83,12 +112,4 @@ def render(
         lambda k: drawing.draw(k * step, min((k + 1) * step, camera.height), rgb),
         blocks, cancel=cancel, progress=drawn, message="rendering",
     )  # fmt: skip
-    wavelengths = ", ".join(f"{nm:g}" for nm in solution.wavelengths)
-    return Frame(
-        rgb=rgb,
-        metadata={
-            "solver": str(solution.report),
-            "wavelengths": f"{wavelengths} nm",
-            "unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931",
-        },
-    )
+    return rgb

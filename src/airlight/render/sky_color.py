@@ -79,7 +79,7 @@ def sky_colors(planet: Planet, *, cache: bool = True, progress: Any = None) -> t
         view_zenith=np.array([zenith for _, zenith in LOOKS]),
         azimuth=90.0,
     )
-    rgb = np.asarray(radiance) @ rgb_weights(nm, planet.star.irradiances)
+    rgb = np.asarray(radiance) @ rgb_weights(nm, solution.lights[0].spectrum)
     xyz = rgb_to_xyz(rgb)
     shown = to_display(rgb[np.newaxis, :, :])[0]
     return tuple(

@@ -1,20 +1,25 @@
-"""Position of a light in the sky of a scene."""
+"""Light of a scene: its position in the sky, and its source."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.scene.directions import direction
 
+if TYPE_CHECKING:
+    from airlight.planets.light_source import LightSource
+
 
 @dataclass(frozen=True, kw_only=True)
 class LightPosition:
     """The direction of one of a scene's lights, in the observer's local frame.
 
-    What shines there stands in the solution's ``lights``, in the same order.
+    Its source is one of the planet's; a light that shines by another, as a moon does, is a class of
+    its own with another ``source``.
 
     Parameters
     ----------
@@ -22,6 +27,8 @@ class LightPosition:
         True zenith angle at the observer. [deg]
     azimuth : float
         Azimuth from the star's side, to the right. [deg]
+    index : int
+        Index of its source among those of the planet.
 
     Examples
     --------
@@ -31,8 +38,19 @@ class LightPosition:
 
     zenith: float
     azimuth: float = 0.0
+    index: int = 0
 
     @property
     def direction(self) -> NDArray[np.float64]:
         """Unit vector towards the light, shape (3,). [1]"""
         return direction(self.zenith, self.azimuth)
+
+    def source(self, sources: tuple[LightSource, ...]) -> LightSource:
+        """Source of the light.
+
+        Parameters
+        ----------
+        sources : tuple of LightSource
+            Sources of the planet: ``Solution.lights``.
+        """
+        return sources[self.index]

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+import math
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -69,13 +70,39 @@ class Scene:
 
     @property
     def lights(self) -> tuple[LightPosition, ...]:
-        """Positions of the lights: only the sun today, at azimuth 0."""
+        """Lights, of which a picture is the sum: only the sun today, at azimuth 0."""
         return (LightPosition(zenith=self.sun_zenith),)
+
+    def lit_by(self, light: LightPosition) -> Scene:
+        """Scene with a light at the sun's place: turned so that the light is at azimuth 0.
+
+        Parameters
+        ----------
+        light : LightPosition
+            Light of the scene, or any other.
+
+        Examples
+        --------
+        >>> turned = Scene().lit_by(LightPosition(zenith=30.0, azimuth=90.0))
+        >>> turned.sun_zenith, turned.camera.look_azimuth, turned.sun_azimuth
+        (30.0, -90.0, -90.0)
+        """
+        if light.azimuth == 0.0 and light.zenith == self.sun_zenith:
+            return self
+        return replace(
+            self,
+            sun_zenith=light.zenith,
+            sun_azimuth=math.remainder(self.sun_azimuth + light.azimuth, 360.0),
+            camera=replace(
+                self.camera,
+                look_azimuth=math.remainder(self.camera.look_azimuth - light.azimuth, 360.0),
+            ),
+        )
 
     @property
     def sun_direction(self) -> NDArray[np.float64]:
         """Unit vector towards the sun in the local frame, shape (3,). [1]"""
-        return self.lights[0].direction
+        return LightPosition(zenith=self.sun_zenith).direction
 
     @property
     def ground_frame(self) -> NDArray[np.float64]:

@@ -109,7 +109,7 @@ def scattered_once(medium: Medium, sight: Sight, *, cancel: Cancel | None = None
         )
         lines = tuple(x[rows] for x in (sight.r, sight.mu, sight.mu_s, sight.nu, sight.length))
         _scattered(
-            lines, _PANELS, rule, (bottom, top), medium.star_angular_radius, optics, tables,
+            lines, _PANELS, rule, (bottom, top), medium.lights[0].angular_radius, optics, tables,
             workspace, out[rows],
         )  # fmt: skip
 

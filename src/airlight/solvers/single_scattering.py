@@ -251,7 +251,7 @@ def single_scattering(
         rows = slice(index * _BLOCK, (index + 1) * _BLOCK)
         _scattered(
             tuple(np.ascontiguousarray(one[rows]) for one in arrays),
-            medium.star_angular_radius,
+            medium.lights[0].angular_radius,
             (medium.bottom_radius, medium.top_radius),
             medium.density.arrays,
             medium.extinction,

@@ -6,10 +6,11 @@ moved to where their line of sight enters it; results are labelled arrays.
 
 from __future__ import annotations
 
+import copy
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -93,6 +94,7 @@ class Solution(ABC):
     medium: Medium
     report: Report
     planet: Planet | None = None
+    _source: LightSource | None = None
 
     @cached_property
     def paths(self) -> LightPaths:
@@ -101,11 +103,32 @@ class Solution(ABC):
 
     @property
     def lights(self) -> tuple[LightSource, ...]:
-        """Light sources that shine on the planet, in the order of ``Scene.lights``."""
+        """Light sources that shine on the planet; the first is the one that was solved for."""
+        if self._source is not None:
+            return (self._source,)
         if self.planet is None:
             return self.medium.lights
-        star, *others = self.medium.lights
-        return (replace(star, spectrum=self.planet.star.irradiances), *others)
+        return tuple(
+            replace(sampled, spectrum=light.spectrum)
+            for sampled, light in zip(
+                self.medium.lights, self.planet.lights(self.wavelengths), strict=True
+            )
+        )
+
+    def lit_by(self, source: LightSource) -> Self:
+        """Solution under another light source.
+
+        Light scattered once and the ground's direct light have the source's own disc. Light that
+        was scattered before keeps the disc of the solve, which matters only while a disc sets.
+
+        Parameters
+        ----------
+        source : LightSource
+            Source, sampled at the solution's wavelengths.
+        """
+        other = copy.copy(self)
+        other.medium, other._source = self.medium.lit_by(source), source
+        return other
 
     #: Largest order that can be requested separately.
     highest_order: int = 1

@@ -163,7 +163,7 @@ def direct_irradiance(medium: Medium, r: FloatArray, mu_s: FloatArray) -> FloatA
         star_light(
             float(r[k]),
             float(mu_s[k]),
-            medium.star_angular_radius,
+            medium.lights[0].angular_radius,
             True,
             (medium.bottom_radius, medium.top_radius),
             medium.density.arrays,

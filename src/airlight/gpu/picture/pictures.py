@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cached_property
 from typing import Any, Final
 
@@ -26,6 +27,7 @@ from airlight.gpu.picture.solution_textures import SolutionTextures
 from airlight.gpu.picture.uniforms import FRAME, LAYERS
 from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.capacity import check_capacity
+from airlight.pixels.lit_scenes import lit_scenes
 from airlight.pixels.march_points import FEW
 from airlight.pixels.picture_numbers import (
     display_numbers,
@@ -87,6 +89,7 @@ class Pictures:
         self._passes: dict[tuple[Shader, str, tuple[str, ...]], FragmentPass] = {}
         self._solution: MomentsSolution | None = None
         self._textures: SolutionTextures | None = None
+        self._given: FloatArray | None = None
         self._shown_tables: MarchTables | None = None
         self._weights: FloatArray = np.zeros((0, 3))
         self._groups: dict[Any, list[Any]] = {}
@@ -129,6 +132,7 @@ class Pictures:
             raise ParameterError("solution", type(solution), "a solution of the moments solver")
         nm = solution.wavelengths
         check_capacity(nm.size)
+        self._given = weights
         if weights is None:
             weights = picture_weights(nm, solution.lights[0].spectrum)
         if np.shape(weights) != (nm.size, 3):
@@ -179,7 +183,7 @@ class Pictures:
         Parameters
         ----------
         scene : Scene
-            Observer, star and camera.
+            Observer, lights and camera; the pictures of several lights are added on the host.
         exact : bool
             Whether each pixel is marched; otherwise it reads the table of the sky.
         orders : str
@@ -201,6 +205,30 @@ class Pictures:
         Cancelled
             If ``cancel`` requested it.
         """
+        solution, weights = self._shown(), self._given
+        frames = []
+        try:
+            for seen, lit in lit_scenes(scene, solution):
+                if lit is not self._solution:
+                    self.show(lit, weights)
+                frames.append(self._frame(seen, exact, orders, disc, progress, cancel))
+        finally:
+            if self._solution is not solution:
+                self.show(solution, weights)
+        if len(frames) == 1:
+            return frames[0]
+        return replace(frames[0], rgb=np.sum([one.rgb for one in frames], axis=0, dtype=np.float32))
+
+    def _frame(
+        self,
+        scene: Scene,
+        exact: bool,
+        orders: str,
+        disc: bool,
+        progress: Progress | None,
+        cancel: Cancel | None,
+    ) -> Frame:
+        """Draw a picture by one light; arguments of ``frame``."""
         import wgpu
 
         solution = self._shown()
@@ -275,7 +303,15 @@ class Pictures:
             Size of the target if it differs from the camera's. [pixel]
         uniforms : mapping, optional
             Further uniforms of the shaders, by name.
+
+        Raises
+        ------
+        ParameterError
+            If the scene has other lights than the solution's star: ``frame`` adds several.
         """
+        (scene, lit), *others = lit_scenes(scene, self._shown())
+        if others or lit is not self._solution:
+            raise ParameterError("scene.lights", 1 + len(others), "the star alone, drawn live")
         width, height = size or (scene.camera.width, scene.camera.height)
         numbers = self._numbers(scene, (width, height), exact, orders, disc)
         if exposure is not None:
@@ -316,7 +352,7 @@ class Pictures:
             "height": size[1],
             "orders": order_number(orders),
             "draws_disc": float(
-                disc and orders == "all" and solution.medium.star_angular_radius > 0.0
+                disc and orders == "all" and solution.lights[0].angular_radius > 0.0
             ),
             "sky_columns": self._sky_shape[0],
             "sky_rows": self._sky_shape[1],
@@ -354,7 +390,7 @@ class Pictures:
             return [Band(0, height, True, True)]
         solution = self._shown()
         star = (numbers["seen_x"], 0.0, numbers["seen_z"])
-        reach = 2.0 * solution.medium.star_angular_radius + 3.0 * numbers["pixel_angle"]
+        reach = 2.0 * solution.lights[0].angular_radius + 3.0 * numbers["pixel_angle"]
         return bands(scene, numbers["horizon_mu"], star, reach + solution.paths.largest_bend)
 
     def _draw_sky(self, numbers: Mapping[str, float]) -> None:

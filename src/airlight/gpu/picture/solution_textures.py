@@ -66,7 +66,7 @@ class SolutionTables:
         if shown is None:
             shown = shown_solution(solution)
         check_capacity(count, shown.constituents)
-        values = shown._asdict()
+        values = shown._asdict() | shown.ground._asdict()
         tables = {name: FRAME.tables[name] for name in values if name in FRAME.tables}
         textures, places = FRAME.laid_out(
             {

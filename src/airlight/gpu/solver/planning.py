@@ -15,6 +15,7 @@ from airlight.errors import AirlightError
 from airlight.gpu.solver.plan import SolverPlan, Span
 from airlight.gpu.solver.tables import SOLVE
 from airlight.kernel.lanes import LANES
+from airlight.optics.reflection import NUMBERS
 from airlight.pixels.capacity import check_capacity
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.solvers.light_paths import LightPaths
@@ -88,10 +89,10 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
         "levels": grid.radii.size,
         "parts": setup.parts,
         "received": grid.radii.size * grid.sun_cosines.size * (1 + setup.terms),
-        "law": air.ground.law,
         "bottom": grid.bottom_radius,
         "top": grid.top_radius,
         "star_radius": air.star_radius,
+        **{name: getattr(air.ground, name) for name in NUMBERS},
     }
     textures, places = SOLVE.laid_out(arrays)
     return SolverPlan(

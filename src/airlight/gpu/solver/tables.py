@@ -10,6 +10,7 @@ from typing import Annotated, Any, Final, NamedTuple
 
 from airlight.gpu.emit.uniform_struct import UniformStruct
 from airlight.kernel.shader_fields import SPECTRA, scalars
+from airlight.optics.reflection import Reflection
 
 
 class Sizes(NamedTuple):
@@ -47,21 +48,6 @@ class Sizes(NamedTuple):
     star_radius: float
 
 
-class Ground(NamedTuple):
-    """``Reflection`` of the passes.
-
-    Attributes
-    ----------
-    law : int
-        Number of the law.
-    albedo : array
-        Reflectance, four wavelengths a texel. [1]
-    """
-
-    law: int
-    albedo: Annotated[Any, SPECTRA]
-
-
 class Tables(NamedTuple):
     """Tables of the passes; shapes and units as in ``Grid``, ``Rays``, ``Air`` ….
 
@@ -83,7 +69,7 @@ class Tables(NamedTuple):
         Weights from ``level_weights``, of four wavelengths.
     extinction, moments :
         Fields of ``Air``; four wavelengths a texel.
-    ground : Ground
+    ground : Reflection
         Field of ``Air``.
     """
 
@@ -111,7 +97,7 @@ class Tables(NamedTuple):
     level: Annotated[Any, scalars()]
     extinction: Annotated[Any, SPECTRA]
     moments: Annotated[Any, SPECTRA]
-    ground: Ground
+    ground: Reflection
 
 
 #: Numbers and tables of the solver's passes.

@@ -84,7 +84,7 @@ def line_optics(medium: Medium, settings: Settings, steps: int) -> LineOptics:
     return LineOptics(
         medium.bottom_radius,
         medium.top_radius,
-        medium.star_angular_radius,
+        medium.lights[0].angular_radius,
         np.ascontiguousarray(medium.scattering[scatterers]),
         medium.extinction,
         scatterers,

@@ -11,7 +11,7 @@ from airlight.geometry.path import ray_length, shadow_edges
 from airlight.geometry.shell import meets_ground
 from airlight.geometry.sun_disc import mean_cosine
 from airlight.kernel import compiled_loop, inlined
-from airlight.optics.reflection import at_wavelength, leaving_cosine, sky_factor, star_factor
+from airlight.optics.reflection import leaving_cosine, sky_factor_at, star_factor_at
 from airlight.solvers.direct.layout import radius_of, sun_cell, sun_of
 from airlight.solvers.direct.line import (
     add_gathered,
@@ -175,10 +175,9 @@ def reflected(ground, l, by_star, mu_s, leaving, nu):
     mu_s, leaving, nu : float
         Cosines of ``star_factor``. [1]
     """
-    here = at_wavelength(ground, l)
     if by_star:
-        return star_factor(here, 0, mu_s, leaving, nu) / pi
-    return sky_factor(here, 0, leaving) / pi
+        return star_factor_at(ground, l, mu_s, leaving, nu) / pi
+    return sky_factor_at(ground, l, leaving) / pi
 
 
 @compiled_loop

@@ -7,7 +7,7 @@ import numpy as np
 from airlight.geometry.bending import level_light
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
-from airlight.optics.reflection import Reflection, sky_factor, star_factor
+from airlight.optics.reflection import sky_factor, star_factor
 from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.source import level_sky, level_star
 from airlight.solvers.moments.sweep import sun_index
@@ -62,10 +62,9 @@ def ground_radiance(mu_s, leaving, nu, orders, light, work, out):
         Receives the radiance. [sr⁻¹]
     """
     ground_light(mu_s, orders, light, work)
-    ground = Reflection(light.law, light.albedo)
     for at in range(0, light.lanes, LANES):
-        star = load(work.received, at) * star_factor(ground, at, mu_s, leaving, nu)
-        sky = load(work.received, light.lanes + at) * sky_factor(ground, at, leaving)
+        star = load(work.received, at) * star_factor(light.ground, at, mu_s, leaving, nu)
+        sky = load(work.received, light.lanes + at) * sky_factor(light.ground, at, leaving)
         store(out, at, (star + sky) * INVERSE_PI)
 
 

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from airlight.geometry.path import MAX_EDGES
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel.shader_fields import CHOICE, FIELDS, SPECTRA, Always, scalars
+from airlight.optics.reflection import Reflection
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -35,8 +36,6 @@ class MarchTables(NamedTuple):
         Number of lanes w: a multiple of ``LANES``; in a shader one texel is one group of lanes.
     panels : int
         Number of panels a leg of a line; 1 in a shader.
-    law : int
-        Law of the ground's reflection, see ``Reflection``.
     constituents, degree, radii, suns, phase_nodes : int
         Sizes of the tables.
     first_peak, second_peak : int
@@ -63,8 +62,6 @@ class MarchTables(NamedTuple):
         True scattering coefficients. [m⁻¹]
     moments : array, shape (nc·(N + 1)·w,)
         Scattering coefficient times Legendre moment, both after that removal. [m⁻¹]
-    albedo : array, shape (w,)
-        Albedo of the ground. [1]
     phase : array, shape (phase_nodes·nc·w,)
         Phase functions on even steps of sin(θ/2). [sr⁻¹]
     basis : array, shape (3·w,)
@@ -74,6 +71,8 @@ class MarchTables(NamedTuple):
     sky : array, shape (r·s·2·w,)
         Irradiance of a level surface by scattered light, as (s, E·s) per node; the first radius
         is the ground.
+    ground : Reflection
+        Reflection by the ground.
     """
 
     bottom: float
@@ -82,7 +81,6 @@ class MarchTables(NamedTuple):
     bend: float
     lanes: Annotated[int, Always(1)]
     panels: Annotated[int, Always(1)]
-    law: int
     constituents: int
     degree: int
     radii: int
@@ -105,11 +103,11 @@ class MarchTables(NamedTuple):
     extinction: Annotated[Float32Array, SPECTRA]
     scattering: Annotated[Float32Array, SPECTRA]
     moments: Annotated[Float32Array, SPECTRA]
-    albedo: Annotated[Float32Array, SPECTRA]
     phase: Annotated[Float32Array, SPECTRA]
     basis: Annotated[Float32Array, SPECTRA]
     field: Annotated[Float32Array, FIELDS]
     sky: Annotated[Float32Array, FIELDS]
+    ground: Reflection
 
 
 class MarchWorkspace(NamedTuple):

@@ -21,7 +21,6 @@ from numpy.typing import NDArray
 from airlight.kernel import compiled_loop, kernel, vectorized
 from airlight.mappings.transmittance import radius_from_coordinate
 from airlight.optics.layer_edges import layer_edges
-from airlight.optics.reflection import Reflection
 from airlight.planets.medium import Medium
 from airlight.solvers.moments.grid import Grid
 from airlight.solvers.moments.levels import Depths, panel_cuts
@@ -218,8 +217,8 @@ class Optics:
         return Air(
             extinction=pack(extinction[:, block]),
             moments=pack(moments[..., block]),
-            ground=Reflection(medium.ground.law, pack(medium.ground.albedo[block])),
-            star_radius=float(medium.star_angular_radius),
+            ground=medium.ground._replace(albedo=pack(medium.ground.albedo[block])),
+            star_radius=medium.lights[0].angular_radius,
         )
 
 

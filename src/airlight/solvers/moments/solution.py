@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 from time import perf_counter
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,7 @@ from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.lanes import LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.reflection import leaving_cosine
+from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.harmonics import coefficient_count
@@ -86,6 +88,13 @@ class MomentsSolution(Solution):
         """Quantities that the solve derived from the medium, made again when asked for."""
         return Setup(paths=self.paths, settings=self.settings)
 
+    def lit_by(self, source: LightSource) -> Self:
+        """See ``Solution``."""
+        other = super().lit_by(source)
+        other.paths = replace(self.paths, medium=self.paths.medium.lit_by(source))
+        vars(other).pop("light", None)  # it has the disc
+        return other
+
     @cached_property
     def light(self) -> MarchTables:
         """Tables of the march, for all wavelengths, with the points and panels of queries."""
@@ -97,11 +106,10 @@ class MomentsSolution(Solution):
         return MarchTables(
             bottom=grid.bottom_radius,
             top=grid.top_radius,
-            star_radius=air.star_radius,
+            star_radius=self.lights[0].angular_radius,
             bend=self.paths.bend,
             lanes=air.ground.albedo.size,
             panels=settings.march_panels,
-            law=air.ground.law,
             constituents=len(medium.names),
             degree=expansion.degree,
             radii=grid.radii.size,
@@ -124,11 +132,11 @@ class MomentsSolution(Solution):
             extinction=air.extinction,
             scattering=pack(medium.scattering),
             moments=air.moments,
-            albedo=air.ground.albedo,
             phase=pack(np.moveaxis(medium.phase_table, 2, 0)),
             basis=pack(medium.map_basis.T),
             field=field,
             sky=sky,
+            ground=air.ground,
         )
 
     def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from airlight.kernel import inlined
-from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, maximum, splat, store
+from airlight.kernel.lanes import LANES, exponential, load, maximum, splat, store
 
 
 @inlined
@@ -179,9 +179,3 @@ def level_sky(sky, place, share, lanes, at):
     return (g * load(sky, low + lanes) + e * load(sky, high + lanes)) / (
         g * load(sky, low) + e * load(sky, high)
     )
-
-
-@inlined
-def reflected(received, albedo):
-    """Radiance of a Lambertian ground, from its irradiance. [sr⁻¹]"""
-    return received * albedo * INVERSE_PI

@@ -123,8 +123,8 @@ def history_optics(medium: Medium, wavelength: int) -> HistoryOptics:
         coefficients=density.coefficients,
         scattering=np.ascontiguousarray(medium.scattering[:, wavelength]),
         lobes=lobes(medium, wavelength),
-        ground=Reflection(medium.ground.law, float(medium.ground.albedo[wavelength])),
-        star_radius=medium.star_angular_radius,
+        ground=medium.ground._replace(albedo=float(medium.ground.albedo[wavelength])),
+        star_radius=medium.lights[0].angular_radius,
         light=make_starlight(chosen),
     )
 

@@ -256,7 +256,7 @@ def disc_mean_phase(medium: Medium, nu: FloatArray) -> FloatArray:
     array, shape (n, nc, nl)
         Mean phase functions. [sr⁻¹]
     """
-    radius = medium.star_angular_radius
+    radius = medium.lights[0].angular_radius
     if radius <= 0.0:
         return medium.phase_function(nu)
     rule = gauss_legendre(4)

@@ -234,7 +234,7 @@ class Solving:
             planet = self._planet(request, newer)
             wavelengths = self._wavelengths(planet, request.wavelengths)
             # Rejects a star without light at one of them: the picture would have no colours.
-            rgb_weights(wavelengths, planet.star.irradiances)
+            rgb_weights(wavelengths, planet.lights(wavelengths)[0].spectrum)
             solution = self._solver(
                 planet,
                 wavelengths,

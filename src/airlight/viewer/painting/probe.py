@@ -16,10 +16,12 @@ from numpy.typing import NDArray
 from airlight.color.xyz import chromaticity, luminance, rgb_to_xyz
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
+from airlight.pixels.lit_scenes import lit_scenes
 from airlight.render.drawing import color_weights
 from airlight.render.sun_disc import leaving_direction, sun_solid_angle
 from airlight.scene import Scene
 from airlight.scene.camera import Camera
+from airlight.scene.light_position import LightPosition
 from airlight.scene.surface_map import surface_map
 from airlight.solvers.moments.radiance_parts import radiance_parts
 from airlight.solvers.moments.solution import MomentsSolution
@@ -184,18 +186,30 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
     medium = solution.medium
     zenith = math.degrees(math.atan2(math.hypot(direction[0], direction[1]), direction[2]))
     azimuth = math.degrees(math.atan2(-direction[1], direction[0]))
-    sight, _ = solution.lines_of_sight(
-        altitude=scene.altitude, sun_zenith=scene.sun_zenith, view_zenith=zenith, azimuth=azimuth
-    )
-    drawn = solution.paths.sight(sight)
+    pairs = lit_scenes(scene, solution)
+    sights = [
+        lit.lines_of_sight(
+            altitude=scene.altitude, sun_zenith=light.zenith, view_zenith=zenith,
+            azimuth=math.remainder(azimuth - light.azimuth, 360.0),
+        )[0]
+        for light, (_, lit) in zip(scene.lights, pairs, strict=True)
+    ]  # fmt: skip
+    drawn = solution.paths.sight(sights[0])
     depth = _depths(solution, drawn)
     through = np.exp(-depth.sum(axis=0))
     seen = _ground(solution, scene, direction, drawn)
-    star = _star(solution, scene, direction, through, bool(drawn.to_ground[0]))
-    spectra = _spectra(solution, sight, seen[3]) + ([(STAR, star)] if star.any() else [])
+    spectra: list[tuple[str, FloatArray]] = []
+    rgb, luminances = np.zeros(3), list[FloatArray]()
+    for light, sight, (_, lit) in zip(scene.lights, sights, pairs, strict=True):
+        source = lit.lights[0]
+        weights = color_weights(lit) / source.irradiance[:, None]
+        star = _star(lit, scene.altitude, light, direction, through, bool(drawn.to_ground[0]))
+        parts = _spectra(lit, sight, seen[3]) + ([(STAR, star)] if star.any() else [])
+        first = not spectra
+        spectra += [(name if first else f"{source.name}: {name}", values) for name, values in parts]
+        luminances += [luminance(values @ weights) for _, values in parts]
+        rgb += np.sum([values for _, values in parts], axis=0) @ weights
     total = np.sum([values for _, values in spectra], axis=0)
-    weights = color_weights(solution) / solution.lights[0].irradiance[:, None]
-    rgb = total @ weights
     xyz = rgb_to_xyz(rgb)
     x, y = chromaticity(xyz) if xyz.sum() > 0.0 else (0.0, 0.0)
     return Probe(
@@ -216,9 +230,9 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
             Part(
                 name=name,
                 radiance=tuple(values.tolist()),
-                luminance=LUMINOUS_EFFICACY * float(luminance(values @ weights)),
+                luminance=LUMINOUS_EFFICACY * float(bright),
             )
-            for name, values in spectra
+            for (name, values), bright in zip(spectra, luminances, strict=True)
         ),
     )
 
@@ -251,18 +265,19 @@ def _depths(solution: MomentsSolution, drawn: Sight) -> FloatArray:
 
 def _star(
     solution: MomentsSolution,
-    scene: Scene,
+    altitude: float,
+    position: LightPosition,
     direction: FloatArray,
     through: FloatArray,
     to_ground: bool,
 ) -> FloatArray:
-    """Radiance of the star's disc, 0 outside it, shape (nl,). [W m⁻² sr⁻¹ nm⁻¹]"""
-    star, position = solution.lights[0], scene.lights[0]
+    """Radiance of the light's disc, 0 outside it, shape (nl,). [W m⁻² sr⁻¹ nm⁻¹]"""
+    star = solution.lights[0]
     alpha = star.angular_radius
     nothing = np.zeros_like(through)
     if alpha <= 0.0 or to_ground:
         return nothing
-    outside = leaving_direction(direction[np.newaxis], solution, scene.altitude)[0]
+    outside = leaving_direction(direction[np.newaxis], solution, altitude)[0]
     if float(np.linalg.norm(outside - position.direction)) > 2.0 * math.sin(0.5 * alpha):
         return nothing
     return np.asarray(through * star.irradiance / sun_solid_angle(alpha))
