@@ -17,10 +17,8 @@ from airlight.gpu.emit.glsl import GLSL
 from airlight.gpu.emit.shader_types import I32, Constant
 from airlight.gpu.emit.uniform_struct import UniformStruct
 from airlight.gpu.emit.wgsl import WGSL
-from airlight.gpu.solver.tables import Ground
 from airlight.kernel.lanes import LANES, load
 from airlight.kernel.shader_fields import CHOICE, SPECTRA, InTexture, scalars
-from airlight.optics.reflection import Reflection
 
 RNG = np.random.default_rng(8)
 COUNT = 12
@@ -126,8 +124,3 @@ def test_what_is_not_declared_is_refused() -> None:
         STRUCT.packed({"height": 1e60}, {})
     with pytest.raises(TypeError, match="table is an array without a mark"):
         UniformStruct("wrong", (Unmarked,))
-
-
-def test_the_solver_s_ground_is_a_reflection() -> None:
-    # the passes hand it to the functions that take a Reflection
-    assert Ground._fields == Reflection._fields
