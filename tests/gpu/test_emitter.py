@@ -26,6 +26,7 @@ from airlight.gpu.emit.shader_types import (
 )
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.kernel import kernel
+from airlight.kernel.cube_root import cube_root
 from airlight.kernel.lanes import (
     LANES,
     exponential,
@@ -485,6 +486,17 @@ def test_the_angle_of_a_point_is_right_in_every_quadrant(on_gpu: Run) -> None:
     )
     seen = on_gpu(angle, y, x)
     assert_allclose(seen, np.arctan2(np.float32(y), np.float32(x), dtype=float), rtol=0, atol=4e-7)
+
+
+def root(x):
+    return cube_root(x)
+
+
+def test_the_cube_root_is_numpy_s(on_gpu: Run) -> None:
+    # A power of one third: errors of log₂ and 2ˣ by WGSL's table, 3 units each; 0 and below give 0.
+    x = np.float32(np.geomspace(1e-6, 1e6, 1000))
+    assert_allclose(on_gpu(root, x), np.cbrt(x.astype(float)), rtol=64 * EPS)
+    assert_array_equal(on_gpu(root, np.array([0.0, -1.0, -8.0])), 0.0)
 
 
 # --- refused constructs ------------------------------------------------------------------------

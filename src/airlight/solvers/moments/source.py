@@ -1,7 +1,6 @@
 """Light that a point of the air sends along a line of sight: scattered once, and the rest.
 
-Written for both processors: the march of the CPU runs these for packets of rays and eight
-wavelengths at a time, the shader of the GPU for a ray and four wavelengths.
+The march runs these for a group of lanes at a time: eight wavelengths on the CPU, four in a shader.
 """
 
 from __future__ import annotations
