@@ -137,6 +137,14 @@ def test_a_preview_agrees_with_the_cpu(device, name):
     assert_solutions_agree(gpu, cpu, 5e-3)
 
 
+def test_ground_of_rock_is_solved_as_by_the_cpu(device):
+    # Tolerances as above: the law's two factors, of its own uniform, in every order.
+    ground = replace(load_planet("earth-atmosphere-plus").ground, law="lommel-seeliger", albedo=0.4)
+    medium = medium_of("earth-atmosphere-plus", ground=ground)
+    cpu, gpu = solve(medium, PREVIEW, cache=False), solve_on(device, medium, PREVIEW)
+    assert_solutions_agree(gpu, cpu, 5e-3)
+
+
 def test_a_default_solution_agrees_with_the_cpu(device):
     # The tolerance between them is 0.5 %; 2e-3 is the tolerance of both.
     medium = medium_of("earth")

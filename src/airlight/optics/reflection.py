@@ -3,8 +3,9 @@
 A law of reflection gives the radiance of the ground along a line, relative to that of a white
 Lambert surface in the same light: the reflectance factor, π times the BRDF (Nicodemus et al. 1977,
 NBS Monograph 160). It is evaluated twice, because the ground's light has two parts: the star's
-comes from one direction, the sky's from all. Each factor is ``matte · albedo + gloss``: light that
-the matter below the surface has coloured, and light that the surface itself mirrors.
+comes from one direction, the sky's from all, which counts as uniform there (0.6 % of reciprocity by
+Lommel and Seeliger's law under Rayleigh's sky). Each factor is ``matte · albedo + gloss``: light
+that the matter below the surface has coloured, and light that the surface itself mirrors.
 
 A new law is a file of its own with its two kernels, ``star_share`` and ``sky_share``, and a line in
 ``LAWS``; its parameters other than the albedo are fields of ``Reflection``, numbers with a default,
