@@ -65,7 +65,10 @@ NUMBERS: Final[dict[str, type]] = {
     name: kind for name, kind in get_type_hints(Reflection).items() if name != "albedo"
 }
 
+#: ``star_share(law, ground, mu_s, leaving, nu)``: factor of the albedo, and part without it, of the
+#: light of a star, by the law of that number in ``LAWS``.
 star_share = chosen_kernel("star_share", [law.star_share for law in LAWS.values()], __name__)
+#: ``sky_share(law, ground, leaving)``: the same, of the light of a uniform sky.
 sky_share = chosen_kernel("sky_share", [law.sky_share for law in LAWS.values()], __name__)
 
 

@@ -45,6 +45,8 @@ def test_elimination_solves_each_lane_as_lapack_does() -> None:
 def test_clear_air_keeps_the_radii_it_had() -> None:
     # Air that scatters little needs only radii that are even in the distance to the horizon.
     even = np.linspace(0.0, 1.0, 4097)
+    for depth in (1e-12, 1e-30):  # so little that no part of the levels follows it
+        assert_allclose(place_levels(even, exponential_air(depth), 24).row, 23.0 * even)
     levels = place_levels(even, exponential_air(0.01), 24)
     assert levels.parts == 1
     assert levels.altitudes.size == 24

@@ -107,7 +107,8 @@ def place_levels(even: FloatArray, depths: Depths, count: int) -> Levels:
     if total > 0.0:
         follows = thick * (count - 1) / _STEPS * _steps(depths.scattering)
         most = _MOST * (count - 1)
-        coordinate = coordinate + follows * min(1.0, most / follows[-1])
+        # In the clearest air, of a depth of 1e-9, ``thick`` and with it ``follows`` are 0.
+        coordinate = coordinate + follows * (most / follows[-1] if follows[-1] > most else 1.0)
     parts = _PARTS if thick > _REFINED else 1
     steps = parts * max(count - 1, round(coordinate[-1]))
     row = coordinate * (steps / coordinate[-1])
