@@ -19,4 +19,4 @@ scene = airlight.Scene(
     ),
 )
 frame = airlight.render(solution, scene)
-airlight.write_picture("belt_of_venus.png", frame.rgb, frame.metadata, exposure=1.5)
+airlight.write_picture("belt_of_venus.png", frame.rgb, frame.metadata)

@@ -22,4 +22,4 @@ cross = np.zeros((3 * side, 4 * side, 3), np.float32)
 cross[:side, side : 2 * side] = up
 cross[side : 2 * side] = np.concatenate([left, ahead, right, behind], axis=1)
 cross[2 * side :, side : 2 * side] = down
-airlight.write_picture("cube_map.png", cross, exposure=-2.5)
+airlight.write_picture("cube_map.png", cross)

@@ -15,4 +15,4 @@ scene = airlight.Scene(altitude=3000.0, sun_zenith=84.0, camera=camera)
 frame = airlight.render(solution, scene)
 
 airlight.write_picture("dome_master.exr", frame.rgb, frame.metadata)
-airlight.write_picture("dome_master.png", frame.rgb, frame.metadata, exposure=-2.5)
+airlight.write_picture("dome_master.png", frame.rgb, frame.metadata)

@@ -19,4 +19,4 @@ for depth in (0.05, 0.5, 3.0):
     solution = airlight.solve(mars, default_wavelengths(8), quality="preview")
     domes.append(airlight.render(solution, scene).rgb)
 
-airlight.write_picture("dust.png", np.concatenate(domes, axis=1), exposure=-2.0)
+airlight.write_picture("dust.png", np.concatenate(domes, axis=1))

@@ -23,4 +23,4 @@ scene = airlight.Scene(
     ),
 )
 frame = airlight.render(solution, scene)
-airlight.write_picture("limb_from_orbit.png", frame.rgb, frame.metadata, exposure=-2.5)
+airlight.write_picture("limb_from_orbit.png", frame.rgb, frame.metadata)

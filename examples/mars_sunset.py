@@ -17,4 +17,4 @@ scene = airlight.Scene(
     camera=airlight.Camera(width=480, height=240, field_of_view=70.0, look_zenith=82.0),
 )
 frame = airlight.render(solution, scene)
-airlight.write_picture("mars_sunset.png", frame.rgb, frame.metadata, exposure=-2.5)
+airlight.write_picture("mars_sunset.png", frame.rgb, frame.metadata)

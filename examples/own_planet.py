@@ -41,4 +41,4 @@ scene = airlight.Scene(
     camera=airlight.Camera(width=480, height=240, field_of_view=80.0, look_zenith=75.0),
 )
 frame = airlight.render(solution, scene)
-airlight.write_picture("own_planet.png", frame.rgb, frame.metadata, exposure="auto")
+airlight.write_picture("own_planet.png", frame.rgb, frame.metadata)

@@ -20,4 +20,4 @@ for overrides in ({}, {"ozone.absorption.ozone": "0 DU"}):
     solution = airlight.solve(earth, default_wavelengths(12), quality="preview")
     domes.append(airlight.render(solution, scene).rgb)
 
-airlight.write_picture("ozone.png", np.concatenate(domes, axis=1), exposure=6.0)
+airlight.write_picture("ozone.png", np.concatenate(domes, axis=1))

@@ -19,4 +19,4 @@ for name in ("earth", "mars-standard"):
     )
     halves.append(airlight.render(solution, scene).rgb)
 
-airlight.write_picture("two_planets.png", np.concatenate(halves, axis=1), exposure=-2.5)
+airlight.write_picture("two_planets.png", np.concatenate(halves, axis=1))

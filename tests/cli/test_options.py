@@ -9,6 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.cli import options
+from airlight.color.exposure import camera_exposure
 from airlight.errors import ParameterError
 
 
@@ -91,6 +92,31 @@ def test_exposure_is_a_number_or_auto() -> None:
     assert options.exposure("-2.5") == -2.5
     assert options.exposure("+1 EV") == 1.0
     assert options.exposure("AUTO") == "auto"
+    assert options.camera(None, None, None, None) == "auto"
+    assert options.camera("-2.5", None, None, None) == -2.5
+
+
+def test_exposure_is_a_camera_s_too() -> None:
+    wanted = camera_exposure(iso=100.0, aperture=8.0, shutter=1.0 / 250.0)
+    for aperture in ("8", "f/8", "F/8"):
+        for shutter in ("1/250", "1/250s", "4ms", "0.004 s"):
+            assert options.camera(None, 100.0, aperture, shutter) == pytest.approx(wanted)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "field"),
+    [
+        (("auto", 100.0, "8", "1s"), "--exposure is 'auto'; allowed: left out beside --iso"),
+        ((None, 100.0, None, "1s"), "--iso is 100.0; allowed: all of"),
+        ((None, 0.0, "8", "1s"), "--iso is 0.0; allowed: above 0"),
+        ((None, 100.0, "8", "0s"), "--shutter is 0.0; allowed: above 0"),
+        ((None, 100.0, "8", "1/0s"), "--shutter"),
+    ],
+)
+def test_a_camera_that_cannot_be_is_refused(arguments: tuple[Any, ...], field: str) -> None:
+    with pytest.raises(ParameterError) as refusal:
+        options.camera(*arguments)
+    assert str(refusal.value).startswith(field)
 
 
 def test_keys_of_a_planet_file_are_set_from_their_text() -> None:

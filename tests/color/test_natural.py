@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from airlight.color.natural import KNEE, SHOULDER, gamut_share, natural, natural_inverse
+from airlight.color.gamut import KNEE, gamut_share, to_white
+from airlight.color.natural import SHOULDER, natural, natural_inverse
 from airlight.color.oklab import RGB_TO_CONES, ROOTS_TO_LAB, oklab_to_rgb, rgb_to_oklab
 from airlight.color.xyz import rgb_to_xyz, xyz_to_rgb
 from airlight.kernel.cube_root import cube_root
@@ -110,7 +111,9 @@ def test_every_color_of_the_spectrum_is_shown_within_the_gamut_at_its_hue():
 def test_dim_colors_within_the_gamut_are_unchanged():
     colors = np.random.default_rng(3).uniform(0.05, 0.2, (500, 3))
     lab = rgb_to_oklab(colors)
-    kept = np.array([gamut_share(l, *rgb) < KNEE for l, rgb in zip(lab[:, 0], colors, strict=True)])
+    grey = lab[:, 0] ** 3
+    share = [gamut_share(y, to_white(y, True), *c) for y, c in zip(grey, colors, strict=True)]
+    kept = np.array(share) < KNEE
     assert kept.mean() > 0.5
     assert np.all(lab[kept, 0] ** 3 < SHOULDER)
     assert_array_equal(natural(colors)[kept], colors[kept])

@@ -29,20 +29,20 @@ def test_png_says_how_it_was_made_visible(tmp_path: Path) -> None:
     assert written.size == (tmp_path / "a.png").stat().st_size
     texts = read_png_metadata(tmp_path / "a.png")
     assert texts["airlight.exposure"] == "-1.5 EV"
-    assert texts["airlight.tone_map"] == "hable"
+    assert texts["airlight.tone_map"] == "natural"
     assert texts["airlight.encoding"] == "srgb"
     assert texts["airlight.altitude"] == "0 m"
 
 
 def test_automatic_exposure_makes_a_picture_independent_of_its_brightness(tmp_path: Path) -> None:
-    # a law: auto exposure divides by the log-average, so a factor of 4 is two EV less
-    ramp = RAMP + 1.0
+    # a law by day: light four times as strong is exposed two EV less
+    ramp = 100.0 * (RAMP + 1.0)
     dim = write_picture(tmp_path / "a.png", ramp, exposure="auto")
     bright = write_picture(tmp_path / "b.png", ramp * 4.0, exposure="auto")
     assert dim.exposure is not None
     assert bright.exposure is not None
     # the log-average is formed in float32 at worst
-    assert abs(dim.exposure - bright.exposure - 2.0) < 1e-5
+    assert abs(dim.exposure - bright.exposure - 2.0) < 1e-3
     first, second = (np.asarray(Image.open(tmp_path / name)) for name in ("a.png", "b.png"))
     assert np.abs(first.astype(int) - second.astype(int)).max() <= 1
 

@@ -6,6 +6,7 @@ import builtins
 import subprocess
 import sys
 from time import perf_counter
+from typing import Any
 
 import pytest
 
@@ -108,3 +109,14 @@ def test_waiting_ends_when_the_work_is_done(device):
         device.wait()
         passed = perf_counter() - started
         assert passed >= times.read()["long"] > 0.0
+
+
+def test_types_of_structures_are_known_without_parsing_them(device: Any) -> None:
+    # Each text that cffi has to parse takes some 20 ms; a window's first frame has fifty.
+    from wgpu.backends.wgpu_native import ffi
+
+    table = ffi._parsed_types
+    assert device.name
+    for name in ("WGPUExtent3D", "WGPURenderPipelineDescriptor", "WGPUBindGroupEntry"):
+        assert table[f"{name} *"][0] is ffi.typeof(f"{name}  *")
+        assert table[f"{name}[]"][0] is ffi.typeof(f"{name} [ ]")

@@ -15,16 +15,17 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from airlight.color import aces, agx, encoding, natural, oklab, tone_maps, xyz
+from airlight.color import aces, agx, dither, encoding, eye, gamut, natural, oklab, tone_maps, xyz
 from airlight.color.encoding import ENCODINGS
 from airlight.color.floating import physical_light
+from airlight.color.gamut import in_gamut
 from airlight.color.tone_maps import TONE_MAPS
 from airlight.geometry import bending, path, shell, sun_disc
 from airlight.gpu.emit.shader_types import Bundle, Constant, Table
 from airlight.mappings import sky_view, transmittance
-from airlight.optics import phase_functions, reflection
+from airlight.optics import cox_munk, fresnel, phase_functions, reflection, water
 from airlight.optics.reflection import LAWS, NUMBERS, Reflection
-from airlight.pixels import sky_table, star_disc
+from airlight.pixels import ground_angles, sky_table, star_disc
 from airlight.scene import ground_place
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.projections.cubemap import cube_ray
@@ -171,6 +172,9 @@ UNITS = tuple(uniform(0.0, 1.0, 33 + c) for c in range(3))
 CHROMA = (uniform(-0.3, 0.3, 36), uniform(-0.3, 0.3, 37))
 #: What the cones' roots of red colours differ by from their lightness, beyond the gamut.
 SATURATED = (uniform(0.1, 0.3, 38), uniform(-0.1, -0.03, 39), uniform(-0.4, -0.1, 40))
+#: Reciprocal distance of a grey to white.
+UP = uniform(1.0, 20.0, 41)
+PIXELS = np.random.default_rng(42).integers(0, 65536, (2, COUNT)) + 0.5
 COLORS = [
     Case(physical_light, LIGHTS[:1], rtol=EPS),
     Case(xyz.luminance_of, LIGHTS),
@@ -191,23 +195,43 @@ COLORS = [
     Case(oklab.cone_roots, (uniform(0.1, 1.0, 30), *CHROMA), atol=4 * EPS),
     # Differences of cones' responses up to 1, with weights up to 4.
     Case(oklab.rgb_of_cones, UNITS, atol=16 * EPS),
-    Case(natural.signed_light, (LIGHTS[0] - 1.0,), rtol=EPS),
+    Case(oklab.cone_roots_of, LIGHTS, rtol=POWER),
+    Case(oklab.lightness_of, UNITS, atol=4 * EPS),
+    # From a luminance of 0.002 to 4 cd/m², as from 0.0001 to 1000 W/m²/sr.
+    Case(eye.rod_share, (np.geomspace(1e-4, 1e2, COUNT),), atol=POWER),
+    Case(eye.seen_by_eye, tuple(1e-4 * one for one in LIGHTS), rtol=4 * POWER),
+    Case(gamut.signed_light, (LIGHTS[0] - 1.0,), rtol=EPS),
+    # Differences of channels up to 1, with weights up to 4.
+    Case(gamut.light_of_cones, (1, *UNITS), atol=16 * EPS),
+    Case(gamut.with_primaries, (1, *UNITS), atol=4 * EPS),
+    Case(gamut.to_white, (uniform(0.0, 0.9, 31), True), rtol=16 * EPS),
     Case(natural.natural_curve, LIGHTS[:1], atol=4 * EPS),
-    Case(natural.softened, LIGHTS[:1], atol=8 * EPS),
+    Case(gamut.softened, LIGHTS[:1], atol=8 * EPS),
     # Differences of the channels and the grey, over the grey's distance to 0 or 1, at least 0.05.
-    Case(natural.gamut_share, (uniform(0.4, 0.95, 31), *UNITS), atol=4 * EPS / 0.05),
+    Case(gamut.gamut_share, (uniform(0.06, 0.9, 31), UP, *UNITS), atol=4 * EPS / 0.05),
     Case(
-        natural.share_at,
-        (uniform(0.4, 0.95, 31), *CHROMA, CHROMA[0] - CHROMA[1], UNIT),
+        gamut.share_at,
+        (0, uniform(0.4, 0.95, 31), UP, *CHROMA, CHROMA[0] - CHROMA[1], UNIT),
         atol=(64 * EPS / 0.05, 256 * EPS / 0.05),
     ),
     # The chroma that Newton's method finds is as good as the share that it compares.
     Case(
-        natural.amount_of_share,
-        (uniform(0.4, 0.9, 31), *SATURATED, uniform(0.8, 1.0, 32)),
+        gamut.amount_of_share,
+        (0, uniform(0.4, 0.9, 31), UP, *SATURATED, uniform(0.8, 1.0, 32), 1.0, 64.0),
         rtol=512 * EPS,
     ),
+    Case(gamut.into_gamut, (0, True, True, *UNITS), atol=10 * POWER),
+    Case(gamut.into_gamut, (1, True, False, *UNITS), atol=10 * POWER),
+    Case(
+        gamut.into_gamut,
+        (0, False, True, LIGHTS[0], LIGHTS[1], -0.1 * LIGHTS[2]),
+        rtol=512 * EPS,
+        atol=10 * POWER,
+    ),
+    # Whole numbers, then a root of one of 4096 parts of 2.
+    Case(dither.dither_noise, (PIXELS[0], PIXELS[1], 2), atol=EPS * 64),
     Case(natural.natural_color, LIGHTS, atol=10 * POWER),
+    Case(natural.natural_shown, (1, *LIGHTS), atol=10 * POWER),
     Case(encoding.srgb_curve, (uniform(0.0, 1.0, 24),), rtol=POWER),
     Case(encoding.gamma_curve, (uniform(0.0, 1.0, 24),), rtol=POWER),
 ]
@@ -235,6 +259,27 @@ GROUND = [
          atol=16 * EPS),
 ]  # fmt: skip
 
+#: Cosines of a star and of an observer over water, the angle between both planes, and the wind.
+WET = (uniform(0.05, 1.0, 41), uniform(0.0, 1.0, 42), uniform(0.0, math.pi, 43))
+WET_NU = -(WET[0] * WET[1] + np.sqrt((1.0 - WET[0] ** 2) * (1.0 - WET[1] ** 2)) * np.cos(WET[2]))
+WIND = uniform(0.5, 25.0, 44)
+WATER = [
+    # Differences of numbers up to n² are divided by their sum, at least n² - 1.
+    Case(fresnel.fresnel_amplitudes, (1.34, UNIT), atol=16 * EPS),
+    Case(fresnel.fresnel_reflectances, (1.34, UNIT), atol=32 * EPS),
+    Case(cox_munk.mean_square_slope, (WIND,), rtol=2 * EPS),
+    Case(cox_munk.hidden_slopes, (UNIT, uniform(0.07, 0.36, 45)), atol=8 * EPS),
+    # The exponent is a difference of squares near 1 over at least 0.0056; where light and line
+    # graze the sea so is the facet's tilt, of cosines of 0.05. Of a factor that reaches 13.
+    Case(cox_munk.glint_factor, (*WET[:2], WET_NU, WIND), rtol=5e-3, atol=1e-4),
+    # A sum of terms up to 5 in an exponent; and eˣ, of 2⁻²¹.
+    Case(cox_munk.mirrored_fraction, (UNIT, WIND), rtol=40 * EPS),
+    Case(cox_munk.mean_mirrored, (WIND,), rtol=8 * EPS),
+    Case(cox_munk.mirrored_cosine, (UNIT, WIND), atol=8 * EPS),
+    Case(water.wet_shares, (WIND, *WET[:2], WET_NU), rtol=5e-3, atol=1e-4),
+    Case(water.foam_share, (WIND,), rtol=2 * POWER),
+]  # fmt: skip
+
 #: Light and scales of a solver: positive.
 POSITIVE = np.geomspace(1e-6, 10.0, COUNT)
 OTHER = uniform(0.1, 10.0, 40)
@@ -258,7 +303,7 @@ STEPS = [
     Case(sweep.azimuth_cosine, (0.99 * MU, 0.99 * MU_S, UNIT), atol=ANGLE / 0.02),
     Case(sweep.star_from_ray, (MU, MU_S, 2.0 * UNIT - 1.0), atol=ANGLE),
     Case(sky_table.row_coordinate, (np.arange(COUNT) % 32, 16, UNIT < 0.5)),
-    Case(sky_table.star_from, (R * SINE, R * MU, R, MU_S, SINE, MU), atol=ANGLE),
+    Case(ground_angles.star_from, (R * SINE, R * MU, R, MU_S, SINE, MU), atol=ANGLE),
     Case(
         sky_table.half_sine_between,
         (SINE * MU_S, SINE * np.sqrt(1.0 - MU_S**2), MU, 0.6, 0.8),
@@ -275,7 +320,7 @@ STEPS = [
 
 @pytest.mark.parametrize(
     "case",
-    [*GEOMETRY, *MAPPINGS, *PHASES, *COLORS, *RAYS, *GROUND, *STEPS],
+    [*GEOMETRY, *MAPPINGS, *PHASES, *COLORS, *RAYS, *GROUND, *WATER, *STEPS],
     ids=lambda case: case.function.__name__,
 )
 def test_a_formula_on_the_gpu_is_the_processor_s(on_gpu: Callable[..., Any], case: Case) -> None:
@@ -288,8 +333,8 @@ def test_every_scalar_formula_of_these_files_is_compared() -> None:
     named = {case.function.py_func for case in
              [*GEOMETRY, *MAPPINGS, *PHASES, *COLORS, *RAYS, *GROUND]}  # fmt: skip
     others = {"meets_ground", "panel_leg", "seen_star", "place_of_star", "raised_star",
-              "star_points", "level_light", "tone_mapped", "insert_edge", "place_edges",
-              "place_nodes", "map_color", "encoded"}  # fmt: skip
+              "star_points", "level_light", "shown_light", "insert_edge", "place_edges",
+              "place_nodes", "map_color", "add_texel", "encoded"}  # fmt: skip
     rooms = [shell, path, bending, sun_disc, transmittance, sky_view, phase_functions, ground_place]
     for room in rooms:
         for name, one in vars(room).items():
@@ -333,10 +378,15 @@ def test_a_tone_map_s_number_is_its_place(on_gpu: Callable[..., Any], which: int
     light = np.concatenate(
         [np.stack(LIGHTS, -1), np.stack(np.meshgrid(*[extreme] * 3), -1).reshape(-1, 3)]
     )
-    wanted = list(TONE_MAPS.values())[which].forward(light.astype(np.float32).astype(np.float64))
+    light = light.astype(np.float32).astype(np.float64)
+    forward = list(TONE_MAPS.values())[which].forward
+    wanted = forward(light if which == 0 else in_gamut(light, bounded=False))
+    if which:
+        beyond = wanted.max(axis=-1, keepdims=True) > 1.0
+        wanted = np.where(beyond, in_gamut(wanted, soft=False), wanted)
     for number in (which, Constant(which)):
-        seen = np.stack(on_gpu(tone_maps.tone_mapped, number, *light.T), -1)
-        assert_allclose(seen, wanted, rtol=4 * POWER, atol=POWER)
+        seen = np.stack(on_gpu(tone_maps.shown_light, number, 0, *light.T), -1)
+        assert_allclose(seen, wanted, rtol=4 * POWER, atol=4 * POWER)
         assert np.all(seen >= 0.0)
 
 
@@ -374,31 +424,33 @@ def test_light_that_is_no_number_is_black_on_the_gpu(on_gpu: Callable[..., Any])
     assert_array_equal(on_gpu(physical_light, light), np.float32([0.0, 0.0, 0.0, 2.0, 1e18]))
 
 
-def read_map(latitude, longitude, level, texels, levels):
-    """The three channels of ``map_color``."""
+ROWS, COLUMNS = 27, 54
+
+
+def read_map(latitude, longitude, level, texels):
+    """The four channels of ``map_color``."""
     color = np.empty(_CHANNELS)
-    ground_place.map_color(texels, levels, latitude, longitude, level, color)
-    return color[0], color[1], color[2]
+    ground_place.map_color(texels, ROWS, COLUMNS, 3, latitude, longitude, level, color, 0)
+    return color[0], color[1], color[2], color[3]
 
 
-_CHANNELS = 3
+_CHANNELS = 4
 
 
 def test_the_map_of_the_ground_is_read_as_on_the_processor(on_gpu: Callable[..., Any]) -> None:
-    # Bilinear in values of 0 to 1; a position in the map is accurate to EPS of its 64 pixels.
-    sizes = [(32, 64), (16, 32), (8, 16)]
-    texels = np.random.default_rng(31).uniform(size=sum(3 * h * w for h, w in sizes))
-    starts = np.cumsum([0, *(3 * h * w for h, w in sizes)])[:3]
-    levels = np.array([(start, h, w) for start, (h, w) in zip(starts, sizes, strict=True)])
+    # Bilinear in values of 0 to 1; a position in the map is accurate to EPS of its 54 pixels. The
+    # device's texture gives the texels as fractions of 255, which the shader decodes by a power.
+    count = sum(h * w for h, w in [(27, 54), (14, 27), (7, 14)])
+    texels = np.random.default_rng(31).integers(0, 256, (count, 4)).astype(np.uint8)
     latitude = uniform(-0.5 * math.pi, 0.5 * math.pi, 32)
     longitude = uniform(-math.pi, math.pi, 33)
     level = uniform(-1.0, 3.0, 34)
     seen = on_gpu(
-        read_map, latitude, longitude, level, Table("texels"), Table("levels", 2),
-        tables={"texels": texels, "levels": levels},
+        read_map, latitude, longitude, level, Table("texels", spectral=True),
+        spectra={"texels": texels / 255.0},
     )  # fmt: skip
-    wanted = np.empty((COUNT, 3))
+    wanted = np.empty((COUNT, _CHANNELS))
     for i in range(COUNT):
         place = [float(np.float32(one[i])) for one in (latitude, longitude, level)]
-        ground_place.map_color(texels, levels, *place, wanted[i])
+        ground_place.map_color(texels.reshape(-1), ROWS, COLUMNS, 3, *place, wanted[i], 0)
     assert_allclose(np.stack(seen, -1), wanted, rtol=0.0, atol=64 * 4 * EPS)

@@ -11,6 +11,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from marched_pictures import marched
 from numpy.testing import assert_allclose, assert_array_equal
 from sampled_disc import add_sun_disc
 
@@ -33,12 +34,10 @@ from airlight.gpu.device.device import Device
 from airlight.gpu.device.flat import read_texture
 from airlight.gpu.picture import pictures as pictures_module
 from airlight.gpu.picture.pictures import Pictures
-from airlight.gpu.picture.solution_textures import fitting_levels
 from airlight.pixels import march_points
 from airlight.planets import Constituent
 from airlight.render.drawing import color_weights
 from airlight.render.sun_disc import leaving_direction
-from airlight.scene.surface_map import surface_map
 from airlight.solvers.moments.solution import MomentsSolution
 
 NM = (440.0, 500.0, 560.0, 620.0)
@@ -73,6 +72,9 @@ PLANETS: dict[str, Callable[[], Planet]] = {
     "six constituents": _many,
     "ground of rock, light bent": lambda: load_planet(
         "earth", {"ground.law": "lommel-seeliger", "refraction": "bouguer"}
+    ),
+    "sea, light bent": lambda: load_planet(
+        "earth", {"ground.law": "water", "ground.wind": 8.0, "refraction": "bouguer"}
     ),
 }
 
@@ -161,7 +163,7 @@ def solid_angles(camera: Camera) -> np.ndarray:
 
 @pytest.mark.parametrize(("name", "scene"), CASES)
 def test_a_marched_picture_has_the_processor_s_radiance(
-    name: str, scene: str, lit: Lit, shows: Shows, tell: Callable[[str], None],
+    name: str, scene: str, device: Device, lit: Lit, shows: Shows, tell: Callable[[str], None],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
     # The CPU marches with the points of its finest quality: those of its own preview err by 1 % at
@@ -171,7 +173,7 @@ def test_a_marched_picture_has_the_processor_s_radiance(
     # Light below 1e-4 of the picture's is negligible.
     monkeypatch.setitem(march_points.BY_PANELS, 1, march_points.MANY)
     solution, seen = lit(name), scene_of(PLANETS[name](), scene)
-    wanted = render(solution, seen, exact=True).rgb.astype(float)
+    wanted = marched(solution, seen, device).astype(float)
     rgb = shows(name).frame(seen, exact=True).rgb
     assert np.isfinite(rgb).all()
     bright = np.abs(wanted).max(axis=2)
@@ -197,13 +199,17 @@ def test_a_picture_from_the_table_is_shown_as_the_processor_s(
 
 
 @pytest.mark.parametrize("orders", ["single", "multiple"])
-def test_orders_are_drawn_apart_as_by_the_processor(orders: str, lit: Lit, shows: Shows) -> None:
-    # Bounds as above: of the march, and of the table.
+def test_orders_are_drawn_apart_as_by_the_processor(
+    orders: str, device: Device, lit: Lit, shows: Shows, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Bounds and points as above: of the march, and of the table.
+    monkeypatch.setitem(march_points.BY_PANELS, 1, march_points.MANY)
     seen = scene_of(PLANETS["earth, with a map"](), "in orbit")
     wanted = render(lit(), seen, orders=orders, exact=True).rgb
-    marched = shows().frame(seen, exact=True, orders=orders).rgb
+    rgb = shows().frame(seen, exact=True, orders=orders).rgb
     bright = np.abs(wanted).max(axis=2, keepdims=True) + 1e-4 * np.abs(wanted).max()
-    assert_array_equal(np.abs(marched - wanted) < 0.01 * bright, True)
+    error = np.abs(rgb - marched(lit(), seen, device, orders=orders))
+    assert_array_equal(error < 0.01 * bright, True)
     exposure = automatic_exposure(wanted)
     shown = to_display(shows().frame(seen, orders=orders).rgb, exposure).astype(int)
     assert np.abs(shown - to_display(wanted, exposure)).max() <= 2
@@ -220,7 +226,7 @@ def test_default_quality_is_drawn_as_well(
     wanted = render(solution, seen, exact=True).rgb
     free = away_from_the_rim(solution, seen)
     bright = np.abs(wanted).max(axis=2, keepdims=True) + 1e-4 * np.quantile(wanted, 0.99)
-    error = np.abs(pictures.frame(seen, exact=True).rgb - wanted) / bright
+    error = np.abs(pictures.frame(seen, exact=True).rgb - marched(solution, seen, device)) / bright
     assert error[free].max() < 0.01
     exposure = automatic_exposure(wanted)
     shown = to_display(pictures.frame(seen).rgb, exposure).astype(int)
@@ -300,7 +306,7 @@ def test_a_point_star_has_no_disc(device: Device, lit: Lit) -> None:
     pictures.show(solution)
     seen = scene_of(planet, "sunset")
     rgb = pictures.frame(seen, exact=True).rgb
-    wanted = render(solution, seen, exact=True).rgb
+    wanted = marched(solution, seen, device)
     bright = np.abs(wanted).max(axis=2, keepdims=True)
     assert_array_equal(np.abs(rgb - wanted) <= 0.01 * bright, True)
 
@@ -359,21 +365,73 @@ def test_bands_draw_the_same_picture(device: Device, shows: Shows) -> None:
     assert_allclose(read_texture(device, target)[..., :3], rgb, rtol=1e-4, atol=1e-6 * rgb.max())
 
 
-@pytest.mark.parametrize("tone_map", ["hable", "aces"])
+@pytest.mark.parametrize(
+    ("tone_map", "name", "exposure", "eye"),
+    [
+        ("hable", "aloft", -2.0, False),
+        ("aces", "aloft", -2.0, False),
+        ("natural", "aloft", -4.0, False),
+        ("natural", "dusk", 8.0, True),
+    ],
+)
 def test_what_is_drawn_is_exposed_and_tone_mapped(
-    tone_map: str, device: Device, shows: Shows
+    tone_map: str, name: str, exposure: float, eye: bool, device: Device, shows: Shows
 ) -> None:
     # The array functions by name, in double precision, of the same linear light: half of 1/255 for
     # rounding to 8 bits, each.
     import wgpu
 
+    seen = scene_of(PLANETS["earth, with a map"](), "sunset" if name == "dusk" else name)
+    seen = replace(seen, sun_zenith=99.0) if name == "dusk" else seen
+    use = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.COPY_SRC
+    target = device.device.create_texture(size=(96, 54, 1), format="rgba8unorm", usage=use)
+    shows().draw(
+        seen, target.create_view(), "rgba8unorm", exposure=exposure, tone_map=tone_map,
+        uniforms={"eye": float(eye)},
+    )  # fmt: skip
+    rgb = shows().frame(seen).rgb
+    wanted = to_display(rgb, exposure, tone_map, eye=eye)
+    # dither is the same number of the same pixel; the eye counts where it is dark
+    assert np.any(wanted != to_display(rgb, exposure, tone_map, eye=not eye)) == eye
+    shown = np.rint(255.0 * read_texture(device, target)[..., :3])
+    assert_allclose(shown, wanted, rtol=0.0, atol=1.0)
+
+
+def test_another_display_draws_no_light_again(
+    device: Device, lit: Lit, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # What is kept in linear light has to give what is drawn anew, bit for bit; and another scene
+    # or solution is drawn.
+    import wgpu
+
     seen = scene_of(PLANETS["earth, with a map"](), "aloft")
     use = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.COPY_SRC
     target = device.device.create_texture(size=(96, 54, 1), format="rgba8unorm", usage=use)
-    shows().draw(seen, target.create_view(), "rgba8unorm", exposure=-2.0, tone_map=tone_map)
-    wanted = to_display(shows().frame(seen).rgb, -2.0, tone_map=tone_map)
-    shown = np.rint(255.0 * read_texture(device, target)[..., :3])
-    assert_allclose(shown, wanted, rtol=0.0, atol=1.0)
+
+    def shown(pictures: Pictures, exposure: float, tone_map: str, scene: Scene) -> np.ndarray:
+        pictures.draw(
+            scene, target.create_view(), "rgba8unorm", exposure=exposure, tone_map=tone_map
+        )
+        return read_texture(device, target)
+
+    drawn: list[Scene] = []
+    draw_light = Pictures._draw_light
+    monkeypatch.setattr(
+        Pictures, "_draw_light",
+        lambda self, scene, *others: (drawn.append(scene), draw_light(self, scene, *others)),
+    )  # fmt: skip
+    kept, other = (Pictures(device, (64, 64)) for _ in range(2))
+    kept.show(lit())
+    shown(kept, -2.0, "hable", seen)
+    brighter = shown(kept, 1.0, "aces", seen)
+    assert drawn == [seen]
+    other.show(lit())
+    assert_array_equal(brighter, shown(other, 1.0, "aces", seen))
+    turned = replace(seen, sun_zenith=seen.sun_zenith + 1.0)
+    assert np.any(shown(kept, 1.0, "aces", turned) != brighter)
+    kept.show(lit("mars"))
+    shown(kept, 1.0, "aces", turned)
+    assert drawn == [seen, seen, turned, turned]
 
 
 def test_fewer_wavelengths_leave_the_others_dark(device: Device, lit: Lit) -> None:
@@ -396,18 +454,3 @@ def test_more_wavelengths_than_four_are_refused(device: Device) -> None:
     solution = solve(PLANETS["mars"](), (400.0, *NM), quality="preview", cache=False)
     with pytest.raises(ParameterError, match="wavelengths is 5; allowed: at most 4 on the GPU"):
         Pictures(device, (64, 64)).show(solution)
-
-
-def test_a_map_with_too_many_pixels_loses_its_finest_levels() -> None:
-    # Means of means: the result has the whole map's mean, and the levels that it had.
-    levels = surface_map("earth").levels
-    kept = fitting_levels(levels, levels[0].size)
-    assert_array_equal(kept[0], levels[1])
-    assert len(kept) == len(levels) - 1
-    assert fitting_levels(levels, sum(one.size for one in levels))[0] is levels[0]
-    uneven = np.random.default_rng(1).uniform(size=(90, 210, 3)).astype(np.float32)
-    (taken,) = fitting_levels((uneven,), 3 * 30 * 70)
-    assert taken.shape == (30, 70, 3)
-    # Each new pixel is the mean of three by three old ones.
-    wanted = uneven.reshape(30, 3, 70, 3, 3).mean(axis=(1, 3))
-    assert_allclose(taken, wanted, rtol=1e-6)

@@ -127,13 +127,14 @@ def assert_solutions_agree(gpu: MomentsSolution, cpu: MomentsSolution, rtol: flo
 
 @pytest.mark.parametrize("name", ["earth", "earth-atmosphere-plus", "mars-standard", "early-earth"])
 def test_a_preview_agrees_with_the_cpu(device, name):
-    # Both stop at a remaining change of 1 % at the darkest node, which is 0.1 % where there is
-    # light; the GPU's tolerance is 0.5 %. The last is thick: it has levels between the radii.
+    # Both stop at a remaining change at the darkest node, here a quarter of preview's, so that what
+    # differs is the device: 0.5 % at most. The last is thick: it has levels between the radii.
+    quality = replace(PREVIEW, tolerance=0.25 * PREVIEW.tolerance)
     medium = medium_of(name)
-    cpu = solve(medium, PREVIEW, cache=False)
-    gpu = solve_on(device, medium, PREVIEW)
+    cpu = solve(medium, quality, cache=False)
+    gpu = solve_on(device, medium, quality)
     assert gpu.moments.sweeps > 1
-    assert gpu.moments.residual.max() <= PREVIEW.tolerance
+    assert gpu.moments.residual.max() <= quality.tolerance
     assert_solutions_agree(gpu, cpu, 5e-3)
 
 

@@ -20,7 +20,7 @@ from numpy.testing import assert_allclose
 from airlight.geometry import bending, path
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.shader_types import Table
-from airlight.gpu.picture.shaders import all_shaders
+from airlight.gpu.picture.display_shaders import all_shaders
 from airlight.gpu.solver import passes as solver_passes
 from airlight.kernel.lanes import LANES, lane_array, load, store
 from airlight.pixels import pixel as picture
@@ -389,13 +389,14 @@ def test_a_formula_with_tables_on_the_gpu_is_the_processor_s(
 WHOLE = {
     "test_pictures.py::test_a_marched_picture_has_the_processor_s_radiance": (
         "pixel_light", "sight", "reflectance", "ground_color", "ground_shares", "ground_angles",
-        "ground_factor", "look", "line_of_sight",
+        "ground_factor", "mirrored_line", "look", "line_of_sight",
         "star_on_ground", "phases_towards", "march", "add_point", "add_star", "star_columns",
         "field_place", "gathered_at", "place_panels", "place_panel", "panel_columns",
         "columns_along", "columns_between", "meets_ground", "ground_light", "camera_direction",
     ),
     "test_pictures.py::test_a_picture_from_the_table_is_shown_as_the_processor_s": (
-        "phase_of", "air_between", "bent_to_ground", "place_in_sky", "seen_line",
+        "samples_per_side", "sampled_light", "phase_of", "air_between", "bent_to_ground",
+        "place_in_sky", "seen_line",
     ),
     "test_pictures.py::test_the_shader_fills_the_table_as_the_processor_does": (
         "sky_texel", "direction_of_texel",
@@ -403,7 +404,9 @@ WHOLE = {
     "test_pictures.py::test_the_disc_s_light_does_not_depend_on_how_it_is_shared_out": (
         "star_disc", "leaving_air", "_point_like",
     ),
-    "test_pictures.py::test_what_is_drawn_is_exposed_and_tone_mapped": ("displayed",),
+    "test_pictures.py::test_what_is_drawn_is_exposed_and_tone_mapped": (
+        "displayed", "dithered", "within_gamut",
+    ),
     "test_emitter.py::test_a_construct_computes_what_python_does": ("squared", "cubed"),
     "test_emitter.py::test_angles_are_better_than_wgsl_promises": (
         "sine", "cosine", "sine_of_quarter", "cosine_of_quarter", "rest_of_quarter",
@@ -413,7 +416,8 @@ WHOLE = {
     "test_emitter.py::test_the_angle_of_a_point_is_right_in_every_quadrant": ("angle_of",),
     "test_kernels_agree.py::test_an_encoding_s_number_is_its_place": ("encoded",),
     "test_kernels_agree.py::test_a_tone_map_s_number_is_its_place": (
-        "tone_mapped", "exponential_color", "hable_color", "reinhard_extended_default_color",
+        "shown_light", "curved", "exponential_color", "hable_color",
+        "reinhard_extended_default_color",
     ),
     "test_kernels_agree.py::test_a_law_of_reflection_s_number_is_its_place": (
         "star_share", "sky_share",
@@ -421,7 +425,18 @@ WHOLE = {
     "test_kernels_agree.py::test_a_projection_s_number_is_its_place": ("projected_ray",),
     "test_kernels_agree.py::test_the_leg_of_a_panel_is_the_processor_s": ("panel_leg",),
     "test_kernels_agree.py::test_the_map_of_the_ground_is_read_as_on_the_processor": (
-        "map_color",
+        "map_color", "add_texel", "level_place", "halved", "srgb_curve_inverse",
+    ),
+    "test_glare.py::test_glare_of_a_device_is_the_processor_s": (
+        "_mean_across", "coarser_texel", "finer_texel", "_blurred_across", "blurred_texel",
+        "spread_texel", "glared_texel",
+    ),
+    "test_ground_detail.py::test_detail_near_the_observer_is_that_of_the_processor": (
+        "ground_detail", "smooth_noise", "lattice_value", "quintic", "shuffled", "below_289",
+        "in_period",
+    ),
+    "test_lights.py::test_lights_by_night_are_those_of_the_processor": (
+        "columns_to_ground", "lamp_light",
     ),
     "test_solver.py::test_a_preview_agrees_with_the_cpu": (
         "azimuthal", "depth", "factor", "floor", "four_levels", "gathered_moment", "gathered_onto",
@@ -460,7 +475,7 @@ def test_every_function_of_every_shader_is_compared() -> None:
     assert len(every) > 100
     file = Path(__file__).with_name("test_kernels_agree.py")
     plain = runpy.run_path(str(file))
-    groups = ("GEOMETRY", "MAPPINGS", "PHASES", "COLORS", "RAYS", "GROUND", "STEPS")
+    groups = ("GEOMETRY", "MAPPINGS", "PHASES", "COLORS", "RAYS", "GROUND", "WATER", "STEPS")
     compared = {case.function.py_func for group in groups for case in plain[group]}
     compared |= {one.py_func for case in CASES for one in case.of}
     whole = {name for functions in WHOLE.values() for name in functions}

@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from marched_pictures import centres
 from numpy.testing import assert_allclose
 
 from airlight import Camera, Scene, look_at
@@ -63,7 +64,7 @@ def test_no_line_of_pixels_stands_out_at_the_horizon(
     zenith, _ = look_at("horizon", altitude=altitude, sun_zenith=sun_zenith, bottom_radius=bottom)
     camera = Camera(width=1, height=240, field_of_view=0.02, look_zenith=zenith, look_azimuth=70.0)
     scene = Scene(camera=camera, altitude=altitude, sun_zenith=sun_zenith)
-    seen = rgb_to_xyz(render(solution, scene).rgb)[:, 0, 1]
+    seen = rgb_to_xyz(centres(solution, scene))[:, 0, 1]
     x, y, z = camera.directions()[:, 0].T
     finer = MomentsSolution(
         solution.medium,

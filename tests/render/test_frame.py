@@ -10,6 +10,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from marched_pictures import centres
 from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight import Camera, Cancelled, Scene
@@ -56,7 +57,7 @@ def test_a_pixel_is_the_radiance_of_its_direction(
 ) -> None:
     solution, camera = lit(), CAMERAS[projection]
     scene = Scene(camera=camera, altitude=altitude, sun_zenith=sun_zenith)
-    rgb = render(solution, scene).rgb
+    rgb = centres(solution, scene)
     directions = camera.directions()
     clear = directions @ scene.sun_direction < np.cos(4.0 * camera.pixel_angle + 0.01)
     clear &= (directions**2).sum(axis=-1) > 0.5

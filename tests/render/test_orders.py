@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from marched_pictures import centres
 from numpy.testing import assert_allclose
 
 from airlight.errors import ParameterError
@@ -50,7 +51,7 @@ def test_a_picture_of_single_light_is_the_radiance_of_the_first_order(
 
     camera = Camera(width=24, height=12, field_of_view=90.0, look_zenith=95.0, look_azimuth=120.0)
     here = Scene(camera=camera, altitude=2.0, sun_zenith=70.0)
-    rgb = render(earth, here, orders="single").rgb.reshape(-1, 3)
+    rgb = centres(earth, here, orders="single").reshape(-1, 3)
     look = here.camera.directions().reshape(-1, 3)
     radiance = earth.radiance(
         altitude=here.altitude,

@@ -9,6 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
+from airlight.scene.map_levels import level_place
 from airlight.scene.surface_map import SurfaceMap, from_pixels
 
 BOTTOM = 6360e3
@@ -44,39 +45,46 @@ def test_latitude_and_longitude_undo_the_sphere() -> None:
 @pytest.fixture
 def ground() -> SurfaceMap:
     pixels = np.random.default_rng(4).integers(0, 256, (32, 64, 3)).astype(np.uint8)
-    return from_pixels("noise", pixels)
+    water = np.random.default_rng(7).integers(0, 256, (32, 64)).astype(np.uint8)
+    return from_pixels("noise", pixels, water)
 
 
-def flat(ground: SurfaceMap) -> tuple[np.ndarray, np.ndarray]:
-    sizes = [level.size for level in ground.levels]
-    starts = np.cumsum([0, *sizes])[:-1]
-    levels = [(start, *level.shape[:2]) for start, level in zip(starts, ground.levels, strict=True)]
-    return np.concatenate([level.ravel() for level in ground.levels]), np.array(levels)
+def read(ground: SurfaceMap, latitude: float, longitude: float, level: float) -> np.ndarray:
+    """Colour of a map at angles in radians."""
+    color = np.empty(4)
+    map_color(
+        ground.flat, ground.rows, ground.columns, len(ground.levels), latitude, longitude, level,
+        color, 0,
+    )  # fmt: skip
+    return color
+
+
+@pytest.mark.parametrize(("rows", "columns"), [(32, 64), (27, 54), (5, 9)])
+def test_a_level_s_place_is_behind_those_before_it(rows: int, columns: int) -> None:
+    # The definition, summed over the levels as they are made.
+    pixels = np.zeros((rows, columns, 3), np.uint8)
+    start = 0
+    for index, level in enumerate(from_pixels("black", pixels).levels):
+        assert level_place(rows, columns, index) == (start, *level.shape[:2])
+        start += level.shape[0] * level.shape[1]
 
 
 def test_the_map_of_whole_levels_is_the_map_s_own_sample(ground: SurfaceMap) -> None:
     # A second implementation, by whole arrays; it weighs in single precision.
-    texels, levels = flat(ground)
     random = np.random.default_rng(5)
-    color = np.empty(3)
     for level in range(len(ground.levels)):
         for latitude, longitude in random.uniform([-90.0, -180.0], [90.0, 180.0], (50, 2)):
-            map_color(
-                texels, levels, math.radians(latitude), math.radians(longitude), float(level), color
-            )
+            color = read(ground, math.radians(latitude), math.radians(longitude), float(level))
             wanted = ground.sample(latitude, longitude, level)
             assert_allclose(color, wanted, rtol=0.0, atol=2e-6)
 
 
 def test_between_two_levels_the_map_is_between_their_colours(ground: SurfaceMap) -> None:
     # Linear between them; beyond the first and the last it stays.
-    texels, levels = flat(ground)
     last = len(ground.levels) - 1.0
 
     def at(level: float) -> np.ndarray:
-        color = np.empty(3)
-        map_color(texels, levels, 0.3, 1.0, level, color)
-        return color
+        return read(ground, 0.3, 1.0, level)
 
     assert_allclose(at(1.25), 0.75 * at(1.0) + 0.25 * at(2.0), rtol=1e-12)
     assert_allclose(at(-3.0), at(0.0), rtol=0.0, atol=0.0)

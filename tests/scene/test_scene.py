@@ -53,6 +53,7 @@ def test_metadata_holds_every_number_of_the_scene_with_its_unit() -> None:
         "latitude": "47.5 deg",
         "longitude": "-8.25 deg",
         "sun_azimuth": "300 deg",
+        "ground": "plain",
         "projection": "fisheye",
         "size": "512x512",
         "field_of_view": "180 deg",

@@ -122,7 +122,11 @@ def breaks_disabled(window: Window, patch: pytest.MonkeyPatch, fault: BaseExcept
 PARTS: tuple[tuple[str, str, Breaks], ...] = (
     ("flight", "Planet", lambda w, patch, fault: patch.setattr(w, "_step", failing(fault))),
     ("request", "Planet", lambda w, patch, fault: patch.setattr(w, "_follow", failing(fault))),
-    ("picture", "Planet", lambda w, patch, fault: patch.setattr(w.area, "draw", failing(fault))),
+    (
+        "picture",
+        "Planet",
+        lambda w, patch, fault: patch.setattr(w, "_draw_first_picture", failing(fault)),
+    ),
     ("side panel", "Planet", breaks(panel_parameters, "parameter_row")),
     ("side panel", "Planet", breaks_disabled),
     ("side panel", "View", breaks(panel_side, "_speed")),

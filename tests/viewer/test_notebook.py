@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import io
 import threading
+import time
 from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 import pytest
 from numpy.testing import assert_array_equal
+from PIL import Image
 
 from airlight import solve
+from airlight.color.display import to_display
+from airlight.paint.scene_painter import ScenePainter
 from airlight.planets import load_planet
 from airlight.viewer.background.solving import Solving
+from airlight.viewer.parameters.view_parameters import scene_of
 from airlight.viewer.session.session import Session
 
 pytest.importorskip("anywidget")
@@ -48,11 +54,13 @@ def test_python_moves_what_the_browser_is_told(viewer: Any) -> None:
 
 def test_browser_moves_what_python_holds(viewer: Any) -> None:
     # a browser sets the widget's state, all values at once
+    before = viewer.values["view.sun_zenith"]
+    assert before != 75.5
     viewer.set_state({"values": {**viewer.values, "view.sun_zenith": 75.5}})
     assert viewer.session.value("view.sun_zenith") == 75.5
     viewer.set_state({"command": {"name": "undo", "count": 1}})
-    assert viewer.session.value("view.sun_zenith") == 60.0
-    assert viewer.values["view.sun_zenith"] == 60.0
+    assert viewer.session.value("view.sun_zenith") == before
+    assert viewer.values["view.sun_zenith"] == before
 
 
 def test_flight_is_no_step_of_undo(viewer: Any) -> None:
@@ -63,8 +71,9 @@ def test_flight_is_no_step_of_undo(viewer: Any) -> None:
 
 
 def test_value_that_cannot_be_goes_back_with_a_word(viewer: Any) -> None:
+    before = viewer.session.value("view.altitude")
     viewer.set_state({"values": {**viewer.values, "view.altitude": -5e3}})
-    assert viewer.values["view.altitude"] == viewer.session.value("view.altitude") == 2.0
+    assert viewer.values["view.altitude"] == viewer.session.value("view.altitude") == before
     assert "view.altitude is -5000" in viewer.message
     viewer.set("view.altitude", 10.0)
     viewer.set_state({"values": {**viewer.values, "view.altitude": 20.0}})
@@ -88,7 +97,50 @@ def test_closing_ends_the_thread(solution: Any) -> None:
     viewer = Viewer("mars")
     (thread,) = (one for one in set(threading.enumerate()) - before if "solving" in one.name)
     viewer.close()
+    altitude = viewer.values["view.altitude"]
     viewer.session.set("view.altitude", 7.0)  # no follower is left
-    assert viewer.values["view.altitude"] == 2.0
+    assert viewer.values["view.altitude"] == altitude != 7.0
     thread.join(120.0)
     assert not thread.is_alive()
+
+
+def test_the_kernel_draws_what_a_browser_asks_for(viewer: Any, solution: Any) -> None:
+    # The renderer called directly is the second method; the answer repeats the number.
+    view = {**viewer.session.view, "view.sun_zenith": 80.0, "display.automatic": False}
+    view["display.exposure"] = -2.0
+    viewer.set_state({"wanted": {"number": 7, "view": view, "size": [40, 24]}})
+    limit = time.monotonic() + 60.0
+    while viewer.drawn.get("number") != 7:
+        assert time.monotonic() < limit
+        time.sleep(0.01)
+    drawn = viewer.drawn
+    assert drawn["exposure"] == -2.0
+    got = np.asarray(Image.open(io.BytesIO(drawn["png"])).convert("RGB"))
+    scene = scene_of(view, 40, 24)
+    light = ScenePainter().frame(solution, scene)
+    wanted = to_display(
+        light.rgb, -2.0, str(view["display.tone_map"]), eye=True,
+        glare=float(view["display.glare"]), pixel_angle=light.pixel_angle,
+    )  # fmt: skip
+    assert_array_equal(got, wanted)
+    # what cannot be drawn is said, and the next picture is drawn
+    wrong = {**view, "view.projection": "orthographic"}
+    viewer.set_state({"wanted": {"number": 8, "view": wrong, "size": [40, 24]}})
+    viewer.set_state({"wanted": {"number": 9, "view": view, "size": [24, 40]}})
+    seen = {}
+    while 9 not in seen:
+        assert time.monotonic() < limit
+        seen[viewer.drawn["number"]] = dict(viewer.drawn)
+        time.sleep(0.001)
+    assert "png" in seen[9]
+    assert 8 not in seen or "orthographic" in seen[8]["error"]
+
+
+def test_a_kernel_that_draws_sends_no_tables(viewer: Any) -> None:
+    viewer.set_state({"drawer": "kernel"})
+    viewer.session.set("light.orders", "single")  # the picture alone
+    viewer.session.set("dust.particles.optical_depth", 0.7)
+    assert viewer.wait(60.0)
+    assert viewer.picture["tables"] == {}
+    assert viewer.picture["viewpoints"]
+    assert viewer.stale is False

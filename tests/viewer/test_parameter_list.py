@@ -194,7 +194,8 @@ def test_a_value_of_the_view_that_names_a_uniform_is_a_number_of_the_shaders() -
     for one in VIEW_VALUES:
         if one.uniform:
             assert one.uniform in FRAME.layout()["numbers"]
-            for value in one.options or (one.least, one.most):
+            ends = (False, True) if one.kind == "switch" else (one.least, one.most)
+            for value in one.options or ends:
                 number = uniforms_of({**DEFAULTS, one.path: value})[one.uniform]
                 assert math.isfinite(number)
     names = [one.uniform for one in VIEW_VALUES if one.uniform]

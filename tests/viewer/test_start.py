@@ -24,8 +24,8 @@ def test_the_address_of_a_page_is_opened_with_its_edits_and_view() -> None:
 
 
 def test_a_planet_by_name_begins_aside_from_the_sun() -> None:
-    # 60 degrees to the right of the sun, with nothing to undo either.
+    # The first viewpoint's own bearing, 70 degrees to the right of the sun, with nothing to undo.
     session = opened(Start(planet="mars", changes=("dust.amount=3",)))
     assert session.value("dust.amount") == 3.0
-    assert session.value("view.heading") == 240.0
+    assert session.value("view.heading") == session.value("view.sun_azimuth") + 70.0
     assert not session.can_undo

@@ -6,6 +6,8 @@ import contextlib
 import json
 import math
 import os
+import random
+import select
 import shutil
 import subprocess
 import sys
@@ -22,6 +24,8 @@ from airlight.viewer.navigation.viewpoints import VIEWPOINTS
 
 DRIVER = Path(__file__).with_name("window_driver.py")
 SIZE = (800, 480)
+#: Number of random clicks; AIRLIGHT_CLICKS asks for more.
+CLICKS = int(os.environ.get("AIRLIGHT_CLICKS", "60"))
 DEPTH = "constituents[1].particles.optical_depth"
 
 
@@ -59,6 +63,7 @@ class Driven:
             stdout=subprocess.PIPE,
             stderr=self._errors,
             env=self.environment,
+            cwd=folder,
             text=True,
         )
 
@@ -70,6 +75,8 @@ class Driven:
 
     def answer(self) -> Any:
         assert self.process.stdout is not None
+        ready, _, _ = select.select([self.process.stdout], [], [], 300.0)
+        assert ready, self.log.read_text()[-2000:]
         line = self.process.stdout.readline()
         assert line, self.log.read_text()[-2000:]
         reply = json.loads(line)
@@ -90,8 +97,8 @@ class Driven:
         while (place := self.ask("place_of", name)) != before:
             left, top, right, bottom = before = place
             x, y = int(0.5 * (left + right)), int(0.5 * (top + bottom))
-            self.mouse("mousemove", x, y, "sleep", 0.2, "mousemove", x + 1, y, "sleep", 0.2)
-        self.mouse("mousedown", 1, "sleep", 0.2, "mouseup", 1, "sleep", 0.2)
+            self.mouse("mousemove", x, y, "sleep", 0.1, "mousemove", x + 1, y, "sleep", 0.1)
+        self.mouse("mousedown", 1, "sleep", 0.1, "mouseup", 1, "sleep", 0.1)
 
     def pixels(self) -> np.ndarray:
         """Pixels of the display, shape (rows, columns, 3).
@@ -111,11 +118,11 @@ class Driven:
         return self.pixels()[top : top + height, left : left + width]
 
     @staticmethod
-    def until(condition: Callable[[], Any], seconds: float = 60.0) -> None:
+    def until(condition: Callable[[], Any], seconds: float = 60.0, of: str = "") -> None:
         """Wait for a condition, which a loaded machine may meet late."""
         limit = time.monotonic() + seconds
         while not condition():
-            assert time.monotonic() < limit
+            assert time.monotonic() < limit, of
             time.sleep(0.02)
 
     def close(self) -> None:
@@ -163,6 +170,7 @@ def window(
         driven.press(0.5 * (left + right), 0.5 * (top + bottom))
         driven.until(lambda: driven.ask("typing"))
         driven.mouse("mouseup", 1, "type", "--delay", 60, "dust optical depth")
+        driven.until(lambda: driven.ask("search") == "dust optical depth")
         driven.until(lambda: driven.ask("knows", DEPTH))
         driven.press(600, 200)
         driven.until(lambda: not driven.ask("typing"))
@@ -252,10 +260,10 @@ NAMES = {
     "pageup": "Prior", "pagedown": "Next", "=": "equal", "+": "plus", "-": "minus",
     "shift": "shift", "control": "ctrl", "alt": "alt",
 }  # fmt: skip
-#: Value that a held key moves, by its axis, and direction for sign 1; the camera looks south.
+#: Value that a held key moves, by its axis, and direction for sign 1; the camera looks north-west.
 MOVES = {
-    "ahead": ("view.latitude", -1.0),
-    "right": ("view.longitude", -1.0),
+    "ahead": ("view.latitude", 1.0),
+    "right": ("view.longitude", 1.0),
     "up": ("view.altitude", 1.0),
     "turn": ("view.heading", 1.0),
     "tilt": ("view.look_zenith", 1.0),
@@ -347,6 +355,17 @@ def test_every_other_key_of_the_table_does_its_action(window: Driven) -> None:
         window.until(lambda: window.ask("typing"))
         window.mouse("key", "Escape")
         window.until(lambda: part("dialog") == "")
+    press("o", lambda: part("dialog") == "film")
+    window.until(lambda: window.ask("typing"))
+    window.mouse("key", "Escape")
+    window.until(lambda: part("dialog") == "")
+    press("u", lambda: window.ask("clipboard").startswith('#{"planet":"mars"'))
+    press("g", lambda: window.ask("lists"))
+    window.mouse("key", "Right", "sleep", 0.2, "key", "Escape")  # the arrow flies nowhere
+    window.until(lambda: not window.ask("lists"))
+    assert not part("moving")
+    press("f", lambda: part("fullscreen") is True)
+    press("F11", lambda: part("fullscreen") is False)
     assert left == {}
     window.mouse("key", "1")
     assert window.ask("settled", 60.0)
@@ -383,6 +402,12 @@ def test_another_planet_is_opened_undone_and_redone_while_rows_are_shown(window:
         assert window.ask("settled", 60.0), window.ask("error")
         window.until(lambda: window.picture_pixels().max() > 60)
 
+    def reached(planet: str) -> None:
+        """Scroll the gallery until the picture of a planet is within it."""
+        window.until(lambda: window.ask("knows", planet))
+        while window.ask("place_of", planet)[3] > SIZE[1] - 40:
+            window.mouse("mousemove", SIZE[0] // 2, SIZE[1] // 2, "click", 5, "sleep", 0.2)
+
     window.click("search")
     window.until(lambda: window.ask("typing"))
 
@@ -397,6 +422,7 @@ def test_another_planet_is_opened_undone_and_redone_while_rows_are_shown(window:
     for planet in ("earth", "titan"):
         window.click("planet")
         window.until(lambda: window.ask("lists"))
+        reached(planet)
         window.click(planet)
         opened(planet)
     for planet in ("earth", "mars"):
@@ -451,8 +477,182 @@ def test_an_idle_window_costs_no_processor_time(
     assert share < 0.03
 
 
+#: A click that lasts for a frame.
+PRESS = ("mousedown", 1, "sleep", 0.06, "mouseup", 1)
+#: Parameters of the planet's file that are clicked, one of each kind of control.
+OF_FILE = (
+    "name", "shell.top_radius", "ground.law", "star.distance", "constituents[0].gas.pressure",
+    "constituents[1].particles.method", "constituents[1].particles.at",
+)  # fmt: skip
+
+
+def test_every_control_is_clicked_and_changes_its_value(window: Driven) -> None:
+    # By the mouse, where the panel says that the control is; each click is undone by its key.
+    window.ask("recover", "mars")
+    declared = {path: (kind, options) for path, kind, options in window.ask("find", ".")}
+    wanted = [path for path in declared if path.startswith(("air.", "view.", "display.", "light."))]
+    assert len(wanted) > 20
+    for path in [*wanted, *OF_FILE]:
+        kind, options = declared[path]
+        words = path if path != "name" else "planet name"
+        (left, top, right, bottom), before = window.ask("located", words, path)
+        middle = int(0.5 * (top + bottom))
+        x = left + (0.5 * (bottom - top) if kind == "switch" else 0.3 * (right - left))
+
+        def pressed(x: float = x, middle: int = middle) -> None:
+            window.mouse("mousemove", int(x), middle, "sleep", 0.06, *PRESS)
+            window.ask("draws", 2)
+
+        def lists(pressed: Callable[[], None] = pressed) -> bool:
+            pressed()  # again, if the press came before the row was in its place
+            return bool(window.ask("lists"))
+
+        def typing(pressed: Callable[[], None] = pressed) -> bool:
+            pressed()
+            return bool(window.ask("typing"))
+
+        if kind == "choice":
+            window.until(lists, of=path)
+            other = next(index for index, one in enumerate(options) if one != before)
+            y = int(bottom + 10.0 + 20.0 * (other + 0.4))  # padding and lines of the list
+            window.mouse("mousemove", int(x), y, "sleep", 0.1, "mousemove", int(x) + 1, y,
+                         "sleep", 0.06, *PRESS)  # fmt: skip
+        elif kind == "text":
+            window.until(typing, of=path)
+            window.mouse("key", "ctrl+a", "type", "--delay", 30, "Mars too")
+            window.mouse("key", "Return")
+            window.until(lambda: not window.ask("typing"), of=path)
+        else:
+            pressed()
+            if kind == "number" and window.ask("value", path) == before:  # it stood there
+                pressed(left + 0.75 * (right - left))
+        window.until(
+            lambda path=path, before=before: window.ask("value", path) != before, 20.0, of=path
+        )
+
+    def undone() -> bool:
+        window.mouse("mousemove", 600, 200, "sleep", 0.1, "key", "ctrl+z", "sleep", 0.2)
+        return bool(window.ask("value", path) == before)
+
+    window.until(undone, of=path)  # of one click, or of the second on a slider
+    window.ask("find", "")
+
+
+def test_buttons_are_clicked(window: Driven) -> None:
+    def part(name: str) -> Any:
+        return window.ask("open_parts")[name]
+
+    window.ask("find", "")
+    window.ask("recover", "mars")
+    window.ask("open_tab", "View")
+    altitude = window.ask("value", "view.altitude")
+    window.click("viewpoint 3")
+    window.until(lambda: window.ask("value", "view.altitude") != altitude)
+    window.click("time")
+    window.until(lambda: part("time") is True)
+
+    def stopped() -> bool:
+        # each frame of passing time draws a picture: on a busy machine a click may fall between two
+        window.click("time")
+        window.ask("draws", 2)
+        return part("time") is False
+
+    window.until(stopped)
+    window.click("probe")
+    window.until(lambda: part("probe") is True)
+    window.click("probe")
+    window.ask("open_tab", "Compare")
+    window.click("keep as b")
+    window.until(lambda: part("other") is True)
+    window.click("side by side")
+    window.until(lambda: part("compare") is True)
+    window.click("swap")
+    window.until(lambda: part("showing") == "B")
+    window.click("end")
+    window.until(lambda: part("other") is False)
+    window.click("help")
+    window.until(lambda: part("help") is True)
+    window.mouse("key", "Escape")
+    window.until(lambda: part("help") is False)
+    window.click("save")
+    window.until(lambda: part("lists") is True)
+
+    def closed() -> bool:
+        window.mouse("key", "Escape")
+        window.ask("draws", 2)
+        return part("lists") is False
+
+    window.until(closed)
+    window.click("save")
+    window.until(lambda: part("lists") is True)
+    window.click("film")
+    window.until(lambda: part("dialog") == "film")
+    window.until(lambda: window.ask("typing"))
+    window.mouse("key", "Escape")
+    window.until(lambda: part("dialog") == "")
+    window.click("reset")
+    window.until(lambda: window.ask("value", "view.altitude") == 2.0)
+
+
+def test_a_flick_keeps_its_last_movement(window: Driven) -> None:
+    # Pressed, moved and released within a frame: the picture has turned by all of it.
+    left, top, width, height = window.ask("picture_place")
+    x, y = int(left + 0.3 * width), int(top + 0.5 * height)
+    heading, look = window.ask("value", "view.heading"), window.ask("value", "view.look_zenith")
+    window.mouse("mousemove", x, y, "sleep", 0.2, "mousedown", 1, "mousemove", x + 40, y,
+                 "mousemove", x + 120, y, "mouseup", 1)  # fmt: skip
+    window.until(lambda: window.ask("value", "view.heading") != heading)
+    window.ask("draws", 2)
+    turned = (heading - window.ask("value", "view.heading")) % 360.0
+    field = window.ask("value", "view.field_of_view")
+    expected = field * 120.0 / width / math.sin(math.radians(look))
+    assert turned == pytest.approx(expected, rel=0.01)
+
+
+def test_fifteen_clicks_of_the_wheel_lead_to_space(window: Driven) -> None:
+    window.ask("recover", "mars")
+    left, top, width, height = window.ask("picture_place")
+    assert window.ask("value", "view.altitude") == 2.0
+    words: list[Any] = ["mousemove", int(left + 0.5 * width), int(top + 0.5 * height)]
+    window.mouse(*words, "sleep", 0.2, "click", "--repeat", 15, "--delay", 60, 5)
+    window.until(lambda: window.ask("value", "view.altitude") > 1e7)
+
+
+def clicked_at_random(window: Driven, count: int, seed: int) -> None:
+    """Click and drag anywhere; the window still draws and reacts."""
+    chance = random.Random(seed)
+    gestures: list[list[Any]] = []
+
+    def place() -> list[int]:
+        return [chance.randrange(1, SIZE[0] - 1), chance.randrange(1, SIZE[1] - 1)]
+
+    for _ in range(count):
+        words = ["mousemove", *place(), "sleep", 0.03]
+        if chance.random() < 0.75:
+            words += ["click", chance.choice([1, 1, 1, 3, 4, 5])]
+        else:
+            words += ["mousedown", 1, "mousemove", *place(), "sleep", 0.03, "mouseup", 1]
+        gestures.append([*words, "sleep", 0.05])
+    for start in range(0, count, 20):  # as many as a command line takes
+        window.mouse(*(word for one in gestures[start : start + 20] for word in one))
+    for _ in range(4):
+        window.mouse("mousemove", 600, 200, "sleep", 0.1, "key", "Escape")
+    assert window.ask("draws", 3)
+    window.ask("recover", "mars")
+    assert window.ask("draws", 3)
+    assert "Traceback" not in window.log.read_text().rpartition("'no such row'")[2]
+    heading = window.ask("value", "view.heading")
+    window.mouse("keydown", "l")
+    window.until(lambda: window.ask("value", "view.heading") != heading)
+    window.mouse("keyup", "l")
+
+
+def test_random_clicks_leave_the_window_alive(window: Driven) -> None:
+    clicked_at_random(window, CLICKS, seed=3)
+
+
 def test_the_window_ends_with_all_its_threads(window: Driven) -> None:
-    window.mouse("mousemove", 600, 200, "key", "ctrl+q")
+    window.mouse("mousemove", 600, 200, "sleep", 0.2, "key", "ctrl+q")
     reply = window.answer()
     assert reply == {"ended": True, "threads": [name for name in reply["threads"] if "_" in name]}
     assert window.process.wait(timeout=20) == 0

@@ -42,11 +42,21 @@ class Answers:
         return self.window.session.value(path)
 
     def place_of(self, path: str) -> list[float]:
-        panel = self.window.panel
-        return list({**panel.places, **panel.planet_rows.places}[path])
+        self.draws(2)  # a list or a search takes its place within a frame
+        panel, gallery = self.window.panel, self.window.gallery
+        return list({**gallery.places, **panel.places, **panel.planet_rows.places}[path])
+
+    def draws(self, frames: int) -> bool:
+        """Whether the window draws some more frames."""
+        until, wanted = time.monotonic() + 20.0, self.window.frames + frames
+        while self.window.frames < wanted and time.monotonic() < until:
+            self.canvas.wake()
+            time.sleep(0.01)
+        return self.window.frames >= wanted
 
     def knows(self, path: str) -> bool:
-        return path in self.window.panel.planet_rows.places
+        places = (self.window.panel.planet_rows.places, self.window.gallery.places)
+        return any(path in one for one in places)
 
     def lists(self) -> bool:
         return self.window.surface.asks
@@ -70,7 +80,43 @@ class Answers:
             "showing": window.session.showing,
             "other": window.session.has_other,
             "moving": window._flight.moving,
+            "fullscreen": self.canvas.fullscreen,
+            "lists": window.surface.asks,
         }
+
+    def find(self, words: str) -> list[list[Any]]:
+        """Search, as typed; declared path, kind and options of what is shown then."""
+        window = self.window
+        window.panel.search(words)
+        self.draws(2)
+        return [
+            [one.path, one.kind, list(one.options)]
+            for one in window.session.parameters
+            if one.answers(words)
+        ]
+
+    def located(self, words: str, path: str) -> list[Any]:
+        """Rectangle and value of a parameter, once it is found by a search."""
+        self.window.panel.search(words)
+        return [self.place_of(path), self.value(path)]
+
+    def open_tab(self, name: str) -> bool:
+        self.window.panel.opens = name
+        return self.draws(3)
+
+    def recover(self, planet: str) -> str:
+        """Planet of the beginning, as after random clicks; the error that was shown."""
+        error = self.window.problem
+        self.window.panel.compares = self.window.panel.plays = False
+        self.window.session.forget_other()
+        self.window.session.open(planet)
+        self.window.session.reset()
+        return error
+
+    def clipboard(self) -> str:
+        import glfw
+
+        return str((glfw.get_clipboard_string(self.canvas._window) or b"").decode())
 
     def flight_speed(self) -> float:
         return self.window._flight.speed

@@ -91,6 +91,13 @@ def kept_open(chromium: Any) -> Iterator[Callable[..., Any]]:
         yield open_file
 
 
+@pytest.fixture(scope="module")
+def kept_wide(chromium: Any) -> Iterator[Callable[..., Any]]:
+    """As ``opened``, for a page that all tests of a file use in turn."""
+    with offline_pages(chromium) as open_file:
+        yield open_file
+
+
 @pytest.fixture
 def modules(opened: Callable[..., Any], tmp_path: Path) -> Callable[..., Any]:
     """Open an empty page in which exports of the viewer's web folder are global objects.

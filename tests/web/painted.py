@@ -54,13 +54,15 @@ def shader_in(dialect: ShaderDialect) -> tuple[str, dict[str, str]]:
     emitter.add(painted, I32, fields)
     emitter.add(looked_at, F32, F32, Bundle({name: FRAME.uniform(name) for name in names}), air)
     parts = [FRAME.text(dialect)]
-    for slot, one in enumerate(tables, start=1):
+    for slot, one in enumerate([*tables, FRAME.tables["picture"]], start=1):
         parts.append(dialect.texture(one.texture, 0, slot))
         parts.append(one.reader(dialect, dialect.texture_name(one.texture, 0, slot)))
     vector = dialect.type_name(VEC4)
     sky = f"painted({dialect.converted('at.x', I32)}) * frame.red"
     seen = "looked_at(at.x, at.y).rgb"
-    exposed = f"{FRAME.uniform('exposure').text} * {seen}"
+    place = [dialect.converted(f"at.{axis}", I32) for axis in "yx"]
+    light = f"read_picture({', '.join(place)}).rgb"
+    exposed = f"{FRAME.uniform('exposure').text} * {light}"
     entries = {
         "sky_air": dialect.fragment("sky_air", 2, [], [sky, sky]),
         "linear_picture": dialect.fragment("linear_picture", 1, [], [f"{vector}({seen}, 1.0)"]),
@@ -102,7 +104,8 @@ def program() -> dict[str, Any]:
                 one("sky_air", "sky_air", {"0/1": "fields"}, *sky),
                 one("sky_peaks", "sky_air", {"0/1": "fields"}, *peaks),
                 one("glance", "linear_picture", {"0/2": "air"}, ("glance", 64, 64)),
-                one("picture", "shown_picture", {"0/2": "air"}),
+                one("picture", "linear_picture", {"0/2": "air"}, ("picture", 1, 1)),
+                one("display", "shown_picture", {"0/3": "picture"}),
             ],
         },
         "shaders": {"painted": shader()},
@@ -110,8 +113,8 @@ def program() -> dict[str, Any]:
         "layers": list(LAYERS),
         "glance": 64,
         "projections": {"perspective": [1e-3, 170.0]},
-        "tone_maps": {"hable": 0.18},
-        "encodings": ["srgb"],
+        "display": {"encoding": 0.0},
+        "primaries": ["srgb", "display-p3"],
         "orders": {"all": 2, "single": 1, "multiple": 0},
         "view_uniforms": {"tone_map": {"path": "display.tone_map", "options": ["hable"]}},
         "xyz": [[0.4, 0.2, 0.0], [0.4, 0.7, 0.1], [0.2, 0.1, 0.9]],

@@ -175,10 +175,31 @@ def test_every_shader_compiles_in_webgl2(modules: Callable[..., Any]) -> None:
         for entry, text in one["glsl"].items()
         if entry != CORNERS
     ]
-    assert len(pairs) == 4 + len(PASSES)
+    assert len(pairs) == 6 + len(PASSES)  # sky, its peaks, pixels, glare down and up, display
     page = modules({"devices/device": ("openDevice",)})
     shaders = [
         {"entry": name, "uniforms": {}, "glsl": {"vertex": GLSL.triangle, "fragment": text}}
         for name, text in pairs
     ]
     page.evaluate(_COMPILE, shaders)
+
+
+@pytest.mark.parametrize("kind", ["webgpu", "webgl2"])
+@pytest.mark.parametrize("wide", [False, True])
+def test_the_canvas_has_the_screen_s_colour_space(
+    kind: str, wide: bool, modules: Callable[..., Any]
+) -> None:
+    # read back from what the browser took, not from what it was asked for
+    page = modules({"devices/device": ("openDevice",)})
+    got = page.evaluate(
+        """async ([kind, wide]) => {
+          window.matchMedia = (query) => ({ matches: wide && query === "(color-gamut: p3)" });
+          const device = await openDevice(document.createElement("canvas"), kind);
+          const { space, gl, context } = device;
+          const taken = gl ? gl.drawingBufferColorSpace : context.getConfiguration().colorSpace;
+          device.close();
+          return [space, taken];
+        }""",
+        [kind, wide],
+    )
+    assert got == ["display-p3" if wide else "srgb"] * 2

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.planets import load_planet
+from airlight.planets import load_planet, planet_names
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.acceleration import mixing_weights
@@ -22,11 +22,13 @@ from airlight.solvers.moments.packing import level_weights, thickness
 from airlight.solvers.moments.reduced_optics import Optics
 from airlight.solvers.moments.settings import QUALITIES
 from airlight.solvers.moments.solution import solve
-from airlight.viewer.browser.page_solver import amount_parameters, solver_data
+from airlight.viewer.browser.page_solver import MOST, solver_data
+from airlight.viewer.parameters.amounts import AMOUNTS, amounts_of
+from airlight.viewer.session.session import Session
 
 WAVELENGTHS = (680.0, 550.0, 440.0)
 #: Planet, factors of its constituents: thin, thick and no dust; air that bends light.
-AMOUNTS = {
+FACTORS = {
     "mars": (1.0, 0.1), "mars, a storm": (0.5, 4.0), "mars, clean": (2.0, 0.0),
     "earth": (0.7, 3.0, 2.0),
 }  # fmt: skip
@@ -47,14 +49,14 @@ def pages() -> Callable[[str], tuple[Any, dict[str, Any]]]:
     return of
 
 
-@pytest.mark.parametrize("case", AMOUNTS)
+@pytest.mark.parametrize("case", FACTORS)
 def test_edited_air_is_that_of_an_edited_medium(
     case: str,
     pages: Callable[[str], tuple[Any, dict[str, Any]]],
     modules: Callable[..., Any],
 ) -> None:
     # a second method: the medium with other coefficients, by the solver's Python code
-    amounts, ground = AMOUNTS[case], 1.7
+    amounts, ground = FACTORS[case], 1.7
     solution, data = pages(case.partition(",")[0])
     page = modules({"solving/edited_air": ("editedAir",)})
     got = page.evaluate(
@@ -108,13 +110,52 @@ def test_thick_air_has_no_solver_in_the_page() -> None:
     assert solver_data(SimpleNamespace(medium=medium)) is None  # type: ignore[arg-type]
 
 
-def test_a_page_declares_one_amount_for_each_constituent(
-    pages: Callable[[str], tuple[Any, dict[str, Any]]],
-) -> None:
-    # the refraction profile, which a solution adds, neither scatters nor absorbs
-    parameters = amount_parameters(pages("earth")[0])
-    assert [one.group for one in parameters] == ["air", "aerosol", "ozone", "ground"]
-    assert all(one.checked(1.0) == 1.0 for one in parameters)
+def test_a_page_and_a_window_declare_the_same_amounts() -> None:
+    # one declaration: the page's are those of the session, up to ten times the planet's
+    for name in planet_names():
+        window = [one for one in Session(name).parameters if one.group == AMOUNTS]
+        page = amounts_of(load_planet(name), MOST)
+        assert [(one.path, one.label, one.unit) for one in page] == [
+            (one.path, one.label, one.unit) for one in window
+        ]
+        for one in page:
+            assert one.checked(one.present) == one.present
+
+
+def test_turbidity_of_a_page_is_that_of_the_session(modules: Callable[..., Any]) -> None:
+    # the session is the second method, edit by edit
+    session = Session("earth-volcanic")
+    page = modules({"state/state": ("State",)})
+    shown = [one for one in session.parameters if one.group == AMOUNTS]
+    page.evaluate(
+        "([parameters, values]) => { window.state = new State(parameters, values); }",
+        [[one.as_json() for one in shown], {one.path: session.value(one.path) for one in shown}],
+    )
+    for path, value in (
+        ("air.turbidity", 5.0), ("air.amounts[0]", 2.0), ("air.amounts[2]", 0.05),
+        ("air.turbidity", 1.0), ("air.turbidity", 2.5), ("air.ground", 0.4),
+    ):  # fmt: skip
+        session.set(path, value)
+        got = page.evaluate(
+            "([path, value]) => { state.set({ [path]: value }); return state.values; }",
+            [path, value],
+        )
+        for one in shown:
+            wanted = session.value(one.path)
+            assert_allclose(got[one.path], wanted, rtol=1e-7, atol=1e-12, err_msg=one.path)
+    # one edit, one step of undo; a link carries factors, without what follows from them
+    page.evaluate("() => { state.planet = 'p'; state.undo(); state.undo(); }")
+    assert page.evaluate("state.canRedo")
+    before = page.evaluate("state.values")
+    assert_allclose(before["air.amounts[2]"], 0.05)
+    assert before["air.amounts[0]"] == 2.0
+    link = page.evaluate("JSON.parse(decodeURI(state.asFragment()))")
+    assert set(link["air"]) == {f"air.amounts[{index}]" for index in (0, 1, 2)}
+    assert link["air"]["air.amounts[0]"] == 2.0
+    assert page.evaluate("state.takeFragment(state.asFragment())") == []
+    after = page.evaluate("state.values")
+    for path, value in before.items():
+        assert_allclose(after[path], value, rtol=1e-8, err_msg=path)
 
 
 def test_the_next_guess_is_weighed_as_on_the_processor(modules: Callable[..., Any]) -> None:

@@ -24,6 +24,7 @@ from airlight.solvers.moments.solution import MomentsSolution, solve
 from airlight.viewer.browser.page import page_data
 from airlight.viewer.browser.page_solver import page_settings
 from airlight.viewer.browser.page_text import page_text
+from airlight.viewer.parameters.amounts import amounts_of
 from airlight.viewer.parameters.view_parameters import DEFAULTS
 
 GROUND = {"view.altitude": 2.0, "view.look_zenith": 80.0, "display.exposure": -2.5}
@@ -114,9 +115,11 @@ def test_an_edit_in_the_page_shows_what_is_solved_without_a_browser(
     native.show(plain(name))
     assert np.abs(drawn(native, values) - wanted).max() > 10.0  # the edit is visible
     page = page_by(name, device)
+    present = {one.path: one.present for one in amounts_of(load_planet(name))}
     changes = {f"air.amounts[{c}]": factor for c, factor in amounts.items()}
     if ground != 1.0:
         changes["air.ground"] = ground
+    changes = {path: factor * present[path] for path, factor in changes.items()}
     url, took, words = page.evaluate(
         """async ([view, changes, width, height]) => {
           await airlight.ready;
@@ -159,7 +162,9 @@ def test_an_edit_that_is_refused_says_so_and_leaves_the_picture(
     page.evaluate("airlight.settled()")
     said = page.evaluate("airlight.parts.message.textContent")
     assert said == "so much air is too thick to be solved here; the desktop viewer solves it"
-    assert page.evaluate("airlight.state.get('air.amounts[1]')") == 10.0
+    aerosol = amounts_of(load_planet("earth"))[1]
+    got = page.evaluate("airlight.state.get('air.amounts[1]')")
+    assert_allclose(got, 10.0 * aerosol.present, rtol=1e-12)
     assert page.evaluate("decodeURI(airlight.state.asFragment())") == fragment[1:].replace(".0", "")
     assert page.evaluate("airlight.picture.solutions") == 1
 
@@ -175,7 +180,7 @@ def test_the_newest_edit_wins_and_none_is_the_planet_as_it_was(
     page.evaluate("airlight.ready")
     took = page.evaluate(
         """async () => {
-          for (const amount of [2, 0.3]) airlight.state.set({ "air.amounts[1]": amount });
+          for (const depth of [1, 0.15]) airlight.state.set({ "air.amounts[1]": depth });
           await airlight.edits.settled();
           return [airlight.picture.solutions, airlight.edits.shown.amounts];
         }"""

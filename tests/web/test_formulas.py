@@ -27,6 +27,9 @@ LATITUDES, BEARINGS, ZENITHS = numbers(-90.0, 90.0), numbers(0.0, 360.0), number
 ALTITUDES, SPEEDS = RNG.lognormal(9.0, 6.0, COUNT), (numbers(-1.0, 1.0), numbers(-1.0, 1.0))
 WAY = (BEARINGS[::-1], numbers(0.0, 2.0))
 PIXELS = (numbers(64.0, 2000.0), numbers(64.0, 2000.0), numbers(0.01, 2.9))
+#: Points of a picture of 120 by 20 pixels, and directions in the camera's frame.
+POINTS = (numbers(1.0, 119.0), numbers(1.0, 19.0), 120.0, 20.0, numbers(0.01, 2.9))
+SUN = tuple(np.array([numbers(-0.5, 0.5) for _ in range(3)]))
 POSITIVE = np.geomspace(1e-8, 10.0, COUNT)
 STEPS = 4
 #: Formulas that write to an array, which are compared in a separate test.
@@ -44,8 +47,24 @@ CASES: dict[str, tuple[Any, ...]] = {
     "place_of_star": STAR,
     "raised_star": STAR,
     "luminance_of": (numbers(0.0, 9.0), numbers(0.0, 9.0), numbers(0.0, 9.0)),
-    "exposure_of": (np.sort(RNG.lognormal(0.0, 3.0, 500)), numbers(0.01, 9.0)),
+    "exposure_of": (
+        np.sort(RNG.lognormal(-3.0, 3.0, 500)), RNG.uniform(0.0, 1.0, 500), numbers(0.0, 900.0)
+    ),
+    "weighted_index": (RNG.uniform(0.0, 1.0, 500), RNG.integers(0, 90, COUNT), numbers(0.0, 1.0)),
+    "adapted_key": (np.geomspace(1e-6, 1e5, COUNT),),
+    "eased": (*SPEEDS, numbers(0.0, 1.0), numbers(-0.1, 0.5)),
+    "left_out": (numbers(0.0, 0.1), numbers(0.0, 0.1)),
+    "metering_weight": (RNG.integers(0, 4, COUNT), *POINTS, *SUN, 0.9),
+    "projected_ray": (RNG.integers(0, 4, COUNT), *POINTS),
+    "perspective_ray": POINTS,
+    "fisheye_ray": POINTS,
+    "panorama_ray": POINTS,
+    "cube_ray": POINTS,
+    "glare_levels": (numbers(-1e-3, 1e-2), numbers(1.0, 8192.0)),
+    "glare_share": (RNG.integers(1, 13, COUNT), numbers(1e-5, 1e-2), numbers(4.0, 8192.0)),
     "compass": (numbers(-2000.0, 2000.0),),
+    "finest_cell": (numbers(1e6, 1e8), numbers(512.0, 4096.0)),
+    "lattice_origin": (numbers(-1.0, 1.0), numbers(1e6, 1e8), numbers(0.05, 2.0)),
     "within": (numbers(-5.0, 5.0),),
     "climbed": (ALTITUDES, ZENITHS, *SPEEDS, numbers(0.0, 0.4)),
     "course_of": (ZENITHS, BEARINGS, *SPEEDS),
@@ -70,6 +89,8 @@ CASES: dict[str, tuple[Any, ...]] = {
     "is_peaked": (numbers(-2e-6, 2e-6),),
     "cut_weight": (POSITIVE,),
     "cut_part": (numbers(-1.0, 1.2), numbers(0.0, 1.0)),
+    "turbidity_of": (POSITIVE, POSITIVE[::-1]),
+    "haze_of": (1.0 + POSITIVE, POSITIVE[::-1]),
     "thick_share": (POSITIVE,),
     "level_weight": (numbers(0.0, 1.0), POSITIVE),
 }  # fmt: skip

@@ -10,7 +10,7 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -36,6 +36,9 @@ print("zenith", viewer.values[path], session.value(path))""",
     """viewer.set("view.look_zenith", 30.0)""",
     """viewer.close()""",
 )
+
+#: The viewer in the page.
+VIEWER = "document.querySelector('.airlight').parentElement.viewer"
 
 
 @pytest.fixture
@@ -110,7 +113,9 @@ def seen(page: Any) -> np.ndarray:
 
 
 @pytest.mark.slow
-def test_slider_in_jupyterlab_moves_python_and_the_picture(lab: str, chromium: Any) -> None:
+def test_slider_in_jupyterlab_moves_python_and_the_picture(
+    lab: str, chromium: Any, tell: Callable[[str], None]
+) -> None:
     page = chromium.new_page(viewport={"width": 1200, "height": 900})
     page.set_default_timeout(120_000)
     page.goto(lab)
@@ -145,9 +150,16 @@ def test_slider_in_jupyterlab_moves_python_and_the_picture(lab: str, chromium: A
     after = seen(page)
     assert np.abs(after - before).mean() > 2.0
 
+    # without a graphics card the kernel draws, and its pictures follow what Python sets
+    assert page.evaluate(f"{VIEWER}.device.kind") == "kernel"
+    shown = page.evaluate(f"{VIEWER}.picture.number")
     run_cell(page, 2)
     until(page, "document.querySelector(\"[data-path='view.look_zenith'] input\").value === '30'")
+    began = time.monotonic()
+    until(page, f"{VIEWER}.picture.number > {shown}")
     assert np.abs(seen(page) - after).mean() > 0.5
+    took = time.monotonic() - began
+    tell(f"JupyterLab: the picture follows viewer.set after {took:.1f} s, drawn by the kernel")
 
     run_cell(page, 3)
     until(page, "!document.querySelector('.airlight')")

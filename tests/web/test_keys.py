@@ -22,7 +22,8 @@ from airlight.viewer.session.session import Session
 
 RADIUS, THICKNESS = 6.36e6, 1e5
 TABLE = as_json("page")
-START = {**DEFAULTS, "view.altitude": 1000.0, "view.latitude": 10.0, "display.automatic": False}
+START = {**DEFAULTS, "view.altitude": 1000.0, "view.latitude": 10.0, "display.automatic": False,
+         "display.glare": 0.0}  # fmt: skip
 #: Value that a held key moves, by its axis.
 MOVES = {
     "ahead": "view.latitude",  # the camera looks south
@@ -37,9 +38,9 @@ NAMES = {"arrowup": "ArrowUp", "arrowdown": "ArrowDown", "arrowleft": "ArrowLeft
          "arrowright": "ArrowRight", "pageup": "PageUp", "pagedown": "PageDown"}  # fmt: skip
 
 
-@pytest.fixture
-def page(opened: Callable[..., Any], tmp_path: Path) -> Any:
-    """Page with a painted sky, with the keyboard focus."""
+@pytest.fixture(scope="module")
+def shared(kept_wide: Callable[..., Any], tmp_path_factory: pytest.TempPathFactory) -> Any:
+    """Page with a painted sky, opened once."""
     data = {
         "title": "keys", "planet": "painted", "note": "",
         "parameters": [one.as_json() for one in page_parameters()],
@@ -47,11 +48,33 @@ def page(opened: Callable[..., Any], tmp_path: Path) -> Any:
         "picture": {**painted.page(), "radius": RADIUS,
                     "viewpoints": viewpoints(RADIUS, RADIUS + THICKNESS)},
     }  # fmt: skip
-    file = tmp_path / "keys.html"
+    file = tmp_path_factory.mktemp("keys") / "keys.html"
     file.write_text(page_text("keys", data), encoding="utf-8")
-    page = opened(file, "?device=webgl2")
+    page = kept_wide(file, "?device=webgl2")
     page.evaluate("airlight.ready")
     return page
+
+
+@pytest.fixture
+def page(shared: Any) -> Any:
+    """The page as it began, with the keyboard focus."""
+    shared.evaluate(
+        """() => {
+          const { state, flight, parts, controls } = airlight;
+          flight.release();
+          if (flight.playing) flight.play();
+          Object.assign(state, { other: null, showing: "A", sharesCamera: true });
+          state.reset();
+          Object.assign(state.history, { done: [], undone: [] });
+          parts.help.hidden = true;
+          parts.probe.hidden = false;
+          parts.root.classList.remove("airlight-hidden");
+          parts.search.value = "";
+          controls.search("");
+          parts.canvas.focus({ preventScroll: true });
+        }"""
+    )
+    return shared
 
 
 def now(page: Any, path: str) -> Any:
@@ -97,13 +120,16 @@ def test_keys_that_change_the_speed(factor: str, page: Any) -> None:
             }"""
         )
 
-    page.evaluate("airlight.flight.request = () => {}")  # only the test's frames
+    # only the test's frames
+    page.evaluate("airlight.kept = airlight.flight.request")
+    page.evaluate("airlight.flight.request = () => {}")
     page.keyboard.down("e")
     plain = climbed()
     page.keyboard.down(factor.capitalize())
     changed = climbed()
     page.keyboard.up(factor.capitalize())
     page.keyboard.up("e")
+    page.evaluate("airlight.flight.request = airlight.kept")
     assert_allclose(plain, 0.8 * 0.05, rtol=1e-9)
     assert_allclose(changed, plain * TABLE["factors"][factor], rtol=1e-9)
 
@@ -118,9 +144,7 @@ def test_keys_that_do_something_once(page: Any) -> None:
 
     for index, viewpoint in enumerate(VIEWPOINTS):
         assert press(str(index + 1)) == f"viewpoint {index + 1}"
-        view = view_of(
-            viewpoint, bottom_radius=RADIUS, top_radius=RADIUS + THICKNESS, bearing=180.0
-        )
+        view = view_of(viewpoint, bottom_radius=RADIUS, top_radius=RADIUS + THICKNESS)
         for path, value in view.items():
             assert_allclose(now(page, path), value, rtol=1e-12, err_msg=path)
     press("Control+z")
@@ -153,9 +177,32 @@ def test_keys_that_do_something_once(page: Any) -> None:
     press("Tab")
     assert page.locator(".airlight-panel").is_visible() is False
     page.keyboard.press("h")
-    press("Escape")
-    assert page.locator(".airlight-panel").is_visible() is True
+    press("Escape")  # one thing at a time, the topmost first
     assert page.locator(".airlight-help").is_visible() is False
+    assert page.locator(".airlight-panel").is_visible() is False
+    page.keyboard.press("Escape")
+    assert page.locator(".airlight-panel").is_visible() is True
+    press("f")
+    until(page, "document.fullscreenElement === airlight.parts.root")
+    page.keyboard.press("f")
+    until(page, "document.fullscreenElement === null")
+    page.evaluate("airlight.parts.canvas.focus()")
+    press("u")
+    until(page, "airlight.parts.note.textContent.startsWith('copied: ')")
+    link = page.evaluate("airlight.parts.note.textContent").removeprefix("copied: ")
+    assert link.startswith("file://")
+    assert page.evaluate("(link) => link.endsWith(airlight.state.asFragment())", link)
+    page.evaluate("airlight.parts.canvas.focus()")
+    press("o")
+    assert page.evaluate("airlight.film !== null")
+    page.keyboard.down("l")
+    until(page, "airlight.loop.frames > 3")
+    page.keyboard.up("l")
+    page.wait_for_timeout(300)  # of film
+    with page.expect_download() as download:
+        page.keyboard.press("o")
+    assert download.value.suggested_filename == "keys.webm"
+    assert Path(download.value.path()).read_bytes()[:4] == bytes.fromhex("1a45dfa3")  # EBML
     with page.expect_download() as download:
         press("Control+s")
     assert download.value.suggested_filename == "keys.png"
@@ -210,12 +257,13 @@ def test_any_drag_with_ctrl_or_shift_moves_the_sun(page: Any) -> None:
 
 
 def test_wheel_climbs_by_notches_and_with_ctrl_widens(page: Any) -> None:
-    # 1.15 per notch, four notches with Shift
+    # 2.6 per notch, with Shift four times as much, with Alt a quarter; a field of view 1.15
     box = page.locator("canvas").bounding_box()
     page.mouse.move(box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"])
     for modifier, path, wanted in (
-        ("", "view.altitude", 1005.0 * 1.15 - 5.0),
-        ("Shift", "view.altitude", 1005.0 * 1.15**4 - 5.0),
+        ("", "view.altitude", 1005.0 * 2.6 - 5.0),
+        ("Shift", "view.altitude", 1005.0 * 2.6**4 - 5.0),
+        ("Alt", "view.altitude", 1005.0 * 2.6**0.25 - 5.0),
         ("Control", "view.field_of_view", 60.0 * 1.15),
     ):
         page.evaluate("airlight.state.reset()")
@@ -226,3 +274,53 @@ def test_wheel_climbs_by_notches_and_with_ctrl_widens(page: Any) -> None:
         if modifier:
             page.keyboard.up(modifier)
         assert_allclose(now(page, path), wanted, rtol=1e-9, err_msg=modifier)
+
+
+def test_fifteen_clicks_of_the_wheel_lead_to_space(page: Any) -> None:
+    # from the ground to 10 000 km
+    box = page.locator("canvas").bounding_box()
+    page.evaluate("airlight.state.set({ 'view.altitude': 2 })")
+    page.mouse.move(box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"])
+    for _ in range(15):
+        before = now(page, "view.altitude")
+        page.mouse.wheel(0, 100)
+        until(page, f"airlight.state.get('view.altitude') > {before}")
+    assert now(page, "view.altitude") > 1e7
+
+
+def test_a_flick_keeps_its_last_movement(page: Any) -> None:
+    # the release is elsewhere than the last movement that was told
+    wanted = page.evaluate(
+        """() => {
+          const { canvas } = airlight.parts;
+          const box = canvas.getBoundingClientRect();
+          const tell = (name, x) => canvas.dispatchEvent(new PointerEvent(name, {
+            pointerId: 1, clientX: box.left + x, clientY: box.top + 50,
+          }));
+          canvas.setPointerCapture = () => {};
+          tell("pointerdown", 100);
+          tell("pointermove", 110);
+          tell("pointerup", 100 + box.width / 10);
+          delete canvas.setPointerCapture;
+          return 0.1 * airlight.state.get("view.field_of_view");
+        }"""
+    )
+    turned = START["view.heading"] - now(page, "view.heading")
+    assert_allclose(turned, wanted, rtol=1e-3)  # near the horizon, where headings are not wider
+    assert page.evaluate("airlight.flight.state.canUndo")
+
+
+def test_search_finds_what_people_say_and_escape_ends_it(page: Any) -> None:
+    field = page.locator(".airlight-search")
+    field.click()
+    page.keyboard.type("zoom")
+    rows = page.locator("[data-path]")
+    assert rows.evaluate_all("all => all.map((one) => one.dataset.path)") == ["view.field_of_view"]
+    page.keyboard.press("Escape")
+    assert field.input_value() == ""
+    assert rows.count() == len(page_parameters())
+    page.keyboard.type("no such thing")
+    assert page.locator(".airlight-none").is_visible()
+    page.keyboard.press("Escape")
+    page.keyboard.press("Escape")
+    assert page.evaluate("document.activeElement === airlight.parts.canvas")

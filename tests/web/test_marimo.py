@@ -32,7 +32,7 @@ def _():
     session = Session("mars")
     session.set("light.quality", "preview")
     session.set("light.wavelengths", "three")
-    viewer = mo.ui.anywidget(Viewer(session, height=300))
+    viewer = mo.ui.anywidget(Viewer(session, height=300, device="webgl2"))
     viewer
     return mo, session, viewer
 

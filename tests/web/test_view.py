@@ -9,10 +9,9 @@ import numpy as np
 from numpy.testing import assert_allclose
 
 from airlight.color.exposure import automatic_exposure
-from airlight.color.tone_maps import tone_map_named
-from airlight.color.xyz import luminance
 from airlight.scene import Camera, Scene
 from airlight.scene.flight import FOOTING, RATE
+from airlight.scene.metering import scene_exposure
 from airlight.viewer.navigation.flight import flown
 
 #: Generic view, without special angles.
@@ -45,18 +44,25 @@ def test_directions_are_those_of_the_scene(modules: Callable[..., Any]) -> None:
     assert_allclose(got["fieldOfView"], np.radians(55.0), rtol=1e-15)
 
 
-def test_automatic_exposure_is_that_of_the_picture(modules: Callable[..., Any]) -> None:
-    # a second method: color/exposure.py; a third of the pixels is black space
+def test_automatic_exposure_is_that_of_the_scene(modules: Callable[..., Any]) -> None:
+    # a second method: scene/metering.py; a third of the pixels is black space, the sun is in view
     rgb = np.random.default_rng(3).lognormal(0.0, 2.0, (9, 16, 3)).astype(np.float32)
     rgb[:3] *= 1e-9
+    camera = Camera(width=16, height=9, look_zenith=70.0, roll=17.0, field_of_view=55.0)
+    scene = Scene(camera=camera, sun_zenith=66.0)
+    rgb[camera.directions() @ scene.sun_direction > np.cos(0.06)] = 1e5
     rgba = np.concatenate([rgb, np.ones((9, 16, 1), np.float32)], axis=2)
-    grey = float(luminance(tone_map_named("hable").inverse(np.full(3, 0.18))))
-    page = modules({"drawing/exposure": ("automaticExposure",)})
+    page = modules({"drawing/exposure": ("automaticExposure",), "drawing/view": ("cameraOf",)})
+    view = {**VIEW, "view.look_zenith": 70.0, "view.heading": 141.0}
     got = page.evaluate(
-        "([rgba, grey]) => automaticExposure(new Float32Array(rgba), grey)",
-        [rgba.ravel().tolist(), grey],
+        """([rgba, view]) => automaticExposure(
+          new Float32Array(rgba), [16, 9], cameraOf(view, { perspective: [1e-3, 170] }), 0, 0.005
+        )""",
+        [rgba.ravel().tolist(), view],
     )
-    assert_allclose(got, automatic_exposure(rgb), rtol=1e-12)
+    wanted = scene_exposure(rgb, scene, 0.005)
+    assert_allclose(got, wanted, rtol=1e-12)
+    assert abs(wanted - automatic_exposure(rgb)) > 1.0  # the weights count
 
 
 def test_flight_round_the_planet_ends_where_it_began(modules: Callable[..., Any]) -> None:

@@ -28,6 +28,13 @@ Set = Annotated[
         "dust.profile.scale_height='8 km'; PATH= takes it away. May be given several times.",
     ),
 ]
+Glare = Annotated[
+    float,
+    typer.Option(
+        metavar="AMOUNT",
+        help="Of light that a lens spreads around the sun: 1 is a lens, 0 none, at most 10.",
+    ),
+]
 NoCache = Annotated[
     bool, typer.Option("--no-cache", help="Neither read nor keep solutions on disk.")
 ]
@@ -153,6 +160,36 @@ def projection(text: str) -> str:
     if text not in PROJECTIONS:
         raise ParameterError("--projection", text, ", ".join(PROJECTIONS))
     return text
+
+
+def camera(
+    exposure_text: str | None, iso: float | None, aperture: str | None, shutter: str | None
+) -> float | Literal["auto"]:
+    """Exposure by ``--exposure``, or by a camera's three numbers; ``auto`` without any. [EV]
+
+    Examples
+    --------
+    >>> f"{camera(None, 100.0, 'f/16', '1/100s'):.2f}"
+    '-5.49'
+    """
+    numbers = {"--iso": iso, "--aperture": aperture, "--shutter": shutter}
+    given = [name for name, value in numbers.items() if value is not None]
+    if not given:
+        return exposure("auto" if exposure_text is None else exposure_text)
+    if exposure_text is not None:
+        raise ParameterError("--exposure", exposure_text, f"left out beside {given[0]}")
+    if iso is None or aperture is None or shutter is None:
+        raise ParameterError(given[0], numbers[given[0]], "all of --iso, --aperture and --shutter")
+    from airlight.color.exposure import camera_exposure
+
+    stop = quantity(aperture.strip().lower().removeprefix("f/"), "1", "--aperture")
+    over, _, under = shutter.strip().rpartition("/")
+    seconds = quantity(under, "s", "--shutter")
+    open_for = quantity(over, "1", "--shutter") / seconds if over and seconds > 0.0 else seconds
+    for name, value in (("--iso", iso), ("--aperture", stop), ("--shutter", open_for)):
+        if not 0.0 < value < 1e9:
+            raise ParameterError(name, value, "above 0, below 1e9")
+    return camera_exposure(iso, stop, open_for)
 
 
 def exposure(text: str) -> float | Literal["auto"]:

@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 EPILOG = examples(
     "airlight render earth -o earth.png",
     "airlight render earth --altitude 35km --look-at horizon --fov 90 -o limb.png",
-    "airlight render mars --altitude 2m --sun-zenith 80 --look 85,0 --exposure auto -o mars.png",
+    "airlight render mars --altitude 2m --sun-zenith 80 --look 85,0 -o mars.png",
+    "airlight render earth --altitude 2m --iso 100 --aperture f/8 --shutter 1/250s -o snap.png",
     "airlight render earth --altitude 0m --projection fisheye --size 2048 -o dome.exr",
     "airlight render my-planet.toml --wavelengths rgb --quality preview -o quick.png",
     "airlight render titan --device gpu --size 3840x2160 -o titan.png",
@@ -58,7 +59,7 @@ def render(
     ] = "0deg",
     sun_zenith: Annotated[
         str, typer.Option(metavar="ANGLE", help="Zenith angle of the sun at the observer.")
-    ] = "60deg",
+    ] = "72deg",
     fov: Annotated[
         str | None,
         typer.Option(
@@ -81,15 +82,33 @@ def render(
         ),
     ] = None,
     exposure: Annotated[
-        str, typer.Option(metavar="EV|auto", help="Brightens by 2 to this power.")
-    ] = "-2.5",
+        str | None,
+        typer.Option(
+            metavar="EV|auto",
+            help="Brightens by 2 to this power. If left out, auto: as an eye that has adapted.",
+        ),
+    ] = None,
+    iso: Annotated[
+        float | None, typer.Option(metavar="ISO", help="Instead, a camera's sensitivity: 100,")
+    ] = None,
+    aperture: Annotated[
+        str | None, typer.Option(metavar="F", help="its aperture, f/8, and")
+    ] = None,
+    shutter: Annotated[
+        str | None, typer.Option(metavar="TIME", help="its shutter time, 1/250 s.")
+    ] = None,
     tone_map: Annotated[
         str,
-        typer.Option(metavar="NAME", help="Tone map: hable, natural, aces, agx …"),
-    ] = "hable",
+        typer.Option(metavar="NAME", help="Tone map: natural, hable, aces, agx …"),
+    ] = "natural",
     encoding: Annotated[
         Literal["srgb", "gamma"], typer.Option(help="The picture's transfer curve.")
     ] = "srgb",
+    primaries: Annotated[
+        Literal["srgb", "display-p3"], typer.Option(help="The picture's primaries.")
+    ] = "srgb",
+    bits: Annotated[int, typer.Option(metavar="8|16", help="Bits per channel of a PNG.")] = 8,
+    glare: options.Glare = 1.0,
     wavelengths: Annotated[
         str | None,
         typer.Option(
@@ -115,15 +134,30 @@ def render(
             "table of what the observer sees around himself, to a few parts in 10000.",
         ),
     ] = False,
+    samples: Annotated[
+        int,
+        typer.Option(
+            metavar="N",
+            help="Samples per side of every pixel, up to 16. The horizon is smooth without.",
+        ),
+    ] = 1,
     latitude: Annotated[
         str, typer.Option(metavar="ANGLE", help="Of the ground below, for its map.")
-    ] = "32deg",
+    ] = "25deg",
     longitude: Annotated[
         str, typer.Option(metavar="ANGLE", help="Of the ground below, for its map; east is +.")
-    ] = "12deg",
+    ] = "30deg",
     sun_azimuth: Annotated[
         str, typer.Option(metavar="ANGLE", help="Compass bearing of the sun, for the map.")
-    ] = "100deg",
+    ] = "105deg",
+    ground: Annotated[
+        Literal["plain", "detailed"],
+        typer.Option(
+            metavar="WORD",
+            help="plain: its map alone; detailed: with noise below the map's resolution, which is "
+            "decoration.",
+        ),
+    ] = "detailed",
     set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
@@ -135,8 +169,9 @@ def render(
     from airlight.exports.picture import picture_suffix, write_picture
 
     picture_suffix(output)
-    ev = options.exposure(exposure)
+    ev = options.camera(exposure, iso, aperture, shutter)
     _check_tone_map(tone_map)
+    _check_glare(glare)
     projection = options.projection(projection)
     world = options.planet(planet, set_)
     height = options.length(altitude, "--altitude")
@@ -160,13 +195,18 @@ def render(
         latitude=options.angle(latitude, "--latitude"),
         longitude=options.angle(longitude, "--longitude"),
         sun_azimuth=options.angle(sun_azimuth, "--sun-azimuth"),
+        ground=ground,
     )
-    frame = _painted(world, scene, wavelengths, quality, device, exact=exact, cache=not no_cache)
+    frame = _painted(
+        world, scene, wavelengths, quality, device, exact=exact, samples=samples,
+        cache=not no_cache,
+    )  # fmt: skip
     changes = {"changes": "; ".join(set_)} if set_ else {}
-    metadata = {"planet": world.name, **scene.metadata(), **frame.metadata, **changes}
+    metadata = {"planet": world.name, **scene.metadata(), **changes}
     written = write_picture(
-        output, frame.rgb, metadata, exposure=ev, tone_map=tone_map, encoding=encoding
-    )
+        output, frame, metadata, exposure=ev, tone_map=tone_map, encoding=encoding,
+        primaries=primaries, bits=bits, glare=glare,
+    )  # fmt: skip
     light = "linear" if written.exposure is None else f"exposure {written.exposure:+.2f} EV"
     seconds = time.perf_counter() - started
     print(
@@ -208,6 +248,7 @@ def _painted(
     device: Choice,
     *,
     exact: bool,
+    samples: int,
     cache: bool,
 ) -> Frame:
     """The frame, with progress on the standard error stream."""
@@ -223,8 +264,9 @@ def _painted(
 
     with shown_progress() as report:
         return paint_scene(
-            planet, scene, wavelengths=nm, quality=quality, device=device, exact=exact, cache=cache,
-            refused=refused, progress=report,
+            planet, scene, wavelengths=nm, quality=quality, device=device, exact=exact,
+            samples=samples, cache=cache, refused=refused,
+            progress=report,
         )  # fmt: skip
 
 
@@ -233,3 +275,9 @@ def _check_tone_map(name: str) -> None:
 
     if name not in TONE_MAPS:
         raise ParameterError("--tone-map", name, ", ".join(TONE_MAPS))
+
+
+def _check_glare(amount: float) -> None:
+    from airlight.color.glare import checked_amount
+
+    checked_amount(amount, "--glare")

@@ -67,8 +67,9 @@ def view(
     ] = "auto",
     tone_map: Annotated[
         str | None,
-        typer.Option(metavar="NAME", help="Tone map: hable, natural, aces, agx …"),
+        typer.Option(metavar="NAME", help="Tone map: natural, hable, aces, agx …"),
     ] = None,
+    glare: options.Glare = 1.0,
     quality: options.Quality = "default",
     latitude: Annotated[
         str | None, typer.Option(metavar="ANGLE", help="Of the ground below, for its map.")
@@ -92,7 +93,7 @@ def view(
 ) -> None:
     """Open a window on a planet: fly, turn the sun, edit every parameter and read the light.
 
-    F1 in the window says what mouse and keys do. The first start compiles for about a minute.
+    F1 in the window says what mouse and keys do. The first start compiles, and counts it.
     """
     started = time.perf_counter()
     from airlight.viewer.window.start import Start, show
@@ -120,6 +121,7 @@ def view(
         ev=options.exposure(exposure),
         quality=quality,
     )
+    view["display.glare"] = glare
     show(
         Start(
             planet=planet,

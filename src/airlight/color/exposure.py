@@ -1,4 +1,4 @@
-"""Exposure: factor from radiance to display, given or measured on the picture."""
+"""Exposure: factor from radiance to display, given, of a camera, or measured on the picture."""
 
 from __future__ import annotations
 
@@ -9,19 +9,44 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.tone_maps import tone_map_named
 from airlight.color.xyz import luminance
+from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
-from airlight.kernel import compiled_loop
+from airlight.kernel import compiled_loop, inlined, kernel
 
-#: Default exposure, suited to the sunlit Earth. [EV]
-DEFAULT_EXPOSURE: Final = -2.5
-#: Linear reflectance of a photographer's grey card.
-MIDDLE_GREY: Final = 0.18
-#: Pixels darker than this fraction of the picture's bright end do not count: the black of space.
+#: Exposure suited to the sunlit Earth, where it is not measured. [EV]
+DEFAULT_EXPOSURE: Final = -4.0
+#: Exposures are allowed up to this, either way. [EV]
+MOST_EXPOSURE: Final = 100.0
+
+#: Light as which the key of a sunlit picture is shown, and at most its bright quarter, from where
+#: that begins, and its highlights. [1]
+_KEY: Final = 0.35
+_BRIGHT: Final = 0.55
+_HIGHLIGHT: Final = 1.5
+#: Shares of the picture below the bright quarter and the highlights, and its darkest part, which
+#: the key leaves out.
+_QUARTER: Final = 0.75
+_BRIGHT_SHARE: Final = 0.98
+_SHADE: Final = 0.25
+#: Pixels darker than this fraction of the bright end do not count: the black of space.
 _DARK: Final = 1e-4
+#: Luminance below which the picture follows the eye's adaptation into the dark: that of a sky half
+#: an hour after sunset, which is to look like dusk. [cd m⁻²]
+_PHOTOPIC: Final = 30.0
+#: Factor of the key where little of the picture is not black space, and exponent of the share that
+#: is not: as photographers expose a planet, a dark picture of which some is bright. [1]
+_LOW_KEY: Final = 0.6
+_LIT: Final = 1.0 / 3.0
+#: Exponent of brightness as a function of luminance. [Stevens & Stevens 1963]
+_BRIGHTNESS: Final = 1.0 / 3.0
+#: Luminance of a night without moon or stars; nothing makes a picture of less brighter. [cd m⁻²]
+_NIGHT: Final = 1e-4
 #: Approximate number of pixels sampled, every k-th row and column.
-_SAMPLE: Final = 1_000_000
+SAMPLE: Final = 32_768
+#: Exposure at which a sensor of ISO 1 saturates [lx s], and the light that passes a lens.
+_SATURATION: Final = 78.0
+_LENS: Final = 0.65
 
 
 def exposure_factor(exposure: float) -> float:
@@ -47,71 +72,194 @@ def exposure_factor(exposure: float) -> float:
     >>> exposure_factor(-2.0)
     0.25
     """
-    if not isinstance(exposure, (int, float, np.number)) or not -100.0 <= exposure <= 100.0:
+    limits = -MOST_EXPOSURE <= exposure <= MOST_EXPOSURE if _is_number(exposure) else False
+    if not limits:
         raise ParameterError("exposure", exposure, '-100 to 100 EV, or "auto"')
     return math.pow(2.0, float(exposure))
 
 
-@compiled_loop
-def exposure_of(bright, grey):
-    """The exposure that shows a picture's log-average luminance as middle grey. [EV]
+def _is_number(value: object) -> bool:
+    return isinstance(value, (int, float, np.number))
+
+
+def camera_exposure(iso: float, aperture: float, shutter: float) -> float:
+    r"""Exposure of a camera: what saturates its sensor becomes 1.
+
+    .. math:: L_\mathrm{sat} = \frac{78}{S} \frac{N^2}{q\,t}, \quad q = 0.65
 
     Parameters
     ----------
-    bright : array, shape (n,)
-        Luminances above 0, ascending, one at least.
-    grey : float
-        The luminance that is shown as middle grey.
-    """
-    rank = 0.99 * (bright.size - 1)
-    low = int(rank)
-    high = min(low + 1, bright.size - 1)
-    dark = _DARK * (bright[low] + (rank - low) * (bright[high] - bright[low]))
-    total, count = 0.0, 0
-    for i in range(bright.size):
-        if bright[i] >= dark:
-            total += log2(bright[i])
-            count += 1
-    return min(max(log2(grey) - total / count, -100.0), 100.0)
-
-
-def automatic_exposure(rgb: NDArray[np.floating], tone_map: str = "hable") -> float:
-    r"""Exposure at which the picture's log-average luminance appears as middle grey.
-
-    .. math:: \bar L = \exp\left(\frac1N \sum \ln L\right), \quad
-              \mathrm{EV} = \log_2 (x_{0.18} / \bar L)
-
-    where the tone map maps x₀.₁₈ to 0.18. Pixels below 1e-4 of the picture's 99th percentile are
-    left out, so that black space does not overexpose the planet.
-
-    Parameters
-    ----------
-    rgb : array, shape (height, width, 3)
-        Linear sRGB; of a large picture about a million pixels on a regular grid are used.
-    tone_map : str
-        Tone map, one of ``TONE_MAPS``.
+    iso : float
+        Sensitivity S. [ISO]
+    aperture : float
+        Focal length over the diameter of the lens, N. [1]
+    shutter : float
+        Time t for which it is open. [s]
 
     Returns
     -------
     float
-        Exposure, -100 to 100; 0 for a black picture. [EV]
+        Exposure, within ±100. [EV]
+
+    Raises
+    ------
+    ParameterError
+        If a number is not above 0.
 
     References
     ----------
-    Reinhard et al. (2002), ACM Trans. Graph. 21, 267, eq. 1. doi:10.1145/566654.566575
+    ISO 12232:2019, saturation-based speed, and its q for a lens that lets 0.9 of the light pass.
 
     Examples
     --------
-    >>> grey = np.full((2, 2, 3), 0.18)
-    >>> f"{automatic_exposure(0.5 * grey) - automatic_exposure(grey):.6f}"  # half the light
-    '1.000000'
+    >>> f"{camera_exposure(iso=100.0, aperture=16.0, shutter=1 / 100):.2f}"  # "sunny 16"
+    '-5.49'
+    """
+    for name, value in (("iso", iso), ("aperture", aperture), ("shutter", shutter)):
+        if not (_is_number(value) and 0.0 < value < math.inf):
+            raise ParameterError(name, value, "above 0, finite")
+    saturating = _SATURATION / iso * aperture**2 / (_LENS * shutter)
+    return min(max(log2(LUMINOUS_EFFICACY / saturating), -MOST_EXPOSURE), MOST_EXPOSURE)
+
+
+@inlined
+def weighted_index(weight, first, share):
+    """Index at which the sum of weights from ``first`` on reaches a share of the whole."""
+    total = 0.0
+    for i in range(first, weight.size):
+        total += weight[i]
+    reached = 0.0
+    for i in range(first, weight.size):
+        reached += weight[i]
+        if reached >= share * total:
+            return i
+    return weight.size - 1
+
+
+@kernel
+def adapted_key(bright):
+    """Light as which the key of a picture is shown, to an eye that has adapted to it. [1]
+
+    Parameters
+    ----------
+    bright : float
+        Luminance of the key. [cd m⁻²]
+    """
+    return _KEY / (1.0 + _PHOTOPIC / max(bright, _NIGHT)) ** _BRIGHTNESS
+
+
+@compiled_loop
+def exposure_of(bright, weight, black):
+    """Exposure of a picture, see ``automatic_exposure``. [EV]
+
+    Parameters
+    ----------
+    bright : array, shape (n,)
+        Luminances above 0, ascending, one at least. [W m⁻² sr⁻¹]
+    weight : array, shape (n,)
+        Weights of these pixels. [1]
+    black : float
+        Weight of all others. [1]
+    """
+    first = 0
+    dark = _DARK * bright[weighted_index(weight, first, 0.99)]
+    while bright[first] < dark:
+        first += 1
+    quarter = bright[weighted_index(weight, first, _QUARTER)]
+    high = bright[weighted_index(weight, first, _BRIGHT_SHARE)]
+    total, count = 0.0, 0.0
+    for i in range(weighted_index(weight, first, _SHADE), bright.size):
+        total += weight[i] * log2(bright[i])
+        count += weight[i]
+    key = 2.0 ** (total / max(count, 1e-300))
+    lit, whole = 0.0, black
+    for i in range(bright.size):
+        whole += weight[i]
+        if i >= first:
+            lit += weight[i]
+    shown = adapted_key(LUMINOUS_EFFICACY * key)
+    dimmed = max((lit / max(whole, 1e-300)) ** _LIT, _LOW_KEY)
+    factor = dimmed * shown / max(key, _NIGHT / LUMINOUS_EFFICACY)
+    factor = min(factor, shown / _KEY * min(_BRIGHT / quarter, _HIGHLIGHT / high))
+    return min(max(log2(factor), -MOST_EXPOSURE), MOST_EXPOSURE)
+
+
+def sampling_step(height: int, width: int) -> int:
+    """Step between the rows and columns of a picture that are measured. [pixel]"""
+    return max(1, math.isqrt(height * width // SAMPLE))
+
+
+def automatic_exposure(
+    rgb: NDArray[np.floating], weights: NDArray[np.floating] | None = None
+) -> float:
+    r"""Exposure that shows a picture as an eye sees it that has adapted to it.
+
+    Pixels below 1e-4 of the picture's bright end are left out, so that black space does not
+    overexpose the planet. Of the others, with the key :math:`\bar L`, the geometric mean of the
+    brightest three quarters, and the luminances :math:`L_{75}` and :math:`L_{98}` below which 75
+    and 98 % lie,
+
+    .. math:: 2^\mathrm{EV} = a(\bar L)\,\min\left(
+              \frac{0.35\,d}{\bar L}, \frac{0.55}{L_{75}}, \frac{1.5}{L_{98}}\right),
+              \quad a(L) = \left(1 + \frac{30\ \mathrm{cd\,m^{-2}}}
+              {\max(L, 10^{-4}\ \mathrm{cd\,m^{-2}})}\right)^{-1/3}
+
+    where :math:`\bar L` is no less than 1e-4 cd m⁻² either, and :math:`d` is the third root of the
+    share of the picture that is not black space, at least 0.6. By day a is 1, and light k times as
+    strong gives the same picture. In the dark the picture darkens as brightness does, with the
+    third power of luminance; without moon or stars it is black.
+
+    Parameters
+    ----------
+    rgb : array, shape (height, width, 3)
+        Linear sRGB; of a large picture some 30 000 pixels on a regular grid are used.
+        [W m⁻² sr⁻¹]
+    weights : array, shape (height, width), optional
+        Weights of the pixels, such as their solid angles; by default all the same.
+
+    Returns
+    -------
+    float
+        Exposure, -100 to 100; the night's for a black picture. [EV]
+
+    References
+    ----------
+    Reinhard et al. (2002), ACM Trans. Graph. 21, 267, on the key; Krawczyk, Myszkowski & Seidel
+    (2005), SCCG, 195, on keys that fall with the luminance; Stevens & Stevens (1963), J. Opt. Soc.
+    Am. 53, 375, on the third power. The numbers are ours.
+
+    Examples
+    --------
+    >>> grey = np.full((2, 2, 3), 10.0)
+    >>> f"{automatic_exposure(0.5 * grey) - automatic_exposure(grey):.2f}"  # half the light
+    '1.00'
     """
     height, width = rgb.shape[:2]
-    step = max(1, math.isqrt(height * width // _SAMPLE))
-    bright = luminance(np.asarray(rgb[::step, ::step], dtype=np.float64))
-    bright = bright[np.isfinite(bright) & (bright > 0.0)]
+    step = sampling_step(height, width)
+    bright = luminance(np.asarray(rgb[::step, ::step], dtype=np.float64)).ravel()
+    weight = np.ones(bright.size) if weights is None else weights[::step, ::step].ravel()
+    counted = np.isfinite(bright) & (bright > 0.0) & (weight > 0.0)
+    black = float(weight[np.isfinite(bright) & ~counted].sum())
+    bright, weight = bright[counted], np.asarray(weight[counted], dtype=np.float64)
     if bright.size == 0:
-        return 0.0
-    grey = np.full(3, MIDDLE_GREY)
-    target = float(luminance(tone_map_named(tone_map).inverse(grey)))
-    return float(exposure_of(np.sort(bright), target))
+        bright, weight, black = np.full(1, _NIGHT / LUMINOUS_EFFICACY), np.ones(1), 0.0
+    order = np.argsort(bright)
+    return float(exposure_of(bright[order], weight[order], black))
+
+
+@kernel
+def eased(before, wanted, seconds, time_constant):
+    """Exposure that approaches another, as an eye adapts: by e^{-t/τ}. [EV]
+
+    Parameters
+    ----------
+    before, wanted : float
+        Exposure at first, and approached. [EV]
+    seconds : float
+        Time since. [s]
+    time_constant : float
+        Time τ in which all but 37 % is gone; 0 for at once. [s]
+    """
+    if time_constant <= 0.0:
+        return wanted
+    return wanted + (before - wanted) * math.exp(-seconds / time_constant)

@@ -12,31 +12,30 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from airlight.color.floating import BRIGHTEST, each_pixel, physical
-from airlight.color.oklab import cone_roots, lab_of, rgb_of_cones
+from airlight.color.floating import each_pixel, physical
+from airlight.color.gamut import (
+    EDGE,
+    KNEE,
+    amount_of_share,
+    gamut_share,
+    light_of_cones,
+    signed_light,
+    to_white,
+    with_primaries,
+    within_gamut,
+)
+from airlight.color.oklab import cone_roots, cone_roots_of, lab_of, lightness_of, rgb_of_cones
 from airlight.kernel import compiled_loop, kernel
 from airlight.kernel.cube_root import cube_root
 
 #: Light up to which the curve is the identity; beyond, an exponential shoulder approaches 1. [1]
 SHOULDER: Final = 0.25
-#: Share of the way from grey to the edge of the gamut up to which chroma is kept. [1]
-KNEE: Final = 0.8
-#: Newton steps to the chroma of a given share; the last changes it by less than 1e-12.
-_STEPS: Final = 8
-#: Least distance of the grey from white and from black, by which shares are divided. [1]
-_LEAST: Final = 1e-6
+#: Least part of the gamut's soft edge that is inverted. [1]
+_LEAST_KEPT: Final = 1e-6
+#: Largest factor of the chroma in the inverse. [1]
+_MOST_CHROMA: Final = 64.0
 #: Displayed light that counts as white. [1]
 _WHITEST: Final = 1.0 - 1e-9
-
-
-@kernel
-def signed_light(light):
-    """Light of any sign clamped to ±``BRIGHTEST``; NaN is 0."""
-    if light > 0.0:
-        return light if light < BRIGHTEST else BRIGHTEST
-    if light < 0.0:
-        return light if light > -BRIGHTEST else -BRIGHTEST
-    return 0.0
 
 
 @kernel
@@ -49,122 +48,46 @@ def natural_curve(light):
 
 
 @kernel
-def softened(share):
-    """Share of the gamut that is shown: the identity up to the knee, then towards 1. [1]"""
-    if share <= KNEE:
-        return share
-    return KNEE + (1.0 - KNEE) * (1.0 - math.exp((KNEE - share) / (1.0 - KNEE)))
-
-
-@kernel
-def gamut_share(lightness, red, green, blue):
-    """Share of the way from the grey of its lightness to the edge of the gamut. [1]
+def natural_shown(primaries, red, green, blue):
+    """Displayed light of exposed light: ``natural`` for a display of any primaries.
 
     Parameters
     ----------
-    lightness : float
-        Lightness in OKLab, above 0. [1]
+    primaries : int
+        Index in ``PRIMARIES``.
     red, green, blue : float
-        The colour, in linear sRGB. [1]
+        Linear sRGB after exposure; channels may be negative. [1]
 
     Returns
     -------
-    float
-        Largest share of the channels, each of its way to 0 or to 1; 1 on the edge. [1]
+    red, green, blue : float
+        Linear light of the display's primaries, 0 to 1. [1]
     """
-    grey = lightness * lightness * lightness
-    above = max(red, max(green, blue)) - grey
-    below = grey - min(red, min(green, blue))
-    return max(above / max(1.0 - grey, _LEAST), below / max(grey, _LEAST))
-
-
-@kernel
-def share_at(lightness, by_long, by_medium, by_short, amount):
-    """Share of the gamut at an amount of the chroma, and its derivative by the amount.
-
-    Parameters
-    ----------
-    lightness : float
-        Lightness in OKLab, above 0. [1]
-    by_long, by_medium, by_short : float
-        Cube roots of the cones' responses, less the lightness, at an amount of 1. [1]
-    amount : float
-        Factor of the chroma. [1]
-
-    Returns
-    -------
-    (float, float)
-        Share of ``gamut_share``, and its derivative. [1]
-    """
-    x = lightness + amount * by_long
-    y = lightness + amount * by_medium
-    z = lightness + amount * by_short
-    red, green, blue = rgb_of_cones(x * x * x, y * y * y, z * z * z)
-    by_red, by_green, by_blue = rgb_of_cones(
-        3.0 * x * x * by_long, 3.0 * y * y * by_medium, 3.0 * z * z * by_short
-    )
-    grey = lightness * lightness * lightness
-    up = 1.0 / max(1.0 - grey, _LEAST)
-    down = -1.0 / max(grey, _LEAST)
-    scale = up if red > grey else down
-    share, slope = (red - grey) * scale, by_red * scale
-    scale = up if green > grey else down
-    if (green - grey) * scale > share:
-        share, slope = (green - grey) * scale, by_green * scale
-    scale = up if blue > grey else down
-    if (blue - grey) * scale > share:
-        share, slope = (blue - grey) * scale, by_blue * scale
-    return share, slope
-
-
-@kernel
-def amount_of_share(lightness, by_long, by_medium, by_short, wanted):
-    """Amount of the chroma at which a colour reaches a share of the gamut. [1]
-
-    Parameters
-    ----------
-    lightness, by_long, by_medium, by_short : float
-        Arguments of ``share_at``.
-    wanted : float
-        Share to reach. [1]
-
-    Returns
-    -------
-    float
-        Factor of the chroma, from Newton's method that starts at 1. [1]
-    """
-    amount = 1.0
-    for _step in range(_STEPS):
-        share, slope = share_at(lightness, by_long, by_medium, by_short, amount)
-        step = amount + (wanted - share) / (slope if slope > _LEAST else share / amount)
-        # A step from far outside may pass the grey.
-        amount = max(step, 0.25 * amount)
-    return amount
+    r, g, b = signed_light(red), signed_light(green), signed_light(blue)
+    long, medium, short = cone_roots_of(r, g, b)
+    lightness = lightness_of(long, medium, short)
+    if not lightness > 0.0:
+        return 0.0, 0.0, 0.0
+    by_long, by_medium, by_short = long - lightness, medium - lightness, short - lightness
+    light = lightness * lightness * lightness
+    if light > SHOULDER:
+        # The lightness falls by the third power of the compression, the chroma by its square.
+        darker = cube_root(natural_curve(light) / light)
+        paler = darker * darker
+        lightness = lightness * darker
+        by_long, by_medium, by_short = by_long * paler, by_medium * paler, by_short * paler
+        x, y, z = lightness + by_long, lightness + by_medium, lightness + by_short
+        r, g, b = light_of_cones(primaries, x * x * x, y * y * y, z * z * z)
+    else:
+        r, g, b = with_primaries(primaries, r, g, b)
+    up = to_white(lightness * lightness * lightness, True)
+    return within_gamut(primaries, lightness, up, by_long, by_medium, by_short, r, g, b, True)
 
 
 @kernel
 def natural_color(red, green, blue):
     """Scalar form of ``natural``."""
-    r, g, b = signed_light(red), signed_light(green), signed_light(blue)
-    lightness, green_red, blue_yellow = lab_of(r, g, b)
-    if not lightness > 0.0:
-        return 0.0, 0.0, 0.0
-    light = lightness * lightness * lightness
-    if light > SHOULDER:
-        # The lightness falls by the third power of the compression, the chroma by its square.
-        darker = cube_root(natural_curve(light) / light)
-        lightness = lightness * darker
-        green_red = green_red * darker * darker
-        blue_yellow = blue_yellow * darker * darker
-        x, y, z = cone_roots(lightness, green_red, blue_yellow)
-        r, g, b = rgb_of_cones(x * x * x, y * y * y, z * z * z)
-    share = gamut_share(lightness, r, g, b)
-    if share > KNEE:
-        x, y, z = cone_roots(0.0, green_red, blue_yellow)
-        amount = amount_of_share(lightness, x, y, z, softened(share))
-        x, y, z = lightness + amount * x, lightness + amount * y, lightness + amount * z
-        r, g, b = rgb_of_cones(x * x * x, y * y * y, z * z * z)
-    return min(max(r, 0.0), 1.0), min(max(g, 0.0), 1.0), min(max(b, 0.0), 1.0)
+    return natural_shown(0, red, green, blue)
 
 
 @compiled_loop
@@ -186,13 +109,14 @@ def natural_light_pixels(colors, out):
         light = min(lightness * lightness * lightness, _WHITEST)
         out[i, 0], out[i, 1], out[i, 2] = 0.0, 0.0, 0.0
         if light > 0.0:
-            shown = gamut_share(lightness, colors[i, 0], colors[i, 1], colors[i, 2])
+            up = to_white(light, True)
+            shown = gamut_share(light, up, colors[i, 0], colors[i, 1], colors[i, 2])
             amount = 1.0
             if shown > KNEE:
-                kept = max(1.0 - (shown - KNEE) / (1.0 - KNEE), _LEAST)
+                kept = max(1.0 - (shown - KNEE) / (EDGE - KNEE), _LEAST_KEPT)
                 x, y, z = cone_roots(0.0, green_red, blue_yellow)
-                wanted = KNEE - (1.0 - KNEE) * math.log(kept)
-                amount = amount_of_share(lightness, x, y, z, wanted)
+                wanted = KNEE - (EDGE - KNEE) * math.log(kept)
+                amount = amount_of_share(0, lightness, up, x, y, z, wanted, 1.0, _MOST_CHROMA)
             brighter = 1.0
             if light > SHOULDER:
                 kept = 1.0 - (light - SHOULDER) / (1.0 - SHOULDER)
@@ -209,7 +133,7 @@ def natural(rgb: ArrayLike) -> NDArray[Any]:
 
     In OKLab, with the light :math:`x = L^3` of the grey of equal lightness:
 
-    .. math:: x_d = x 	ext{ for } x \le s, \quad
+    .. math:: x_d = x \text{ for } x \le s, \quad
               x_d = s + (1 - s)(1 - e^{-(x - s)/(1 - s)}), \quad
               C_d = C\,(x_d/x)^{2/3}
 

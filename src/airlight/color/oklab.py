@@ -46,14 +46,28 @@ ROOTS_TO_LAB: Final[NDArray[np.float64]] = np.asarray(np.linalg.inv(LAB_TO_ROOTS
 @kernel
 def lab_of(red, green, blue):
     """L, a and b of one colour in linear sRGB, negative channels included."""
-    long = cube_root(_LR * red + _LG * green + _LB * blue)
-    medium = cube_root(_MR * red + _MG * green + _MB * blue)
-    short = cube_root(_SR * red + _SG * green + _SB * blue)
+    long, medium, short = cone_roots_of(red, green, blue)
     return (
-        _L0 * long + _L1 * medium + _L2 * short,
+        lightness_of(long, medium, short),
         _A0 * long + _A1 * medium + _A2 * short,
         _B0 * long + _B1 * medium + _B2 * short,
     )
+
+
+@kernel
+def cone_roots_of(red, green, blue):
+    """Cube roots of the responses of the three cones to linear sRGB; 0 for negative ones."""
+    return (
+        cube_root(_LR * red + _LG * green + _LB * blue),
+        cube_root(_MR * red + _MG * green + _MB * blue),
+        cube_root(_SR * red + _SG * green + _SB * blue),
+    )
+
+
+@kernel
+def lightness_of(long, medium, short):
+    """Lightness of the cube roots of the cones' responses."""
+    return _L0 * long + _L1 * medium + _L2 * short
 
 
 @kernel

@@ -16,7 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 from airlight.color.aces import aces, aces_color, aces_inverse
 from airlight.color.agx import agx, agx_color, agx_inverse
 from airlight.color.floating import each, each_pixel, physical, physical_light
-from airlight.color.natural import natural, natural_color, natural_inverse
+from airlight.color.gamut import into_gamut, with_primaries
+from airlight.color.natural import natural, natural_color, natural_inverse, natural_shown
 from airlight.color.xyz import luminance, luminance_of
 from airlight.errors import ParameterError
 from airlight.kernel import compiled_loop, kernel
@@ -310,9 +311,39 @@ TONE_MAPS: Final[dict[str, ToneMap]] = {
     "agx": ToneMap(agx, agx_inverse, agx_color),
 }
 
-#: ``tone_mapped(which, red, green, blue)``: one colour by the tone map of that index in
-#: ``TONE_MAPS``, counted from 0.
-tone_mapped = chosen_kernel("tone_mapped", [one.color for one in TONE_MAPS.values()], __name__)
+#: ``_curved(which, red, green, blue)``: one colour by a tone map but ``natural``, the first, which
+#: has the gamut inside; counted from 0.
+_curved = chosen_kernel("curved", [one.color for one in TONE_MAPS.values()][1:], __name__)
+
+
+@kernel
+def shown_light(which, primaries, red, green, blue):
+    """Light of a display, 0 to 1, of exposed light: tone map and gamut.
+
+    All maps but ``natural`` get light without negative channels, by ``in_gamut``; what they leave
+    beyond white goes to the edge of the gamut at its hue, what they leave within stays.
+
+    Parameters
+    ----------
+    which : int
+        Index in ``TONE_MAPS``.
+    primaries : int
+        Index in ``PRIMARIES``.
+    red, green, blue : float
+        Linear sRGB after exposure; channels may be negative. [1]
+
+    Returns
+    -------
+    red, green, blue : float
+        Linear light of the display's primaries. [1]
+    """
+    if which == 0:
+        return natural_shown(primaries, red, green, blue)
+    red, green, blue = into_gamut(0, False, True, red, green, blue)
+    red, green, blue = _curved(which - 1, red, green, blue)
+    if max(red, max(green, blue)) > 1.0:
+        red, green, blue = into_gamut(0, True, False, red, green, blue)
+    return with_primaries(primaries, red, green, blue)
 
 
 def tone_map_named(name: str) -> ToneMap:

@@ -47,6 +47,7 @@ def write_exr(
     attributes: dict[str, Any] = {
         "compression": OpenEXR.ZIP_COMPRESSION,
         "type": OpenEXR.scanlineimage,
+        # Scene-referred and unclipped: channels are negative for light beyond these primaries.
         "chromaticities": REC_709,
         "whiteLuminance": LUMINOUS_EFFICACY,
         **header(metadata or {}),

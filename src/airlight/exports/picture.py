@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,9 @@ from airlight.errors import FileError
 from airlight.exports.exr import write_exr
 from airlight.exports.png import write_png
 from airlight.exports.whole_file import check_target
+
+if TYPE_CHECKING:
+    from airlight.scene.frame import Frame
 
 #: Suffixes of the formats that can be written.
 SUFFIXES = (".png", ".exr")
@@ -64,12 +68,17 @@ def picture_suffix(path: str | Path) -> str:
 
 def write_picture(
     path: str | Path,
-    rgb: NDArray[np.float32],
+    picture: Frame | NDArray[np.float32],
     metadata: Mapping[str, str] | None = None,
     *,
-    exposure: float | str = -2.5,
-    tone_map: str = "hable",
+    exposure: float | str = "auto",
+    tone_map: str = "natural",
     encoding: str = "srgb",
+    primaries: str = "srgb",
+    eye: bool | None = None,
+    bits: int = 8,
+    glare: float = 1.0,
+    pixel_angle: float = 0.0,
 ) -> Written:
     """Write a frame's colours as PNG (exposed, tone mapped, encoded) or EXR (linear, untouched).
 
@@ -77,15 +86,27 @@ def write_picture(
     ----------
     path : str or Path
         Path ending in ``.png`` or ``.exr``.
-    rgb : array, shape (h, w, 3)
-        Linear sRGB radiance, weighted by the colour-matching functions, float32. [W m⁻² sr⁻¹]
+    picture : Frame or array, shape (h, w, 3)
+        Frame, which knows its metadata, the angle of its pixels and what counts for its exposure;
+        or linear sRGB radiance, weighted by the colour-matching functions, float32.
+        [W m⁻² sr⁻¹]
     metadata : mapping of str to str, optional
-        Facts of how the frame was made, recorded in the file.
+        Further facts of how the frame was made, recorded in the file.
     exposure : float or "auto"
-        The colours are multiplied by 2 to this power; ``auto`` takes it from the mean of the
-        logarithm of the luminance. Only for PNG. [EV]
-    tone_map, encoding : str
+        The colours are multiplied by 2 to this power; ``auto`` measures it, see
+        ``Frame.exposure`` and, of an array, ``airlight.color.exposure.automatic_exposure``. Only
+        for PNG. [EV]
+    tone_map, encoding, primaries : str
         Names of ``airlight.color``. Only for PNG.
+    eye : bool, optional
+        Whether light of less than 4 cd m⁻² is seen as by an eye in the dark; by default where the
+        exposure is ``auto``. Only for PNG.
+    bits : int
+        Bits per channel of a PNG, 8 or 16.
+    glare : float
+        Amount of glare around bright points, 0 to 10: 1 is that of a lens. Only for PNG. [1]
+    pixel_angle : float
+        Angle of a pixel of an array; without it there is no glare. [rad]
 
     Returns
     -------
@@ -95,19 +116,36 @@ def write_picture(
     Raises
     ------
     ParameterError
-        For an unknown tone map or encoding, or an exposure that is not a number.
+        For an unknown name, other bits, or an exposure or glare that is not allowed.
     FileError
         If the file cannot be written; an existing file is then unchanged.
     """
     suffix = picture_suffix(path)
+    from airlight.scene.frame import Frame
+
+    frame = picture if isinstance(picture, Frame) else Frame(rgb=picture, pixel_angle=pixel_angle)
+    rgb, pixel_angle = frame.rgb, frame.pixel_angle
+    metadata = {**frame.metadata, **(metadata or {})}
     used: float | None = None
     if suffix == ".exr":
         write_exr(path, rgb, metadata)
     else:
         from airlight.color.display import resolve_exposure, to_display
 
-        used = resolve_exposure(rgb, exposure, tone_map)
-        pixels = to_display(rgb, exposure=used, tone_map=tone_map, encoding=encoding)
-        display = {"exposure": f"{used:.10g} EV", "tone_map": tone_map, "encoding": encoding}
-        write_png(path, pixels, {**(metadata or {}), **display}, encoding=encoding)
+        used = frame.exposure if exposure == "auto" else resolve_exposure(rgb, exposure)
+        eye = exposure == "auto" if eye is None else eye
+        pixels = to_display(
+            rgb, used, tone_map, encoding, eye=eye, primaries=primaries, bits=bits, glare=glare,
+            pixel_angle=pixel_angle,
+        )  # fmt: skip
+        display = {
+            "exposure": f"{used:.10g} EV",
+            "eye": "adapted" if eye else "by day",
+            "tone_map": tone_map,
+            "encoding": encoding,
+            "primaries": primaries,
+        }
+        display |= {"glare": f"{glare:g}"} if pixel_angle > 0.0 else {}
+        texts = {**metadata, **display}
+        write_png(path, pixels, texts, encoding=encoding, primaries=primaries)
     return Written(path=Path(path), size=Path(path).stat().st_size, exposure=used)

@@ -1,10 +1,11 @@
-"""PNG: eight bits per channel, for viewing, with the scene in its text chunks."""
+"""PNG: eight or sixteen bits per channel, for viewing, with the scene in its text chunks."""
 
 from __future__ import annotations
 
+import io
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,20 +14,68 @@ from airlight.errors import ParameterError
 from airlight.exports.header import header
 from airlight.exports.whole_file import whole_file
 
-#: sRGB chunk with the perceptual intent; gAMA chunk with 1/2.2 in units of 1e-5.
-#: [PNG specification, third edition (W3C 2025), sections 11.3.2.5 and 11.3.2.2]
-_ENCODING_CHUNKS = {
-    "srgb": (b"sRGB", b"\x00"),
-    "gamma": (b"gAMA", round(1e5 / 2.2).to_bytes(4, "big")),
-}
+#: Chunks in front of the pixels, as type and data.
+Chunks = list[tuple[bytes, bytes]]
+
+#: cICP of Display P3: its primaries, the curve of sRGB, no matrix, full range. [ITU-T H.273, 8.1 to
+#: 8.3; PNG specification, third edition (W3C 2025), section 11.3.2.6]
+_DISPLAY_P3: Final = bytes([12, 13, 0, 1])
+
+
+def colour_chunks(encoding: str, primaries: str = "srgb") -> Chunks:
+    """Chunks that say what the numbers of a picture mean, the first that a reader knows first.
+
+    Parameters
+    ----------
+    encoding : str
+        Encoding of the pixels, ``srgb`` or ``gamma`` (1/2.2).
+    primaries : str
+        Name from ``PRIMARIES``.
+
+    Returns
+    -------
+    list of (bytes, bytes)
+        Type and data: sRGB with the perceptual intent for that space alone; else cICP, where there
+        is a number, and gAMA and cHRM for older readers.
+
+    Raises
+    ------
+    ParameterError
+        If a name is unknown.
+
+    References
+    ----------
+    PNG specification, third edition (W3C 2025), sections 11.3.2.1, 2, 5 and 6.
+    """
+    from airlight.color.gamut import PRIMARIES, WHITE
+
+    if encoding not in ("srgb", "gamma"):
+        raise ParameterError("encoding", encoding, "srgb, gamma")
+    if primaries not in PRIMARIES:
+        raise ParameterError("primaries", primaries, ", ".join(PRIMARIES))
+    if (encoding, primaries) == ("srgb", "srgb"):
+        return [(b"sRGB", b"\x00")]
+    # Curves other than a power are not in gAMA: sRGB's is nearest to 1/2.2.
+    chunks: Chunks = [(b"gAMA", _numbers(1.0 / 2.2))]
+    if primaries != "srgb":
+        places = (WHITE, *PRIMARIES[primaries])
+        chunks.append((b"cHRM", _numbers(*(value for place in places for value in place))))
+        if encoding == "srgb":
+            chunks.insert(0, (b"cICP", _DISPLAY_P3))
+    return chunks
+
+
+def _numbers(*values: float) -> bytes:
+    return b"".join(round(1e5 * value).to_bytes(4, "big") for value in values)
 
 
 def write_png(
     path: str | Path,
-    pixels: NDArray[np.uint8],
+    pixels: NDArray[Any],
     metadata: Mapping[str, str] | None = None,
     *,
     encoding: str = "srgb",
+    primaries: str = "srgb",
 ) -> None:
     """Write a picture that is ready for display.
 
@@ -34,35 +83,67 @@ def write_png(
     ----------
     path : str or Path
         Path of the file.
-    pixels : array, shape (h, w, 3)
-        Encoded red, green, blue, 0 to 255.
+    pixels : array, shape (h, w, 3), uint8 or uint16
+        Encoded red, green, blue, 0 to 255 or 0 to 65535.
     metadata : mapping of str to str, optional
         Text chunks to add, each name prefixed with ``airlight.``.
     encoding : str
         Encoding of the pixels, ``srgb`` or ``gamma`` (1/2.2), recorded in the file.
+    primaries : str
+        Primaries of the pixels, ``srgb`` or ``display-p3``, recorded in the file.
 
     Raises
     ------
     ParameterError
-        If the shape or type is not that.
+        If the shape or type is not that, or a name is unknown.
     FileError
         If the file cannot be written; an existing file is then unchanged.
     """
+    if pixels.dtype not in (np.uint8, np.uint16) or pixels.ndim != 3 or pixels.shape[2] != 3:
+        shown = f"{pixels.dtype} {pixels.shape}"
+        raise ParameterError("pixels", shown, "uint8 or uint16, shape (height, width, 3)")
+    chunks = colour_chunks(encoding, primaries)
+    texts = header(metadata or {})
+    pixels = np.ascontiguousarray(pixels)
+    with whole_file(path) as part, part.open("wb") as stream:
+        if pixels.dtype == np.uint16:
+            stream.write(_sixteen_bits(pixels, chunks, texts))
+        else:
+            _write_eight_bits(stream, pixels, chunks, texts)
+
+
+def _write_eight_bits(
+    stream: Any, pixels: NDArray[np.uint8], chunks: Chunks, texts: Mapping[str, str]
+) -> None:
     from PIL import Image
     from PIL.PngImagePlugin import PngInfo
 
-    if pixels.dtype != np.uint8 or pixels.ndim != 3 or pixels.shape[2] != 3:
-        shown = f"{pixels.dtype} {pixels.shape}"
-        raise ParameterError("pixels", shown, "uint8, shape (height, width, 3)")
-    if encoding not in _ENCODING_CHUNKS:
-        raise ParameterError("encoding", encoding, ", ".join(_ENCODING_CHUNKS))
     info = PngInfo()
-    info.add(*_ENCODING_CHUNKS[encoding])
-    for name, text in header(metadata or {}).items():
+    for kind, data in chunks:
+        info.add(kind, data)
+    for name, text in texts.items():
         info.add_text(name, text)
-    image: Any = Image.fromarray(np.ascontiguousarray(pixels))
-    with whole_file(path) as part, part.open("wb") as stream:
-        image.save(stream, format="png", pnginfo=info, compress_level=5)
+    image: Any = Image.fromarray(pixels)
+    image.save(stream, format="png", pnginfo=info, compress_level=5)
+
+
+def _sixteen_bits(pixels: NDArray[np.uint16], chunks: Chunks, texts: Mapping[str, str]) -> bytes:
+    """File of 16 bits per channel, which Pillow does not write."""
+    import png
+
+    height, width = pixels.shape[:2]
+    plain, out = io.BytesIO(), io.BytesIO()
+    rows = pixels.astype(">u2").reshape(height, -1).view(np.uint8)
+    png.Writer(width, height, bitdepth=16, greyscale=False, compression=5).write_packed(plain, rows)
+    first, *rest = png.Reader(bytes=plain.getvalue()).chunks()
+    worded = [(b"iTXt", _worded(name, text)) for name, text in texts.items()]
+    png.write_chunks(out, [first, *chunks, *worded, *rest])
+    return out.getvalue()
+
+
+def _worded(name: str, text: str) -> bytes:
+    """Data of an iTXt chunk: keyword, uncompressed, no language, the text in UTF-8."""
+    return name.encode("latin-1") + b"\0\0\0\0\0" + text.encode()
 
 
 def read_png_metadata(path: str | Path) -> dict[str, str]:

@@ -27,17 +27,24 @@ class InTexture:
         Whether an element is a texel of four wavelengths rather than a single number.
     whole : bool
         Whether the table is the whole texture, whose lengths nobody reads: the target of a pass.
+    packed : bool
+        Whether it is the whole texture, of four channels of eight bits: texels of
+        ``airlight.color.texels``.
+    image : bool
+        Whether the texture is a picture, read at row and column: no flat texture.
     """
 
     texture: str
     rank: int = 1
     spectral: bool = False
     whole: bool = False
+    packed: bool = False
+    image: bool = False
 
     @property
     def channels(self) -> int:
         """Numbers in a texel of the texture."""
-        return 4 if self.spectral else 1
+        return 4 if self.spectral or self.packed else 1
 
 
 @dataclass(frozen=True)
@@ -62,6 +69,17 @@ class Always:
 CHOICE: Final = Choice()
 SPECTRA: Final = InTexture("spectra", spectral=True)
 FIELDS: Final = InTexture("fields", spectral=True)
+
+
+def image(texture: str) -> InTexture:
+    """Picture of four channels in a texture of its own.
+
+    Parameters
+    ----------
+    texture : str
+        Name of the texture.
+    """
+    return InTexture(texture, 2, spectral=True, whole=True, image=True)
 
 
 def scalars(rank: int = 1) -> InTexture:

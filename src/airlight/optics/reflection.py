@@ -24,12 +24,16 @@ from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.choice import chosen_kernel
 from airlight.kernel.lanes import load
 from airlight.kernel.shader_fields import CHOICE, SPECTRA
-from airlight.optics import lambert, lommel_seeliger
+from airlight.optics import lambert, lommel_seeliger, water
 
 FloatArray = NDArray[np.float64]
 
 #: Laws of reflection by name: modules with their kernels and largest albedos.
-LAWS: Final[dict[str, Any]] = {"lambert": lambert, "lommel-seeliger": lommel_seeliger}
+LAWS: Final[dict[str, Any]] = {
+    "lambert": lambert,
+    "lommel-seeliger": lommel_seeliger,
+    "water": water,
+}
 
 
 def law_number(name: str) -> int:
@@ -43,6 +47,10 @@ def law_number(name: str) -> int:
     return list(LAWS).index(name)
 
 
+#: Number of the law of water, which a pixel mixes with another.
+WATER: Final = law_number("water")
+
+
 class Reflection(NamedTuple):
     """Ground as an argument of kernels.
 
@@ -52,10 +60,16 @@ class Reflection(NamedTuple):
         Fraction of diffuse light that is reflected; wavelengths in the lanes, or one of them. [1]
     law : int
         Number of the law, its position in ``LAWS``.
+    wet : bool
+        Whether some of the ground is water, by the law or by a map.
+    wind : float
+        Wind speed over water. [m s⁻¹]
     """
 
     albedo: Annotated[Any, SPECTRA]
     law: Annotated[int, CHOICE] = 0
+    wet: bool = False
+    wind: float = 5.0
 
 
 #: White ground by Lambert's law.

@@ -35,6 +35,7 @@ def paint_scene(
     device: Choice = "cpu",
     exact: bool = False,
     orders: str = "all",
+    samples: int = 1,
     cache: bool = True,
     refused: Callable[[str], None] | None = None,
     progress: Progress | None = None,
@@ -60,6 +61,8 @@ def paint_scene(
         Whether each pixel is marched, instead of read from a table of the sky.
     orders : str
         Orders as for ``airlight.render``.
+    samples : int
+        Samples per side of every pixel, as for ``airlight.render``.
     cache : bool
         Whether the CPU looks for the solution on disk first, and stores it there.
     refused : callable, optional
@@ -107,7 +110,7 @@ def paint_scene(
             colour = {"colour": "from four wavelengths, fitted to the star"}
     solution = solve_planet(planet, nm, quality, cache=cache, progress=progress, cancel=cancel)
     frame = ScenePainter(chosen).frame(
-        solution, scene, exact=exact, orders=orders, weights=weights, progress=progress,
-        cancel=cancel,
+        solution, scene, exact=exact, orders=orders, samples=samples, weights=weights,
+        progress=progress, cancel=cancel,
     )  # fmt: skip
     return replace(frame, metadata={**frame.metadata, **colour})

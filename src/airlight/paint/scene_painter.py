@@ -10,7 +10,10 @@ The policy of command line, window and saved pictures alike:
 * A software device draws from a coarse table of the sky while the view changes; after a short time
   without changes the processor draws the finished picture, which, unlike a long pass, leaves the
   device free for the window.
-* The processor also draws until the shaders of live pictures are compiled, which takes seconds.
+* The processor also draws until the shaders of live pictures are compiled, which takes seconds;
+  unless its own loops are not compiled either, which takes longer (``render.ahead``): then a
+  hardware device draws first. The first picture of a window is the whole one, which needs no loop
+  that marches each pixel: to compile or to load that, which small pictures take, takes longer.
 
 All of them read a table of the sky, unless an exact picture is requested.
 """
@@ -26,6 +29,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from airlight.errors import Cancelled, ParameterError
 from airlight.render import render
+from airlight.render.ahead import DRAWING, MARCHING
 from airlight.scene.picture_size import scaled
 
 if TYPE_CHECKING:
@@ -36,6 +40,7 @@ if TYPE_CHECKING:
 
     from airlight.gpu.device.device import Device
     from airlight.gpu.picture.pictures import Pictures
+    from airlight.kernel.ahead import CompiledAhead
     from airlight.kernel.threads import Cancel, Progress
     from airlight.scene import Scene
     from airlight.scene.frame import Frame
@@ -131,14 +136,19 @@ class ScenePainter:
     ----------
     device : Device, optional
         Device that draws, see ``drawing_device``; without one the processor does.
+    ahead : CompiledAhead, optional
+        Process that compiles the processor's loops, which live pictures wait for.
     """
 
-    def __init__(self, device: Device | None = None) -> None:
+    def __init__(self, device: Device | None = None, ahead: CompiledAhead | None = None) -> None:
         self._device = device
+        self._ahead = ahead
         self._pictures: Pictures | None = None
         self._shown: object = None
         self._compiling: threading.Thread | None = None
         self._compiled = device is None
+        self._closing = False
+        self._began = False
         self._rate = _FIRST_GUESS
         self._last: tuple[MomentsSolution, LivePicture] | None = None  # finished by the processor
 
@@ -149,6 +159,7 @@ class ScenePainter:
         *,
         exact: bool = False,
         orders: str = "all",
+        samples: int = 1,
         weights: NDArray[np.float64] | None = None,
         progress: Progress | None = None,
         cancel: Cancel | None = None,
@@ -165,6 +176,8 @@ class ScenePainter:
             Whether each pixel is marched, instead of read from a table of the sky.
         orders : str
             Orders as for ``airlight.render``.
+        samples : int
+            Samples per side of every pixel, as for ``airlight.render``.
         weights : array, shape (nl, 3), optional
             Linear sRGB per radiance, for a device; by default ``picture_weights``.
         progress, cancel : callable, optional
@@ -184,15 +197,17 @@ class ScenePainter:
         """
         if self._device is None:
             frame = render(
-                solution, scene, exact=exact, orders=orders, progress=progress, cancel=cancel
-            )
+                solution, scene, exact=exact, orders=orders, samples=samples, progress=progress,
+                cancel=cancel,
+            )  # fmt: skip
         else:
             pictures = self._renderer(live=False)
             pictures.show(solution, weights)
             self._shown = None
             frame = pictures.frame(
-                scene, exact=exact, orders=orders, progress=progress, cancel=cancel
-            )
+                scene, exact=exact, orders=orders, samples=samples, progress=progress,
+                cancel=cancel,
+            )  # fmt: skip
         return replace(frame, metadata={"device": PROCESSOR, **frame.metadata})
 
     def live(
@@ -247,6 +262,7 @@ class ScenePainter:
 
     def close(self) -> None:
         """Wait for the thread that compiles, if there is one."""
+        self._closing = True
         if self._compiling is not None:
             self._compiling.join()
 
@@ -263,6 +279,11 @@ class ScenePainter:
         if self._last is not None and self._knows(solution, picture):
             yield self._last[1]
             return
+        if not self._has(DRAWING, stale):
+            raise Cancelled("a newer view")
+        # To load the loop that marches takes longer than to draw the first picture whole.
+        coarse = coarse and (self._ahead is None or (self._began and self._has(MARCHING)))
+        self._began = True
         for step, part in enumerate(self._parts(picture.scene) if coarse else [1.0]):
             started = perf_counter()
             scene = scaled(picture.scene, part)
@@ -275,6 +296,11 @@ class ScenePainter:
             if done.finished:
                 self._last = solution, replace(done, seconds=0.0)
             yield done
+
+    def _has(self, loops: tuple[Any, ...], stale: Callable[[], bool] = lambda: True) -> bool:
+        """Whether loops are compiled, after waiting until they are or the request is stale."""
+        ahead = self._ahead
+        return ahead is None or all(ahead.wait(loop, stale) for loop in loops)
 
     def _parts(self, scene: Scene) -> Iterator[float]:
         """Scales of successive pictures."""
@@ -330,6 +356,10 @@ class ScenePainter:
                 daemon=True,
             )  # fmt: skip
             self._compiling.start()
+        if not self._device.software and not self._has(DRAWING):
+            while not self._compiled and not stale():
+                time.sleep(_POLL)
+            return
         over = (lambda: False) if self._device.software else (lambda: self._compiled)
         try:
             yield from self._by_processor(solution, picture, lambda: stale() or over())
@@ -346,6 +376,8 @@ class ScenePainter:
         import wgpu
 
         try:
+            if self._device is not None and self._device.software:
+                self._has((DRAWING[0],), lambda: self._closing)  # fills the table of the sky
             if self._takes(solution):
                 assert self._device is not None
                 small = scaled(picture.scene, _TINY / picture.scene.camera.width)
@@ -355,7 +387,7 @@ class ScenePainter:
                     usage=wgpu.TextureUsage.RENDER_ATTACHMENT,
                 )
                 ready = replace(picture, scene=small, pictures=self._pictures)
-                ready.draw(texture.create_view(), exposure=0.0, tone_map="hable", uniforms={})
+                ready.draw(texture.create_view(), exposure=0.0, tone_map="natural", uniforms={})
                 ready.linear(_TINY)
         finally:
             self._compiled = True

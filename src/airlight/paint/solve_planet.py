@@ -3,13 +3,13 @@
 A graphics device solves if it is a hardware GPU and has the capacity: at most four wavelengths,
 clear or dusty air. The CPU solves all other cases: thick air, many wavelengths and constituents,
 and everything where the device is software, which would share the CPU, whose own solver is faster.
-Edits are many, and few recur: their solutions are not stored on disk.
+Edits are many, and few recur: their solutions are not stored on disk, those of presets are.
 """
 
 from __future__ import annotations
 
-from functools import partial
-from typing import TYPE_CHECKING, Protocol
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -104,7 +104,11 @@ def solve_planet(
     return solvers.solve(planet, nm, quality, cache=cache, progress=progress, cancel=cancel)
 
 
-def live_solver(choice: Choice = "auto", device: Device | None = None) -> PlanetSolver:
+def live_solver(
+    choice: Choice = "auto",
+    device: Device | None = None,
+    keeps: Callable[[], bool] = lambda: False,
+) -> PlanetSolver:
     """Make the solver for the edits of a session.
 
     Parameters
@@ -113,5 +117,12 @@ def live_solver(choice: Choice = "auto", device: Device | None = None) -> Planet
         Device as for ``live_device``; it solves if it is a hardware GPU.
     device : Device, optional
         Device from ``open_device``, if any.
+    keeps : callable
+        Whether the solution of a planet is looked for on disk, and stored there: asked each time.
     """
-    return partial(solve_planet, device=live_device(choice, device), cache=False)
+    drawing = live_device(choice, device)
+
+    def solve(*arguments: Any, **options: Any) -> MomentsSolution:
+        return solve_planet(*arguments, device=drawing, cache=keeps(), **options)
+
+    return solve

@@ -3,52 +3,30 @@
 Table of the sky and march give the light of a white Lambert ground behind the air. The ground asks
 its law of reflection for two factors, of the star's light and of the sky's, which differ where it
 does not reflect alike into all directions: then the two irradiances share that light between them.
+Water mirrors the sky itself, at the place that table and march give it beside the ground's light.
 """
 
 from __future__ import annotations
 
-from math import sqrt
+from math import pi, sqrt
 
 import numpy as np
 
-from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.shell import first_meeting
 from airlight.kernel import inlined
 from airlight.kernel.lanes import load, maximum, minimum, splat
-from airlight.optics.reflection import sky_share, star_share
-from airlight.pixels.sky_table import star_from
+from airlight.optics.reflection import WATER, sky_share, star_share
+from airlight.optics.water import wet_shares
+from airlight.pixels.ground_angles import ground_angles
+from airlight.scene.ground_detail import ground_detail
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
 from airlight.solvers.moments.irradiance import ground_light
-from airlight.tables.column_ratios import columns_to_top
-
-
-@inlined
-def bent_to_ground(z, sine, observer, light, columns):
-    """Angle of refraction of a line of sight that ends on the ground. [rad]
-
-    Parameters
-    ----------
-    z, sine : float
-        Cosine and sine of its zenith angle. [1]
-    observer, light : Observer, MarchTables
-        Observer, and tables of the solution.
-    columns : array, shape (nc,)
-        Workspace. [m]
-    """
-    bottom, top = light.bottom, light.top
-    impact = min(observer.r * sine, bottom)
-    slant = sqrt(max((bottom - impact) * (bottom + impact), 0.0)) / bottom
-    columns_to_top(bottom, slant, bottom, top, light.columns, columns)
-    column = columns[light.constituents - 1]
-    if not observer.outside:
-        columns_to_top(observer.r, -z, bottom, top, light.columns, columns)
-        column = max(column - columns[light.constituents - 1], 0.0)
-    return bend_angle(bottom, slant, light.bend, column)
+from airlight.solvers.moments.source import through_columns
 
 
 @inlined
 def ground_color(x, y, z, sine, angle, observer, screen, light, color):
-    """Colour of the map at the end of a line of sight, into ``color`` (3,). [1]
+    """Colour, water and lamps at the end of a line of sight, into ``color`` (9,). [1]
 
     Parameters
     ----------
@@ -58,50 +36,50 @@ def ground_color(x, y, z, sine, angle, observer, screen, light, color):
         Sine of its zenith angle [1]; angle of refraction [rad].
     observer, screen, light : Observer, Screen, MarchTables
         Observer, camera with its maps, and tables of the solution.
-    color : array, shape (3,)
-        Receives linear sRGB reflectance. [1]
+    color : array, shape (9,)
+        Receives linear sRGB reflectance and share of water of the map, four values of the overlay,
+        and the factor of the detail below the map's resolution; those of a map that is missing
+        stay. [1]
     """
     impact = min(observer.r * sine, light.bottom)
-    cosine = sqrt(max((light.bottom - impact) * (light.bottom + impact), 0.0)) / light.bottom
-    across, up = first_meeting(impact, sine, light.bottom)
-    scale = across / max(sine, 1e-30)
-    px, py, pz = scale * x, scale * y, up
+    depth = sqrt(max((light.bottom - impact) * (light.bottom + impact), 0.0))
+    cosine = depth / light.bottom
+    _across, up = first_meeting(impact, sine, light.bottom)
+    # the distance as a quotient, of which single precision keeps all digits near the observer
+    height = observer.r - light.bottom
+    reach = height * (observer.r + light.bottom) / max(depth - observer.r * z, 1e-30)
+    px, py, pz = reach * x, reach * y, up
+    color[8] = 1.0
+    if screen.detailed:  # of the straight line: how much a near one is bent is lost in rounding
+        # pz - bottom of a point of the sphere, which single precision has to half a metre only
+        below = -(px * px + py * py) / max(light.bottom + pz, 1e-3 * light.bottom)
+        color[8] = 1.0 + ground_detail(
+            screen.xx * px + screen.xy * py + screen.xz * below,
+            screen.yx * px + screen.yy * py + screen.yz * below,
+            screen.zx * px + screen.zy * py + screen.zz * below,
+            screen.pixel_angle * reach / max(cosine, 0.01), screen.detail_cell,
+            screen.whole_x, screen.whole_y, screen.whole_z,
+            screen.part_x, screen.part_y, screen.part_z,
+        )  # fmt: skip
     px, py, pz = moved_on(px, py, pz, x, y, z, cosine, angle, light.bottom)
     latitude, longitude = latitude_longitude(
         screen.xx * px + screen.xy * py + screen.xz * pz,
         screen.yx * px + screen.yy * py + screen.yz * pz,
         screen.zx * px + screen.zy * py + screen.zz * pz,
     )
-    reach = sqrt(px * px + py * py + (pz - observer.r) * (pz - observer.r))
-    level = map_level(screen.pixel_angle, reach, cosine, light.bottom, screen.levels[0, 1])
-    map_color(screen.texels, screen.levels, latitude, longitude, level, color)
-
-
-@inlined
-def ground_angles(x, z, sine, angle, observer, light):
-    """Directions at the end of a line of sight on the ground.
-
-    Parameters
-    ----------
-    x, z, sine, angle, observer, light :
-        Arguments of ``ground_color``.
-
-    Returns
-    -------
-    mu_s, leaving, nu : float
-        Cosines of ``star_factor``: of the star's zenith angle there, of the zenith angle towards
-        the observer, and between the arriving line and the star. [1]
-    """
-    impact = min(observer.r * sine, light.bottom)
-    leaving = sqrt(max((light.bottom - impact) * (light.bottom + impact), 0.0)) / light.bottom
-    across, up = first_meeting(impact, sine, light.bottom)
-    cos_azimuth = x / sine if sine > 0.0 else 1.0
-    mu_s = star_from(across, up, light.bottom, cos_azimuth, observer.sun_x, observer.sun_z)
-    nu = min(max(x * observer.sun_x + z * observer.sun_z, -1.0), 1.0)
-    if light.bend > 0.0:
-        mu_s, nu = turned(-leaving, mu_s, nu, angle)
-        mu_s = min(max(mu_s, -1.0), 1.0)
-    return mu_s, leaving, nu
+    if screen.mapped:
+        level = map_level(screen.pixel_angle, reach, cosine, light.bottom, screen.map_rows)
+        map_color(
+            screen.texels, screen.map_rows, screen.map_columns, screen.map_levels, latitude,
+            longitude, level, color, 0,
+        )  # fmt: skip
+        color[8] = color[8] * (1.0 - color[3]) + color[3]
+    if screen.overlaid:
+        level = map_level(screen.pixel_angle, reach, cosine, light.bottom, screen.over_rows)
+        map_color(
+            screen.over_texels, screen.over_rows, screen.over_columns, screen.over_levels,
+            latitude, longitude, level, color, 4,
+        )  # fmt: skip
 
 
 @inlined
@@ -113,22 +91,65 @@ def ground_shares(x, y, z, sine, angle, observer, screen, light, work, color):
     x, y, z, sine, angle, observer, screen, light, color :
         Arguments of ``ground_color``; ``color`` is received where there is a map.
     work : MarchWorkspace
-        Workspace, whose ``received`` has the irradiances by star and sky, except for Lambert's law.
+        Workspace, whose ``received`` has the irradiances by star and sky, except for Lambert's law
+        without water.
 
     Returns
     -------
     star_matte, star_gloss, sky_matte, sky_gloss : float
         Factor of the albedo, and part without it, of the star's and of the sky's light. [1]
+    mirrored : float
+        Factor of the light of the sky that is seen mirrored. [1]
     """
-    if screen.mapped:
+    if screen.mapped or screen.overlaid or screen.detailed:
         ground_color(x, y, z, sine, angle, observer, screen, light, color)
-    star_matte, star_gloss, sky_matte, sky_gloss = 1.0, 0.0, 1.0, 0.0
-    if light.ground.law != 0:
+    else:
+        color[8] = 1.0
+    star_matte, star_gloss, sky_matte, sky_gloss, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
+    if light.ground.law != 0 or light.ground.wet:
         mu_s, leaving, nu = ground_angles(x, z, sine, angle, observer, light)
-        star_matte, star_gloss = star_share(light.ground.law, light.ground, mu_s, leaving, nu)
-        sky_matte, sky_gloss = sky_share(light.ground.law, light.ground, leaving)
         ground_light(mu_s, observer.orders, light, work)
-    return star_matte, star_gloss, sky_matte, sky_gloss
+        share = 0.0
+        if light.ground.law == WATER:
+            share = 1.0
+        else:
+            star_matte, star_gloss = star_share(light.ground.law, light.ground, mu_s, leaving, nu)
+            sky_matte, sky_gloss = sky_share(light.ground.law, light.ground, leaving)
+            if light.ground.wet and screen.mapped:
+                share = color[3]
+        if share > 0.0:
+            land = 1.0 - share
+            star, glint, sky, mirrored = wet_shares(light.ground.wind, mu_s, leaving, nu)
+            star_matte = land * star_matte + share * star
+            star_gloss = land * star_gloss + share * glint
+            sky_matte = land * sky_matte + share * sky
+            sky_gloss = land * sky_gloss
+            mirrored = share * mirrored
+    return star_matte, star_gloss, sky_matte, sky_gloss, mirrored
+
+
+@inlined
+def lamp_light(color, screen, light, columns, at):
+    """Light of lamps on the ground that reaches the observer, per irradiance of the star. [sr⁻¹]
+
+    Parameters
+    ----------
+    color : array, shape (9,)
+        Values from ``ground_color``. [1]
+    screen, light : Screen, MarchTables
+        Colour of the lamps, and tables of the solution.
+    columns : array, shape (nc,)
+        Columns from ``columns_to_ground``. [m]
+    at : int
+        Index of the first lane.
+    """
+    red = np.float32(color[4] * screen.lamp_red)
+    green = np.float32(color[5] * screen.lamp_green)
+    blue = np.float32(color[6] * screen.lamp_blue)
+    total = load(light.basis, at) * red + load(light.basis, light.lanes + at) * green
+    total = total + load(light.basis, 2 * light.lanes + at) * blue
+    through = through_columns(columns, light.extinction, light.constituents, light.lanes, at)
+    return total * through
 
 
 @inlined
@@ -137,8 +158,8 @@ def reflectance(color, mapped, light, at):
 
     Parameters
     ----------
-    color : array, shape (3,)
-        Linear sRGB reflectance. [1]
+    color : array, shape (9,)
+        Values from ``ground_color``. [1]
     mapped : bool
         Whether the ground has a map.
     light : MarchTables
@@ -146,17 +167,18 @@ def reflectance(color, mapped, light, at):
     at : int
         Index of the first lane.
     """
+    detail = np.float32(max(color[8], 0.0))
     if not mapped:
-        return load(light.ground.albedo, at)
+        return load(light.ground.albedo, at) * detail
     total = splat(0.0)
     for c in range(3):
         total = total + load(light.basis, light.lanes * c + at) * np.float32(color[c])
-    return minimum(maximum(total, splat(0.0)), splat(1.0))
+    return minimum(maximum(total * detail, splat(0.0)), splat(1.0))
 
 
 @inlined
 def ground_factor(
-    color, mapped, star_matte, star_gloss, sky_matte, sky_gloss, light, work, at
+    color, mapped, star_matte, star_gloss, sky_matte, sky_gloss, mirrored, light, work, at
 ):  # fmt: skip
     """Light of the ground relative to that of a white Lambert ground. [1]
 
@@ -164,13 +186,16 @@ def ground_factor(
     ----------
     color, mapped, light, at :
         Arguments of ``reflectance``.
-    star_matte, star_gloss, sky_matte, sky_gloss, work :
-        Results of ``ground_shares``, and its workspace.
+    star_matte, star_gloss, sky_matte, sky_gloss, mirrored, work :
+        Results of ``ground_shares``, and its workspace, of which ``found`` has the light of the
+        mirrored sky after those of a line of sight.
     """
     albedo = reflectance(color, mapped, light, at)
-    if light.ground.law == 0:
+    if light.ground.law == 0 and not light.ground.wet:
         return albedo
     star, sky = load(work.received, at), load(work.received, light.lanes + at)
     by_star = star * (albedo * np.float32(star_matte) + np.float32(star_gloss))
     by_sky = sky * (albedo * np.float32(sky_matte) + np.float32(sky_gloss))
+    if light.ground.wet:
+        by_sky = by_sky + load(work.found, 4 * light.lanes + at) * np.float32(pi * mirrored)
     return (by_star + by_sky) / maximum(star + sky, splat(1e-30))

@@ -8,9 +8,11 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.encoding import ENCODINGS
-from airlight.color.exposure import exposure_factor
-from airlight.color.tone_maps import TONE_MAPS
+from airlight.color.display import display_of
+from airlight.color.spectral import sun_color
+from airlight.color.texels import CHANNELS
+from airlight.color.xyz import luminance
+from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
 from airlight.geometry.bending import seen_star
 from airlight.pixels.observer_numbers import observer_numbers
@@ -18,14 +20,20 @@ from airlight.pixels.pixel import Screen
 from airlight.pixels.sky_by_processor import SkyLayers
 from airlight.pixels.sky_table import Observer
 from airlight.scene import Camera, Scene
+from airlight.scene.ground_detail import NOMINAL_ROWS, finest_cell, lattice_origin
+from airlight.scene.ground_overlay import LAMP_TEMPERATURE, TOWN_LUMINANCE
 from airlight.scene.projections import PROJECTIONS
+from airlight.scene.surface_map import SurfaceMap, surface_map
 from airlight.solvers.moments.solution import MomentsSolution
+from airlight.spectra.blackbody import planck_radiance
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 #: Values of ``orders``, with their numbers in the shaders.
 ORDERS: Final = {"all": 2, "single": 1, "multiple": 0}
+#: Most samples per side of a pixel.
+MOST_SAMPLES: Final = 16
 
 
 def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
@@ -71,11 +79,19 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
         "projection": list(PROJECTIONS).index(camera.projection),
         "pixel_angle": camera.pixel_angle,
         "disc": disc,
+        "samples": 1.0,
+        "edges": 1.0,
     }
     for name, axis in zip(("right", "up", "forward"), axes, strict=True):
         numbers |= {f"{name}_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
+    ground = solution.medium.ground_map
+    rows = NOMINAL_ROWS if ground is None else surface_map(ground).rows
+    cell = finest_cell(bottom, rows)
+    numbers |= {"detailed": float(scene.ground == "detailed"), "detail_cell": cell}
     for name, row in zip("xyz", scene.ground_frame, strict=True):
         numbers |= {f"{name}{c}": float(value) for c, value in zip("xyz", row, strict=True)}
+        whole, part = lattice_origin(float(row[2]), bottom, cell)
+        numbers |= {f"whole_{name}": whole, f"part_{name}": part}
     return numbers
 
 
@@ -96,7 +112,8 @@ def observer_from(numbers: Mapping[str, float]) -> Observer:
 def screen_from(
     numbers: Mapping[str, float],
     camera: Camera,
-    ground: tuple[FloatArray, Float32Array] | None,
+    ground: SurfaceMap | None,
+    overlay: SurfaceMap | None,
     layers: SkyLayers,
 ) -> Screen:
     """Camera, ground map and table of the sky, as the CPU reads them.
@@ -107,24 +124,29 @@ def screen_from(
         Numbers of the scene, and whether the star's disc is drawn.
     camera : Camera
         Camera of the scene.
-    ground : tuple of arrays
-        Map from ``SurfaceMap.flat``; None without a map.
+    ground : SurfaceMap
+        Map of the ground; None without a map.
+    overlay : SurfaceMap
+        Lights on it; None without lights.
     layers : SkyLayers
         Layers of a window of the table, which has its own sizes.
     """
-    levels, texels = ground or (np.zeros((1, 3)), np.zeros(3, np.float32))
     values: dict[str, Any] = {
         name: float(numbers[name]) for name in Screen._fields if name in numbers
     }
+    values |= map_numbers(ground) | overlay_size(overlay)
     values |= {
         "width": float(camera.width),
         "height": float(camera.height),
         "projection": int(numbers["projection"]),
         "draws_disc": bool(numbers["draws_disc"]),
+        "samples": int(numbers["samples"]),
+        "edges": bool(numbers["edges"]),
         "mapped": ground is not None,
-        "map_levels": len(levels),
-        "levels": levels,
-        "texels": texels,
+        "overlaid": overlay is not None,
+        "detailed": bool(numbers["detailed"]),
+        "texels": np.zeros(CHANNELS, np.uint8) if ground is None else ground.flat,
+        "over_texels": np.zeros(CHANNELS, np.uint8) if overlay is None else overlay.flat,
         "sky_columns": 0,
         "sky_rows": 0,
         "keeps_peaks": layers.first.size > 1,
@@ -136,8 +158,58 @@ def screen_from(
     return Screen(**values)
 
 
+def map_numbers(ground: SurfaceMap | None) -> dict[str, int]:
+    """Uniforms of a map of the ground.
+
+    Parameters
+    ----------
+    ground : SurfaceMap
+        Map; None without a map.
+    """
+    if ground is None:
+        return {"mapped": 0, "map_rows": 1, "map_columns": 1, "map_levels": 1}
+    size = {"map_rows": ground.rows, "map_columns": ground.columns}
+    return {"mapped": 1, **size, "map_levels": len(ground.levels)}
+
+
+def overlay_size(overlay: SurfaceMap | None) -> dict[str, int]:
+    """Uniforms of the size of an overlay.
+
+    Parameters
+    ----------
+    overlay : SurfaceMap
+        Lights on the ground; None without lights.
+    """
+    if overlay is None:
+        return {"overlaid": 0, "over_rows": 1, "over_columns": 1, "over_levels": 1}
+    size = {"over_rows": overlay.rows, "over_columns": overlay.columns}
+    return {"overlaid": 1, **size, "over_levels": len(overlay.levels)}
+
+
+def lamp_numbers(solution: MomentsSolution) -> dict[str, float]:
+    """Uniforms of the lamps' colour: light per irradiance of the star and part of the map. [sr⁻¹]
+
+    The picture shows a lamp in its own colour whatever the star's is. A light beside the star has
+    no lamps: the picture is the sum over lights.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Solution, lit by one of the lights.
+    """
+    names = ("lamp_red", "lamp_green", "lamp_blue")
+    star = solution.lights[0]
+    if not np.array_equal(star.irradiance, solution.medium.solar_irradiance):
+        return dict.fromkeys(names, 0.0)
+    eye = np.arange(360.0, 831.0)
+    color = np.maximum(sun_color(planck_radiance(eye, LAMP_TEMPERATURE)), 0.0)
+    color *= TOWN_LUMINANCE / LUMINOUS_EFFICACY / luminance(color)
+    white = star.colors().sum(axis=0) * solution.medium.map_brightness
+    return {name: float(x) for name, x in zip(names, color / np.maximum(white, 1e-30), strict=True)}
+
+
 def display_numbers(exposure: float, tone_map: str, encoding: str | None) -> dict[str, float]:
-    """Uniforms of exposure, tone map and encoding.
+    """Uniforms of a display of 8 bits: exposure, tone map, encoding, dither.
 
     Parameters
     ----------
@@ -151,16 +223,11 @@ def display_numbers(exposure: float, tone_map: str, encoding: str | None) -> dic
     Raises
     ------
     ParameterError
-        If a name is unknown.
+        If a name or the exposure is not allowed.
     """
-    if tone_map not in TONE_MAPS:
-        raise ParameterError("tone_map", tone_map, ", ".join(TONE_MAPS))
-    if encoding is not None and encoding not in ENCODINGS:
-        raise ParameterError("encoding", encoding, ", ".join(ENCODINGS))
     return {
-        "exposure": exposure_factor(exposure),
-        "tone_map": list(TONE_MAPS).index(tone_map),
-        "encoding": -1.0 if encoding is None else list(ENCODINGS).index(encoding),
+        name: float(value)
+        for name, value in display_of(exposure, tone_map, encoding)._asdict().items()
     }
 
 
@@ -180,3 +247,22 @@ def order_number(orders: str) -> float:
     if orders not in ORDERS:
         raise ParameterError("orders", orders, ", ".join(ORDERS))
     return float(ORDERS[orders])
+
+
+def checked_samples(samples: int) -> int:
+    """Samples per side of a pixel, if they are allowed.
+
+    Parameters
+    ----------
+    samples : int
+        Samples per side.
+
+    Raises
+    ------
+    ParameterError
+        If it is not 1 to 16.
+    """
+    whole = isinstance(samples, (int, np.integer)) and not isinstance(samples, bool)
+    if not whole or not 1 <= samples <= MOST_SAMPLES:
+        raise ParameterError("samples", samples, f"1 to {MOST_SAMPLES}")
+    return int(samples)

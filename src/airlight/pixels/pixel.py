@@ -7,15 +7,14 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from airlight.color.encoding import encoded
-from airlight.color.tone_maps import tone_mapped
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.kernel.shader_fields import CHOICE, InTexture
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle, row_from_impact
-from airlight.pixels.ground import bent_to_ground, ground_factor, ground_shares
-from airlight.pixels.sky_table import half_sine_between, look, phases_towards
-from airlight.pixels.star_disc import camera_direction, star_disc
+from airlight.pixels.ground import ground_factor, ground_shares, lamp_light
+from airlight.pixels.ground_angles import bent_to_ground, columns_to_ground
+from airlight.pixels.sky_table import half_sine_between, look
+from airlight.pixels.star_disc import star_disc
 from airlight.solvers.moments.source import through_columns
 
 
@@ -38,7 +37,11 @@ class Screen(NamedTuple):
     pixel_angle: float
     disc: float
     draws_disc: bool
+    samples: Annotated[int, CHOICE]
+    edges: bool
     mapped: bool
+    map_rows: int
+    map_columns: int
     map_levels: int
     xx: float
     xy: float
@@ -52,58 +55,27 @@ class Screen(NamedTuple):
     sky_columns: int
     sky_rows: int
     keeps_peaks: bool
-    levels: Annotated[np.ndarray, InTexture("ground", 2)]
-    texels: Annotated[np.ndarray, InTexture("ground")]
+    overlaid: bool
+    detailed: bool
+    detail_cell: float
+    whole_x: float
+    whole_y: float
+    whole_z: float
+    part_x: float
+    part_y: float
+    part_z: float
+    over_rows: int
+    over_columns: int
+    over_levels: int
+    lamp_red: float
+    lamp_green: float
+    lamp_blue: float
+    texels: Annotated[np.ndarray, InTexture("ground", packed=True)]
+    over_texels: Annotated[np.ndarray, InTexture("overlay", packed=True)]
     sky_air: Annotated[np.ndarray, InTexture("air", spectral=True, whole=True)]
     sky_ground: Annotated[np.ndarray, InTexture("behind", spectral=True, whole=True)]
     sky_first: Annotated[np.ndarray, InTexture("first", spectral=True, whole=True)]
     sky_second: Annotated[np.ndarray, InTexture("second", spectral=True, whole=True)]
-
-
-class Display(NamedTuple):
-    """Conversion of light for a display; names as in ``gpu.picture.uniforms``.
-
-    Attributes
-    ----------
-    exposure : float
-        Factor of the exposure. [1]
-    tone_map : int
-        Index in ``TONE_MAPS``.
-    encoding : int
-        Index in ``ENCODINGS``; -1 for a target that encodes by itself.
-    """
-
-    exposure: float
-    tone_map: Annotated[int, CHOICE]
-    encoding: Annotated[int, CHOICE]
-
-
-@inlined
-def displayed(red, green, blue, display):
-    """Displayed values of linear light: exposed, tone-mapped and encoded. [1]
-
-    Parameters
-    ----------
-    red, green, blue : float
-        Linear sRGB. [W m⁻² sr⁻¹]
-    display : Display
-        Exposure, tone map and encoding.
-
-    Returns
-    -------
-    red, green, blue : float
-        Encoded values. [1]
-    """
-    red, green, blue = tone_mapped(
-        display.tone_map, red * display.exposure, green * display.exposure, blue * display.exposure
-    )
-    if display.encoding < 0:
-        return red, green, blue
-    return (
-        encoded(display.encoding, red),
-        encoded(display.encoding, green),
-        encoded(display.encoding, blue),
-    )
 
 
 @kernel
@@ -279,7 +251,8 @@ def seen_line(
         Results of ``sight``.
     exact, window, observer, screen, light, work :
         Arguments of ``pixel_light``; ``work.found`` receives the air's radiance and, for a line to
-        the ground, that of a white Lambert ground. [sr⁻¹]
+        the ground, that of a white Lambert ground and, last, that of the sky which water there
+        mirrors. [sr⁻¹]
 
     Returns
     -------
@@ -288,13 +261,23 @@ def seen_line(
     """
     half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
     bent = 0.0
+    wet = to_ground and light.ground.wet
     if exact:
         cos_azimuth = x / sine if sine > 0.0 else 1.0
-        phases_towards(half_sine, True, light, work.phase)
-        bent = look(
-            z, sine, cos_azimuth, to_ground, True, False, observer, light, work.phase, work,
-            work.found,
-        )  # fmt: skip
+        # The mirrored sky first, since the other results are kept where the march leaves them.
+        for part in range(2):
+            mirrored = part == 0
+            if not mirrored or (wet and observer.orders != 1):
+                bent = look(
+                    z, sine, cos_azimuth, half_sine, to_ground, mirrored, True, True, False,
+                    observer, light, work, work.found,
+                )  # fmt: skip
+            if mirrored:
+                for at in range(0, light.lanes, LANES):
+                    value = splat(0.0)
+                    if wet and observer.orders != 1:
+                        value = load(work.found, at)
+                    store(work.found, 4 * light.lanes + at, value)
     else:
         near, right, down = place_in_sky(x, y, row, to_ground, window)
         for at in range(0, light.lanes, LANES):
@@ -307,6 +290,12 @@ def seen_line(
                     screen.sky_ground, near, window.column_count, right, down, light.lanes, at
                 )
                 store(work.found, light.lanes + at, value)
+            if wet:
+                value = between_texels(
+                    screen.sky_air, near + window.ground_count * window.column_count,
+                    window.column_count, right, down, light.lanes, at,
+                )  # fmt: skip
+                store(work.found, 4 * light.lanes + at, value)
         if to_ground and light.bend > 0.0:
             bent = bent_to_ground(z, sine, observer, light, work.totals)
     return bent
@@ -314,7 +303,7 @@ def seen_line(
 
 @inlined
 def pixel_light(
-    px, py, exact, reach, window, observer, screen, light, work, color, result
+    px, py, x, y, z, exact, reach, window, observer, screen, light, work, color, result
 ):  # fmt: skip
     """Spectral light of a pixel, per irradiance of the star. [sr⁻¹]
 
@@ -322,6 +311,8 @@ def pixel_light(
     ----------
     px, py : float
         Position from the picture's left and top edge. [pixel]
+    x, y, z : float
+        Viewing direction there, ``camera_direction``. [1]
     exact : bool
         Constant: whether the pixel is marched instead of read from the table of the sky.
     reach : float
@@ -330,32 +321,35 @@ def pixel_light(
         Available part of the table of the sky.
     observer, screen, light : Observer, Screen, MarchTables
         Observer, camera with its maps, and tables of the solution.
-    work, color : MarchWorkspace, array of shape (3,)
+    work, color : MarchWorkspace, array of shape (9,)
         Workspace.
     result : array, shape (w,)
         Receives the radiance. [sr⁻¹]
     """
-    x, y, z = camera_direction(px, py, screen)
     sine, row, through_air, to_ground = sight(x, y, z, observer, light)
-    star_matte, star_gloss, sky_matte, sky_gloss = 1.0, 0.0, 1.0, 0.0
+    star_matte, star_gloss, sky_matte, sky_gloss, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
     if through_air:
         bent = seen_line(
             x, y, z, sine, row, to_ground, exact, window, observer, screen, light, work
         )
         if to_ground:
-            star_matte, star_gloss, sky_matte, sky_gloss = ground_shares(
+            star_matte, star_gloss, sky_matte, sky_gloss, mirrored = ground_shares(
                 x, y, z, sine, bent, observer, screen, light, work, color
             )
+            if screen.overlaid:
+                columns_to_ground(z, sine, observer, light, work.totals, work.before)
     for at in range(0, light.lanes, LANES):
         total = splat(0.0)
         if through_air:
             total = load(work.found, at)
         if to_ground:
             factor = ground_factor(
-                color, screen.mapped, star_matte, star_gloss, sky_matte, sky_gloss, light,
-                work, at,
+                color, screen.mapped, star_matte, star_gloss, sky_matte, sky_gloss, mirrored,
+                light, work, at,
             )  # fmt: skip
             total = total + load(work.found, light.lanes + at) * factor
+            if screen.overlaid:
+                total = total + lamp_light(color, screen, light, work.totals, at)
         store(result, at, total)
     if screen.draws_disc and not to_ground:
         apart = 2.0 * half_sine_between(x, y, z, observer.seen_x, observer.seen_z)

@@ -7,7 +7,7 @@ import numpy as np
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import LANES, load, splat, store
-from airlight.pixels.pixel import pixel_light
+from airlight.pixels.samples import sampled_light
 
 
 @inlined
@@ -33,13 +33,15 @@ def _as_color(light, lanes, weights, sums, out):
 def _rows(exact, first, last, window, observer, screen, light, work, weights, reach, out):
     """Draw rows, see ``draw_rows``; ``exact`` as in ``pixel_light``."""
     screen, light, work, weights, out = borrowed((screen, light, work, weights, out))
-    found, color = np.empty(light.lanes, np.float32), np.zeros(3)
+    found, total = np.empty(light.lanes, np.float32), np.empty(light.lanes, np.float32)
+    color = np.zeros(9)
     sums = np.empty(3 * LANES, np.float32)
     for j in range(first, last):
         for i in range(out.shape[1]):
-            pixel_light(
-                i + 0.5, j + 0.5, exact, reach, window, observer, screen, light, work, color, found
-            )
+            sampled_light(
+                i + 0.5, j + 0.5, exact, reach, window, observer, screen, light, work, color, total,
+                found,
+            )  # fmt: skip
             _as_color(found, light.lanes, weights, sums, out[j, i])
 
 

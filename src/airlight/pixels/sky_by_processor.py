@@ -28,7 +28,8 @@ _BLOCK: Final = 256
 class SkyLayers(NamedTuple):
     """Table of the sky, all wavelengths: fourth roots, each shape (texels·w,).
 
-    The sky's rows come first. Layers of absent peaked constituents have one value.
+    The sky's rows come first, then the ground's, then those of the sky that water mirrors. Layers
+    of absent peaked constituents have one value.
 
     Attributes
     ----------
@@ -51,7 +52,7 @@ class SkyLayers(NamedTuple):
 
 
 @compiled_loop
-def _fill(begin, end, window, observer, light, work, layers):
+def fill_texels(begin, end, window, observer, light, work, layers):
     """Fill texels ``begin`` to ``end`` - 1 of all layers."""
     light, work, layers = borrowed((light, work, layers))
     found, lanes = work.found, light.lanes
@@ -62,7 +63,10 @@ def _fill(begin, end, window, observer, light, work, layers):
         column = window.first_column + texel % stride
         row = window.first_sky + texel // stride
         if texel >= sky_texels:
-            row = window.rows + window.first_ground + (texel - sky_texels) // stride
+            line = (texel - sky_texels) // stride
+            row = window.rows + window.first_ground + line
+            if line >= window.ground_count:
+                row += window.rows - window.ground_count
         sky_texel(
             column, row, window.columns, window.rows, True, peaks, observer, light, work, found
         )
@@ -102,6 +106,8 @@ def filled_sky(
         Layers with the lanes of ``tables``.
     """
     texels = window.texels
+    if tables.ground.wet:
+        texels += window.ground_count * window.column_count
     size = texels * tables.lanes
     layers = SkyLayers(
         air=np.empty(size, np.float32),
@@ -111,7 +117,7 @@ def filled_sky(
     )
 
     def run(index: int) -> None:
-        _fill(
+        fill_texels(
             index * _BLOCK, min((index + 1) * _BLOCK, texels), window, observer, tables,
             new_workspace(tables), layers,
         )  # fmt: skip

@@ -1,7 +1,8 @@
 """Table of the sky around one observer: one line of sight a texel.
 
 A texel holds fourth roots, so that light that falls e-fold from one texel to the next is still
-accurate to a per cent between them, and nothing is negative.
+accurate to a per cent between them, and nothing is negative. Where some of the ground is water a
+third part follows sky and ground: the sky that is seen mirrored at the ground's end of each line.
 """
 
 from __future__ import annotations
@@ -14,6 +15,8 @@ from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_m
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import INVERSE_PI, LANES, fourth_root, load, splat, store
 from airlight.mappings.sky_view import direction_from_row, impact_from_row
+from airlight.optics.cox_munk import mean_square_slope
+from airlight.pixels.ground_angles import bent_to_ground, mirrored_line, star_from
 from airlight.solvers.moments.irradiance import ground_light
 from airlight.solvers.moments.march import march
 from airlight.solvers.moments.source import read_phase
@@ -51,22 +54,6 @@ class Observer(NamedTuple):
     seen_x: float
     seen_z: float
     orders: int
-
-
-@kernel
-def star_from(across, up, radius, cos_azimuth, sun_x, sun_z):
-    """Cosine of the star's zenith angle at a point of a line of sight. [1]
-
-    Parameters
-    ----------
-    across, up, radius : float
-        Coordinates from ``first_meeting``. [m]
-    cos_azimuth : float
-        Cosine of the line's azimuth from the star's vertical plane. [1]
-    sun_x, sun_z : float
-        Components as in ``Observer``. [1]
-    """
-    return min(max((across * cos_azimuth * sun_x + up * sun_z) / radius, -1.0), 1.0)
 
 
 @kernel
@@ -144,16 +131,27 @@ def star_on_ground(sine, cos_azimuth, r, start_mu, nu, length, column, observer,
 
 
 @inlined
-def look(mu, sine, cos_azimuth, to_ground, air, peaks, observer, light, phase, work, result):
+def look(
+    mu, sine, cos_azimuth, half_sine, to_ground, mirrored, keeps_peaks, air, peaks, observer, light,
+    work, result,
+):  # fmt: skip
     """Light along one line of sight, and that of a ground behind the air.
 
     Parameters
     ----------
     mu, sine, cos_azimuth : float
         Direction: cosine and sine of the zenith angle, cosine of the azimuth. [1]
+    half_sine : float
+        sin(θ/2) of the angle to the apparent star. [1]
     to_ground : bool
         Whether the line ends on the ground.
-    air, peaks, phase, work : bool, bool, array, MarchWorkspace
+    mirrored : bool
+        Whether the light is asked of the sky that water at that end mirrors, without the air in
+        front of it. It is spread as the facets are: a peaked phase function is read no closer to
+        the star than that.
+    keeps_peaks : bool
+        Whether the air's radiance has the single scattering of the peaked constituents.
+    air, peaks, work : bool, bool, MarchWorkspace
         Arguments of ``march``.
     observer, light : Observer, MarchTables
         Observer, and tables of the solution.
@@ -169,12 +167,20 @@ def look(mu, sine, cos_azimuth, to_ground, air, peaks, observer, light, phase, w
     r, start_mu, start_mu_s, nu, length = line_of_sight(
         mu, sine, cos_azimuth, to_ground, observer, light
     )
-    march(
-        r, start_mu, start_mu_s, nu, length, observer.orders, air, peaks, phase, light, work,
-        result,
-    )  # fmt: skip
-    angle = 0.0
-    if air and to_ground:
+    angle, orders = 0.0, observer.orders
+    if mirrored:
+        if light.bend > 0.0:
+            angle = bent_to_ground(mu, sine, observer, light, work.totals)
+        r, orders = light.bottom, 2
+        start_mu, start_mu_s, nu = mirrored_line(
+            sine * cos_azimuth, mu, sine, angle, observer, light
+        )
+        length = distance_to_top(r, start_mu, light.top)
+        spread = 0.25 * mean_square_slope(light.ground.wind)
+        half_sine = sqrt(min(0.5 * (1.0 - nu) + spread, 1.0))
+    phases_towards(half_sine, keeps_peaks or mirrored, light, work.phase)
+    march(r, start_mu, start_mu_s, nu, length, orders, air, peaks, work.phase, light, work, result)
+    if air and to_ground and not mirrored:
         mu_s, angle = star_on_ground(
             sine, cos_azimuth, r, start_mu, nu, length, work.totals[light.constituents - 1],
             observer, light,
@@ -277,19 +283,28 @@ def sky_texel(column, row, columns, rows, air, peaks, observer, light, work, res
     Parameters
     ----------
     column, row : int
-        Indices; the first ``rows`` of 2·rows are the sky's, from the horizon up, the others the
-        ground's.
+        Indices; the first ``rows`` of 3·rows are the sky's, from the horizon up, the next the
+        ground's, and the last the mirrored sky's, of the same lines.
     columns, rows : int
         Numbers of azimuths from 0 to π, ends included, and of rows of one half.
     air, peaks, observer, light, work, result :
         Arguments of ``look``.
     """
-    mu, sine, cos_azimuth, half_sine = direction_of_texel(
-        column, row, columns, rows, observer, light
-    )
-    phases_towards(half_sine, False, light, work.phase)
-    look(mu, sine, cos_azimuth, row >= rows, air, peaks, observer, light, work.phase, work, result)
+    mirrored = row >= 2 * rows
+    shown = air and light.ground.wet and observer.orders != 1
+    if shown or not mirrored:
+        line = row - rows if mirrored else row
+        mu, sine, cos_azimuth, half_sine = direction_of_texel(
+            column, line, columns, rows, observer, light
+        )
+        look(
+            mu, sine, cos_azimuth, half_sine, line >= rows, mirrored, False, air, peaks, observer,
+            light, work, result,
+        )  # fmt: skip
     for at in range(0, light.lanes, LANES):
         for layer in range(4):
-            root = fourth_root(load(result, light.lanes * layer + at))
+            root = splat(0.0)
+            # The mirrored sky has its peaks in the light of the air.
+            if not mirrored or (shown and layer < 2):
+                root = fourth_root(load(result, light.lanes * layer + at))
             store(result, light.lanes * layer + at, root)

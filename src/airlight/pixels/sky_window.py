@@ -61,7 +61,7 @@ class SkyWindow(NamedTuple):
 
     @property
     def texels(self) -> int:
-        """Number of texels."""
+        """Number of texels of sky and ground; water mirrors as many as the ground's again."""
         return (self.sky_count + self.ground_count) * self.column_count
 
 

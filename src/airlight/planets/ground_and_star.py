@@ -27,6 +27,8 @@ from airlight.planets.spectral import (
 
 FloatArray = npt.NDArray[np.float64]
 
+#: Wind speeds over water. [m s⁻¹]
+WINDS: Final = (0.5, 25.0)
 #: Name of the solar spectrum, as measured at 1 au.
 SUN: Final = "astm-g173"
 #: Name in an editor of a star that is given by its temperature.
@@ -61,12 +63,17 @@ class Ground(Record):
     map : str, optional
         Name of a picture of the ground, used where the ground is seen; the light that the ground
         sends back into the air comes from ``albedo``.
+    lights : str, optional
+        Name of a picture of the lights of towns, which are seen but light no air.
     brightness : float
         Factor of albedo and picture, 0 to 100; no albedo exceeds that of the law, 1 of Lambert's.
         [1]
     law : str
         Name from ``airlight.optics.reflection.LAWS``: ``lambert`` reflects alike into all
-        directions, ``lommel-seeliger`` as dark, porous ground does.
+        directions, ``lommel-seeliger`` as dark, porous ground does, ``water`` as the open sea.
+    wind : float, optional
+        Wind speed over water, 0.5 to 25, which roughens it. With it the water of a map mirrors star
+        and sky; without it only the law ``water`` does, at 5 m/s. [m s⁻¹]
     """
 
     has_wavelengths = True
@@ -83,6 +90,7 @@ class Ground(Record):
             required=True,
             per="wavelengths",
             words=reflectances,
+            synonyms=("ground brightness", "reflectance", "colour", "color", "snow", "sand"),
         ),
     ] = 0.0
     map: (
@@ -90,12 +98,29 @@ class Ground(Record):
             str,
             Key(
                 label="map",
-                help="Name of the map of the ground.",
-                note="Used where the ground is seen; the light that the ground sends back into the"
-                " air comes from the albedo.",
+                help="Name of the map of the ground, or path of a picture of it.",
+                note="`earth`, or a picture of the whole sphere, twice as wide as high, north up,"
+                " 180° W on the left, of up to 200 million pixels; a grey one beside it whose name"
+                " ends in `-water.png` has the share of water. Used where the ground is seen; the"
+                " light that the ground sends back into the air comes from the albedo.",
                 kind="text",
                 range=(1.0, 100.0),
                 example="the name of a map of the ground",
+            ),
+        ]
+        | None
+    ) = None
+    lights: (
+        Annotated[
+            str,
+            Key(
+                label="lights",
+                help="Name of a map of the lights of towns, or path of a picture of them.",
+                note="`earth`, or a picture as for the map, white for the brightest towns,"
+                " 0.2 cd/m²; seen through the air by night; they light no air.",
+                kind="text",
+                range=(1.0, 100.0),
+                example="the name of a map of lights",
             ),
         ]
         | None
@@ -115,14 +140,31 @@ class Ground(Record):
         str,
         Key(
             label="law of reflection",
-            help="Directions into which the ground reflects: all alike, or as porous rock.",
+            help="Directions into which the ground reflects: all alike, as porous rock, as water.",
             note="By Lommel and Seeliger's law the full disc of an airless body is as bright at its"
-            " limb as in its middle.",
+            " limb as in its middle; `water` mirrors, and its albedo is of the light from below.",
             kind="choice",
             words=lambda: tuple(LAWS),
             offered=always,
         ),
     ] = "lambert"
+    wind: (
+        Annotated[
+            float,
+            Key(
+                label="wind over water",
+                help="Wind speed, which roughens the water that mirrors star and sky.",
+                note="With it the water of a map mirrors; without it only the law `water` does, at"
+                " 5 m/s. Slopes by Cox and Munk (1954).",
+                unit="m/s",
+                range=WINDS,
+                example="5 m/s",
+                slider=(0.5, 15.0),
+                offered=always,
+            ),
+        ]
+        | None
+    ) = None
 
     @property
     def limits(self) -> Limits:
@@ -144,7 +186,9 @@ class Ground(Record):
     @property
     def reflection(self) -> Reflection:
         """Law of reflection with its parameters, for an albedo of 1."""
-        return Reflection(albedo=1.0, law=law_number(self.law))
+        wet = self.law == "water" or (self.map is not None and self.wind is not None)
+        law, plain = law_number(self.law), Reflection(1.0)
+        return Reflection(1.0, law, wet, plain.wind if self.wind is None else self.wind)
 
 
 def _read_spectrum(section: Section, name: str, wavelengths: Wavelengths) -> str:
@@ -191,6 +235,7 @@ class Star(Record):
                 kind="choice",
                 read=_read_spectrum,
                 words=lambda: (SUN,),
+                synonyms=("sunlight", "colour", "color", "kind of star", "red dwarf"),
                 stand_in=BLACK_BODY,
                 offered=lambda star: "temperature" in star,
             ),
@@ -220,6 +265,7 @@ class Star(Record):
             Key(
                 label="temperature",
                 help="Effective temperature of the star, a black body.",
+                synonyms=("colour", "color", "red dwarf", "hot", "cool"),
                 note="Needs `radius` and `distance`.",
                 unit="K",
                 range=(100.0, 1e6),

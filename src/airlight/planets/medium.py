@@ -80,6 +80,8 @@ class Medium:
         Constituents from which the arrays were sampled.
     map_brightness : float
         Factor of the picture of the ground. [1]
+    ground_lights : str or None
+        Name of a picture of the lights of towns.
     reflection : Reflection
         Law by which the ground reflects, for an albedo of 1.
 
@@ -106,6 +108,7 @@ class Medium:
     refractivity: FloatArray
     constituents: tuple[Constituent, ...] = field(repr=False)
     map_brightness: float = 1.0
+    ground_lights: str | None = None
     reflection: Reflection = WHITE
 
     @property
@@ -201,6 +204,7 @@ class Medium:
             refractivity=_refractivity(planet),
             constituents=constituents,
             map_brightness=planet.ground.brightness,
+            ground_lights=planet.ground.lights,
             reflection=planet.ground.reflection,
         )
         medium._check()
@@ -325,7 +329,8 @@ class Medium:
         """
         digest = hashlib.sha256(b"airlight medium 2\n")
         scalars = (self.bottom_radius, self.top_radius, self.star_angular_radius)
-        digest.update(repr((scalars, self.names, self.ground_map, self.reflection)).encode())
+        ground = (self.ground_map, self.ground_lights, self.reflection)
+        digest.update(repr((scalars, self.names, *ground)).encode())
         for name, array in self._arrays().items():
             digest.update(f"{name} {array.shape}\n".encode())
             digest.update(np.ascontiguousarray(array, dtype="<f8").tobytes())

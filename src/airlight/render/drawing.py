@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.march_points import march_points
 from airlight.pixels.picture_numbers import (
+    checked_samples,
+    lamp_numbers,
     observer_from,
     order_number,
     scene_numbers,
@@ -18,6 +20,7 @@ from airlight.pixels.shown import shown_solution
 from airlight.pixels.sky_by_processor import SkyLayers, filled_sky
 from airlight.pixels.sky_window import SkyWindow, sky_window
 from airlight.scene import Scene
+from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.surface_map import surface_map
 from airlight.solvers.moments.march_tables import new_workspace
 from airlight.solvers.moments.solution import MomentsSolution
@@ -35,6 +38,10 @@ class Drawing:
         Arguments of ``render``.
     disc : bool
         Whether the star's own disc is drawn.
+    samples : int
+        Samples per side of every pixel.
+    edges : bool
+        Whether pixels on the horizon and the limb have more.
 
     Attributes
     ----------
@@ -50,10 +57,14 @@ class Drawing:
         orders: str = "all",
         exact: bool = False,
         disc: bool = True,
+        samples: int = 1,
+        edges: bool = True,
     ) -> None:
         camera, light = scene.camera, solution.light
         numbers = scene_numbers(scene, solution) | {"orders": order_number(orders)}
         numbers["draws_disc"] = float(disc and orders == "all" and numbers["disc"] > 0.0)
+        numbers |= lamp_numbers(solution)
+        numbers |= {"samples": float(checked_samples(samples)), "edges": float(edges)}
         self._numbers, self._camera = numbers, camera
         self._observer = observer_from(numbers)
         self.window = None
@@ -65,8 +76,9 @@ class Drawing:
             panels=resolution.panels,
         )  # fmt: skip
         name = solution.medium.ground_map
-        self._ground = None if name is None else surface_map(name).flat
-        self._screen = screen_from(numbers, camera, self._ground, SkyLayers.none())
+        self._ground = None if name is None else surface_map(name)
+        self._overlay = ground_overlay(solution.medium.ground_lights)
+        self._screen = screen_from(numbers, camera, self._ground, self._overlay, SkyLayers.none())
         self._weights = _lane_weights(solution)
         alpha = solution.lights[0].angular_radius
         self._reach = 2.0 * (alpha + 3.0 * camera.pixel_angle) + solution.paths.largest_bend
@@ -89,7 +101,7 @@ class Drawing:
         layers = filled_sky(
             self._tables, self._observer, self.window, cancel=cancel, progress=progress
         )
-        self._screen = screen_from(self._numbers, self._camera, self._ground, layers)
+        self._screen = screen_from(self._numbers, self._camera, self._ground, self._overlay, layers)
 
     def draw(self, first: int, last: int, rgb: Float32Array) -> None:
         """Draw rows ``first`` to ``last`` - 1 into a black picture, linear sRGB.

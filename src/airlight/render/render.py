@@ -27,6 +27,7 @@ def render(
     *,
     orders: str = "all",
     exact: bool = False,
+    samples: int = 1,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Frame:
@@ -45,6 +46,9 @@ def render(
         Whether the air is marched for each pixel. Otherwise the light of the air is read from a
         table of the sky around the observer, filled by the same march: see docs/pictures.md for
         its errors. Pictures of few pixels are always marched.
+    samples : int
+        Samples per side of every pixel, 1 to 16. One suffices: pixels on the horizon and on the
+        limb have a grid of samples of their own.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -56,8 +60,8 @@ def render(
     Raises
     ------
     ParameterError
-        If the solution is of another solver (pictures march the moments), or ``orders`` has
-        another value.
+        If the solution is of another solver (pictures march the moments), or ``orders`` or
+        ``samples`` has another value.
     Cancelled
         If ``cancel`` requested it.
     """
@@ -69,7 +73,7 @@ def render(
     pairs = lit_scenes(scene, solution)
     frames = []
     for number, (seen, lit) in enumerate(pairs):
-        drawing = Drawing(lit, seen, orders=orders, exact=exact)
+        drawing = Drawing(lit, seen, orders=orders, exact=exact, samples=samples)
         share = None if progress is None else _shared(progress, number, len(pairs))
         frames.append(_drawn(drawing, scene.camera, share, cancel))
     rgb = frames[0] if len(frames) == 1 else np.asarray(np.sum(frames, axis=0, dtype=np.float32))
@@ -81,6 +85,9 @@ def render(
             "wavelengths": f"{wavelengths} nm",
             "unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931",
         },
+        pixel_angle=scene.camera.glare_angle,
+        scene=scene,
+        star_radius=solution.lights[0].angular_radius,
     )
 
 

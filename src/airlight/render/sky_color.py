@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.color.display import to_display
+from airlight.color.exposure import DEFAULT_EXPOSURE
 from airlight.color.spectral import rgb_weights
 from airlight.color.xyz import chromaticity, rgb_to_xyz
 from airlight.constants import LUMINOUS_EFFICACY
@@ -38,7 +39,7 @@ class SkyColor:
     chromaticity : tuple of float
         CIE 1931 x and y. [1]
     code : str
-        Colour at the default exposure and tone map, ``#rrggbb``.
+        Colour at the exposure of a sunlit Earth and the default tone map, ``#rrggbb``.
     """
 
     look: str
@@ -81,7 +82,7 @@ def sky_colors(planet: Planet, *, cache: bool = True, progress: Any = None) -> t
     )
     rgb = np.asarray(radiance) @ rgb_weights(nm, solution.lights[0].spectrum)
     xyz = rgb_to_xyz(rgb)
-    shown = to_display(rgb[np.newaxis, :, :])[0]
+    shown = to_display(rgb[np.newaxis, :, :], DEFAULT_EXPOSURE, dither=False)[0]
     return tuple(
         SkyColor(
             look=look,

@@ -109,6 +109,11 @@ class Camera:
         return self._form.pixel_angle(self.width, self.height, self._field_of_view_radians)
 
     @property
+    def glare_angle(self) -> float:
+        """Angle of a pixel as glare takes it: 0 where neighbouring pixels are apart. [rad]"""
+        return self.pixel_angle if self._form.connected else 0.0
+
+    @property
     def axes(self) -> NDArray[np.float64]:
         """Right, up and forward of the camera in the local frame as rows, shape (3, 3). [1]"""
         assert self.look_zenith is not None  # filled in when the camera was made

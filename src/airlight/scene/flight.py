@@ -19,8 +19,10 @@ LOWEST_ALTITUDE: Final = 1.0
 RATE: Final = 0.8
 #: Distance added to that to the ground, so that an observer can leave it. [m]
 FOOTING: Final = 5.0
-#: Factor of altitude and field of view per notch of the wheel. [1]
+#: Factor of the field of view per notch of the wheel. [1]
 NOTCH: Final = 1.15
+#: Factor of the distance to the ground per notch: 15 lead from the ground to 10 000 km. [1]
+CLIMB: Final = 2.6
 #: Upper limit of the factor by which a turn of the compass is wider near the zenith. [1]
 _WIDEST_TURN: Final = 5.0
 
@@ -145,7 +147,7 @@ def looked(look_zenith: float, heading: float, right: float, down: float) -> tup
 
 def risen(altitude: float, notches: float) -> float:
     """Altitude after turning the wheel: higher for notches above 0. [m]"""
-    return within((altitude + FOOTING) * math.exp(notches * math.log(NOTCH)) - FOOTING)
+    return within((altitude + FOOTING) * math.exp(notches * math.log(CLIMB)) - FOOTING)
 
 
 def sun_dragged(zenith: float, azimuth: float, right: float, down: float) -> tuple[float, float]:

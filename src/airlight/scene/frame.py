@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
+
+from airlight.color.exposure import automatic_exposure
+from airlight.scene.metering import scene_exposure
+from airlight.scene.scene import Scene
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -19,7 +24,31 @@ class Frame:
         the sRGB gamut may be negative. 683 lm/W times its luminance is in cd m⁻². [W m⁻² sr⁻¹]
     metadata : dict
         Description of how it was made, as text.
+    pixel_angle : float
+        Angle of a pixel where the camera looks straight ahead, as glare takes it: 0 for the faces
+        of a cube. [rad]
+    scene : Scene or None
+        Scene that it shows.
+    star_radius : float
+        Angular radius of the star. [rad]
     """
 
     rgb: NDArray[np.float32]
     metadata: dict[str, str] = field(default_factory=dict)
+    pixel_angle: float = 0.0
+    scene: Scene | None = None
+    star_radius: float = 0.0
+
+    @cached_property
+    def exposure(self) -> float:
+        """Automatic exposure: by solid angles and without the star, where the scene is known. [EV]
+
+        Examples
+        --------
+        >>> grey = np.full((2, 2, 3), 10.0, dtype=np.float32)
+        >>> f"{Frame(rgb=grey).exposure:.2f}"
+        '-4.84'
+        """
+        if self.scene is None:
+            return automatic_exposure(self.rgb)
+        return scene_exposure(self.rgb, self.scene, self.star_radius)

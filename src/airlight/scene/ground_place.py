@@ -7,7 +7,9 @@ from __future__ import annotations
 
 from math import atan2, cos, floor, log2, pi, sin, sqrt
 
+from airlight.color.texels import CHANNELS, channel_of
 from airlight.kernel import inlined, kernel
+from airlight.scene.map_levels import level_place
 
 
 @kernel
@@ -100,34 +102,35 @@ def map_level(pixel_angle, reach, cosine, bottom, rows):
 
 
 @inlined
-def map_color(texels, levels, latitude, longitude, level, out):
-    """Interpolate the colour of the map between its pixels and its levels.
+def map_color(texels, rows, columns, levels, latitude, longitude, level, out, at):
+    """Interpolate a map between its pixels and its levels.
 
     Parameters
     ----------
-    texels : array, flat
-        Map and its halvings one after another, linear sRGB reflectance. [1]
-    levels : array, shape (n, 3)
-        Start in ``texels``, height and width of each level.
+    texels : array of uint8, flat
+        Map and its halvings one after another, texels of ``airlight.color.texels``.
+    rows, columns, levels : int
+        Size of the full map, and number of levels.
     latitude, longitude : float
         Geocentric coordinates. [rad]
     level : float
         Level; 0 is the full map, 1 its half; clamped to the existing levels. [1]
-    out : array, shape (3,)
-        Receives linear sRGB reflectance. [1]
+    out : array, shape (at + 4,)
+        Receives the linear values from index ``at`` on: of a map of the ground sRGB reflectance and
+        share of water. [1]
+    at : int
+        Constant: index of the first of them.
     """
-    level = min(max(level, 0.0), levels.shape[0] - 1.0)
-    first = min(int(level), max(levels.shape[0] - 2, 0))
-    for c in range(3):
-        out[c] = 0.0
+    level = min(max(level, 0.0), levels - 1.0)
+    first = min(int(level), max(levels - 2, 0))
+    for c in range(CHANNELS):
+        out[at + c] = 0.0
     for step in range(2):
-        which = min(first + step, levels.shape[0] - 1)
+        which = min(first + step, levels - 1)
         part = (level - first) if step == 1 else 1.0 - (level - first)
         if part <= 0.0:
             continue
-        start = int(levels[which, 0])
-        height = int(levels[which, 1])
-        width = int(levels[which, 2])
+        start, height, width = level_place(rows, columns, which)
         y = min(max((0.5 - latitude / pi) * height - 0.5, 0.0), height - 1.0)
         x = (0.5 + longitude / (2.0 * pi)) * width - 0.5
         top = min(int(y), max(height - 2, 0))
@@ -136,13 +139,18 @@ def map_color(texels, levels, latitude, longitude, level, out):
         bottom = min(top + 1, height - 1)
         east = (west + 1) % width
         west = (west + width) % width
-        for c in range(3):
-            upper_row = start + 3 * width * top + c
-            lower_row = start + 3 * width * bottom + c
-            upper = (
-                texels[upper_row + 3 * west] * (1.0 - right) + texels[upper_row + 3 * east] * right
-            )
-            lower = (
-                texels[lower_row + 3 * west] * (1.0 - right) + texels[lower_row + 3 * east] * right
-            )
-            out[c] += part * (upper * (1.0 - down) + lower * down)
+        upper = start + width * top
+        lower = start + width * bottom
+        add_texel(texels, upper + west, part * (1.0 - down) * (1.0 - right), out, at)
+        add_texel(texels, upper + east, part * (1.0 - down) * right, out, at)
+        add_texel(texels, lower + west, part * down * (1.0 - right), out, at)
+        add_texel(texels, lower + east, part * down * right, out, at)
+
+
+@inlined
+def add_texel(texels, texel, weight, out, at):
+    """Add a texel times its weight to four elements of ``out``, from index ``at`` on. [1]"""
+    out[at + 0] += weight * channel_of(texels, texel, 0)
+    out[at + 1] += weight * channel_of(texels, texel, 1)
+    out[at + 2] += weight * channel_of(texels, texel, 2)
+    out[at + 3] += weight * channel_of(texels, texel, 3)

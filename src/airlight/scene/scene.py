@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.scene.camera import Camera
+from airlight.scene.ground_detail import GROUNDS
 from airlight.scene.light_position import LightPosition
 from airlight.scene.limits import within
 from airlight.scene.observer import planet_frame
@@ -37,6 +38,10 @@ class Scene:
         Compass bearing of the sun, 0 north and 90 east; it only rotates the map of the ground.
         [deg]
 
+    ground : str
+        ``plain``, the map or the albedo alone, or ``detailed``: with noise below the map's
+        resolution, which is decoration.
+
     Raises
     ------
     ParameterError
@@ -54,10 +59,13 @@ class Scene:
     latitude: float = 0.0
     longitude: float = 0.0
     sun_azimuth: float = 180.0
+    ground: str = "plain"
 
     def __post_init__(self) -> None:
         if not isinstance(self.camera, Camera):
             raise ParameterError("scene.camera", self.camera, "a Camera")
+        if self.ground not in GROUNDS:
+            raise ParameterError("scene.ground", self.ground, ", ".join(GROUNDS))
         for name, low, high, unit in (
             ("altitude", 0.0, HIGHEST_ALTITUDE, "m"),
             ("sun_zenith", 0.0, 180.0, "deg"),
@@ -124,6 +132,7 @@ class Scene:
             "latitude": f"{self.latitude:.10g} deg",
             "longitude": f"{self.longitude:.10g} deg",
             "sun_azimuth": f"{self.sun_azimuth:.10g} deg",
+            "ground": self.ground,
             "projection": camera.projection,
             "size": f"{camera.width}x{camera.height}",
             "field_of_view": f"{camera.field_of_view:.10g} deg",

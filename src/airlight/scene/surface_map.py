@@ -1,4 +1,4 @@
-"""Map of the ground: colour by latitude and longitude, at the resolution of a picture."""
+"""Map of the ground: colour and water by latitude and longitude, at a picture's resolution."""
 
 from __future__ import annotations
 
@@ -6,20 +6,26 @@ import math
 from dataclasses import dataclass
 from functools import cache, cached_property
 from pathlib import Path
+from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from airlight.color.texels import CHANNELS, DECODED, decoded_texels
 from airlight.errors import FileError
+from airlight.scene.map_levels import all_levels, reduced
+from airlight.scene.map_picture import map_pixels
 
 _DATA = Path(__file__).parent / "data"
 #: Suffix of packaged maps: ``earth`` is in ``data/earth-albedo.jpg``.
 _SUFFIX = "-albedo.jpg"
+#: Largest map that is kept; with its levels it fits a texture of 4096 by 8191 texels. [pixel]
+MOST_TEXELS: Final = 25_000_000
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SurfaceMap:
-    """Linear colours on an equirectangular grid, at full size and halved repeatedly.
+    """Linear colours and water on an equirectangular grid, at full size and halved repeatedly.
 
     Row 0 touches the north pole, column 0 the meridian of 180° west; pixel (i, j) has its centre
     at latitude 90° - (i + ½)·180°/h and longitude -180° + (j + ½)·360°/w.
@@ -28,36 +34,46 @@ class SurfaceMap:
     ----------
     name : str
         Name or path by which it was loaded.
-    levels : tuple of array, each shape (h, w, 3)
-        Linear sRGB reflectance in [0, 1], float32; each level holds 2 x 2 means of the previous
-        level.
+    levels : tuple of array, each shape (h, w, 4)
+        Texels of ``airlight.color.texels``: sRGB reflectance and share of water; each level has
+        half the rows and columns of the previous one.
     """
 
     name: str
-    levels: tuple[NDArray[np.float32], ...]
+    levels: tuple[NDArray[np.uint8], ...]
 
     @property
     def mean_rgb(self) -> NDArray[np.float64]:
         """Mean over the sphere's area, shape (3,), which a solver uses for the whole ground. [1]"""
+        return self._mean[:3]
+
+    @property
+    def mean_water(self) -> float:
+        """Share of water in the sphere's area. [1]"""
+        return float(self._mean[3])
+
+    @cached_property
+    def _mean(self) -> NDArray[np.float64]:
         full = self.levels[0]
         edges = np.sin(np.linspace(0.5 * math.pi, -0.5 * math.pi, full.shape[0] + 1))
         bands = 0.5 * (edges[:-1] - edges[1:])
-        return np.asarray(bands @ full.mean(axis=1, dtype=np.float64))
+        rows = [DECODED[c][full[..., c]].mean(axis=1, dtype=np.float64) for c in range(CHANNELS)]
+        return np.asarray(rows) @ bands
+
+    @property
+    def rows(self) -> int:
+        """Number of rows of the full map."""
+        return int(self.levels[0].shape[0])
+
+    @property
+    def columns(self) -> int:
+        """Number of columns of the full map."""
+        return int(self.levels[0].shape[1])
 
     @cached_property
-    def flat(self) -> tuple[NDArray[np.float64], NDArray[np.float32]]:
-        """All levels one after another, as ``map_color`` reads them.
-
-        Returns
-        -------
-        levels : array, shape (n, 3)
-            Start, height and width of each.
-        texels : array, flat
-            Linear sRGB reflectance. [1]
-        """
-        starts = np.cumsum([0, *(one.size for one in self.levels[:-1])])
-        shapes = [(at, *one.shape[:2]) for at, one in zip(starts, self.levels, strict=True)]
-        return np.array(shapes, float), np.concatenate([one.reshape(-1) for one in self.levels])
+    def flat(self) -> NDArray[np.uint8]:
+        """All levels one after another, as ``map_color`` reads them, shape (4·n,)."""
+        return np.concatenate([one.reshape(-1) for one in self.levels])
 
     def level(self, footprint: ArrayLike) -> NDArray[np.float64]:
         """Level whose pixels are as large as the footprint of a picture's pixel.
@@ -72,14 +88,14 @@ class SurfaceMap:
         array, shape (...)
             Level: 0 for the full map, one more for each halving; not rounded. [1]
         """
-        texel = math.pi / self.levels[0].shape[0]
+        texel = math.pi / self.rows
         ratio = np.maximum(np.asarray(footprint, dtype=np.float64) / texel, 1.0)
         return np.asarray(np.minimum(np.log2(ratio), len(self.levels) - 1.0))
 
     def sample(
         self, latitude: ArrayLike, longitude: ArrayLike, level: ArrayLike = 0.0
     ) -> NDArray[np.float32]:
-        """Colours between the pixels, bilinear, without a seam in longitude.
+        """Colours and water between the pixels, bilinear, without a seam in longitude.
 
         Parameters
         ----------
@@ -90,15 +106,15 @@ class SurfaceMap:
 
         Returns
         -------
-        array, shape (..., 3)
-            Linear sRGB reflectance. [1]
+        array, shape (..., 4)
+            Linear sRGB reflectance and share of water. [1]
         """
         lat, lon, depth = np.broadcast_arrays(
             np.asarray(latitude, dtype=np.float64),
             np.asarray(longitude, dtype=np.float64),
             np.clip(np.rint(level), 0, len(self.levels) - 1).astype(np.intp),
         )
-        out = np.empty((*lat.shape, 3), dtype=np.float32)
+        out = np.empty((*lat.shape, CHANNELS), dtype=np.float32)
         for index in np.unique(depth):
             asked = depth == index
             out[asked] = _bilinear(self.levels[index], lat[asked], lon[asked])
@@ -106,7 +122,7 @@ class SurfaceMap:
 
 
 def _bilinear(
-    texels: NDArray[np.float32], latitude: NDArray[np.float64], longitude: NDArray[np.float64]
+    texels: NDArray[np.uint8], latitude: NDArray[np.float64], longitude: NDArray[np.float64]
 ) -> NDArray[np.float32]:
     height, width = texels.shape[:2]
     y = np.clip((90.0 - latitude) / 180.0 * height - 0.5, 0.0, height - 1.0)
@@ -118,12 +134,15 @@ def _bilinear(
     bottom = np.minimum(top + 1, height - 1)
     west = column.astype(np.intp) % width
     east = (west + 1) % width
-    upper = texels[top, west] + (texels[top, east] - texels[top, west]) * right
-    lower = texels[bottom, west] + (texels[bottom, east] - texels[bottom, west]) * right
+    corners = [(top, west), (top, east), (bottom, west), (bottom, east)]
+    a, b, c, d = (decoded_texels(texels[corner]) for corner in corners)
+    upper, lower = a + (b - a) * right, c + (d - c) * right
     return np.asarray(upper + (lower - upper) * down)
 
 
-def from_pixels(name: str, pixels: NDArray[np.uint8]) -> SurfaceMap:
+def from_pixels(
+    name: str, pixels: NDArray[np.uint8], water: NDArray[np.uint8] | None = None
+) -> SurfaceMap:
     """Make a map from the pixels of an sRGB picture.
 
     Parameters
@@ -132,21 +151,22 @@ def from_pixels(name: str, pixels: NDArray[np.uint8]) -> SurfaceMap:
         Name kept in the map.
     pixels : array, shape (h, w, 3)
         sRGB-encoded reflectance, 255 for 1.
+    water : array, shape (h, w), optional
+        Share of water, linear, 255 for 1; no water without it.
 
     Returns
     -------
     SurfaceMap
-        Map in linear colours, with all its levels.
+        Map with all its levels, reduced to ``MOST_TEXELS`` if it is larger.
     """
-    from airlight.color.encoding import srgb_decode
-
-    table = np.asarray(srgb_decode(np.arange(256) / 255.0), dtype=np.float32)
-    levels = [table[pixels]]
-    while levels[-1].shape[0] % 2 == 0 and levels[-1].shape[1] % 2 == 0:
-        fine = levels[-1]
-        upper, lower = fine[0::2], fine[1::2]
-        levels.append(0.25 * (upper[:, 0::2] + upper[:, 1::2] + lower[:, 0::2] + lower[:, 1::2]))
-    return SurfaceMap(name=name, levels=tuple(levels))
+    texels = np.zeros((*pixels.shape[:2], CHANNELS), np.uint8)
+    texels[..., :3] = pixels
+    if water is not None:
+        texels[..., 3] = water
+    if pixels.shape[0] * pixels.shape[1] > MOST_TEXELS:
+        rows = math.isqrt(MOST_TEXELS // 2)
+        texels = reduced(texels, rows, 2 * rows)
+    return SurfaceMap(name=name, levels=all_levels(texels))
 
 
 def map_file(name: str) -> Path:
@@ -161,6 +181,18 @@ def map_file(name: str) -> Path:
     return packaged if "/" not in name and packaged.is_file() else Path(name)
 
 
+def water_file(name: str) -> Path:
+    """File of the shares of water of a map, which may be missing: ``NAME-water.png`` beside it.
+
+    Examples
+    --------
+    >>> water_file("earth").name, water_file("maps/ocean.jpg").name
+    ('earth-water.png', 'ocean-water.png')
+    """
+    file = map_file(name)
+    return file.with_name(f"{file.stem.removesuffix('-albedo')}-water.png")
+
+
 @cache
 def surface_map(name: str) -> SurfaceMap:
     """Load a map by name or by file; it is read once.
@@ -169,7 +201,8 @@ def surface_map(name: str) -> SurfaceMap:
     ----------
     name : str
         Name of a map that ships with airlight (``earth``), or path of an equirectangular picture in
-        sRGB.
+        sRGB. A grey picture of the same size whose name ends in ``-water.png`` beside it has the
+        shares of water, linear.
 
     Returns
     -------
@@ -179,17 +212,16 @@ def surface_map(name: str) -> SurfaceMap:
     Raises
     ------
     FileError
-        If there is no such map, or the file is not a picture.
+        If there is no such map, or ``map_pixels`` refuses a file, or the sizes differ.
     """
-    from PIL import Image, UnidentifiedImageError
-
-    file = map_file(name)
+    file, beside = map_file(name), water_file(name)
     try:
-        with Image.open(file) as picture:
-            pixels = np.asarray(picture.convert("RGB"))
+        pixels = map_pixels(file)
     except FileNotFoundError as error:
         known = ", ".join(sorted(p.name.removesuffix(_SUFFIX) for p in _DATA.glob(f"*{_SUFFIX}")))
         raise FileError(name, f"there is no such map of the ground (known: {known})") from error
-    except (OSError, UnidentifiedImageError, Image.DecompressionBombError) as error:
-        raise FileError(file, f"cannot be read as a picture: {error}") from error
-    return from_pixels(name, pixels)
+    water = map_pixels(beside, grey=True) if beside.is_file() else None
+    if water is not None and water.shape != pixels.shape[:2]:
+        height, width = pixels.shape[:2]
+        raise FileError(beside, f"has another size; allowed: {width} x {height}, that of {file}")
+    return from_pixels(name, pixels, water)

@@ -9,6 +9,7 @@ from functools import cache, cached_property
 from typing import Any, Final
 
 from airlight.errors import AirlightError
+from airlight.gpu.device.known_types import know_types
 
 #: Environment variable with the adapter: ``off``, or a part of its name. Not set: the fastest.
 CHOICE: Final = "AIRLIGHT_GPU"
@@ -157,6 +158,7 @@ def _wgpu() -> Any:
         raise NoDevice("wgpu is not installed: pip install 'airlight[view]'") from error
     except Exception as error:  # its library does not load here, with one of several errors
         raise NoDevice(f"wgpu cannot be loaded: {_last_line(error)}") from error
+    know_types()
     _leave_out_opengl()
     return wgpu
 

@@ -11,6 +11,8 @@ from typing import Any, Final
 
 import numpy as np
 
+from airlight.color.encoding import srgb_curve_inverse
+from airlight.color.texels import CHANNELS, channel_of
 from airlight.gpu.emit.scope import Names, SubsetError
 from airlight.gpu.emit.shader_types import (
     BOOL,
@@ -127,6 +129,8 @@ class Calls(Names, ABC):
         for name in _LANE_CALLS:
             if called is getattr(lane_module, name):
                 return self.lane_call(node, name)
+        if called is channel_of:
+            return self.channel(node)
         if inspect.isfunction(getattr(called, "py_func", called)):
             return self.kernel_call(node, called)
         raise self.refuse(node, "is not known here")
@@ -167,6 +171,17 @@ class Calls(Names, ABC):
                     return place, VEC4
                 return f"{place} = {self.as_scalar(node.args[2], VEC4)}", None
         raise self.refuse(node, "lanes have no such thing on the GPU")
+
+    def channel(self, node: ast.Call) -> tuple[str, Value]:
+        """Write a channel of a texel: a colour is decoded, as devices' own decoding differs."""
+        texels, channel = self.bound(node.args[0]), self.fold(node.args[2])
+        if isinstance(texels, Table) and texels.spectral and isinstance(channel, int):
+            read = self.dialect.element(texels.name, self.as_scalar(node.args[1], I32))
+            value = f"{read}.{'xyzw'[channel]}"
+            if channel == CHANNELS - 1:
+                return value, F32
+            return f"{self.emitter.add(srgb_curve_inverse, F32).name}({value})", F32
+        raise self.refuse(node, "is a texel of a table, and a channel known beforehand")
 
     def kernel_call(self, node: ast.Call, called: Any) -> tuple[str, Value | None]:
         """Write a call of another function, which is emitted for these arguments."""

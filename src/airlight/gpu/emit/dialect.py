@@ -128,6 +128,10 @@ class Dialect(ABC):
         """Element of a table."""
         return f"read_{table}({index})"
 
+    def texel(self, table: str, row: str, column: str) -> str:
+        """Texel of a picture."""
+        return f"read_{table}({row}, {column})"
+
     def length(self, table: str, axis: str) -> str:
         """Length of an axis of a table."""
         return f"size_{table}({axis})"
@@ -157,8 +161,16 @@ class ShaderDialect(Dialect):
         return f"whole_rest({first}, {second})"
 
     @abstractmethod
-    def fetched(self, texture: str, index: str) -> str:
-        """Texel of a flat texture; the index is a name or a number."""
+    def fetched(self, texture: str, index: str, shift: int) -> str:
+        """Texel of a texture with rows of 2^shift texels; the index is a name or a number."""
+
+    @abstractmethod
+    def image_fetched(self, texture: str, row: str, column: str) -> str:
+        """Texel of a picture; row and column are names or numbers."""
+
+    @abstractmethod
+    def image_length(self, texture: str, axis: str) -> str:
+        """Number of rows, axis 0, or columns of a picture."""
 
     @abstractmethod
     def texture_name(self, name: str, group: int, binding: int) -> str:

@@ -156,20 +156,27 @@ class Expressions(Calls):
                 return str(owner.size), Constant(owner.size)
         owner = self.bound(node.value)
         if isinstance(owner, Table):
+            if owner.image:
+                places = self.indices(node, owner)
+                return self.dialect.texel(owner.name, *places), owner.element
             if owner.spectral:
                 raise self.refuse(node, "is read with load()")
             return self.dialect.element(owner.name, self.flat_index(node, owner)), F32
         return self.place(node)
 
-    def flat_index(self, node: ast.Subscript, table: Table) -> str:
-        """Index of a table's element in its texture."""
+    def indices(self, node: ast.Subscript, table: Table) -> list[str]:
+        """Indices of a table's element."""
         indices = node.slice.elts if isinstance(node.slice, ast.Tuple) else [node.slice]
         if len(indices) != table.rank:
             raise self.refuse(node, f"needs {table.rank} indices")
-        flat = self.as_scalar(indices[0], I32)
-        for axis, one in enumerate(indices[1:], start=1):
+        return [self.as_scalar(one, I32) for one in indices]
+
+    def flat_index(self, node: ast.Subscript, table: Table) -> str:
+        """Index of a table's element in its texture."""
+        flat, *others = self.indices(node, table)
+        for axis, one in enumerate(others, start=1):
             length = self.dialect.length(table.name, str(axis))
-            flat = f"({flat} * {length} + {self.as_scalar(one, I32)})"
+            flat = f"({flat} * {length} + {one})"
         return flat
 
     def place(self, node: ast.Subscript) -> tuple[str, Scalar]:

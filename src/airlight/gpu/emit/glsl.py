@@ -14,8 +14,6 @@ from typing import ClassVar, Final
 
 from airlight.gpu.emit.dialect import PLAIN_NAMES, Named, ShaderDialect
 from airlight.gpu.emit.shader_types import (
-    FLAT_SHIFT,
-    FLAT_WIDTH,
     VEC4,
     LocalArray,
     Scalar,
@@ -101,9 +99,15 @@ void main() {
     def chosen(self, test: str, yes: str, no: str) -> str:
         return f"({test} ? {yes} : {no})"
 
-    def fetched(self, texture: str, index: str) -> str:
-        place = f"{index} & {FLAT_WIDTH - 1}, {index} >> {FLAT_SHIFT}"
+    def fetched(self, texture: str, index: str, shift: int) -> str:
+        place = f"{index} & {(1 << shift) - 1}, {index} >> {shift}"
         return f"texelFetch({texture}, ivec2({place}), 0)"
+
+    def image_fetched(self, texture: str, row: str, column: str) -> str:
+        return f"texelFetch({texture}, ivec2({column}, {row}), 0)"
+
+    def image_length(self, texture: str, axis: str) -> str:
+        return f"textureSize({texture}, 0)[1 - {axis}]"
 
     def texture_name(self, name: str, group: int, binding: int) -> str:
         return f"texture_{group}_{binding}"

@@ -10,6 +10,9 @@ from typing import Final
 #: i & (FLAT_WIDTH - 1) of row i >> FLAT_SHIFT.
 FLAT_SHIFT: Final = 11
 FLAT_WIDTH: Final = 1 << FLAT_SHIFT
+#: The same of a texture of packed texels, which holds a map of 7000 by 3500.
+PACKED_SHIFT: Final = 12
+PACKED_WIDTH: Final = 1 << PACKED_SHIFT
 
 
 @dataclass(frozen=True)
@@ -69,11 +72,14 @@ class Table:
         Number of axes.
     spectral : bool
         Whether an element holds four wavelengths rather than one number.
+    image : bool
+        Whether it is a picture: ``read_NAME(row, column)`` returns a texel.
     """
 
     name: str
     rank: int = 1
     spectral: bool = False
+    image: bool = False
 
     @property
     def element(self) -> Scalar:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from airlight.gpu.emit.dialect import ShaderDialect
-from airlight.gpu.emit.shader_types import F32, I32, VEC4, Table
+from airlight.gpu.emit.shader_types import F32, FLAT_SHIFT, I32, PACKED_SHIFT, VEC4, Table
 
 
 @dataclass(frozen=True)
 class TextureTable:
-    """Array in a flat texture.
+    """Array in a flat texture, or a picture in a texture of its own.
 
     Attributes
     ----------
@@ -32,6 +32,10 @@ class TextureTable:
         Whether the last axis, which does not fit into the vector, has the length two.
     by_number : bool
         Whether single numbers are read from texels of four.
+    packed : bool
+        Whether the texture is one of packed texels, which has longer rows.
+    image : bool
+        Whether the texture is a picture, read at row and column.
     """
 
     name: str
@@ -43,11 +47,13 @@ class TextureTable:
     first: int = 0
     pair: bool = False
     by_number: bool = False
+    packed: bool = False
+    image: bool = False
 
     @property
     def table(self) -> Table:
         """Table for the emitter."""
-        return Table(self.name, self.rank, self.spectral)
+        return Table(self.name, self.rank, self.spectral, self.image)
 
     def reader(self, dialect: ShaderDialect, texture: str) -> str:
         """Functions with which a shader reads the table.
@@ -59,16 +65,26 @@ class TextureTable:
         texture : str
             Name of the texture in the shader.
         """
+        if self.image:
+            return self._image_reader(dialect, texture)
         start = f" + {dialect.converted(self.start, I32)}" if self.start else ""
         at = "(index >> 2)" if self.by_number else "index"
         kind = VEC4 if self.spectral else F32
         component = "[index & 3]" if self.by_number else "" if self.spectral else ".x"
         lines = [
             dialect.kept("place", I32, f"{at}{start}"),
-            dialect.fetched(texture, "place") + component,
+            dialect.fetched(texture, "place", PACKED_SHIFT if self.packed else FLAT_SHIFT)
+            + component,
         ]
         read = dialect.function(f"read_{self.name}", [("index", I32)], kind, lines)
         return self._size(dialect) + read
+
+    def _image_reader(self, dialect: ShaderDialect, texture: str) -> str:
+        fetched = dialect.image_fetched(texture, "row", "column")
+        length = dialect.image_length(texture, "axis")
+        places = [("row", I32), ("column", I32)]
+        size = dialect.function(f"size_{self.name}", [("axis", I32)], I32, [length])
+        return size + dialect.function(f"read_{self.name}", places, VEC4, [fetched])
 
     def _size(self, dialect: ShaderDialect) -> str:
         if not self.lengths:

@@ -8,8 +8,6 @@ from typing import ClassVar, Final
 
 from airlight.gpu.emit.dialect import Named, ShaderDialect
 from airlight.gpu.emit.shader_types import (
-    FLAT_SHIFT,
-    FLAT_WIDTH,
     LocalArray,
     Scalar,
     Table,
@@ -105,9 +103,15 @@ fn full_screen_triangle(@builtin(vertex_index) index: u32) -> @builtin(position)
     def array(self, name: str, *, handed_over: bool) -> str:
         return f"(*{name})" if handed_over else name
 
-    def fetched(self, texture: str, index: str) -> str:
-        place = f"{index} & {FLAT_WIDTH - 1}, {index} >> {FLAT_SHIFT}"
+    def fetched(self, texture: str, index: str, shift: int) -> str:
+        place = f"{index} & {(1 << shift) - 1}, {index} >> {shift}"
         return f"textureLoad({texture}, vec2i({place}), 0)"
+
+    def image_fetched(self, texture: str, row: str, column: str) -> str:
+        return f"textureLoad({texture}, vec2i({column}, {row}), 0)"
+
+    def image_length(self, texture: str, axis: str) -> str:
+        return f"i32(textureDimensions({texture}, 0)[1 - {axis}])"
 
     def texture_name(self, name: str, group: int, binding: int) -> str:
         return name

@@ -20,14 +20,15 @@ class Band(NamedTuple):
     ----------
     first, rows : int
         First row and number of rows. [pixel]
-    ground, star : bool
-        Whether ground or the star's disc may be visible in them.
+    ground, star, edge : bool
+        Whether ground, the star's disc or the edge of the ground may be visible in them.
     """
 
     first: int
     rows: int
     ground: bool
     star: bool
+    edge: bool
 
 
 def bands(
@@ -58,13 +59,15 @@ def bands(
     elevation = np.arcsin(np.clip(rays[..., 2], -1.0, 1.0))
     seen = np.any(rays != 0.0, axis=-1)
     ground = (seen & (elevation < np.arcsin(lowest_up) + margin)).any(axis=1)
+    sky = (seen & (elevation > np.arcsin(lowest_up) - margin)).any(axis=1)
     apart = np.arccos(np.clip(rays @ np.asarray(star), -1.0, 1.0))
     near = (seen & (apart < reach + margin)).any(axis=1)
     found: list[Band] = []
     for k, first in enumerate(firsts):
         count = min(_STEP, height - int(first))
-        shows = (bool(ground[k] or ground[k + 1]), bool(near[k] or near[k + 1]))
-        if found and (found[-1].ground, found[-1].star) == shows:
+        both = [bool(one[k] or one[k + 1]) for one in (ground, near, sky)]
+        shows = (both[0], both[1], both[0] and both[2])
+        if found and found[-1][2:] == shows:
             found[-1] = found[-1]._replace(rows=found[-1].rows + count)
         else:
             found.append(Band(int(first), count, *shows))

@@ -11,12 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.color.four_wavelengths import picture_weights
+from airlight.color.glare import checked_amount
 from airlight.errors import Cancelled, ParameterError
 from airlight.gpu.device.device import Device
 from airlight.gpu.device.flat import empty_flat_texture, read_texture, update_flat
 from airlight.gpu.device.fragment_pass import FragmentPass
 from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.picture.bands import Band, bands
+from airlight.gpu.picture.display_passes import LINEAR, DisplayPasses
 from airlight.gpu.picture.shaders import (
     Shader,
     picture_shader,
@@ -30,6 +32,7 @@ from airlight.pixels.capacity import check_capacity
 from airlight.pixels.lit_scenes import lit_scenes
 from airlight.pixels.march_points import FEW
 from airlight.pixels.picture_numbers import (
+    checked_samples,
     display_numbers,
     observer_from,
     order_number,
@@ -53,8 +56,6 @@ QUICK_SKY_SHAPE: Final = (64, 64)
 #: Pixels drawn at once, read from a table, marched, and marched in software: no driver then assumes
 #: that the device hangs, and a strip of a picture that is read back takes 64 MiB at most.
 _PIXELS_AT_ONCE: Final = (1 << 22, 1 << 20, 1 << 16)
-#: Format of a picture that is read back.
-_LINEAR: Final = "rgba32float"
 
 
 class Pictures:
@@ -94,6 +95,7 @@ class Pictures:
         self._weights: FloatArray = np.zeros((0, 3))
         self._groups: dict[Any, list[Any]] = {}
         self._seen: tuple[Observer, float] | None = None
+        self._display = DisplayPasses(device)
         self.sky_shape = sky_shape
 
     @property
@@ -104,14 +106,19 @@ class Pictures:
     @sky_shape.setter
     def sky_shape(self, shape: tuple[int, int]) -> None:
         columns, rows = shape
-        whole = columns >= 2 and rows >= 2 and 2 * columns * rows % FLAT_WIDTH == 0
-        if not whole or 2 * columns * rows > FLAT_WIDTH * 4096:
+        whole = columns >= 2 and rows >= 2 and 3 * columns * rows % FLAT_WIDTH == 0
+        if not whole or 3 * columns * rows > FLAT_WIDTH * 4096:
             raise ParameterError("sky_shape", shape, "columns and rows whose product fills rows")
         self._sky_shape = (columns, rows)
-        count = 2 * columns * rows
+        count = 3 * columns * rows
         self._layers = {name: empty_flat_texture(self.device, count, 4, name) for name in LAYERS}
+        self._forget()
+
+    def _forget(self) -> None:
+        """Forget what was drawn from other tables."""
         self._groups.clear()
         self._seen = None
+        self._display.drawn = None
 
     def show(self, solution: MomentsSolution, weights: FloatArray | None = None) -> None:
         """Set the solution that is drawn from now on.
@@ -145,8 +152,7 @@ class Pictures:
         self._solution = solution
         self._weights = np.zeros((WAVELENGTHS, 3))
         self._weights[: nm.size] = solution.lights[0].colors(weights)
-        self._groups.clear()
-        self._seen = None
+        self._forget()
 
     @cached_property
     def _uniforms(self) -> Any:
@@ -175,6 +181,7 @@ class Pictures:
         exact: bool = False,
         orders: str = "all",
         disc: bool = True,
+        samples: int = 1,
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> Frame:
@@ -190,6 +197,9 @@ class Pictures:
             ``all``, ``single`` or ``multiple``.
         disc : bool
             Whether the star's disc is drawn.
+        samples : int
+            Samples per side of every pixel, 1 to 16. Pixels on the horizon and the limb have
+            more by themselves, except where a software device marches them.
         progress, cancel : callable, optional
             See ``airlight.kernel.threads``.
 
@@ -201,7 +211,8 @@ class Pictures:
         Raises
         ------
         ParameterError
-            If no solution has been shown yet, or the picture is wider than a texture may be.
+            If no solution has been shown yet, the picture is wider than a texture may be, or a
+            software device shall march several samples of a pixel.
         Cancelled
             If ``cancel`` requested it.
         """
@@ -211,13 +222,14 @@ class Pictures:
             for seen, lit in lit_scenes(scene, solution):
                 if lit is not self._solution:
                     self.show(lit, weights)
-                frames.append(self._frame(seen, exact, orders, disc, progress, cancel))
+                frames.append(self._frame(seen, exact, orders, disc, samples, progress, cancel))
         finally:
             if self._solution is not solution:
                 self.show(solution, weights)
         if len(frames) == 1:
             return frames[0]
-        return replace(frames[0], rgb=np.sum([one.rgb for one in frames], axis=0, dtype=np.float32))
+        rgb = np.asarray(np.sum([one.rgb for one in frames], axis=0, dtype=np.float32))
+        return replace(frames[0], rgb=rgb, scene=scene)
 
     def _frame(
         self,
@@ -225,6 +237,7 @@ class Pictures:
         exact: bool,
         orders: str,
         disc: bool,
+        samples: int,
         progress: Progress | None,
         cancel: Cancel | None,
     ) -> Frame:
@@ -237,11 +250,14 @@ class Pictures:
         if width > limit:
             raise ParameterError("camera.width", width, f"at most {limit} pixels on the GPU")
         numbers = self._numbers(scene, (width, height), exact, orders, disc)
-        one = self._pass(picture_shader(exact), "linear_picture", (_LINEAR,))
-        rows = self._rows_at_once(width, height, exact)
+        if checked_samples(samples) > 1 and not numbers["edges"]:
+            raise ParameterError("samples", samples, "1 for an exact picture of a software device")
+        numbers["samples"] = samples
+        one = self._pass(picture_shader(exact), "linear_picture", (LINEAR,))
+        rows = self._rows_at_once(samples * samples * width, height, exact)
         use = wgpu.TextureUsage
         target = self.device.device.create_texture(
-            size=(width, rows, 1), format=_LINEAR, usage=use.RENDER_ATTACHMENT | use.COPY_SRC
+            size=(width, rows, 1), format=LINEAR, usage=use.RENDER_ATTACHMENT | use.COPY_SRC
         )
         view = target.create_view()
         rgb = np.empty((height, width, 3), np.float32)
@@ -266,6 +282,9 @@ class Pictures:
                 "unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931",
                 "device": self.device.name,
             },
+            pixel_angle=scene.camera.glare_angle,
+            scene=scene,
+            star_radius=solution.lights[0].angular_radius,
         )
 
     def draw(
@@ -278,12 +297,15 @@ class Pictures:
         orders: str = "all",
         disc: bool = True,
         exposure: float | None = None,
-        tone_map: str = "hable",
+        tone_map: str = "natural",
         encoding: str | None = "srgb",
+        glare: float = 0.0,
         size: tuple[int, int] | None = None,
         uniforms: Mapping[str, float] | None = None,
     ) -> None:
         """Draw into a texture.
+
+        What is exposed is kept in linear light: it is not drawn again for another display.
 
         Parameters
         ----------
@@ -299,24 +321,46 @@ class Pictures:
             Name from ``TONE_MAPS``.
         encoding : str or None
             Name from ``ENCODINGS``; None for a target that encodes by itself.
+        glare : float
+            Amount of glare, 1 for that of a lens. [1]
         size : (int, int), optional
             Size of the target if it differs from the camera's. [pixel]
         uniforms : mapping, optional
-            Further uniforms of the shaders, by name.
+            Further uniforms of the display, by name.
 
         Raises
         ------
         ParameterError
-            If the scene has other lights than the solution's star: ``frame`` adds several.
+            If the scene has other lights than the solution's star: ``frame`` adds several; or if
+            the amount of glare is not 0 to 10.
         """
         (scene, lit), *others = lit_scenes(scene, self._shown())
         if others or lit is not self._solution:
             raise ParameterError("scene.lights", 1 + len(others), "the star alone, drawn live")
         width, height = size or (scene.camera.width, scene.camera.height)
         numbers = self._numbers(scene, (width, height), exact, orders, disc)
-        if exposure is not None:
-            numbers |= {**display_numbers(exposure, tone_map, encoding), **(uniforms or {})}
-        entry = "linear_picture" if exposure is None else "shown_picture"
+        if exposure is None:
+            self._draw_light(scene, numbers, view, target_format, exact)
+            return
+        kept = self._display
+        picture = kept.picture(width, height)
+        drawn = exact, self._packed(numbers).tobytes()
+        if kept.drawn != drawn:
+            kept.drawn = None
+            self._draw_light(scene, numbers, picture, LINEAR, exact)
+            kept.drawn = drawn
+        shown = {
+            **display_numbers(exposure, tone_map, encoding), "glare": checked_amount(glare),
+            **(uniforms or {}),
+        }  # fmt: skip
+        kept.show(shown, scene.camera.glare_angle, view, target_format)
+
+    def _draw_light(
+        self, scene: Scene, numbers: dict[str, float], view: Any, target_format: str, exact: bool
+    ) -> None:
+        """Draw linear light into a texture."""
+        width, height = int(numbers["width"]), int(numbers["height"])
+        entry = "linear_picture"
         if not exact:
             self._draw_sky(numbers)
         if self.device.software and not exact:
@@ -326,7 +370,9 @@ class Pictures:
                 seen = {
                     **numbers,
                     "mapped": numbers["mapped"] * band.ground,
+                    "wet": numbers["wet"] * band.ground,
                     "draws_disc": numbers["draws_disc"] * band.star,
+                    "edges": numbers["edges"] * band.edge,
                 }
                 shader = picture_shader(exact, FRAME.fixed(seen))
                 one = self._pass(shader, entry, (target_format,))
@@ -358,6 +404,8 @@ class Pictures:
             "sky_rows": self._sky_shape[1],
             "keeps_peaks": peaks,
         }
+        if exact and self.device.software:  # it ends all loops of a pixel after 65 535 turns
+            numbers["edges"] = 0.0
         if exact:
             numbers |= {"first_peak": -1.0, "second_peak": -1.0}
         for channel, column in zip(("red", "green", "blue"), self._weights.T, strict=True):
@@ -387,7 +435,7 @@ class Pictures:
         """Rows of the target by what is visible in them."""
         width, height = int(numbers["width"]), int(numbers["height"])
         if (width, height) != (scene.camera.width, scene.camera.height):
-            return [Band(0, height, True, True)]
+            return [Band(0, height, True, True, True)]
         solution = self._shown()
         star = (numbers["seen_x"], 0.0, numbers["seen_z"])
         reach = 2.0 * solution.lights[0].angular_radius + 3.0 * numbers["pixel_angle"]
@@ -408,7 +456,7 @@ class Pictures:
         if numbers["keeps_peaks"]:
             passes.append((sky_peaks_shader(), LAYERS[2:]))
         for shader, layers in passes:
-            one = self._pass(shader, next(iter(shader.entries)), (_LINEAR, _LINEAR))
+            one = self._pass(shader, next(iter(shader.entries)), (LINEAR, LINEAR))
             one.run(encoder, self._bound(one), [self._layers[name] for name in layers])
         self.device.device.queue.submit([encoder.finish()])
         self._seen = seen
@@ -427,11 +475,13 @@ class Pictures:
         assert self._textures is not None
         return self._textures.places
 
-    def _write(self, numbers: Mapping[str, float]) -> None:
+    def _packed(self, numbers: Mapping[str, float]) -> NDArray[np.float32]:
         # Above the ground as the shader has it: its radii are accurate to half a metre.
         r = float(np.float32(numbers["bottom"])) + (numbers["r"] - numbers["bottom"])
-        values = FRAME.packed({**numbers, "r": r}, self._places())
-        self.device.device.queue.write_buffer(self._uniforms, 0, values)
+        return FRAME.packed({**numbers, "r": r}, self._places())
+
+    def _write(self, numbers: Mapping[str, float]) -> None:
+        self.device.device.queue.write_buffer(self._uniforms, 0, self._packed(numbers))
 
     def _shown(self) -> MomentsSolution:
         if self._solution is None:

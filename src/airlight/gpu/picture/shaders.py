@@ -20,12 +20,12 @@ from airlight.gpu.emit.shader_types import (
     Bundle,
     Constant,
     LocalArray,
-    TupleType,
 )
 from airlight.gpu.emit.uniform_struct import Fixed
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.picture.uniforms import CHANNELS, FRAME
-from airlight.pixels.pixel import Display, Screen, displayed, pixel_light
+from airlight.pixels.pixel import Screen
+from airlight.pixels.samples import light_of_centre, sampled_light
 from airlight.pixels.shown import MOST_CONSTITUENTS, MOST_POINTS, MOST_TERMS
 from airlight.pixels.sky_table import Observer, sky_texel
 from airlight.pixels.sky_window import SkyWindow
@@ -81,7 +81,7 @@ class Shader:
 def assembled(name: str, entries: dict[str, str], emitter: Emitter) -> Shader:
     """Assemble a shader from its entry points and the functions that were emitted for them.
 
-    It has the tables that those functions read.
+    It has the tables that all of them read.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ def assembled(name: str, entries: dict[str, str], emitter: Emitter) -> Shader:
     dialect = emitter.dialect
     assert isinstance(dialect, ShaderDialect)
     body = emitter.module()
-    tables = FRAME.read_by(body)
+    tables = FRAME.read_by("\n".join([body, *entries.values()]))
     textures = tuple(dict.fromkeys(table.texture for table in tables))
     slots = {texture: slot for slot, texture in enumerate(textures, start=1)}
     lines = [FRAME.text(dialect)]
@@ -204,7 +204,7 @@ def _whole_window() -> Bundle:
 
 @cache
 def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of a pixel's light and its display: from the table, or by its own march.
+    """Shader of a pixel's light, linear: from the table, or by its own march.
 
     Parameters
     ----------
@@ -217,38 +217,22 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
         Shading language.
     """
     emitter = Emitter(dialect)
-    color = emitter.module_array("color", LocalArray(3))
-    found = emitter.module_array("result", LocalArray(1, VEC4))
+    # a shader of rows without an edge has no loop over samples
+    once = dict(fixed).get("samples") == 1 and not dict(fixed).get("edges", True)
+    places = ("color", "result") if once else ("color", "total", "result")
+    kinds = {"color": LocalArray(9)}
+    arrays = [emitter.module_array(n, kinds.get(n, LocalArray(1, VEC4))) for n in places]
     made = emitter.add(
-        pixel_light, F32, F32, Constant(exact), Constant(_NO_REACH), _whole_window(),
-        FRAME.bundle(Observer, fixed), FRAME.bundle(Screen, fixed),
-        FRAME.bundle(MarchTables, fixed), march_workspace(emitter), color, found,
+        light_of_centre if once else sampled_light, F32, F32, Constant(exact), Constant(_NO_REACH),
+        _whole_window(), FRAME.bundle(Observer, fixed), FRAME.bundle(Screen, fixed),
+        FRAME.bundle(MarchTables, fixed), march_workspace(emitter), *arrays,
         name="light_of_pixel",
     )  # fmt: skip
-    display = FRAME.bundle(Display, fixed)
-    shown = emitter.add(displayed, F32, F32, F32, display, name="displayed").result
-    assert isinstance(shown, TupleType)
     row = f"at.y + {FRAME.uniform('first_row').text}"
     lines = [
         *filled_by(made, ("at.x", row), dialect),
         *(dialect.kept(one, F32, f"dot(result[0], frame.{one})") for one in CHANNELS),
     ]
-    vector = f"{dialect.type_name(VEC4)}({{}}, 1.0)"
-    parts = [dialect.part("seen", i) for i in range(3)]
-    entries = {
-        "linear_picture": dialect.fragment(
-            "linear_picture", 1, lines, [vector.format(", ".join(CHANNELS))]
-        ),
-        "shown_picture": dialect.fragment(
-            "shown_picture",
-            1,
-            [*lines, dialect.kept("seen", shown, f"displayed({', '.join(CHANNELS)})")],
-            [vector.format(", ".join(parts))],
-        ),
-    }
-    return assembled("picture", entries, emitter)
-
-
-def all_shaders() -> tuple[Shader, ...]:
-    """All shaders of the pictures."""
-    return (sky_air_shader(), sky_peaks_shader(), picture_shader(False), picture_shader(True))
+    light = f"{dialect.type_name(VEC4)}({', '.join(CHANNELS)}, 1.0)"
+    entry = dialect.fragment("linear_picture", 1, lines, [light])
+    return assembled("picture", {"linear_picture": entry}, emitter)

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import Annotated, Final, NamedTuple
 
+import numpy as np
+
+from airlight.color.displayed import Display
 from airlight.gpu.emit.uniform_struct import UniformStruct
-from airlight.pixels.pixel import Display, Screen
+from airlight.kernel.shader_fields import image
+from airlight.pixels.pixel import Screen
 from airlight.pixels.sky_table import Observer
 from airlight.solvers.moments.march_tables import MarchTables
 
@@ -25,7 +29,40 @@ class Strip(NamedTuple):
     first_row: float
 
 
+class Lens(NamedTuple):
+    """Picture in linear light, and the pyramid of its glare.
+
+    Attributes
+    ----------
+    glare : float
+        Amount of glare. [1]
+    glare_total : float
+        Sum of the shares of all levels. [1]
+    level_share : float
+        Share of the level that is spread. [1]
+    level_more : bool
+        Whether there is a coarser level.
+    picture, level, coarser : array, shape (height, width)
+        Linear sRGB of the picture, of a level, and what the next coarser ones have spread.
+        [W m⁻² sr⁻¹]
+    """
+
+    glare: float
+    glare_total: float
+    level_share: float
+    level_more: bool
+    picture: Annotated[np.ndarray, image("picture")]
+    level: Annotated[np.ndarray, image("level")]
+    coarser: Annotated[np.ndarray, image("coarser")]
+
+
 #: Numbers and tables that the shaders of pictures may read.
-FRAME: Final = UniformStruct("frame", (MarchTables, Observer, Screen, Display, Strip), CHANNELS)
+FRAME: Final = UniformStruct(
+    "frame", (MarchTables, Observer, Screen, Display, Lens, Strip), CHANNELS
+)
 #: Textures of the table of the sky: those of the air, then those of its two peaks.
-LAYERS: Final = tuple(table.texture for table in FRAME.tables.values() if not table.start)
+LAYERS: Final = tuple(
+    table.texture
+    for table in FRAME.tables.values()
+    if not (table.start or table.image or table.packed)
+)

@@ -233,6 +233,17 @@ def read_tables(
         raise error.in_file(file) from None
 
 
+def declared_planet(tables: Mapping[str, Any], folder: Path | None = None) -> Planet:
+    """Planet of the nested tables of a file, whose medium is neither computed nor checked.
+
+    Raises
+    ------
+    ParameterError
+        If a table or a value is invalid.
+    """
+    return _planet(Section(tables, folder=folder))
+
+
 def nested_tables(text: str, file: str) -> dict[str, Any]:
     """Nested tables of a planet file, before anything in them is checked.
 

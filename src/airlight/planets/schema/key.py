@@ -103,6 +103,8 @@ class Key:
         ``standard`` or ``advanced``: by coefficients, or by composition.
     within : str
         Table of the file that contains the key of a planet, if not at the top.
+    synonyms : tuple of str
+        Other words that people say for it, found by an editor's search.
     """
 
     label: str
@@ -134,6 +136,7 @@ class Key:
     per_unit: str = "nm"
     mode: str = "standard"
     within: str = ""
+    synonyms: tuple[str, ...] = ()
 
     # --- of the field -------------------------------------------------------------------------
 

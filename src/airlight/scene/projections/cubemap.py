@@ -70,4 +70,5 @@ CUBEMAP = Projection(
     field_of_view=360.0,
     field_of_view_limits=(360.0, 360.0),
     look_zenith=90.0,
+    connected=False,
 )

@@ -36,6 +36,8 @@ class Projection:
         Smallest and largest allowed field of view. [deg]
     look_zenith : float
         Default zenith angle of the view. [deg]
+    connected : bool
+        Whether neighbouring pixels are neighbours in the sky.
     """
 
     name: str
@@ -45,6 +47,7 @@ class Projection:
     field_of_view_limits: tuple[float, float]
     look_zenith: float
     aspect: int | None = None
+    connected: bool = True
     shape: str = "any shape"
     size: tuple[int, int] = (1280, 720)
     sized: Callable[[int], tuple[int, int]] = lambda number: (number, number)

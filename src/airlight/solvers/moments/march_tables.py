@@ -136,8 +136,8 @@ class MarchWorkspace(NamedTuple):
         Irradiance of the ground by the star and by the sky. [1]
     phase : array, shape (nc·w,)
         Phase functions of a line. [sr⁻¹]
-    found : array, shape (4·w,)
-        Result of a march.
+    found : array, shape (5·w,)
+        Result of a march, and the sky that water mirrors.
     """
 
     edges: FloatArray
@@ -186,7 +186,7 @@ def spectral_sizes(constituents: int) -> dict[str, int]:
     constituents : int
         Number of constituents, or more.
     """
-    return {"received": 2, "phase": constituents, "found": 4}
+    return {"received": 2, "phase": constituents, "found": 5}
 
 
 def new_workspace(tables: MarchTables) -> MarchWorkspace:

@@ -78,7 +78,8 @@ def _turn(r, mu, distance, radius, angle, out):
 
 
 @compiled_loop
-def _trace_rays(grid, mu, panels, rule, table, strongest, bend, ends, edges, path, rays):
+def trace_into(grid, mu, panels, rule, table, strongest, bend, ends, edges, path, rays):
+    """Trace all rays of the quadratures into ``rays``, see ``trace_rays``; their points' count."""
     count = 0
     here = np.empty(4)
     last = table.shape[1] - 1
@@ -182,7 +183,7 @@ def trace_rays(
         np.empty((room, constituents)),
         np.empty((room, constituents)),
     )
-    count = _trace_rays(
+    count = trace_into(
         grid,
         mu,
         panels,

@@ -53,7 +53,7 @@ def rays_in_sight(rays: Rays, air: Air) -> tuple[Rays, Float32Array]:
     start = np.concatenate([begin, end[:, -1:]], axis=1)
     in_sight = rays._replace(start=start, **along)
     share = np.empty(counts.size * LANES, np.float32)
-    _fill_shares(
+    share_into(
         starts,
         np.ascontiguousarray(in_sight.column[:, :constituents]).reshape(-1),
         in_sight.amount,
@@ -106,7 +106,8 @@ def ray_share(first, points, columns, amounts, total, extinction, constituents):
 
 
 @compiled_loop
-def _fill_shares(starts, columns, amounts, totals, extinction, out):
+def share_into(starts, columns, amounts, totals, extinction, out):
+    """Fill ``out`` with the shares of all rays."""
     constituents = extinction.size // LANES
     for ray in range(starts.size - 1):
         first = starts[ray]

@@ -7,21 +7,24 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any, Final
 
-from airlight.color.exposure import exposure_of
+from airlight.color.exposure import eased, exposure_of
+from airlight.color.glare import glare_levels, glare_share
 from airlight.color.xyz import luminance_of
 from airlight.geometry.bending import raised_star
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.javascript import JAVASCRIPT
 from airlight.gpu.emit.shader_types import F32, I32, LocalArray, Table, Value
 from airlight.pixels.observer_numbers import observer_numbers
-from airlight.scene import flight, great_circle, sun_time
+from airlight.scene import flight, great_circle, ground_detail, sun_time
 from airlight.scene.directions import camera_frame, direction_of
+from airlight.scene.metering import left_out, metering_weight
 from airlight.scene.observer import ground_axes
 from airlight.scene.projections import PROJECTIONS
 from airlight.solvers.moments.acceleration import combine
 from airlight.solvers.moments.convergence import change_at, count_at, rest_after
 from airlight.solvers.moments.packing import level_weight, thick_share
 from airlight.solvers.moments.reduced_optics import reduce_optics
+from airlight.viewer.parameters.turbidity import haze_of, turbidity_of
 
 #: Formulas with the types of their arguments, by default all numbers. An array that a formula
 #: writes to may have any length.
@@ -32,8 +35,15 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     observer_numbers: (),
     raised_star: (F32, F32, F32, F32, Table("lift", 3)),
     luminance_of: (),
-    exposure_of: (Table("bright"), F32),
+    exposure_of: (Table("bright"), Table("weight"), F32),
+    eased: (),
+    left_out: (),
+    metering_weight: (I32, *(F32 for _ in range(9))),
+    glare_levels: (),
+    glare_share: (),
     great_circle.compass: (),
+    ground_detail.finest_cell: (),
+    ground_detail.lattice_origin: (),
     flight.climbed: (),
     flight.course_of: (),
     flight.angle_flown: (),
@@ -57,6 +67,8 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
         LocalArray(1),
         LocalArray(1),
     ),
+    turbidity_of: (),
+    haze_of: (),
     thick_share: (),
     level_weight: (),
 }
@@ -76,11 +88,13 @@ def emitted_formulas() -> Emitter:
 
 @cache
 def formulas_text() -> str:
-    """Text of ``generated/formulas.js``: formulas, pixel angles and aspects of projections."""
+    """Text of ``generated/formulas.js``: formulas, and facts of projections."""
     angles = ", ".join(f"{name}: pixel_angle_{name}" for name in PROJECTIONS)
     aspects = {name: form.aspect for name, form in PROJECTIONS.items()}
+    connected = [name for name, form in PROJECTIONS.items() if form.connected]
     tables = (
         f"export const PIXEL_ANGLES = {{ {angles} }};\n"
+        f"export const CONNECTED = {json.dumps(connected)};\n"
         f"export const ASPECTS = {json.dumps(aspects)};\n"
     )
     return f"{emitted_formulas().functions_text()}\n{tables}"

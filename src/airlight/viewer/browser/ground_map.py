@@ -1,63 +1,75 @@
-"""Ground map for a browser: an image file, which the browser decodes."""
+"""Ground map for a browser: image files, which the browser decodes."""
 
 from __future__ import annotations
 
 import base64
 import io
-from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.encoding import srgb_decode, srgb_encode
-from airlight.scene.surface_map import map_file, surface_map
+from airlight.color.texels import DECODED
+from airlight.scene.map_levels import reduced
+from airlight.scene.surface_map import SurfaceMap
 
-#: Widest map that is embedded; a wider one is halved until it fits. [pixel]
+#: Widest map that is embedded; a wider one is reduced to this width. [pixel]
 _WIDEST: Final = 2048
 _QUALITY: Final = 90
-#: Largest file that is embedded unchanged. [byte]
-_LARGEST: Final = 1_000_000
-_KINDS: Final = {".jpg": "jpeg", ".jpeg": "jpeg", ".png": "png"}
 
 
-def ground_map(name: str | None) -> dict[str, Any] | None:
-    """Ground map for ``web/drawing/ground.js``.
+def ground_map(found: SurfaceMap | None) -> dict[str, Any] | None:
+    """Ground map, or overlay, for ``web/drawing/ground.js``.
 
     Parameters
     ----------
-    name : str or None
-        Name of the map, as for ``surface_map``.
+    found : SurfaceMap or None
+        Map.
 
     Returns
     -------
     dict or None
-        ``image``, a data URL; ``levels``, the offset, height and width of each; ``decoded``, the
-        reflectance of the 256 values of a channel [1]. None without a map.
+        ``image``, a data URL; ``water``, another of the shares of water, or None; ``rows`` and
+        ``columns``; ``decoded``, the linear values of the 256 values of a colour [1]. None without
+        a map.
     """
-    if name is None:
+    if found is None:
         return None
-    found = surface_map(name)
-    first = next((i for i, one in enumerate(found.levels) if one.shape[1] <= _WIDEST), -1)
-    levels = found.levels[first:]
-    starts = np.cumsum([0, *(one.size for one in levels[:-1])])
+    texels = found.levels[0]
+    if texels.shape[1] > _WIDEST:
+        texels = reduced(texels, _WIDEST // 2, _WIDEST)
+    rows, columns = texels.shape[:2]
     return {
-        "image": _as_address(map_file(name) if first == 0 else None, levels[0]),
-        "levels": [[int(start), *one.shape[:2]] for start, one in zip(starts, levels, strict=True)],
-        "decoded": [float(x) for x in srgb_decode(np.arange(256) / 255.0)],
+        "image": _colors(texels[..., :3]),
+        "water": _water(texels[..., 3]),
+        "rows": rows,
+        "columns": columns,
+        "decoded": [float(x) for x in DECODED[0]],
     }
 
 
-def _as_address(file: Path | None, pixels: NDArray[np.float32]) -> str:
-    """Data URL of the file if a browser can read it and it is small, else of its pixels."""
-    kind = None if file is None else _KINDS.get(file.suffix.lower())
-    if file is not None and kind is not None and file.stat().st_size <= _LARGEST:
-        content = file.read_bytes()
-    else:
-        from PIL import Image
+def _colors(pixels: NDArray[np.uint8]) -> str:
+    """Data URL of a JPEG, which is small and which every browser reads."""
+    from PIL import Image
 
-        kind, room = "jpeg", io.BytesIO()
-        encoded = np.round(255.0 * srgb_encode(pixels)).astype(np.uint8)
-        Image.fromarray(encoded).save(room, "JPEG", quality=_QUALITY, subsampling=0)
-        content = room.getvalue()
+    room = io.BytesIO()
+    grey = np.ptp(pixels, axis=2).max() == 0
+    image = Image.fromarray(np.ascontiguousarray(pixels[..., 0] if grey else pixels))
+    # No subsampling of colours: coasts would lose their water's.
+    image.save(room, "JPEG", quality=_QUALITY, subsampling=0, optimize=True)
+    return _as_address("jpeg", room.getvalue())
+
+
+def _water(shares: NDArray[np.uint8]) -> str | None:
+    """Data URL of a grey picture without loss; None without water."""
+    from PIL import Image
+
+    if not shares.any():
+        return None
+    room = io.BytesIO()
+    Image.fromarray(np.ascontiguousarray(shares)).save(room, "PNG", optimize=True)
+    return _as_address("png", room.getvalue())
+
+
+def _as_address(kind: str, content: bytes) -> str:
     return f"data:image/{kind};base64,{base64.b64encode(content).decode('ascii')}"

@@ -16,8 +16,10 @@ from typing import Final
 
 from airlight.errors import FileError
 from airlight.gpu.device.flat import FORMATS
-from airlight.gpu.emit.shader_types import FLAT_WIDTH
+from airlight.gpu.device.packed import PACKED_FORMAT
+from airlight.gpu.emit.shader_types import FLAT_WIDTH, PACKED_WIDTH
 from airlight.pixels.shown import WAVELENGTHS
+from airlight.scene.ground_detail import NOMINAL_ROWS
 from airlight.viewer.browser.formulas import formulas_text
 from airlight.viewer.navigation import keys
 
@@ -38,9 +40,11 @@ def _keys_module() -> str:
 
 def _sizes_module() -> str:
     """Text of the module with the sizes of textures on which shaders and page must agree."""
-    channels = {form: count for count, form in FORMATS.items()}
+    channels = {form: count for count, form in FORMATS.items()} | {PACKED_FORMAT: 4}
     return (
-        f"export const ROW = {FLAT_WIDTH};\nexport const LANES = {WAVELENGTHS};\n"
+        f"export const ROW = {FLAT_WIDTH};\nexport const PACKED_ROW = {PACKED_WIDTH};\n"
+        f"export const PACKED_FORMAT = {json.dumps(PACKED_FORMAT)};\n"
+        f"export const LANES = {WAVELENGTHS};\nexport const NOMINAL_ROWS = {NOMINAL_ROWS};\n"
         f"export const CHANNELS = {json.dumps(channels)};\n"
     )
 

@@ -1,6 +1,7 @@
 """Viewer in a notebook: JupyterLab, marimo and other hosts of anywidget.
 
-The picture is drawn in the browser, by the page's JavaScript; the planet is solved in Python.
+The picture is drawn in the browser, by the page's JavaScript, or by Python where the browser has no
+graphics card; the planet is solved in Python.
 Requires the extra ``airlight[notebook]``.
 """
 
@@ -16,8 +17,11 @@ from airlight.paint.drawing_device import any_device
 from airlight.paint.solve_planet import live_solver
 from airlight.planets.picture_wavelengths import texel_wavelengths
 from airlight.viewer.background.solving import Solving
+from airlight.viewer.browser.kernel_pictures import KernelPictures, Order
 from airlight.viewer.browser.modules import join_modules, web_file
 from airlight.viewer.browser.package import program, solution_package
+from airlight.viewer.gallery.thumbnails import thumbnail_address
+from airlight.viewer.navigation.first_view import first_view
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.session.session import Session
 
@@ -26,6 +30,14 @@ try:
     import traitlets
 except ImportError as error:
     raise ImportError("a viewer in a notebook needs pip install 'airlight[notebook]'") from error
+
+
+def _first_session(planet: str | Path) -> Session:
+    """Session on a planet in its first view, with nothing to undo."""
+    session = Session(planet)
+    session.move(first_view(session))
+    session.forget_steps()
+    return session
 
 
 class Viewer(anywidget.AnyWidget):
@@ -41,7 +53,8 @@ class Viewer(anywidget.AnyWidget):
     height : int
         Height of the widget. [pixel]
     device : str
-        Graphics interface of the browser: ``auto``, ``webgpu`` or ``webgl2``.
+        What draws: ``webgpu`` or ``webgl2`` of the browser, the ``kernel``'s processor, or
+        ``auto``: a graphics card of the browser, else the kernel.
     solving : callable, optional
         Factory of the solving thread, with the arguments of ``Solving``.
 
@@ -70,6 +83,7 @@ class Viewer(anywidget.AnyWidget):
     _css = web_file("style.css")
 
     title = traitlets.Unicode().tag(sync=True)
+    first = traitlets.Unicode().tag(sync=True)
     parameters = traitlets.List().tag(sync=True)
     values = traitlets.Dict().tag(sync=True)
     program = traitlets.Dict().tag(sync=True)
@@ -81,6 +95,10 @@ class Viewer(anywidget.AnyWidget):
     gesture = traitlets.Dict().tag(sync=True)
     height = traitlets.Int(540).tag(sync=True)
     device = traitlets.Unicode("auto").tag(sync=True)
+    drawer = traitlets.Unicode("").tag(sync=True)
+    wanted = traitlets.Dict().tag(sync=True)
+    drawn = traitlets.Dict().tag(sync=True)
+    stale = traitlets.Bool(False).tag(sync=True)
 
     _ending: tuple[Callable[[], None], ...] = ()
     _solving: Any = None
@@ -93,10 +111,17 @@ class Viewer(anywidget.AnyWidget):
         device: str = "auto",
         solving: Callable[..., Solving] = Solving,
     ) -> None:
-        self.session = planet if isinstance(planet, Session) else Session(planet)
+        self.session = planet if isinstance(planet, Session) else _first_session(planet)
         self._telling = False
         self._shown: object = None
-        super().__init__(height=height, device=device, program=program(), **self._told())
+        self._waiting: Mapping[str, Any] = {}
+        super().__init__(
+            height=height,
+            device=device,
+            program=program(),
+            first=thumbnail_address(str(self.session.planet.source)),
+            **self._told(),
+        )
         try:
             self._loop: asyncio.AbstractEventLoop | None = asyncio.get_running_loop()
         except RuntimeError:
@@ -104,13 +129,15 @@ class Viewer(anywidget.AnyWidget):
         unfollow = self.session.follow(lambda versions: self._tell())
         self.observe(self._take_values, "values")
         self.observe(self._take_command, "command")
+        self.observe(self._take_wanted, "wanted")
+        self._pictures = KernelPictures(self._answer)
         self._solving = solving(
             self.session,
             solver=live_solver("auto", any_device()),
             wavelengths=texel_wavelengths,
             on_change=self._wake,
         )
-        self._ending = (unfollow, self._solving.close)
+        self._ending = (unfollow, self._solving.close, self._pictures.close)
         self._follow_solution()
 
     # --- from Python --------------------------------------------------------------------------
@@ -174,16 +201,28 @@ class Viewer(anywidget.AnyWidget):
         if solved is not None and solved is not self._shown:
             self._shown = solved
             numbers, tables = solution_package(solved.solution)
+            if self.drawer == "kernel":  # the browser gets pictures
+                tables = {}
             self.picture = numbers | {
+                "version": solved.version,
                 "tables": {
                     name: {"format": kind, "data": values.tobytes()}
                     for name, (kind, values) in tables.items()
-                }
+                },
             }
+            self._take_wanted({"new": self._waiting})
+        self.stale = solved is not None and solved.version != self.session.versions.planet
         if now.busy:
             self.status = now.doing
         elif solved is not None:
             self.status = f"{solved.quality}, {solved.seconds:.2f} s"
+
+    def _answer(self, drawn: dict[str, Any]) -> None:
+        """Pass a picture from its thread to the notebook's event loop, and to the browser."""
+        if self._loop is None or self._loop.is_closed():
+            self.drawn = drawn
+        else:
+            self._loop.call_soon_threadsafe(lambda: setattr(self, "drawn", drawn))
 
     # --- from the browser ---------------------------------------------------------------------
 
@@ -212,6 +251,20 @@ class Viewer(anywidget.AnyWidget):
             self.session.begin_drag(name)
         for path, value in news.items():
             self.session.set(path, value)
+
+    def _take_wanted(self, change: Mapping[str, Any]) -> None:
+        """Draw the picture that the browser asks for, once there is a solution."""
+        wanted = change["new"]
+        if not wanted:
+            return
+        solved = None if self._solving is None else self._solving.latest
+        self._waiting = wanted if solved is None else {}
+        if solved is None:
+            return
+        view = {**self.session.view, **wanted["view"]}
+        width, height = wanted["size"]
+        size = (int(width), int(height))
+        self._pictures.ask(Order(int(wanted["number"]), solved.solution, view, size))
 
     def _take_command(self, change: Mapping[str, Any]) -> None:
         session = self.session

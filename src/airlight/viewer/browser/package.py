@@ -12,20 +12,26 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.encoding import ENCODINGS
-from airlight.color.exposure import MIDDLE_GREY
-from airlight.color.tone_maps import TONE_MAPS, tone_map_named
-from airlight.color.xyz import luminance, rgb_to_xyz
+from airlight.color.display import DEFAULT_TONE_MAP
+from airlight.color.gamut import PRIMARIES
+from airlight.color.xyz import rgb_to_xyz
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.gpu.device.flat import FORMATS
 from airlight.gpu.emit.shader_types import FLAT_WIDTH
+from airlight.gpu.picture.display_shaders import (
+    coarser_shader,
+    display_shader,
+    spread_shader,
+)
 from airlight.gpu.picture.pictures import QUICK_SKY_SHAPE, SKY_SHAPE
 from airlight.gpu.picture.shaders import Shader, picture_shader, sky_air_shader, sky_peaks_shader
 from airlight.gpu.picture.solution_textures import SolutionTables
 from airlight.gpu.picture.uniforms import FRAME, LAYERS
-from airlight.pixels.picture_numbers import ORDERS
+from airlight.pixels.picture_numbers import ORDERS, display_numbers, lamp_numbers
 from airlight.pixels.shown import WAVELENGTHS
+from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.projections import PROJECTIONS
+from airlight.scene.surface_map import surface_map
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.viewer.browser.ground_map import ground_map
 from airlight.viewer.browser.web_shaders import CORNERS, web_shaders
@@ -38,6 +44,8 @@ Float32Array = NDArray[np.float32]
 #: Longer side of the small picture from which the exposure is measured. [pixel]
 GLANCE: Final = 64
 _FORMAT: Final = FORMATS[4]
+#: Number of levels of glare's pyramid: those of the largest canvas, 8192 pixels.
+LEVELS: Final = 12
 #: Number of altitudes at which the optical radius is tabulated.
 _RADII: Final = 1024
 
@@ -48,18 +56,26 @@ def plan() -> dict[str, Any]:
     where = FRAME.layout()
     places = {name: [start, 1] for name, start in where["numbers"].items()}
     places |= {f"table_{name}": [start, 4] for name, start in where["tables"].items()}
-    height = 2 * columns * rows // FLAT_WIDTH
+    height = 3 * columns * rows // FLAT_WIDTH
     sky = {"format": _FORMAT, "width": FLAT_WIDTH, "height": height}
     glance = {"name": "glance", "format": _FORMAT, "width": GLANCE, "height": GLANCE}
 
-    def one(name: str, shader: Shader, entry: str, targets: list[dict[str, Any]]) -> dict[str, Any]:
+    def resized(name: str) -> list[dict[str, Any]]:
+        return [{"name": name, "format": _FORMAT, "width": 1, "height": 1}]
+
+    def one(
+        name: str, shader: Shader, entry: str, targets: list[dict[str, Any]], **reads: str
+    ) -> dict[str, Any]:
         return {
             "name": name,
             "shader": shader.name,
             "vertex": CORNERS,
             "entry": entry,
             "uniforms": "0/0",
-            "reads": {f"0/{i + 1}": texture for i, texture in enumerate(shader.textures)},
+            "reads": {
+                f"0/{i + 1}": reads.get(texture, texture)
+                for i, texture in enumerate(shader.textures)
+            },
             "targets": targets,
         }
 
@@ -76,14 +92,35 @@ def plan() -> dict[str, Any]:
                 [{**sky, "name": n} for n in LAYERS[2:]],
             ),
             one("glance", picture, "linear_picture", [glance]),
-            one("picture", picture, "shown_picture", []),
+            one("picture", picture, "linear_picture", resized("picture")),
+            *(
+                one(
+                    f"coarser_{k}",
+                    coarser_shader(),
+                    "coarser",
+                    resized(f"level_{k}"),
+                    level=f"level_{k - 1}" if k > 1 else "picture",
+                )
+                for k in range(1, LEVELS + 1)
+            ),
+            *(
+                one(
+                    f"spread_{k}",
+                    spread_shader(),
+                    "spread",
+                    resized(f"spread_{k}"),
+                    level=f"level_{k}",
+                    coarser=f"spread_{k + 1}" if k < LEVELS else f"level_{k}",
+                )
+                for k in range(1, LEVELS + 1)
+            ),
+            one("display", display_shader(), "shown_picture", [], coarser="spread_1"),
         ],
     }
 
 
 def program() -> dict[str, Any]:
     """Data that are the same for every planet, as JSON values."""
-    grey = np.full(3, MIDDLE_GREY)
     return {
         "plan": plan(),
         "shaders": web_shaders(),
@@ -97,10 +134,8 @@ def program() -> dict[str, Any]:
         "projections": {
             name: list(form.field_of_view_limits) for name, form in PROJECTIONS.items()
         },
-        "tone_maps": {
-            name: float(luminance(tone_map_named(name).inverse(grey))) for name in TONE_MAPS
-        },
-        "encodings": list(ENCODINGS),
+        "display": display_numbers(0.0, DEFAULT_TONE_MAP, "srgb"),
+        "primaries": list(PRIMARIES),
         "orders": ORDERS,
         "view_uniforms": {
             one.uniform: {"path": one.path, "options": list(one.options)}
@@ -138,7 +173,8 @@ def solution_package(
     uniforms: dict[str, Any] = dict(made.numbers)
     for name, place in made.places.items():
         uniforms[f"table_{name}"] = [*place, 0, 0, 0][:4]
-    star = solution.lights[0]
+    uniforms |= lamp_numbers(solution)
+    star, mapped = solution.lights[0], medium.ground_map
     shown = np.zeros((WAVELENGTHS, 3))
     shown[: solution.wavelengths.size] = star.colors(weights)
     for channel, column in zip(("red", "green", "blue"), shown.T, strict=True):
@@ -149,7 +185,8 @@ def solution_package(
         "thickness": float(medium.thickness),
         "star": float(star.angular_radius),
         "paths": light_paths(solution),
-        "ground": ground_map(medium.ground_map),
+        "ground": ground_map(None if mapped is None else surface_map(mapped)),
+        "overlay": ground_map(ground_overlay(medium.ground_lights)),
         "viewpoints": viewpoints(medium.bottom_radius, medium.top_radius),
     }
     tables = {name: (FORMATS[values.shape[1]], values) for name, values in made.textures.items()}

@@ -18,10 +18,13 @@ from airlight.paint.solve_planet import solve_planet
 from airlight.planets import load_planet
 from airlight.planets.picture_wavelengths import texel_wavelengths
 from airlight.solvers.moments.harmonics import coefficient_count
+from airlight.viewer.browser.first_view import first_view as first_picture
 from airlight.viewer.browser.package import program, solution_package
-from airlight.viewer.browser.page_solver import amount_parameters, solver_data
+from airlight.viewer.browser.page_solver import MOST, solver_data
 from airlight.viewer.browser.page_text import page_text
 from airlight.viewer.browser.tables_text import DIGITS, as_text, deflated, rounded
+from airlight.viewer.navigation.first_view import first_view
+from airlight.viewer.parameters.amounts import amounts_of
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.view_parameters import VIEW_VALUES
 from airlight.viewer.session.session import Session
@@ -84,7 +87,8 @@ def page_data(
     """
     numbers, tables = solution_package(solution)
     solver = solver_data(solution)
-    edited = () if solver is None else amount_parameters(solution)
+    planet = None if solver is None else solution.planet
+    edited = () if planet is None else amounts_of(planet, MOST)
     parameters = page_parameters()
     fixed = program()
     return {
@@ -94,7 +98,7 @@ def page_data(
         "parameters": [one.as_json() for one in (*edited, *parameters)],
         "values": {
             **{one.path: values[one.path] for one in parameters},
-            **{one.path: 1.0 for one in edited},
+            **{one.path: one.present for one in edited},
         },
         "solution": f"{count} wavelengths, solved at the quality {solution.settings.as_text()}",
         "solver": solver,
@@ -149,7 +153,7 @@ def export_page(
     changes : mapping, optional
         Overrides of the planet's file by path, as for ``load_planet``.
     view : mapping, optional
-        Initial view values by path. [parameter.unit]
+        Initial view values by path; without any, those of the first viewpoint. [parameter.unit]
     quality : str
         ``preview``, ``default`` or ``fine``; replaced by ``preview`` above 3 MB.
     wavelengths : str
@@ -172,6 +176,8 @@ def export_page(
     """
     check_target(output)
     session = Session(planet)
+    if not any(path.startswith("view.") for path in view or {}):
+        session.move(first_view(session))
     for path, value in (view or {}).items():
         if path not in {one.path for one in page_parameters()}:
             known = ", ".join(one.path for one in page_parameters())
@@ -189,7 +195,8 @@ def export_page(
             cancel=cancel,
         )
         data = page_data(solution, str(planet), title, session.values, wavelengths)
-        content = page_text(title, data).encode()
+        first = first_picture(solution, session.values, progress=progress, cancel=cancel)
+        content = page_text(title, data, first).encode()
         if len(content) <= LARGEST:
             break
     if len(content) > LARGEST:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from airlight.gpu.solver.plan import SolverPlan
 from airlight.gpu.solver.planning import THICKEST, ThickAir, plan_for
+from airlight.optics.reflection import LAWS
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.planets.medium import BENDING
 from airlight.solvers.light_paths import LightPaths
@@ -26,9 +27,8 @@ from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.moments.stopping import Stopping
 from airlight.viewer.browser.tables_text import DIGITS, as_text, deflated, rounded
 from airlight.viewer.browser.web_shaders import solver_shaders
-from airlight.viewer.parameters.parameter import Parameter
 
-#: Largest amount of a constituent, relative to the planet's. [1]
+#: Largest amount of a constituent that a page solves, over the planet's. [1]
 MOST: Final = 10.0
 #: Names in the picture of the solver plan's tables that it shares.
 SHARED: Final = {
@@ -41,29 +41,6 @@ def page_settings() -> Settings:
     """Solver settings of a page: like ``preview``, with the degree that thick dust needs."""
     preview = QUALITIES["preview"]
     return replace(preview, degree=preview.thick_degree, tolerance=_TOLERANCE)
-
-
-def amount_parameters(solution: MomentsSolution) -> tuple[Parameter, ...]:
-    """Parameters of a planet that a page can edit: factors, initially 1."""
-    medium = solution.medium
-    found = [
-        Parameter(
-            path=f"air.amounts[{index}]", label="amount", group=name, low=0.1, high=MOST,
-            least=0.0, most=MOST, scale="log", step=1.1,
-            help="Factor of what it scatters and absorbs, at all wavelengths.",
-        )
-        for index, name in enumerate(medium.names)
-    ]  # fmt: skip
-    brightest = float(medium.ground_albedo.max())
-    if brightest > 0.0:
-        found.append(
-            Parameter(
-                path="air.ground", label="brightness", group="ground", low=0.0,
-                high=1.0 / brightest, least=0.0, most=1.0 / brightest, step=0.1,
-                help="Factor of the ground's reflectance, and of its picture.",
-            )
-        )  # fmt: skip
-    return tuple(found)
 
 
 def solver_data(
@@ -112,6 +89,7 @@ def solver_data(
             "columns": _table(drawn.columns),
             "degree": optics.degree,
             "albedo": _four(drawn.ground_albedo).tolist(),
+            "brightest": tuple(LAWS.values())[drawn.reflection.law].LARGEST_ALBEDO,
             "day": [float(x) for x in plan.setup.daylight],
             "thickest": THICKEST,
         },

@@ -15,8 +15,14 @@ _POLICY: Final = (
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: data:"
 )
 
+#: Picture and words that stand before the script and the data, which a browser reads later.
+_FIRST: Final = Template(
+    '<img class="airlight-first" src="$address" alt="" style="object-fit: $fit">'
+    '<div class="airlight-over airlight-progress">preview — loading</div>'
+)
 
-def page_text(title: str, data: Mapping[str, Any]) -> str:
+
+def page_text(title: str, data: Mapping[str, Any], first: Mapping[str, str] | None = None) -> str:
     """Text of a page.
 
     Parameters
@@ -25,6 +31,8 @@ def page_text(title: str, data: Mapping[str, Any]) -> str:
         Title of the page.
     data : mapping
         Data for ``web/main.js``, as JSON values.
+    first : mapping, optional
+        Picture that is shown at once, see ``first_view``.
 
     Returns
     -------
@@ -40,6 +48,7 @@ def page_text(title: str, data: Mapping[str, Any]) -> str:
         title=html.escape(title),
         policy=_POLICY,
         style=web_file("style.css"),
+        first="" if first is None else _FIRST.substitute(first),
         data=carried,
         script=script,
     )

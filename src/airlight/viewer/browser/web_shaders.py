@@ -8,6 +8,11 @@ from typing import Any, Final
 from airlight.gpu.device.fragment_pass import declared_bindings
 from airlight.gpu.emit.glsl import GLSL
 from airlight.gpu.emit.wgsl import WGSL
+from airlight.gpu.picture.display_shaders import (
+    coarser_shader,
+    display_shader,
+    spread_shader,
+)
 from airlight.gpu.picture.shaders import picture_shader, sky_air_shader, sky_peaks_shader
 from airlight.gpu.solver.passes import PASSES, shader
 
@@ -32,6 +37,9 @@ def web_shaders() -> dict[str, dict[str, Any]]:
             sky_air_shader(dialect),
             sky_peaks_shader(dialect),
             picture_shader(False, (), dialect),
+            coarser_shader(dialect),
+            spread_shader(dialect),
+            display_shader((), dialect),
         ):
             texts = found.setdefault(one.name, {})
             if dialect is WGSL:

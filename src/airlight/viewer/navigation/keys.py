@@ -11,8 +11,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Final, Literal
 
-from airlight.scene.flight import FOOTING, NOTCH, RATE
+from airlight.scene.flight import CLIMB, FOOTING, NOTCH, RATE
 from airlight.viewer.navigation.viewpoints import VIEWPOINTS
+from airlight.viewer.session.adaptation import TIME_CONSTANT
 from airlight.viewer.session.history import MOST_STEPS, TOGETHER
 
 Host = Literal["window", "page"]
@@ -26,9 +27,11 @@ RATES: Final[Mapping[str, float]] = {
     "footing": FOOTING,  # added to that distance [m]
     "turn": 0.5,  # fields of view per second by which keys turn the camera [1/s]
     "widen": 1.0,  # logarithm of the field of view's growth, by keys [1/s]
-    "notch": NOTCH,  # growth of altitude and of field of view per notch of the wheel [1]
+    "climb": CLIMB,  # growth of the distance to the ground per notch of the wheel [1]
+    "notch": NOTCH,  # growth of the field of view per notch of the wheel [1]
     "wheel": 100.0,  # a browser's wheel delta for one notch [pixel]
     "stop": 1.0 / 3.0,  # exposure [EV]
+    "adapted": TIME_CONSTANT,  # of the automatic exposure [s]
     "time": 1800.0,  # initial ratio of the sun's time to the clock's [1]
     "longest_step": 0.1,  # limits the distance flown after a pause [s]
     "click": 3.0,  # a press that moves less is a click [logical pixel]
@@ -82,7 +85,7 @@ _FLY: Final = (
               "pageup": ("up", 1.0), "pagedown": ("up", -1.0)}),
     Row(group="Fly", keys="wheel", text="towards the ground, or away", hosts=_WINDOW),
     Row(group="Fly", keys="wheel, pinch", text="towards the ground, or away", hosts=_PAGE),
-    Row(group="Fly", keys="Shift, Alt", text="with these: four times as fast, as slow",
+    Row(group="Fly", keys="Shift, Alt", text="four times as fast, as slow, the wheel too",
         factors={"shift": 4.0, "alt": 0.25}),
     Row(group="Fly", keys="Ctrl", text="as Alt, once a key is down",
         factors={"control": 0.25}, hosts=_WINDOW),
@@ -117,6 +120,7 @@ _READ: Final = (
 )  # fmt: skip
 
 _EDIT: Final = (
+    Row(group="Edit", keys="G", text="gallery of planets", once={"g": "gallery"}, hosts=_WINDOW),
     Row(group="Edit", keys="Ctrl+click", text="type a number into a slider", hosts=_WINDOW),
     Row(group="Edit", keys="Ctrl+Z", text="undo", once={"Control+z": "undo"}),
     Row(group="Edit", keys="Ctrl+Y", text="redo; Ctrl+Shift+Z too",
@@ -124,8 +128,16 @@ _EDIT: Final = (
     Row(group="Edit", keys="Ctrl+S", text="save the picture", once={"Control+s": "save picture"}),
     Row(group="Edit", keys="Ctrl+Shift+S", text="save the planet file",
         once={"Control+Shift+s": "save planet"}, hosts=_WINDOW),
-    Row(group="Edit", keys="Tab", text="hide or show the panels; Esc shows them",
-        once={"Tab": "panels", "Escape": "leave"}),
+    Row(group="Edit", keys="U", text="copy a link to what is shown", once={"u": "copy link"}),
+    Row(group="Edit", keys="O", text="film of the moving sun, from here", once={"o": "film"},
+        hosts=_WINDOW),
+    Row(group="Edit", keys="O", text="film: start, and end", once={"o": "film"}, hosts=_PAGE),
+    Row(group="Edit", keys="Tab", text="hide or show the panels", once={"Tab": "panels"}),
+    Row(group="Edit", keys="F, F11", text="fullscreen", hosts=_WINDOW,
+        once={"f": "fullscreen", "F11": "fullscreen"}),
+    Row(group="Edit", keys="F", text="fullscreen", once={"f": "fullscreen"}, hosts=_PAGE),
+    Row(group="Edit", keys="Esc", text="close what is open, leave fullscreen, show the panels",
+        once={"Escape": "leave"}),
     Row(group="Edit", keys="F1, H", text="this help", once={"F1": "help", "h": "help"}),
     Row(group="Edit", keys="Ctrl+Q", text="close the window", once={"Control+q": "close"},
         hosts=_WINDOW),

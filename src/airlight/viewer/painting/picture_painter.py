@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from time import perf_counter
+from time import perf_counter, sleep
 from typing import Any, Final
 
 from airlight.color.display import to_display
-from airlight.color.exposure import automatic_exposure
+from airlight.color.exposure import MOST_EXPOSURE
 from airlight.paint.scene_painter import LivePicture, ScenePainter
+from airlight.scene.metering import scene_exposure
+from airlight.scene.picture_size import scaled
 from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.painting.picture_texture import Canvases
 
 #: Width of the picture on which automatic exposure is measured, where a device draws. [pixel]
 _MEASURED: Final = 96.0
-#: Largest exposure, either way. [EV]
-_MOST: Final = 100.0
+#: Pause between pictures while the exposure eases. [s]
+_PAUSE: Final = 1.0 / 60.0
 
 
 class PicturePainter:
@@ -36,10 +38,17 @@ class PicturePainter:
 
     def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
         """See ``Painter.paint``."""
+        picture: Picture | None = None
         for step in self._painter.live(
             request.solution, request.scene, orders=request.orders, stale=stale
         ):
-            yield self._shown(request, step)
+            picture = self._shown(request, step)
+            yield picture
+        while picture is not None and step.finished and not (picture.finished or stale()):
+            # Complete but for its exposure, which is still on its way.
+            sleep(_PAUSE)
+            picture = self._shown(request, step)
+            yield picture
 
     def close(self) -> None:
         """See ``Painter.close``."""
@@ -47,7 +56,7 @@ class PicturePainter:
 
     def _shown(self, request: Request, step: LivePicture) -> Picture:
         started, camera = perf_counter(), step.scene.camera
-        exposure = self._exposure(request, step)
+        exposure, settled = self._exposure(request, step)
         texture = self._canvases.next()
         if step.frame is None:
             texture.resize(camera.width, camera.height)
@@ -57,33 +66,46 @@ class PicturePainter:
             )  # fmt: skip
             texture.wait()
         else:
-            texture.write(to_display(step.frame.rgb, exposure=exposure, tone_map=request.tone_map))
+            texture.write(
+                to_display(
+                    step.frame.rgb, exposure, request.tone_map,
+                    eye=bool(request.uniforms.get("eye", False)), glare=request.glare,
+                    pixel_angle=step.frame.pixel_angle,
+                )
+            )  # fmt: skip
         return Picture(
             view=texture.view,
             width=camera.width,
             height=camera.height,
             request=request,
             exposure=exposure,
-            finished=step.finished,
+            finished=step.finished and settled,
             seconds=step.seconds + perf_counter() - started,
             by=step.by,
         )
 
-    def _exposure(self, request: Request, step: LivePicture) -> float:
-        """Exposure of a step, with the automatic one if that is on. [EV]"""
-        exposure = request.exposure
+    def _exposure(self, request: Request, step: LivePicture) -> tuple[float, bool]:
+        """Exposure of a step, with the automatic one if that is on [EV], and whether it stays."""
+        exposure, settled = request.exposure, True
         if request.automatic:
-            exposure += self._automatic(request, step)
-        return min(max(exposure, -_MOST), _MOST)
+            measured, adaptation = self._automatic(request, step), request.adaptation
+            if adaptation is None:
+                exposure += measured
+            else:
+                exposure += adaptation.towards(measured, held=request.held)
+                settled = request.held or adaptation.reached(measured)
+        return min(max(exposure, -MOST_EXPOSURE), MOST_EXPOSURE), settled
 
     def _automatic(self, request: Request, step: LivePicture) -> float:
         """Measured exposure; a device draws for it, so that of the same light is kept. [EV]"""
+        radius = request.solution.lights[0].angular_radius
         if step.frame is not None:
-            return automatic_exposure(step.frame.rgb, request.tone_map)
+            return scene_exposure(step.frame.rgb, step.scene, radius)
         if self._measured is not None:
             before, measured = self._measured
-            if request.same_light(before) and request.tone_map == before.tone_map:
+            if request.same_light(before):
                 return measured
-        measured = automatic_exposure(step.linear(_MEASURED), request.tone_map)
+        small = scaled(step.scene, min(1.0, _MEASURED / step.scene.camera.width))
+        measured = scene_exposure(step.linear(_MEASURED), small, radius)
         self._measured = request, measured
         return measured

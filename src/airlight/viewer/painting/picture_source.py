@@ -6,8 +6,10 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, Protocol
 
+from airlight.color.exposure import DEFAULT_EXPOSURE
 from airlight.scene import Scene
 from airlight.solvers.moments.solution import MomentsSolution
+from airlight.viewer.session.adaptation import Adaptation
 
 #: Orders of scattering that are shown.
 Orders = Literal["all", "single", "multiple"]
@@ -27,8 +29,14 @@ class Request:
         Exposure, added to the automatic one if that is on. [EV]
     automatic : bool
         Whether the exposure adapts to the picture.
+    adaptation : Adaptation, optional
+        Exposure of the session, which eases towards the measured one; without it that is used.
+    held : bool
+        Whether the automatic exposure stays as it is.
     tone_map : str
         Name from ``airlight.color.tone_maps.TONE_MAPS``.
+    glare : float
+        Amount of glare, 1 for that of a lens. [1]
     orders : str
         ``all``, ``single`` (scattered or reflected once) or ``multiple`` (all but once).
     uniforms : mapping
@@ -37,9 +45,12 @@ class Request:
 
     solution: MomentsSolution
     scene: Scene
-    exposure: float = -2.5
+    exposure: float = DEFAULT_EXPOSURE
     automatic: bool = False
-    tone_map: str = "hable"
+    adaptation: Adaptation | None = None
+    held: bool = False
+    tone_map: str = "natural"
+    glare: float = 1.0
     orders: Orders = "all"
     uniforms: Mapping[str, float] = field(default_factory=dict)
 
@@ -59,7 +70,9 @@ class Request:
             and self.same_light(other)
             and self.exposure == other.exposure
             and self.automatic == other.automatic
+            and self.held == other.held
             and self.tone_map == other.tone_map
+            and self.glare == other.glare
             and self.uniforms == other.uniforms
         )
 

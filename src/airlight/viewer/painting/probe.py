@@ -13,6 +13,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.color.texels import CHANNELS
 from airlight.color.xyz import chromaticity, luminance, rgb_to_xyz
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
@@ -21,12 +22,14 @@ from airlight.render.drawing import color_weights
 from airlight.render.sun_disc import leaving_direction, sun_solid_angle
 from airlight.scene import Scene
 from airlight.scene.camera import Camera
+from airlight.scene.ground_place import map_color
 from airlight.scene.light_position import LightPosition
 from airlight.scene.surface_map import surface_map
 from airlight.solvers.moments.radiance_parts import radiance_parts
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.sight import Sight
 from airlight.tables.columns import columns
+from airlight.viewer.painting.painted_ground import painted_ground
 
 FloatArray = NDArray[np.float64]
 
@@ -238,7 +241,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
 
 
 def _spectra(
-    solution: MomentsSolution, sight: Sight, painted: FloatArray
+    solution: MomentsSolution, sight: Sight, color: FloatArray | None
 ) -> list[tuple[str, FloatArray]]:
     """Name and spectral radiance of each part except the star. [W m⁻² sr⁻¹ nm⁻¹]"""
     parts = radiance_parts(solution, sight)
@@ -248,12 +251,11 @@ def _spectra(
         for c, name in enumerate(solution.medium.names)
         if parts.scattered_once[0, c].any()
     ]
-    ground = [
-        (GROUND_STAR, parts.ground_star[0] * sun * painted),
-        (GROUND_SKY, parts.ground_sky[0] * sun * painted),
-    ]
     more = (MORE, parts.scattered_more[0] * sun)
-    return [*once, more, *(ground if sight.to_ground[0] else [])]
+    if not sight.to_ground[0]:
+        return [*once, more]
+    star, sky = painted_ground(solution, sight, parts, color)
+    return [*once, more, (GROUND_STAR, star * sun), (GROUND_SKY, sky * sun)]
 
 
 def _depths(solution: MomentsSolution, drawn: Sight) -> FloatArray:
@@ -285,12 +287,11 @@ def _star(
 
 def _ground(
     solution: MomentsSolution, scene: Scene, direction: FloatArray, drawn: Sight
-) -> tuple[float, float | None, float | None, FloatArray]:
-    """Distance [m], latitude and longitude [deg] of the ground, reflectance over albedo [1]."""
-    medium = solution.medium
-    plain = np.ones(medium.wavelengths.size)
+) -> tuple[float, float | None, float | None, FloatArray | None]:
+    """Distance [m], latitude and longitude [deg] of the ground, colour and water of its map [1]."""
+    medium, color = solution.medium, None
     if not drawn.to_ground[0]:
-        return math.inf, None, None, plain
+        return math.inf, None, None, color
     bottom = medium.bottom_radius
     r, mu = bottom + scene.altitude, float(direction[2])
     sine = math.hypot(float(direction[0]), float(direction[1]))
@@ -306,9 +307,10 @@ def _ground(
         image = surface_map(medium.ground_map)
         slant = max(-float(direction @ place) / bottom, 0.05)
         footprint = scene.camera.pixel_angle * distance / (bottom * math.sqrt(slant))
-        level = math.log2(max(footprint * image.levels[0].shape[0] / math.pi, 1.0))
-        color = image.sample(latitude, longitude, level)
-        mapped = np.clip(medium.map_basis @ color, 0.0, 1.0)
-        albedo = medium.ground_albedo
-        plain = np.divide(mapped, albedo, out=np.zeros_like(mapped), where=albedo > 0.0)
-    return distance, latitude, longitude, plain
+        level = math.log2(max(footprint * image.rows / math.pi, 1.0))
+        color = np.empty(CHANNELS)
+        map_color(
+            image.flat, image.rows, image.columns, len(image.levels), math.radians(latitude),
+            math.radians(longitude), level, color, 0,
+        )  # fmt: skip
+    return distance, latitude, longitude, color

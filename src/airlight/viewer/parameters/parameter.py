@@ -53,6 +53,8 @@ class Parameter:
         ``standard``: always shown; ``advanced``: composition, shown in the advanced mode.
     part_of : str
         Path of the list that contains the item, so that a host may collapse it; else empty.
+    synonyms : tuple of str
+        Other words that people say for it, found by a search.
     """
 
     path: str
@@ -71,6 +73,7 @@ class Parameter:
     options: tuple[str, ...] = ()
     mode: str = "standard"
     part_of: str = ""
+    synonyms: tuple[str, ...] = ()
 
     def checked(self, value: Any) -> Value:
         """Validate a value, wrapping it into the range if the parameter is periodic.
@@ -124,11 +127,26 @@ class Parameter:
         """All fields as JSON values, without infinite limits."""
         fields = asdict(self)
         fields["options"] = list(self.options)
+        fields["synonyms"] = list(self.synonyms)
         return {
             name: value
             for name, value in fields.items()
             if not (isinstance(value, float) and math.isinf(value))
         }
+
+    def answers(self, search: str) -> bool:
+        """Whether each word of a search is in its label, group, synonyms, help or path.
+
+        Examples
+        --------
+        >>> zoom = Parameter(path="view.field_of_view", label="field of view", group="camera",
+        ...                  help="-", synonyms=("zoom",))
+        >>> zoom.answers("Zoom"), zoom.answers("camera view"), zoom.answers("ozone")
+        (True, True, False)
+        """
+        parts = (self.label, self.group, *self.synonyms, self.help, self.path)
+        text = " ".join(parts).lower()
+        return all(word in text for word in search.lower().split())
 
     def at(self, share: float) -> float:
         """Value [unit] at a fraction of the slider, 0 at its low end, 1 at its high end."""

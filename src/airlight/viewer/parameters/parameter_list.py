@@ -18,12 +18,13 @@ from airlight.planets.reading.tables import keys_of
 from airlight.planets.schema.key import Key
 from airlight.planets.schema.measures import listed, number_in
 from airlight.planets.schema.section import suggestion
+from airlight.viewer.parameters.amounts import AMOUNTS
 from airlight.viewer.parameters.nested_tables import Tables, get, joined, steps_of
 from airlight.viewer.parameters.parameter import Parameter
 from airlight.viewer.parameters.view_parameters import VIEW_GROUPS
 
 #: Groups of a planet other than constituents.
-PLANET_GROUPS: Final = ("planet", "shell", "ground", "star")
+PLANET_GROUPS: Final = (AMOUNTS, "planet", "shell", "ground", "star")
 #: Tables of the file that form a group.
 _GROUPED: Final = ("shell", "ground", "star")
 
@@ -70,7 +71,12 @@ def parameters_of(tables: Tables) -> tuple[Parameter, ...]:
 def group_of(constituents: list[Tables], index: int) -> str:
     """Group of a constituent: its name, numbered if that name is already taken."""
     name = str(constituents[index].get("name", index))
-    taken = [*PLANET_GROUPS, *VIEW_GROUPS, *(one.get("name") for one in constituents[:index])]
+    taken = [
+        AMOUNTS,
+        *PLANET_GROUPS,
+        *VIEW_GROUPS,
+        *(one.get("name") for one in constituents[:index]),
+    ]
     return f"{name} ({index + 1})" if name in taken else name
 
 
@@ -297,6 +303,7 @@ def _parameter(key: Key, path: str, cursor: _Cursor, **more: Any) -> Parameter:
         group=cursor.group,
         help=key.help,
         mode=key.mode,
+        synonyms=key.synonyms,
         **more,
     )
 

@@ -11,9 +11,11 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from airlight.color.exposure import DEFAULT_EXPOSURE
+from airlight.color.glare import MOST as MOST_GLARE
 from airlight.color.tone_maps import TONE_MAPS
 from airlight.scene.camera import Camera
 from airlight.scene.flight import LOWEST_ALTITUDE
+from airlight.scene.ground_detail import GROUNDS
 from airlight.scene.picture_size import fitting
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.scene import HIGHEST_ALTITUDE, Scene
@@ -72,47 +74,77 @@ def _choice(
 VIEW_VALUES: Final = (
     ViewValue(path="view.altitude", label="altitude", group="camera", unit="m",
               low=LOWEST_ALTITUDE, high=1e9, least=0.0, most=HIGHEST_ALTITUDE, scale="log",
-              step=1.1, help="Altitude of the observer above the ground.", default=2.0),
+              step=1.1, help="Altitude of the observer above the ground.", default=2.0,
+              synonyms=("height", "elevation", "how high", "space", "orbit", "up")),
     ViewValue(path="view.latitude", label="latitude", group="camera", unit="deg", low=-90.0,
               high=90.0, least=-90.0, most=90.0, step=1.0,
-              help="Latitude of the point below, positive north.", default=0.0),
+              help="Latitude of the point below, positive north.", default=27.5,
+              synonyms=("place", "position", "location", "where")),
     _turning("view.longitude", "longitude", "camera",
-             "Longitude of the point below, positive east.", **_HALF_ROUND, default=0.0),
+             "Longitude of the point below, positive east.", **_HALF_ROUND, default=35.5,
+             synonyms=("place", "position", "location", "where")),
     ViewValue(path="view.look_zenith", label="look zenith", group="camera", unit="deg", low=0.0,
               high=180.0, least=0.0, most=180.0, step=1.0,
-              help="Zenith angle of the line of sight; 90 is horizontal.", default=88.0),
+              help="Zenith angle of the line of sight; 90 is horizontal.", default=88.0,
+              synonyms=("pitch", "tilt", "look up", "look down", "camera")),
     _turning("view.heading", "heading", "camera",
              "Compass bearing of the line of sight: 0 north, 90 east.", **_ROUND,
-             default=180.0),
+             default=180.0, synonyms=("direction", "azimuth", "yaw", "compass", "look around")),
     _turning("view.roll", "roll", "camera",
-             "Turns the camera clockwise about its line of sight.", **_HALF_ROUND, default=0.0),
+             "Turns the camera clockwise about its line of sight.", **_HALF_ROUND, default=0.0,
+             synonyms=("bank", "horizon", "tilt", "rotate")),
     ViewValue(path="view.field_of_view", label="field of view", group="camera", unit="deg",
               low=1.0, high=170.0, least=1e-3, most=360.0, step=1.0, default=60.0,
-              help="Horizontal field of view, up to 170; the full circle of a fisheye."),
+              help="Horizontal field of view, up to 170; the full circle of a fisheye.",
+              synonyms=("zoom", "fov", "lens", "focal length", "telephoto", "wide angle")),
     _choice("view.projection", "projection", "camera", tuple(PROJECTIONS),
-            "Projection of the picture.", default="perspective"),
+            "Projection of the picture.", default="perspective",
+            synonyms=("fisheye", "panorama", "lens", "cube map", "360")),
+    _choice("view.ground", "ground", "camera", GROUNDS,
+            "The map of the ground alone, or with noise below its resolution, as decoration.",
+            default="detailed",
+            synonyms=("detail", "noise", "texture", "terrain")),
     ViewValue(path="view.sun_zenith", label="sun zenith", group="sun", unit="deg", low=0.0,
               high=180.0, least=0.0, most=180.0, step=0.5, default=60.0,
-              help="Zenith angle of the sun at the observer; beyond 90 it has set."),
+              help="Zenith angle of the sun at the observer; beyond 90 it has set.",
+              synonyms=("sun height", "sun elevation", "time of day", "hour", "sunset", "sunrise",
+                        "twilight", "night", "noon", "evening", "morning")),
     _turning("view.sun_azimuth", "sun bearing", "sun", "Compass bearing of the sun: 180 south.",
-             **_ROUND, default=180.0),
+             **_ROUND, default=180.0,
+             synonyms=("sun direction", "sun azimuth", "time of day", "hour")),
     ViewValue(path="display.automatic", label="automatic exposure", group="display",
-              kind="switch", help="The picture's mean becomes middle grey.", default=True,
-              part="display"),
+              kind="switch", help="As an eye that has adapted to the picture.", default=True,
+              part="display", synonyms=("auto", "brightness", "metering")),
+    ViewValue(path="display.locked", label="lock exposure", group="display", kind="switch",
+              help="The automatic exposure stays as it is.", default=False, part="display",
+              synonyms=("hold", "fix", "brightness", "ae lock")),
     ViewValue(path="display.exposure", label="exposure", group="display", unit="EV", low=-12.0,
               high=20.0, least=-100.0, most=100.0, step=0.25, default=0.0, part="display",
-              help="Radiance is multiplied by 2 to this power, on top of automatic."),
+              help="Radiance is multiplied by 2 to this power, on top of automatic.",
+              synonyms=("brightness", "brighter", "darker", "stops", "ev", "light", "iso",
+                        "aperture", "shutter")),
+    ViewValue(path="display.eye", label="eye in the dark", group="display", kind="switch",
+              help="Below 4 cd/m² colours fade and turn bluish, as to an eye.", default=True,
+              part="display", uniform="eye",
+              synonyms=("night vision", "mesopic", "purkinje", "blue night", "colour", "color")),
     _choice("display.tone_map", "tone map", "display", tuple(TONE_MAPS),
-            "Tone curve that maps radiance to the display's range.", default="hable",
-            part="display", uniform="tone_map"),
+            "Tone curve that maps radiance to the display's range.", default="natural",
+            part="display", uniform="tone_map",
+            synonyms=("colour", "color", "contrast", "look", "film", "curve", "saturation")),
+    ViewValue(path="display.glare", label="glare", group="display", low=0.0, high=4.0, least=0.0,
+              most=MOST_GLARE, step=0.1, default=1.0, part="display", uniform="glare",
+              help="Light that a lens spreads around the sun: 1 is a lens, 0 none.",
+              synonyms=("bloom", "glow", "halo", "lens", "flare", "sun")),
     _choice("light.orders", "orders of scattering", "light", ORDERS,
             "All light, that scattered or reflected once, or that scattered more often.",
-            default="all"),
+            default="all", synonyms=("single scattering", "multiple scattering", "bounces")),
     _choice("light.quality", "quality", "light", QUALITIES,
-            "Of the solution that follows the preview.", default="default", part="planet"),
+            "Of the solution that follows the preview.", default="default", part="planet",
+            synonyms=("accuracy", "speed", "fast", "fine", "resolution")),
     _choice("light.wavelengths", "wavelengths", "light", WAVELENGTHS,
             "How many are solved: more give truer colours; a graphics card takes up to four.",
-            default="four", part="planet"),
+            default="four", part="planet",
+            synonyms=("colour", "color", "spectrum", "spectral", "accuracy")),
 )  # fmt: skip
 
 #: View values by path.
@@ -136,7 +168,7 @@ def view_parameters(constituents: tuple[str, ...] = ()) -> tuple[Parameter, ...]
     Examples
     --------
     >>> [one.path for one in view_parameters(("air",)) if one.kind == "switch"]
-    ['display.automatic', 'light.constituents[0]']
+    ['display.automatic', 'display.locked', 'display.eye', 'light.constituents[0]']
     """
     switches = tuple(
         Parameter(path=switch_path(index), label=name, group="light", kind="switch",
@@ -168,7 +200,7 @@ def uniforms_of(view: Mapping[str, Value]) -> dict[str, float]:
     Examples
     --------
     >>> uniforms_of({**DEFAULTS, "display.tone_map": tuple(TONE_MAPS)[2]})
-    {'tone_map': 2.0}
+    {'eye': 1.0, 'tone_map': 2.0, 'glare': 1.0}
     """
     return {
         one.uniform: float(one.options.index(str(value)) if one.options else value)
@@ -218,4 +250,5 @@ def scene_of(view: Mapping[str, Any], width: int, height: int) -> Scene:
         latitude=float(view["view.latitude"]),
         longitude=float(view["view.longitude"]),
         sun_azimuth=bearing,
+        ground=str(view["view.ground"]),
     )

@@ -18,6 +18,7 @@ from airlight.viewer.parameters.view_parameters import (
     scene_of,
     view_parameters,
 )
+from airlight.viewer.session.adaptation import Adaptation
 from airlight.viewer.session.history import Change, History
 from airlight.viewer.session.planet_state import PlanetState
 from airlight.viewer.session.side import Side
@@ -55,6 +56,7 @@ class Editing:
         self._followers: list[Callable[[Versions], None]] = []
         self.size = DEFAULT_SIZE
         self.shares_camera = True
+        self.adaptation = Adaptation()
 
     # --- state --------------------------------------------------------------------------------
 
@@ -112,9 +114,19 @@ class Editing:
 
     @property
     def display(self) -> dict[str, Value]:
-        """Display values: ``automatic``, ``exposure`` [EV] and ``tone_map``."""
+        """Display values: ``automatic``, ``exposure`` [EV], ``tone_map`` and ``glare``."""
         return {name: self._side.view[f"display.{name}"] for name in
-                ("automatic", "exposure", "tone_map")}  # fmt: skip
+                ("automatic", "exposure", "tone_map", "glare")}  # fmt: skip
+
+    @property
+    def holds_exposure(self) -> bool:
+        """Whether the automatic exposure stays as it is: locked, or while the planet is dragged.
+
+        An edit that darkens the air looks darker until it is let go.
+        """
+        dragged = self._side.dragged
+        edits = bool(dragged) and dragged not in VIEW_VALUE
+        return edits or bool(self._side.view["display.locked"])
 
     @property
     def orders(self) -> str:

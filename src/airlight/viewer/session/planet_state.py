@@ -10,9 +10,11 @@ from typing import Any
 
 from airlight.errors import ParameterError
 from airlight.planets.reading.reader import nested_tables, planet_text
+from airlight.viewer.parameters.amounts import Amount
 from airlight.viewer.parameters.nested_tables import Tables, differences
 from airlight.viewer.parameters.parameter import Parameter
 from airlight.viewer.parameters.parameter_list import group_of, parameters_of, spelled_out
+from airlight.viewer.session.edited_amounts import amounts_in
 from airlight.viewer.session.planet_file import planet_file
 
 
@@ -37,6 +39,7 @@ class PlanetState:
     tables: Tables
     off: tuple[int, ...] = ()
     _parameters: list[tuple[Parameter, ...]] = field(default_factory=list, compare=False)
+    _amounts: list[tuple[Amount, ...]] = field(default_factory=list, compare=False)
 
     @classmethod
     def opened(cls, name_or_path: str | Path) -> PlanetState:
@@ -67,10 +70,17 @@ class PlanetState:
             self._parameters.append(parameters_of(self.tables))
         return self._parameters[0]
 
+    @property
+    def amounts(self) -> tuple[Amount, ...]:
+        """Amounts of the planet, see ``parameters.amounts``; kept as ``parameters`` are."""
+        if not self._amounts:
+            self._amounts.append(amounts_in(self.tables))
+        return self._amounts[0]
+
     def with_tables(self, tables: Tables, *, same_keys: bool = False) -> PlanetState:
         """Copy with other tables; ``same_keys`` keeps the list of parameters."""
-        kept = self._parameters if same_keys else []
-        return replace(self, tables=tables, _parameters=kept)
+        parameters, amounts = (self._parameters, self._amounts) if same_keys else ([], [])
+        return replace(self, tables=tables, _parameters=parameters, _amounts=amounts)
 
     def with_off(self, off: tuple[int, ...]) -> PlanetState:
         """Copy with other constituents switched off; the list of parameters is kept."""

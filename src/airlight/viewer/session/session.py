@@ -44,6 +44,8 @@ class Session(Editing):
         Size of the picture, set by ``resize``. [pixel]
     shares_camera : bool
         Whether both sides of a comparison share the camera and the sun.
+    adaptation : Adaptation
+        Automatic exposure, which both sides share.
 
     Examples
     --------

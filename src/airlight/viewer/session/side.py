@@ -9,9 +9,11 @@ from typing import Any, Final
 
 from airlight.errors import ParameterError
 from airlight.planets.schema.section import suggestion
+from airlight.viewer.parameters.amounts import Amount
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.parameter_list import value_at
 from airlight.viewer.parameters.view_parameters import DEFAULTS, view_parameters
+from airlight.viewer.session.edited_amounts import amount_edited, amount_value, keys_of_amount
 from airlight.viewer.session.edits import edited, restored
 from airlight.viewer.session.history import Change, History, Step
 from airlight.viewer.session.planet_state import PlanetState
@@ -65,10 +67,10 @@ class Side:
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """Declared parameters of the planet and of the view."""
-        planet, groups = self.planet.parameters, self.planet.groups
+        """Amounts of the planet, its declared parameters, and those of the view."""
+        amounts, planet, groups = self.planet.amounts, self.planet.parameters, self.planet.groups
         if self._listed is None or self._listed[0] is not planet or self._listed[1] != groups:
-            whole = (*planet, *view_parameters(groups))
+            whole = (*amounts, *planet, *view_parameters(groups))
             self._listed = (planet, groups, whole, {one.path: one for one in whole})
         return self._listed[2]
 
@@ -80,9 +82,11 @@ class Side:
         ParameterError
             If there is none; the message suggests the nearest path.
         """
-        full = self._full(path)
         whole = self.parameters
         assert self._listed is not None
+        if path in self._listed[3]:
+            return self._listed[3][path]
+        full = self._full(path)
         if full in self._listed[3]:
             return self._listed[3][full]
         known = tuple(one.path for one in whole)
@@ -106,6 +110,8 @@ class Side:
             return self.view[path]
         if path.startswith(_SWITCH):
             return _index(path) not in self.planet.off
+        if isinstance(parameter, Amount):
+            return amount_value(self.planet.tables, parameter)
         return value_at(self.planet.tables, parameter)
 
     # --- edits --------------------------------------------------------------------------------
@@ -122,7 +128,9 @@ class Side:
             joined = self.history.joined(path, self._clock())
             is_number = parameter.kind == "number"
             start = joined.before.planet if joined and is_number else self.planet
-            planet = start.with_tables(edited(start.tables, parameter, value), same_keys=is_number)
+            edit = amount_edited if isinstance(parameter, Amount) else edited
+            tables = edit(start.tables, parameter, value)  # type: ignore[arg-type]
+            planet = start.with_tables(tables, same_keys=is_number)
         return self.record(path, Change(planet=planet), held=path == self.dragged)
 
     def _switched(self, index: int, on: bool) -> PlanetState:
@@ -195,16 +203,26 @@ class Side:
         """
         if not what or what in {one.group for one in self.parameters}:
             return self.change(what, self._group_reset(what))
-        path = self.parameter(what).path
+        parameter = self.parameter(what)
+        path = parameter.path
         if path in self.view:
             return self.change(path, Change(view={path: DEFAULTS[path]}))
         if path.startswith(_SWITCH):
             return self.change(path, Change(planet=self._switched(_index(path), True)))
-        tables = restored(self.planet.tables, self.planet.base, path)
+        tables = self.planet.tables
+        for key in self._keys_of(parameter):
+            tables = restored(tables, self.planet.base, key)
         return self.change(path, Change(planet=self.planet.with_tables(tables)))
 
+    def _keys_of(self, parameter: Parameter) -> tuple[str, ...]:
+        """Paths of the planet's file that a parameter changes."""
+        if isinstance(parameter, Amount):
+            return keys_of_amount(self.planet.tables, parameter)
+        return (parameter.path,)
+
     def _group_reset(self, group: str) -> Change:
-        paths = {one.path for one in self.parameters if not group or one.group == group}
+        members = [one for one in self.parameters if not group or one.group == group]
+        paths = {one.path for one in members}
         view = {path: DEFAULTS[path] for path in paths if path in self.view}
         state = self.planet
         if not group or any(path.startswith(_SWITCH) for path in paths):
@@ -212,6 +230,11 @@ class Side:
         if not group:
             return Change(planet=state.with_tables(state.base), view=view)
         tables = state.tables
+        for one in members:
+            if isinstance(one, Amount):
+                paths.remove(one.path)
+                for key in self._keys_of(one):
+                    tables = restored(tables, state.base, key)
         for path in sorted(paths - set(view)):
             if path.startswith(_CONSTITUENT):
                 tables = restored(tables, state.base, path[: path.index("]") + 1])

@@ -9,6 +9,7 @@ const CALM = 300;
 
 const data = JSON.parse(document.getElementById("airlight-data").textContent);
 const place = document.getElementById("airlight-place");
+const first = place.querySelector(".airlight-first");
 const wanted = new URLSearchParams(location.search).get("device") ?? "auto";
 
 const viewer = new Viewer(place, {
@@ -17,10 +18,12 @@ const viewer = new Viewer(place, {
   values: data.values,
   note: data.note,
   device: wanted,
+  first,
   radius: () => data.picture.radius,
-  picture: async (device) => {
+  link: (fragment) => location.href.replace(/#.*/, "") + (fragment ? `#${fragment}` : ""),
+  picture: async (device, tell) => {
     const shaders = JSON.parse(await textOf(data.picture.shaders));
-    return Picture.make(device, { ...data.picture, shaders });
+    return Picture.make(device, { ...data.picture, shaders }, tell);
   },
   edits: (shown) => data.solver && new Edits(shown, data.solver, data.picture),
 });
@@ -36,8 +39,7 @@ let timer = null;
 viewer.state.follow(() => {
   clearTimeout(timer);
   timer = setTimeout(() => {
-    const fragment = viewer.state.asFragment();
-    const address = location.href.replace(/#.*/, "") + (fragment ? `#${fragment}` : "");
+    const address = viewer.source.link(viewer.state.asFragment());
     if (address !== location.href) history.replaceState(null, "", address);
   }, CALM);
 });

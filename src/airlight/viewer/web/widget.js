@@ -1,4 +1,5 @@
 /** Viewer in a notebook: the front end of `airlight.viewer.browser.notebook.Viewer`. */
+import { KernelDevice, KernelPicture } from "./devices/kernel.js";
 import { Picture } from "./drawing/picture.js";
 import { RemoteState } from "./state/remote_state.js";
 import { Viewer } from "./ui/viewer.js";
@@ -14,15 +15,24 @@ function render({ model, el }) {
   place.style.height = `${model.get("height")}px`;
   el.replaceChildren(place);
 
+  const preview = model.get("first");
   const viewer = new Viewer(place, {
     title: model.get("title"),
+    first: preview
+      ? Object.assign(new Image(), { className: "airlight-first", src: preview, alt: "" })
+      : null,
     state,
     radius: () => model.get("picture").radius ?? 1,
     status: () => model.get("status"),
+    stale: () => (model.get("stale") ? "solving …" : ""),
     device: model.get("device"),
-    picture: async (device) => {
+    devices: { kernel: KernelDevice },
+    picture: async (device, tell) => {
+      model.set("drawer", device.kind);
+      model.save_changes();
       await first(model, on);
-      return Picture.make(device, { ...model.get("program"), ...model.get("picture") });
+      if (device.kind === "kernel") return new KernelPicture(model, device, on);
+      return Picture.make(device, { ...model.get("program"), ...model.get("picture") }, tell);
     },
   });
   on("values", () => state.take(model.get("values")));
@@ -30,6 +40,7 @@ function render({ model, el }) {
   on("picture", () => viewer.take(model.get("picture")));
   on("title", () => viewer.retitle(model.get("title")));
   on("status", () => viewer.showStatus());
+  on("stale", () => viewer.showWork());
   on("can", () => {
     state.showing = model.get("can").showing;
     state.sharesCamera = model.get("can").camera;

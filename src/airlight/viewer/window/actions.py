@@ -7,7 +7,9 @@ from collections.abc import Callable
 from airlight.viewer.navigation.keys import RATES
 from airlight.viewer.navigation.viewpoints import VIEWPOINTS, Viewpoint, view_of
 from airlight.viewer.painting.picture_source import Picture
+from airlight.viewer.session.saved_state import to_fragment
 from airlight.viewer.session.session import Session
+from airlight.viewer.window.canvas import Canvas
 from airlight.viewer.window.messages import Messages
 from airlight.viewer.window.panels.save import SaveDialog
 from airlight.viewer.window.panels.side import SidePanel
@@ -25,8 +27,12 @@ class Actions:
     messages : Messages
     shown : callable
         Function that returns the picture of the edited side, or None.
-    close : callable
-        Function that closes the window.
+    canvas : Canvas
+        Canvas that is closed, fills the screen, and has a clipboard.
+    close_popups : callable
+        Function that closes popup lists and menus; returns whether there were any.
+    gallery : callable
+        Function that opens the gallery of planets.
 
     Attributes
     ----------
@@ -41,13 +47,17 @@ class Actions:
         dialog: SaveDialog,
         messages: Messages,
         shown: Callable[[], Picture | None],
-        close: Callable[[], None],
+        canvas: Canvas,
+        close_popups: Callable[[], bool],
+        gallery: Callable[[], None],
     ) -> None:
         self._session = session
         self._panel = panel
         self._dialog = dialog
         self._messages = messages
         self._shown = shown
+        self._canvas = canvas
+        self._close_popups = close_popups
         self.shows_panels = True
         self.shows_help = False
         self._known: dict[str, Callable[[], object]] = {
@@ -56,7 +66,11 @@ class Actions:
             "reset": session.reset,
             "save picture": lambda: dialog.ask("picture"),
             "save planet": lambda: dialog.ask("planet"),
-            "close": close,
+            "film": lambda: dialog.ask("film"),
+            "copy link": self._copy_link,
+            "fullscreen": canvas.toggle_fullscreen,
+            "close": canvas.close,
+            "gallery": gallery,
             "help": self._toggle_help,
             "leave": self._leave,
             "panels": self._toggle_panels,
@@ -81,8 +95,7 @@ class Actions:
         bottom, top = (
             1e3 * float(session.value(f"shell.{end}_radius")) for end in ("bottom", "top")
         )
-        bearing = float(session.view["view.sun_azimuth"])
-        view = view_of(viewpoint, bottom_radius=bottom, top_radius=top, bearing=bearing)
+        view = view_of(viewpoint, bottom_radius=bottom, top_radius=top)
         session.change_view(f"viewpoint {viewpoint.name}", view)
 
     def _toggle_help(self) -> None:
@@ -98,8 +111,24 @@ class Actions:
         self._panel.plays = not self._panel.plays
 
     def _leave(self) -> None:
-        self.shows_help, self._dialog.asks = False, ""
-        self.shows_panels = True
+        """Close what is open, one thing at a time, from the topmost down."""
+        if self._close_popups():
+            return
+        if self._dialog.asks:
+            self._dialog.asks = ""
+        elif self.shows_help:
+            self.shows_help = False
+        elif not self.shows_panels:
+            self.shows_panels = True
+        elif self._panel.searched:
+            self._panel.search("")
+        elif self._canvas.fullscreen:
+            self._canvas.toggle_fullscreen()
+
+    def _copy_link(self) -> None:
+        link = f"#{to_fragment(self._session.to_state())}"
+        self._canvas.copy(link)
+        self._messages.say("copied: put it behind a page's address, or airlight view '…'")
 
     def _keep_as_b(self) -> None:
         self._session.store_b()

@@ -59,6 +59,16 @@ class Canvas(Protocol):
     def wake(self) -> None:
         """Request a draw, from any thread."""
 
+    def copy(self, text: str) -> None:
+        """Put a text into the clipboard."""
+
+    @property
+    def fullscreen(self) -> bool:
+        """Whether the window fills its screen."""
+
+    def toggle_fullscreen(self) -> None:
+        """Fill the screen, or return to the size before."""
+
     def close(self) -> None:
         """End ``run``."""
 
@@ -99,6 +109,7 @@ class DesktopCanvas:
         self._wanted = True  # a draw was requested by another thread
         self._busy_until = 0.0
         self._closed = False
+        self._before: tuple[int, int, int, int] | None = None
         # The order puts this before the panels' handler, which consumes events.
         self.render_canvas.add_event_handler(self._stir, *EVENTS, order=-1000)
 
@@ -136,6 +147,49 @@ class DesktopCanvas:
             with suppress(Exception):  # the window system may just have ended
                 self._glfw.post_empty_event()
 
+    def copy(self, text: str) -> None:
+        """Put a text into the clipboard."""
+        self._glfw.set_clipboard_string(self._window, text)
+
+    @property
+    def fullscreen(self) -> bool:
+        """Whether the window fills its screen."""
+        return self._before is not None
+
+    def toggle_fullscreen(self) -> None:
+        """Fill the screen on which the window is, or return to the size before."""
+        glfw, window = self._glfw, self._window
+        if self._before is not None:
+            left, top, width, height = self._before
+            self._before = None
+            glfw.set_window_monitor(window, None, left, top, width, height, glfw.DONT_CARE)
+            return
+        monitor = self._monitor()
+        if monitor is None:
+            return
+        self._before = (*glfw.get_window_pos(window), *glfw.get_window_size(window))
+        mode = glfw.get_video_mode(monitor)
+        size = mode.size
+        glfw.set_window_monitor(window, monitor, 0, 0, size.width, size.height, mode.refresh_rate)
+
+    def _monitor(self) -> Any:
+        """Screen that holds the window's centre, else the first; None without any."""
+        glfw = self._glfw
+        left, top = glfw.get_window_pos(self._window)
+        width, height = glfw.get_window_size(self._window)
+        monitors = glfw.get_monitors()
+        for monitor in monitors:
+            x, y = glfw.get_monitor_pos(monitor)
+            size = glfw.get_video_mode(monitor).size
+            across, down = left + width // 2 - x, top + height // 2 - y
+            if 0 <= across < size.width and 0 <= down < size.height:
+                return monitor
+        return monitors[0] if monitors else None
+
+    @property
+    def _window(self) -> Any:
+        return self.render_canvas._window
+
     def close(self) -> None:
         """Close the window after this frame, which ends ``run``."""
         self._loop.call_soon(self.render_canvas.close)
@@ -166,6 +220,7 @@ class OffscreenCanvas:
         self._frames = 1
         self.wanted = True
         self.picture: NDArray[np.uint8] | None = None
+        self.copied = ""
 
     def run(self, draw: Callable[[], None]) -> None:
         """Draw once."""
@@ -176,6 +231,18 @@ class OffscreenCanvas:
     def wake(self) -> None:
         """Set the flag that a draw is requested."""
         self.wanted = True
+
+    def copy(self, text: str) -> None:
+        """Keep a text, as a clipboard does."""
+        self.copied = text
+
+    @property
+    def fullscreen(self) -> bool:
+        """False: there is no screen."""
+        return False
+
+    def toggle_fullscreen(self) -> None:
+        """Do nothing: there is no screen."""
 
     def close(self) -> None:
         """Release the canvas."""

@@ -99,6 +99,7 @@ class WindowInput:
         if event["event_type"] == "key_up":
             self._flight.release(str(event["key"]))
             return
+        self._move(event)  # the last movement of a flick arrives with its release
         drag, self._drag = self._drag, ""
         self._host.area.release()
         if drag:
@@ -116,7 +117,8 @@ class WindowInput:
         if "Control" in modifiers:
             self._host.attempt(lambda: self._flight.widen(-notches))
             return
-        notches *= FACTORS["shift"] if "Shift" in modifiers else 1.0
+        for name in ("Shift", "Alt"):
+            notches *= FACTORS[name.lower()] if name in modifiers else 1.0
         self._host.attempt(lambda: self._flight.wheel(notches))
 
     def _key(self, event: Mapping[str, Any]) -> None:

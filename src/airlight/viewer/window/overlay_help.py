@@ -51,7 +51,7 @@ def draw_help(width: float, height: float) -> bool:
                 imgui.text_unformatted(keys)
                 imgui.same_line()
                 imgui.set_cursor_pos_x(left + _KEYS)
-                imgui.text_colored(imgui.ImVec4(*style.QUIET), meaning)
+                style.colored(meaning, style.QUIET)
             imgui.dummy(imgui.ImVec2(0.0, 8.0))
         imgui.end_table()
     closed = imgui.button("close")

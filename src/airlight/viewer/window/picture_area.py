@@ -134,6 +134,32 @@ class PictureArea:
             drawing.add_rect_filled(low, high, shade, 4.0)
             drawing.add_text(imgui.ImVec2(start, into.top + 13.0), white, name)
 
+    def draw_outdated(self, words: str, into: Rectangle, first: float, last: float) -> None:
+        """Veil a picture that is not the one requested, and say what is being done.
+
+        Parameters
+        ----------
+        words : str
+            Current work; nothing is drawn if empty.
+        into : Rectangle
+            Rectangle of the picture.
+        first, last : float
+            Part of its width. [1]
+        """
+        from imgui_bundle import imgui
+
+        if not words or last <= first:
+            return
+        drawing = imgui.get_background_draw_list()
+        left, right = (into.left + share * into.width for share in (first, last))
+        bottom = into.top + into.height
+        veil = imgui.get_color_u32(imgui.ImVec4(0.0, 0.0, 0.0, 0.55))
+        drawing.add_rect_filled(imgui.ImVec2(left, into.top), imgui.ImVec2(right, bottom), veil)
+        size = imgui.calc_text_size(words)
+        at = imgui.ImVec2(0.5 * (left + right - size.x), into.top + 0.5 * (into.height - size.y))
+        white = imgui.get_color_u32(imgui.ImVec4(*style.TEXT_COLOR))
+        drawing.add_text(at, white, words)
+
     def draw_mark(self, into: Rectangle, place: tuple[float, float]) -> None:
         """Draw a small circle at a position, in fractions of width and height. [1]"""
         from imgui_bundle import imgui

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import cast
+from time import perf_counter
+from typing import Final, cast
 
 from airlight.paint.solve_planet import PlanetSolver
 from airlight.planets.planet import Planet
@@ -13,6 +14,10 @@ from airlight.viewer.painting.picture_thread import PictureThread
 from airlight.viewer.parameters.view_parameters import scene_of, uniforms_of
 from airlight.viewer.session.compared_side import SessionSide
 from airlight.viewer.session.session import Session
+from airlight.viewer.window.panels.status import working_text
+
+#: Time for which a picture counts as new. [s]
+_FRESH: Final = 0.5
 
 
 class Sides:
@@ -44,6 +49,7 @@ class Sides:
         self._threads: dict[str, PictureThread] = {}
         self._pictures: dict[str, Picture] = {}
         self._wanted: tuple[str, ...] = ()
+        self._arrived: dict[str, float] = {}
 
     def follow(self, *, both: bool) -> None:
         """Request the current pictures, of the edited side or of both."""
@@ -66,19 +72,29 @@ class Sides:
         if solved is not None:
             self._threads[side].want(self._request(side, solved))
         newest = self._threads[side].picture
-        if newest is not None:
+        if newest is not None and newest is not self._pictures.get(side):
             self._pictures[side] = newest
+            self._arrived[side] = perf_counter()
 
     def _request(self, side: str, solved: Solved) -> Request:
         """Picture request of a side."""
         session = self._session
         view = session.view if side == session.showing else session.view_other or session.view
+        # Both sides share one exposure, that of the edited side, so that they can be compared.
+        exposure = float(session.view["display.exposure"])
+        automatic = bool(session.view["display.automatic"])
+        adapted = session.adaptation.exposure
+        leads = side == session.showing
+        follows = automatic and not leads and adapted is not None
         return Request(
             solution=solved.solution,
             scene=scene_of(view, *session.size),
-            exposure=float(view["display.exposure"]),
-            automatic=bool(view["display.automatic"]),
+            exposure=exposure + adapted if follows and adapted is not None else exposure,
+            automatic=automatic and not follows,
+            adaptation=session.adaptation if leads else None,
+            held=session.holds_exposure,
             tone_map=str(view["display.tone_map"]),
+            glare=float(view["display.glare"]),
             orders=cast(Orders, view["light.orders"]),
             uniforms=uniforms_of(view),
         )
@@ -86,6 +102,24 @@ class Sides:
     def picture(self, side: str = "") -> Picture | None:
         """Picture shown of a side, by default of the edited one."""
         return self._pictures.get(side or self._session.showing)
+
+    def outdated(self, side: str = "") -> str:
+        """What a side whose picture is old is doing; empty if its picture is as requested.
+
+        While pictures keep coming, as in flight, the last one counts as new.
+        """
+        side = side or self._session.showing
+        shown, solved = self._pictures.get(side), self.solved(side)
+        if side not in self._wanted or shown is None:
+            return ""
+        if perf_counter() - self._arrived[side] < _FRESH:
+            return ""
+        solving = self._solvings[side]
+        if solved is None or solved.version != self._session.versions.planet:
+            return "" if solving.idle else f"{side}: {working_text(solving.status) or 'solving …'}"
+        if shown.request.same_light(self._request(side, solved)) or not self._threads[side].busy:
+            return ""
+        return f"{side}: drawing …"
 
     def solved(self, side: str = "") -> Solved | None:
         """Newest solution of a side, by default of the edited one."""

@@ -14,17 +14,19 @@ import numpy as np
 from airlight.errors import FileError
 from airlight.exports.whole_file import check_target
 from airlight.gpu.device.device import Device, NoDevice, open_device
+from airlight.kernel.ahead import CompiledAhead
 from airlight.paint.drawing_device import Choice, live_device
 from airlight.paint.scene_painter import ScenePainter
 from airlight.paint.solve_planet import live_solver
 from airlight.scene import look_at
-from airlight.viewer.navigation.viewpoints import VIEWPOINTS, view_of
+from airlight.viewer.navigation.first_view import first_view
 from airlight.viewer.painting.picture_painter import PicturePainter
 from airlight.viewer.painting.picture_source import Painter
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.session.saved_state import from_fragment
 from airlight.viewer.session.session import Session
 from airlight.viewer.window.canvas import DesktopCanvas, OffscreenCanvas, WindowError
+from airlight.viewer.window.preparing import Preparing
 from airlight.viewer.window.window import Window
 
 #: Default azimuth from the sun, across the sunlight, if only an altitude is given. [deg]
@@ -92,23 +94,13 @@ def show(start: Start) -> None:
         if start.screenshot.suffix.lower() != ".png":
             raise FileError(start.screenshot, "the name of a screenshot ends in .png")
         check_target(start.screenshot)
-    # Two sides may compile a function at the same time; the second then warns that it is done.
-    warnings.filterwarnings("ignore", message="Compilation requested for previously compiled")
     session = opened(start)
     canvas: DesktopCanvas | OffscreenCanvas
     if start.screenshot is not None:
         canvas = OffscreenCanvas(start.size)
     else:
         canvas = DesktopCanvas(start.size, f"airlight · {session.planet_name}")
-    try:
-        device = open_device()
-    except NoDevice as error:
-        canvas.close()
-        raise WindowError(f"the window needs a graphics device: {error.reason}") from error
-    painter, solver = painter_by(start.device, device), live_solver(start.device, device)
-    window = Window(session, canvas, device.device, painter, solver)
-    if start.other is not None:
-        window.panel.compare_with(start.other)
+    window = window_of(start, session, canvas)
     if start.screenshot is None or isinstance(canvas, DesktopCanvas):
         window.run()
         return
@@ -116,6 +108,44 @@ def show(start: Start) -> None:
         _photograph(window, canvas, start.screenshot)
     finally:
         window.close()
+
+
+def window_of(start: Start, session: Session, canvas: DesktopCanvas | OffscreenCanvas) -> Window:
+    """Window of a session; its threads start with its first frame.
+
+    Parameters
+    ----------
+    start : Start
+    session : Session
+        Session from ``opened``.
+    canvas : DesktopCanvas or OffscreenCanvas
+        Canvas, closed if there is an error.
+
+    Raises
+    ------
+    WindowError
+        If the packages or a graphics device are missing.
+    ParameterError, FileError
+        If the planet to compare with is invalid.
+    """
+    # Two sides may compile a function at the same time; the second then warns that it is done.
+    warnings.filterwarnings("ignore", message="Compilation requested for previously compiled")
+    preparing = Preparing(canvas.wake)
+    try:
+        device = open_device()
+        painter = painter_by(start.device, device, preparing.ahead)
+        solver = live_solver(start.device, device, lambda: _is_plain(session))
+        window = Window(session, canvas, device.device, painter, solver, preparing)
+        if start.other is not None:
+            window.panel.compare_with(start.other)
+    except BaseException as error:
+        preparing.close()
+        canvas.close()
+        if isinstance(error, NoDevice):
+            reason = f"the window needs a graphics device: {error.reason}"
+            raise WindowError(reason) from error
+        raise
+    return window
 
 
 def opened(start: Start) -> Session:
@@ -130,7 +160,7 @@ def opened(start: Start) -> Session:
         session.set(path, value)
     placed = "#" in start.planet or bool(set(start.view) & _PLACED)
     if start.look is None and start.look_at is None and not placed:
-        session.move(_first_view(session))
+        session.move(first_view(session))
     view = session.view
     target, word, aside = start.look, start.look_at, 0.0
     if target is None and word is None and "view.altitude" in start.view:
@@ -150,6 +180,11 @@ def opened(start: Start) -> Session:
     return session
 
 
+def _is_plain(session: Session) -> bool:
+    """Whether the planet has no edits: its solution is kept for the next start."""
+    return not session.planet.changes and not session.planet.off
+
+
 def _session_of(planet: str) -> Session:
     """Session on a planet by its name or file, or in the state of a page's URL."""
     _, sign, fragment = planet.partition("#")
@@ -161,18 +196,13 @@ def _session_of(planet: str) -> Session:
     return session
 
 
-def _first_view(session: Session) -> Mapping[str, float]:
-    """View of the sky from the ground, 60° aside from the sun."""
-    bottom, top = (1e3 * float(session.value(f"shell.{end}_radius")) for end in ("bottom", "top"))
-    bearing = float(session.view["view.sun_azimuth"])
-    return view_of(VIEWPOINTS[0], bottom_radius=bottom, top_radius=top, bearing=bearing)
-
-
-def painter_by(choice: Choice, device: Device) -> Callable[[], Painter]:
-    """Factory of painters for the graphics device or the processor."""
+def painter_by(
+    choice: Choice, device: Device, ahead: CompiledAhead | None = None
+) -> Callable[[], Painter]:
+    """Factory of painters for the graphics device or the processor, which waits for its loops."""
 
     def make() -> Painter:
-        return PicturePainter(device.device, ScenePainter(live_device(choice, device)))
+        return PicturePainter(device.device, ScenePainter(live_device(choice, device), ahead))
 
     return make
 

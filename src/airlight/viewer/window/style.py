@@ -13,6 +13,8 @@ PANEL_WIDTH: Final = 384.0
 #: Height of the status line. [logical pixel]
 STATUS_HEIGHT: Final = 26.0
 
+#: Colour of text: red, green, blue, opacity. [1]
+TEXT_COLOR: Final = (0.92, 0.93, 0.94, 1.0)
 #: Colours of secondary text, links, warnings and errors: red, green, blue, opacity. [1]
 QUIET: Final = (0.62, 0.65, 0.70, 1.0)
 ACCENT: Final = (0.36, 0.66, 0.96, 1.0)
@@ -71,7 +73,7 @@ def apply_style() -> None:
         color.tab_selected: (0.20, 0.29, 0.40, 1.0),
         color.tab_hovered: (0.26, 0.37, 0.52, 1.0),
         color.tab_selected_overline: ACCENT,
-        color.text: (0.92, 0.93, 0.94, 1.0),
+        color.text: TEXT_COLOR,
         color.text_disabled: QUIET,
         color.table_header_bg: (0.15, 0.165, 0.19, 1.0),
         color.table_row_bg_alt: (1.0, 1.0, 1.0, 0.03),

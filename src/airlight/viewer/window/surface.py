@@ -81,6 +81,13 @@ class WindowSurface:
         any_of = self._imgui.PopupFlags_.any_popup.value
         return bool(self._imgui.is_popup_open("", any_of))
 
+    def close_popups(self) -> bool:
+        """Close all popup lists and menus; returns whether there were any."""
+        if not self.asks:
+            return False
+        self._imgui.internal.close_popup_to_level(0, True)
+        return True
+
     @contextmanager
     def balanced(self) -> Iterator[None]:
         """End windows, tables and styles left open by an exception within.

@@ -20,9 +20,12 @@ from airlight.viewer.painting.probing import Probing
 from airlight.viewer.session.session import Session
 from airlight.viewer.window.actions import Actions
 from airlight.viewer.window.canvas import EVENTS, Canvas
+from airlight.viewer.window.film import sun_path
+from airlight.viewer.window.first_picture import draw_first_picture
 from airlight.viewer.window.input import WindowInput
 from airlight.viewer.window.messages import Messages
 from airlight.viewer.window.overlay_help import draw_help
+from airlight.viewer.window.panels.gallery import Gallery
 from airlight.viewer.window.panels.probe import PROBE_HEIGHT, draw_probe
 from airlight.viewer.window.panels.save import SaveDialog, Saving
 from airlight.viewer.window.panels.side import SidePanel
@@ -36,8 +39,10 @@ from airlight.viewer.window.panels.status import (
     working_text,
 )
 from airlight.viewer.window.picture_area import PictureArea, Rectangle, layout
+from airlight.viewer.window.preparing import Preparing
 from airlight.viewer.window.sides import Sides
 from airlight.viewer.window.surface import WindowSurface
+from airlight.viewer.window.thumbnails import ENLARGED, Thumbnails
 
 #: Time for which the window is redrawn after an event, for tooltips and fading buttons. [s]
 _LINGER: Final = 1.0
@@ -58,6 +63,8 @@ class Window:
         Factory of painters, called once per side.
     solver : PlanetSolver, optional
         Solver, called on the threads of ``Solving``; by default the processor's.
+    preparing : Preparing, optional
+        Progress until the first picture; it is closed with the window.
 
     Raises
     ------
@@ -72,11 +79,15 @@ class Window:
         device: Any,
         painter: Callable[[], Painter],
         solver: PlanetSolver | None = None,
+        preparing: Preparing | None = None,
     ) -> None:
         self.session = session
         self._canvas = canvas
+        self._preparing = preparing
         self.surface = WindowSurface(device, canvas.render_canvas)
         self.area = PictureArea(self.surface.backend)
+        self.thumbnails = Thumbnails(device, self.surface.backend)
+        self.gallery = Gallery(self.thumbnails.of)
         self._sides = Sides(session, painter, solver, canvas.wake)
         self._flight = Flight(session)
         self.messages = Messages(canvas.render_canvas.request_draw)
@@ -86,7 +97,14 @@ class Window:
         self._saving = Saving(canvas.wake)
         self._dialog = SaveDialog()
         self.actions = Actions(
-            session, self.panel, self._dialog, self.messages, self.shown, canvas.close
+            session,
+            self.panel,
+            self._dialog,
+            self.messages,
+            self.shown,
+            canvas,
+            self.surface.close_popups,
+            self.gallery.open,
         )
         self._probing = Probing(canvas.wake)
         self._times = FrameTimes()
@@ -96,8 +114,9 @@ class Window:
         self._last_frame = perf_counter()
         self.frames = 0
         self.input = WindowInput(
-            canvas.render_canvas, self, self._flight, lambda: self.surface.typing
-        )
+            canvas.render_canvas, self, self._flight,
+            lambda: self.surface.typing or self.gallery.is_open,
+        )  # fmt: skip
         canvas.render_canvas.add_event_handler(self._noticed, *EVENTS, order=-999)
 
     def run(self) -> None:
@@ -109,6 +128,8 @@ class Window:
 
     def close(self) -> None:
         """End all threads."""
+        if self._preparing is not None:
+            self._preparing.close()
         self._saving.close()
         self._probing.close()
         self._sides.close()
@@ -122,6 +143,12 @@ class Window:
     def problem(self) -> str:
         """First current error, in one line; empty if there is none."""
         return self.messages.error or self._faults.line or self._sides.error
+
+    @property
+    def progress(self) -> str:
+        """What is being done, and how far it is, until there is a picture."""
+        status = self._sides.status
+        return working_text(status) if self._preparing is None else self._preparing.text(status)
 
     def shown(self, side: str = "") -> Picture | None:
         """Picture of a side in the last frame, by default of the edited one."""
@@ -201,24 +228,46 @@ class Window:
         if self.actions.shows_help:
             with self._part("help"):
                 self.actions.shows_help = draw_help(width, height)
+        with self._part("gallery"):
+            chosen = self.gallery.draw(str(self.session.planet.source), (width, height))
+            if chosen:
+                self.attempt(lambda: self.session.open(chosen))
         with self._part("save dialog"):
-            self._dialog.draw(width, height, self._save_picture, self._save_planet)
+            self._dialog.draw(width, height, self._save_picture, self._save_film, self._save_planet)
         if self.actions.shows_panels:  # last, to show the results of the others
             with self._part("status line"):
                 draw_status(self._status(), self._parts["status"])
 
     def _draw_picture(self) -> None:
         shown = self.shown()
+        if shown is None:
+            self._draw_first_picture()
+            return
+        if self._preparing is not None:
+            self._preparing.finish()
         fitting = self.picture_rectangle()
         both = self.panel.compares and self.session.has_other
         if both:
             self.area.draw(self.shown("A"), self.shown("B"), fitting)
+            middle = self.area.divider
+            self.area.draw_outdated(self._sides.outdated("A"), fitting, 0.0, middle)
+            self.area.draw_outdated(self._sides.outdated("B"), fitting, middle, 1.0)
             self.area.draw_divider(fitting, self._names())
         else:
             self.area.draw(shown, None, fitting)
+            if self.session.has_other:
+                self.area.draw_outdated(self._sides.outdated(), fitting, 0.0, 1.0)
         reading = self._probing.reading
         if self.panel.probes and reading is not None:
             self.area.draw_mark(fitting, reading.place)
+
+    def _draw_first_picture(self) -> None:
+        status = self._sides.status
+        share = status.done / max(status.total, 1)
+        if self._preparing is not None and self._preparing.share < 1.0:
+            share = self._preparing.share
+        texture = self.thumbnails.of(str(self.session.planet.source), ENLARGED)
+        draw_first_picture(texture, self._parts["picture"], self.progress, share)
 
     def _draw_probe(self) -> None:
         reading, working = self._probing.reading, self._probing.working
@@ -289,6 +338,20 @@ class Window:
             self.messages.error = "there is no picture to save yet"
             return
         self._saving.save(path, shown, size)
+
+    def _save_film(
+        self, path: str, size: tuple[int, int] | None, hours: float, seconds: float
+    ) -> None:
+        shown = self.shown()
+        if shown is None:
+            self.messages.error = "there is no picture to film yet"
+            return
+        view = self.session.view
+        latitude, zenith, azimuth = (
+            float(view[f"view.{name}"]) for name in ("latitude", "sun_zenith", "sun_azimuth")
+        )
+        suns = sun_path(latitude, (zenith, azimuth), hours, seconds)
+        self._saving.film(path, shown, size, suns)
 
     def _save_planet(self, path: str) -> None:
         self.attempt(lambda: self.session.save_planet(path))

@@ -1,11 +1,24 @@
 /** Full-screen fragment passes on WebGL2; the interface is described in device.js. */
+import { screenSpace } from "./screen_space.js";
 import { flatSize, wholeRows } from "./textures.js";
-import { CHANNELS } from "../generated/sizes.js";
+import { CHANNELS, PACKED_FORMAT } from "../generated/sizes.js";
 
 /** Polling interval for unfinished compilation or drawing. [ms] */
 const PATIENCE = 4;
 
+/** Names of renderers that are the processor. */
+const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+
 export class WebGl2Device {
+  /** Whether there is a context that draws in software. */
+  static async isSoftware() {
+    const gl = document.createElement("canvas").getContext("webgl2");
+    if (!gl) return false;
+    const name = rendererName(gl);
+    gl.getExtension("WEBGL_lose_context")?.loseContext();
+    return SOFTWARE.test(name);
+  }
+
   /**
    * @param {HTMLCanvasElement} canvas
    * @returns {Promise<WebGl2Device>}
@@ -19,11 +32,12 @@ export class WebGl2Device {
   }
 
   constructor(canvas, gl) {
-    const names = gl.getExtension("WEBGL_debug_renderer_info");
     this.kind = "webgl2";
-    this.name = String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+    this.name = rendererName(gl);
     this.canvas = canvas;
     this.gl = gl;
+    if ("drawingBufferColorSpace" in gl) gl.drawingBufferColorSpace = screenSpace();
+    this.space = gl.drawingBufferColorSpace ?? "srgb";
     this.parallel = gl.getExtension("KHR_parallel_shader_compile");
     this.vertices = gl.createVertexArray();
     this.screen = null;
@@ -41,8 +55,9 @@ export class WebGl2Device {
     const { width, height } = flatSize(data.length, format);
     const texture = this.texture(format, width, height);
     const layout = format === "r32float" ? gl.RED : gl.RGBA;
+    const kind = format === PACKED_FORMAT ? gl.UNSIGNED_BYTE : gl.FLOAT;
     const rows = wholeRows(data, format);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, layout, gl.FLOAT, rows);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, layout, kind, rows);
     return { texture, framebuffer: null, format, width, height };
   }
 
@@ -55,7 +70,8 @@ export class WebGl2Device {
   texture(format, width, height) {
     const { gl } = this;
     const texture = gl.createTexture();
-    const inside = { r32float: gl.R32F, rgba32float: gl.RGBA32F }[format];
+    const floats = { r32float: gl.R32F, rgba32float: gl.RGBA32F };
+    const inside = format === PACKED_FORMAT ? gl.RGBA8 : floats[format];
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.texStorage2D(gl.TEXTURE_2D, 1, inside, width, height);
@@ -78,6 +94,8 @@ export class WebGl2Device {
       return part;
     });
     gl.linkProgram(program);
+    // Without the extension each question below waits for its shader; between them the page is drawn.
+    if (!this.parallel) await new Promise((resolve) => setTimeout(resolve, PATIENCE));
     while (this.parallel && !gl.isContextLost()) {
       if (gl.getProgramParameter(program, this.parallel.COMPLETION_STATUS_KHR)) break;
       await new Promise((resolve) => setTimeout(resolve, PATIENCE));
@@ -237,4 +255,10 @@ export class WebGl2Device {
     this.closed = true;
     this.gl.getExtension("WEBGL_lose_context")?.loseContext();
   }
+}
+
+/** Name of the graphics card, or of the program in its place. */
+function rendererName(gl) {
+  const names = gl.getExtension("WEBGL_debug_renderer_info");
+  return String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
 }

@@ -1,11 +1,24 @@
 /** Full-screen fragment passes on WebGPU; the interface is described in device.js. */
+import { screenSpace } from "./screen_space.js";
 import { flatSize, wholeRows } from "./textures.js";
-import { CHANNELS, ROW } from "../generated/sizes.js";
+import { CHANNELS } from "../generated/sizes.js";
 
 /** Alignment of rows when a texture is copied into a buffer. [byte] */
 const ROW_ALIGNMENT = 256;
 
+/** Names of adapters that are the processor. */
+const SOFTWARE = /swiftshader|llvmpipe|lavapipe|software|basic render/i;
+
 export class WebGpuDevice {
+  /** Whether there is an adapter that draws in software. */
+  static async isSoftware() {
+    const adapter = await navigator.gpu?.requestAdapter();
+    if (!adapter) return false;
+    const { info = {} } = adapter;
+    const names = [info.vendor, info.architecture, info.device, info.description].join(" ");
+    return Boolean(info.isFallbackAdapter ?? adapter.isFallbackAdapter) || SOFTWARE.test(names);
+  }
+
   /**
    * @param {HTMLCanvasElement} canvas
    * @returns {Promise<WebGpuDevice>}
@@ -29,7 +42,13 @@ export class WebGpuDevice {
     this.context = context;
     this.device = device;
     this.format = navigator.gpu.getPreferredCanvasFormat();
-    context.configure({ device, format: this.format, alphaMode: "opaque" });
+    this.space = screenSpace();
+    context.configure({
+      device,
+      format: this.format,
+      alphaMode: "opaque",
+      colorSpace: this.space,
+    });
     this.lost = device.lost.then((info) => info.message || info.reason);
     this.closed = false;
   }
@@ -41,8 +60,8 @@ export class WebGpuDevice {
       format,
       usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST,
     });
-    const bytesPerRow = ROW * CHANNELS[format] * 4;
     const rows = wholeRows(data, format);
+    const bytesPerRow = width * CHANNELS[format] * rows.BYTES_PER_ELEMENT;
     this.device.queue.writeTexture({ texture }, rows, { bytesPerRow }, [width, height]);
     return wrapped(texture, format, width, height);
   }

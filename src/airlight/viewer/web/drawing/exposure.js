@@ -1,19 +1,55 @@
-/** Automatic exposure, which shows the picture's mean as middle grey. */
-import { exposure_of, luminance_of } from "../generated/formulas.js";
+/** Automatic exposure of a view: the formulas of color/exposure.py and scene/metering.py. */
+import {
+  PIXEL_ANGLES,
+  exposure_of,
+  left_out,
+  luminance_of,
+  metering_weight,
+} from "../generated/formulas.js";
 
 /**
- * Exposure of a picture.
+ * Exposure of a small picture of a view.
  *
- * @param {Float32Array} rgba Linear sRGB of a small picture, four values per pixel.
- * @param {number} grey Luminance that the tone map shows as middle grey.
- * @returns {number} Exposure, -100 to 100; 0 for a black picture. [EV]
+ * @param {Float32Array} rgba Linear sRGB, four values per pixel, from the top row. [W m⁻² sr⁻¹]
+ * @param {[number, number]} size Width and height. [pixel]
+ * @param {object} camera See view.js.
+ * @param {number} projection Number of its projection.
+ * @param {number} star Angular radius of the star. [rad]
+ * @returns {number} Exposure, -100 to 100. [EV]
  */
-export function automaticExposure(rgba, grey) {
-  const bright = [];
-  for (let i = 0; i < rgba.length; i += 4) {
-    const y = luminance_of(rgba[i], rgba[i + 1], rgba[i + 2]);
-    if (Number.isFinite(y) && y > 0) bright.push(y);
+export function automaticExposure(rgba, [width, height], camera, projection, star) {
+  const { axes, sun, fieldOfView } = camera;
+  const seen = axes.map((axis) => axis[0] * sun[0] + axis[1] * sun[1] + axis[2] * sun[2]);
+  const angle = PIXEL_ANGLES[camera.projection](width, height, fieldOfView);
+  const cosine = left_out(star, angle);
+  const pixels = [];
+  let black = 0;
+  for (let i = 0; i < width * height; i++) {
+    const bright = luminance_of(...rgba.subarray(4 * i, 4 * i + 3));
+    const [x, y] = [(i % width) + 0.5, Math.floor(i / width) + 0.5];
+    if (!Number.isFinite(bright)) continue;
+    const weight = metering_weight(
+      projection,
+      x,
+      y,
+      width,
+      height,
+      fieldOfView,
+      ...seen,
+      cosine,
+    );
+    if (bright > 0 && weight > 0) pixels.push([bright, weight]);
+    else black += weight;
   }
-  const values = Float64Array.from(bright).sort();
-  return values.length ? exposure_of({ values, shape: [values.length] }, grey) : 0;
+  // Without any light, as dark as can be: exposed as a night without moon or stars.
+  if (!pixels.length) {
+    pixels.push([Number.MIN_VALUE, 1]);
+    black = 0;
+  }
+  pixels.sort((a, b) => a[0] - b[0]);
+  const column = (part) => ({
+    values: Float64Array.from(pixels, (one) => one[part]),
+    shape: [pixels.length],
+  });
+  return exposure_of(column(0), column(1), black);
 }

@@ -1,62 +1,94 @@
-/** Ground map: an image converted to linear reflectances and their mip levels. */
+/**
+ * Ground map: images converted to packed texels, four values of eight bits each: colours encoded by
+ * sRGB, and a share of water.
+ */
+
+/** Values of a texel. */
+const CHANNELS = 4;
 
 /**
- * Table of the ground map.
+ * Texels of the ground map with all its levels, as scene/map_levels.py makes them.
  *
- * @param {{image: string, levels: number[][], decoded: number[]} | null} map From
- *     viewer/browser/ground_map.py; null for a ground of uniform colour.
- * @returns {Promise<{numbers: Float32Array, places: {levels: number[], texels: number[]}}>} Table,
- *     and offsets of its two parts.
+ * @param {{image: string, water: string | null, rows: number, columns: number,
+ *     decoded: number[]} | null} map From viewer/browser/ground_map.py; null for a ground of uniform
+ *     colour.
+ * @returns {Promise<{texels: Uint8Array, size: number[]}>} Texels, and the numbers of rows, columns
+ *     and levels.
  */
-export async function groundTable(map) {
-  if (!map) {
-    const numbers = new Float32Array([0, 1, 1, 0, 0, 0]);
-    return { numbers, places: { levels: [0, 1, 3, 0], texels: [3, 3, 0, 0] } };
+export async function groundTexels(map) {
+  if (!map) return { texels: new Uint8Array(CHANNELS), size: [1, 1, 1] };
+  const sizes = [[map.rows, map.columns]];
+  while (sizes.at(-1)[0] > 1) sizes.push(sizes.at(-1).map((size) => (size + 1) >> 1));
+  const starts = [0];
+  for (const [rows, columns] of sizes) starts.push(starts.at(-1) + CHANNELS * rows * columns);
+  const texels = new Uint8Array(starts.at(-1));
+  texels.set(await pixelsOf(map.image, map));
+  const water = map.water && (await pixelsOf(map.water, map));
+  for (let i = 3; i < starts[1]; i += CHANNELS) texels[i] = water ? water[i - 3] : 0;
+  for (let i = 1; i < sizes.length; i++) {
+    const fine = texels.subarray(starts[i - 1], starts[i]);
+    halve(fine, sizes[i - 1], texels.subarray(starts[i], starts[i + 1]), sizes[i], map.decoded);
   }
-  const head = map.levels.flat();
-  const [start, height, width] = map.levels.at(-1);
-  const count = start + 3 * height * width;
-  const numbers = new Float32Array(head.length + count);
-  numbers.set(head);
-  const texels = numbers.subarray(head.length);
-  fill(texels, await pixelsOf(map), map.decoded);
-  for (let i = 1; i < map.levels.length; i++) halve(texels, map.levels[i - 1], map.levels[i]);
-  const places = { levels: [0, map.levels.length, 3, 0], texels: [head.length, count, 0, 0] };
-  return { numbers, places };
+  return { texels, size: [map.rows, map.columns, sizes.length] };
 }
 
-async function pixelsOf({ image, levels }) {
-  const [, height, width] = levels[0];
+async function pixelsOf(image, { rows, columns }) {
   const bytes = Uint8Array.from(atob(image.slice(image.indexOf(",") + 1)), (c) => c.charCodeAt(0));
   const kind = image.slice(5, image.indexOf(";"));
   const bitmap = await createImageBitmap(new Blob([bytes], { type: kind }), {
     colorSpaceConversion: "none",
   });
-  const context = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
+  const context = new OffscreenCanvas(columns, rows).getContext("2d", { willReadFrequently: true });
   context.drawImage(bitmap, 0, 0);
-  return context.getImageData(0, 0, width, height).data;
+  return context.getImageData(0, 0, columns, rows).data;
 }
 
-function fill(texels, pixels, decoded) {
+/** First texel of each part of an axis, and the weights of it and of the two that follow. */
+function areaWeights(size, parts) {
+  return Array.from({ length: parts }, (_, part) => {
+    const first = Math.floor((part * size) / parts);
+    const weights = [0, 1, 2].map((tap) => {
+      const low = Math.max((first + tap) * parts, part * size);
+      const high = Math.min((first + tap + 1) * parts, (part + 1) * size);
+      return Math.max(high - low, 0) / size;
+    });
+    return { first, weights };
+  });
+}
+
+/** Fill a level with means over equal areas of the previous one, in linear light. */
+function halve(fine, [height, width], out, [rows, columns], decoded) {
+  const down = areaWeights(height, rows);
+  const right = areaWeights(width, columns);
+  const total = new Float64Array(CHANNELS);
   let at = 0;
-  for (let i = 0; i < pixels.length; i += 4) {
-    texels[at++] = decoded[pixels[i]];
-    texels[at++] = decoded[pixels[i + 1]];
-    texels[at++] = decoded[pixels[i + 2]];
-  }
-}
-
-/** Fill a level with the means of 2 × 2 texels of the previous one. */
-function halve(texels, [from, , wide], [to, height, width]) {
-  for (let row = 0; row < height; row++) {
-    for (let column = 0; column < width; column++) {
-      const upper = from + 3 * (2 * row * wide + 2 * column);
-      const lower = upper + 3 * wide;
-      const at = to + 3 * (row * width + column);
-      for (let c = 0; c < 3; c++) {
-        texels[at + c] =
-          0.25 * (texels[upper + c] + texels[upper + 3 + c] + texels[lower + c] + texels[lower + 3 + c]);
+  for (let row = 0; row < rows; row++) {
+    for (let column = 0; column < columns; column++) {
+      total.fill(0);
+      for (let y = 0; y < 3; y++) {
+        const share = down[row].weights[y];
+        for (let x = 0; x < 3 && share > 0; x++) {
+          const weight = share * right[column].weights[x];
+          if (weight === 0) continue;
+          const texel = CHANNELS * ((down[row].first + y) * width + right[column].first + x);
+          for (let c = 0; c < 3; c++) total[c] += weight * decoded[fine[texel + c]];
+          total[3] += weight * fine[texel + 3];
+        }
       }
+      for (let c = 0; c < 3; c++) out[at++] = encoded(total[c], decoded);
+      out[at++] = Math.round(total[3]);
     }
   }
+}
+
+/** The nearest of the 256 values of a colour, by its linear value. */
+function encoded(linear, decoded) {
+  let low = 0;
+  let high = 255;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (decoded[middle] <= linear) low = middle;
+    else high = middle;
+  }
+  return linear - decoded[low] < decoded[high] - linear ? low : high;
 }

@@ -2,20 +2,22 @@
  * Renderer of a planet: its tables on the device, and the passes over them.
  *
  * A description from viewer/browser/package.py has data that are the same for every planet — `plan`
- * and `shaders` (see program.js), `sky` (shapes of the sky table), `layers` (its textures), `glance` (longer side of the
- * picture from which the exposure is measured), `projections` with their fields of view,
- * `tone_maps` with the luminance that each shows as middle grey, `encodings`, `orders`, and
- * `view_uniforms`, the uniforms that are view values — and data of a solution: `uniforms`, `tables`
+ * and `shaders` (see program.js), `sky` (shapes of the sky table), `layers` (its textures),
+ * `glance` (longer side of the picture from which the exposure is measured), `projections` with
+ * their fields of view, `display` (uniforms of a display of 8 bits), `primaries` by name, `orders`,
+ * and `view_uniforms`, the uniforms that are view values — and data of a solution: `uniforms`, `tables`
  * (`{format, data}` by name, or a `texture` whose ownership is transferred), `ground` (see
  * ground.js), `radius`, `thickness`, `star` and `paths` (see view_uniforms.js).
  */
 import { automaticExposure } from "./exposure.js";
-import { groundTable } from "./ground.js";
+import { groundTexels } from "./ground.js";
 import { numbersOf } from "./package.js";
 import { Program } from "./program.js";
-import { cameraNumbers, observerNumbers } from "./view_uniforms.js";
+import { cameraNumbers, detailNumbers, observerNumbers } from "./view_uniforms.js";
 import { cameraOf } from "./view.js";
-import { ROW } from "../generated/sizes.js";
+import { Adaptation } from "../state/adaptation.js";
+import { CONNECTED, PIXEL_ANGLES, glare_levels, glare_share } from "../generated/formulas.js";
+import { PACKED_FORMAT, ROW } from "../generated/sizes.js";
 
 /** Time limits of a sky table while the view moves, and while it rests. [ms] */
 const SMOOTH = 60;
@@ -29,12 +31,13 @@ export class Picture {
    *
    * @param {object} device See devices/device.js.
    * @param {object} description
+   * @param {(done: number, total: number) => void} [tell] Receives the number of shaders compiled.
    * @returns {Promise<Picture>}
    */
-  static async make(device, description) {
+  static async make(device, description, tell = () => {}) {
     const program = new Program(device, description.plan, description.shaders);
     const picture = new Picture(program, description);
-    await Promise.all([program.build(), picture.take(description)]);
+    await Promise.all([program.build(tell), picture.take(description)]);
     return picture;
   }
 
@@ -43,36 +46,49 @@ export class Picture {
     this.device = program.device;
     this.fixed = description;
     this.planet = null;
-    this.map = undefined;
+    this.maps = {};
     this.seen = "";
+    this.drawn = "";
+    this.spread = "";
     this.solutions = 0;
     this.shape = null;
     this.texelTime = SLOW;
     this.drawings = 0;
     this.exposure = 0;
+    this.adaptation = new Adaptation();
   }
 
   /** Upload another solution, as after an edit. */
   async take(solution) {
     const names = Object.keys(solution.tables).filter((n) => !solution.tables[n].texture);
     const numbers = await Promise.all(names.map((n) => numbersOf(solution.tables[n].data)));
-    const image = solution.ground?.image ?? null;
-    const ground = this.map === image ? null : await groundTable(solution.ground);
+    await Promise.all([
+      this.takeMap("ground", solution.ground, ["mapped", "map"]),
+      this.takeMap("overlay", solution.overlay ?? null, ["overlaid", "over"]),
+    ]);
     names.forEach((n, i) => this.program.setTable(n, solution.tables[n].format, numbers[i]));
     for (const [name, { texture }] of Object.entries(solution.tables)) {
       if (texture) this.program.takeTexture(name, texture);
     }
     for (const [name, value] of Object.entries(solution.uniforms)) this.program.set(name, value);
-    if (ground) {
-      this.map = image;
-      this.program.setTable("ground", "r32float", ground.numbers);
-      this.program.set("table_levels", ground.places.levels);
-      this.program.set("table_texels", ground.places.texels);
-      this.program.set("mapped", Number(image !== null));
-      this.program.set("map_levels", ground.places.levels[1]);
-    }
     this.planet = solution;
     this.solutions += 1;
+  }
+
+  /** Upload a map of the ground or its overlay, unless it is there already. */
+  async takeMap(texture, map, [present, prefix]) {
+    const image = map && map.image + (map.water ?? "");
+    if (this.maps[texture] === image) return;
+    const { texels, size } = await groundTexels(map);
+    const [rows, columns, levels] = ["rows", "columns", "levels"].map((n) => `${prefix}_${n}`);
+    this.maps[texture] = image;
+    this.program.setTable(texture, PACKED_FORMAT, texels);
+    this.program.setAll({
+      [present]: Number(map !== null),
+      [rows]: size[0],
+      [columns]: size[1],
+      [levels]: size[2],
+    });
   }
 
   /**
@@ -84,25 +100,72 @@ export class Picture {
    * @param {number} width Width of the canvas. [pixel]
    * @param {number} height Height of the canvas. [pixel]
    * @param {string} effort `moving`: at once; `resting`: within a time limit; `best`: unlimited.
-   * @returns {Promise<boolean>} Whether a finer picture is possible while the view rests.
+   * @param {boolean} held Whether the automatic exposure stays as it is.
+   * @returns {Promise<boolean>} Whether a finer picture is possible while the view rests, or one
+   *     whose exposure is nearer to the measured one.
    */
-  async draw(values, width, height, effort) {
+  async draw(values, width, height, effort, held = false) {
     const { program, fixed } = this;
     const camera = cameraOf(values, fixed.projections);
     await this.drawSky(values, camera, effort);
-    const tone = values["display.tone_map"];
     let exposure = values["display.exposure"];
-    if (values["display.automatic"]) exposure += await this.found(camera, width, height, tone);
+    let eases = false;
+    if (values["display.automatic"]) {
+      const measured = await this.found(camera, width, height);
+      const adapted = this.adaptation.towards(measured, held, effort === "best");
+      exposure += adapted;
+      eases = !held && adapted !== measured;
+    }
     this.exposure = exposure;
-    program.setAll(cameraNumbers(camera, width, height, fixed.projections));
+    this.drawLight(camera, width, height);
+    this.drawGlare(camera, width, height, values["display.glare"]);
     program.setAll({
+      ...fixed.display,
       ...this.viewNumbers(values),
       exposure: 2 ** exposure,
-      encoding: fixed.encodings.indexOf("srgb"),
-      first_row: 0,
+      primaries: fixed.primaries.indexOf(this.device.space),
     });
+    program.run("display");
+    return eases || this.texels(this.shapeFor("resting")) > this.texels(this.shape);
+  }
+
+  /** Draw the picture in linear light, unless only its display has changed. */
+  drawLight(camera, width, height) {
+    const { program, fixed } = this;
+    const numbers = {
+      ...cameraNumbers(camera, width, height, fixed.projections),
+      ...detailNumbers(this.planet, camera),
+    };
+    const drawn = JSON.stringify([this.seen, this.shape, numbers]);
+    if (drawn === this.drawn) return;
+    program.resize("picture", width, height);
+    program.setAll({ ...numbers, first_row: 0 });
     program.run("picture");
-    return this.texels(this.shapeFor("resting")) > this.texels(this.shape);
+    this.drawn = drawn;
+  }
+
+  /** Draw the light that glare spreads, unless it is up to date: see color/glare.py. */
+  drawGlare({ projection, fieldOfView }, width, height, amount) {
+    const { program } = this;
+    const connected = CONNECTED.includes(projection);
+    const angle = connected ? PIXEL_ANGLES[projection](width, height, fieldOfView) : 0;
+    const shorter = Math.min(width, height);
+    const count = amount > 0 ? glare_levels(angle, shorter) : 0;
+    const shares = Array.from({ length: count }, (_, i) => glare_share(i + 1, angle, shorter));
+    program.set("glare_total", shares.reduce((sum, one) => sum + one, 0));
+    if (count === 0 || this.spread === this.drawn) return;
+    let [wide, high] = [width, height];
+    for (let level = 1; level <= count; level++) {
+      [wide, high] = [Math.ceil(wide / 2), Math.ceil(high / 2)];
+      program.resize(`level_${level}`, wide, high);
+      program.resize(`spread_${level}`, wide, high);
+      program.run(`coarser_${level}`);
+    }
+    for (let level = count; level > 0; level--) {
+      program.setAll({ level_share: shares[level - 1], level_more: Number(level < count) });
+      program.run(`spread_${level}`);
+    }
+    this.spread = this.drawn;
   }
 
   /** Draw the sky table of the observer, unless it is up to date. */
@@ -167,7 +230,7 @@ export class Picture {
   reshape(shape) {
     const [columns, rows] = this.fixed.sky[shape];
     for (const name of this.fixed.layers) {
-      this.program.resize(name, ROW, Math.ceil((2 * columns * rows) / ROW));
+      this.program.resize(name, ROW, Math.ceil((3 * columns * rows) / ROW));
     }
     this.shape = shape;
   }
@@ -186,6 +249,7 @@ export class Picture {
     if (this.seen !== this.key(this.seenBy(values, camera))) return "";
     program.resize("glance", ...size);
     program.setAll(cameraNumbers(camera, ...size, fixed.projections));
+    program.setAll(detailNumbers(this.planet, camera));
     const area = [...place, 1, 1];
     program.runIn("glance", area);
     const rgb = await program.read("glance", area);
@@ -193,15 +257,17 @@ export class Picture {
   }
 
   /** Automatic exposure of the view. [EV] */
-  async found(camera, width, height, tone) {
-    const { program, fixed } = this;
+  async found(camera, width, height) {
+    const { program, fixed, planet } = this;
     const share = fixed.glance / Math.max(width, height);
     const [wide, high] = [width, height].map((x) => Math.max(1, Math.round(x * share)));
     program.resize("glance", wide, high);
     program.setAll(cameraNumbers(camera, wide, high, fixed.projections));
+    program.setAll(detailNumbers(this.planet, camera));
     program.run("glance");
     const rgba = await program.read("glance");
-    return automaticExposure(rgba, fixed.tone_maps[tone]);
+    const number = Object.keys(fixed.projections).indexOf(camera.projection);
+    return automaticExposure(rgba, [wide, high], camera, number, planet.star);
   }
 }
 

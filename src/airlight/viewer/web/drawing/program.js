@@ -5,6 +5,7 @@
  * floats, `size`, the length of the struct, and `passes`; each pass has `name`, `shader`, `entry`,
  * `vertex`, `uniforms` (the slot "group/binding" of the struct), `reads` (slot to name of a
  * table or target) and `targets` (`{name, format, width, height}` each, or none for the canvas).
+ * Passes that run the same entry are compiled once.
  */
 export class Program {
   /**
@@ -22,12 +23,19 @@ export class Program {
     this.compiled = new Map();
   }
 
-  /** Compile all passes and create their targets. */
-  async build() {
+  /**
+   * Compile all passes and create their targets.
+   *
+   * @param {(done: number, total: number) => void} [tell] Receives the number of shaders compiled.
+   */
+  async build(tell = () => {}) {
     const { device } = this;
+    const promises = new Map();
+    let done = 0;
     const work = this.plan.passes.map(async (pass) => {
       const shader = this.shaders[pass.shader];
       const formats = pass.targets.length ? pass.targets.map((one) => one.format) : ["screen"];
+      const key = [pass.shader, pass.entry, ...formats].join(" ");
       const text = {
         wgsl: shader.wgsl,
         glsl: { vertex: shader.glsl[pass.vertex], fragment: shader.glsl[pass.entry] },
@@ -36,7 +44,13 @@ export class Program {
         uniforms: pass.uniforms,
         reads: Object.keys(pass.reads),
       };
-      this.compiled.set(pass.name, await device.pipeline(text, formats));
+      if (!promises.has(key)) {
+        const made = device.pipeline(text, formats);
+        promises.set(key, made);
+        made.then(() => tell((done += 1), promises.size), () => {});
+      }
+      // each pass has its own textures bound
+      this.compiled.set(pass.name, { ...(await promises.get(key)) });
     });
     await Promise.all(work);
     for (const { name, format, width, height } of this.plan.passes.flatMap((p) => p.targets)) {

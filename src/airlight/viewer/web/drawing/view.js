@@ -28,7 +28,7 @@ export function fitting(projection, width, height) {
  * @param {Object<string, number | string>} values View values by path.
  * @param {Object<string, [number, number]>} limits Limits of each projection's field of view. [deg]
  * @returns {{axes: number[][], sun: number[], fieldOfView: number, projection: string,
- *     ground: number[][]}} Camera, with the field of view in radians.
+ *     detailed: boolean, ground: number[][]}} Camera, with the field of view in radians.
  */
 export function cameraOf(values, limits) {
   const projection = values["view.projection"];
@@ -40,6 +40,7 @@ export function cameraOf(values, limits) {
     axes: rows(camera_frame(values["view.look_zenith"], azimuth, values["view.roll"])),
     sun: direction_of(values["view.sun_zenith"], 0),
     fieldOfView: Math.min(Math.max(values["view.field_of_view"], low), high) * RADIAN,
+    detailed: values["view.ground"] === "detailed",
     ground: rows(ground_axes(values["view.latitude"], values["view.longitude"], bearing)),
   };
 }

@@ -1,5 +1,12 @@
 /** Uniforms of the view, with the names of gpu/picture/uniforms.py. */
-import { PIXEL_ANGLES, observer_numbers, raised_star } from "../generated/formulas.js";
+import {
+  PIXEL_ANGLES,
+  finest_cell,
+  lattice_origin,
+  observer_numbers,
+  raised_star,
+} from "../generated/formulas.js";
+import { NOMINAL_ROWS } from "../generated/sizes.js";
 
 /**
  * Uniforms of the observer and the star.
@@ -45,6 +52,8 @@ export function cameraNumbers(camera, width, height, projections) {
     height,
     field_of_view: field,
     projection: Object.keys(projections).indexOf(projection),
+    samples: 1,
+    edges: 1,
     pixel_angle: PIXEL_ANGLES[projection](width, height, field),
   };
   ["right", "up", "forward"].forEach((name, i) => {
@@ -56,6 +65,19 @@ export function cameraNumbers(camera, width, height, projections) {
     "xyz".split("").forEach((c, j) => {
       numbers[name + c] = ground[i][j];
     });
+  });
+  return numbers;
+}
+
+/** Uniforms of the detail of the ground below the camera. */
+export function detailNumbers({ radius, paths, ground }, camera) {
+  const bottom = paths ? paths.bottom : radius;
+  const cell = finest_cell(bottom, ground?.rows ?? NOMINAL_ROWS);
+  const numbers = { detailed: Number(camera.detailed), detail_cell: cell };
+  "xyz".split("").forEach((name, i) => {
+    const [whole, part] = lattice_origin(camera.ground[i][2], bottom, cell);
+    numbers[`whole_${name}`] = whole;
+    numbers[`part_${name}`] = part;
   });
   return numbers;
 }

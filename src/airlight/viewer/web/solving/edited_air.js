@@ -8,15 +8,19 @@ import { level_weight, reduce_optics, thick_share } from "../generated/formulas.
 import { LANES } from "../generated/sizes.js";
 
 /**
- * Edited amounts and brightness of a state.
+ * Edited amounts and brightness of a state, as factors of the planet's own.
  *
  * @param {object} air
- * @param {Object<string, number>} values Values of all parameters, by path.
+ * @param {State} state
  */
-export function editOf(air, values) {
+export function editOf(air, state) {
+  const factor = (path) => {
+    const value = state.get(path);
+    return value === undefined ? 1 : value / state.parameters.get(path).present;
+  };
   return {
-    amounts: air.names.map((_, index) => values[`air.amounts[${index}]`] ?? 1),
-    ground: values["air.ground"] ?? 1,
+    amounts: air.names.map((_, index) => factor(`air.amounts[${index}]`)),
+    ground: factor("air.ground"),
   };
 }
 
@@ -53,7 +57,7 @@ export function editedAir(air, { amounts, ground }) {
     extinction,
     scattering: Float32Array.from(scattering.values),
     moments,
-    albedo: Float32Array.from(air.albedo, (x) => x * ground),
+    albedo: Float32Array.from(air.albedo, (x) => Math.min(x * ground, air.brightest)),
     level: Float32Array.from(air.day.flatMap((day) => depth.map((one) => level_weight(day, one)))),
     strongest: Float32Array.from(split(whole), (row) => Math.max(...row)),
     brightest: Float32Array.from(split(scattering.values), (row) => Math.max(...row)),

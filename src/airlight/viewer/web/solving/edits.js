@@ -17,7 +17,7 @@ export class Edits {
     this.description = description;
     this.plain = plain;
     this.solver = null;
-    this.wanted = editOf(description.air, viewer.state.values);
+    this.wanted = editOf(description.air, viewer.state);
     this.shown = null;
     this.work = null;
     this.text = "";
@@ -28,10 +28,16 @@ export class Edits {
   }
 
   follow() {
-    this.wanted = editOf(this.description.air, this.viewer.state.values);
+    this.wanted = editOf(this.description.air, this.viewer.state);
     this.work ??= this.solve().finally(() => {
       this.work = null;
+      this.viewer.showWork();
     });
+  }
+
+  /** Words while the picture shows an older edit; none once it shows the newest. */
+  get stale() {
+    return this.shown !== this.wanted && this.work ? "solving …" : "";
   }
 
   /** Promise that the picture shows the newest edit. */

@@ -21,9 +21,8 @@ export class History {
    */
   record(name, before, after, held) {
     const now = this.clock();
-    const last = this.done.at(-1);
-    const quick = last && (last.open || now - last.time <= TOGETHER);
-    if (quick && last.name === name && this.undone.length === 0) {
+    const last = this.joined(name);
+    if (last) {
       last.before = { ...before, ...last.before };
       last.after = { ...last.after, ...after };
       last.time = now;
@@ -33,6 +32,13 @@ export class History {
     this.undone = [];
     this.done.push({ name, before, after, time: now, open: held });
     if (this.done.length > MOST_STEPS) this.done.shift();
+  }
+
+  /** Step into which an edit would be merged, or null. */
+  joined(name) {
+    const last = this.done.at(-1);
+    const quick = last && (last.open || this.clock() - last.time <= TOGETHER);
+    return quick && last.name === name && this.undone.length === 0 ? last : null;
   }
 
   /** Close the last step, so that the next edit is a new one. */

@@ -2,9 +2,10 @@
  * Conversion between a state and the fragment of a URL.
  *
  * The format is the JSON of viewer/session/saved_state.py: `planet`, `view` and `set` by path,
- * `off` by index; and `air`, the amounts of a page that solves its own edits, which in a planet
- * file are `constituents[…].amount` and `ground.brightness`.
+ * `off` by index; and `air`, the amounts of a page that solves its own edits, as factors of the
+ * planet's own, which in a planet file are `constituents[…].amount` and `ground.brightness`.
  */
+import { follows, fromFactor, toFactor, withFollowing } from "./amounts.js";
 import { checked } from "./parameters.js";
 
 /** Paths of the view's parameters, and of the constituents' switches. */
@@ -21,7 +22,8 @@ export function fragmentOf(state) {
   for (const [path, value] of changes) {
     const place = SWITCH.exec(path);
     if (place) (found.off ??= []).push(Number(place[1]));
-    else if (AIR.test(path)) (found.air ??= {})[path] = value;
+    else if (follows(path)) continue;
+    else if (AIR.test(path)) (found.air ??= {})[path] = factorOf(state, path, value);
     else if (VIEW.test(path)) (found.view ??= {})[path] = value;
     else (found.set ??= {})[path] = inFile(state.parameters.get(path), value);
   }
@@ -37,20 +39,22 @@ export function fragmentOf(state) {
 export function readFragment(state, fragment) {
   const faults = [];
   const values = { ...state.initial };
+  const air = {};
   const take = (path, value) => {
     const parameter = state.parameters.get(path);
     try {
       if (!parameter) throw new RangeError(`there is no parameter ${path}`);
-      values[path] = checked(parameter, value);
+      values[path] = checked(parameter, fromFactor(parameter, value));
+      if (AIR.test(path)) air[path] = values[path];
     } catch (error) {
       faults.push(error.message);
     }
   };
   try {
     const found = JSON.parse(decodeURIComponent(fragment.replace(/^#/, "")));
-    const { planet, view = {}, air = {}, set = {}, off = [] } = found;
+    const { planet, view = {}, air: amounts = {}, set = {}, off = [] } = found;
     if (planet !== state.planet) throw new RangeError(`it shows ${planet}, this is ${state.planet}`);
-    for (const [path, value] of Object.entries({ ...view, ...air })) take(path, value);
+    for (const [path, value] of Object.entries({ ...view, ...amounts })) take(path, value);
     for (const [path, value] of Object.entries(set)) {
       const own = inPage(path);
       take(own, fromFile(state.parameters.get(own), value));
@@ -59,7 +63,12 @@ export function readFragment(state, fragment) {
   } catch (error) {
     faults.push(error.message);
   }
-  return { values, faults };
+  return { values: { ...values, ...withFollowing(state.parameters, values, air) }, faults };
+}
+
+/** Amount as a factor of the planet's own, with the nine digits that a picture can show. */
+function factorOf(state, path, value) {
+  return Number(toFactor(state.parameters.get(path), value).toPrecision(9));
 }
 
 /** Path, on a page that solves its own edits, of a key of the planet file. */

@@ -26,6 +26,11 @@ export class RemoteState extends State {
     return Boolean(this.model.get("can").swap);
   }
 
+  /** Python answers with the values that follow. */
+  following(changes) {
+    return changes;
+  }
+
   record(name, before, after, held) {
     this.holding ||= held;
     this.sendLater({ name, held });
@@ -85,5 +90,6 @@ export class RemoteState extends State {
   rest() {
     if (this.holding) this.command("rest");
     this.holding = false;
+    this.letGo();
   }
 }

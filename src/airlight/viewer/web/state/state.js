@@ -1,10 +1,13 @@
 /** Values of all parameters, with undo and redo, and two states to compare. */
+import { withFollowing } from "./amounts.js";
 import { History } from "./history.js";
 import { fragmentOf, readFragment } from "./link.js";
 import { checked } from "./parameters.js";
 
 /** Paths of camera and sun, which the states of a comparison can share. */
 const CAMERA = /^view\./;
+/** Paths of all that is no planet's. */
+const VIEW = /^(view|display|light)\./;
 
 export class State {
   /**
@@ -17,6 +20,7 @@ export class State {
     this.initial = { ...values };
     this.values = { ...values };
     this.history = new History();
+    this.dragged = new Set();
     this.other = null;
     this.showing = "A";
     this.sharesCamera = true;
@@ -41,6 +45,19 @@ export class State {
     return this.history.undone.length > 0;
   }
 
+  /**
+   * Whether the automatic exposure stays as it is: locked, or while the planet is dragged.
+   *
+   * An edit that darkens the air looks darker until it is let go.
+   */
+  get holdsExposure() {
+    return this.dragsPlanet || Boolean(this.values["display.locked"]);
+  }
+
+  get dragsPlanet() {
+    return [...this.dragged].some((path) => !VIEW.test(path));
+  }
+
   get hasOther() {
     return this.other !== null;
   }
@@ -60,10 +77,13 @@ export class State {
    * @throws {RangeError} If a value is invalid; nothing is changed then.
    */
   set(changes, gesture = null, held = gesture !== null) {
-    const sound = this.sound(changes);
-    if (Object.keys(sound).length === 0) return;
+    const own = this.sound(changes);
+    if (held) this.dragged = new Set([...this.dragged, ...Object.keys(changes)]);
+    if (Object.keys(own).length === 0) return;
+    const name = gesture ?? Object.keys(own).sort().join(" ");
+    const sound = this.following(own, name);
     const before = Object.fromEntries(Object.keys(sound).map((path) => [path, this.get(path)]));
-    this.record(gesture ?? Object.keys(sound).sort().join(" "), before, sound, held);
+    this.record(name, before, sound, held);
     this.show({ ...this.values, ...sound });
   }
 
@@ -84,6 +104,12 @@ export class State {
     return sound;
   }
 
+  /** Changes, with those of values that follow from them and from the values at their start. */
+  following(changes, name) {
+    const start = { ...this.values, ...this.history.joined(name)?.before };
+    return withFollowing(this.parameters, start, changes);
+  }
+
   record(name, before, after, held) {
     this.history.record(name, before, after, held);
   }
@@ -91,6 +117,14 @@ export class State {
   /** End a gesture, so that the next change is a separate undo step. */
   rest() {
     this.history.close();
+    this.letGo();
+  }
+
+  /** End a drag of the planet, which had held the exposure. */
+  letGo() {
+    const edited = this.dragsPlanet;
+    this.dragged = new Set();
+    if (edited) this.tell(new Set());
   }
 
   undo() {

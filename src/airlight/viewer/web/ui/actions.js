@@ -29,10 +29,10 @@ export function actionsOf(viewer) {
       parts.help.hidden = !parts.help.hidden;
     },
     panels: () => parts.root.classList.toggle("airlight-hidden"),
-    leave: () => {
-      parts.help.hidden = true;
-      parts.root.classList.remove("airlight-hidden");
-    },
+    leave: () => viewer.leave(),
+    "copy link": () => viewer.source.link && viewer.copyLink(),
+    fullscreen: () => viewer.toggleFullscreen(),
+    film: () => viewer.toggleFilm(),
     probe: () => {
       parts.probe.hidden = !parts.probe.hidden;
     },
@@ -66,15 +66,31 @@ export const BUTTONS = [
     "one camera",
     "one camera",
     "Both are seen from the same place under the same sun.",
-    (s) => ({ pressed: s.sharesCamera }),
+    (s) => ({ hidden: !s.hasOther, pressed: s.sharesCamera }),
   ],
   [
     "advanced",
     "advanced",
     "Show the parameters of the air's composition too.",
-    (s, viewer) => ({ pressed: viewer.controls?.advanced ?? false }),
+    (s, viewer) => ({
+      hidden: ![...s.parameters.values()].some((one) => one.mode === "advanced"),
+      pressed: viewer.controls?.advanced ?? false,
+    }),
   ],
   ["save picture", "save picture", "As a PNG (Ctrl+S).", () => ({})],
+  [
+    "film",
+    "film",
+    "Film what is shown, until this is pressed again (O).",
+    (s, viewer) => ({ pressed: Boolean(viewer.film) }),
+  ],
+  [
+    "copy link",
+    "copy link",
+    "Copy the address that shows this again (U).",
+    (s, viewer) => ({ disabled: !viewer.source.link }),
+  ],
+  ["fullscreen", "fullscreen", "Fill the screen, or return (F).", () => ({})],
   ["time", "time", "Let time pass, or stop it (T).", (s, v) => ({ pressed: v.flight.playing })],
   ["help", "help", "Keys and mouse (F1).", () => ({})],
 ];

@@ -1,19 +1,14 @@
-/** Panel with one control per declared parameter, in collapsible groups. */
+/** Panel with one control per declared parameter, in collapsible groups, or those searched. */
 import { checked, numberAt, rounded, shareOf, written } from "../state/parameters.js";
+import { element } from "./element.js";
+import { answers } from "./search.js";
 
-/** Groups of the view, shown first and expanded. */
-const FIRST = ["camera", "sun", "display", "light"];
+/** Groups that are shown first, expanded: amounts of the air, then the view's. */
+const FIRST = ["amounts", "camera", "sun", "display", "light"];
 /** Suffix of the label of a list's item. */
 const ITEM = / (at \S+ \S+|\d+)$/;
 /** Number of positions of a slider. */
 const STEPS = 1000;
-
-/** Create an element with properties and children. */
-export function element(tag, properties = {}, ...children) {
-  const made = Object.assign(document.createElement(tag), properties);
-  made.append(...children);
-  return made;
-}
 
 export class Controls {
   /**
@@ -28,6 +23,7 @@ export class Controls {
     this.rows = new Map();
     this.folded = new Map();
     this.advanced = false;
+    this.words = "";
     this.build();
     this.stop = state.follow((changed) => this.update(changed));
   }
@@ -37,9 +33,9 @@ export class Controls {
     this.rows.clear();
     const groups = new Map();
     const all = [...this.state.parameters.values()];
-    const own = (parameter) => Number(FIRST.includes(parameter.group));
-    for (const parameter of all.sort((a, b) => own(b) - own(a))) {
-      if (parameter.mode === "advanced" && !this.advanced) continue;
+    const rank = ({ group }) => (FIRST.indexOf(group) + FIRST.length + 1) % (FIRST.length + 1);
+    for (const parameter of all.sort((a, b) => rank(a) - rank(b))) {
+      if (this.words ? !answers(parameter, this.words) : !this.offers(parameter)) continue;
       const group = this.fold(groups, parameter.group, this.place, parameter.group);
       const list = parameter.part_of
         ? this.fold(groups, parameter.part_of, group.body, parameter.label.replace(ITEM, ""))
@@ -49,16 +45,27 @@ export class Controls {
       list.body.append(row.element);
     }
     const tops = [...groups.values()].filter((one) => one.top);
-    this.place.replaceChildren(...tops.map((one) => one.element));
+    const none = element("p", { className: "airlight-none" }, "nothing of that name");
+    this.place.replaceChildren(...(tops.length ? tops.map((one) => one.element) : [none]));
     this.update(new Set(this.rows.keys()));
+  }
+
+  offers({ mode }) {
+    return mode !== "advanced" || this.advanced;
+  }
+
+  /** Show only the parameters that answer to some words; all again for none. */
+  search(words) {
+    this.words = words;
+    this.build();
   }
 
   fold(groups, name, place, label) {
     if (groups.has(name)) return groups.get(name);
     const body = element("div", { className: "airlight-body" });
     const fold = element("details", {}, element("summary", { textContent: label }), body);
-    fold.open = this.folded.get(name) ?? FIRST.includes(name);
-    fold.addEventListener("toggle", () => this.folded.set(name, fold.open));
+    fold.open = this.words !== "" || (this.folded.get(name) ?? FIRST.includes(name));
+    if (!this.words) fold.addEventListener("toggle", () => this.folded.set(name, fold.open));
     const made = { element: fold, body, top: place === this.place };
     if (!made.top) place.append(fold);
     groups.set(name, made);
@@ -121,7 +128,9 @@ function numberRow(parameter, set, rest) {
     const text = field.value.trim().replace(",", ".");
     set(text === "" ? NaN : Number(text));
   });
+  let shown = 0;
   field.addEventListener("keydown", (event) => {
+    if (event.key === "Escape") field.value = written(shown);
     const way = { ArrowUp: 1, ArrowDown: -1 }[event.key];
     if (!way) return;
     event.preventDefault();
@@ -137,6 +146,7 @@ function numberRow(parameter, set, rest) {
   return {
     element: labelled(parameter, field, slider),
     show(value) {
+      shown = value;
       if (document.activeElement !== field || Number(field.value) !== value) {
         field.value = written(value);
       }

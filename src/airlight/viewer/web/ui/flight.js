@@ -7,7 +7,6 @@
 import {
   angle_flown,
   climbed,
-  compass,
   course_of,
   looked,
   risen,
@@ -183,10 +182,9 @@ export class Flight {
     return numbers(this.state.values, "sun_zenith", "sun_azimuth");
   }
 
-  /** Go to a viewpoint, whose heading is relative to the sun's bearing. */
+  /** Go to a viewpoint. */
   goTo({ view }) {
-    const heading = compass(view["view.heading"] + this.state.get("view.sun_azimuth"));
-    this.state.set({ ...view, "view.heading": heading });
+    this.state.set(view);
     this.state.rest();
   }
 }

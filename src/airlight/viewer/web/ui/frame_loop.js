@@ -43,6 +43,12 @@ export class FrameLoop {
   }
 }
 
+/** Promise that what the page holds now is on the screen, before work that blocks it. */
+export async function painted() {
+  await nextFrame();
+  await nextFrame();
+}
+
 /** Promise of the next frame's time [ms]; hidden pages have no frames, and use a timer. */
 function nextFrame() {
   return new Promise((resolve) => {

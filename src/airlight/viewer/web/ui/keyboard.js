@@ -26,7 +26,8 @@ export class Keyboard {
   press(event) {
     const { target, key } = event;
     const control = event.ctrlKey || event.metaKey;
-    if (target.tagName === "INPUT" && target.type === "text") return;
+    const types = target.tagName === "INPUT" && /^(text|search)$/.test(target.type);
+    if (types && key !== "Escape") return;
     if (target.tagName === "SELECT" && !control) return;
     if (target !== this.canvas && !control && FOCUS.test(key.toLowerCase())) return;
     if (!control && this.flight.press(event.code, key)) return event.preventDefault();

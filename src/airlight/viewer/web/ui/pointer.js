@@ -23,7 +23,11 @@ export class Pointer {
       canvas.addEventListener(name, act, { signal: this.ending.signal, ...more });
     listen("pointerdown", (event) => this.press(event));
     listen("pointermove", (event) => this.move(event));
-    for (const name of ["pointerup", "pointercancel"]) listen(name, (event) => this.lift(event));
+    listen("pointerup", (event) => {
+      this.move(event); // the last movement of a flick arrives with its release
+      this.lift(event);
+    });
+    listen("pointercancel", (event) => this.lift(event));
     listen("wheel", (event) => this.wheel(event), { passive: false });
     listen("contextmenu", (event) => event.preventDefault());
   }
@@ -45,7 +49,7 @@ export class Pointer {
       const [, other] = others[0];
       const spread = (point) => Math.hypot(point[0] - other[0], point[1] - other[1]);
       const factor = Math.max(spread(before), 1) / Math.max(spread(here), 1);
-      this.flight.rise(Math.log(factor) / Math.log(RATES.notch), true);
+      this.flight.rise(Math.log(factor) / Math.log(RATES.climb), true);
       return;
     }
     const parts = here.map((x, i) => (x - before[i]) / this.canvas.clientWidth);
@@ -64,7 +68,10 @@ export class Pointer {
     const pixels = turned * (event.deltaMode === 1 ? LINE : event.deltaMode === 2 ? SHEET : 1);
     const notches = Math.min(Math.max(pixels / RATES.wheel, -MOST_NOTCHES), MOST_NOTCHES);
     if (event.ctrlKey) this.flight.widen(notches);
-    else this.flight.rise(notches * (event.shiftKey ? FACTORS.shift : 1));
+    else {
+      const { shift, alt } = FACTORS;
+      this.flight.rise(notches * (event.shiftKey ? shift : 1) * (event.altKey ? alt : 1));
+    }
   }
 
   close() {

@@ -5,30 +5,40 @@
  *
  * - `title`;
  * - `parameters` and `values`, declared and initial, or a `state` that has them;
- * - `picture(device)` — promise of the renderer, see drawing/picture.js;
+ * - `picture(device, tell)` — promise of the renderer, see drawing/picture.js, which tells how many
+ *   of its shaders are compiled;
+ * - `first` — optional image that is shown until the first picture is drawn;
  * - `edits(viewer)` — optional solver of the planet after edits, see solving/edits.js;
  * - `radius()` — radius of the planet; [m]
  * - `status()` — optional short status of the solution;
+ * - `stale()` — optional words while the picture shows another planet than the controls, or none;
+ * - `link(fragment)` — optional address that shows the state again;
  * - `note` — optional line about parameters that cannot be edited here;
- * - `device` — auto, webgpu or webgl2.
+ * - `device` — auto, webgpu, webgl2, or a name of `devices`;
+ * - `devices` — optional further devices, see devices/device.js.
  */
 import { openDevice } from "../devices/device.js";
 import { fitting } from "../drawing/view.js";
 import { KEYS } from "../generated/keys.js";
 import { State } from "../state/state.js";
 import { BUTTONS, actionsOf } from "./actions.js";
-import { Controls, element } from "./controls.js";
+import { Controls } from "./controls.js";
+import { element } from "./element.js";
+import { Film } from "./film.js";
 import { Flight } from "./flight.js";
-import { FrameLoop } from "./frame_loop.js";
+import { FrameLoop, painted } from "./frame_loop.js";
 import { Keyboard } from "./keyboard.js";
 import { Pointer } from "./pointer.js";
 import { Probe } from "./probe.js";
+import { searchField } from "./search.js";
 import { toolbar } from "./toolbar.js";
 
 /** Time of a frame above which frames are drawn smaller while something moves. [ms] */
 const SMOOTH = 40;
 /** Delay from the last change to a full-size frame after a smaller one. [ms] */
 const REST = 150;
+/** Time after which the preview has faded. [ms] */
+const FADING = 600;
 /** Smallest scale of width and height while something moves. [1] */
 const COARSEST = 0.2;
 
@@ -59,6 +69,7 @@ export class Viewer {
     this.device = null;
     this.picture = null;
     this.edits = null;
+    this.film = null;
     this.share = 1;
     this.lastChange = -Infinity;
     this.milliseconds = 0;
@@ -76,19 +87,36 @@ export class Viewer {
       title: part("div", "title", { textContent: this.source.title }),
       tools: part("div", "tools"),
       viewpoints: part("div", "tools"),
+      search: searchField((words) => this.controls.search(words)),
       controls: part("div", "controls"),
       note: part("div", "note", { textContent: this.source.note ?? "" }),
       status: part("div", "status"),
       canvas: element("canvas", { tabIndex: 0, ariaLabel: "picture" }),
       message: element("div", { className: "airlight-over airlight-message" }),
+      working: element("div", { className: "airlight-over airlight-working", hidden: true }),
+      fold: element("button", {
+        type: "button",
+        className: "airlight-fold",
+        textContent: "☰",
+        title: "Hide or show the panel (Tab).",
+        ariaLabel: "panel",
+      }),
       probe: element("div", { className: "airlight-over airlight-probe" }),
+      progress: element("div", {
+        className: "airlight-over airlight-progress",
+        textContent: "preview — loading",
+      }),
       help: helpPanel(),
     };
     const panel = part("div", "panel");
-    const { title, tools, viewpoints, controls, note, status } = parts;
-    panel.append(title, tools, viewpoints, controls, note, status);
+    const { title, tools, viewpoints, search, controls, note, status } = parts;
+    panel.append(title, tools, viewpoints, search, controls, note, status);
+    parts.fold.addEventListener("click", () => this.do("panels"));
     parts.view = part("div", "view");
-    parts.view.append(parts.canvas, parts.probe, parts.help, parts.message);
+    const { canvas, probe, help, message, working, progress, fold } = parts;
+    parts.view.append(canvas);
+    if (this.source.first) parts.view.append(this.source.first);
+    parts.view.append(progress, probe, working, help, message, fold);
     parts.root = element("div", { className: "airlight" }, panel, parts.view);
     // In JupyterLab, single letters are shortcuts that edit cells.
     parts.root.dataset.lmSuppressShortcuts = "true";
@@ -119,19 +147,39 @@ export class Viewer {
 
   async start() {
     try {
-      this.device = await openDevice(this.parts.canvas, this.source.device ?? "auto");
+      await painted();
+      this.device = await openDevice(this.parts.canvas, this.source.device ?? "auto", this.source.devices);
       if (this.closed) return this.device.close();
       this.device.lost.then((reason) => {
         if (!this.closed) this.say(`the graphics device went away (${reason}): reload`);
       });
-      this.picture = await this.source.picture(this.device);
+      this.picture = await this.source.picture(this.device, (done, total) =>
+        this.prepare(`compiling shaders ${done} of ${total}`),
+      );
+      this.prepare("drawing");
       this.edits = this.source.edits?.(this) ?? null;
+      this.showWork();
       this.showViewpoints();
       if (this.picture.probe) this.probe = new Probe(this.parts.canvas, this.parts.probe, this);
       this.request();
     } catch (error) {
       this.say(error.message);
     }
+  }
+
+  /** Say what is done before the first picture. */
+  prepare(text) {
+    this.parts.progress.textContent = `preview — ${text}`;
+  }
+
+  /** Fade from the preview to the first picture. */
+  reveal() {
+    const { view, progress } = this.parts;
+    view.classList.add("airlight-drawn");
+    setTimeout(() => {
+      this.source.first?.remove();
+      progress.remove();
+    }, FADING);
   }
 
   /** Replace the parameters, as after a change of a planet's composition. */
@@ -161,7 +209,17 @@ export class Viewer {
   changed() {
     this.lastChange = performance.now();
     this.updateTools();
+    this.showWork();
     this.request();
+  }
+
+  /** Mark a picture of a planet that is not the one whose values are shown. */
+  showWork() {
+    const { root, working } = this.parts;
+    const what = this.edits?.stale ?? this.source.stale?.() ?? "";
+    working.hidden = !what;
+    working.textContent = what && `${this.state.hasOther ? `${this.state.showing}: ` : ""}${what}`;
+    root.classList.toggle("airlight-stale", what !== "" && this.state.hasOther);
   }
 
   /**
@@ -185,9 +243,12 @@ export class Viewer {
     this.device.resize(width, height);
     const began = performance.now();
     const effort = resting && !moving ? "resting" : "moving";
-    const again = await this.picture.draw(this.state.values, width, height, effort);
+    const { values, holdsExposure: held } = this.state;
+    const again = await this.picture.draw(values, width, height, effort, held);
+    this.film?.frame();
     await this.device.finished();
     this.milliseconds = performance.now() - began;
+    if (!this.drawn) this.reveal();
     this.drawn = [width, height];
     // The time of a frame is proportional to its pixels; half a step damps oscillations.
     const wanted = share * Math.sqrt(SMOOTH / Math.max(this.milliseconds, 1));
@@ -215,7 +276,8 @@ export class Viewer {
     await this.ready;
     const blob = await this.alone(async () => {
       this.device.resize(width, height);
-      await this.picture.draw(this.state.values, width, height, "best");
+      const { values, holdsExposure: held } = this.state;
+      await this.picture.draw(values, width, height, "best", held);
       return new Promise((resolve) => this.parts.canvas.toBlob(resolve, "image/png"));
     });
     this.request();
@@ -223,12 +285,59 @@ export class Viewer {
   }
 
   async save() {
+    this.keep(await this.png(...this.size(1)), "png");
+  }
+
+  /** Start a film of what is shown, or end it and save it. */
+  async toggleFilm() {
+    if (!this.film) {
+      this.film = new Film(this.parts.canvas);
+      this.request();
+      return;
+    }
+    const film = this.film;
+    this.film = null;
+    this.keep(await film.end(), film.suffix);
+  }
+
+  /** Offer a file for download, named after the planet. */
+  keep(blob, suffix) {
     const link = element("a", {
-      href: URL.createObjectURL(await this.png(...this.size(1))),
-      download: `${this.source.title}.png`,
+      href: URL.createObjectURL(blob),
+      download: `${this.source.title}.${suffix}`,
     });
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  }
+
+  /** Copy the address of what is shown. */
+  async copyLink() {
+    const link = this.source.link(this.state.asFragment());
+    try {
+      await navigator.clipboard.writeText(link);
+    } catch {
+      copyByHand(this.parts.root, link);
+    }
+    this.explain(`copied: ${link}`);
+  }
+
+  /** Fill the screen with panel and picture, or return. */
+  async toggleFullscreen() {
+    if (document.fullscreenElement) await document.exitFullscreen();
+    else await this.parts.root.requestFullscreen();
+  }
+
+  /** Close what is open, one thing at a time: help, a hidden panel, search, fullscreen. */
+  leave() {
+    const { help, search, root, canvas } = this.parts;
+    const typing = root.contains(document.activeElement) && document.activeElement !== canvas;
+    if (!help.hidden) help.hidden = true;
+    else if (root.classList.contains("airlight-hidden")) root.classList.remove("airlight-hidden");
+    else if (search.value) {
+      search.value = "";
+      this.controls.search("");
+    } else if (typing) canvas.focus({ preventScroll: true });
+    else if (document.fullscreenElement) document.exitFullscreen();
   }
 
   /** Promise that the picture shows the state, in full size. */
@@ -264,6 +373,7 @@ export class Viewer {
 
   close() {
     this.closed = true;
+    this.film?.end();
     this.loop.close();
     for (const one of this.listening) one.close();
     this.controls.close();
@@ -273,6 +383,15 @@ export class Viewer {
     this.device?.close();
     this.parts.root.remove();
   }
+}
+
+/** Copy a text where the clipboard is closed to pages, as in a page from disk. */
+function copyByHand(root, text) {
+  const field = element("textarea", { value: text, style: "position: fixed; opacity: 0" });
+  root.append(field);
+  field.select();
+  document.execCommand("copy");
+  field.remove();
 }
 
 /** Help overlay with the table of keys. */

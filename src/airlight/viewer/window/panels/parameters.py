@@ -25,12 +25,15 @@ class ParameterRows:
     Attributes
     ----------
     search : str
-        Search words; only parameters with all of them in label, group, path or help are shown.
+        Search words; only parameters that answer to all of them are shown.
     advanced : bool
         Whether parameters of composition are shown too.
     places : dict
         Last rectangles of the rows' controls, by path, and of the ``search`` field: left, top,
         right, bottom. [logical pixel]
+    texts : dict
+        Labels and values of the rows drawn last, by path, with the widths that they have and that
+        they need; see ``Answer``.
     """
 
     def __init__(self, *, marks: bool = True) -> None:
@@ -38,24 +41,26 @@ class ParameterRows:
         self.search = ""
         self.advanced = False
         self.places: dict[str, tuple[float, float, float, float]] = {}
+        self.texts: dict[str, tuple[tuple[str, float, float], ...]] = {}
 
-    def draw_search(self, hidden: int) -> None:
-        """Draw the search field and the advanced switch.
-
-        Parameters
-        ----------
-        hidden : int
-            Number of advanced parameters.
-        """
+    def draw_search(self) -> None:
+        """Draw the search field."""
         from imgui_bundle import imgui
 
-        room = imgui.get_content_region_avail().x
-        imgui.set_next_item_width(room - 118.0)
-        _, self.search = imgui.input_text_with_hint("##search", "find a parameter", self.search)
+        imgui.set_next_item_width(-1.0)
+        clears = imgui.InputTextFlags_.escape_clears_all.value
+        _, self.search = imgui.input_text_with_hint(
+            "##search", "find: haze, ozone, zoom, sunset …", self.search, clears
+        )
         self.places["search"] = style.item_place()
-        imgui.same_line(room - 92.0)
+
+    def draw_advanced(self, hidden: int) -> None:
+        """Draw the switch of the advanced parameters, of which there is a number."""
+        from imgui_bundle import imgui
+
         imgui.begin_disabled(hidden == 0)
         _, self.advanced = imgui.checkbox("advanced", self.advanced)
+        self.places["advanced"] = style.item_place()
         imgui.end_disabled()
         style.hint(
             f"also the {hidden} parameters of composition: gases, particles, profiles"
@@ -134,6 +139,7 @@ class ParameterRows:
             for one in items:
                 answer = parameter_row(one, values(one), defaults(one), marks=self.marks)
                 self.places[one.path] = answer.place
+                self.texts[one.path] = answer.texts
                 if answer.reset:
                     reset(one.path)
                 elif answer.value is not None:
@@ -155,5 +161,4 @@ class ParameterRows:
     def _matches(self, parameter: Parameter) -> bool:
         if parameter.mode == "advanced" and not (self.advanced or self.search):
             return False
-        text = f"{parameter.label} {parameter.group} {parameter.path} {parameter.help}".lower()
-        return all(word in text for word in self.search.lower().split())
+        return parameter.answers(self.search)

@@ -11,6 +11,8 @@ from airlight.viewer.window import style
 #: Widths of the names and of the reset button. [logical pixel]
 NAME_WIDTH = 138.0
 RESET_WIDTH = 26.0
+#: Gap between a name and its control. [logical pixel]
+_GAP = 8.0
 
 
 class Answer(NamedTuple):
@@ -24,17 +26,22 @@ class Answer(NamedTuple):
         Whether the reset button was pressed.
     place : (float, float, float, float)
         Rectangle of the control: left, top, right, bottom. [logical pixel]
+    texts : tuple of (str, float, float)
+        Label and value as shown, with the width that each has, and that it needs. [logical pixel]
     """
 
     value: Value | None
     reset: bool
     place: tuple[float, float, float, float]
+    texts: tuple[tuple[str, float, float], ...] = ()
 
 
 def parameter_row(
     parameter: Parameter, value: Value, default: Value, *, marks: bool = True
 ) -> Answer:
     """Draw a row and return the user's input.
+
+    A label or a value that is too long for its half of the row has a line of its own.
 
     Parameters
     ----------
@@ -58,11 +65,22 @@ def parameter_row(
     imgui.align_text_to_frame_padding()
     left = imgui.get_cursor_pos_x()
     differs = not same_value(value, default)
-    _name(parameter.label, style.ACCENT if differs and marks else None)
+    whole = imgui.get_content_region_avail().x
+    label, needed = imgui.calc_text_size(parameter.label).x, _needed(parameter, value)
+    fits = label <= NAME_WIDTH - _GAP and needed <= whole - NAME_WIDTH - RESET_WIDTH
+    imgui.push_text_wrap_pos(0.0)
+    color = style.ACCENT if differs and marks else style.TEXT_COLOR
+    imgui.text_colored(imgui.ImVec4(*color), parameter.label)
+    imgui.pop_text_wrap_pos()
     style.hint(_explained(parameter, default))
-    imgui.same_line(left + NAME_WIDTH)
+    if fits:
+        imgui.same_line(left + NAME_WIDTH)
     right = imgui.get_content_region_avail().x
     imgui.set_next_item_width(right - RESET_WIDTH)
+    texts = (
+        (parameter.label, NAME_WIDTH - _GAP if fits else whole, min(label, whole)),
+        (shown(parameter, value), right - RESET_WIDTH, needed),
+    )
     moved, new = _control(parameter, value)
     style.hint(_explained(parameter, default))
     if moved:
@@ -76,7 +94,7 @@ def parameter_row(
         imgui.pop_style_color()
         style.hint(f"back to {shown(parameter, default)}")
     imgui.pop_id()
-    return Answer(changed, reset, place)
+    return Answer(changed, reset, place, texts)
 
 
 def same_value(one: Value, other: Value) -> bool:
@@ -144,19 +162,6 @@ def _raised(unit: str) -> str:
     return name + power.translate(str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹"))
 
 
-def _name(label: str, color: tuple[float, float, float, float] | None) -> None:
-    from imgui_bundle import imgui
-
-    text = label
-    room = NAME_WIDTH - 8.0
-    while len(text) > 4 and imgui.calc_text_size(text).x > room:
-        text = text.removesuffix("…")[:-1].rstrip() + "…"
-    if color is None:
-        imgui.text_unformatted(text)
-    else:
-        imgui.text_colored(imgui.ImVec4(*color), text)
-
-
 def _explained(parameter: Parameter, default: Value) -> str:
     """Tooltip of a row: label, help, range and default."""
     lines = [parameter.label, parameter.help]
@@ -187,14 +192,31 @@ def _control(parameter: Parameter, value: Any) -> tuple[bool, Any]:
     flags = imgui.SliderFlags_.no_round_to_format.value
     if parameter.scale == "log":
         flags |= imgui.SliderFlags_.logarithmic.value
-    unit = unit_text(parameter.unit).replace("%", "%%")
-    digits = "%.7g" if unit == "m" else "%.5g"
-    form = f"{digits}{'' if unit == '°' else ' '}{unit}".rstrip()
     number = float(value)
     moved, new = imgui.slider_float(
-        "##value", number, float(parameter.low), float(parameter.high), form, flags
+        "##value", number, float(parameter.low), float(parameter.high), _form(parameter), flags
     )
     return moved, float(f"{new:.7g}")  # the slider has single precision
+
+
+def _form(parameter: Parameter) -> str:
+    """Format of a slider's number, for C's printf."""
+    unit = unit_text(parameter.unit).replace("%", "%%")
+    digits = "%.7g" if unit == "m" else "%.5g"
+    return f"{digits}{'' if unit == '°' else ' '}{unit}".rstrip()
+
+
+def _needed(parameter: Parameter, value: Value) -> float:
+    """Width that a control needs to show its value. [logical pixel]"""
+    from imgui_bundle import imgui
+
+    padding = 2.0 * imgui.get_style().frame_padding.x
+    if parameter.kind == "number":
+        return float(imgui.calc_text_size(_form(parameter) % value).x + padding)
+    if parameter.kind == "choice":  # with its arrow; all options, so that the row keeps its form
+        widest = max(imgui.calc_text_size(one).x for one in (*parameter.options, str(value)))
+        return float(widest + padding + imgui.get_frame_height())
+    return 0.0  # a text scrolls, a switch has none
 
 
 def _choice(parameter: Parameter, value: str) -> tuple[bool, str]:

@@ -1,4 +1,4 @@
-"""Saving from the window: the picture as PNG or EXR, the planet as a planet file."""
+"""Saving from the window: the picture as PNG or EXR, a film, the planet as a planet file."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from airlight.scene.picture_size import resized
 from airlight.viewer.background.error_line import one_line
 from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.window import style
+from airlight.viewer.window.film import RATE, Sun, film_format, sunlit, write_film
 
 #: Sizes in which a picture can be saved, by name; None is the window's. [pixel]
 SIZES: Final[tuple[tuple[str, tuple[int, int] | None], ...]] = (
@@ -26,6 +27,12 @@ SIZES: Final[tuple[tuple[str, tuple[int, int] | None], ...]] = (
     ("4096 × 2048", (4096, 2048)),
     ("8192 × 4096", (8192, 4096)),
 )
+#: What the dialog says of each kind of file.
+_WORDS: Final = {
+    "picture": ".png: as it is shown.  .exr: linear light, untouched.",
+    "film": f".webp or .png with {RATE} pictures a second, at the exposure that is shown.",
+    "planet": "A .toml that airlight reads like its own planets.",
+}
 
 
 class Saving:
@@ -95,12 +102,55 @@ class Saving:
             )  # fmt: skip
             planet = request.solution.planet
             metadata = {"planet": planet.name if planet else "", **scene.metadata()}
-            metadata |= {"orders": request.orders, **frame.metadata}
+            metadata |= {"orders": request.orders}
             written = write_picture(
-                path, frame.rgb, metadata, exposure=exposure, tone_map=request.tone_map
-            )
+                path, frame, metadata, exposure=exposure, tone_map=request.tone_map,
+                eye=bool(request.uniforms.get("eye", False)), glare=request.glare,
+            )  # fmt: skip
             size = f"{scene.camera.width}×{scene.camera.height}"
             self.message = f"saved {written.path}  {size}  {written.size / 1e3:.0f} kB"
+        except Exception as failure:
+            self.message, self.error = "", one_line(failure)
+        self._wake()
+
+    def film(
+        self, path: str, picture: Picture, size: tuple[int, int] | None, suns: tuple[Sun, ...]
+    ) -> None:
+        """Start to render and write a film; does nothing while busy.
+
+        Parameters
+        ----------
+        path : str
+            Path that ends in ``.webp`` or ``.png``.
+        picture : Picture
+            Picture from which it is seen; its exposure is kept.
+        size : (int, int), optional
+            See ``save``. [pixel]
+        suns : tuple of (float, float)
+            Zenith angle and compass bearing of the sun, frame by frame. [deg]
+        """
+        if self.busy:
+            return
+        self.message, self.error = "", ""
+        try:
+            film_format(path)
+        except AirlightError as error:
+            self.error = str(error)
+            return
+        scene = picture.request.scene
+        scenes = sunlit(scene if size is None else resized(scene, *size), suns)
+        self.message = f"filming {path}"
+        self._thread = threading.Thread(
+            target=self._film, args=(path, picture, scenes), name="airlight-saving", daemon=True
+        )
+        self._thread.start()
+
+    def _film(self, path: str, picture: Picture, scenes: tuple[Scene, ...]) -> None:
+        try:
+            written = write_film(
+                path, picture, scenes, progress=self._progress, cancel=lambda: self._cancelled
+            )
+            self.message = f"saved {path}  {len(scenes)} frames  {written / 1e6:.1f} MB"
         except Exception as failure:
             self.message, self.error = "", one_line(failure)
         self._wake()
@@ -122,20 +172,24 @@ class SaveDialog:
     Attributes
     ----------
     asks : str
-        Kind of file in question, ``picture`` or ``planet``; empty if the dialog is closed.
-    picture_path, planet_path : str
+        Kind of file in question, ``picture``, ``film`` or ``planet``; empty if it is closed.
+    picture_path, film_path, planet_path : str
         Paths in the text fields.
+    hours, seconds : float
+        Time that passes in a film, and its length. [h], [s]
     """
 
     def __init__(self) -> None:
-        self.asks = ""  # "picture", "planet" or empty
+        self.asks = ""  # "picture", "film", "planet" or empty
         self.picture_path = "airlight.png"
+        self.film_path = "airlight.webp"
+        self.hours, self.seconds = 3.0, 6.0
         self.planet_path = "my-planet.toml"
         self._size = 0
         self._fresh = False
 
     def ask(self, what: str) -> None:
-        """Open the dialog for a ``picture`` or a ``planet``."""
+        """Open the dialog for a ``picture``, a ``film`` or a ``planet``."""
         self.asks, self._fresh = what, True
 
     def draw(
@@ -143,6 +197,7 @@ class SaveDialog:
         width: float,
         height: float,
         save_picture: Callable[[str, tuple[int, int] | None], object],
+        save_film: Callable[[str, tuple[int, int] | None, float, float], object],
         save_planet: Callable[[str], object],
     ) -> None:
         """Draw the dialog if it is open, and save once confirmed.
@@ -153,6 +208,8 @@ class SaveDialog:
             Size of the window. [logical pixel]
         save_picture : callable
             ``save_picture(path, size)``, with the size in pixels or None.
+        save_film : callable
+            ``save_film(path, size, hours, seconds)``.
         save_planet : callable
             ``save_planet(path)``.
         """
@@ -162,7 +219,7 @@ class SaveDialog:
             return
         center = imgui.ImVec2(0.5 * width, 0.45 * height)
         imgui.set_next_window_pos(center, imgui.Cond_.always.value, imgui.ImVec2(0.5, 0.5))
-        imgui.set_next_window_size(imgui.ImVec2(460.0, 0.0))
+        imgui.set_next_window_size(imgui.ImVec2(min(460.0, width), 0.0))
         flags = (
             imgui.WindowFlags_.no_collapse.value
             | imgui.WindowFlags_.no_resize.value
@@ -170,34 +227,45 @@ class SaveDialog:
             | imgui.WindowFlags_.no_saved_settings.value
         )
         imgui.begin("save", None, flags)
-        is_picture = self.asks == "picture"
+        asks = self.asks
         style.colored(f"Save the {self.asks}", style.ACCENT)
         imgui.set_next_item_width(-1.0)
         if self._fresh:
             imgui.set_keyboard_focus_here()
             self._fresh = False
-        path = self.picture_path if is_picture else self.planet_path
+        path = getattr(self, f"{asks}_path")
         entered, path = imgui.input_text(
             "##path", path, imgui.InputTextFlags_.enter_returns_true.value
         )
-        if is_picture:
-            self.picture_path = path
+        setattr(self, f"{asks}_path", path)
+        if asks != "planet":
             imgui.set_next_item_width(200.0)
             _, self._size = imgui.combo("size", self._size, [name for name, _ in SIZES])
-            style.colored(".png: as it is shown.  .exr: linear light, untouched.", style.QUIET)
-        else:
-            self.planet_path = path
-            style.colored("A .toml that airlight reads like its own planets.", style.QUIET)
+        if asks == "film":
+            self._draw_times()
+        style.colored(_WORDS[asks], style.QUIET)
         folder = Path(path).expanduser().parent.resolve()
         style.colored(f"in {folder}", style.QUIET)
         if imgui.button("save") or entered:
             self.asks = ""
             target = str(Path(path).expanduser())
-            if is_picture:
-                save_picture(target, SIZES[self._size][1])
+            size = SIZES[self._size][1]
+            if asks == "picture":
+                save_picture(target, size)
+            elif asks == "film":
+                save_film(target, size, self.hours, self.seconds)
             else:
                 save_planet(target)
         imgui.same_line()
         if imgui.button("cancel") or imgui.is_key_pressed(imgui.Key.escape):
             self.asks = ""
         imgui.end()
+
+    def _draw_times(self) -> None:
+        """Draw the sliders of a film's times."""
+        from imgui_bundle import imgui
+
+        imgui.set_next_item_width(200.0)
+        _, self.hours = imgui.slider_float("of the sun's time", self.hours, 0.1, 24.0, "%.1f h")
+        imgui.set_next_item_width(200.0)
+        _, self.seconds = imgui.slider_float("length", self.seconds, 1.0, 60.0, "%.0f s")

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
+from typing import Any
 
 from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import planet_names
 from airlight.viewer.navigation.flight import Flight
 from airlight.viewer.navigation.viewpoints import VIEWPOINTS
-from airlight.viewer.parameters.parameter import Value
+from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.session.session import Session
 from airlight.viewer.window import style
 from airlight.viewer.window.panels.parameters import ParameterRows
@@ -18,6 +19,14 @@ from airlight.viewer.window.panels.status import fixed_window_flags
 from airlight.viewer.window.panels.values import PanelValues
 from airlight.viewer.window.picture_area import Rectangle
 
+#: Menu of what can be kept of the picture: words and action.
+_MENU = (
+    ("picture …  Ctrl+S", "save picture"),
+    ("film of the moving sun …  O", "film"),
+    ("planet file …  Ctrl+Shift+S", "save planet"),
+    ("copy link  U", "copy link"),
+    ("fullscreen  F", "fullscreen"),
+)
 #: Speeds of the sun to choose from, relative to real time. [1]
 SPEEDS = (60.0, 600.0, 1800.0, 3600.0, 14400.0)
 
@@ -46,8 +55,8 @@ class SidePanel:
     opens : str
         Name of a tab that the next frame selects.
     places : dict
-        Last rectangles of the header's controls: ``planet``, the names in its list, ``undo`` and
-        ``redo``: left, top, right, bottom. [logical pixel]
+        Last rectangles of the controls that are no rows, by name: left, top, right, bottom.
+        [logical pixel]
     """
 
     def __init__(
@@ -84,14 +93,20 @@ class SidePanel:
         self._head()
         # After the header, which may have opened another planet.
         self._values.refresh()
-        if imgui.begin_tab_bar("tabs"):
+        rows = self.planet_rows
+        rows.draw_search()
+        if rows.search.strip():
+            self._found()
+        elif imgui.begin_tab_bar("tabs"):
             for name, draw in (
                 ("Planet", self._planet),
                 ("View", self._view),
                 ("Compare", self._compare),
             ):
                 chosen = imgui.TabItemFlags_.set_selected.value if name == self.opens else 0
-                if imgui.begin_tab_item_simple(name, chosen):
+                opened = imgui.begin_tab_item_simple(name, chosen)
+                self.places[f"tab {name}"] = style.item_place()
+                if opened:
                     draw()
                     imgui.end_tab_item()
             self.opens = ""
@@ -101,53 +116,68 @@ class SidePanel:
             self._dragged = ""
             self._session.end_drag()
 
+    @property
+    def searched(self) -> str:
+        """Search words; empty if nothing is searched."""
+        return self.planet_rows.search
+
+    def search(self, words: str) -> None:
+        """Show the parameters, of planet and view, that answer to some words; or all again."""
+        self.planet_rows.search = words
+
+    def _found(self) -> None:
+        """Draw the rows of planet and view that answer to the search."""
+        from imgui_bundle import imgui
+
+        imgui.begin_child("found rows")
+        self._rows(self.planet_rows, self._values.parameters)
+        imgui.end_child()
+
+    def _rows(self, rows: ParameterRows, parameters: Iterable[Parameter], **more: Any) -> None:
+        rows.draw(
+            parameters, self._values.value, self._values.default, self._change, self._reset, **more
+        )
+
     def _head(self) -> None:
         from imgui_bundle import imgui
 
         session = self._session
-        source = str(session.planet.source)
-        names = list(planet_names())
-        if source not in names:
-            names.insert(0, source)
-        imgui.set_next_item_width(imgui.get_content_region_avail().x - 204.0)
-        shown = Path(source).name
-        if imgui.begin_combo(
-            "##planet", f"{session.showing}: {shown}", imgui.ComboFlags_.height_large
-        ):
-            for name in names:
-                picked, _ = imgui.selectable(name, name == source)
-                self.places[name] = style.item_place()
-                if picked:
-                    self._attempt(lambda name=name: session.open(name))  # type: ignore[misc]
-            imgui.end_combo()
+        name = Path(str(session.planet.source)).name
+        imgui.push_style_var(imgui.StyleVar_.button_text_align, imgui.ImVec2(0.0, 0.5))
+        if imgui.button(f"{session.showing}: {name}##planet", imgui.ImVec2(-1.0, 0.0)):
+            self._do("gallery")
+        imgui.pop_style_var()
         self.places["planet"] = style.item_place()
-        style.hint("another planet in place of this one")
+        style.hint("another planet in place of this one (G)")
+        self._button(style.UNDO, "undo", "undo (Ctrl+Z)", "undo", on=session.can_undo)
         imgui.same_line()
-        style.button(
-            style.UNDO, "undo", "undo (Ctrl+Z)", lambda: self._do("undo"), on=session.can_undo
-        )
-        self.places["undo"] = style.item_place()
+        self._button(style.REDO, "redo", "redo (Ctrl+Y)", "redo", on=session.can_redo)
         imgui.same_line()
-        style.button(
-            style.REDO, "redo", "redo (Ctrl+Y)", lambda: self._do("redo"), on=session.can_redo
-        )
-        self.places["redo"] = style.item_place()
-        imgui.same_line()
-        style.button(
-            "reset",
-            "all",
-            "back to what the planet came with: planet and view",
-            lambda: self._do("reset"),
+        self._button(
+            "reset", "reset", "back to what the planet came with: planet and view", "reset"
         )
         imgui.same_line()
-        style.button(style.SAVE, "save", "save the picture (Ctrl+S) or the planet", self._save_menu)
+        style.button(
+            style.SAVE, "save", "save picture, film or planet; link; fullscreen", self._save_menu
+        )
+        self.places["save"] = style.item_place()
         imgui.same_line()
-        style.button(style.HELP, "help", "what mouse and keys do (F1)", lambda: self._do("help"))
+        self._button(style.HELP, "help", "what mouse and keys do (F1)", "help")
+        imgui.same_line()
+        self.planet_rows.draw_advanced(
+            sum(one.mode == "advanced" for one in self._values.of_planet)
+        )
         if imgui.begin_popup("save menu"):
-            for words, deed in (("picture …", "save picture"), ("planet file …", "save planet")):
+            for words, action in _MENU:
                 if imgui.menu_item_simple(words):
-                    self._do(deed)
+                    self._do(action)
+                self.places[action] = style.item_place()
             imgui.end_popup()
+
+    def _button(self, icon: str, name: str, sentence: str, action: str, *, on: bool = True) -> None:
+        """Draw a button that performs an action."""
+        style.button(icon, name, sentence, lambda: self._do(action), on=on)
+        self.places[name] = style.item_place()
 
     def _save_menu(self) -> None:
         from imgui_bundle import imgui
@@ -157,18 +187,9 @@ class SidePanel:
     def _planet(self) -> None:
         from imgui_bundle import imgui
 
-        rows = self._values.of_planet
-        self.planet_rows.draw_search(sum(one.mode == "advanced" for one in rows))
         imgui.begin_child("planet rows")
-        self.planet_rows.draw(
-            rows,
-            self._values.value,
-            self._values.default,
-            self._change,
-            self._reset,
-            closed=("planet",),
-            under=self._freeze,
-        )
+        rows, shown = self.planet_rows, self._values.of_planet
+        self._rows(rows, shown, closed=("planet",), under=self._freeze)
         imgui.end_child()
 
     def _freeze(self, group: str) -> None:
@@ -190,31 +211,36 @@ class SidePanel:
         imgui.begin_child("view rows")
         for index, place in enumerate(VIEWPOINTS):
             if index:
-                imgui.same_line()
-            if imgui.button(place.name):
-                self._do(f"viewpoint {index + 1}")
-            style.hint(f"{place.sentence} ({index + 1})")
+                self._same_line_if_it_fits(place.name)
+            action = f"viewpoint {index + 1}"
+            self._button(place.name, action, f"{place.sentence} ({index + 1})", action)
         icon, words = (style.PAUSE, "stop the sun") if self.plays else (style.PLAY, "let time pass")
-        style.button(icon, "time", f"{words} (T)", lambda: self._do("time"))
+        self._button(icon, "time", f"{words} (T)", "time")
         imgui.same_line()
         imgui.set_next_item_width(150.0)
         at = SPEEDS.index(self.speed)
         moved, at = imgui.combo("time##speed", at, [_speed(one) for one in SPEEDS])
+        self.places["speed"] = style.item_place()
         if moved:
             self.speed = SPEEDS[at]
         style.hint("how fast the sun moves: time that passes in a second")
         imgui.same_line()
         _, self.probes = imgui.checkbox("probe", self.probes)
+        self.places["probe"] = style.item_place()
         style.hint("point at the picture and read spectrum, luminance and colour (P)")
         self._time_of_day()
-        self.view_rows.draw(
-            self._values.of_view,
-            self._values.value,
-            self._values.default,
-            self._change,
-            self._reset,
-        )
+        self._rows(self.view_rows, self._values.of_view)
         imgui.end_child()
+
+    def _same_line_if_it_fits(self, name: str) -> None:
+        """Continue the line unless a button of this name would leave the panel."""
+        from imgui_bundle import imgui
+
+        style_now = imgui.get_style()
+        width = imgui.calc_text_size(name).x + 2.0 * style_now.frame_padding.x
+        end = imgui.get_item_rect_max().x + style_now.item_spacing.x + width
+        if end <= imgui.get_cursor_screen_pos().x + imgui.get_content_region_avail().x:
+            imgui.same_line()
 
     def _time_of_day(self) -> None:
         """Draw the sliders of local solar time and declination."""
@@ -236,6 +262,7 @@ class SidePanel:
             imgui.set_next_item_width(imgui.get_content_region_avail().x - RESET_WIDTH)
             low = 0.0 if name.startswith("local") else -high
             moved, new = imgui.slider_float(f"##{name}", value, low, high, form)
+            self.places[name] = style.item_place()
             style.hint(sentence)
             if moved and low == 0.0:
                 self._attempt(lambda new=new: self._flight.set_time(declination, new))  # type: ignore[misc]
@@ -252,25 +279,26 @@ class SidePanel:
             f"chosen: now {session.showing}.",
             style.QUIET,
         )
-        if imgui.button("keep as B"):
-            self._do("keep as b")
-        style.hint("keep this planet and its settings as B, and go on with A (B)")
+        sentence = "keep this planet and its settings as B, and go on with A (B)"
+        self._button("keep as B", "keep as b", sentence, "keep as b")
         imgui.same_line()
         imgui.begin_disabled(not session.has_other)
-        if imgui.button("edit A" if session.showing == "B" else "edit B"):
-            self._do("swap")
-        style.hint("change A and B over (V)")
+        words = "edit A" if session.showing == "B" else "edit B"
+        self._button(words, "swap", "change A and B over (V)", "swap")
         imgui.same_line()
         if imgui.button("end"):
             session.forget_other()
             self.compares = False
+        self.places["end"] = style.item_place()
         imgui.end_disabled()
         changed, split = imgui.checkbox("side by side", self.compares)
+        self.places["side by side"] = style.item_place()
         if changed and split != self.compares:
             self._do("compare")
         style.hint("A at the left, B at the right of a line that can be dragged (C)")
         imgui.same_line()
         _, session.shares_camera = imgui.checkbox("one camera", session.shares_camera)
+        self.places["one camera"] = style.item_place()
         style.hint("both are seen from the same place under the same sun")
         imgui.set_next_item_width(imgui.get_content_region_avail().x - 96.0)
         if imgui.begin_combo("B is planet", "choose", imgui.ComboFlags_.height_large):

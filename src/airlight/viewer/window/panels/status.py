@@ -6,12 +6,17 @@ from collections import deque
 from collections.abc import Mapping
 from dataclasses import dataclass
 from time import perf_counter
-from typing import Any
+from typing import Any, Final
 
 from airlight.viewer.background.solving import Solved, SolverStatus
 from airlight.viewer.painting.picture_source import Picture
 from airlight.viewer.window import style
 from airlight.viewer.window.picture_area import Rectangle
+
+#: Gap between two texts.
+_GAP: Final = "    "
+#: Width of the line that no text takes. [logical pixel]
+_MARGINS: Final = 48.0
 
 
 class FrameTimes:
@@ -140,8 +145,14 @@ def draw_status(status: StatusLine, into: Rectangle) -> None:
     imgui.begin("status", None, fixed_window_flags())
     imgui.pop_style_color()
     imgui.pop_style_var()
-    right = "    ".join(one for one in (status.solver, status.picture, status.frame) if one)
-    room = into.width - imgui.calc_text_size(right).x - 48.0
+    left = "    ".join(one for one in (status.place, status.exposure) if one)
+    said = status.error or status.message or left
+    # What matters least leaves first, so that nothing is cut where there is little room.
+    parts = [one for one in (status.solver, status.picture, status.frame) if one]
+    while parts and _width(said) + _width(_GAP.join(parts)) > into.width - _MARGINS:
+        parts.pop()
+    right = _GAP.join(parts)
+    room = into.width - _width(right) - _MARGINS
     if status.error:
         imgui.text_colored(imgui.ImVec4(*style.ERROR), _fitting(status.error, room))
         style.hint(status.error, width=480.0)
@@ -149,9 +160,8 @@ def draw_status(status: StatusLine, into: Rectangle) -> None:
         imgui.text_unformatted(_fitting(status.message, room))
         style.hint(status.message, width=480.0)
     else:
-        left = "    ".join(one for one in (status.place, status.exposure) if one)
         imgui.text_unformatted(_fitting(left, room))
-    imgui.same_line(into.width - imgui.calc_text_size(right).x - 12.0)
+    imgui.same_line(into.width - _width(right) - 12.0)
     imgui.text_colored(imgui.ImVec4(*(style.WARNING if status.working else style.QUIET)), right)
     style.hint(
         "quality and time of the solution of the air; who made the picture, its size and time; "
@@ -174,11 +184,15 @@ def fixed_window_flags() -> int:
     )
 
 
-def _fitting(text: str, room: float) -> str:
+def _width(text: str) -> float:
     from imgui_bundle import imgui
 
-    if imgui.calc_text_size(text).x <= room:
+    return float(imgui.calc_text_size(text).x)
+
+
+def _fitting(text: str, room: float) -> str:
+    if _width(text) <= room:
         return text
-    while len(text) > 1 and imgui.calc_text_size(text + "…").x > room:
+    while len(text) > 1 and _width(text + "…") > room:
         text = text[:-1]
     return text + "…"

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from airlight.errors import AirlightError
+from airlight.viewer.parameters.amounts import Amount
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.parameter_list import value_at
 from airlight.viewer.parameters.view_parameters import DEFAULTS
+from airlight.viewer.session.edited_amounts import amount_value
 from airlight.viewer.session.session import Session, Versions
 
 
@@ -25,7 +27,7 @@ class PanelValues:
     parameters : tuple of Parameter
         All parameters.
     of_planet : tuple of Parameter
-        Parameters of the planet's file.
+        Amounts of the planet, and parameters of its file.
     """
 
     def __init__(self, session: Session) -> None:
@@ -36,6 +38,7 @@ class PanelValues:
         self._defaults: dict[str, Value] = {}
         self.parameters: tuple[Parameter, ...] = ()
         self.of_planet: tuple[Parameter, ...] = ()
+        self._file: tuple[Parameter, ...] = ()
 
     def refresh(self) -> None:
         """Read the changes since the last call; after an error, the next call tries again."""
@@ -44,10 +47,11 @@ class PanelValues:
         if self._versions == session.versions and self._planet is planet:
             return
         parameters, of_planet, values = session.parameters, planet.parameters, session.values
-        if self._planet.base is not planet.base or self.of_planet is not of_planet:
+        if self._planet.base is not planet.base or self._file is not of_planet:
             self._defaults = {}
-        self._planet = planet
-        self.parameters, self.of_planet, self._values = parameters, of_planet, values
+        self._planet, self._file = planet, of_planet
+        self.parameters, self._values = parameters, values
+        self.of_planet = (*planet.amounts, *of_planet)
         self._versions = session.versions
 
     @property
@@ -70,7 +74,12 @@ class PanelValues:
             return True
         if path not in self._defaults:
             try:
-                self._defaults[path] = value_at(self._planet.base, parameter)
+                base = self._planet.base
+                self._defaults[path] = (
+                    amount_value(base, parameter)
+                    if isinstance(parameter, Amount)
+                    else value_at(base, parameter)
+                )
             except (AirlightError, AttributeError, TypeError, KeyError, IndexError):
                 return self.value(parameter)
         return self._defaults[path]

@@ -1,0 +1,46 @@
+"""Types of wgpu's library, made known all at once.
+
+wgpu allocates each structure by the text of its type, ``"WGPUExtent3D *"``, which cffi parses by a
+parser of C in Python, after the names of all of the library's types: 26 ms for each of some fifty
+texts, two thirds of the time until a window's first frame. The arguments of one function have all
+of these types, and take as long as two.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+#: Numbers of which wgpu allocates arrays.
+_NUMBERS: Final = ("char", "uint8_t", "uint32_t")
+#: Kinds of types of which it allocates some.
+_KINDS: Final = ("StructType", "EnumType", "PointerType")
+
+
+def know_types() -> None:
+    """Enter the pointers to wgpu's structures, and arrays, into cffi's table of parsed texts.
+
+    The table is no public part of cffi; without it, or with another, texts are parsed as before.
+    """
+    try:
+        from wgpu.backends.wgpu_native import ffi
+
+        table: Any = ffi._parsed_types
+        names = [name for name in ffi.list_types()[0] if _kind(ffi, name)]
+        structures = [name for name in names if _kind(ffi, name) == "StructType"]
+        texts = [f"{name} *" for name in structures]
+        arrays = [f"{name}[]" for name in names] + [f"{name} []" for name in _NUMBERS]
+        behind = [text.replace("[]", "(*)[]") for text in arrays]
+        known = ffi.typeof(f"void(*)({', '.join(texts + behind)})").args
+        for text, kind in zip(texts, known, strict=False):
+            table.setdefault(text, (kind, False))
+        for text, pointer in zip(arrays, known[len(texts) :], strict=True):
+            table.setdefault(text, (pointer.item, False))
+    except Exception:  # whatever has changed there: it only took less time
+        return
+
+
+def _kind(ffi: Any, name: str) -> str:
+    """Kind of one of the library's types: of a structure, a handle or an enumeration, or empty."""
+    declared = ffi._parser._declarations.get(f"typedef {name}", (None,))[0]
+    kind = type(declared).__name__
+    return kind if name.startswith("WGPU") and kind in _KINDS else ""

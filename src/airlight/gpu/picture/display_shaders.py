@@ -1,0 +1,121 @@
+"""Shaders of what lies between a picture in linear light and a display: glare, then its values."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+from airlight.color.displayed import Display, displayed
+from airlight.color.glare import coarser_texel, glared_texel, spread_texel
+from airlight.gpu.emit.dialect import ShaderDialect
+from airlight.gpu.emit.emitter import Emitter
+from airlight.gpu.emit.shader_types import F32, I32, VEC4, Bundle, TupleType, Value
+from airlight.gpu.emit.uniform_struct import Fixed
+from airlight.gpu.emit.wgsl import WGSL
+from airlight.gpu.picture.shaders import (
+    Shader,
+    assembled,
+    picture_shader,
+    sky_air_shader,
+    sky_peaks_shader,
+)
+from airlight.gpu.picture.uniforms import FRAME, Lens
+
+
+@cache
+def coarser_shader(dialect: ShaderDialect = WGSL) -> Shader:
+    """Shader of a level of glare's pyramid, from the level before.
+
+    Parameters
+    ----------
+    dialect : ShaderDialect
+        Shading language.
+    """
+    return _level_shader("coarser", coarser_texel, ("level",), (), dialect)
+
+
+@cache
+def spread_shader(dialect: ShaderDialect = WGSL) -> Shader:
+    """Shader of the light that a level and all coarser ones spread.
+
+    Parameters
+    ----------
+    dialect : ShaderDialect
+        Shading language.
+    """
+    return _level_shader(
+        "spread", spread_texel, ("level", "coarser"), ("level_share", "level_more"), dialect
+    )
+
+
+def _level_shader(
+    name: str,
+    function: Callable[..., Any],
+    tables: tuple[str, ...],
+    numbers: tuple[str, ...],
+    dialect: ShaderDialect,
+) -> Shader:
+    """Shader with one entry point, of the shader's name: a function of tables, place, numbers."""
+    emitter = Emitter(dialect)
+    lens = FRAME.bundle(Lens)
+    text = _called(emitter, function, lens, tables, numbers)
+    return assembled(name, {name: dialect.fragment(name, 1, [], [text])}, emitter)
+
+
+def _called(
+    emitter: Emitter,
+    function: Callable[..., Any],
+    lens: Bundle,
+    tables: tuple[str, ...],
+    numbers: tuple[str, ...],
+) -> str:
+    """Call of a function of tables, row, column, numbers."""
+    dialect = emitter.dialect
+    given: list[Value] = [lens.fields[one] for one in tables]
+    values = [FRAME.uniform(one) for one in numbers]
+    made = emitter.add(function, *given, I32, I32, *values)
+    places = [dialect.converted(f"at.{axis}", I32) for axis in "yx"]
+    texts = [dialect.uniform(one.text, one.scalar) for one in values]
+    return f"{made.name}({', '.join([*places, *texts])})"
+
+
+@cache
+def display_shader(fixed: Fixed = (), dialect: ShaderDialect = WGSL) -> Shader:
+    """Shader of the displayed values of a picture in linear light, with glare.
+
+    Parameters
+    ----------
+    fixed, dialect :
+        Arguments of ``picture_shader``.
+    """
+    emitter = Emitter(dialect)
+    light = _called(
+        emitter, glared_texel, FRAME.bundle(Lens), ("picture", "coarser"),
+        ("glare", "glare_total"),
+    )  # fmt: skip
+    display = FRAME.bundle(Display, fixed)
+    shown = emitter.add(displayed, F32, F32, F32, F32, F32, display, name="displayed")
+    assert isinstance(shown.result, TupleType)
+    lines = [
+        dialect.kept("light", VEC4, light),
+        dialect.kept("seen", shown.result, f"{shown.name}(light.x, light.y, light.z, at.x, at.y)"),
+    ]
+    parts = [dialect.part("seen", i) for i in range(3)]
+    entry = f"{dialect.type_name(VEC4)}({', '.join(parts)}, 1.0)"
+    return assembled(
+        "display", {"shown_picture": dialect.fragment("shown_picture", 1, lines, [entry])}, emitter
+    )
+
+
+def all_shaders() -> tuple[Shader, ...]:
+    """All shaders of the pictures."""
+    return (
+        sky_air_shader(),
+        sky_peaks_shader(),
+        picture_shader(False),
+        picture_shader(True),
+        coarser_shader(),
+        spread_shader(),
+        display_shader(),
+    )

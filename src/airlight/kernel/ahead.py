@@ -1,0 +1,111 @@
+"""Compilation in another process, beside this one, into the same folder on disk.
+
+Numba compiles one function at a time in a process. What is needed later can be compiled by another
+one meanwhile; this one then loads it.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from typing import Any, Final
+
+from airlight.kernel.compiling import CompileListener, Compiling, on_disk
+
+#: Interval of looking whether a function is compiled. [s]
+_POLL: Final = 0.05
+
+
+class CompiledAhead:
+    """Process that compiles loops in their order, unless they are on disk.
+
+    Parameters
+    ----------
+    compiler : str
+        ``module:function`` without arguments, which compiles the loops: the process calls it.
+    loops : sequence of compiled functions
+        The loops, in the order in which the function compiles them.
+    later : sequence of compiled functions
+        Loops that it compiles after them, which are not counted.
+
+    Attributes
+    ----------
+    compiling : Compiling
+        Count of the functions of ``loops``.
+
+    Notes
+    -----
+    A process that cannot be started, or fails, counts as ready: this process then compiles.
+    """
+
+    def __init__(self, compiler: str, loops: Sequence[Any], later: Sequence[Any] = ()) -> None:
+        self.compiling = Compiling(loops, here=False)
+        self._waits = tuple(one for one in (*loops, *later) if not on_disk(one))
+        self._ended = threading.Event()
+        self._process: subprocess.Popen[str] | None = None
+        self._thread: threading.Thread | None = None
+        if not self._waits:
+            self._ended.set()
+            return
+        module, _, function = compiler.partition(":")
+        text = f"from {__name__} import report; report({module!r}, {function!r})"
+        try:
+            self._process = subprocess.Popen(
+                [sys.executable, "-c", text], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                stderr=subprocess.DEVNULL, text=True,
+                env={**os.environ, "PYTHONPATH": os.pathsep.join(one for one in sys.path if one)},
+            )  # fmt: skip
+        except OSError:
+            self._ended.set()
+            return
+        self._thread = threading.Thread(target=self._listen, name="airlight-ahead", daemon=True)
+        self._thread.start()
+
+    def _listen(self) -> None:
+        assert self._process is not None
+        assert self._process.stdout is not None
+        with self._process as process, self._process.stdout as lines:
+            for line in lines:
+                self.compiling.finish(line.strip())
+            process.wait()
+        self._ended.set()
+
+    def ready(self, loop: Any) -> bool:
+        """Whether a loop can be used without waiting for the process."""
+        return self._ended.is_set() or loop not in self._waits or on_disk(loop)
+
+    def wait(self, loop: Any, stale: Callable[[], bool]) -> bool:
+        """Wait for a loop; False if ``stale()`` was True first."""
+        if self.ready(loop):
+            return True
+        while not self.ready(loop):
+            if stale():
+                return False
+            self._ended.wait(_POLL)
+        self._ended.wait(_POLL)  # the code itself is written after its entry
+        return True
+
+    def close(self) -> None:
+        """End the process."""
+        if self._process is None or self._thread is None:
+            return
+        with suppress(OSError):
+            self._process.kill()
+        self._thread.join()
+
+
+def report(module: str, function: str) -> None:
+    """Call a function, and print the name of each function that is compiled on the way."""
+    from importlib import import_module
+
+    from numba.core import event
+
+    def told(name: str) -> None:
+        print(name, flush=True)
+
+    event.register("numba:compile", CompileListener(told))
+    getattr(import_module(module), function)()

@@ -1,0 +1,178 @@
+"""Functions that have to be compiled before a loop can run: which, how many, how far.
+
+A compiled function is found by the names that its source uses, from a loop down. Numba tells when
+one is compiled; one that is loaded from disk needs nothing. So the count is of functions, not of
+time: what is left is estimated by the code that each takes in from those that it calls.
+"""
+
+from __future__ import annotations
+
+import threading
+import types
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+from time import perf_counter
+from typing import Any, Final
+
+from numba.core import event
+from numba.core.dispatcher import Dispatcher
+
+#: Number of compiled functions from which the time left is estimated. [1]
+_FEWEST: Final = 5
+#: Shortest time between two looks at what other processes have compiled. [s]
+_EVERY: Final = 0.3
+#: Amount of work of any function, in bytes of code of the interpreter.
+_OVERHEAD: Final = 400
+
+
+def name_of(function: Any) -> str:
+    """Name of a compiled function, with its module."""
+    return f"{function.py_func.__module__}.{function.py_func.__qualname__}"
+
+
+def reached(loops: Iterable[Any]) -> dict[str, Any]:
+    """Compiled functions that loops call, and the loops themselves, by name.
+
+    Parameters
+    ----------
+    loops : iterable of compiled functions
+        Functions that Python calls.
+
+    Examples
+    --------
+    >>> from airlight.kernel import kernel
+    >>> from airlight.kernel.cube_root import cube_root
+    >>> @kernel
+    ... def sixth_root(x):
+    ...     return cube_root(x) ** 0.5
+    >>> [name.rpartition(".")[2] for name in reached([sixth_root])]
+    ['sixth_root', 'cube_root']
+    """
+    found: dict[str, Any] = {}
+    waiting = list(loops)
+    while waiting:
+        one = waiting.pop()
+        if name_of(one) not in found:
+            found[name_of(one)] = one
+            waiting += _called(one)
+    return found
+
+
+def _called(function: Any) -> Iterator[Any]:
+    python = function.py_func
+    scope = python.__globals__
+    for name in _names(python.__code__):
+        if isinstance(scope.get(name), Dispatcher):
+            yield scope[name]
+
+
+def _names(code: types.CodeType) -> set[str]:
+    inner = (one for one in code.co_consts if isinstance(one, types.CodeType))
+    return set(code.co_names).union(*(_names(one) for one in inner))
+
+
+def on_disk(function: Any) -> bool:
+    """Whether compiled code of a function, for some types, is on disk."""
+    files = getattr(getattr(function, "_cache", None), "_cache_file", None)
+    return files is not None and Path(files._index_path).is_file()
+
+
+class Compiling:
+    """Count of the functions that loops still need.
+
+    Parameters
+    ----------
+    loops : iterable of compiled functions
+        Loops that will run; those with compiled code on disk count for nothing.
+    here : bool
+        Whether this process compiles them; otherwise ``finish`` is called for each.
+
+    Attributes
+    ----------
+    total, done : int
+        Number of functions to compile, and of those that are. [1]
+    told : callable
+        Called without arguments, on any thread, after each function.
+    """
+
+    def __init__(self, loops: Iterable[Any], *, here: bool = True) -> None:
+        functions = reached(one for one in loops if not on_disk(one))
+        missing = {name: one for name, one in functions.items() if not on_disk(one)}
+        self._work = {
+            name: _OVERHEAD + sum(_length(inner) for inner in reached([one]).values())
+            for name, one in missing.items()
+        }
+        self._missing = missing
+        self._finished: set[str] = set()
+        self._looked = 0.0
+        self._lock = threading.Lock()
+        self._began = perf_counter()
+        self.total = len(self._work)
+        self.told: Callable[[], None] = lambda: None
+        self._listener = CompileListener(self.finish)
+        self._listens = here and self.total > 0
+        if self._listens:
+            event.register("numba:compile", self._listener)
+
+    @property
+    def names(self) -> frozenset[str]:
+        """Names of all functions to compile."""
+        return frozenset(self._work)
+
+    @property
+    def finished(self) -> frozenset[str]:
+        """Names of those that are compiled, by this process or another."""
+        now = perf_counter()
+        with self._lock:
+            if now - self._looked > _EVERY:
+                self._looked = now
+                waiting = self._work.keys() - self._finished
+                self._finished |= {name for name in waiting if on_disk(self._missing[name])}
+            return frozenset(self._finished)
+
+    @property
+    def done(self) -> int:
+        """Number of functions that are compiled. [1]"""
+        return len(self.finished)
+
+    def finish(self, name: str) -> None:
+        """Count a function that is compiled."""
+        with self._lock:
+            if name not in self._work:
+                return
+            self._finished.add(name)
+        self.told()
+
+    @property
+    def seconds_left(self) -> float | None:
+        """Estimate of the time until the last is compiled; None before there is one. [s]"""
+        finished = self.finished
+        done = sum(self._work[name] for name in finished)
+        if len(finished) < _FEWEST:
+            return None
+        rest = sum(self._work.values()) - done
+        return rest / done * (perf_counter() - self._began)
+
+    def close(self) -> None:
+        """Stop listening to Numba."""
+        if self._listens:
+            self._listens = False
+            event.unregister("numba:compile", self._listener)
+
+
+def _length(function: Any) -> int:
+    return len(function.py_func.__code__.co_code)
+
+
+class CompileListener(event.Listener):
+    """Listener of Numba that names each function once it is compiled."""
+
+    def __init__(self, told: Callable[[str], None]) -> None:
+        self._told = told
+
+    def on_start(self, _: Any) -> None:
+        """Do nothing."""
+
+    def on_end(self, ended: Any) -> None:
+        """Name the function."""
+        self._told(name_of(ended.data["dispatcher"]))

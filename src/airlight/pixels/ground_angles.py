@@ -1,0 +1,128 @@
+"""Directions at the point where a line of sight meets the ground, and the sky that it mirrors."""
+
+from __future__ import annotations
+
+from math import sqrt
+
+from airlight.geometry.bending import bend_angle, turned
+from airlight.geometry.shell import first_meeting
+from airlight.kernel import inlined, kernel
+from airlight.optics.cox_munk import mirrored_cosine
+from airlight.tables.column_ratios import columns_to_top
+
+
+@kernel
+def star_from(across, up, radius, cos_azimuth, sun_x, sun_z):
+    """Cosine of the star's zenith angle at a point of a line of sight. [1]
+
+    Parameters
+    ----------
+    across, up, radius : float
+        Coordinates from ``first_meeting``. [m]
+    cos_azimuth : float
+        Cosine of the line's azimuth from the star's vertical plane. [1]
+    sun_x, sun_z : float
+        Components as in ``Observer``. [1]
+    """
+    return min(max((across * cos_azimuth * sun_x + up * sun_z) / radius, -1.0), 1.0)
+
+
+@inlined
+def bent_to_ground(z, sine, observer, light, columns):
+    """Angle of refraction of a line of sight that ends on the ground. [rad]
+
+    Parameters
+    ----------
+    z, sine : float
+        Cosine and sine of its zenith angle. [1]
+    observer, light : Observer, MarchTables
+        Observer, and tables of the solution.
+    columns : array, shape (nc,)
+        Workspace. [m]
+    """
+    bottom, top = light.bottom, light.top
+    impact = min(observer.r * sine, bottom)
+    slant = sqrt(max((bottom - impact) * (bottom + impact), 0.0)) / bottom
+    columns_to_top(bottom, slant, bottom, top, light.columns, columns)
+    column = columns[light.constituents - 1]
+    if not observer.outside:
+        columns_to_top(observer.r, -z, bottom, top, light.columns, columns)
+        column = max(column - columns[light.constituents - 1], 0.0)
+    return bend_angle(bottom, slant, light.bend, column)
+
+
+@inlined
+def columns_to_ground(z, sine, observer, light, columns, beyond):
+    """Columns of all constituents between the observer and the ground, into ``columns``. [m]
+
+    Parameters
+    ----------
+    z, sine, observer, light :
+        Arguments of ``bent_to_ground``.
+    columns : array, shape (nc,)
+        Receives the columns. [m]
+    beyond : array, shape (nc,)
+        Workspace: columns of the line's continuation behind the observer. [m]
+    """
+    bottom, top = light.bottom, light.top
+    impact = min(observer.r * sine, bottom)
+    slant = sqrt(max((bottom - impact) * (bottom + impact), 0.0)) / bottom
+    columns_to_top(bottom, slant, bottom, top, light.columns, columns)
+    if not observer.outside:
+        columns_to_top(observer.r, -z, bottom, top, light.columns, beyond)
+        for c in range(light.constituents):
+            columns[c] = max(columns[c] - beyond[c], 0.0)
+
+
+@inlined
+def ground_angles(x, z, sine, angle, observer, light):
+    """Directions at the end of a line of sight on the ground.
+
+    Parameters
+    ----------
+    x, z, sine : float
+        Its components away from the star's side and up, in the observer's frame, and sine of its
+        zenith angle. [1]
+    angle : float
+        Angle of refraction. [rad]
+    observer, light : Observer, MarchTables
+        Observer, and tables of the solution.
+
+    Returns
+    -------
+    mu_s, leaving, nu : float
+        Cosines of ``star_factor``: of the star's zenith angle there, of the zenith angle towards
+        the observer, and between the arriving line and the star. [1]
+    """
+    impact = min(observer.r * sine, light.bottom)
+    leaving = sqrt(max((light.bottom - impact) * (light.bottom + impact), 0.0)) / light.bottom
+    across, up = first_meeting(impact, sine, light.bottom)
+    cos_azimuth = x / sine if sine > 0.0 else 1.0
+    mu_s = star_from(across, up, light.bottom, cos_azimuth, observer.sun_x, observer.sun_z)
+    nu = min(max(x * observer.sun_x + z * observer.sun_z, -1.0), 1.0)
+    if light.bend > 0.0:
+        mu_s, nu = turned(-leaving, mu_s, nu, angle)
+        mu_s = min(max(mu_s, -1.0), 1.0)
+    return mu_s, leaving, nu
+
+
+@inlined
+def mirrored_line(x, z, sine, angle, observer, light):
+    """Line from the end of a line of sight on water to the sky that is seen mirrored there.
+
+    Parameters
+    ----------
+    x, z, sine, angle, observer, light :
+        Arguments of ``ground_angles``.
+
+    Returns
+    -------
+    mu, mu_s, nu : float
+        Cosines at the ground: of its zenith angle, of the star's, and between both. [1]
+    """
+    mu_s, leaving, nu = ground_angles(x, z, sine, angle, observer, light)
+    mu = mirrored_cosine(leaving, light.ground.wind)
+    level = sqrt(max((1.0 - leaving) * (1.0 + leaving), 1e-12))
+    ahead = min(max((nu + leaving * mu_s) / level, -1.0), 1.0)
+    towards = mu * mu_s + sqrt((1.0 - mu) * (1.0 + mu)) * ahead
+    return mu, mu_s, min(max(towards, -1.0), 1.0)

@@ -1,0 +1,94 @@
+"""Samples of a pixel: a grid of them where an edge crosses it, else one.
+
+The horizon, and the limb of the planet seen from outside, are the edges of a picture: the disc of
+a star has its own smooth rim, and air has none. So a pixel has one sample unless the horizon comes
+nearer to its centre than its corners, and the light of a row along it is not drawn more often than
+needed.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import Final
+
+import numpy as np
+
+from airlight.kernel import inlined
+from airlight.kernel.lanes import LANES, load, store
+from airlight.pixels.pixel import pixel_light
+from airlight.pixels.star_disc import camera_direction
+
+#: Samples per side of a pixel that an edge crosses.
+EDGE: Final = 3
+#: Distance of a pixel's corner from its centre, with a margin for its shape. [pixel]
+_CORNER: Final = 0.75
+
+
+@inlined
+def samples_per_side(x, y, z, observer, screen):
+    """Samples per side of a pixel.
+
+    Parameters
+    ----------
+    x, y, z : float
+        Viewing direction of its centre. [1]
+    observer, screen : Observer, Screen
+        Observer, and camera with ``samples`` and ``edges``.
+    """
+    if screen.edges:
+        sine = sqrt(x * x + y * y)
+        above = z * observer.horizon_sine - sine * observer.horizon_mu
+        along = z * observer.horizon_mu + sine * observer.horizon_sine
+        if along > 0.0 and abs(above) < _CORNER * screen.pixel_angle:
+            return max(screen.samples, EDGE)
+    return screen.samples
+
+
+@inlined
+def light_of_centre(
+    px, py, exact, reach, window, observer, screen, light, work, color, result
+):  # fmt: skip
+    """Spectral light of a pixel by one sample; arguments of ``sampled_light``."""
+    x, y, z = camera_direction(px, py, screen)
+    pixel_light(px, py, x, y, z, exact, reach, window, observer, screen, light, work, color, result)
+
+
+@inlined
+def sampled_light(
+    px, py, exact, reach, window, observer, screen, light, work, color, total, result
+):  # fmt: skip
+    """Spectral light of a pixel, the mean of its samples, per irradiance of the star. [sr⁻¹]
+
+    Parameters
+    ----------
+    px, py : float
+        Centre of the pixel, from the picture's left and top edge. [pixel]
+    exact, reach, window, observer, screen, light, work, color :
+        Arguments of ``pixel_light``.
+    total : array, shape (w,)
+        Workspace.
+    result : array, shape (w,)
+        Receives the radiance. [sr⁻¹]
+    """
+    x, y, z = camera_direction(px, py, screen)
+    side = samples_per_side(x, y, z, observer, screen)
+    step = 1.0 / side
+    for sample in range(side * side):
+        sx, sy = px, py
+        if side > 1:
+            down = sample // side
+            sx = px + ((sample - side * down + 0.5) * step - 0.5)
+            sy = py + ((down + 0.5) * step - 0.5)
+            x, y, z = camera_direction(sx, sy, screen)
+        pixel_light(
+            sx, sy, x, y, z, exact, reach, window, observer, screen, light, work, color, result
+        )
+        if side > 1:
+            for at in range(0, light.lanes, LANES):
+                share = load(result, at) * np.float32(step * step)
+                if sample > 0:
+                    share = share + load(total, at)
+                store(total, at, share)
+    if side > 1:
+        for at in range(0, light.lanes, LANES):
+            store(result, at, load(total, at))

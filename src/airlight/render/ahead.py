@@ -1,0 +1,88 @@
+"""Loops that draw pictures, compiled before there is a solution to draw.
+
+The types of a loop's arguments follow from the declarations of its NamedTuples; with empty tables
+of these types it is called for no row and no texel, which compiles it.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from typing import Any, Final, get_args
+
+import numpy as np
+
+from airlight.kernel.ahead import CompiledAhead
+from airlight.kernel.shader_fields import InTexture, shader_fields
+from airlight.pixels.picture_numbers import observer_from, screen_from
+from airlight.pixels.rows_by_processor import draw_rows, march_rows
+from airlight.pixels.sky_by_processor import SkyLayers, fill_texels
+from airlight.pixels.sky_window import SkyWindow
+from airlight.scene import Camera
+from airlight.solvers.moments.march_tables import MarchTables, new_workspace, quadratures
+
+#: Loops of a picture that reads a table of the sky, in the order of their use; and of one that does
+#: not.
+DRAWING: Final = (fill_texels, draw_rows)
+MARCHING: Final = (march_rows,)
+
+
+def compiled_ahead() -> CompiledAhead:
+    """Start to compile the loops in another process, unless they are on disk."""
+    return CompiledAhead(f"{__name__}:compile_loops", DRAWING, MARCHING)
+
+
+def compile_loops() -> None:
+    """Compile the loops, or load them, by calls that draw nothing."""
+    for loop, arguments in zip((*DRAWING, *MARCHING), _arguments(), strict=True):
+        loop(*arguments)
+
+
+def _arguments() -> list[tuple[Any, ...]]:
+    """Arguments of each loop, for no texel and no row."""
+    tables = empty(MarchTables)._replace(rules=quadratures((1, 1, 1)))
+    work = new_workspace(tables)
+    numbers: Any = defaultdict(float)
+    numbers |= dict.fromkeys(_screen_numbers(), 0.0)
+    observer = observer_from(numbers)
+    layers, window = SkyLayers.none(), SkyWindow.whole(2, 2)
+    screen = screen_from(numbers, Camera(width=1, height=1), None, None, layers)
+    weights, rgb = np.zeros(3, np.float32), np.zeros((1, 1, 3), np.float32)
+    rows = (0, 0, window, observer, screen, tables, work, weights, 1.0, rgb)
+    return [(0, 0, window, observer, tables, work, layers), rows, rows]
+
+
+def _screen_numbers() -> tuple[str, ...]:
+    from airlight.pixels.pixel import Screen
+
+    return Screen._fields
+
+
+def empty(bundle: Any) -> Any:
+    """NamedTuple whose numbers are 1, and whose tables have one element, of the declared types.
+
+    Parameters
+    ----------
+    bundle : type
+        NamedTuple of numbers, tables with an ``InTexture``, and others.
+
+    Examples
+    --------
+    >>> empty(MarchTables).columns.shape, empty(MarchTables).field.dtype
+    ((1, 1, 1, 1), dtype('float32'))
+    """
+    values = []
+    for _, kind, mark in shader_fields(bundle):
+        if hasattr(kind, "_fields"):
+            values.append(empty(kind))
+        elif isinstance(mark, InTexture):
+            values.append(np.zeros((1,) * mark.rank, _number(kind, spectral=mark.spectral)))
+        else:
+            values.append(kind(1))
+    return bundle(*values)
+
+
+def _number(kind: Any, *, spectral: bool) -> Any:
+    """Type of a table's numbers: of its annotation, or that of all spectral tables."""
+    inner = [one for part in get_args(kind) for one in get_args(part)]
+    named = [one for one in inner if isinstance(one, type) and issubclass(one, np.generic)]
+    return named[0] if named else np.float32 if spectral else np.float64

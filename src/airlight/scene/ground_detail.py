@@ -1,0 +1,177 @@
+"""Detail of the ground below the resolution of its map: decoration, not data.
+
+A sum of smooth noise of eight sizes, each a quarter of the one before, from a quarter of a texel of
+the map down to a hand's breadth. It varies the ground's reflectance by about a tenth around that of
+the map, and not its mean. Sizes below two pixels of the picture are left out, fading in between two
+and four. Coordinates count from the point below the observer, so that single precision suffices.
+"""
+
+from __future__ import annotations
+
+from math import floor
+from typing import Final
+
+from airlight.kernel import kernel
+
+#: Sizes of noise, and the ratio between neighbouring ones.
+OCTAVES: Final = 8
+STEP: Final = 4
+#: Period of the noise in cells of each size.
+PERIOD: Final = 256
+#: Period of the finest cells, of which all others' periods are parts.
+WHOLE_PERIOD: Final = PERIOD * STEP ** (OCTAVES - 1)
+#: Largest contribution of one size, with a standard deviation of a third of it. [1]
+AMPLITUDE: Final = 0.12
+#: Rows of the map by which cells are measured where there is none.
+NOMINAL_ROWS: Final = 1024
+#: Names of the choices: the map alone, or with its detail.
+GROUNDS: Final = ("plain", "detailed")
+
+
+@kernel
+def finest_cell(radius, rows):
+    """Size of the finest cells. [m]
+
+    Parameters
+    ----------
+    radius : float
+        Radius of the ground. [m]
+    rows : float
+        Number of rows of its map.
+    """
+    return 3.141592653589793 * radius / (rows * float(STEP**OCTAVES))
+
+
+@kernel
+def lattice_origin(component, radius, cell):
+    """Place of the point below the observer in the lattice of the finest cells, along one axis.
+
+    Parameters
+    ----------
+    component : float
+        Component of the unit vector from the planet's centre to that point. [1]
+    radius : float
+        Radius of the ground. [m]
+    cell : float
+        Size of the finest cells. [m]
+
+    Returns
+    -------
+    whole, part : float
+        Number of the cell, modulo the period, and the part of it before the point. [1]
+
+    Examples
+    --------
+    >>> lattice_origin(-0.5, 5.0, 2.0)  # -1.25 cells, of a period of 4194304
+    (4194302.0, 0.75)
+    """
+    place = component * radius / cell
+    whole = floor(place)
+    return float(whole % WHOLE_PERIOD), place - whole
+
+
+@kernel
+def below_289(number):
+    """Rest of a whole number above 0 by 289, as a float: exact where quotients are rounded.
+
+    Drivers compute whole rests lane by lane, and SwiftShader compiled ten gigabytes for this noise.
+
+    Examples
+    --------
+    >>> below_289(289.0), below_289(83231.0)
+    (0.0, 288.0)
+    """
+    return number - 289.0 * float(floor((number + 0.5) / 289.0))
+
+
+@kernel
+def shuffled(number):
+    """Permutation of the numbers 0 to 288; larger ones are wrapped. Whole numbers as floats.
+
+    McEwan, Sheets, Gustavson and Richardson (2012), J. Graphics Tools 16, 85, section 3.
+
+    Examples
+    --------
+    >>> shuffled(1.0), sorted(shuffled(float(n)) for n in range(289)) == list(range(289))
+    (35.0, True)
+    """
+    return below_289(below_289(34.0 * number + 1.0) * number)
+
+
+@kernel
+def lattice_value(column, k):
+    """Value of a lattice point, -1 to 1, of mean 0. [1]
+
+    Parameters
+    ----------
+    column : float
+        Shuffled numbers of the point along two axes, 0 to 288.
+    k : float
+        Its number along the third, 0 to 255.
+    """
+    return shuffled(column + k) / 144.0 - 1.0
+
+
+@kernel
+def quintic(part):
+    """Weight of the next lattice point, with two continuous derivatives: 6t⁵ - 15t⁴ + 10t³. [1]"""
+    return part * part * part * (part * (part * 6.0 - 15.0) + 10.0)
+
+
+@kernel
+def in_period(number):
+    """Whole number modulo the period, as a float."""
+    return number - PERIOD * float(floor(number / PERIOD))
+
+
+@kernel
+def smooth_noise(x, y, z):
+    """Noise between the points of the lattice. [1]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Place. [cell]
+    """
+    i, j, k = float(floor(x)), float(floor(y)), float(floor(z))
+    u, v, w = quintic(x - i), quintic(y - j), quintic(z - k)
+    i, j, k = in_period(i), in_period(j), in_period(k)
+    far, high = in_period(j + 1.0), in_period(k + 1.0)
+    left, right = shuffled(i), shuffled(in_period(i + 1.0))
+    near_left, near_right = shuffled(left + j), shuffled(right + j)
+    far_left, far_right = shuffled(left + far), shuffled(right + far)
+    a = lattice_value(near_left, k) * (1.0 - u) + lattice_value(near_right, k) * u
+    b = lattice_value(far_left, k) * (1.0 - u) + lattice_value(far_right, k) * u
+    c = lattice_value(near_left, high) * (1.0 - u) + lattice_value(near_right, high) * u
+    d = lattice_value(far_left, high) * (1.0 - u) + lattice_value(far_right, high) * u
+    return (a * (1.0 - v) + b * v) * (1.0 - w) + (c * (1.0 - v) + d * v) * w
+
+
+@kernel
+def ground_detail(dx, dy, dz, footprint, cell, whole_x, whole_y, whole_z, part_x, part_y, part_z):
+    """Relative change of the ground's reflectance, of mean 0. [1]
+
+    Parameters
+    ----------
+    dx, dy, dz : float
+        Place on the ground from the point below the observer, in the planet's frame. [m]
+    footprint : float
+        Longer axis of the picture's pixel on the ground. [m]
+    cell : float
+        Size of the finest cells. [m]
+    whole_x, whole_y, whole_z, part_x, part_y, part_z : float
+        Results of ``lattice_origin``.
+    """
+    total, scale = 0.0, 1
+    for _octave in range(OCTAVES):
+        shown = min(0.5 * cell * scale / footprint - 1.0, 1.0)
+        if shown > 0.0:
+            period = float(PERIOD * scale)
+            # The numbers of the cells are whole and stay exact; the rest is small where this size
+            # is shown.
+            x = (whole_x - period * floor(whole_x / period)) / scale + (part_x + dx / cell) / scale
+            y = (whole_y - period * floor(whole_y / period)) / scale + (part_y + dy / cell) / scale
+            z = (whole_z - period * floor(whole_z / period)) / scale + (part_z + dz / cell) / scale
+            total += shown * smooth_noise(x, y, z)
+        scale *= STEP
+    return AMPLITUDE * total

@@ -1,0 +1,166 @@
+"""Levels of a map: each has half as many rows and columns as the one before, of equal areas.
+
+Where a number is odd the half is rounded up, and a new texel is the mean of one old one with parts
+of its neighbours, so that every level covers the whole sphere and has its mean.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.color.texels import CHANNELS, channel_of, code_of
+from airlight.kernel import compiled_loop, kernel
+
+#: Texels of which a mean is made along an axis: two, or one and parts of two others.
+_TAPS: Final = 3
+
+
+@kernel
+def halved(size):
+    """Number of rows or columns of the next level.
+
+    Examples
+    --------
+    >>> halved(8), halved(7), halved(1)
+    (4, 4, 1)
+    """
+    return (size + 1) // 2
+
+
+@kernel
+def level_place(rows, columns, level):
+    """Place of a level in a flat array of all.
+
+    Parameters
+    ----------
+    rows, columns : int
+        Size of the full map.
+    level : int
+        Level; 0 is the full map.
+
+    Returns
+    -------
+    start, rows, columns : int
+        Index of its first texel, and its size.
+
+    Examples
+    --------
+    >>> level_place(5, 10, 2)  # after 5 x 10 and 3 x 5 texels
+    (65, 2, 3)
+    """
+    start, height, width = 0, rows, columns
+    for _step in range(level):
+        start += height * width
+        height, width = halved(height), halved(width)
+    return start, height, width
+
+
+def level_count(rows: int) -> int:
+    """Number of levels of a map, down to a single row.
+
+    Examples
+    --------
+    >>> level_count(1), level_count(4), level_count(5)
+    (1, 3, 4)
+    """
+    return 1 + (rows - 1).bit_length()
+
+
+def area_weights(size: int, parts: int) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Weights with which ``size`` texels become ``parts`` equal parts of their axis.
+
+    Parameters
+    ----------
+    size, parts : int
+        Numbers of texels before and after.
+
+    Returns
+    -------
+    first : array, shape (parts,)
+        Index of the first texel in each part.
+    weights : array, shape (parts, k)
+        Share of it and of the following ones in the part's mean. [1]
+
+    Examples
+    --------
+    >>> first, weights = area_weights(3, 2)
+    >>> first, weights.round(3)
+    (array([0, 1]), array([[0.667, 0.333, 0.   ],
+           [0.333, 0.667, 0.   ]]))
+    """
+    edges = np.arange(parts + 1) * size
+    first = edges[:-1] // parts
+    taps = max(_TAPS, -(-size // parts) + 1)
+    texels = first[:, None] + np.arange(taps)
+    low = np.maximum(texels * parts, edges[:-1, None])
+    high = np.minimum((texels + 1) * parts, edges[1:, None])
+    return first, np.maximum(high - low, 0) / size
+
+
+@compiled_loop
+def area_means(fine, first_row, row_weights, first_column, column_weights, out):
+    """Write the means of areas of a map to a smaller one.
+
+    Parameters
+    ----------
+    fine : array of uint8, shape (h, w, 4)
+        Texels.
+    first_row, row_weights, first_column, column_weights : array
+        ``area_weights`` of both axes.
+    out : array of uint8, shape (m, n, 4)
+        Receives the texels.
+    """
+    height, width = fine.shape[:2]
+    flat = fine.reshape(-1)
+    total = np.empty(CHANNELS)
+    for j in range(out.shape[0]):
+        for i in range(out.shape[1]):
+            total[:] = 0.0
+            for y in range(row_weights.shape[1]):
+                if row_weights[j, y] == 0.0:
+                    continue
+                row = min(first_row[j] + y, height - 1)
+                for x in range(column_weights.shape[1]):
+                    weight = row_weights[j, y] * column_weights[i, x]
+                    if weight == 0.0:
+                        continue
+                    texel = row * width + min(first_column[i] + x, width - 1)
+                    for c in range(CHANNELS):
+                        total[c] += weight * channel_of(flat, texel, c)
+            for c in range(CHANNELS):
+                out[j, i, c] = code_of(min(total[c], 1.0), c)
+
+
+def reduced(texels: NDArray[np.uint8], rows: int, columns: int) -> NDArray[np.uint8]:
+    """Reduce a map to fewer texels, each the mean over its area in linear light.
+
+    Parameters
+    ----------
+    texels : array of uint8, shape (h, w, 4)
+        Texels of ``airlight.color.texels``.
+    rows, columns : int
+        New size, at most the old one.
+    """
+    out = np.empty((rows, columns, CHANNELS), np.uint8)
+    height, width = texels.shape[:2]
+    area_means(np.ascontiguousarray(texels), *area_weights(height, rows),
+               *area_weights(width, columns), out)  # fmt: skip
+    return out
+
+
+def all_levels(texels: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], ...]:
+    """Map and its halvings down to a single row.
+
+    Parameters
+    ----------
+    texels : array of uint8, shape (h, w, 4)
+        Texels of the full map.
+    """
+    levels = [np.ascontiguousarray(texels)]
+    while levels[-1].shape[0] > 1:
+        height, width = levels[-1].shape[:2]
+        levels.append(reduced(levels[-1], halved(height), halved(width)))
+    return tuple(levels)

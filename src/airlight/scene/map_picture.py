@@ -1,0 +1,94 @@
+"""Picture file of a map: checked by its header before anything of it is decoded."""
+
+from __future__ import annotations
+
+import warnings
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import FileError
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+#: Largest picture that is decoded. [pixel]
+MOST_PIXELS: Final = 200_000_000
+#: Modes of Pillow with sixteen bits or more a channel.
+_DEEP: Final = ("I", "I;16", "I;16B", "I;16L", "I;16N", "F")
+
+
+def map_pixels(file: Path, *, grey: bool = False) -> NDArray[np.uint8]:
+    """Read the pixels of an equirectangular picture.
+
+    Grey, palette and CMYK pictures become RGB, channels of sixteen bits eight; transparency counts
+    as nothing: the colours below it are kept.
+
+    Parameters
+    ----------
+    file : Path
+        Picture file of any format that Pillow reads.
+    grey : bool
+        Whether a single channel is wanted, without a conversion of its numbers if it has one.
+
+    Returns
+    -------
+    array of uint8, shape (h, w, 3), or (h, w) if ``grey``
+        Pixels.
+
+    Raises
+    ------
+    FileError
+        If it is no picture, has more than 200 million pixels, or is not twice as wide as high.
+    FileNotFoundError
+        If there is no such file.
+    """
+    from PIL import Image, UnidentifiedImageError
+
+    try:
+        # Pillow warns of large pictures, and refuses larger ones, when it opens them; the check
+        # here is stricter.
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+            picture = Image.open(file)
+        with picture:
+            _check_size(file, *picture.size)
+            return _as_bytes(picture, "L" if grey else "RGB")
+    except FileNotFoundError:
+        raise
+    except Image.DecompressionBombError as error:
+        raise FileError(file, f"has too many pixels; allowed: {MOST_PIXELS}") from error
+    except (OSError, ValueError, SyntaxError, UnidentifiedImageError) as error:
+        raise FileError(file, f"cannot be read as a picture: {_one_line(error)}") from error
+
+
+def _check_size(file: Path, width: int, height: int) -> None:
+    if width * height > MOST_PIXELS:
+        raise FileError(file, f"has {width} x {height} pixels; allowed: {MOST_PIXELS} in all")
+    if abs(width - 2 * height) > 1:
+        raise FileError(
+            file,
+            f"has {width} x {height} pixels; allowed: twice as wide as high, the whole sphere by "
+            "longitude and latitude",
+        )
+
+
+def _as_bytes(picture: Image, mode: str) -> NDArray[np.uint8]:
+    if picture.mode in _DEEP:
+        values = np.asarray(picture, dtype=np.float64)
+        # Files of sixteen bits say so by values above 255; floats are 0 to 1.
+        largest = 1.0 if picture.mode == "F" else 65535.0
+        values = np.clip(values * (255.0 / largest), 0.0, 255.0)
+        grey = np.asarray(np.rint(values), dtype=np.uint8)
+        return grey if mode == "L" else np.repeat(grey[..., None], 3, axis=2)
+    if picture.mode == mode:
+        return np.asarray(picture)
+    if picture.mode in ("P", "PA"):
+        picture = picture.convert("RGBA")  # directly to RGB, Pillow warns of transparent palettes
+    return np.asarray(picture.convert(mode))
+
+
+def _one_line(error: Exception) -> str:
+    return " ".join(str(error).split())

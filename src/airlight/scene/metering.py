@@ -1,0 +1,155 @@
+"""Metering: which pixels of a scene count for its exposure, and how much."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.color.exposure import automatic_exposure, sampling_step
+from airlight.kernel import compiled_loop, kernel
+from airlight.scene.projections import PROJECTIONS
+from airlight.scene.projections.projected import projected_ray
+from airlight.scene.scene import Scene
+
+FloatArray = NDArray[np.float64]
+
+#: Angle beyond a star's disc that is left out with it: refraction on a horizon lifts a star by up
+#: to 0.6°, and a pixel may hold a part of the disc. [rad]
+_MARGIN: Final = math.radians(0.75)
+#: Distance of the points whose rays give a pixel's solid angle. [pixel]
+_NEAR: Final = 0.25
+
+
+@kernel
+def left_out(angular_radius, pixel_angle):
+    """Cosine of the angle about a star within which pixels do not count. [1]
+
+    Parameters
+    ----------
+    angular_radius : float
+        Angular radius of the star. [rad]
+    pixel_angle : float
+        Angle of a pixel. [rad]
+    """
+    return math.cos(min(angular_radius + _MARGIN + pixel_angle, 0.5 * math.pi))
+
+
+@kernel
+def metering_weight(
+    projection, x, y, width, height, field_of_view, sun_right, sun_up, sun_forward, cosine
+):
+    """Weight of a pixel: its solid angle, or 0 near the star's disc and outside the picture.
+
+    Parameters
+    ----------
+    projection : int
+        Index in ``PROJECTIONS``.
+    x, y : float
+        Centre of the pixel, from the left and the top edge. [pixel]
+    width, height : float
+        Size of the picture. [pixel]
+    field_of_view : float
+        Field of view, as the projection's ``ray`` takes it. [rad]
+    sun_right, sun_up, sun_forward : float
+        Unit vector towards the star, in the camera's frame. [1]
+    cosine : float
+        Cosine of the angle about the star that is left out, from ``left_out``. [1]
+
+    Returns
+    -------
+    float
+        Solid angle. [sr]
+    """
+    right, up, forward = projected_ray(projection, x, y, width, height, field_of_view)
+    if right * right + up * up + forward * forward < 0.5:
+        return 0.0
+    if right * sun_right + up * sun_up + forward * sun_forward > cosine:
+        return 0.0
+    a, b, c = projected_ray(projection, x - _NEAR, y, width, height, field_of_view)
+    d, e, f = projected_ray(projection, x + _NEAR, y, width, height, field_of_view)
+    across_right, across_up, across_forward = d - a, e - b, f - c
+    a, b, c = projected_ray(projection, x, y - _NEAR, width, height, field_of_view)
+    d, e, f = projected_ray(projection, x, y + _NEAR, width, height, field_of_view)
+    down_right, down_up, down_forward = d - a, e - b, f - c
+    area = (
+        right * (across_up * down_forward - across_forward * down_up)
+        + up * (across_forward * down_right - across_right * down_forward)
+        + forward * (across_right * down_up - across_up * down_right)
+    )
+    return abs(area) / (4.0 * _NEAR * _NEAR)
+
+
+@compiled_loop
+def _fill(projection, x, y, width, height, field_of_view, suns, cosine, out):
+    for row in range(y.size):
+        for column in range(x.size):
+            least = math.inf
+            for sun in range(suns.shape[0]):
+                weight = metering_weight(
+                    projection, x[column], y[row], width, height, field_of_view,
+                    suns[sun, 0], suns[sun, 1], suns[sun, 2], cosine,
+                )  # fmt: skip
+                least = min(least, weight)
+            out[row, column] = least
+
+
+def metering_weights(scene: Scene, angular_radius: float, step: int = 1) -> FloatArray:
+    """Weights of the pixels of a scene's picture for its exposure.
+
+    Parameters
+    ----------
+    scene : Scene
+        Scene with camera and lights.
+    angular_radius : float
+        Angular radius of the star. [rad]
+    step : int
+        Step between the rows and columns that are wanted. [pixel]
+
+    Returns
+    -------
+    array, shape (ceil(height / step), ceil(width / step))
+        Solid angles, 0 near the discs of the lights and outside the picture. [sr]
+
+    Examples
+    --------
+    >>> from airlight.scene import Camera
+    >>> sphere = Scene(camera=Camera(projection="equirectangular", width=64, height=32))
+    >>> f"{metering_weights(sphere, 0.0).sum() / (4.0 * np.pi):.2f}"
+    '1.00'
+    """
+    camera = scene.camera
+    assert camera.field_of_view is not None
+    x = np.arange(0, camera.width, step) + 0.5
+    y = np.arange(0, camera.height, step) + 0.5
+    suns = np.array([one.direction for one in scene.lights]) @ camera.axes.T
+    out = np.empty((y.size, x.size))
+    _fill(
+        list(PROJECTIONS).index(camera.projection), x, y, float(camera.width),
+        float(camera.height), math.radians(camera.field_of_view), suns,
+        left_out(angular_radius, step * camera.pixel_angle), out,
+    )  # fmt: skip
+    return out
+
+
+def scene_exposure(rgb: NDArray[np.floating], scene: Scene, angular_radius: float) -> float:
+    """Automatic exposure of a scene's picture, which its size and the star's disc do not change.
+
+    Parameters
+    ----------
+    rgb : array, shape (height, width, 3)
+        Linear sRGB of the scene's picture. [W m⁻² sr⁻¹]
+    scene : Scene
+        Scene with camera and lights.
+    angular_radius : float
+        Angular radius of the star. [rad]
+
+    Returns
+    -------
+    float
+        Exposure, see ``automatic_exposure``. [EV]
+    """
+    step = sampling_step(*rgb.shape[:2])
+    return automatic_exposure(rgb[::step, ::step], metering_weights(scene, angular_radius, step))

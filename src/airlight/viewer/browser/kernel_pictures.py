@@ -1,0 +1,111 @@
+"""Pictures drawn by a notebook's kernel, for browsers without a graphics card."""
+
+from __future__ import annotations
+
+import io
+import queue
+import threading
+from collections.abc import Callable, Mapping
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.color.display import to_display
+from airlight.paint.scene_painter import ScenePainter
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.viewer.background.error_line import one_line
+from airlight.viewer.parameters.parameter import Value
+from airlight.viewer.parameters.view_parameters import scene_of
+
+#: Largest exposure, either way. [EV]
+_MOST: Final = 100.0
+
+
+class Order(NamedTuple):
+    """Picture that a browser asks for.
+
+    Attributes
+    ----------
+    number : int
+        Number of the request, which the answer repeats.
+    solution : MomentsSolution
+    view : mapping
+        View values by path.
+    size : (int, int)
+        Width and height. [pixel]
+    """
+
+    number: int
+    solution: MomentsSolution
+    view: Mapping[str, Value]
+    size: tuple[int, int]
+
+
+class KernelPictures:
+    """Thread that draws pictures one after another.
+
+    Parameters
+    ----------
+    answer : callable
+        ``answer(drawn)`` is called on the thread: ``number``, and ``png`` with ``exposure`` [EV],
+        or an ``error`` of one line.
+    """
+
+    def __init__(self, answer: Callable[[dict[str, Any]], None]) -> None:
+        self._answer = answer
+        self._orders: queue.SimpleQueue[Order | None] = queue.SimpleQueue()
+        self._closing = False
+        self._thread: threading.Thread | None = None
+
+    def ask(self, order: Order) -> None:
+        """Draw a picture after those asked for before; returns at once."""
+        if self._thread is None:
+            self._thread = threading.Thread(
+                target=self._work, name="airlight-pictures", daemon=True
+            )
+            self._thread.start()
+        self._orders.put(order)
+
+    def close(self) -> None:
+        """End the thread, after its present picture is cancelled."""
+        self._closing = True
+        self._orders.put(None)
+        if self._thread is not None and self._thread is not threading.current_thread():
+            self._thread.join()
+
+    def _work(self) -> None:
+        painter = ScenePainter()
+        while (order := self._orders.get()) is not None and not self._closing:
+            try:
+                drawn = self._drawn(painter, order)
+            except Exception as failure:
+                # The thread must survive any failure of one picture, to draw the next.
+                drawn = {"error": one_line(failure)}
+            if not self._closing:
+                self._answer({"number": order.number, **drawn})
+        painter.close()
+
+    def _drawn(self, painter: ScenePainter, order: Order) -> dict[str, Any]:
+        view, scene = order.view, scene_of(order.view, *order.size)
+        frame = painter.frame(
+            order.solution, scene, orders=str(view["light.orders"]), cancel=lambda: self._closing
+        )
+        exposure = float(view["display.exposure"])
+        if view["display.automatic"]:
+            exposure += frame.exposure
+        exposure = min(max(exposure, -_MOST), _MOST)
+        shown = to_display(
+            frame.rgb, exposure, str(view["display.tone_map"]), eye=bool(view["display.eye"]),
+            glare=float(view["display.glare"]), pixel_angle=frame.pixel_angle,
+        )  # fmt: skip
+        return {"exposure": exposure, "png": _png(shown)}
+
+
+def _png(pixels: NDArray[np.uint8]) -> bytes:
+    """PNG of 8-bit pixels, packed quickly rather than well."""
+    from PIL import Image
+
+    file = io.BytesIO()
+    Image.fromarray(pixels).save(file, "PNG", compress_level=1)
+    return file.getvalue()

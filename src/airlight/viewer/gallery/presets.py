@@ -1,0 +1,170 @@
+"""Presets of the gallery: family, kind, and the view that shows what is characteristic of each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import groupby
+from typing import Final, Literal
+
+from airlight.planets.planet import Planet
+from airlight.scene import Camera, Scene
+from airlight.scene.observer import horizon_zenith
+
+#: Kinds of presets: what a planet is; what it would be otherwise; what programs or papers have.
+Kind = Literal["reference", "variation", "literature"]
+
+#: Size of the small pictures. [pixel]
+WIDTH: Final = 240
+HEIGHT: Final = 135
+
+
+@dataclass(frozen=True, kw_only=True)
+class Look:
+    """Observer, sun and camera of a small picture.
+
+    Attributes
+    ----------
+    altitude : float
+        Altitude as a fraction of the shell's thickness; negative: in ground radii. [1]
+    below_horizon : float
+        Angle of the line of sight below the horizon; 180 looks straight down. [deg]
+    aside : float
+        Azimuth of the line of sight from the sun. [deg]
+    sun_zenith : float
+        Zenith angle of the sun. [deg]
+    field_of_view : float
+        Angle between the left and the right edge. [deg]
+    latitude, longitude : float
+        Point below the observer. [deg]
+    sun_azimuth : float
+        Compass bearing of the sun. [deg]
+    """
+
+    altitude: float
+    below_horizon: float
+    aside: float
+    sun_zenith: float
+    field_of_view: float = 60.0
+    latitude: float = 38.0
+    longitude: float = 14.0
+    sun_azimuth: float = 240.0
+
+    def scene(self, planet: Planet, width: int = WIDTH, height: int = HEIGHT) -> Scene:
+        """Scene of a planet.
+
+        Parameters
+        ----------
+        planet : Planet
+            Planet whose radii the altitude is relative to.
+        width, height : int
+            Size of the picture. [pixel]
+        """
+        altitude = self.altitude * (planet.top_radius - planet.bottom_radius)
+        if self.altitude < 0.0:
+            altitude = -self.altitude * planet.bottom_radius
+        zenith = horizon_zenith(altitude, planet.bottom_radius) + self.below_horizon
+        camera = Camera(
+            width=width, height=height, field_of_view=self.field_of_view,
+            look_zenith=min(max(zenith, 0.0), 180.0), look_azimuth=self.aside,
+        )  # fmt: skip
+        return Scene(
+            camera=camera, altitude=altitude, sun_zenith=self.sun_zenith, latitude=self.latitude,
+            longitude=self.longitude, sun_azimuth=self.sun_azimuth,
+        )  # fmt: skip
+
+
+#: Limb from above the air; air over ground from above; the low sun from the ground; a day on the
+#: ground; the sky after sunset; the whole planet, half lit.
+_LIMB: Final = Look(
+    altitude=12.0, below_horizon=11.0, aside=-58.0, sun_zenith=74.0, latitude=34.0,
+    longitude=14.0, sun_azimuth=110.0,
+)  # fmt: skip
+_ABOVE: Final = Look(altitude=4.0, below_horizon=14.0, aside=60.0, sun_zenith=62.0)
+_SUNSET: Final = Look(altitude=2e-5, below_horizon=-8.0, aside=8.0, sun_zenith=86.0)
+_DAY: Final = Look(altitude=2e-5, below_horizon=-12.0, aside=60.0, sun_zenith=65.0)
+_DUSK: Final = Look(altitude=2e-5, below_horizon=-14.0, aside=0.0, sun_zenith=93.0)
+_WHOLE: Final = Look(
+    altitude=-3.2, below_horizon=180.0, aside=0.0, sun_zenith=62.0, field_of_view=58.0,
+    latitude=20.0, longitude=15.0, sun_azimuth=250.0,
+)  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class Preset:
+    """Preset of the gallery.
+
+    Attributes
+    ----------
+    name : str
+        Name of the preset, one of ``planet_names()``.
+    label : str
+        Short caption below the picture.
+    family : str
+        Planet that it is.
+    kind : str
+        See ``Kind``.
+    look : Look
+        View of its small picture.
+    """
+
+    name: str
+    label: str
+    family: str
+    kind: Kind
+    look: Look
+
+
+def _preset(name: str, label: str, family: str, kind: Kind, look: Look) -> Preset:
+    return Preset(name=name, label=label, family=family, kind=kind, look=look)
+
+
+#: All presets in the order of the gallery: by family, within one the planet itself first.
+PRESETS: Final = (
+    _preset("earth", "Earth", "Earth", "reference", _LIMB),
+    _preset("earth-hazy", "hazy", "Earth", "variation", _ABOVE),
+    _preset("earth-volcanic", "after an eruption", "Earth", "variation", _DUSK),
+    _preset("early-earth", "2.7 billion years ago", "Earth", "variation", _WHOLE),
+    _preset("earth-atmosphere-plus", "Atmosphere Plus", "Earth", "literature", _LIMB),
+    _preset("earth-atmosphere-plus-2025", "Atmosphere Plus 2025", "Earth", "literature", _LIMB),
+    _preset(
+        "earth-atmosphere-plus-literal", "Atmosphere Plus, as printed", "Earth", "literature", _LIMB
+    ),
+    _preset("earth-bruneton", "Bruneton 2017", "Earth", "literature", _LIMB),
+    _preset("earth-openspace", "OpenSpace", "Earth", "literature", _LIMB),
+    _preset("earth-openspace-advanced", "OpenSpace, advanced", "Earth", "literature", _LIMB),
+    _preset("earth-openspace-dense", "OpenSpace, twice the air", "Earth", "literature", _LIMB),
+    _preset(
+        "earth-openspace-depolarisation", "OpenSpace, depolarised", "Earth", "literature", _LIMB
+    ),
+    _preset("earth-openspace-dust", "OpenSpace, 6 times the dust", "Earth", "literature", _LIMB),
+    _preset("earth-openspace-refractive", "OpenSpace, refractive", "Earth", "literature", _LIMB),
+    _preset("mars", "Mars", "Mars", "reference", _SUNSET),
+    _preset("mars-rayleigh", "without dust", "Mars", "variation", _DAY),
+    _preset("mars-standard", "by coefficients", "Mars", "variation", _DAY),
+    _preset("mars-openspace", "OpenSpace", "Mars", "literature", _DAY),
+    _preset("venus", "Venus", "Venus", "reference", _WHOLE),
+    _preset("titan", "Titan", "Titan", "reference", _WHOLE),
+    _preset("exoplanet", "TRAPPIST-1 e", "exoplanets", "reference", _SUNSET),
+)
+
+
+def preset(name: str) -> Preset | None:
+    """Preset of the gallery by its name; None for another planet.
+
+    Parameters
+    ----------
+    name : str
+        Name of a preset, or anything else.
+    """
+    return next((one for one in PRESETS if one.name == name), None)
+
+
+def families() -> dict[str, tuple[Preset, ...]]:
+    """Presets by family, in the gallery's order.
+
+    Examples
+    --------
+    >>> [one.name for one in families()["Mars"]]
+    ['mars', 'mars-rayleigh', 'mars-standard', 'mars-openspace']
+    """
+    return {family: tuple(group) for family, group in groupby(PRESETS, lambda one: one.family)}

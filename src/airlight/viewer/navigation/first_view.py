@@ -1,0 +1,20 @@
+"""View with which window, page and notebook begin."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from airlight.viewer.navigation.viewpoints import FIRST, view_of
+from airlight.viewer.session.editing import Editing
+
+
+def first_view(session: Editing) -> Mapping[str, float]:
+    """Values of the first viewpoint, for the planet of a session.
+
+    Parameters
+    ----------
+    session : Session
+        Session whose planet and place are kept.
+    """
+    bottom, top = (1e3 * float(session.value(f"shell.{end}_radius")) for end in ("bottom", "top"))
+    return view_of(FIRST, bottom_radius=bottom, top_radius=top)

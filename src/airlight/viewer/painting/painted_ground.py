@@ -1,0 +1,88 @@
+"""Light of the ground along a probe's line of sight: map, law of reflection and water there."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.optics import water
+from airlight.optics.cox_munk import mirrored_cosine
+from airlight.optics.reflection import WATER, leaving_cosine, sky_share, star_share
+from airlight.solvers.moments.radiance_parts import Parts
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solvers.sight import Sight, enter_shell
+
+FloatArray = NDArray[np.float64]
+
+
+def painted_ground(
+    solution: MomentsSolution, sight: Sight, parts: Parts, color: FloatArray | None
+) -> tuple[FloatArray, FloatArray]:
+    """Light of the star and of the sky that the ground reflects, seen through the air.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Solution shown.
+    sight : Sight
+        A line of sight that ends on the ground.
+    parts : Parts
+        Its light over ground of the solver's albedo.
+    color : array, shape (4,), or None
+        Linear sRGB reflectance and share of water there, without a map None. [1]
+
+    Returns
+    -------
+    star, sky : array, shape (nl,)
+        Radiances per irradiance of the star. [sr⁻¹]
+    """
+    medium = solution.medium
+    ground, bottom = medium.ground, medium.bottom_radius
+    albedo = medium.ground_albedo
+    if color is not None:
+        albedo = np.clip(medium.map_basis @ color[:3], 0.0, 1.0)
+    r, nu = float(sight.r[0]), float(sight.nu[0])
+    mu_s = (r * float(sight.mu_s[0]) + float(sight.length[0]) * nu) / bottom
+    mu_s = min(max(mu_s, -1.0), 1.0)
+    leaving = leaving_cosine(r, float(sight.mu[0]), bottom)
+    solved = [_factor(star_share(ground.law, ground, mu_s, leaving, nu), medium.ground_albedo),
+              _factor(sky_share(ground.law, ground, leaving), medium.ground_albedo)]  # fmt: skip
+    star, sky = (
+        np.divide(part[0], factor, out=np.zeros_like(albedo), where=factor > 0.0)
+        for part, factor in zip((parts.ground_star, parts.ground_sky), solved, strict=True)
+    )
+    share = 0.0
+    if ground.law == WATER:
+        share = 1.0
+    elif ground.wet and color is not None:
+        share = float(color[3])
+    land = 1.0 - share
+    by_star = land * _factor(star_share(ground.law, ground, mu_s, leaving, nu), albedo)
+    by_sky = land * _factor(sky_share(ground.law, ground, leaving), albedo)
+    if share > 0.0:
+        by_star += share * _factor(water.star_share(ground, mu_s, leaving, nu), albedo)
+        matte, gloss = water.sky_share(ground, leaving)
+        by_sky += share * (matte * albedo + gloss * _mirrored(solution, mu_s, leaving, nu))
+    return star * by_star, sky * by_sky
+
+
+def _factor(shares: tuple[float, float], albedo: FloatArray) -> FloatArray:
+    """Reflectance factor of both shares. [1]"""
+    matte, gloss = shares
+    return np.asarray(matte * albedo + gloss)
+
+
+def _mirrored(solution: MomentsSolution, mu_s: float, leaving: float, nu: float) -> FloatArray:
+    """Radiance of the sky that facets turn to over that of a uniform sky, shape (nl,). [1]"""
+    bottom, top = solution.medium.bottom_radius, solution.medium.top_radius
+    mu = mirrored_cosine(leaving, solution.medium.ground.wind)
+    ahead = (nu + leaving * mu_s) / math.sqrt(max(1.0 - leaving * leaving, 1e-12))
+    sine = math.sqrt(1.0 - mu * mu)
+    turn = min(max(mu * mu_s + sine * min(max(ahead, -1.0), 1.0), -1.0), 1.0)
+    r, *line = (np.array([x]) for x in (bottom, mu, sine, mu_s, turn))
+    up = enter_shell(r, line[0], line[1], line[2], line[3], bottom, top)
+    seen = solution.relative_radiance(up)[0]
+    even = solution.relative_sky_irradiance(up.r, up.mu_s)[0] / math.pi
+    return np.asarray(np.divide(seen, even, out=np.zeros_like(seen), where=even > 0.0))

@@ -1,0 +1,72 @@
+"""Automatic exposure of a session: it eases towards what is measured, and holds."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from time import monotonic
+from typing import Final
+
+from airlight.color.exposure import eased
+
+#: Time in which all but 37 % of a change is gone: in 0.4 s all but 5 %. [s]
+TIME_CONSTANT: Final = 0.13
+#: Distance at which the measured exposure counts as reached. [EV]
+_REACHED: Final = 0.02
+#: Longest time between two pictures that counts: a rest is no time to adapt in. [s]
+_LONGEST: Final = 0.1
+
+
+class Adaptation:
+    """Exposure that a session's pictures share, used from the threads of its painters.
+
+    Parameters
+    ----------
+    clock : callable
+        Monotonic clock. [s]
+
+    Examples
+    --------
+    >>> adaptation = Adaptation(iter([0.0, 0.1, 0.2]).__next__)
+    >>> adaptation.towards(-2.0, held=False)  # the first picture is exposed at once
+    -2.0
+    >>> adaptation.towards(1.0, held=True)
+    -2.0
+    >>> f"{adaptation.towards(1.0, held=False):.2f}"
+    '-0.39'
+    """
+
+    def __init__(self, clock: Callable[[], float] = monotonic) -> None:
+        self._clock = clock
+        self._lock = threading.Lock()
+        self._before = 0.0
+        self._exposure: float | None = None
+
+    @property
+    def exposure(self) -> float | None:
+        """Exposure that is shown; None before the first picture. [EV]"""
+        return self._exposure
+
+    def towards(self, measured: float, *, held: bool) -> float:
+        """Exposure of the next picture. [EV]
+
+        Parameters
+        ----------
+        measured : float
+            Automatic exposure of the light that it shows. [EV]
+        held : bool
+            Whether the exposure stays as it is, locked or while the air is edited.
+        """
+        with self._lock:
+            now = self._clock()
+            since, self._before = min(now - self._before, _LONGEST), now
+            if self._exposure is None:
+                self._exposure = measured
+            elif not held:
+                near = eased(self._exposure, measured, since, TIME_CONSTANT)
+                self._exposure = measured if abs(near - measured) < _REACHED else near
+            return self._exposure
+
+    def reached(self, measured: float) -> bool:
+        """Whether the exposure is the measured one."""
+        return self._exposure == measured

@@ -1,0 +1,71 @@
+/** Pictures that a notebook's kernel draws, for browsers without a graphics card. */
+
+/** Paths of the values that a picture depends on, besides the planet. */
+const VIEW = /^(view|display|light)\./;
+
+/** Device in the sense of device.js, whose canvas takes finished pictures. */
+export class KernelDevice {
+  static async open(canvas) {
+    return new KernelDevice(canvas);
+  }
+
+  constructor(canvas) {
+    this.kind = "kernel";
+    this.name = "the kernel's processor";
+    this.canvas = canvas;
+    this.lost = new Promise(() => {});
+  }
+
+  resize(width, height) {
+    if (this.canvas.width !== width) this.canvas.width = width;
+    if (this.canvas.height !== height) this.canvas.height = height;
+  }
+
+  async finished() {}
+
+  close() {}
+}
+
+/** Picture in the sense of drawing/picture.js. */
+export class KernelPicture {
+  /**
+   * @param {object} model Model of the widget: `wanted` to Python, `drawn` from Python.
+   * @param {KernelDevice} device
+   * @param {(name: string, act: () => void) => void} on Follows a trait of the model.
+   */
+  constructor(model, device, on) {
+    this.model = model;
+    this.context = device.canvas.getContext("2d");
+    this.number = 0;
+    this.exposure = 0;
+    this.waiting = null;
+    on("drawn", () => this.waiting?.());
+  }
+
+  get planet() {
+    return { viewpoints: this.model.get("picture").viewpoints ?? [] };
+  }
+
+  async take() {}
+
+  /** Ask for a picture and show it; resolves to false: no finer one follows. */
+  async draw(values, width, height) {
+    const view = Object.fromEntries(Object.entries(values).filter(([path]) => VIEW.test(path)));
+    const number = ++this.number;
+    const drawn = await new Promise((resolve) => {
+      this.waiting = () => {
+        const answer = this.model.get("drawn");
+        if (answer.number === number) resolve(answer);
+      };
+      this.model.set("wanted", { number, view, size: [width, height] });
+      this.model.save_changes();
+    });
+    this.waiting = null;
+    if (drawn.error) throw new Error(drawn.error);
+    this.exposure = drawn.exposure;
+    const bitmap = await createImageBitmap(new Blob([drawn.png], { type: "image/png" }));
+    this.context.drawImage(bitmap, 0, 0, width, height);
+    bitmap.close();
+    return false;
+  }
+}

@@ -1,0 +1,8 @@
+/** Elements of a page. */
+
+/** Create an element with properties and children. */
+export function element(tag, properties = {}, ...children) {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  return made;
+}

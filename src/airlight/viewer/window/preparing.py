@@ -1,0 +1,83 @@
+"""What is still to be done before the first picture of a window, counted."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from time import perf_counter
+from typing import Final
+
+from airlight.kernel.compiling import Compiling
+from airlight.render.ahead import compiled_ahead
+from airlight.solvers.moments.loops import LOOPS
+from airlight.viewer.background.solving import SolverStatus
+
+#: Shortest time between two calls that redraw the window: it shares the processor. [s]
+_EVERY: Final = 0.2
+
+
+class Preparing:
+    """Compilation of the solver, by this process, and of the renderer, by another.
+
+    Parameters
+    ----------
+    wake : callable
+        Called from any thread, a few times a second, while there is progress.
+
+    Attributes
+    ----------
+    ahead : CompiledAhead
+        The other process.
+    """
+
+    def __init__(self, wake: Callable[[], None]) -> None:
+        self._wake = wake
+        self._woken = 0.0
+        self._solver = Compiling(LOOPS)
+        self.ahead = compiled_ahead()
+        self._both = (self._solver, self.ahead.compiling)
+        for one in self._both:
+            one.told = self._told
+
+    def _told(self) -> None:
+        now = perf_counter()
+        if now - self._woken >= _EVERY:
+            self._woken = now
+            self._wake()
+
+    @property
+    def share(self) -> float:
+        """Fraction of the functions that are compiled. [1]"""
+        done, total = self._counts()
+        return done / total if total else 1.0
+
+    def _counts(self) -> tuple[int, int]:
+        """Numbers of functions that are compiled, and of all; both processes need some of them."""
+        one, other = self._both
+        return len(one.finished | other.finished), len(one.names | other.names)
+
+    def text(self, status: SolverStatus) -> str:
+        """What is being done, how far it is, and the time left.
+
+        Parameters
+        ----------
+        status : SolverStatus
+            What the solver does.
+        """
+        done, total = self._counts()
+        if done < total:
+            left = [one.seconds_left for one in self._both if one.done < one.total]
+            known = [one for one in left if one is not None]
+            about = f", about {max(known):.0f} s left" if known else ""
+            return f"compiling, once: {done} of {total} functions{about}"
+        if status.busy and status.total:
+            return f"{status.doing}: {status.done} of at most {status.total} steps"
+        return status.doing or "drawing"
+
+    def close(self) -> None:
+        """Stop counting, and end the other process."""
+        self._solver.close()
+        self.ahead.close()
+
+    def finish(self) -> None:
+        """Stop counting; the other process goes on with what is needed later."""
+        self._solver.close()

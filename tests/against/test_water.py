@@ -1,0 +1,40 @@
+"""The sea of a picture against Monte Carlo, which mirrors every direction of the sky."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight import Camera, Scene, load_planet, solve
+from airlight.render import render
+from airlight.render.drawing import color_weights
+from airlight.solvers.montecarlo.settings import Settings
+
+SEA = {"ground.law": "water", "ground.albedo": 0.02, "ground.wind": "5 m/s"}
+#: Altitude, zenith angle and azimuth of lines that end on the sea, away from the glitter.
+LINES = [(2.0, 92.0, 90.0), (2.0, 100.0, 90.0), (2.0, 120.0, 120.0), (2.0, 95.0, 180.0),
+         (2.0, 160.0, 180.0), (400e3, 150.0, 180.0), (400e3, 112.0, 90.0)]  # fmt: skip
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("sun", "most"), [(50.0, 0.10), (85.0, 0.20)])
+def test_the_sea_is_as_bright_as_by_monte_carlo(sun: float, most: float) -> None:
+    # The second method draws directions: no fit, no mean direction, no uniform sky. One direction
+    # stands for all in the picture: within a tenth by day and a fifth under a low sun, whose glow
+    # is narrower than what the facets mirror. A uniform sky would be half as bright.
+    planet, nm = load_planet("earth-atmosphere-plus", SEA), (550.0,)
+    solution = solve(planet, nm, quality="default")
+    judge = solve(
+        planet, nm, solver="montecarlo",
+        quality=Settings(relative_error=0.01, most_histories=400_000),
+    )  # fmt: skip
+    green = float(color_weights(solution)[0, 1])
+    for altitude, view, azimuth in LINES:
+        camera = Camera(width=4, height=4, field_of_view=0.2, look_zenith=view,
+                        look_azimuth=azimuth)  # fmt: skip
+        scene = Scene(camera=camera, altitude=altitude, sun_zenith=sun)
+        wanted = judge.relative_radiance(judge.lines_of_sight(
+            altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth)[0])  # fmt: skip
+        seen = render(solution, scene, exact=True).rgb[1:3, 1:3, 1].mean()
+        assert_allclose(seen / green, np.ravel(wanted)[0], rtol=most)

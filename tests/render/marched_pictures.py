@@ -1,0 +1,37 @@
+"""Pictures by the processor of which each pixel has one line of sight, at edges too."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.gpu.device.device import Device
+from airlight.pixels.lit_scenes import lit_scenes
+from airlight.render.drawing import Drawing
+from airlight.scene import Scene
+from airlight.solvers.moments.solution import MomentsSolution
+
+
+def marched(
+    solution: MomentsSolution, scene: Scene, device: Device, **options: Any
+) -> NDArray[np.float32]:
+    """Picture of ``render(..., exact=True)``; like a software device without samples of edges."""
+    camera = scene.camera
+    total = np.zeros((camera.height, camera.width, 3), np.float32)
+    for seen, lit in lit_scenes(scene, solution):
+        rgb = np.zeros_like(total)
+        drawing = Drawing(lit, seen, exact=True, edges=not device.software, **options)
+        drawing.draw(0, camera.height, rgb)
+        total += rgb
+    return total
+
+
+def centres(solution: MomentsSolution, scene: Scene, **options: Any) -> NDArray[np.float32]:
+    """Picture of ``render`` whose pixels show their centres, as single lines of sight do."""
+    rgb = np.zeros((scene.camera.height, scene.camera.width, 3), np.float32)
+    drawing = Drawing(solution, scene, edges=False, **options)
+    drawing.fill_sky()
+    drawing.draw(0, scene.camera.height, rgb)
+    return rgb

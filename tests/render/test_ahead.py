@@ -1,0 +1,53 @@
+"""Loops compiled before there is a solution: those, and for the types, that pictures then use."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Callable
+from typing import Any
+
+import numba
+
+from airlight import Camera, Scene, load_planet
+from airlight.render.ahead import _arguments
+from airlight.render.drawing import Drawing
+from airlight.solvers.moments.march_tables import new_workspace
+
+#: Solves, and names the functions that Python has called and that no loop of the count leads to.
+SOLVE = """
+import sys
+from numba.core.dispatcher import Dispatcher
+from airlight import load_planet, solve
+from airlight.kernel.compiling import name_of, reached
+from airlight.solvers.moments.loops import LOOPS
+solve(load_planet("earth-atmosphere-plus"), [680, 550, 440], "preview", cache=False)
+known = reached(LOOPS)
+used = {name_of(one) for name, module in list(sys.modules.items()) if name.startswith("airlight.")
+        for one in vars(module).values() if isinstance(one, Dispatcher) and one.signatures}
+print(len(used & set(known)), *sorted(used - set(known)))
+"""
+
+
+def test_empty_arguments_have_the_types_of_a_picture(solved: Callable[..., Any]) -> None:
+    solution = solved(load_planet("earth"), quality="preview")
+    camera = Camera(width=320, height=180, look_zenith=100.0)
+    drawing = Drawing(solution, Scene(altitude=400e3, camera=camera))
+    drawing.fill_sky()
+    fill, draw, _ = _arguments()
+    real = (
+        0, 1, drawing.window, drawing._observer, drawing._screen, drawing._tables,
+        new_workspace(drawing._tables), drawing._weights, drawing._reach,
+    )  # fmt: skip
+    for made, one in zip(draw[:9], real, strict=True):
+        assert numba.typeof(made) == numba.typeof(one)
+    assert [numba.typeof(one) for one in fill[2:6]] == [numba.typeof(one) for one in draw[2:4]] + [
+        numba.typeof(one) for one in draw[5:7]
+    ]
+
+
+def test_the_count_of_a_solve_knows_the_loops_that_it_runs() -> None:
+    done = subprocess.run([sys.executable, "-c", SOLVE], capture_output=True, text=True, check=True)
+    known, *unknown = done.stdout.split()
+    assert int(known) > 10
+    assert unknown == []

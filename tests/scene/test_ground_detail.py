@@ -1,0 +1,93 @@
+"""Detail of the ground: smooth, of mean 0, anchored to the planet, no finer than the picture."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.testing import assert_allclose
+
+from airlight.scene.ground_detail import (
+    AMPLITUDE,
+    OCTAVES,
+    PERIOD,
+    STEP,
+    finest_cell,
+    ground_detail,
+    lattice_origin,
+    smooth_noise,
+)
+from airlight.scene.observer import planet_frame
+
+BOTTOM = 6371e3
+CELL = finest_cell(BOTTOM, 2700)
+
+
+def value_at(i: int, j: int, k: int) -> float:
+    """Value of a lattice point by its definition, in whole numbers."""
+    return shuffle(shuffle(shuffle(i) + j) + k) / 144.0 - 1.0
+
+
+def shuffle(n: int) -> int:
+    return (34 * n + 1) * n % 289
+
+
+def detail(place: np.ndarray, below: np.ndarray, footprint: float) -> float:
+    """Detail at a place for an observer above another; both are points on the ground. [m]"""
+    origins = [lattice_origin(x, BOTTOM, CELL) for x in below / BOTTOM]
+    wholes, parts = zip(*origins, strict=True)
+    return float(ground_detail(*(place - below), footprint, CELL, *wholes, *parts))
+
+
+def test_the_mean_is_zero() -> None:
+    # The permutation takes every value equally often: over all lattice points of a plane the mean
+    # vanishes to 1e-3; the noise between them is a weighted mean.
+    values = [value_at(i, j, 7) for i in range(PERIOD) for j in range(PERIOD)]
+    assert abs(np.mean(values)) < 5e-3
+    assert max(values) <= 1.0
+    assert min(values) >= -1.0
+    assert_allclose(np.std(values), 1.0 / math.sqrt(3.0), rtol=0.02)  # a uniform distribution
+
+
+def test_noise_is_that_of_the_lattice_at_its_points_and_smooth_between() -> None:
+    # The definition; the slope of the weights is at most 15/8, of values that differ by 2 at most.
+    assert_allclose(smooth_noise(3.0, 250.0, 255.0), value_at(3, 250, 255), atol=1e-12)
+    random = np.random.default_rng(1)
+    for x, y, z in random.uniform(0.0, PERIOD, (200, 3)):
+        step = smooth_noise(x + 1e-4, y, z) - smooth_noise(x, y, z)
+        assert abs(step) <= 1.0001e-4 * 2.0 * 15.0 / 8.0
+
+
+def test_noise_repeats_after_its_period() -> None:
+    for x, y, z in np.random.default_rng(2).uniform(0.0, PERIOD, (50, 3)):
+        wanted = smooth_noise(x, y, z)
+        assert_allclose(smooth_noise(x - PERIOD, y + PERIOD, z), wanted, atol=1e-9)
+
+
+def test_the_ground_stays_where_it_is_when_the_observer_moves() -> None:
+    # Two observers see the same stone: the sum from either origin is one place of the lattice.
+    random = np.random.default_rng(3)
+    for _ in range(40):
+        latitude, longitude = random.uniform([-80.0, -180.0], [80.0, 180.0])
+        here = BOTTOM * planet_frame(latitude, longitude, 0.0)[:, 2]
+        there = BOTTOM * planet_frame(latitude + 1e-4, longitude - 1e-4, 0.0)[:, 2]
+        place = here + random.uniform(-5.0, 5.0, 3)
+        assert_allclose(detail(place, there, 0.01), detail(place, here, 0.01), atol=1e-6)
+
+
+def test_nothing_is_finer_than_two_pixels() -> None:
+    # Cells of the coarsest size span STEP**(OCTAVES - 1) of the finest.
+    here = BOTTOM * planet_frame(30.0, 40.0, 0.0)[:, 2]
+    coarsest = CELL * STEP ** (OCTAVES - 1)
+    assert detail(here, here, 0.51 * coarsest) == 0.0
+    assert detail(here, here, 0.4 * coarsest) != 0.0
+    assert_allclose(coarsest, math.pi * BOTTOM / 2700.0 / STEP, rtol=1e-12)
+
+
+def test_the_detail_stays_within_its_bounds() -> None:
+    random = np.random.default_rng(4)
+    here = BOTTOM * planet_frame(-10.0, 100.0, 0.0)[:, 2]
+    values = [detail(here + 1e4 * step, here, 0.01) for step in random.normal(size=(2000, 3))]
+    assert_allclose(np.mean(values), 0.0, atol=0.015)
+    assert 0.05 < np.std(values) < 0.2
+    assert max(np.abs(values)) < OCTAVES * AMPLITUDE

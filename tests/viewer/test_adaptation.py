@@ -1,0 +1,151 @@
+"""The automatic exposure of a session: it eases, holds, and is shared by both sides."""
+
+from __future__ import annotations
+
+import dataclasses
+import threading
+import time
+from collections.abc import Callable, Iterator
+from typing import Any, cast
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight import Camera, Scene, load_planet
+from airlight.gpu.device.device import Device
+from airlight.paint.scene_painter import ScenePainter
+from airlight.planets.picture_wavelengths import picture_wavelengths
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.viewer.painting.picture_painter import PicturePainter
+from airlight.viewer.painting.picture_source import Picture, Request
+from airlight.viewer.session.adaptation import Adaptation
+from airlight.viewer.session.session import Session
+from airlight.viewer.window.sides import Sides
+
+LONG = 60.0
+
+
+class Clock:
+    """Clock that a test moves. [s]"""
+
+    def __init__(self) -> None:
+        self.now = 100.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+def test_it_reaches_the_measured_exposure_in_half_a_second() -> None:
+    clock = Clock()
+    adaptation = Adaptation(clock)
+    assert adaptation.exposure is None
+    assert adaptation.towards(-3.0, held=False) == -3.0
+    seen = [-3.0]
+    for _ in range(30):
+        clock.now += 1.0 / 60.0
+        seen.append(adaptation.towards(1.0, held=False))
+    assert np.all(np.diff(seen) >= 0.0)
+    assert np.diff(seen).max() < 0.6
+    # e^{-0.4/0.13} of four stops are left after 0.4 s: 0.18 EV
+    assert_allclose(seen[24], 1.0, atol=0.2)
+    while not adaptation.reached(1.0):
+        clock.now += 1.0 / 60.0
+        adaptation.towards(1.0, held=False)
+    assert clock.now < 101.0
+
+
+def test_a_rest_is_no_time_to_adapt_in() -> None:
+    clock = Clock()
+    adaptation = Adaptation(clock)
+    adaptation.towards(0.0, held=False)
+    clock.now += 1000.0
+    assert adaptation.towards(4.0, held=False) < 2.5
+
+
+def test_it_holds_while_locked_or_dragged_and_not_for_the_camera() -> None:
+    session = Session("earth-atmosphere-plus")
+    assert not session.holds_exposure
+    session.begin_drag("view.sun_zenith")
+    assert not session.holds_exposure
+    session.end_drag()
+    session.begin_drag("constituents[1].scattering")
+    assert session.holds_exposure
+    session.end_drag()
+    assert not session.holds_exposure
+    session.set("display.locked", True)
+    assert session.holds_exposure
+
+
+@pytest.fixture(scope="module")
+def request_(solved: Callable[..., MomentsSolution]) -> Request:
+    earth = load_planet("earth-atmosphere-plus")
+    nm = tuple(float(one) for one in picture_wavelengths(earth, "four"))
+    camera = Camera(width=48, height=27, look_zenith=85.0, look_azimuth=60.0)
+    scene = Scene(camera=camera, altitude=2e3, sun_zenith=70.0)
+    return Request(solution=solved(earth, nm, "preview"), scene=scene, exposure=0.0, automatic=True)
+
+
+def test_pictures_ease_until_the_exposure_is_reached(device: Device, request_: Request) -> None:
+    painter = PicturePainter(device.device, ScenePainter())
+    plain = list(painter.paint(request_, lambda: False))[-1]
+    adaptation = Adaptation()
+    adaptation.towards(plain.exposure - 4.0, held=False)
+    held = dataclasses.replace(request_, adaptation=adaptation, held=True)
+    shown = list(painter.paint(held, lambda: False))
+    assert [one.exposure for one in shown] == [plain.exposure - 4.0] * len(shown)
+    assert shown[-1].finished
+    free = dataclasses.replace(held, held=False)
+    assert not free.same(held)
+    eased = list(painter.paint(free, lambda: False))
+    exposures = [one.exposure for one in eased]
+    assert len(exposures) > 4
+    assert exposures == sorted(exposures)
+    assert exposures[-1] == plain.exposure
+    assert [one.finished for one in eased] == [False] * (len(eased) - 1) + [True]
+
+
+class Recorder:
+    """Painter that measures an exposure of its own and paints nothing."""
+
+    def __init__(self, asked: list[Request], measured: float) -> None:
+        self.asked, self.measured = asked, measured
+
+    def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
+        self.asked.append(request)
+        exposure = request.exposure
+        if request.automatic and request.adaptation is None:
+            exposure += self.measured
+        elif request.automatic:
+            exposure += request.adaptation.towards(self.measured, held=request.held)
+        yield Picture(view=None, width=1, height=1, request=request, exposure=exposure,
+                      finished=True, seconds=0.0, by="nobody")  # fmt: skip
+
+    def close(self) -> None:
+        pass
+
+
+def test_both_sides_share_the_exposure_of_the_edited_one(request_: Request) -> None:
+    session = Session("earth-atmosphere-plus")
+    session.store_b()
+    asked: list[Request] = []
+    measured = iter((-3.0, 5.0))
+    woken = threading.Event()
+
+    def solver(*_arguments: Any, **_named: Any) -> MomentsSolution:
+        return request_.solution
+
+    sides = Sides(
+        session, lambda: cast(Any, Recorder(asked, next(measured))), cast(Any, solver), woken.set
+    )
+    until = time.monotonic() + LONG
+    try:
+        while True:
+            sides.follow(both=True)
+            first, second = sides.picture("A"), sides.picture("B")
+            if first and second and first.exposure == second.exposure == -3.0:
+                break
+            assert time.monotonic() < until, [one.exposure for one in asked]
+            woken.wait(0.05)
+    finally:
+        sides.close()
