@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,7 @@ from PIL import Image
 
 from airlight import solve
 from airlight.color.display import to_display
+from airlight.kernel.compiling import Compiling
 from airlight.paint.scene_painter import ScenePainter
 from airlight.planets import load_planet
 from airlight.viewer.background.solving import Solving
@@ -144,3 +145,60 @@ def test_a_kernel_that_draws_sends_no_tables(viewer: Any) -> None:
     assert viewer.picture["tables"] == {}
     assert viewer.picture["viewpoints"]
     assert viewer.stale is False
+
+
+class _Compiler:
+    """Other process, which has compiled what draws once the test says so."""
+
+    def __init__(self) -> None:
+        self.compiling = Compiling([], here=False)
+        self.compiling.total = 1
+        self.done = threading.Event()
+
+    def wait(self, loop: Any, stale: Callable[[], bool]) -> bool:
+        while not self.done.wait(0.01):
+            if stale():
+                return False
+        return True
+
+    def close(self) -> None:
+        pass
+
+
+def test_the_kernel_leaves_compilation_to_another_process(
+    viewer: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from airlight.viewer.background import preparing
+
+    compiler = _Compiler()
+    monkeypatch.setattr(preparing, "compiled_ahead", lambda: compiler)
+    monkeypatch.setattr(preparing.Preparing, "share", property(lambda one: float(ready.is_set())))
+    ready = compiler.done
+    viewer.set_state({"drawer": "kernel"})
+    assert viewer._pictures.preparing.ahead is compiler
+    order = {"number": 1, "view": dict(viewer.session.view), "size": [40, 24]}
+    viewer.set_state({"wanted": order})
+    viewer._wake()
+    assert viewer._pictures.waits
+    assert "default" not in viewer.status
+    time.sleep(0.3)
+    assert viewer.drawn == {}
+    compiler.done.set()
+    limit = time.monotonic() + 60.0
+    while viewer.drawn.get("number") != 1:
+        assert time.monotonic() < limit
+        time.sleep(0.01)
+    assert "png" in viewer.drawn
+    assert viewer.status.startswith("default, ")
+
+
+def test_closing_ends_a_picture_that_waits(viewer: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    from airlight.viewer.background import preparing
+
+    monkeypatch.setattr(preparing, "compiled_ahead", _Compiler)
+    viewer.set_state({"drawer": "kernel"})
+    order = {"number": 1, "view": dict(viewer.session.view), "size": [40, 24]}
+    viewer.set_state({"wanted": order})
+    viewer.close()
+    assert viewer.drawn == {}
+    assert not viewer._pictures._thread.is_alive()

@@ -137,7 +137,7 @@ class ScenePainter:
     device : Device, optional
         Device that draws, see ``drawing_device``; without one the processor does.
     ahead : CompiledAhead, optional
-        Process that compiles the processor's loops, which live pictures wait for.
+        Process that compiles the processor's loops, which pictures wait for.
     """
 
     def __init__(self, device: Device | None = None, ahead: CompiledAhead | None = None) -> None:
@@ -196,6 +196,8 @@ class ScenePainter:
             If ``cancel`` requested it.
         """
         if self._device is None:
+            if not self._has(DRAWING, cancel or (lambda: False)):
+                raise Cancelled("the picture")
             frame = render(
                 solution, scene, exact=exact, orders=orders, samples=samples, progress=progress,
                 cancel=cancel,

@@ -15,6 +15,7 @@ from airlight.color.display import to_display
 from airlight.paint.scene_painter import ScenePainter
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.viewer.background.error_line import one_line
+from airlight.viewer.background.preparing import Preparing
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.parameters.view_parameters import scene_of
 
@@ -57,6 +58,25 @@ class KernelPictures:
         self._orders: queue.SimpleQueue[Order | None] = queue.SimpleQueue()
         self._closing = False
         self._thread: threading.Thread | None = None
+        self._drew = False
+        self.preparing: Preparing | None = None
+
+    def prepare(self, wake: Callable[[], None]) -> None:
+        """Compile in another process what draws, which leaves this one free to answer.
+
+        Parameters
+        ----------
+        wake : callable
+            Called from any thread, a few times a second, while there is progress.
+        """
+        if self.preparing is None:
+            self.preparing = Preparing(wake)
+
+    @property
+    def waits(self) -> bool:
+        """Whether the first picture waits for what draws it to be compiled."""
+        preparing = self.preparing
+        return preparing is not None and not self._drew and preparing.share < 1.0
 
     def ask(self, order: Order) -> None:
         """Draw a picture after those asked for before; returns at once."""
@@ -73,15 +93,21 @@ class KernelPictures:
         self._orders.put(None)
         if self._thread is not None and self._thread is not threading.current_thread():
             self._thread.join()
+        if self.preparing is not None:
+            self.preparing.close()
 
     def _work(self) -> None:
-        painter = ScenePainter()
+        preparing = self.preparing
+        painter = ScenePainter(ahead=None if preparing is None else preparing.ahead)
         while (order := self._orders.get()) is not None and not self._closing:
             try:
                 drawn = self._drawn(painter, order)
             except Exception as failure:
                 # The thread must survive any failure of one picture, to draw the next.
                 drawn = {"error": one_line(failure)}
+            if preparing is not None and not self._drew:
+                preparing.finish()
+            self._drew = True
             if not self._closing:
                 self._answer({"number": order.number, **drawn})
         painter.close()

@@ -130,6 +130,7 @@ class Viewer(anywidget.AnyWidget):
         self.observe(self._take_values, "values")
         self.observe(self._take_command, "command")
         self.observe(self._take_wanted, "wanted")
+        self.observe(self._take_drawer, "drawer")
         self._pictures = KernelPictures(self._answer)
         self._solving = solving(
             self.session,
@@ -212,7 +213,9 @@ class Viewer(anywidget.AnyWidget):
             }
             self._take_wanted({"new": self._waiting})
         self.stale = solved is not None and solved.version != self.session.versions.planet
-        if now.busy:
+        if self._pictures.preparing is not None and self._pictures.waits:
+            self.status = self._pictures.preparing.text(now)
+        elif now.busy:
             self.status = now.doing
         elif solved is not None:
             self.status = f"{solved.quality}, {solved.seconds:.2f} s"
@@ -220,9 +223,13 @@ class Viewer(anywidget.AnyWidget):
     def _answer(self, drawn: dict[str, Any]) -> None:
         """Pass a picture from its thread to the notebook's event loop, and to the browser."""
         if self._loop is None or self._loop.is_closed():
-            self.drawn = drawn
+            self._show_drawn(drawn)
         else:
-            self._loop.call_soon_threadsafe(lambda: setattr(self, "drawn", drawn))
+            self._loop.call_soon_threadsafe(self._show_drawn, drawn)
+
+    def _show_drawn(self, drawn: dict[str, Any]) -> None:
+        self.drawn = drawn
+        self._follow_solution()  # which no longer waits for what draws
 
     # --- from the browser ---------------------------------------------------------------------
 
@@ -251,6 +258,11 @@ class Viewer(anywidget.AnyWidget):
             self.session.begin_drag(name)
         for path, value in news.items():
             self.session.set(path, value)
+
+    def _take_drawer(self, change: Mapping[str, Any]) -> None:
+        """Prepare the kernel for drawing, once the browser has found no graphics card."""
+        if change["new"] == "kernel":
+            self._pictures.prepare(self._wake)
 
     def _take_wanted(self, change: Mapping[str, Any]) -> None:
         """Draw the picture that the browser asks for, once there is a solution."""

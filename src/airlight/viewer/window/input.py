@@ -65,7 +65,8 @@ class WindowInput:
         canvas.add_event_handler(self._press, "pointer_down", order=-500)
         canvas.add_event_handler(self._move, "pointer_move", order=-500)
         canvas.add_event_handler(self._wheel, "wheel", order=-500)
-        canvas.add_event_handler(self._key, "key_down")
+        # ImGui still claims the keys in the frame after a click, and would keep them.
+        canvas.add_event_handler(self._key, "key_down", order=-500)
 
     def _press(self, event: Mapping[str, Any]) -> None:
         x, y = event["x"], event["y"]

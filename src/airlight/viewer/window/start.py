@@ -19,6 +19,7 @@ from airlight.paint.drawing_device import Choice, live_device
 from airlight.paint.scene_painter import ScenePainter
 from airlight.paint.solve_planet import live_solver
 from airlight.scene import look_at
+from airlight.viewer.background.preparing import Preparing
 from airlight.viewer.navigation.first_view import first_view
 from airlight.viewer.painting.picture_painter import PicturePainter
 from airlight.viewer.painting.picture_source import Painter
@@ -26,7 +27,6 @@ from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.session.saved_state import from_fragment
 from airlight.viewer.session.session import Session
 from airlight.viewer.window.canvas import DesktopCanvas, OffscreenCanvas, WindowError
-from airlight.viewer.window.preparing import Preparing
 from airlight.viewer.window.window import Window
 
 #: Default azimuth from the sun, across the sunlight, if only an altitude is given. [deg]

@@ -13,6 +13,7 @@ from typing import Any, Final
 
 from airlight.paint.solve_planet import PlanetSolver
 from airlight.viewer.background.error_line import Faults
+from airlight.viewer.background.preparing import Preparing
 from airlight.viewer.navigation.flight import Flight
 from airlight.viewer.navigation.keys import RATES
 from airlight.viewer.painting.picture_source import Painter, Picture
@@ -39,7 +40,6 @@ from airlight.viewer.window.panels.status import (
     working_text,
 )
 from airlight.viewer.window.picture_area import PictureArea, Rectangle, layout
-from airlight.viewer.window.preparing import Preparing
 from airlight.viewer.window.sides import Sides
 from airlight.viewer.window.surface import WindowSurface
 from airlight.viewer.window.thumbnails import ENLARGED, Thumbnails

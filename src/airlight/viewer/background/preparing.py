@@ -1,4 +1,4 @@
-"""What is still to be done before the first picture of a window, counted."""
+"""What is still to be done before the first picture of a viewer, counted."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from airlight.render.ahead import compiled_ahead
 from airlight.solvers.moments.loops import LOOPS
 from airlight.viewer.background.solving import SolverStatus
 
-#: Shortest time between two calls that redraw the window: it shares the processor. [s]
+#: Shortest time between two calls that redraw the viewer: it shares the processor. [s]
 _EVERY: Final = 0.2
 
 
