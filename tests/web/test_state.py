@@ -254,3 +254,44 @@ def test_the_exposure_eases_as_in_python(modules: Callable[..., Any]) -> None:
     adaptation = Adaptation(lambda: next(times))
     steps = [(-3.0, False), (1.0, True), *[(1.0, False)] * 12]
     assert_allclose(got, [adaptation.towards(to, held=held) for to, held in steps], rtol=1e-12)
+
+
+def test_a_late_answer_does_not_undo_an_edit(modules: Callable[..., Any]) -> None:
+    # A busy kernel answers to the first of two edits after the second was made.
+    page = modules({"state/remote_state": ("RemoteState",)})
+    got = page.evaluate(
+        """([parameters, values]) => {
+          const traits = { parameters, values, can: { heard: {} } };
+          const sent = [];
+          const model = {
+            get: (name) => traits[name],
+            set: (name, value) => { traits[name] = value; },
+            save_changes: () => sent.push(traits.gesture),
+          };
+          const state = new RemoteState(model);
+          const answer = (message, values) => {
+            traits.can = { heard: message ? { [message.by]: message.count } : { other: 9 } };
+            traits.values = { ...traits.values, ...values };
+            state.hear();
+          };
+          const seen = [];
+          for (const altitude of [5, 7]) {
+            state.set({ "view.altitude": altitude });
+            state.send();
+          }
+          answer(null, { "view.altitude": 50 }); // another view's edit, before this one's arrived
+          seen.push(state.values["view.altitude"]);
+          answer(sent[0], { "view.altitude": 5 });
+          seen.push(state.values["view.altitude"]);
+          answer(sent[1], { "view.altitude": 7.5 }); // adjusted by Python
+          seen.push(state.values["view.altitude"]);
+          answer(sent[1], { "view.altitude": 9 }); // set by Python
+          seen.push(state.values["view.altitude"]);
+          state.set({ "view.altitude": 11 }); // not sent yet
+          answer(sent[1], { "view.altitude": 10 });
+          seen.push(state.values["view.altitude"]);
+          return seen;
+        }""",
+        [PARAMETERS, VALUES],
+    )
+    assert got == [7, 7, 7.5, 9, 11]

@@ -115,6 +115,8 @@ class Viewer(anywidget.AnyWidget):
         self._telling = False
         self._shown: object = None
         self._waiting: Mapping[str, Any] = {}
+        self._gesture: Mapping[str, Any] = {}
+        self._heard: dict[str, int] = {}  # number of the last message of each browser's view
         super().__init__(
             height=height,
             device=device,
@@ -127,6 +129,7 @@ class Viewer(anywidget.AnyWidget):
         except RuntimeError:
             self._loop = None
         unfollow = self.session.follow(lambda versions: self._tell())
+        self.observe(self._take_gesture, "gesture")  # before the values that it explains
         self.observe(self._take_values, "values")
         self.observe(self._take_command, "command")
         self.observe(self._take_wanted, "wanted")
@@ -174,6 +177,7 @@ class Viewer(anywidget.AnyWidget):
                 "swap": session.has_other,
                 "showing": session.showing,
                 "camera": session.shares_camera,
+                "heard": dict(self._heard),
             },
         }
 
@@ -233,6 +237,18 @@ class Viewer(anywidget.AnyWidget):
 
     # --- from the browser ---------------------------------------------------------------------
 
+    def _take_gesture(self, change: Mapping[str, Any]) -> None:
+        self._gesture = change["new"]
+        if self._hear(change["new"]):
+            self.can = self._told()["can"]
+
+    def _hear(self, message: Mapping[str, Any]) -> bool:
+        """Keep the number of a message, which the browser waits for; False without one."""
+        if "by" not in message:
+            return False
+        self._heard[str(message["by"])] = int(message["count"])
+        return True
+
     def _take_values(self, change: Mapping[str, Any]) -> None:
         if self._telling:
             return
@@ -248,7 +264,7 @@ class Viewer(anywidget.AnyWidget):
 
     def _edit(self, news: Mapping[str, Value]) -> None:
         """Apply edits of the browser, with undo steps like those of a page's history."""
-        gesture, self.gesture = self.gesture, {}
+        gesture, self._gesture = self._gesture, {}
         name, held = str(gesture.get("name", "")), bool(gesture.get("held", False))
         view = {path: value for path, value in news.items() if path.startswith("view.")}
         if len(view) > 1 or (view and "name" in gesture and name not in view):
@@ -290,6 +306,7 @@ class Viewer(anywidget.AnyWidget):
             "one camera": lambda: self._share_camera(True),
             "two cameras": lambda: self._share_camera(False),
         }
+        self._hear(change["new"])
         act = acts.get(change["new"].get("name", ""))
         if act is not None:
             self._try(act)

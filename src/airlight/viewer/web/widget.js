@@ -35,7 +35,7 @@ function render({ model, el }) {
       return Picture.make(device, { ...model.get("program"), ...model.get("picture") }, tell);
     },
   });
-  on("values", () => state.take(model.get("values")));
+  on("values", () => state.hear());
   on("parameters", () => viewer.declare(model.get("parameters"), model.get("values")));
   on("picture", () => viewer.take(model.get("picture")));
   on("title", () => viewer.retitle(model.get("title")));

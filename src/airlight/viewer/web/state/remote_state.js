@@ -9,6 +9,7 @@ export class RemoteState extends State {
   constructor(model) {
     super(model.get("parameters"), model.get("values"));
     this.model = model;
+    this.name = Math.random().toString(36).slice(2); // a widget may be shown more than once
     this.commands = 0;
     this.waiting = null;
     this.holding = false;
@@ -24,6 +25,12 @@ export class RemoteState extends State {
 
   get hasOther() {
     return Boolean(this.model.get("can").swap);
+  }
+
+  /** Take over Python's values, unless a later edit is on its way: its answer follows. */
+  hear() {
+    const heard = this.model.get("can").heard[this.name] ?? 0;
+    if (heard >= this.commands && !this.waiting) this.take(this.model.get("values"));
   }
 
   /** Python answers with the values that follow. */
@@ -50,7 +57,7 @@ export class RemoteState extends State {
 
   send() {
     if (!this.waiting) return;
-    this.model.set("gesture", { ...this.waiting, count: ++this.commands });
+    this.model.set("gesture", { ...this.waiting, ...this.signed() });
     this.waiting = null;
     this.model.set("values", { ...this.values });
     this.model.save_changes();
@@ -59,8 +66,13 @@ export class RemoteState extends State {
   /** Send a command for Python's session. */
   command(name) {
     this.send();
-    this.model.set("command", { name, count: ++this.commands });
+    this.model.set("command", { name, ...this.signed() });
     this.model.save_changes();
+  }
+
+  /** Sender and number of a message, which Python repeats once it has it. */
+  signed() {
+    return { by: this.name, count: ++this.commands };
   }
 
   undo() {
