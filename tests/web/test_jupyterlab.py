@@ -117,7 +117,7 @@ def test_slider_in_jupyterlab_moves_python_and_the_picture(
     lab: str, chromium: Any, tell: Callable[[str], None]
 ) -> None:
     page = chromium.new_page(viewport={"width": 1200, "height": 900})
-    page.set_default_timeout(120_000)
+    page.set_default_timeout(1e3 * PATIENCE)
     page.goto(lab)
     page.locator(".jp-Notebook .jp-CodeCell").first.wait_for()
     until(page, "!!document.querySelector('.jp-Notebook-ExecutionIndicator[data-status=idle]')")

@@ -5,8 +5,8 @@ from __future__ import annotations
 import time
 from typing import Any
 
-#: Time limit, generous for two busy cores. [s]
-PATIENCE = 120.0
+#: Time limit, generous for two busy cores on which the solver may have to be compiled first. [s]
+PATIENCE = 300.0
 
 
 def until(page: Any, expression: str, seconds: float = PATIENCE) -> Any:
