@@ -26,7 +26,7 @@ FLAGS = (
     "--disable-gpu-watchdog",
 )
 #: Time limit of a page on two busy cores. [ms]
-PATIENCE = 120_000
+PATIENCE = 300_000
 
 
 def missing(reason: str) -> None:
