@@ -171,6 +171,31 @@ def test_a_page_on_a_wide_screen_draws_for_its_primaries(
 
 
 @pytest.mark.slow
+def test_the_slider_of_glare_is_that_of_the_native_device(
+    solutions: Callable[[str], Any], native: Pictures, page_by: Callable[[str, str], Any]
+) -> None:
+    name, changes = VIEWS["earth, the sun"]
+    native.show(solutions(name))
+    page = page_by(name, "webgl2")
+    painted_by(page, {**FIXED, **changes})
+    page.get_by_placeholder("find").fill("glare")
+    slider = page.locator("[data-path='display.glare'] input[type=range]")
+    box = slider.bounding_box()
+    assert box is not None
+    page.mouse.click(box["x"] + 0.75 * box["width"], box["y"] + 0.5 * box["height"])
+    glare = page.evaluate("airlight.state.get('display.glare')")
+    assert 2.0 < glare <= 4.0
+    values = {**FIXED, **changes, "display.glare": glare}
+    off, one, more = (
+        drawn(native, {**DEFAULTS, **FIXED, **changes, "display.glare": amount})
+        for amount in (0.0, 1.0, glare)
+    )
+    assert_allclose(painted_by(page, values), more, atol=2.0)
+    assert off.mean() < one.mean() < more.mean()
+    page.get_by_placeholder("find").fill("")
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize("device", ["webgpu", "webgl2"])
 @pytest.mark.parametrize("view", VIEWS)
 def test_page_draws_what_the_native_device_draws(
