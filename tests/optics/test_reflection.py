@@ -19,7 +19,7 @@ from airlight.optics.reflection import (
     star_factor,
     star_factors,
 )
-from airlight.planets.ground_and_star import Ground
+from airlight.planets.ground import Ground
 from airlight.planets.medium import Medium
 
 ALBEDO = np.linspace(0.05, 0.9, LANES)

@@ -14,7 +14,7 @@ import numpy as np
 
 from airlight.color.texels import CHANNELS
 from airlight.errors import FileError
-from airlight.scene.map_picture import map_pixels
+from airlight.planets.map_picture import map_pixels
 from airlight.scene.surface_map import SurfaceMap, from_pixels
 
 _DATA = Path(__file__).parent / "data"

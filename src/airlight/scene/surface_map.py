@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.color.texels import CHANNELS, DECODED, decoded_texels
 from airlight.errors import FileError
+from airlight.planets.map_picture import map_pixels
 from airlight.scene.map_levels import all_levels, reduced
-from airlight.scene.map_picture import map_pixels
 
 _DATA = Path(__file__).parent / "data"
 #: Suffix of packaged maps: ``earth`` is in ``data/earth-albedo.jpg``.
