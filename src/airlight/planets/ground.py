@@ -9,8 +9,9 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.optics.reflection import LAWS, Reflection, law_number
+from airlight.planets.cloud_cover import mean_cover
 from airlight.planets.parameters import parameters
-from airlight.planets.schema.key import Key, Wavelengths, always
+from airlight.planets.schema.key import FileTable, Key, Wavelengths, always
 from airlight.planets.schema.record import Record
 from airlight.planets.schema.section import Section
 from airlight.planets.spectral import Limits, spectral_at, spectral_limits, table_limits
@@ -19,6 +20,14 @@ FloatArray = npt.NDArray[np.float64]
 
 #: Wind speeds over water. [m s⁻¹]
 WINDS: Final = (0.5, 25.0)
+#: Albedo of full cover: that of a cloud of optical depth 11.5 by the two-stream formula of Lacis &
+#: Hansen (1974, J. Atmos. Sci. 31, 118), √3 (1 - g) τ / (2 + √3 (1 - g) τ) with g = 0.85. ISCCP
+#: (Rossow & Schiffer 1999, BAMS 80, 2261) calls clouds of 3.6 to 23 of medium thickness: 0.32 to
+#: 0.75. [1]
+CLOUD_ALBEDO: Final = 0.6
+#: Altitude of the layer: ISCCP's middle clouds have their tops at 680 to 440 hPa, which is 3.2 to
+#: 6.5 km in the standard atmosphere. [m]
+CLOUD_ALTITUDE: Final = 4000.0
 
 
 @cache
@@ -38,6 +47,11 @@ def _read_albedo(section: Section, name: str, wavelengths: Wavelengths) -> Any:
     return section.spectral(name, "1", "0.1", wavelengths)
 
 
+def _clouded(table: FileTable) -> bool:
+    """Offer the key to a table with clouds."""
+    return "clouds" in table
+
+
 @parameters
 class Ground(Record):
     """Ground: how much it reflects, and where to.
@@ -51,6 +65,12 @@ class Ground(Record):
         sends back into the air comes from ``albedo``.
     lights : str, optional
         Name of a picture of the lights of towns, which are seen but light no air.
+    clouds : str, optional
+        Path of a picture of clouds, a flat layer above the ground; grey is their cover.
+    cloud_albedo : float
+        Albedo of full cover, 0 to 1. [1]
+    cloud_altitude : float
+        Altitude of the layer, 0 to 100 km. [m]
     brightness : float
         Factor of albedo and picture, 0 to 100; no albedo exceeds that of the law, 1 of Lambert's.
         [1]
@@ -111,6 +131,46 @@ class Ground(Record):
         ]
         | None
     ) = None
+    clouds: (
+        Annotated[
+            str,
+            Key(
+                label="clouds",
+                help="Path of a picture of clouds, drawn as a flat layer that casts shadows.",
+                note="A picture as for the map, black for clear sky, white for full cover; none"
+                " comes with airlight. Seen from above the layer; the air has the mean of ground"
+                " and clouds below it.",
+                kind="text",
+                range=(1.0, 100.0),
+                example="the path of a picture of clouds",
+                synonyms=("cloud map", "weather"),
+            ),
+        ]
+        | None
+    ) = None
+    cloud_albedo: Annotated[
+        float,
+        Key(
+            label="albedo of clouds",
+            help="Fraction of light that a full cover of clouds reflects.",
+            note="0.6: a cloud of optical depth 11.5.",
+            range=(0.0, 1.0),
+            offered=_clouded,
+        ),
+    ] = CLOUD_ALBEDO
+    cloud_altitude: Annotated[
+        float,
+        Key(
+            label="altitude of clouds",
+            help="Altitude of the layer of clouds, by which their shadows are displaced.",
+            unit="m",
+            range=(0.0, 1e5),
+            example="4 km",
+            shown="km",
+            slider=(0.0, 20.0),
+            offered=_clouded,
+        ),
+    ] = CLOUD_ALTITUDE
     brightness: Annotated[
         float,
         Key(
@@ -171,7 +231,16 @@ class Ground(Record):
 
     @property
     def reflection(self) -> Reflection:
-        """Law of reflection with its parameters, for an albedo of 1."""
+        """Law of reflection with its parameters, for an albedo of 1.
+
+        Raises
+        ------
+        FileError
+            If the picture of clouds cannot be read.
+        """
         wet = self.law == "water" or (self.map is not None and self.wind is not None)
         law, plain = law_number(self.law), Reflection(1.0)
-        return Reflection(1.0, law, wet, plain.wind if self.wind is None else self.wind)
+        wind = plain.wind if self.wind is None else self.wind
+        if self.clouds is None:
+            return Reflection(1.0, law, wet, wind)
+        return Reflection(1.0, law, wet, wind, mean_cover(self.clouds), self.cloud_albedo)
