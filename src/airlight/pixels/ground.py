@@ -9,6 +9,7 @@ Water mirrors the sky itself, at the place that table and march give it beside t
 from __future__ import annotations
 
 from math import pi, sqrt
+from typing import Final
 
 import numpy as np
 
@@ -23,6 +24,9 @@ from airlight.scene.ground_detail import ground_detail
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
 from airlight.solvers.moments.irradiance import ground_light
 from airlight.solvers.moments.source import through_columns
+
+#: Length of the array that ``ground_color`` fills.
+GROUND_VALUES: Final = 11
 
 
 @inlined
