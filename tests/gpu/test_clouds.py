@@ -14,11 +14,12 @@ from airlight.color.display import to_display
 from airlight.color.exposure import automatic_exposure
 from airlight.gpu.device.device import Device
 from airlight.gpu.picture.pictures import Pictures
-from airlight.gpu.solver import solve_on
+from airlight.gpu.solver.solver import solve_on
 from airlight.planets.cloud_cover import mean_cover
 from airlight.planets.medium import Medium
 from airlight.render import render
 from airlight.scene.ground_overlay import ground_overlay
+from airlight.solvers.moments.settings import settings_for
 
 NM = (440.0, 500.0, 560.0, 620.0)
 
@@ -49,9 +50,9 @@ def test_clouds_of_a_device_are_those_of_the_processor(device: Device, clouds: s
             scene = Scene(camera=camera, altitude=altitude, sun_zenith=sun, latitude=40.0,
                           longitude=10.0)  # fmt: skip
             wanted, seen = render(solution, scene), pictures.frame(scene)
-            exposure = automatic_exposure(wanted)
+            exposure = automatic_exposure(wanted.rgb)
             shown = [to_display(one.rgb, exposure) for one in (wanted, seen)]
-            off = 255.0 * np.abs(shown[0].astype(float) - shown[1].astype(float))
+            off = np.abs(shown[0].astype(float) - shown[1].astype(float))
             assert off.max() <= 2.0
             assert np.median(np.abs(seen.rgb - wanted.rgb)) < 1e-4 * wanted.rgb.max()
 
@@ -64,7 +65,7 @@ def test_a_device_solves_for_the_mean_ground(device: Device, clouds: str) -> Non
         for solution in (
             solve(load_planet("earth-atmosphere-plus", {"ground.clouds": clouds}), NM, "preview",
                   cache=False),
-            solve_on(device, medium, "preview"),
+            solve_on(device, medium, settings_for("preview")),
         )
     )  # fmt: skip
     assert_allclose(seen, wanted, rtol=2e-3)

@@ -94,9 +94,8 @@ def test_a_file_that_is_no_map_is_one_line(
     draws: Draws, pixels: tuple[int, int] | None, said: str
 ) -> None:
     name = "./nothing.png" if pixels is None else draws(np.zeros(pixels))
-    planet = load_planet("earth-atmosphere-plus", {"ground.clouds": name})
     with pytest.raises(FileError, match=said) as refused:
-        Medium.from_planet(planet, NM)
+        load_planet("earth-atmosphere-plus", {"ground.clouds": name})
     assert "\n" not in str(refused.value)
     assert Path(name).name in str(refused.value)
 

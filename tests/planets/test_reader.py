@@ -112,7 +112,7 @@ WRONG = [
     ("albedo = 0.1", "albedo = 0.1\ncloud_albedo = -0.1", "ground.cloud_albedo", "0 to 1"),
     ("albedo = 0.1", "albedo = 0.1\ncloud_altitude = '-1 m'", "ground.cloud_altitude", "0 to"),
     ("albedo = 0.1", "albedo = 0.1\ncloud_altitude = '101 km'", "cloud_altitude", "100000 m"),
-    ("albedo = 0.1", "albedo = 0.1\ncloud_altitude = '4 kg'", "ground.cloud_altitude", "4 km"),
+    ("albedo = 0.1", "albedo = 0.1\ncloud_altitude = '4 kg'", "ground.cloud_altitude", "'m'"),
     ("albedo = 0.1", "albedo = 0.1\nclouds = 3", "ground.clouds", "picture of clouds"),
     ("albedo = 0.1", "albedo = 0.1\nalbeda = 0.1", "a key of ground is 'albeda'", "'albedo'?"),
     ('irradiance = "1 W/m^2/nm"', "", "star.light is missing", "spectrum, irradiance, temperature"),

@@ -10,7 +10,7 @@ import pytest
 from numpy.testing import assert_allclose
 from PIL import Image
 
-from airlight import Camera, Medium, Scene, load_planet, solve
+from airlight import Camera, Ground, Medium, Scene, load_planet, solve
 from airlight.errors import ParameterError
 from airlight.planets.cloud_cover import mean_cover
 from airlight.planets.reading.reader import planet_text, read_planet
@@ -46,20 +46,25 @@ def session(clouds: str) -> Session:
     return Session("cloudy.toml")
 
 
+def ground_of(session: Session) -> Ground:
+    """Ground of the planet that a session sends to the solver."""
+    return read_planet(session.planet.text, "edited.toml").ground
+
+
 def test_a_planet_with_clouds_has_their_controls(session: Session) -> None:
     # Offered with their defaults; an edit reaches the solver's ground, and is undone.
     assert session.value("ground.cloud_altitude") == 4.0
-    before = session.planet.planet.ground.reflection
+    before = ground_of(session).reflection
     session.set("ground.cloud_albedo", 0.25)
     session.set("ground.cloud_altitude", 10.0)
-    ground = session.planet.planet.ground
+    ground = ground_of(session)
     assert (ground.cloud_albedo, ground.cloud_altitude) == (0.25, 1e4)
     assert ground.reflection == before._replace(cloud_albedo=0.25)
     with pytest.raises(ParameterError, match=r"ground\.cloud_albedo"):
         session.set("ground.cloud_albedo", 1.5)
     session.undo()
     session.undo()
-    assert session.planet.planet.ground.reflection == before
+    assert ground_of(session).reflection == before
     with pytest.raises(ParameterError):
         Session(PLANET).set("ground.cloud_altitude", 10.0)
 
