@@ -37,11 +37,13 @@ def clouds(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
 
 def test_clouds_of_a_device_are_those_of_the_processor(device: Device, clouds: str) -> None:
     # The same functions in double precision, over land, sea and lights of towns; above the layer
-    # and below it, by day and at dusk; also where light is bent.
+    # and below it, by day and at dusk; also where light is bent, and for the clear Earth after the
+    # cloudy one, whose shaders and textures are others.
     pictures = Pictures(device, (128, 64))
-    for more in ({}, {"refraction": "bouguer", "ground.cloud_altitude": "10 km"}):
-        planet = load_planet("earth", {"ground.clouds": clouds, **more})
-        solution = solve(planet, NM, "preview", cache=False)
+    cloudy = {"ground.clouds": clouds}
+    bent = {"refraction": "bouguer", "ground.cloud_altitude": "10 km"}
+    for changes in (cloudy, cloudy | bent, {}):
+        solution = solve(load_planet("earth", changes), NM, "preview", cache=False)
         pictures.show(solution)
         for altitude, zenith, sun in (
             (4e5, 150.0, 40.0), (4e5, 130.0, 93.0), (12e3, 100.0, 80.0), (2e3, 110.0, 70.0),
