@@ -23,7 +23,7 @@ from airlight.color.tone_maps import TONE_MAPS
 from airlight.geometry import bending, path, shell, sun_disc
 from airlight.gpu.emit.shader_types import Bundle, Constant, Table
 from airlight.mappings import sky_view, transmittance
-from airlight.optics import cox_munk, fresnel, phase_functions, reflection, water
+from airlight.optics import clouds, cox_munk, fresnel, phase_functions, reflection, water
 from airlight.optics.reflection import LAWS, NUMBERS, Reflection
 from airlight.pixels import ground_angles, sky_table, star_disc
 from airlight.scene import ground_place
@@ -257,6 +257,10 @@ GROUND = [
     # log₂ of numbers from 1e-3 to 1e3: 2⁻²¹.
     Case(ground_place.map_level, (1e-3, np.geomspace(10.0, 1e7, COUNT), UNIT, BOTTOM, 2048.0),
          atol=16 * EPS),
+    Case(clouds.layer_distance, (uniform(-0.2, 1.0, 46), BOTTOM, np.geomspace(1.0, 1e5, COUNT)),
+         rtol=8 * EPS),
+    # Sums of products of numbers up to 1.
+    Case(clouds.under_clouds, tuple(uniform(0.0, 1.0, k) for k in range(47, 55)), atol=8 * EPS),
 ]  # fmt: skip
 
 #: Cosines of a star and of an observer over water, the angle between both planes, and the wind.

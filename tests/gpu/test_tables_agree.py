@@ -435,6 +435,8 @@ WHOLE = {
         "ground_detail", "smooth_noise", "lattice_value", "quintic", "shuffled", "below_289",
         "in_period",
     ),
+    "test_clouds.py::test_clouds_of_a_device_are_those_of_the_processor": ("cloud_cover",),
+    "test_clouds.py::test_a_device_solves_for_the_mean_ground": ("_with_clouds",),
     "test_lights.py::test_lights_by_night_are_those_of_the_processor": (
         "columns_to_ground", "lamp_light",
     ),

@@ -19,7 +19,7 @@ from airlight.optics.reflection import (
     star_factor,
     star_factors,
 )
-from airlight.planets.ground_and_star import Ground
+from airlight.planets.ground import Ground
 from airlight.planets.medium import Medium
 
 ALBEDO = np.linspace(0.05, 0.9, LANES)
@@ -143,3 +143,24 @@ def test_arrays_of_lines_are_the_single_ones():
     for k, direction in enumerate(DIRECTIONS):
         both(ground._replace(albedo=ALBEDO.astype(np.float32)), *direction, out)
         assert_allclose(np.concatenate([stars[k], skies[k]]), out, rtol=1e-5)
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_clouds_are_a_share_of_lambert_ground(law):
+    # The definition of the mean: (1 - c) of the law, c of the albedo of clouds; lanes and single
+    # wavelengths alike, and exactly the one or the other at the ends.
+    plain = Reflection(0.3, law_number(law))
+    for direction in DIRECTIONS:
+        clear = np.array(one(plain, *direction))
+        for cover in (0.0, 0.25, 1.0):
+            ground = plain._replace(cover=cover, cloud_albedo=0.8)
+            expected = (1.0 - cover) * clear + cover * 0.8
+            # factors of lanes are rounded to single precision
+            assert_allclose(one(ground, *direction), expected, rtol=0 if cover == 0.0 else 1e-7)
+            out = np.empty((2, 1, 1))
+            lines = (np.array([x]) for x in direction)
+            arrays = ground._replace(albedo=np.array([0.3]))
+            mu_s, leaving, nu = lines
+            star_factors(arrays, mu_s, leaving, nu, out[0])
+            sky_factors(arrays, leaving, out[1])
+            assert_allclose(out.ravel(), expected, rtol=1e-6)

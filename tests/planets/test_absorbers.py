@@ -10,7 +10,6 @@ from airlight.constants import DOBSON_UNIT
 from airlight.errors import ParameterError
 from airlight.optics.gas_absorption import small_particle_absorption
 from airlight.planets import Constituent, Medium
-from airlight.planets.ground_and_star import Star
 from airlight.planets.matter.absorbers import (
     CrossSectionAbsorption,
     OzoneAbsorption,
@@ -19,6 +18,7 @@ from airlight.planets.matter.absorbers import (
 from airlight.planets.matter.profiles import Exponential, Tent
 from airlight.planets.planet import Planet
 from airlight.planets.spectral import PerWavelength
+from airlight.planets.star import Star
 
 NM = np.array([680.0, 550.0, 440.0])
 #: Ozone at 293 K, the golden values of the physics text. [m²]

@@ -54,6 +54,16 @@ VIEWS = {
     "earth, the sun": (
         "earth", {"view.altitude": 2.0, "view.look_zenith": 66.0, "display.exposure": -5.0},
     ),
+    "clouds, 12 km": (
+        "cloudy",
+        {"view.altitude": 12e3, "view.look_zenith": 100.0, "view.sun_zenith": 70.0,
+         "display.exposure": -4.0},
+    ),
+    "clouds, 400 km": (
+        "cloudy",
+        {"view.altitude": 400e3, "view.look_zenith": 115.0, "view.sun_zenith": 60.0,
+         "view.latitude": 32.0, "view.longitude": 12.0, "display.exposure": -5.0},
+    ),
     "mars, sunset": (
         "mars",
         {"view.sun_zenith": 89.0, "view.look_zenith": 85.0, "view.projection": "fisheye",
@@ -63,13 +73,18 @@ VIEWS = {
 
 
 @pytest.fixture(scope="module")
-def solutions() -> Callable[[str], Any]:
-    """Solutions by the name of the planet."""
+def solutions(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Any]:
+    """Solutions by the name of the planet; ``cloudy`` is the Earth with clouds."""
     kept: dict[str, Any] = {}
+    clouds = tmp_path_factory.mktemp("maps") / "clouds.png"
+    cover = np.random.default_rng(6).integers(0, 256, (90, 180), np.uint8)
+    Image.fromarray(cover).save(clouds)
 
     def of(name: str) -> Any:
         if name not in kept:
-            kept[name] = solve(load_planet(name), WAVELENGTHS, "preview", cache=False)
+            changes = {"ground.clouds": str(clouds), "ground.lights": None}
+            planet = load_planet("earth", changes) if name == "cloudy" else load_planet(name)
+            kept[name] = solve(planet, WAVELENGTHS, "preview", cache=False)
         return kept[name]
 
     return of

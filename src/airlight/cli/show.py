@@ -87,6 +87,8 @@ def _overview(planet: Planet, medium: Medium) -> Table:
     table.add_row("ground albedo", _spectral(medium.ground_albedo))
     if medium.ground_map is not None:
         table.add_row("ground map", medium.ground_map)
+    if medium.ground_clouds is not None:
+        table.add_row("clouds", f"{medium.ground_clouds}, mean cover {medium.ground.cover:.4g}")
     table.add_row("star", _parameters(planet.star))
     table.add_row("starlight", f"{_spectral(medium.solar_irradiance)} W m⁻² nm⁻¹")
     degrees = planet.star.angular_radius_degrees

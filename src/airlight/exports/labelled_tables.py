@@ -71,7 +71,8 @@ def unscattered(solution: Solution, label: Labels, precision: str) -> dict[str, 
 
 def facts(solution: Solution, orders: str) -> dict[str, Any]:
     """Facts about planet, solver and star for the manifest."""
-    medium = solution.medium
+    medium, ground = solution.medium, solution.medium.ground
+    clouds = {"cloud_cover": ground.cover, "cloud_albedo": ground.cloud_albedo}
     return {
         "planet": solution.planet.name if solution.planet is not None else "unnamed",
         "fingerprint": medium.fingerprint(),
@@ -80,6 +81,7 @@ def facts(solution: Solution, orders: str) -> dict[str, Any]:
         "wavelengths_nm": medium.wavelengths.tolist(),
         "solar_irradiance_W_m-2_nm-1": medium.lights[0].irradiance.tolist(),
         "ground_albedo": medium.ground_albedo.tolist(),
+        **(clouds if medium.ground_clouds is not None else {}),
         "star_angular_radius_rad": medium.lights[0].angular_radius,
         "bottom_radius_m": medium.bottom_radius,
         "top_radius_m": medium.top_radius,

@@ -7,6 +7,9 @@ comes from one direction, the sky's from all, which counts as uniform there (0.6
 Lommel and Seeliger's law under Rayleigh's sky). Each factor is ``matte · albedo + gloss``: light
 that the matter below the surface has coloured, and light that the surface itself mirrors.
 
+Clouds hide the same share of the ground everywhere from solvers, which know nothing of places; a
+picture looks their cover up.
+
 A new law is a file of its own with its two kernels, ``star_share`` and ``sky_share``, and a line in
 ``LAWS``; its parameters other than the albedo are fields of ``Reflection``, numbers with a default,
 which every solver, table and shader passes on.
@@ -64,12 +67,17 @@ class Reflection(NamedTuple):
         Whether some of the ground is water, by the law or by a map.
     wind : float
         Wind speed over water. [m s⁻¹]
+    cover, cloud_albedo : float
+        Mean cover of the clouds that hide the ground, and the albedo of full cover, which reflects
+        by Lambert's law. [1]
     """
 
     albedo: Annotated[Any, SPECTRA]
     law: Annotated[int, CHOICE] = 0
     wet: bool = False
     wind: float = 5.0
+    cover: float = 0.0
+    cloud_albedo: float = 0.0
 
 
 #: White ground by Lambert's law.
@@ -84,6 +92,13 @@ NUMBERS: Final[dict[str, type]] = {
 star_share = chosen_kernel("star_share", [law.star_share for law in LAWS.values()], __name__)
 #: ``sky_share(law, ground, leaving)``: the same, of the light of a uniform sky.
 sky_share = chosen_kernel("sky_share", [law.sky_share for law in LAWS.values()], __name__)
+
+
+@inlined
+def _with_clouds(factor, ground):
+    """Reflectance factor of ground and of the clouds above it, from that of the ground. [1]"""
+    cloud = ground.cover * ground.cloud_albedo
+    return factor * np.float32(1.0 - ground.cover) + np.float32(cloud)
 
 
 @inlined
@@ -107,7 +122,7 @@ def star_factor(ground, at, mu_s, leaving, nu):
     lanes, or a float where ``ground`` is of one wavelength
     """
     matte, gloss = star_share(ground.law, ground, mu_s, leaving, nu)
-    return load(ground.albedo, at) * np.float32(matte) + np.float32(gloss)
+    return _with_clouds(load(ground.albedo, at) * np.float32(matte) + np.float32(gloss), ground)
 
 
 @inlined
@@ -130,7 +145,7 @@ def sky_factor(ground, at, leaving):
     lanes, or a float where ``ground`` is of one wavelength
     """
     matte, gloss = sky_share(ground.law, ground, leaving)
-    return load(ground.albedo, at) * np.float32(matte) + np.float32(gloss)
+    return _with_clouds(load(ground.albedo, at) * np.float32(matte) + np.float32(gloss), ground)
 
 
 @inlined
@@ -152,14 +167,16 @@ def leaving_cosine(r, mu, bottom):
 def star_factor_at(ground, l, mu_s, leaving, nu):
     """``star_factor`` at one of the wavelengths, in double precision. [1]"""
     matte, gloss = star_share(ground.law, ground, mu_s, leaving, nu)
-    return matte * ground.albedo[l] + gloss
+    clear = matte * ground.albedo[l] + gloss
+    return clear * (1.0 - ground.cover) + ground.cover * ground.cloud_albedo
 
 
 @inlined
 def sky_factor_at(ground, l, leaving):
     """``sky_factor`` at one of the wavelengths, in double precision. [1]"""
     matte, gloss = sky_share(ground.law, ground, leaving)
-    return matte * ground.albedo[l] + gloss
+    clear = matte * ground.albedo[l] + gloss
+    return clear * (1.0 - ground.cover) + ground.cover * ground.cloud_albedo
 
 
 @compiled_loop

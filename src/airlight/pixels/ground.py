@@ -9,12 +9,14 @@ Water mirrors the sky itself, at the place that table and march give it beside t
 from __future__ import annotations
 
 from math import pi, sqrt
+from typing import Final
 
 import numpy as np
 
 from airlight.geometry.shell import first_meeting
 from airlight.kernel import inlined
 from airlight.kernel.lanes import load, maximum, minimum, splat
+from airlight.optics.clouds import layer_distance, under_clouds
 from airlight.optics.reflection import WATER, sky_share, star_share
 from airlight.optics.water import wet_shares
 from airlight.pixels.ground_angles import ground_angles
@@ -23,10 +25,13 @@ from airlight.scene.ground_place import latitude_longitude, map_color, map_level
 from airlight.solvers.moments.irradiance import ground_light
 from airlight.solvers.moments.source import through_columns
 
+#: Length of the array that ``ground_color`` fills.
+GROUND_VALUES: Final = 11
+
 
 @inlined
 def ground_color(x, y, z, sine, angle, observer, screen, light, color):
-    """Colour, water and lamps at the end of a line of sight, into ``color`` (9,). [1]
+    """Colour, water, lamps and clouds of the end of a line of sight, into ``color`` (11,). [1]
 
     Parameters
     ----------
@@ -36,10 +41,10 @@ def ground_color(x, y, z, sine, angle, observer, screen, light, color):
         Sine of its zenith angle [1]; angle of refraction [rad].
     observer, screen, light : Observer, Screen, MarchTables
         Observer, camera with its maps, and tables of the solution.
-    color : array, shape (9,)
+    color : array, shape (11,)
         Receives linear sRGB reflectance and share of water of the map, four values of the overlay,
-        and the factor of the detail below the map's resolution; those of a map that is missing
-        stay. [1]
+        the factor of the detail below the map's resolution, and the cover of the clouds on the line
+        of sight and on the star's light; those of a map that is missing stay. [1]
     """
     impact = min(observer.r * sine, light.bottom)
     depth = sqrt(max((light.bottom - impact) * (light.bottom + impact), 0.0))
@@ -76,10 +81,53 @@ def ground_color(x, y, z, sine, angle, observer, screen, light, color):
         color[8] = color[8] * (1.0 - color[3]) + color[3]
     if screen.overlaid:
         level = map_level(screen.pixel_angle, reach, cosine, light.bottom, screen.over_rows)
+        if screen.clouded:
+            cloud_cover(px, py, pz, x, y, z, cosine, level, observer, screen, light, color)
         map_color(
             screen.over_texels, screen.over_rows, screen.over_columns, screen.over_levels,
             latitude, longitude, level, color, 4,
         )  # fmt: skip
+        if screen.clouded:
+            for c in range(4, 7):
+                color[c] *= 1.0 - color[9]
+
+
+@inlined
+def cloud_cover(px, py, pz, x, y, z, cosine, level, observer, screen, light, color):
+    """Cover of the clouds on a line of sight and on the star's light at its end. [1]
+
+    Refraction between ground and layer is neglected.
+
+    Parameters
+    ----------
+    px, py, pz : float
+        End of the line of sight on the ground, from the centre, in the observer's frame. [m]
+    x, y, z, cosine : float
+        Its direction, and cosine of the zenith angle of the way back. [1]
+    level : float
+        Level of the overlay. [1]
+    observer, screen, light, color :
+        Arguments of ``ground_color``; the cover of the line of sight is 0 from below the layer.
+    """
+    mu_s = (px * observer.sun_x + pz * observer.sun_z) / light.bottom
+    back = layer_distance(cosine, light.bottom, screen.cloud_altitude)
+    out = layer_distance(mu_s, light.bottom, screen.cloud_altitude)
+    for towards in range(2):
+        qx, qy, qz = px - back * x, py - back * y, pz - back * z
+        if towards == 1:
+            qx, qy, qz = px + out * observer.sun_x, py, pz + out * observer.sun_z
+        latitude, longitude = latitude_longitude(
+            screen.xx * qx + screen.xy * qy + screen.xz * qz,
+            screen.yx * qx + screen.yy * qy + screen.yz * qz,
+            screen.zx * qx + screen.zy * qy + screen.zz * qz,
+        )
+        map_color(
+            screen.over_texels, screen.over_rows, screen.over_columns, screen.over_levels,
+            latitude, longitude, level, color, 4,
+        )  # fmt: skip
+        color[9 + towards] = color[7]
+    if observer.r <= screen.cloud_radius:
+        color[9] = 0.0
 
 
 @inlined
@@ -92,7 +140,7 @@ def ground_shares(x, y, z, sine, angle, observer, screen, light, work, color):
         Arguments of ``ground_color``; ``color`` is received where there is a map.
     work : MarchWorkspace
         Workspace, whose ``received`` has the irradiances by star and sky, except for Lambert's law
-        without water.
+        without water and clouds.
 
     Returns
     -------
@@ -106,7 +154,7 @@ def ground_shares(x, y, z, sine, angle, observer, screen, light, work, color):
     else:
         color[8] = 1.0
     star_matte, star_gloss, sky_matte, sky_gloss, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
-    if light.ground.law != 0 or light.ground.wet:
+    if light.ground.law != 0 or light.ground.wet or screen.clouded:
         mu_s, leaving, nu = ground_angles(x, z, sine, angle, observer, light)
         ground_light(mu_s, observer.orders, light, work)
         share = 0.0
@@ -125,6 +173,11 @@ def ground_shares(x, y, z, sine, angle, observer, screen, light, work, color):
             sky_matte = land * sky_matte + share * sky
             sky_gloss = land * sky_gloss
             mirrored = share * mirrored
+    if screen.clouded:
+        star_matte, star_gloss, sky_matte, sky_gloss, mirrored = under_clouds(
+            color[9], color[10], light.ground.cloud_albedo,
+            star_matte, star_gloss, sky_matte, sky_gloss, mirrored,
+        )  # fmt: skip
     return star_matte, star_gloss, sky_matte, sky_gloss, mirrored
 
 
@@ -134,7 +187,7 @@ def lamp_light(color, screen, light, columns, at):
 
     Parameters
     ----------
-    color : array, shape (9,)
+    color : array, shape (11,)
         Values from ``ground_color``. [1]
     screen, light : Screen, MarchTables
         Colour of the lamps, and tables of the solution.
@@ -158,7 +211,7 @@ def reflectance(color, mapped, light, at):
 
     Parameters
     ----------
-    color : array, shape (9,)
+    color : array, shape (11,)
         Values from ``ground_color``. [1]
     mapped : bool
         Whether the ground has a map.
@@ -178,20 +231,22 @@ def reflectance(color, mapped, light, at):
 
 @inlined
 def ground_factor(
-    color, mapped, star_matte, star_gloss, sky_matte, sky_gloss, mirrored, light, work, at
+    color, screen, star_matte, star_gloss, sky_matte, sky_gloss, mirrored, light, work, at
 ):  # fmt: skip
     """Light of the ground relative to that of a white Lambert ground. [1]
 
     Parameters
     ----------
-    color, mapped, light, at :
+    color, light, at :
         Arguments of ``reflectance``.
+    screen : Screen
+        Camera with its maps.
     star_matte, star_gloss, sky_matte, sky_gloss, mirrored, work :
         Results of ``ground_shares``, and its workspace, of which ``found`` has the light of the
         mirrored sky after those of a line of sight.
     """
-    albedo = reflectance(color, mapped, light, at)
-    if light.ground.law == 0 and not light.ground.wet:
+    albedo = reflectance(color, screen.mapped, light, at)
+    if light.ground.law == 0 and not light.ground.wet and not screen.clouded:
         return albedo
     star, sky = load(work.received, at), load(work.received, light.lanes + at)
     by_star = star * (albedo * np.float32(star_matte) + np.float32(star_gloss))

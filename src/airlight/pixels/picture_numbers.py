@@ -127,7 +127,7 @@ def screen_from(
     ground : SurfaceMap
         Map of the ground; None without a map.
     overlay : SurfaceMap
-        Lights on it; None without lights.
+        Lights on it and clouds above it; None without both.
     layers : SkyLayers
         Layers of a window of the table, which has its own sizes.
     """
@@ -144,6 +144,7 @@ def screen_from(
         "edges": bool(numbers["edges"]),
         "mapped": ground is not None,
         "overlaid": overlay is not None,
+        "clouded": bool(numbers["clouded"]),
         "detailed": bool(numbers["detailed"]),
         "texels": np.zeros(CHANNELS, np.uint8) if ground is None else ground.flat,
         "over_texels": np.zeros(CHANNELS, np.uint8) if overlay is None else overlay.flat,
@@ -178,12 +179,29 @@ def overlay_size(overlay: SurfaceMap | None) -> dict[str, int]:
     Parameters
     ----------
     overlay : SurfaceMap
-        Lights on the ground; None without lights.
+        Lights on the ground and clouds above it; None without both.
     """
     if overlay is None:
         return {"overlaid": 0, "over_rows": 1, "over_columns": 1, "over_levels": 1}
     size = {"over_rows": overlay.rows, "over_columns": overlay.columns}
     return {"overlaid": 1, **size, "over_levels": len(overlay.levels)}
+
+
+def overlay_numbers(solution: MomentsSolution) -> dict[str, float]:
+    """Uniforms of lamps and clouds: colour of the lamps, and place of the layer of clouds.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Solution, lit by one of the lights.
+    """
+    medium, altitude = solution.medium, solution.medium.cloud_altitude
+    radius = solution.paths.optical_radius(np.array(medium.bottom_radius + altitude))
+    return lamp_numbers(solution) | {
+        "clouded": float(medium.ground_clouds is not None),
+        "cloud_altitude": altitude,
+        "cloud_radius": float(radius),
+    }
 
 
 def lamp_numbers(solution: MomentsSolution) -> dict[str, float]:

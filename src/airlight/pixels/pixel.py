@@ -56,6 +56,9 @@ class Screen(NamedTuple):
     sky_rows: int
     keeps_peaks: bool
     overlaid: bool
+    clouded: bool
+    cloud_altitude: float
+    cloud_radius: float
     detailed: bool
     detail_cell: float
     whole_x: float
@@ -321,7 +324,7 @@ def pixel_light(
         Available part of the table of the sky.
     observer, screen, light : Observer, Screen, MarchTables
         Observer, camera with its maps, and tables of the solution.
-    work, color : MarchWorkspace, array of shape (9,)
+    work, color : MarchWorkspace, array of shape (11,)
         Workspace.
     result : array, shape (w,)
         Receives the radiance. [sr⁻¹]
@@ -344,7 +347,7 @@ def pixel_light(
             total = load(work.found, at)
         if to_ground:
             factor = ground_factor(
-                color, screen.mapped, star_matte, star_gloss, sky_matte, sky_gloss, mirrored,
+                color, screen, star_matte, star_gloss, sky_matte, sky_gloss, mirrored,
                 light, work, at,
             )  # fmt: skip
             total = total + load(work.found, light.lanes + at) * factor

@@ -7,6 +7,7 @@ import numpy as np
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import LANES, load, splat, store
+from airlight.pixels.ground import GROUND_VALUES
 from airlight.pixels.samples import sampled_light
 
 
@@ -34,7 +35,7 @@ def _rows(exact, first, last, window, observer, screen, light, work, weights, re
     """Draw rows, see ``draw_rows``; ``exact`` as in ``pixel_light``."""
     screen, light, work, weights, out = borrowed((screen, light, work, weights, out))
     found, total = np.empty(light.lanes, np.float32), np.empty(light.lanes, np.float32)
-    color = np.zeros(9)
+    color = np.zeros(GROUND_VALUES)
     sums = np.empty(3 * LANES, np.float32)
     for j in range(first, last):
         for i in range(out.shape[1]):

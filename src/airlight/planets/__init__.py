@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from airlight.planets.constituent import Constituent
-from airlight.planets.ground_and_star import Ground, Star
+from airlight.planets.ground import Ground
 from airlight.planets.medium import Medium
 from airlight.planets.parameters import replace
 from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import load_planet, planet_names
+from airlight.planets.star import Star
 
 __all__ = [
     "Constituent",

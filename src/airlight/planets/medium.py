@@ -65,7 +65,7 @@ class Medium:
         Phase functions on the uniform grid u = sin(θ/2) in [0, 1], nu = 1 - 2u²; zero for a
         constituent that does not scatter. [sr⁻¹]
     ground_albedo : array, shape (nl,)
-        Albedo of the ground. [1]
+        Albedo of the ground, without its clouds. [1]
     ground_map : str or None
         Name of a picture of the ground.
     solar_irradiance : array, shape (nl,)
@@ -82,6 +82,10 @@ class Medium:
         Factor of the picture of the ground. [1]
     ground_lights : str or None
         Name of a picture of the lights of towns.
+    ground_clouds : str or None
+        Path of a picture of clouds.
+    cloud_altitude : float
+        Altitude of their layer. [m]
     reflection : Reflection
         Law by which the ground reflects, for an albedo of 1.
 
@@ -109,6 +113,8 @@ class Medium:
     constituents: tuple[Constituent, ...] = field(repr=False)
     map_brightness: float = 1.0
     ground_lights: str | None = None
+    ground_clouds: str | None = None
+    cloud_altitude: float = 0.0
     reflection: Reflection = WHITE
 
     @property
@@ -157,6 +163,8 @@ class Medium:
         ------
         ParameterError
             If a wavelength is outside, or the planet is impossible: the constituent is named.
+        FileError
+            If the picture of its clouds cannot be read.
         Cancelled
             If ``cancel`` returned True.
         """
@@ -205,6 +213,8 @@ class Medium:
             constituents=constituents,
             map_brightness=planet.ground.brightness,
             ground_lights=planet.ground.lights,
+            ground_clouds=planet.ground.clouds,
+            cloud_altitude=planet.ground.cloud_altitude if planet.ground.clouds else 0.0,
             reflection=planet.ground.reflection,
         )
         medium._check()
@@ -330,7 +340,8 @@ class Medium:
         digest = hashlib.sha256(b"airlight medium 2\n")
         scalars = (self.bottom_radius, self.top_radius, self.star_angular_radius)
         ground = (self.ground_map, self.ground_lights, self.reflection)
-        digest.update(repr((scalars, self.names, *ground)).encode())
+        clouds = (self.ground_clouds, self.cloud_altitude) if self.ground_clouds else ()
+        digest.update(repr((scalars, self.names, *ground, *clouds)).encode())
         for name, array in self._arrays().items():
             digest.update(f"{name} {array.shape}\n".encode())
             digest.update(np.ascontiguousarray(array, dtype="<f8").tobytes())

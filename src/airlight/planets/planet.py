@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from airlight.errors import ParameterError
 from airlight.planets.constituent import Constituent
-from airlight.planets.ground_and_star import Ground, Star
+from airlight.planets.ground import Ground
 from airlight.planets.parameters import instance_of, parameters
 from airlight.planets.schema.key import WAVELENGTHS, Key, always
 from airlight.planets.schema.record import Record
@@ -23,6 +23,7 @@ from airlight.planets.spectral import (
     check_wavelength_list,
     narrowest,
 )
+from airlight.planets.star import Star
 
 if TYPE_CHECKING:
     from airlight.planets.light_source import LightSource

@@ -9,9 +9,9 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.march_points import march_points
 from airlight.pixels.picture_numbers import (
     checked_samples,
-    lamp_numbers,
     observer_from,
     order_number,
+    overlay_numbers,
     scene_numbers,
     screen_from,
 )
@@ -63,7 +63,7 @@ class Drawing:
         camera, light = scene.camera, solution.light
         numbers = scene_numbers(scene, solution) | {"orders": order_number(orders)}
         numbers["draws_disc"] = float(disc and orders == "all" and numbers["disc"] > 0.0)
-        numbers |= lamp_numbers(solution)
+        numbers |= overlay_numbers(solution)
         numbers |= {"samples": float(checked_samples(samples)), "edges": float(edges)}
         self._numbers, self._camera = numbers, camera
         self._observer = observer_from(numbers)
@@ -77,7 +77,8 @@ class Drawing:
         )  # fmt: skip
         name = solution.medium.ground_map
         self._ground = None if name is None else surface_map(name)
-        self._overlay = ground_overlay(solution.medium.ground_lights)
+        medium = solution.medium
+        self._overlay = ground_overlay(medium.ground_lights, medium.ground_clouds)
         self._screen = screen_from(numbers, camera, self._ground, self._overlay, SkyLayers.none())
         self._weights = _lane_weights(solution)
         alpha = solution.lights[0].angular_radius

@@ -1,7 +1,7 @@
-"""Overlay of the ground: light that it emits, drawn over the map by night.
+"""Overlay of the ground: light that it emits, and clouds above it, drawn over the map.
 
 The overlay is a map of its own, whose colours are the radiance of lamps relative to that of the
-brightest towns.
+brightest towns, and whose fourth channel is the cover of clouds.
 """
 
 from __future__ import annotations
@@ -11,11 +11,13 @@ from pathlib import Path
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from airlight.color.texels import CHANNELS
 from airlight.errors import FileError
-from airlight.scene.map_picture import map_pixels
-from airlight.scene.surface_map import SurfaceMap, from_pixels
+from airlight.planets.cloud_cover import cloud_pixels
+from airlight.planets.map_picture import map_pixels
+from airlight.scene.surface_map import SurfaceMap, from_pixels, packed_texels
 
 _DATA = Path(__file__).parent / "data"
 #: Suffix of packaged lights: ``earth`` is in ``data/earth-lights.jpg``.
@@ -27,6 +29,8 @@ _SUFFIX: Final = "-lights.jpg"
 TOWN_LUMINANCE: Final = 0.2
 #: Temperature of the black body whose colour the lamps have. [K]
 LAMP_TEMPERATURE: Final = 2700.0
+#: Rows that are enlarged at a time.
+_BAND: Final = 256
 
 
 def lights_file(name: str) -> Path:
@@ -42,7 +46,7 @@ def lights_file(name: str) -> Path:
 
 
 @cache
-def ground_overlay(lights: str | None) -> SurfaceMap | None:
+def ground_overlay(lights: str | None, clouds: str | None = None) -> SurfaceMap | None:
     """Load an overlay; it is read once.
 
     Parameters
@@ -50,23 +54,89 @@ def ground_overlay(lights: str | None) -> SurfaceMap | None:
     lights : str or None
         Name of lights that ship with airlight (``earth``), or path of an equirectangular picture;
         of a coloured one the brightness counts.
+    clouds : str or None
+        Path of an equirectangular picture of clouds, linear. If it has another size than the
+        lights, the smaller picture is enlarged.
 
     Returns
     -------
     SurfaceMap or None
-        Map whose colours are the light of the ground, 1 for the brightest towns; None without
-        lights.
+        Map whose colours are the light of the ground, 1 for the brightest towns, and whose fourth
+        channel is the cover of the clouds; None without both.
 
     Raises
     ------
     FileError
         If there is no such file, or ``map_pixels`` refuses it.
     """
-    if lights is None:
+    if lights is None and clouds is None:
         return None
+    lamps = None if lights is None else _lamp_pixels(lights)
+    cover = None if clouds is None else cloud_pixels(clouds)
+    if lamps is None:
+        assert cover is not None
+        lamps = np.zeros_like(cover)
+    if cover is not None and cover.shape != lamps.shape:
+        lamps, cover = _of_one_size(lamps, cover)
+    return from_pixels(f"{lights}, {clouds}", _grey(lamps), cover)
+
+
+def _lamp_pixels(lights: str) -> NDArray[np.uint8]:
     try:
-        grey = map_pixels(lights_file(lights), grey=True)
+        return map_pixels(lights_file(lights), grey=True)
     except FileNotFoundError as error:
         known = ", ".join(sorted(p.name.removesuffix(_SUFFIX) for p in _DATA.glob(f"*{_SUFFIX}")))
         raise FileError(lights, f"there are no such lights (known: {known})") from error
-    return from_pixels(lights, np.repeat(grey[..., None], CHANNELS - 1, axis=2))
+
+
+def _grey(values: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    return np.repeat(values[..., None], CHANNELS - 1, axis=2)
+
+
+def _of_one_size(
+    lamps: NDArray[np.uint8], cover: NDArray[np.uint8]
+) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
+    """Both at the size of the larger one, which is that of the largest map at most."""
+    lamps = packed_texels(_grey(lamps))[..., 0]
+    cover = packed_texels(_grey(np.zeros_like(cover)), cover)[..., CHANNELS - 1]
+    rows, columns = max(lamps.shape, cover.shape)
+    return enlarged(lamps, rows, columns), enlarged(cover, rows, columns)
+
+
+def enlarged(values: NDArray[np.uint8], rows: int, columns: int) -> NDArray[np.uint8]:
+    """Enlarge a picture of the sphere: linear between its pixels, also across the date line.
+
+    Parameters
+    ----------
+    values : array of uint8, shape (h, w)
+        Pixels.
+    rows, columns : int
+        New size, no smaller.
+
+    Returns
+    -------
+    array of uint8, shape (rows, columns)
+        Pixels.
+
+    Examples
+    --------
+    >>> enlarged(np.array([[0, 200]], np.uint8), 2, 4)
+    array([[ 50,  50, 150, 150],
+           [ 50,  50, 150, 150]], dtype=uint8)
+    """
+    height, width = values.shape
+    if (height, width) == (rows, columns):
+        return values
+    y = np.clip((np.arange(rows) + 0.5) * height / rows - 0.5, 0.0, height - 1.0)
+    x = (np.arange(columns) + 0.5) * width / columns - 0.5
+    top, west = y.astype(np.intp), np.floor(x).astype(np.intp)
+    down, right = (y - top)[:, None], x - west
+    out = np.empty((rows, columns), np.uint8)
+    for first in range(0, rows, _BAND):
+        band = slice(first, first + _BAND)
+        upper, lower = values[top[band]], values[np.minimum(top[band] + 1, height - 1)]
+        level = (1.0 - down[band]) * upper + down[band] * lower
+        out[band] = np.rint(
+            (1.0 - right) * level[:, west % width] + right * level[:, (west + 1) % width]
+        )
+    return out

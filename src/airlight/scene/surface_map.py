@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.color.texels import CHANNELS, DECODED, decoded_texels
 from airlight.errors import FileError
+from airlight.planets.map_picture import map_pixels
 from airlight.scene.map_levels import all_levels, reduced
-from airlight.scene.map_picture import map_pixels
 
 _DATA = Path(__file__).parent / "data"
 #: Suffix of packaged maps: ``earth`` is in ``data/earth-albedo.jpg``.
@@ -159,6 +159,19 @@ def from_pixels(
     SurfaceMap
         Map with all its levels, reduced to ``MOST_TEXELS`` if it is larger.
     """
+    return SurfaceMap(name=name, levels=all_levels(packed_texels(pixels, water)))
+
+
+def packed_texels(
+    pixels: NDArray[np.uint8], water: NDArray[np.uint8] | None = None
+) -> NDArray[np.uint8]:
+    """Texels of a map at its full size, or at ``MOST_TEXELS`` if it is larger; shape (m, n, 4).
+
+    Parameters
+    ----------
+    pixels, water : array
+        Arguments of ``from_pixels``.
+    """
     texels = np.zeros((*pixels.shape[:2], CHANNELS), np.uint8)
     texels[..., :3] = pixels
     if water is not None:
@@ -166,7 +179,7 @@ def from_pixels(
     if pixels.shape[0] * pixels.shape[1] > MOST_TEXELS:
         rows = math.isqrt(MOST_TEXELS // 2)
         texels = reduced(texels, rows, 2 * rows)
-    return SurfaceMap(name=name, levels=all_levels(texels))
+    return texels
 
 
 def map_file(name: str) -> Path:

@@ -24,6 +24,7 @@ from airlight.gpu.emit.shader_types import (
 from airlight.gpu.emit.uniform_struct import Fixed
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.picture.uniforms import CHANNELS, FRAME
+from airlight.pixels.ground import GROUND_VALUES
 from airlight.pixels.pixel import Screen
 from airlight.pixels.samples import light_of_centre, sampled_light
 from airlight.pixels.shown import MOST_CONSTITUENTS, MOST_POINTS, MOST_TERMS
@@ -220,7 +221,7 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
     # a shader of rows without an edge has no loop over samples
     once = dict(fixed).get("samples") == 1 and not dict(fixed).get("edges", True)
     places = ("color", "result") if once else ("color", "total", "result")
-    kinds = {"color": LocalArray(9)}
+    kinds = {"color": LocalArray(GROUND_VALUES)}
     arrays = [emitter.module_array(n, kinds.get(n, LocalArray(1, VEC4))) for n in places]
     made = emitter.add(
         light_of_centre if once else sampled_light, F32, F32, Constant(exact), Constant(_NO_REACH),

@@ -17,7 +17,7 @@ from airlight.gpu.emit.uniform_struct import Place
 from airlight.gpu.picture.uniforms import FRAME
 from airlight.gpu.solver.solver import fields_on
 from airlight.pixels.capacity import check_capacity
-from airlight.pixels.picture_numbers import lamp_numbers, map_numbers, overlay_size
+from airlight.pixels.picture_numbers import map_numbers, overlay_numbers, overlay_size
 from airlight.pixels.shown import as_texels, shown_solution
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.surface_map import surface_map
@@ -129,17 +129,17 @@ class SolutionTextures:
             texels = np.zeros(CHANNELS, np.uint8) if found is None else found.flat
             textures["ground"] = packed_texture(device, texels, "ground")
         textures["map of"] = name
-        lights = solution.medium.ground_lights
-        overlay = ground_overlay(lights)
-        if before is not None and before.textures.get("lights of") == lights:
+        over = (solution.medium.ground_lights, solution.medium.ground_clouds)
+        overlay = ground_overlay(*over)
+        if before is not None and before.textures.get("overlay of") == over:
             textures["overlay"] = before.textures["overlay"]
         else:
             texels = np.zeros(CHANNELS, np.uint8) if overlay is None else overlay.flat
             textures["overlay"] = packed_texture(device, texels, "overlay")
-        textures["lights of"] = lights
+        textures["overlay of"] = over
         sizes = map_numbers(found) | overlay_size(overlay)
         numbers = made.numbers | {key: float(n) for key, n in sizes.items()}
-        numbers |= lamp_numbers(solution)
+        numbers |= overlay_numbers(solution)
         return cls(numbers, made.places, textures)
 
 

@@ -13,13 +13,14 @@ from numpy.typing import ArrayLike
 
 from airlight.errors import FileError, ParameterError
 from airlight.kernel.threads import Cancel, Progress
-from airlight.planets.ground_and_star import Ground, Star
+from airlight.planets.ground import Ground
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.planets.reading.constituent_reader import read_constituent
 from airlight.planets.reading.overrides import overridden, with_hint
 from airlight.planets.schema.record import fields_of
 from airlight.planets.schema.section import Section, suggestion
+from airlight.planets.star import Star
 
 #: Largest size of a planet file. [byte]
 LARGEST_FILE: Final = 4_000_000

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final, Protocol
 
 from airlight.planets.constituent import Constituent
-from airlight.planets.ground_and_star import Ground, Star
+from airlight.planets.ground import Ground
 from airlight.planets.matter.absorbers import ABSORBERS, SmallParticleAbsorption
 from airlight.planets.matter.gas_mixture import SHARE, GasMixture
 from airlight.planets.matter.gases import SCATTERERS
@@ -20,6 +20,7 @@ from airlight.planets.planet import Planet
 from airlight.planets.reading.coefficient_keys import COEFFICIENT_KEYS
 from airlight.planets.schema.key import WAVELENGTHS, FileTable, Key
 from airlight.planets.schema.record import fields_of
+from airlight.planets.star import Star
 
 #: Kinds of matter of a constituent, by the key of its table.
 MATTER: Final[tuple[type[Matter], ...]] = (

@@ -27,7 +27,7 @@ from airlight.gpu.picture.pictures import QUICK_SKY_SHAPE, SKY_SHAPE
 from airlight.gpu.picture.shaders import Shader, picture_shader, sky_air_shader, sky_peaks_shader
 from airlight.gpu.picture.solution_textures import SolutionTables
 from airlight.gpu.picture.uniforms import FRAME, LAYERS
-from airlight.pixels.picture_numbers import ORDERS, display_numbers, lamp_numbers
+from airlight.pixels.picture_numbers import ORDERS, display_numbers, overlay_numbers
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.projections import PROJECTIONS
@@ -173,7 +173,7 @@ def solution_package(
     uniforms: dict[str, Any] = dict(made.numbers)
     for name, place in made.places.items():
         uniforms[f"table_{name}"] = [*place, 0, 0, 0][:4]
-    uniforms |= lamp_numbers(solution)
+    uniforms |= overlay_numbers(solution)
     star, mapped = solution.lights[0], medium.ground_map
     shown = np.zeros((WAVELENGTHS, 3))
     shown[: solution.wavelengths.size] = star.colors(weights)
@@ -186,7 +186,7 @@ def solution_package(
         "star": float(star.angular_radius),
         "paths": light_paths(solution),
         "ground": ground_map(None if mapped is None else surface_map(mapped)),
-        "overlay": ground_map(ground_overlay(medium.ground_lights)),
+        "overlay": ground_map(ground_overlay(medium.ground_lights, medium.ground_clouds)),
         "viewpoints": viewpoints(medium.bottom_radius, medium.top_radius),
     }
     tables = {name: (FORMATS[values.shape[1]], values) for name, values in made.textures.items()}

@@ -1,4 +1,4 @@
-"""Light of the ground along a probe's line of sight: map, law of reflection and water there."""
+"""Light of the ground along a probe's line of sight: map, law of reflection, water and clouds."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.optics import water
+from airlight.optics.clouds import under_clouds
 from airlight.optics.cox_munk import mirrored_cosine
 from airlight.optics.reflection import WATER, leaving_cosine, sky_share, star_share
 from airlight.solvers.moments.radiance_parts import Parts
@@ -18,7 +19,11 @@ FloatArray = NDArray[np.float64]
 
 
 def painted_ground(
-    solution: MomentsSolution, sight: Sight, parts: Parts, color: FloatArray | None
+    solution: MomentsSolution,
+    sight: Sight,
+    parts: Parts,
+    color: FloatArray | None,
+    clouds: tuple[float, float] | None,
 ) -> tuple[FloatArray, FloatArray]:
     """Light of the star and of the sky that the ground reflects, seen through the air.
 
@@ -32,6 +37,8 @@ def painted_ground(
         Its light over ground of the solver's albedo.
     color : array, shape (4,), or None
         Linear sRGB reflectance and share of water there, without a map None. [1]
+    clouds : (float, float) or None
+        Result of ``probed_clouds``. [1]
 
     Returns
     -------
@@ -47,8 +54,12 @@ def painted_ground(
     mu_s = (r * float(sight.mu_s[0]) + float(sight.length[0]) * nu) / bottom
     mu_s = min(max(mu_s, -1.0), 1.0)
     leaving = leaving_cosine(r, float(sight.mu[0]), bottom)
-    solved = [_factor(star_share(ground.law, ground, mu_s, leaving, nu), medium.ground_albedo),
-              _factor(sky_share(ground.law, ground, leaving), medium.ground_albedo)]  # fmt: skip
+    by_law = (
+        star_share(ground.law, ground, mu_s, leaving, nu),
+        sky_share(ground.law, ground, leaving),
+    )
+    hidden = ground.cover * ground.cloud_albedo
+    solved = [(1.0 - ground.cover) * _factor(one, medium.ground_albedo) + hidden for one in by_law]
     star, sky = (
         np.divide(part[0], factor, out=np.zeros_like(albedo), where=factor > 0.0)
         for part, factor in zip((parts.ground_star, parts.ground_sky), solved, strict=True)
@@ -58,14 +69,23 @@ def painted_ground(
         share = 1.0
     elif ground.wet and color is not None:
         share = float(color[3])
-    land = 1.0 - share
-    by_star = land * _factor(star_share(ground.law, ground, mu_s, leaving, nu), albedo)
-    by_sky = land * _factor(sky_share(ground.law, ground, leaving), albedo)
+    (star_matte, star_gloss), (sky_matte, sky_gloss) = (
+        ((1.0 - share) * matte, (1.0 - share) * gloss) for matte, gloss in by_law
+    )
+    mirrored = 0.0
     if share > 0.0:
-        by_star += share * _factor(water.star_share(ground, mu_s, leaving, nu), albedo)
+        matte, gloss = water.star_share(ground, mu_s, leaving, nu)
+        star_matte, star_gloss = star_matte + share * matte, star_gloss + share * gloss
         matte, gloss = water.sky_share(ground, leaving)
-        by_sky += share * (matte * albedo + gloss * _mirrored(solution, mu_s, leaving, nu))
-    return star * by_star, sky * by_sky
+        sky_matte, mirrored = sky_matte + share * matte, share * gloss
+    if clouds is not None:
+        star_matte, star_gloss, sky_matte, sky_gloss, mirrored = under_clouds(
+            *clouds, ground.cloud_albedo, star_matte, star_gloss, sky_matte, sky_gloss, mirrored
+        )
+    by_sky = _factor((sky_matte, sky_gloss), albedo)
+    if mirrored > 0.0:
+        by_sky += mirrored * _mirrored(solution, mu_s, leaving, nu)
+    return star * _factor((star_matte, star_gloss), albedo), sky * by_sky
 
 
 def _factor(shares: tuple[float, float], albedo: FloatArray) -> FloatArray:

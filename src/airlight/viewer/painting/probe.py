@@ -30,6 +30,7 @@ from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.sight import Sight
 from airlight.tables.columns import columns
 from airlight.viewer.painting.painted_ground import painted_ground
+from airlight.viewer.painting.probed_clouds import probed_clouds
 
 FloatArray = NDArray[np.float64]
 
@@ -207,7 +208,8 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
         source = lit.lights[0]
         weights = color_weights(lit) / source.irradiance[:, None]
         star = _star(lit, scene.altitude, light, direction, through, bool(drawn.to_ground[0]))
-        parts = _spectra(lit, sight, seen[3]) + ([(STAR, star)] if star.any() else [])
+        clouds = probed_clouds(solution, scene, direction, seen[0], light)
+        parts = _spectra(lit, sight, seen[3], clouds) + ([(STAR, star)] if star.any() else [])
         first = not spectra
         spectra += [(name if first else f"{source.name}: {name}", values) for name, values in parts]
         luminances += [luminance(values @ weights) for _, values in parts]
@@ -241,7 +243,10 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
 
 
 def _spectra(
-    solution: MomentsSolution, sight: Sight, color: FloatArray | None
+    solution: MomentsSolution,
+    sight: Sight,
+    color: FloatArray | None,
+    clouds: tuple[float, float] | None,
 ) -> list[tuple[str, FloatArray]]:
     """Name and spectral radiance of each part except the star. [W m⁻² sr⁻¹ nm⁻¹]"""
     parts = radiance_parts(solution, sight)
@@ -254,7 +259,7 @@ def _spectra(
     more = (MORE, parts.scattered_more[0] * sun)
     if not sight.to_ground[0]:
         return [*once, more]
-    star, sky = painted_ground(solution, sight, parts, color)
+    star, sky = painted_ground(solution, sight, parts, color, clouds)
     return [*once, more, (GROUND_STAR, star * sun), (GROUND_SKY, sky * sun)]
 
 

@@ -15,7 +15,7 @@ from airlight.errors import AirlightError
 from airlight.optics.gas_absorption import dobson_from_column
 from airlight.optics.reflection import LAWS
 from airlight.planets.constituent import Constituent
-from airlight.planets.ground_and_star import Ground
+from airlight.planets.ground import Ground
 from airlight.planets.matter.absorbers import OzoneAbsorption
 from airlight.planets.matter.particles import Particles
 from airlight.planets.planet import Planet

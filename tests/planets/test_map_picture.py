@@ -14,7 +14,7 @@ from numpy.testing import assert_array_equal
 from PIL import Image
 
 from airlight.errors import FileError
-from airlight.scene.map_picture import map_pixels
+from airlight.planets.map_picture import map_pixels
 
 #: An opaque red left half, and a right half of grey that is transparent where it can be.
 RED, GREY = (255, 0, 0), (51, 51, 51)

@@ -1,19 +1,17 @@
-"""Ground below the air and star above it."""
+"""Star that lights the planet."""
 
 from __future__ import annotations
 
 import math
-from functools import cache
-from typing import Annotated, Any, Final
+from typing import Annotated, Final
 
 import numpy as np
 import numpy.typing as npt
 
 from airlight.constants import ASTRONOMICAL_UNIT, SOLAR_RADIUS
 from airlight.errors import ParameterError
-from airlight.optics.reflection import LAWS, Reflection, law_number
 from airlight.planets.parameters import MISSING, parameters
-from airlight.planets.schema.key import Key, Wavelengths, always
+from airlight.planets.schema.key import Key, Wavelengths
 from airlight.planets.schema.record import Record
 from airlight.planets.schema.section import Section
 from airlight.planets.spectral import (
@@ -27,168 +25,10 @@ from airlight.planets.spectral import (
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Wind speeds over water. [m s⁻¹]
-WINDS: Final = (0.5, 25.0)
 #: Name of the solar spectrum, as measured at 1 au.
 SUN: Final = "astm-g173"
 #: Name in an editor of a star that is given by its temperature.
 BLACK_BODY: Final = "black body"
-
-
-@cache
-def reflectances() -> tuple[str, ...]:
-    """Names of the reflectance tables in the package."""
-    from airlight.spectra.tables import read_spectrum, spectrum_names
-
-    tables = [read_spectrum(name) for name in spectrum_names()]
-    return tuple(one.name for one in tables if one.unit == "1" and one.values.ndim == 1)
-
-
-def _read_albedo(section: Section, name: str, wavelengths: Wavelengths) -> Any:
-    """Read a number, a list, or the name of a table."""
-    given = section.raw(name)
-    if isinstance(given, str) and given[:1].isalpha():
-        return given
-    return section.spectral(name, "1", "0.1", wavelengths)
-
-
-@parameters
-class Ground(Record):
-    """Ground: how much it reflects, and where to.
-
-    Parameters
-    ----------
-    albedo : float, PerWavelength or str
-        Fraction of light that is reflected, 0 to 1, or the name of a table of it. [1]
-    map : str, optional
-        Name of a picture of the ground, used where the ground is seen; the light that the ground
-        sends back into the air comes from ``albedo``.
-    lights : str, optional
-        Name of a picture of the lights of towns, which are seen but light no air.
-    brightness : float
-        Factor of albedo and picture, 0 to 100; no albedo exceeds that of the law, 1 of Lambert's.
-        [1]
-    law : str
-        Name from ``airlight.optics.reflection.LAWS``: ``lambert`` reflects alike into all
-        directions, ``lommel-seeliger`` as dark, porous ground does, ``water`` as the open sea.
-    wind : float, optional
-        Wind speed over water, 0.5 to 25, which roughens it. With it the water of a map mirrors star
-        and sky; without it only the law ``water`` does, at 5 m/s. [m s⁻¹]
-    """
-
-    has_wavelengths = True
-
-    albedo: Annotated[
-        Any,
-        Key(
-            label="albedo",
-            help="Fraction of a uniform sky's light that the ground reflects.",
-            note="A number, a list beside `wavelengths`, or the name of a table of reflectances.",
-            range=(0.0, 1.0),
-            spectral=True,
-            read=_read_albedo,
-            required=True,
-            per="wavelengths",
-            words=reflectances,
-            synonyms=("ground brightness", "reflectance", "colour", "color", "snow", "sand"),
-        ),
-    ] = 0.0
-    map: (
-        Annotated[
-            str,
-            Key(
-                label="map",
-                help="Name of the map of the ground, or path of a picture of it.",
-                note="`earth`, or a picture of the whole sphere, twice as wide as high, north up,"
-                " 180° W on the left, of up to 200 million pixels; a grey one beside it whose name"
-                " ends in `-water.png` has the share of water. Used where the ground is seen; the"
-                " light that the ground sends back into the air comes from the albedo.",
-                kind="text",
-                range=(1.0, 100.0),
-                example="the name of a map of the ground",
-            ),
-        ]
-        | None
-    ) = None
-    lights: (
-        Annotated[
-            str,
-            Key(
-                label="lights",
-                help="Name of a map of the lights of towns, or path of a picture of them.",
-                note="`earth`, or a picture as for the map, white for the brightest towns,"
-                " 0.2 cd/m²; seen through the air by night; they light no air.",
-                kind="text",
-                range=(1.0, 100.0),
-                example="the name of a map of lights",
-            ),
-        ]
-        | None
-    ) = None
-    brightness: Annotated[
-        float,
-        Key(
-            label="brightness",
-            help="Factor applied to the ground's albedo and to its map.",
-            note="Albedos are limited to 1, by Lommel and Seeliger's law to 0.409.",
-            range=(0.0, 100.0),
-            slider=(0.0, 5.0),
-            offered=always,
-        ),
-    ] = 1.0
-    law: Annotated[
-        str,
-        Key(
-            label="law of reflection",
-            help="Directions into which the ground reflects: all alike, as porous rock, as water.",
-            note="By Lommel and Seeliger's law the full disc of an airless body is as bright at its"
-            " limb as in its middle; `water` mirrors, and its albedo is of the light from below.",
-            kind="choice",
-            words=lambda: tuple(LAWS),
-            offered=always,
-        ),
-    ] = "lambert"
-    wind: (
-        Annotated[
-            float,
-            Key(
-                label="wind over water",
-                help="Wind speed, which roughens the water that mirrors star and sky.",
-                note="With it the water of a map mirrors; without it only the law `water` does, at"
-                " 5 m/s. Slopes by Cox and Munk (1954).",
-                unit="m/s",
-                range=WINDS,
-                example="5 m/s",
-                slider=(0.5, 15.0),
-                offered=always,
-            ),
-        ]
-        | None
-    ) = None
-
-    @property
-    def limits(self) -> Limits:
-        """Wavelengths at which the albedo is known. [nm]"""
-        if isinstance(self.albedo, str):
-            return table_limits(self.albedo)
-        return spectral_limits(self.albedo)
-
-    def albedos(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """Albedo at wavelengths [nm], shape (nl,). [1]"""
-        if isinstance(self.albedo, str):
-            from airlight.spectra.tables import read_spectrum
-
-            known = read_spectrum(self.albedo).at(wavelengths)
-        else:
-            known = spectral_at(self.albedo, wavelengths)
-        return np.clip(self.brightness * known, 0.0, LAWS[self.law].LARGEST_ALBEDO)
-
-    @property
-    def reflection(self) -> Reflection:
-        """Law of reflection with its parameters, for an albedo of 1."""
-        wet = self.law == "water" or (self.map is not None and self.wind is not None)
-        law, plain = law_number(self.law), Reflection(1.0)
-        return Reflection(1.0, law, wet, plain.wind if self.wind is None else self.wind)
 
 
 def _read_spectrum(section: Section, name: str, wavelengths: Wavelengths) -> str:

@@ -1,0 +1,86 @@
+"""Flat layer of clouds above the ground: where lines cross it, and the light that it leaves.
+
+A cloud is a Lambert surface. Where the line of sight crosses the layer, the cover hides its share
+of the ground; where the star's light crosses it, the cover shades its share of the ground and
+lets through, as diffuse light, what it does not reflect.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+from airlight.kernel import kernel
+
+
+@kernel
+def layer_distance(cosine, bottom, altitude):
+    r"""Distance from the ground to the layer along a straight line. [m]
+
+    .. math:: s = \frac{h (2R + h)}{\sqrt{R^2\mu^2 + h (2R + h)} + R\mu}
+
+    which is h/μ for a steep line; a level one meets the sphere of the layer at
+    :math:`\sqrt{h (2R + h)}`, so that no line runs off.
+
+    Parameters
+    ----------
+    cosine : float
+        Cosine μ of the line's zenith angle at the ground; 0 for a line from below. [1]
+    bottom, altitude : float
+        Radius R of the ground, and altitude h of the layer. [m]
+
+    Examples
+    --------
+    >>> layer_distance(1.0, 6.36e6, 4e3)
+    4000.0
+    >>> round(layer_distance(0.0, 6.36e6, 4e3))  # of 4 km the horizon is 226 km away
+    225601
+    """
+    level = bottom * max(cosine, 0.0)
+    power = altitude * (2.0 * bottom + altitude)
+    return power / max(sqrt(level * level + power) + level, 1e-6)
+
+
+@kernel
+def under_clouds(
+    seen, shaded, albedo, star_matte, star_gloss, sky_matte, sky_gloss, mirrored
+):  # fmt: skip
+    r"""Shares of ground below clouds, from those of the same ground without clouds.
+
+    .. math:: L = c_v A (E_\star + E_s) + (1 - c_v) \left[ (1 - c_s) f_\star E_\star
+              + f_s \left(E_s + c_s (1 - A) E_\star\right) \right]
+
+    with the factors f of the ground's law for the star's light and the sky's. Light that goes
+    back and forth between ground and cloud is left out, as is the shade that clouds cast on the
+    sky's light: ground of albedo a below a mean cover c reflects c (1 - c) A a less than the
+    solver's mean ground, at most 0.02 for the Earth's.
+
+    Parameters
+    ----------
+    seen, shaded : float
+        Cover c_v of the line of sight, and c_s of the star's light. [1]
+    albedo : float
+        Albedo A of the clouds. [1]
+    star_matte, star_gloss, sky_matte, sky_gloss, mirrored : float
+        Results of ``pixels.ground.ground_shares`` without clouds. [1]
+
+    Returns
+    -------
+    star_matte, star_gloss, sky_matte, sky_gloss, mirrored : float
+        The same with clouds. [1]
+
+    Examples
+    --------
+    >>> under_clouds(1.0, 0.3, 0.6, 1.0, 0.0, 1.0, 0.0, 0.0)  # nothing but the cloud
+    (0.0, 0.6, 0.0, 0.6, 0.0)
+    >>> under_clouds(0.0, 1.0, 0.75, 1.0, 0.0, 1.0, 0.0, 0.0)  # in full shade
+    (0.25, 0.0, 1.0, 0.0, 0.0)
+    """
+    clear, lit, diffuse = 1.0 - seen, 1.0 - shaded, shaded * (1.0 - albedo)
+    cloud = seen * albedo
+    return (
+        clear * (lit * star_matte + diffuse * sky_matte),
+        clear * (lit * star_gloss + diffuse * (sky_gloss + mirrored)) + cloud,
+        clear * sky_matte,
+        clear * sky_gloss + cloud,
+        clear * mirrored,
+    )

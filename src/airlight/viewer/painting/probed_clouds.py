@@ -1,0 +1,66 @@
+"""Clouds at a probe: their cover of the line of sight, and of the star's light on the ground."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.color.texels import CHANNELS
+from airlight.optics.clouds import layer_distance
+from airlight.scene import Scene
+from airlight.scene.ground_overlay import ground_overlay
+from airlight.scene.ground_place import latitude_longitude, map_color, map_level
+from airlight.scene.light_position import LightPosition
+from airlight.solvers.moments.solution import MomentsSolution
+
+FloatArray = NDArray[np.float64]
+
+
+def probed_clouds(
+    solution: MomentsSolution,
+    scene: Scene,
+    direction: FloatArray,
+    distance: float,
+    position: LightPosition,
+) -> tuple[float, float] | None:
+    """Cover of the clouds on a line of sight that ends on the ground, as ``pixels.ground`` has it.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Solution shown.
+    scene : Scene
+        Observer and camera.
+    direction : array, shape (3,)
+        Direction in the observer's frame. [1]
+    distance : float
+        Distance to the ground; infinite without. [m]
+    position : LightPosition
+        Position of the light.
+
+    Returns
+    -------
+    seen, shaded : float
+        Cover on the line of sight, and on the light. None without clouds. [1]
+    """
+    medium, bottom = solution.medium, solution.medium.bottom_radius
+    if medium.ground_clouds is None or not np.isfinite(distance):
+        return None
+    overlay = ground_overlay(medium.ground_lights, medium.ground_clouds)
+    assert overlay is not None
+    place = distance * direction + np.array([0.0, 0.0, bottom + scene.altitude])
+    cosine = -float(direction @ place) / bottom
+    level = map_level(scene.camera.pixel_angle, distance, cosine, bottom, overlay.rows)
+    covers = []
+    for towards in (-direction, position.direction):
+        mu = float(towards @ place) / bottom
+        away = layer_distance(mu, bottom, medium.cloud_altitude)
+        spot = scene.ground_frame @ (place + away * towards)
+        texel = np.empty(CHANNELS)
+        map_color(
+            overlay.flat, overlay.rows, overlay.columns, len(overlay.levels),
+            *latitude_longitude(*spot), level, texel, 0,
+        )  # fmt: skip
+        covers.append(float(texel[CHANNELS - 1]))
+    above = scene.altitude > medium.cloud_altitude
+    return covers[0] if above else 0.0, covers[1]

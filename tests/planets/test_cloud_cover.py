@@ -1,0 +1,119 @@
+"""Cover of clouds: its mean over the sphere, its file, and the mean ground that solvers have."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from PIL import Image
+
+from airlight.errors import FileError
+from airlight.optics.reflection import star_factors
+from airlight.planets import Medium, load_planet
+from airlight.planets.cloud_cover import cloud_pixels, mean_cover
+from airlight.planets.reading.handbook import filled
+
+NM = [440.0, 550.0, 680.0]
+Draws = Callable[[np.ndarray], str]
+
+
+@pytest.fixture
+def draws(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Draws:
+    """Write a picture of clouds, and give its name."""
+    monkeypatch.chdir(tmp_path)  # a name has at most 100 letters
+    mean_cover.cache_clear()
+
+    def draw(pixels: np.ndarray) -> str:
+        name = "./clouds.png"
+        Image.fromarray(pixels.astype(np.uint8)).save(name)
+        return name
+
+    return draw
+
+
+def cap(value: int) -> np.ndarray:
+    """Cover of the cap north of 30°, a quarter of the sphere."""
+    pixels = np.zeros((60, 120))
+    pixels[:20] = value
+    return pixels
+
+
+def test_the_mean_weighs_a_polar_cap_by_its_area(draws: Draws) -> None:
+    # Archimedes: (1 - sin 30°)/2 of the sphere; the cover is linear, 51/255 a fifth.
+    assert_allclose(mean_cover(draws(cap(51))), 0.05, rtol=1e-12)
+
+
+def test_full_cover_is_one(draws: Draws) -> None:
+    assert_allclose(mean_cover(draws(np.full((90, 180), 255))), 1.0, rtol=1e-14)
+
+
+def test_of_a_coloured_picture_the_brightness_counts(draws: Draws) -> None:
+    # ITU-R 601: grey of red is 0.299, as Pillow's L.
+    red = np.zeros((4, 8, 3))
+    red[..., 0] = 255
+    assert_allclose(cloud_pixels(draws(red)), 76)
+
+
+def test_solvers_have_the_mean_of_clouds_and_ground(draws: Draws) -> None:
+    # c A + (1 - c) a at every wavelength, in every direction.
+    name = draws(cap(255))
+    changes = {"ground.albedo": 0.1, "ground.clouds": name, "ground.cloud_albedo": 0.7}
+    medium = Medium.from_planet(load_planet("earth-atmosphere-plus", changes), NM)
+    out = np.empty((1, 3))
+    star_factors(medium.ground, np.array([0.5]), np.array([0.3]), np.array([0.1]), out)
+    assert_allclose(out, 0.25 * 0.7 + 0.75 * 0.1, rtol=1e-7)
+
+
+def test_clouds_belong_to_what_a_solution_is_known_by(draws: Draws) -> None:
+    # Solutions on disk are found by it: cover, albedo and altitude tell planets apart; without
+    # clouds the other two do not.
+    def known(changes: dict[str, object]) -> str:
+        planet = load_planet("earth-atmosphere-plus", changes)
+        return Medium.from_planet(planet, NM).fingerprint()
+
+    clouds = {"ground.clouds": draws(cap(255))}
+    plain = known({})
+    assert known({"ground.cloud_albedo": 0.1, "ground.cloud_altitude": "1 km"}) == plain
+    several = [{}, {"ground.cloud_albedo": 0.1}, {"ground.cloud_altitude": "1 km"}]
+    assert len({plain, *(known(clouds | more) for more in several)}) == 4
+    mean_cover.cache_clear()
+    before = known(clouds)
+    draws(cap(128))
+    mean_cover.cache_clear()
+    assert known(clouds) != before
+
+
+@pytest.mark.parametrize(
+    ("pixels", "said"),
+    [(None, "there is no such picture of clouds"), ((10, 10), "twice as wide as high")],
+)
+def test_a_file_that_is_no_map_is_one_line(
+    draws: Draws, pixels: tuple[int, int] | None, said: str
+) -> None:
+    name = "./nothing.png" if pixels is None else draws(np.zeros(pixels))
+    with pytest.raises(FileError, match=said) as refused:
+        load_planet("earth-atmosphere-plus", {"ground.clouds": name})
+    assert "\n" not in str(refused.value)
+    assert Path(name).name in str(refused.value)
+
+
+def test_the_defaults_are_within_what_their_sources_say() -> None:
+    # Lacis & Hansen (1974), g = 0.85, between ISCCP's 3.6 and 23; tops at 680 to 440 hPa by the
+    # standard atmosphere, 44331 m (1 - (p/1013.25 hPa)^0.1903).
+    ground = load_planet("earth-atmosphere-plus").ground
+    depth = np.sqrt(3.0) * (1.0 - 0.85) * np.array([3.6, 11.5, 23.0])
+    thin, medium, thick = depth / (2.0 + depth)
+    assert thin < ground.cloud_albedo < thick
+    assert_allclose(ground.cloud_albedo, medium, atol=5e-3)
+    low, high = 44331.0 * (1.0 - (np.array([680.0, 440.0]) / 1013.25) ** 0.1903)
+    assert low < ground.cloud_altitude < high
+
+
+def test_the_handbook_has_the_keys_of_clouds() -> None:
+    page = Path(__file__).parents[2] / "docs" / "planet-files.md"
+    text = page.read_text(encoding="utf-8")
+    assert filled(text) == text
+    assert text.count("| `cloud_altitude` |") == 1
