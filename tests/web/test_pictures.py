@@ -197,7 +197,7 @@ def test_the_slider_of_glare_is_that_of_the_native_device(
     slider = page.locator("[data-path='display.glare'] input[type=range]")
     box = slider.bounding_box()
     assert box is not None
-    page.mouse.click(box["x"] + 0.75 * box["width"], box["y"] + 0.5 * box["height"])
+    slider.click(position={"x": 0.75 * box["width"], "y": 0.5 * box["height"]})
     glare = page.evaluate("airlight.state.get('display.glare')")
     assert 2.0 < glare <= 4.0
     values = {**FIXED, **changes, "display.glare": glare}
