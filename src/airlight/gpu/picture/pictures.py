@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from functools import cached_property
 from typing import Any, Final
 
 import numpy as np
@@ -15,12 +14,11 @@ from airlight.color.glare import checked_amount
 from airlight.errors import Cancelled, ParameterError
 from airlight.gpu.device.device import Device
 from airlight.gpu.device.flat import empty_flat_texture, read_texture, update_flat
-from airlight.gpu.device.fragment_pass import FragmentPass
 from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.picture.bands import Band, bands
 from airlight.gpu.picture.display_passes import LINEAR, DisplayPasses
+from airlight.gpu.picture.frame_passes import FramePasses
 from airlight.gpu.picture.shaders import (
-    Shader,
     picture_shader,
     sky_air_shader,
     sky_peaks_shader,
@@ -56,6 +54,8 @@ QUICK_SKY_SHAPE: Final = (64, 64)
 #: Pixels drawn at once, read from a table, marched, and marched in software: no driver then assumes
 #: that the device hangs, and a strip of a picture that is read back takes 64 MiB at most.
 _PIXELS_AT_ONCE: Final = (1 << 22, 1 << 20, 1 << 16)
+#: Entry point of the shaders of a picture.
+_ENTRY: Final = "linear_picture"
 
 
 class Pictures:
@@ -87,13 +87,12 @@ class Pictures:
     ) -> None:
         self.device = device
         self._by_processor = device.software if sky_by_processor is None else sky_by_processor
-        self._passes: dict[tuple[Shader, str, tuple[str, ...]], FragmentPass] = {}
+        self._passes = FramePasses(device)
         self._solution: MomentsSolution | None = None
         self._textures: SolutionTextures | None = None
         self._given: FloatArray | None = None
         self._shown_tables: MarchTables | None = None
         self._weights: FloatArray = np.zeros((0, 3))
-        self._groups: dict[Any, list[Any]] = {}
         self._seen: tuple[Observer, float] | None = None
         self._display = DisplayPasses(device)
         self.sky_shape = sky_shape
@@ -116,7 +115,9 @@ class Pictures:
 
     def _forget(self) -> None:
         """Forget what was drawn from other tables."""
-        self._groups.clear()
+        if self._textures is not None:
+            textures = {**self._textures.textures, **self._layers}
+            self._passes.read(textures, self._textures.places)
         self._seen = None
         self._display.drawn = None
 
@@ -153,26 +154,6 @@ class Pictures:
         self._weights = np.zeros((WAVELENGTHS, 3))
         self._weights[: nm.size] = solution.lights[0].colors(weights)
         self._forget()
-
-    @cached_property
-    def _uniforms(self) -> Any:
-        import wgpu
-
-        use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
-        return self.device.device.create_buffer(size=FRAME.packed({}, {}).nbytes, usage=use)
-
-    def _pass(self, shader: Shader, entry: str, targets: tuple[str, ...]) -> FragmentPass:
-        key = (shader, entry, targets)
-        if key not in self._passes:
-            self._passes[key] = FragmentPass(self.device, shader.text, entry, targets, entry)
-        return self._passes[key]
-
-    def _bound(self, one: FragmentPass) -> list[Any]:
-        if one not in self._groups:
-            assert self._textures is not None
-            resources = {"frame": self._uniforms, **self._textures.textures, **self._layers}
-            self._groups[one] = one.bind(resources)
-        return self._groups[one]
 
     def frame(
         self,
@@ -253,7 +234,6 @@ class Pictures:
         if checked_samples(samples) > 1 and not numbers["edges"]:
             raise ParameterError("samples", samples, "1 for an exact picture of a software device")
         numbers["samples"] = samples
-        one = self._pass(picture_shader(exact), "linear_picture", (LINEAR,))
         rows = self._rows_at_once(samples * samples * width, height, exact)
         use = wgpu.TextureUsage
         target = self.device.device.create_texture(
@@ -268,7 +248,10 @@ class Pictures:
                 if cancel is not None and cancel():
                     raise Cancelled
                 count = min(rows, height - first)
-                self._draw_strip(one, {**numbers, "first_row": first}, view, (0, 0, width, count))
+                self._passes.run(
+                    picture_shader(exact), _ENTRY, {**numbers, "first_row": first}, [view],
+                    (LINEAR,), (0, 0, width, count),
+                )  # fmt: skip
                 rgb[first : first + count] = read_texture(self.device, target)[:count, :, :3]
                 if progress is not None:
                     progress(first + count, height, "rendering")
@@ -344,7 +327,7 @@ class Pictures:
             return
         kept = self._display
         picture = kept.picture(width, height)
-        drawn = exact, self._packed(numbers).tobytes()
+        drawn = exact, self._passes.packed(numbers).tobytes()
         if kept.drawn != drawn:
             kept.drawn = None
             self._draw_light(scene, numbers, picture, LINEAR, exact)
@@ -360,7 +343,6 @@ class Pictures:
     ) -> None:
         """Draw linear light into a texture."""
         width, height = int(numbers["width"]), int(numbers["height"])
-        entry = "linear_picture"
         if not exact:
             self._draw_sky(numbers)
         if self.device.software and not exact:
@@ -374,16 +356,17 @@ class Pictures:
                     "draws_disc": numbers["draws_disc"] * band.star,
                     "edges": numbers["edges"] * band.edge,
                 }
-                shader = picture_shader(exact, FRAME.fixed(seen))
-                one = self._pass(shader, entry, (target_format,))
-                area = (0, band.first, width, band.rows)
-                self._draw_strip(one, numbers, view, area, band.first > 0)
+                self._passes.run(
+                    picture_shader(exact, FRAME.fixed(seen)), _ENTRY, numbers, [view],
+                    (target_format,), (0, band.first, width, band.rows), band.first > 0,
+                )  # fmt: skip
             return
-        one = self._pass(picture_shader(exact), entry, (target_format,))
         rows = self._rows_at_once(width, height, exact)
         for first in range(0, height, rows):
-            area = (0, first, width, min(rows, height - first))
-            self._draw_strip(one, numbers, view, area, first > 0)
+            self._passes.run(
+                picture_shader(exact), _ENTRY, numbers, [view], (target_format,),
+                (0, first, width, min(rows, height - first)), first > 0,
+            )  # fmt: skip
 
     def _numbers(
         self, scene: Scene, size: tuple[int, int], exact: bool, orders: str, disc: bool
@@ -417,20 +400,6 @@ class Pictures:
         pixels = _PIXELS_AT_ONCE[(2 if self.device.software else 1) if exact else 0]
         return min(max(1, pixels // width), height)
 
-    def _draw_strip(
-        self,
-        one: FragmentPass,
-        numbers: Mapping[str, float],
-        view: Any,
-        area: tuple[int, int, int, int],
-        keep: bool = False,
-    ) -> None:
-        """Draw into a part of a target; the rest becomes black or is kept."""
-        self._write(numbers)
-        encoder = self.device.device.create_command_encoder()
-        one.run(encoder, self._bound(one), [view], area, keep)
-        self.device.device.queue.submit([encoder.finish()])
-
     def _bands(self, scene: Scene, numbers: Mapping[str, float]) -> list[Band]:
         """Rows of the target by what is visible in them."""
         width, height = int(numbers["width"]), int(numbers["height"])
@@ -450,15 +419,12 @@ class Pictures:
             self._upload_sky(numbers)
             self._seen = seen
             return
-        self._write(numbers)
-        encoder = self.device.device.create_command_encoder()
         passes = [(sky_air_shader(), LAYERS[:2])]
         if numbers["keeps_peaks"]:
             passes.append((sky_peaks_shader(), LAYERS[2:]))
         for shader, layers in passes:
-            one = self._pass(shader, next(iter(shader.entries)), (LINEAR, LINEAR))
-            one.run(encoder, self._bound(one), [self._layers[name] for name in layers])
-        self.device.device.queue.submit([encoder.finish()])
+            targets = [self._layers[name] for name in layers]
+            self._passes.run(shader, next(iter(shader.entries)), numbers, targets, (LINEAR, LINEAR))
         self._seen = seen
 
     def _upload_sky(self, numbers: Mapping[str, float]) -> None:
@@ -470,18 +436,6 @@ class Pictures:
         for name, layer in zip(names, layers, strict=False):
             if layer.size > 1:
                 update_flat(self.device, self._layers[name], 0, as_texels(layer, WAVELENGTHS))
-
-    def _places(self) -> dict[str, tuple[int, ...]]:
-        assert self._textures is not None
-        return self._textures.places
-
-    def _packed(self, numbers: Mapping[str, float]) -> NDArray[np.float32]:
-        # Above the ground as the shader has it: its radii are accurate to half a metre.
-        r = float(np.float32(numbers["bottom"])) + (numbers["r"] - numbers["bottom"])
-        return FRAME.packed({**numbers, "r": r}, self._places())
-
-    def _write(self, numbers: Mapping[str, float]) -> None:
-        self.device.device.queue.write_buffer(self._uniforms, 0, self._packed(numbers))
 
     def _shown(self) -> MomentsSolution:
         if self._solution is None:

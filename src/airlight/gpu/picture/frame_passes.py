@@ -1,0 +1,97 @@
+"""Passes over the pixels of a picture or of a table of it, with what they read."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.gpu.device.device import Device
+from airlight.gpu.device.fragment_pass import FragmentPass
+from airlight.gpu.picture.shaders import Shader
+from airlight.gpu.picture.uniforms import FRAME
+
+
+class FramePasses:
+    """Compiled passes, kept between pictures, and what they read.
+
+    Parameters
+    ----------
+    device : Device
+        Device from ``open_device``.
+    """
+
+    def __init__(self, device: Device) -> None:
+        self._device = device
+        self._passes: dict[tuple[Shader, str, tuple[str, ...]], FragmentPass] = {}
+        self._groups: dict[FragmentPass, list[Any]] = {}
+        self._textures: Mapping[str, Any] = {}
+        self._places: Mapping[str, tuple[int, ...]] = {}
+
+    def read(self, textures: Mapping[str, Any], places: Mapping[str, tuple[int, ...]]) -> None:
+        """Set the textures that passes read, and the places of tables in them."""
+        self._textures, self._places = textures, places
+        self._groups.clear()
+
+    @cached_property
+    def _uniforms(self) -> Any:
+        import wgpu
+
+        use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
+        return self._device.device.create_buffer(size=FRAME.packed({}, {}).nbytes, usage=use)
+
+    def packed(self, numbers: Mapping[str, float]) -> NDArray[np.float32]:
+        """Content of the uniform buffer for the numbers of a picture."""
+        # Above the ground as the shader has it: its radii are accurate to half a metre.
+        r = float(np.float32(numbers["bottom"])) + (numbers["r"] - numbers["bottom"])
+        return FRAME.packed({**numbers, "r": r}, dict(self._places))
+
+    def run(
+        self,
+        shader: Shader,
+        entry: str,
+        numbers: Mapping[str, float],
+        views: Sequence[Any],
+        formats: tuple[str, ...],
+        area: tuple[int, int, int, int] | None = None,
+        keep: bool = False,
+    ) -> None:
+        """Draw into a part of some targets; the rest becomes black or is kept.
+
+        Parameters
+        ----------
+        shader : Shader
+            Shader of the pass.
+        entry : str
+            Its entry point.
+        numbers : mapping
+            Uniforms by name.
+        views : sequence of wgpu.GPUTextureView
+            Views of the targets, of the ``formats``.
+        formats : tuple of str
+            Formats of the targets.
+        area : (int, int, int, int), optional
+            First column, first row, number of columns and of rows; by default all of the target.
+        keep : bool
+            Whether the rest of the target is kept.
+        """
+        device = self._device.device
+        one = self._pass(shader, entry, formats)
+        device.queue.write_buffer(self._uniforms, 0, self.packed(numbers))
+        encoder = device.create_command_encoder()
+        one.run(encoder, self._bound(one), list(views), area, keep)
+        device.queue.submit([encoder.finish()])
+
+    def _pass(self, shader: Shader, entry: str, targets: tuple[str, ...]) -> FragmentPass:
+        key = (shader, entry, targets)
+        if key not in self._passes:
+            self._passes[key] = FragmentPass(self._device, shader.text, entry, targets, entry)
+        return self._passes[key]
+
+    def _bound(self, one: FragmentPass) -> list[Any]:
+        if one not in self._groups:
+            self._groups[one] = one.bind({"frame": self._uniforms, **self._textures})
+        return self._groups[one]
