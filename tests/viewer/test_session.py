@@ -189,7 +189,10 @@ def test_the_air_moves_with_the_ground(session: Session) -> None:
 @pytest.mark.parametrize(
     ("path", "kinds"),
     [
-        ("aerosol.profile.kind", ("exponential", "tent", "layered", "tabulated", "uniform")),
+        (
+            "aerosol.profile.kind",
+            ("exponential", "layers", "sounding", "tent", "layered", "tabulated", "uniform"),
+        ),
         (
             "aerosol.phase_function.kind",
             (
