@@ -1,4 +1,4 @@
-r"""Published light of a clear sky about sunset: the illuminance of the ground, the zenith's magnitude.
+r"""Published light of a clear sky about sunset: illuminance of the ground, magnitude of the zenith.
 
 Both are fits to measurements, by the sun's true altitude:
 
