@@ -11,8 +11,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from airlight import solve
 from airlight.exports.bake import bake
+from airlight.planets import replace
 
+RGB = (680.0, 550.0, 440.0)
 COUNT = 1 << 19
 LINES = 1 << 16
 

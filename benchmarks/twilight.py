@@ -1,25 +1,28 @@
 """What the real air, its stratospheric aerosol and bent light change between noon and night.
 
-``python benchmarks/twilight.py`` prints the tables of docs/planets.md, some minutes: the zenith's
-light by the steps that lead to preset ``earth``, then illuminance and V of the zenith beside
-published measurements. ``--quality preview`` is quicker and within 1 % of them.
+``python benchmarks/twilight.py`` prints the tables of docs/planets.md, a minute: the zenith's light by
+the steps that lead to preset ``earth``, then illuminance and V of the zenith beside published
+measurements. All are solved at default quality but with the directions of ``fine``: with the
+twelve of ``default`` the ground's zenith is off by 1 and 11 % with the sun 6° and 10° below the
+horizon, with these by 0.5 %.
 """
 
 from __future__ import annotations
-
-import argparse
 
 import numpy as np
 
 from airlight import Planet, load_planet, solve
 from airlight.planets import replace
 from airlight.planets.matter.profiles import Exponential
+from airlight.solvers.moments.settings import QUALITIES
 from airlight.solvers.solution import Solution
 from airlight.validation.published_twilight import (
     PARANAL,
+    average_aerosol,
     illuminance,
     illuminance_seidelmann1992,
     v_magnitude,
+    with_night_sky,
     zenith_v_patat2006,
 )
 
@@ -32,7 +35,10 @@ PUBLISHED = (20.0, 5.0, 2.0, 0.0, -1.0, -3.0, -5.0, -6.0, -8.0, -10.0, -12.0)
 
 
 def steps() -> dict[str, Planet]:
-    """Preset ``earth`` without its three refinements, then with one after another."""
+    """Preset ``earth`` without its three refinements, then with one after another.
+
+    The last has more of the lower aerosol: that of the days of the published illuminance.
+    """
     earth = load_planet("earth")
     air, *others = earth.constituents
     # RT/(Mg) of U.S. 1976 at sea level
@@ -43,6 +49,7 @@ def steps() -> dict[str, Planet]:
         "standard air": replace(earth, constituents=(air, *low), refraction="none"),
         "stratospheric aerosol": replace(earth, refraction="none"),
         "bent light": earth,
+        "average aerosol": load_planet("earth", average_aerosol()),
     }
 
 
@@ -89,16 +96,17 @@ def published(solved: dict[str, Solution]) -> None:
         if not -15.0 <= altitude <= -5.0:
             continue
         cited = zenith_v_patat2006(altitude)
-        row = [v_magnitude(NM, zenith(one, altitude, PARANAL)) - cited for one in solved.values()]
+        row = [
+            with_night_sky(v_magnitude(NM, zenith(one, altitude, PARANAL))) - cited
+            for one in solved.values()
+        ]
         print(f"| {altitude:g}° | {cited:.2f} | " + " | ".join(f"{x:+.2f}" for x in row) + " |")
 
 
 def main() -> None:
     """Solve and print."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quality", default="default")
-    quality = parser.parse_args().quality
-    solved = {name: solve(planet, NM, quality) for name, planet in steps().items()}
+    settings = replace(QUALITIES["default"], zenith_angles=QUALITIES["fine"].zenith_angles)
+    solved = {name: solve(planet, NM, settings) for name, planet in steps().items()}
     for name, one in solved.items():
         print(f"{name}: {one.report}")
     print()

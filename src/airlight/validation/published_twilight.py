@@ -6,8 +6,11 @@ Both are fits to measurements, by the sun's true altitude:
   logarithm of the illuminance of a level surface as cubics of the altitude over 90°, after
   measurements of the U.S. Naval Observatory.
 * Patat, Ugolnikov & Postylyakov (2006), UBVRI twilight sky brightness at ESO-Paranal, A&A 455, 385,
-  Table 4: the zenith's V magnitude per square arcsecond, 2635 m above the sea.
+  Table 4: the zenith's V magnitude per square arcsecond, 2635 m above the sea, the night's own
+  light included: 21.6 there (Patat 2003, A&A 400, 1183).
 * Bessell (1990), UBVRI passbands, PASP 102, 1181, Table 2: the passband of V.
+* Hess, Koepke & Schult (1998), BAMS 79, 831, Table 4: the aerosol "continental average", since the
+  Supplement's illuminance is that of an average clear day at sea level.
 * Willmer (2018), The absolute magnitude of the sun in several filters, ApJS 236, 47: V of the sun.
 """
 
@@ -39,6 +42,8 @@ PARANAL: Final = 2635.0
 #: Depressions of the sun between which the fit is given. [deg]
 PATAT_RANGE: Final = (5.0, 15.0)
 _PATAT: Final = (11.84, 1.518, -0.057)
+#: V of the dark sky's zenith on Paranal, moonless. [mag arcsec⁻²]
+NIGHT_SKY_V: Final = 21.6
 #: V of the sun at 1 au. [mag]
 SOLAR_V: Final = -26.76
 #: Square arcseconds of a steradian.
@@ -87,6 +92,36 @@ def zenith_v_patat2006(altitude: float) -> float:
     if not low <= -altitude <= high:
         raise ParameterError("altitude", altitude, f"{-high:g} to {-low:g} deg")
     return float(np.polynomial.polynomial.polyval(-altitude - low, _PATAT))
+
+
+def average_aerosol() -> dict[str, object]:
+    """Changes of preset ``earth`` that make its aerosol the continental average of Hess et al.
+
+    Optical depth 0.151 at 550 nm with Ångström exponents of 1.11 and 1.42 below and above 500 nm,
+    0.075 /km at the ground, single-scattering albedo 0.925, mean cosine 0.703.
+    """
+    nm = np.array([280, 320, 360, 400, 440, 500, 550, 600, 680, 750, 850, 1000], dtype=float)
+    above = 0.151 * (nm / 550.0) ** -1.42
+    below = 0.151 * (500.0 / 550.0) ** -1.42 * (nm / 500.0) ** -1.11
+    return {
+        "aerosol.optical_depth": np.where(nm < 500.0, below, above).tolist(),
+        "aerosol.profile.scale_height": "2.013 km",
+        "aerosol.single_scattering_albedo": 0.925,
+        # 3g(4 + g²)/(5(2 + g²)) = 0.703
+        "aerosol.phase_function.asymmetry": 0.6407,
+    }
+
+
+def with_night_sky(magnitude: float) -> float:
+    """V of scattered sunlight and the night's own light together. [mag arcsec⁻²]
+
+    Examples
+    --------
+    >>> f"{with_night_sky(21.6):.2f}"  # twice the light
+    '20.85'
+    """
+    both = 10.0 ** (-0.4 * magnitude) + 10.0 ** (-0.4 * NIGHT_SKY_V)
+    return float(-2.5 * np.log10(both))
 
 
 def _between(wavelengths: FloatArray, values: FloatArray, at: FloatArray) -> FloatArray:
