@@ -1,7 +1,7 @@
 """What the real air, its stratospheric aerosol and bent light change between noon and night.
 
-``python benchmarks/twilight.py`` prints the tables of docs/planets.md, a minute: the zenith's light by
-the steps that lead to preset ``earth``, then illuminance and V of the zenith beside published
+``python benchmarks/twilight.py`` prints the tables of docs/planets.md, a minute: the zenith's light
+by the steps that lead to preset ``earth``, then illuminance and V of the zenith beside published
 measurements. All are solved at default quality but with the directions of ``fine``: with the
 twelve of ``default`` the ground's zenith is off by 1 and 11 % with the sun 6° and 10° below the
 horizon, with these by 0.5 %.
