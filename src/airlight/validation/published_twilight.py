@@ -85,8 +85,8 @@ def zenith_v_patat2006(altitude: float) -> float:
 
     Examples
     --------
-    >>> f"{zenith_v_patat2006(-10.0):.2f}"
-    '18.00'
+    >>> f"{zenith_v_patat2006(-8.0):.2f}"
+    '15.88'
     """
     low, high = PATAT_RANGE
     if not low <= -altitude <= high:

