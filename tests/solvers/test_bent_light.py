@@ -12,12 +12,14 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from airlight import load_planet, solve
-from airlight.errors import ParameterError
 from airlight.planets import Constituent, Ground, Planet, Star, replace
 from airlight.planets.matter.gases import RefractiveScattering
 from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
 from airlight.planets.matter.profiles import Exponential
 from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solvers.montecarlo.bent_paths import bent_on_way
+from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
+from airlight.solvers.montecarlo.solution import MonteCarloSolution
 from airlight.solvers.star_light import direct_irradiance
 
 BOTTOM, THICK, HEIGHT, HAZE = 6371e3, 100e3, 8434.0, 1500.0
@@ -207,18 +209,76 @@ def test_without_refractivity_nothing_is_bent(planet: Planet) -> None:
     assert_allclose(np.asarray(ours), np.asarray(expected), rtol=2e-3)
 
 
-@pytest.mark.parametrize("solver", ["direct", "montecarlo"])
-def test_a_solver_with_straight_rays_refuses_bent_ones(solver: str, planet: Planet) -> None:
-    with pytest.raises(ParameterError, match=r"refraction is 'bouguer'; allowed: 'none' for the"):
-        solve(planet, solver=solver)
+@pytest.fixture(scope="module")
+def histories(planet: Planet) -> MonteCarloSolution:
+    settings = MonteCarloSettings(relative_error=3e-3)
+    return solve(planet, quality=settings, solver="montecarlo")
+
+
+@pytest.mark.parametrize("view", [90.0 - 1e-5, 85.0, 30.0])
+def test_histories_are_bent_as_the_traced_ray_is(
+    view: float, histories: MonteCarloSolution
+) -> None:
+    # The ray equation: the bending of a whole ray is the change of its direction in space; on the
+    # horizon it is the astronomical refraction, 36.2' in this air.
+    ray = follow(BOTTOM, radians(view))
+    whole = ray.y[1, -1] + ray.y[2, -1] - radians(view)
+    air = histories.airs[0]
+    bottom, top = air.extinction.bottom, air.extinction.top
+    mu = cos(radians(view))
+    along = -bottom * mu + np.sqrt((top - bottom) * (top + bottom) + (bottom * mu) ** 2)
+    found = bent_on_way(bottom, mu, along, bottom, top - bottom, air.bending)
+    assert_allclose(found, whole, rtol=1e-4)
+
+
+@pytest.mark.parametrize(
+    "sight", [SIGHTS[0], *(pytest.param(one, marks=pytest.mark.slow) for one in SIGHTS[1:])]
+)
+def test_histories_scatter_bent_light(
+    sight: tuple[float, float, float, float],
+    histories: MonteCarloSolution,
+    bent: MomentsSolution,
+) -> None:
+    # The first order is sampled along bent rays, and must be that of the ray equation; the sum of
+    # all orders that of the moments solver, whose default is good to 0.5 % here. Three errors.
+    altitude, view, sun, azimuth = sight
+    where = {"altitude": altitude, "view_zenith": view, "sun_zenith": sun, "azimuth": azimuth}
+    found = histories.estimate(**where)
+    first, error = (
+        found[name].values.ravel()[0] for name in ("order_radiance", "order_standard_error")
+    )
+    assert abs(first - once_scattered(*sight)) < 3.0 * error
+    all_orders = bent.radiance(**where).item()
+    allowed = 3.0 * found["standard_error"].item() + 5e-3 * all_orders
+    assert abs(found["radiance"].item() - all_orders) < allowed
+
+
+@pytest.mark.parametrize("sun", [20.0, 85.0, 89.5, 90.2])
+def test_histories_ground_gets_the_light_of_the_lifted_and_squeezed_star(
+    sun: float, histories: MonteCarloSolution
+) -> None:
+    # The traced ray, as for the moments solver above.
+    seen, light = starlight(BOTTOM, radians(sun))
+    ours = histories.irradiance(altitude=0.0, sun_zenith=sun)["direct"]
+    assert_allclose(ours.item(), light * cos(seen), rtol=5e-3)
+
+
+def test_the_direct_solver_draws_straight_and_says_so(planet: Planet) -> None:
+    # Light that goes straight is that of the planet without refraction; its report says nothing.
+    straight = solve(replace(planet, refraction="none"), quality="preview", solver="direct")
+    solution = solve(planet, quality="preview", solver="direct")
+    assert "; light that this planet bends is drawn straight" in str(solution.report)
+    assert "straight" not in str(straight.report)
+    where = {"altitude": 0.0, "sun_zenith": [60.0, 89.0], "view_zenith": 80.0}
+    assert_allclose(solution.radiance(**where), straight.radiance(**where), rtol=1e-12)
 
 
 @pytest.mark.parametrize("sun", [89.0, 89.8, 90.0, 90.15])
 def test_the_setting_sun_s_disc_lights_the_ground_strip_by_strip(sun: float) -> None:
     # A second method for straight light: the mean over seven strips of the disc, each through its
     # own air. Taking the disc's middle is off by up to 46 %; two points of its visible part by 1 %.
-    planet = load_planet("earth")
-    gas = tuple(one for one in planet.constituents if one.name != "aerosol")
+    planet = load_planet("earth", {"refraction": "none"})
+    gas = tuple(one for one in planet.constituents if "aerosol" not in one.name)
     clear = replace(planet, constituents=gas)
     solution = solve(clear, quality="default", cache=False)
     r, mu_s = np.array([clear.bottom_radius]), np.cos(np.radians([sun]))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
@@ -101,6 +102,7 @@ def bake(
     started = time.perf_counter()
     from airlight.exports.bake import bake as fill
     from airlight.exports.table_files import check_folder, write_tables
+    from airlight.planets import replace
 
     chosen = _packing(layout, packing, mie)
     if mapping is not None and layout == "bruneton":
@@ -111,6 +113,9 @@ def bake(
     number = _order(order, cumulative)
     check_folder(output)
     world = options.planet(planet, set_)
+    if world.refraction != "none":
+        print("airlight: light is drawn straight in tables: refraction is 'none'", file=sys.stderr)
+        world = replace(world, refraction="none")
     nm = options.wavelengths(wavelengths, world)
 
     from airlight.solvers import solve

@@ -97,7 +97,7 @@ def _end_slope(step: float, next_step: float, chord: float, next_chord: float) -
     return slope
 
 
-def spline_slopes(x: FloatArray, y: FloatArray) -> FloatArray:
+def spline_slopes(x: FloatArray, y: FloatArray, first: float | None = None) -> FloatArray:
     """Slopes of the not-a-knot cubic spline through points, which is twice differentiable.
 
     The two outermost intervals at either end share one cubic; three points give the parabola, two
@@ -109,6 +109,8 @@ def spline_slopes(x: FloatArray, y: FloatArray) -> FloatArray:
         Points, strictly ascending, at least two, at most some hundreds: the system is solved
         densely.
     y : array, shape (n, ...)
+    first : float, optional
+        Slope at the first point, instead of the condition there; at least four points.
 
     Returns
     -------
@@ -142,6 +144,8 @@ def spline_slopes(x: FloatArray, y: FloatArray) -> FloatArray:
     wanted[1:-1] = 3.0 * (high * chord[:-1] + low * chord[1:])
     system[0, :2], wanted[0] = _no_knot(step[0], step[1], chord[0], chord[1])
     system[-1, :-3:-1], wanted[-1] = _no_knot(step[-1], step[-2], chord[-1], chord[-2])
+    if first is not None:
+        system[0, :2], wanted[0] = (1.0, 0.0), first
     slopes = np.linalg.solve(system, wanted.reshape(x.size, -1))
     return np.asarray(slopes, np.float64).reshape(y.shape)
 

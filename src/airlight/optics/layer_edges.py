@@ -19,6 +19,9 @@ _EDGE: Final = 0.01
 _ALOFT: Final = 2.0
 #: Smallest scattering optical depth of a layer that counts.
 _FAINT: Final = 1e-4
+#: The same of a layer that no step of a march misses, being wider than ``_WIDE`` of the shell.
+_FAINT_AND_WIDE: Final = 0.01
+_WIDE: Final = 0.15
 #: Distance below which edges are merged, as a fraction of the shell.
 _APART: Final = 0.015
 
@@ -55,6 +58,9 @@ def layer_edges(density: DensitySegments, scattering: FloatArray) -> FloatArray:
         if scattering[i] * columns[i] < _FAINT or profile[peak] < _ALOFT * profile[0]:
             continue
         within = np.flatnonzero(profile > _EDGE * profile[peak])
+        wide = within[-1] - within[0] > _WIDE * (_SAMPLES - 1)
+        if wide and scattering[i] * columns[i] < _FAINT_AND_WIDE:
+            continue
         found += [float(altitude[k]) for k in (within[0], peak, within[-1])]
     kept: list[float] = []
     for one in sorted(found):

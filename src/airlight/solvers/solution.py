@@ -46,6 +46,8 @@ class Report:
         Largest relative change of the mean radiance by the last sweep, per wavelength. [1]
     seconds : float
         Wall time; 0 if the solution was read from the cache. [s]
+    note : str
+        What the solver leaves out of this planet, on one line; empty if nothing.
     """
 
     solver: str
@@ -53,12 +55,13 @@ class Report:
     sweeps: int
     residual: tuple[float, ...]
     seconds: float
+    note: str = ""
 
     def __str__(self) -> str:
         took = f"{self.seconds:.2f} s" if self.seconds else "from the cache"
         return (
             f"{self.solver}: {self.sweeps} sweeps, last change {max(self.residual):.1e}, {took} "
-            f"({self.settings})"
+            f"({self.settings})" + (f"; {self.note}" if self.note else "")
         )
 
 

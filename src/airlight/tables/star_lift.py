@@ -7,6 +7,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.geometry.cubic_curves import cubic_curve, spline_slopes
 from airlight.geometry.shell import distance_to_top, horizon_cosine
 from airlight.kernel import vectorized
 from airlight.mappings.transmittance import radius_from_coordinate
@@ -79,14 +80,20 @@ def star_lift(bottom: float, top: float, density: DensitySegments, bend: float) 
 
 def _inverted(true: FloatArray, seen: FloatArray) -> FloatArray:
     """Apparent less true cosines, and d apparent/d true, at the table's columns; (columns, 2)."""
-    from scipy.interpolate import CubicSpline
-
     share = np.sqrt(np.maximum(true - true[0], 0.0) / (1.0 - true[0]))
     # Smooth in the cosine, which is even in its square root.
-    raised = CubicSpline(share, seen - true, bc_type=((1, 0.0), "not-a-knot"))
+    y = seen - true
+    m = spline_slopes(share, y, 0.0)
     at = np.linspace(0.0, 1.0, SHAPE[1])
+    k = np.clip(np.searchsorted(share, at, side="right") - 1, 0, share.size - 2)
+    h = share[k + 1] - share[k]
+    t = (at - share[k]) / h
+    rise = 6.0 * t * (1.0 - t) * (y[k + 1] - y[k]) / h
+    rise += (3.0 * t - 1.0) * (t - 1.0) * m[k] + t * (3.0 * t - 2.0) * m[k + 1]
+    curvature = (6.0 * (y[1] - y[0]) / share[1] - 2.0 * m[1]) / share[1]
     # d(seen - true)/d true = d raised/d share / (d true/d share), d true/d share = 2 share (1 - t0)
     slope = np.empty_like(at)
-    slope[1:] = raised(at[1:], 1) / (2.0 * at[1:] * (1.0 - true[0]))
-    slope[0] = raised(0.0, 2) / (2.0 * (1.0 - true[0]))
-    return np.stack([raised(at), np.maximum(1.0 + slope, 0.0)], axis=-1)
+    slope[1:] = rise[1:] / (2.0 * at[1:] * (1.0 - true[0]))
+    slope[0] = curvature / (2.0 * (1.0 - true[0]))
+    raised = cubic_curve(share, y, m, at)
+    return np.stack([raised, np.maximum(1.0 + slope, 0.0)], axis=-1)

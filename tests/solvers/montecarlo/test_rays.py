@@ -15,6 +15,7 @@ from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop
 from airlight.planets import Medium, Planet, load_planet
 from airlight.planets.matter.profiles import Exponential, Layer, Layered, Tabulated, Tent, Uniform
+from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.montecarlo.history_optics import HistoryOptics, history_optics, jump_altitudes
 from airlight.solvers.montecarlo.lit_air import (
     density_in_light,
@@ -86,7 +87,7 @@ def test_places_follow_the_exact_distribution(
     # seed, p > 0.001 for each of 72 rays: one right sampler in 14 would need another seed.
     planet = one_air(depth=vertical, profile=PROFILES[profile])
     medium = Medium.from_planet(planet, [550.0])
-    air = history_optics(medium, 0)
+    air = history_optics(LightPaths.of(medium), 0)
     for at, (altitude, angle) in enumerate(RAYS):
         r, mu, length, path, count, depth = traced(medium, air, altitude, angle)
         if depth <= 0.0:
@@ -122,7 +123,7 @@ def test_optical_depths_meet_the_quadrature_of_the_profiles(
     generator = np.random.default_rng(4)
     errors = []
     for wavelength in range(2):
-        air = history_optics(medium, wavelength)
+        air = history_optics(LightPaths.of(medium), wavelength)
         for _ in range(150):
             altitude = medium.thickness * 0.9 * generator.random() ** 3
             angle = np.degrees(np.arccos(generator.uniform(-0.3, 1.0)))
@@ -154,7 +155,7 @@ def test_places_in_light_have_the_density_that_is_said(
     # Importance sampling: the mean of f/p over points drawn from p is ∫ f, here of e^{-τ} dτ over
     # the part of a ray that the star lights; four standard errors of 20 000 points.
     medium = Medium.from_planet(reference_earth(albedo=0.0), [440.0])
-    air = history_optics(medium, 0)
+    air = history_optics(LightPaths.of(medium), 0)
     r, mu, _, path, count, _ = traced(medium, air, 0.0, 60.0)
     mu_s, nu = np.cos(np.radians(95.0)), 0.3
     lit = new_lit(air.extinction)

@@ -33,7 +33,7 @@ from airlight.solvers.direct.orders import Orders, solve_orders
 from airlight.solvers.direct.passes import add_ground, direct_light, reflected
 from airlight.solvers.direct.settings import Settings
 from airlight.solvers.direct.trapezoid import sphere
-from airlight.solvers.light_paths import only_straight
+from airlight.solvers.light_paths import straightened
 from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Report, Solution
 
@@ -58,6 +58,8 @@ class DirectSolution(Solution):
         Medium and its orders; for the literal first notes one pair per constituent that scatters.
     seconds : float
         Wall time. [s]
+    note : str
+        What is left out of the planet; see ``Report``.
     """
 
     def __init__(
@@ -66,6 +68,7 @@ class DirectSolution(Solution):
         settings: Settings,
         parts: list[tuple[Medium, Orders]],
         seconds: float,
+        note: str = "",
     ) -> None:
         self.medium = medium
         self.settings = settings
@@ -81,6 +84,7 @@ class DirectSolution(Solution):
                 float(x) for x in np.max([orders.residual for _, orders in parts], axis=0)
             ),
             seconds=seconds,
+            note=note,
         )
 
     def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
@@ -223,7 +227,7 @@ def solve(
     ConvergenceError
         If the orders do not fall.
     """
-    only_straight(medium, "the direct solver")
+    medium, note = straightened(medium)
     started = perf_counter()
     media = [medium]
     if settings.literal == "atmosphere-plus-1":
@@ -240,7 +244,8 @@ def solve(
             if cache:
                 disk.save(key, _to_arrays(orders))
         parts.append((one, orders))
-    return DirectSolution(medium, settings, parts, perf_counter() - started if computed else 0.0)
+    seconds = perf_counter() - started if computed else 0.0
+    return DirectSolution(medium, settings, parts, seconds, note)
 
 
 def _key(medium: Medium, settings: Settings) -> str:

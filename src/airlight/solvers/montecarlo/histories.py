@@ -14,7 +14,8 @@ series; no order is cut off.
 
 Geometry: straight rays between spheres, positions and directions as vectors; the star is at
 infinity. Every angle is the local one; nothing is expanded or looked up but the air's extinction
-over altitude (see ``rays``).
+over altitude (see ``rays``). Where light is bent, radii are optical ones, and point and direction
+are turned at each event (see ``bent_paths``).
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ from math import exp, expm1, pi, sin, sqrt
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop, inlined
 from airlight.optics.reflection import leaving_cosine, sky_factor, star_factor
+from airlight.solvers.montecarlo.bent_paths import bent_on_way, seen_direction, turned_together
 from airlight.solvers.montecarlo.events import (
     draw_in_air,
     reflected_share,
@@ -98,7 +100,8 @@ def follow(
     start_r, start_mu, mu_s, nu = start
     first_path, next_path, star_path, first_lit, next_lit = paths
     shares, brought = workspace
-    bottom = air.extinction.bottom
+    bottom, top = air.extinction.bottom, air.extinction.top
+    bending = air.bending
     orders = brought.size
     view_x, view_y, sun_x = start_vectors(start_mu, mu_s, nu)
     disc = 2.0 * sin(0.5 * air.star_radius) ** 2
@@ -142,6 +145,7 @@ def follow(
             weight *= caught + reflected
             event += 1
             on_ground = uniform(state) * (caught + reflected) < reflected
+            from_r, from_mu = r, mu
             if on_ground:
                 along = -r * mu - sqrt(max((bottom - r) * (bottom + r) + r * r * mu * mu, 0.0))
                 x, y, z = x + along * u, y + along * v, z + along * w
@@ -168,9 +172,12 @@ def follow(
                 if not (strength > 0.0 and scattering > 0.0):
                     break
                 weight *= scattering / strength
+            if bending.bend > 0.0:
+                angle = bent_on_way(from_r, from_mu, along, bottom, top - bottom, bending)
+                x, y, z, u, v, w = turned_together(x, y, z, u, v, w, angle)
             if event >= first_order:
                 a, b, c = towards_star(sun_x, mu_s, disc, state)
-                sun_mu = (x * a + y * b + z * c) / r
+                a, b, c, sun_mu, squeeze = seen_direction(x, y, z, r, a, b, c, bottom, top, bending)
                 turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
                 if on_ground:
                     share = reflected_share(sun_mu, leaving, turn, returned, air)
@@ -178,7 +185,7 @@ def follow(
                     share = scattered_share(turn, air, shares)
                 if share > 0.0:
                     light = _from_star(r, sun_mu, air, star_path)
-                    brought[min(event, orders) - 1] += weight * share * brightness * light
+                    brought[min(event, orders) - 1] += weight * share * brightness * squeeze * light
             if event == 1:
                 reference = weight
             weight = roulette(weight, reference, event, state)

@@ -12,6 +12,8 @@ from airlight.kernel import compiled_loop
 from airlight.optics.density_profile import DensitySegments
 from airlight.optics.reflection import Reflection
 from airlight.planets.medium import Medium
+from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.montecarlo.bent_paths import Bending, bending_of
 from airlight.solvers.montecarlo.lit_air import Starlight, make_starlight
 from airlight.solvers.montecarlo.rays import (
     Extinction,
@@ -65,6 +67,8 @@ class HistoryOptics(NamedTuple):
         Angular radius of the star. [rad]
     light : Starlight
         Coarse table of the star's light.
+    bending : Bending
+        How light is bent.
     """
 
     extinction: Extinction
@@ -75,17 +79,20 @@ class HistoryOptics(NamedTuple):
     ground: Reflection
     star_radius: float
     light: Starlight
+    bending: Bending
 
 
-def history_optics(medium: Medium, wavelength: int) -> HistoryOptics:
+def history_optics(paths: LightPaths, wavelength: int) -> HistoryOptics:
     """Prepare a medium at one of its wavelengths.
 
     Parameters
     ----------
-    medium : Medium
+    paths : LightPaths
+        Paths of light in the medium.
     wavelength : int
         Index of the wavelength.
     """
+    medium = paths.medium
     density = medium.density
     x = np.linspace(0.0, 1.0, TABLE_NODES)
     coefficients = medium.extinction[:, wavelength]
@@ -126,6 +133,7 @@ def history_optics(medium: Medium, wavelength: int) -> HistoryOptics:
         ground=medium.ground._replace(albedo=float(medium.ground.albedo[wavelength])),
         star_radius=medium.lights[0].angular_radius,
         light=make_starlight(chosen),
+        bending=bending_of(paths, TABLE_NODES),
     )
 
 

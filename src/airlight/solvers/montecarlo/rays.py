@@ -23,7 +23,7 @@ from airlight.kernel import compiled_loop, inlined
 FloatArray = NDArray[np.float64]
 
 #: Relative height of the tangent point below which a leg begins beside it; see ``geometry.path``.
-_BESIDE: Final = 0.02
+BESIDE: Final = 0.02
 #: Optical depth above which a panel is integrated again up to the depth found, until it is thinner.
 _THICK: Final = 6.0
 #: Three-point Gauss-Legendre on [0, 1].
@@ -98,8 +98,8 @@ def extinction_at(altitude, table, scale):
 
 
 @inlined
-def _per_y(y, low, beside, bottom, table, scale):
-    """Extinction times ds/dy: optical depth per y."""
+def per_y(y, low, beside, bottom, table, scale):
+    """Value of a table at y times ds/dy: optical depth per y, for extinction."""
     square = y * y
     away = sqrt(beside * beside + square * (2.0 * low + square))
     slope = 2.0 * y * (low + square) / away if away > 0.0 else sqrt(2.0 * low)
@@ -113,7 +113,7 @@ def _fill(low, beside, start, end, bottom, table, scale, nodes, weights, values)
     total = 0.0
     for k in range(nodes.size):
         y = start + (end - start) * nodes[k]
-        value = width * _per_y(y, low, beside, bottom, table, scale)
+        value = width * per_y(y, low, beside, bottom, table, scale)
         values[k] = value
         total += value * weights[k]
     return total
@@ -129,7 +129,7 @@ def _leg(
     scale = (table.size - 1) / sqrt(extinction.top - bottom)
     high, low = max(start_r, end_r), min(start_r, end_r)
     beside = 0.0
-    if low - tangent <= _BESIDE * (high - tangent):
+    if low - tangent <= BESIDE * (high - tangent):
         low = min(tangent, low)
     else:
         beside = sqrt((low - tangent) * (low + tangent))
@@ -266,8 +266,8 @@ def place_at_depth(depth, count, extinction, path):
     left = start + (end - start) * (nodes[upper - 1] if upper > 0 else 0.0)
     right = start + (end - start) * (nodes[upper] if upper < n else 1.0)
     width = abs(right - left)
-    slope_left = _per_y(left, low, beside, bottom, table, scale)
-    slope_right = _per_y(right, low, beside, bottom, table, scale)
+    slope_left = per_y(left, low, beside, bottom, table, scale)
+    slope_right = per_y(right, low, beside, bottom, table, scale)
     wanted = max(rest - before, 0.0)
     # Initial value for a density linear between the points, scaled to the depth between them.
     x = 0.5
@@ -283,9 +283,9 @@ def place_at_depth(depth, count, extinction, path):
         found = 0.0
         for j in range(3):
             between = left + (y - left) * _THREE[j]
-            found += _SHARES[j] * _per_y(between, low, beside, bottom, table, scale)
+            found += _SHARES[j] * per_y(between, low, beside, bottom, table, scale)
         missing = wanted - step * found
-        slope = _per_y(y, low, beside, bottom, table, scale)
+        slope = per_y(y, low, beside, bottom, table, scale)
         if abs(missing) <= 1e-5 * (after - before) or slope <= 0.0:
             break
         x = min(max(x + missing / (slope * width), 0.0), 1.0)
@@ -350,5 +350,5 @@ def depth_within(at, t, base, before, extinction, path):
     found = 0.0
     for j in range(3):
         y = panel[3] + width * (first + (t - first) * _THREE[j])
-        found += _SHARES[j] * _per_y(y, panel[0], panel[1], extinction.bottom, table, scale)
+        found += _SHARES[j] * per_y(y, panel[0], panel[1], extinction.bottom, table, scale)
     return before + found * abs(width) * (t - first)

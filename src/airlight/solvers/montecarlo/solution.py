@@ -14,7 +14,7 @@ from airlight.geometry.shell import distance_to_top
 from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import only_straight
+from airlight.solvers.montecarlo.bent_paths import direct_irradiance_bent
 from airlight.solvers.montecarlo.estimate import Estimate, Question, estimate
 from airlight.solvers.montecarlo.history_optics import history_optics
 from airlight.solvers.montecarlo.settings import Settings
@@ -69,7 +69,8 @@ class MonteCarloSolution(Solution):
     The same question with the same seed gives the same histories, to the last bit, independent of
     other questions. Errors of different lines of sight and of different wavelengths are
     independent; those of the orders of one line are not. Order 1 is exact by quadrature unless the
-    settings say otherwise (irradiances are always sampled whole). Nothing is kept on disk.
+    settings say otherwise or light is bent (irradiances are always sampled whole). Nothing is kept
+    on disk.
 
     Parameters
     ----------
@@ -94,7 +95,7 @@ class MonteCarloSolution(Solution):
         self.progress = progress
         self.cancel = cancel
         self.highest_order = settings.kept_orders
-        self.airs = [history_optics(medium, k) for k in range(medium.wavelengths.size)]
+        self.airs = [history_optics(self.paths, k) for k in range(medium.wavelengths.size)]
         self.report: MonteCarloReport = MonteCarloReport(
             solver="montecarlo",
             settings=settings.as_text(),
@@ -113,7 +114,9 @@ class MonteCarloSolution(Solution):
             Order whose error decides when to stop; all orders together if left out.
         """
         started = perf_counter()
-        known = self.first_order(sight) if self.settings.exact_first_order else None
+        exact = self.settings.exact_first_order and self.paths.shell is None
+        known = self.first_order(sight) if exact else None
+        sight = self.paths.sight(sight)
         lengths = sight.length
         if order == 1 and known is not None:
             lengths = np.zeros_like(lengths)
@@ -162,13 +165,17 @@ class MonteCarloSolution(Solution):
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``; sampled over directions, the first order too."""
         up = np.ones_like(r)
-        lengths = vectorized(distance_to_top)(r, up, self.medium.top_radius)
+        r = self.paths.optical_radius(r)
+        lengths = vectorized(distance_to_top)(r, up, self.paths.medium.top_radius)
         question = Question(np.stack([r, up, mu_s, mu_s], axis=1), lengths, True, None, None)
         return self._answer(question, perf_counter()).total
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``; by quadrature."""
-        return direct_irradiance(self.medium, r, mu_s)
+        if self.paths.shell is None:
+            return direct_irradiance(self.medium, r, mu_s)
+        star = self.medium.lights[0].angular_radius
+        return direct_irradiance_bent(self.paths, star, self.paths.optical_radius(r), mu_s)
 
     def estimate(
         self,
@@ -292,5 +299,4 @@ def solve(
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``; kept for the results.
     """
-    only_straight(medium, "the montecarlo solver")
     return MonteCarloSolution(medium, settings, progress=progress, cancel=cancel)

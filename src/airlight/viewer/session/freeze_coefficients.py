@@ -39,7 +39,8 @@ def freeze_coefficients(tables: Tables, planet: Planet, index: int) -> Tables:
 
     Coefficients are linear between the wavelengths, those of gases times λ⁴. Particles get a
     Henyey-Greenstein phase function of their mean cosine, whose aureole around the star is weaker
-    than theirs; phase functions of few parameters are kept.
+    than theirs; phase functions of few parameters are kept. Light goes straight if no other gas
+    bends it.
 
     Parameters
     ----------
@@ -77,7 +78,11 @@ def freeze_coefficients(tables: Tables, planet: Planet, index: int) -> Tables:
         new["phase_function"] = one.phase_function_at(nm).frozen(nm)
     if absorption.any() or not scattering.any():
         new["absorption"] = _per_km(absorption)
-    return put(tables, f"constituents[{index}]", new)
+    frozen = put(tables, f"constituents[{index}]", new)
+    others = (other for k, other in enumerate(planet.constituents) if k != index)
+    if planet.refraction != "none" and not any(other.bends for other in others):
+        frozen = put(frozen, "refraction", "none")  # coefficients have no refractivity
+    return frozen
 
 
 def _wavelengths(planet: Planet) -> FloatArray:

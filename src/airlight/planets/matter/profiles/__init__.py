@@ -6,13 +6,15 @@ from typing import Final
 
 from airlight.planets.matter.profiles.formulas import BulkGas, Exponential, Tent, Uniform
 from airlight.planets.matter.profiles.layered import Layer, Layered
+from airlight.planets.matter.profiles.layers import Layers
 from airlight.planets.matter.profiles.profile import Profile
+from airlight.planets.matter.profiles.sounding import Sounding
 from airlight.planets.matter.profiles.tabulated import Tabulated
 from airlight.planets.schema.kinds import Kinds
 
 __all__ = [
-    "PROFILES", "BulkGas", "Exponential", "Layer", "Layered", "Profile", "Tabulated", "Tent",
-    "Uniform",
+    "PROFILES", "BulkGas", "Exponential", "Layer", "Layered", "Layers", "Profile", "Sounding",
+    "Tabulated", "Tent", "Uniform",
 ]  # fmt: skip
 
 #: Kinds of ``profile = { kind = … }``.
@@ -22,6 +24,8 @@ PROFILES: Final[Kinds[Profile]] = Kinds(
         Tent,
         Layered,
         Tabulated,
+        Layers,
+        Sounding,
         Uniform,
     ),
     label="profile",

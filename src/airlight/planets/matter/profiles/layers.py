@@ -1,0 +1,193 @@
+"""Density of a gas at rest in layers of constant lapse rate: a standard atmosphere."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Mapping
+from typing import Annotated, Any, Final
+
+import numpy as np
+
+from airlight.errors import ParameterError
+from airlight.optics.density_profile import Row
+from airlight.optics.hydrostatic import HydrostaticLayers, mass_per_length, thickness_of_layer
+from airlight.planets.matter.profiles.profile import Profile
+from airlight.planets.matter.profiles.weight_keys import (
+    gravity_key,
+    gravity_radius_key,
+    molar_mass_key,
+)
+from airlight.planets.parameters import MISSING, ascending, parameters
+from airlight.planets.schema.key import Key, always
+
+#: Largest number of layers.
+MOST_LAYERS: Final = 100
+
+
+@parameters
+class Layers(Profile):
+    """Ideal gas under its own weight, in layers of constant lapse rate; density 1 at the ground.
+
+    Parameters
+    ----------
+    altitudes : tuple of float, optional
+        Altitudes of the layers' bases, ascending from 0; geopotential ones if ``gravity_radius`` is
+        given. [m]
+    pressures : tuple of float, optional
+        Pressures of the bases instead, descending from that at the ground. [Pa]
+    temperature : float
+        Temperature at the ground. [K]
+    lapse_rates : tuple of float
+        Fall of the temperature with altitude in each layer, negative where it rises. [K m⁻¹]
+    molar_mass : float
+        Molar mass of the gas. [kg mol⁻¹]
+    gravity : float
+        Gravity at the ground. [m s⁻²]
+    gravity_radius : float, optional
+        Distance of the ground from the centre, with whose square gravity falls. [m]
+
+    Examples
+    --------
+    >>> layers = Layers(altitudes=(0.0, 11e3), temperature=288.15, lapse_rates=(6.5e-3, 0.0),
+    ...                 molar_mass=28.9644e-3, gravity=9.80665)
+    >>> f"{1.225 * float(layers.air.density_ratio(11e3)):.4f}"  # kg/m^3
+    '0.3639'
+    """
+
+    keyword = "layers"
+
+    altitudes: (
+        Annotated[
+            tuple[float, ...],
+            Key(
+                label="base altitude",
+                help="Altitudes of the layers' bases, from 0 up.",
+                note="It or `pressures`. Geopotential altitudes beside a `gravity_radius`.",
+                unit="m",
+                range=(0.0, 1e9),
+                listed=True,
+                example="0, 11, 20 km",
+                shown="km",
+                slider=(0.0, 100.0),
+                mode="advanced",
+            ),
+        ]
+        | None
+    ) = None
+    pressures: (
+        Annotated[
+            tuple[float, ...],
+            Key(
+                label="base pressure",
+                help="Pressures of the layers' bases instead, from that at the ground down.",
+                unit="Pa",
+                range=(1e-12, 1e10),
+                listed=True,
+                example="1013.25, 226.32 hPa",
+                shown="hPa",
+                slider=(1e-5, 1e5),
+                scale="log",
+                mode="advanced",
+            ),
+        ]
+        | None
+    ) = None
+    temperature: Annotated[
+        float,
+        Key(
+            label="temperature",
+            help="Temperature at the ground.",
+            unit="K",
+            range=(1.0, 1e5),
+            example="288.15 K",
+            slider=(20.0, 1000.0),
+            scale="log",
+            mode="advanced",
+            fresh="288.15 K",
+        ),
+    ]
+    lapse_rates: Annotated[
+        tuple[float, ...],
+        Key(
+            label="lapse rate",
+            help="Fall of the temperature with altitude in each layer.",
+            note="One for each base; negative where it grows warmer upwards.",
+            unit="K/m",
+            range=(-1.0, 1.0),
+            listed=True,
+            example="6.5, 0 K/km",
+            shown="K/km",
+            slider=(-10.0, 10.0),
+            mode="advanced",
+        ),
+    ]
+    molar_mass: Annotated[float, molar_mass_key(fresh="28.9644 g/mol")]
+    gravity: Annotated[float, gravity_key(fresh="9.80665 m/s^2")]
+    gravity_radius: Annotated[float, gravity_radius_key(offered=always)] | None = None
+
+    def __post_init__(self) -> None:
+        if (self.altitudes is None) == (self.pressures is None):
+            given = MISSING if self.altitudes is None else self.altitudes
+            raise ParameterError("altitudes", given, "altitudes or pressures of the bases")
+        name = "altitudes" if self.altitudes is not None else "pressures"
+        bases = self.altitudes if self.altitudes is not None else self.pressures
+        assert bases is not None
+        if not 1 <= len(bases) <= MOST_LAYERS:
+            raise ParameterError(name, bases, f"1 to {MOST_LAYERS} bases")
+        if len(self.lapse_rates) != len(bases):
+            raise ParameterError(
+                "lapse_rates", self.lapse_rates, f"one for each of {len(bases)} bases"
+            )
+        if self.altitudes is None:
+            for k, (low, high) in enumerate(itertools.pairwise(bases)):
+                if high >= low:
+                    raise ParameterError(f"pressures[{k + 1}]", high, f"less than {low:g} Pa")
+        elif bases[0] != 0.0:
+            raise ParameterError("altitudes[0]", bases[0], "0 m, the ground")
+        else:
+            ascending(bases, "altitudes", "m")
+        _ = self.air  # refuses air that would be colder than nothing at a base
+
+    @property
+    def air(self) -> HydrostaticLayers:
+        """Temperature, pressure and density over altitude."""
+        weight = mass_per_length(self.molar_mass, self.gravity)
+        radius = math.inf if self.gravity_radius is None else self.gravity_radius
+        bases = self.altitudes
+        if bases is None:
+            bases = self._altitudes_of_pressures(weight)
+        air = HydrostaticLayers.stacked(bases, self.temperature, self.lapse_rates, weight, radius)
+        cold = int(np.argmax(air.temperatures < 1.0))
+        if air.temperatures[cold] < 1.0:
+            raise ParameterError(
+                f"lapse_rates[{cold - 1}]",
+                self.lapse_rates[cold - 1],
+                "a temperature of at least 1 K at the next base",
+            )
+        return air
+
+    def _altitudes_of_pressures(self, weight: float) -> tuple[float, ...]:
+        assert self.pressures is not None
+        altitude, temperature = 0.0, self.temperature
+        found = [altitude]
+        for rate, (low, high) in zip(
+            self.lapse_rates, itertools.pairwise(self.pressures), strict=False
+        ):
+            thickness = thickness_of_layer(weight, temperature, rate, high / low)
+            altitude += thickness
+            temperature -= rate * thickness
+            found.append(altitude)
+        return tuple(found)
+
+    def row(self, thickness: float) -> Row:
+        """Segments over a shell of this thickness [m]; see ``optics.density_profile``."""
+        return self.air.row(thickness)
+
+    @classmethod
+    def fresh(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
+        """Table of the Earth's troposphere and stratosphere; see ``Record.fresh``."""
+        table = super().fresh(old, thickness)
+        table["altitudes"] = ["0 km", "11 km"]
+        table["lapse_rates"] = ["6.5 K/km", "0 K/km"]
+        return table

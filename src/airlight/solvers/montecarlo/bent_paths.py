@@ -1,0 +1,208 @@
+"""Bent light of histories: the angle by which a stretch of a ray is bent, and where a star is seen.
+
+A history's rays are traced by optical radius, in which they are straight (``geometry.bending``).
+At each event the point and the direction are turned together about the axis perpendicular to the
+ray's plane, by the bending of the stretch, and are then the true ones: stars stay where they are.
+The bending is integrated along each stretch, apart from its optical depth. The direction in which
+the star is seen from an event, and the squeeze of its disc, are read from ``tables.star_lift``.
+"""
+
+from __future__ import annotations
+
+from math import cos, sin, sqrt
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.bending import bend_angle, seen_star
+from airlight.geometry.quadrature import gauss_legendre
+from airlight.kernel import compiled_loop, inlined
+from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.montecarlo.rays import BESIDE, per_y
+from airlight.tables.columns import columns
+
+FloatArray = NDArray[np.float64]
+
+#: Points of a panel, and panels of a leg, at which the bending is integrated.
+_POINTS: Final = 8
+_PANELS: Final = 3
+#: Number of strips of the star's disc.
+_STRIPS: Final = 96
+
+
+class Bending(NamedTuple):
+    """How light is bent in a medium by optical radius.
+
+    Attributes
+    ----------
+    bend : float
+        See ``optics.bent_density``; 0 where light goes straight. [m⁻²]
+    table : array, shape (m,)
+        Density of "bending" at even steps of the square root of altitude. [1]
+    lift : array, shape (rows, columns, 2)
+        Table from ``star_lift``; without rows where light goes straight. [1]
+    nodes, weights : array, shape (n,)
+        Quadrature rule of a panel.
+    """
+
+    bend: float
+    table: FloatArray
+    lift: FloatArray
+    nodes: FloatArray
+    weights: FloatArray
+
+
+def bending_of(paths: LightPaths, nodes: int) -> Bending:
+    """Bending of a medium, with a table of so many nodes."""
+    rule = gauss_legendre(_POINTS)
+    medium = paths.medium
+    if paths.shell is None:
+        return Bending(0.0, np.zeros(2), paths.lift, rule.nodes, rule.weights)
+    x = np.linspace(0.0, 1.0, nodes)
+    table = np.ascontiguousarray(medium.density.at(medium.thickness * x * x)[-1])
+    return Bending(paths.bend, table, paths.lift, rule.nodes, rule.weights)
+
+
+@inlined
+def _leg_column(start_r, end_r, tangent, bottom, scale, bending):
+    """Column of "bending" on a leg whose radius is monotone. [m]"""
+    high, low = max(start_r, end_r), min(start_r, end_r)
+    beside = 0.0
+    if low - tangent <= BESIDE * (high - tangent):
+        low = min(tangent, low)
+    else:
+        beside = sqrt((low - tangent) * (low + tangent))
+    first = sqrt(max(min(start_r, end_r) - low, 0.0))
+    width = (sqrt(max(high - low, 0.0)) - first) / _PANELS
+    total = 0.0
+    for part in range(_PANELS):
+        for k in range(bending.nodes.size):
+            y = first + width * (part + bending.nodes[k])
+            total += bending.weights[k] * per_y(y, low, beside, bottom, bending.table, scale)
+    return total * width
+
+
+@compiled_loop
+def bent_on_way(r, mu, along, bottom, thickness, bending):
+    """Angle by which a ray is bent on its first stretch.
+
+    Parameters
+    ----------
+    r, mu : float
+        Optical radius of the start [m] and cosine of the ray's zenith angle there [1].
+    along : float
+        Length of the stretch by optical radius. [m]
+    bottom, thickness : float
+        Optical radius of the ground and thickness of the shell. [m]
+    bending : Bending
+
+    Returns
+    -------
+    float
+        Angle towards the ground. [rad]
+    """
+    scale = (bending.table.size - 1) / sqrt(thickness)
+    tangent = r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
+    end = sqrt(max(r * r + along * (along + 2.0 * r * mu), tangent * tangent))
+    if mu < 0.0 and along > -r * mu:
+        column = _leg_column(r, tangent, tangent, bottom, scale, bending)
+        column += _leg_column(tangent, end, tangent, bottom, scale, bending)
+    else:
+        column = _leg_column(r, end, tangent, bottom, scale, bending)
+    return bend_angle(r, mu, bending.bend, column)
+
+
+@inlined
+def turned_together(x, y, z, u, v, w, angle):
+    """Point and direction, both turned by an angle in the ray's plane, along its way.
+
+    Parameters
+    ----------
+    x, y, z : float
+        Point as drawn. [m]
+    u, v, w : float
+        Direction of the ray there. [1]
+    angle : float
+        Result of ``bent_on_way``. [rad]
+    """
+    r = sqrt(x * x + y * y + z * z)
+    a, b, c = x / r, y / r, z / r
+    mu = min(max(u * a + v * b + w * c, -1.0), 1.0)
+    sine = sqrt((1.0 - mu) * (1.0 + mu))
+    if sine < 1e-9:
+        return x, y, z, u, v, w
+    d, e, f = (u - mu * a) / sine, (v - mu * b) / sine, (w - mu * c) / sine
+    keep, turn = cos(angle), sin(angle)
+    p, q, s = keep * a + turn * d, keep * b + turn * e, keep * c + turn * f
+    d, e, f = keep * d - turn * a, keep * e - turn * b, keep * f - turn * c
+    return r * p, r * q, r * s, mu * p + sine * d, mu * q + sine * e, mu * s + sine * f
+
+
+@inlined
+def seen_direction(x, y, z, r, a, b, c, bottom, top, bending):
+    """Direction in which a point of the star is seen, and the squeeze of its disc there.
+
+    Parameters
+    ----------
+    x, y, z, r : float
+        Point and its optical radius. [m]
+    a, b, c : float
+        True direction of the point of the star. [1]
+    bottom, top : float
+        Optical radii of the ground and of the top. [m]
+    bending : Bending
+
+    Returns
+    -------
+    a, b, c, mu, squeeze : float
+        Direction, cosine of its zenith angle, and d apparent/d true cosine. [1]
+    """
+    up, side, ahead = x / r, y / r, z / r
+    true = min(max(a * up + b * side + c * ahead, -1.0), 1.0)
+    mu, squeeze, _ = seen_star(r, true, bottom, top, bending.lift)
+    sine = sqrt(max((1.0 - true) * (1.0 + true), 0.0))
+    if bending.lift.shape[0] == 0 or sine < 1e-9:
+        return a, b, c, true, squeeze
+    level = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0)) / sine
+    a, b, c = (a - true * up) * level, (b - true * side) * level, (c - true * ahead) * level
+    return a + mu * up, b + mu * side, c + mu * ahead, mu, squeeze
+
+
+def direct_irradiance_bent(
+    paths: LightPaths, star_radius: float, r: FloatArray, mu_s: FloatArray
+) -> FloatArray:
+    """Irradiance of a level surface by the bent light of the star, per irradiance, (n, nl). [1]
+
+    Parameters
+    ----------
+    paths : LightPaths
+    star_radius : float
+        Angular radius of the star. [rad]
+    r, mu_s : array, shape (n,)
+        Optical radius [m], and zenith cosine of the star's true centre [1].
+    """
+    medium = paths.medium
+    bottom, top = medium.bottom_radius, medium.top_radius
+    # Strips of equal height on the disc, each with its true area.
+    middle = (np.arange(_STRIPS) + 0.5) * (2.0 / _STRIPS) - 1.0
+    share = np.sqrt(1.0 - middle**2)
+    share = share / share.sum()
+    zenith = np.arccos(np.clip(mu_s, -1.0, 1.0))[:, None] - star_radius * middle
+    at = r[:, None] + 0.0 * zenith
+    seen, squeeze = np.empty(at.shape), np.empty(at.shape)
+    _seen(at.ravel(), np.cos(zenith).ravel(), bottom, top, paths.lift, seen.ravel(),
+          squeeze.ravel())  # fmt: skip
+    horizon = -np.sqrt(np.maximum((at - bottom) * (at + bottom), 0.0)) / at
+    shines = seen > horizon
+    up = np.where(shines, seen, 1.0)
+    length = -at * up + np.sqrt((top - at) * (top + at) + (at * up) ** 2)
+    depth = columns(at, up, length, bottom, medium.density) @ medium.extinction
+    weight = np.where(shines, share * squeeze * np.maximum(seen, 0.0), 0.0)
+    return np.asarray((weight[..., None] * np.exp(-depth)).sum(axis=1))
+
+
+@compiled_loop
+def _seen(x, mu_s, bottom, top, lift, seen, squeeze):
+    for k in range(x.size):
+        seen[k], squeeze[k], _ = seen_star(x[k], mu_s[k], bottom, top, lift)

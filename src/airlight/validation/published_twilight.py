@@ -1,0 +1,164 @@
+r"""Published light of a clear sky about sunset: illuminance of the ground, magnitude of the zenith.
+
+Both are fits to measurements, by the sun's true altitude:
+
+* Seidelmann (ed., 1992), Explanatory Supplement to the Astronomical Almanac, section 9.34: the
+  logarithm of the illuminance of a level surface as cubics of the altitude over 90°, after
+  measurements of the U.S. Naval Observatory.
+* Patat, Ugolnikov & Postylyakov (2006), UBVRI twilight sky brightness at ESO-Paranal, A&A 455, 385,
+  Table 4: the zenith's V magnitude per square arcsecond, 2635 m above the sea, the night's own
+  light included: 21.6 there (Patat 2003, A&A 400, 1183).
+* Bessell (1990), UBVRI passbands, PASP 102, 1181, Table 2: the passband of V.
+* Hess, Koepke & Schult (1998), BAMS 79, 831, Table 4: the aerosol "continental average", since the
+  Supplement's illuminance is that of an average clear day at sea level.
+* Willmer (2018), The absolute magnitude of the sun in several filters, ApJS 236, 47: V of the sun.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from airlight.constants import LUMINOUS_EFFICACY
+from airlight.errors import ParameterError
+from airlight.spectra.color_matching import cie_1931
+from airlight.spectra.sun import solar_irradiance
+
+FloatArray = NDArray[np.float64]
+
+#: Lowest and highest altitude of the sun [deg], and coefficients of each cubic. [1]
+_SUPPLEMENT: Final = (
+    (-18.0, -12.0, 13.84, 262.72, 1447.42, 2797.93),
+    (-12.0, -5.0, 2.70, 12.17, -431.69, -1899.83),
+    (-5.0, -0.8, 2.88, 21.81, -258.11, -858.36),
+    (-0.8, 5.0, 2.88, 22.26, -207.64, 1034.30),
+    (5.0, 20.0, 3.05, 13.28, -45.98, 64.33),
+    (20.0, 90.0, 3.74, 3.97, -4.07, 1.47),
+)
+#: Altitude of the observatory on Paranal. [m]
+PARANAL: Final = 2635.0
+#: Depressions of the sun between which the fit is given. [deg]
+PATAT_RANGE: Final = (5.0, 15.0)
+_PATAT: Final = (11.84, 1.518, -0.057)
+#: V of the dark sky's zenith on Paranal, moonless. [mag arcsec⁻²]
+NIGHT_SKY_V: Final = 21.6
+#: V of the sun at 1 au. [mag]
+SOLAR_V: Final = -26.76
+#: Square arcseconds of a steradian.
+_SQUARE_ARCSECONDS: Final = np.degrees(3600.0) ** 2
+#: Passband of V at even steps of wavelength, for photons. [nm], [1]
+_V_WAVELENGTHS: Final = np.arange(470.0, 701.0, 10.0)
+_V_PASSBAND: Final = np.array([
+    0.000, 0.030, 0.163, 0.458, 0.780, 0.967, 1.000, 0.973, 0.898, 0.792, 0.684, 0.574, 0.461,
+    0.359, 0.270, 0.197, 0.135, 0.081, 0.045, 0.025, 0.017, 0.013, 0.009, 0.000,
+])  # fmt: skip
+
+
+def illuminance_seidelmann1992(altitude: float) -> float:
+    """Illuminance of a level surface at sea level under a clear sky. [lx]
+
+    Parameters
+    ----------
+    altitude : float
+        True altitude of the sun, -18 to 90. [deg]
+
+    Examples
+    --------
+    >>> f"{illuminance_seidelmann1992(-6.0):.2f}"  # the end of civil twilight
+    '3.41'
+    """
+    for low, high, *terms in _SUPPLEMENT:
+        if low <= altitude <= high:
+            return float(10.0 ** np.polynomial.polynomial.polyval(altitude / 90.0, terms))
+    raise ParameterError("altitude", altitude, "-18 to 90 deg")
+
+
+def zenith_v_patat2006(altitude: float) -> float:
+    """V of the zenith of Paranal in twilight. [mag arcsec⁻²]
+
+    Parameters
+    ----------
+    altitude : float
+        True altitude of the sun, -15 to -5. [deg]
+
+    Examples
+    --------
+    >>> f"{zenith_v_patat2006(-8.0):.2f}"
+    '15.88'
+    """
+    low, high = PATAT_RANGE
+    if not low <= -altitude <= high:
+        raise ParameterError("altitude", altitude, f"{-high:g} to {-low:g} deg")
+    return float(np.polynomial.polynomial.polyval(-altitude - low, _PATAT))
+
+
+def average_aerosol() -> dict[str, object]:
+    """Changes of preset ``earth`` that make its aerosol the continental average of Hess et al.
+
+    Optical depth 0.151 at 550 nm with Ångström exponents of 1.11 and 1.42 below and above 500 nm,
+    0.075 /km at the ground, single-scattering albedo 0.925, mean cosine 0.703.
+    """
+    nm = np.array([280, 320, 360, 400, 440, 500, 550, 600, 680, 750, 850, 1000], dtype=float)
+    above = 0.151 * (nm / 550.0) ** -1.42
+    below = 0.151 * (500.0 / 550.0) ** -1.42 * (nm / 500.0) ** -1.11
+    return {
+        "aerosol.optical_depth": np.where(nm < 500.0, below, above).tolist(),
+        "aerosol.profile.scale_height": "2.013 km",
+        "aerosol.single_scattering_albedo": 0.925,
+        # 3g(4 + g²)/(5(2 + g²)) = 0.703
+        "aerosol.phase_function.asymmetry": 0.6407,
+    }
+
+
+def with_night_sky(magnitude: float) -> float:
+    """V of scattered sunlight and the night's own light together. [mag arcsec⁻²]
+
+    Examples
+    --------
+    >>> f"{with_night_sky(21.6):.2f}"  # twice the light
+    '20.85'
+    """
+    both = 10.0 ** (-0.4 * magnitude) + 10.0 ** (-0.4 * NIGHT_SKY_V)
+    return float(-2.5 * np.log10(both))
+
+
+def _between(wavelengths: FloatArray, values: FloatArray, at: FloatArray) -> FloatArray:
+    """Positive values at other wavelengths, linear in their logarithm, held beyond the ends."""
+    return np.exp(np.interp(at, wavelengths, np.log(values)))
+
+
+def illuminance(wavelengths: ArrayLike, transmitted: ArrayLike) -> float:
+    """Illuminance from an irradiance over that of the sun outside the air. [lx]
+
+    Parameters
+    ----------
+    wavelengths : array, shape (nl,)
+        Wavelengths, ascending. [nm]
+    transmitted : array, shape (nl,)
+        Irradiance over the sun's at 1 au; positive. [1]
+    """
+    seen = cie_1931()
+    nm = np.asarray(seen.wavelengths, float)
+    ratio = _between(np.asarray(wavelengths, float), np.asarray(transmitted, float), nm)
+    luminous = seen.at(nm)[:, 1] * solar_irradiance(nm)
+    return float(LUMINOUS_EFFICACY * np.trapezoid(ratio * luminous, nm))
+
+
+def v_magnitude(wavelengths: ArrayLike, relative_radiance: ArrayLike) -> float:
+    """V per square arcsecond from a radiance over the sun's irradiance. [mag arcsec⁻²]
+
+    Parameters
+    ----------
+    wavelengths : array, shape (nl,)
+        Wavelengths, ascending. [nm]
+    relative_radiance : array, shape (nl,)
+        Radiance over the sun's irradiance at 1 au; positive. [sr⁻¹]
+    """
+    nm = np.arange(_V_WAVELENGTHS[0], _V_WAVELENGTHS[-1] + 0.5)
+    # Photons are counted: the passband times the wavelength weights the energy.
+    weight = np.interp(nm, _V_WAVELENGTHS, _V_PASSBAND) * nm * solar_irradiance(nm)
+    ratio = _between(np.asarray(wavelengths, float), np.asarray(relative_radiance, float), nm)
+    mean = np.trapezoid(ratio * weight, nm) / np.trapezoid(weight, nm)
+    return float(SOLAR_V - 2.5 * np.log10(mean / _SQUARE_ARCSECONDS))
