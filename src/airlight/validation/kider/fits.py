@@ -8,8 +8,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.fit.scans import Scans
 from airlight.validation.kider.planets import Load
-from airlight.validation.kider.scans import Scans
 
 FloatArray = NDArray[np.float64]
 

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.constants import ASTRONOMICAL_UNIT
 from airlight.errors import FileError
+from airlight.fit.scans import Scans
 from airlight.optics.gas_absorption import column_from_dobson, ozone_profile_afgl1986
 from airlight.optics.legendre import phase_integral
 from airlight.planets import Constituent, Ground, Planet, Star
@@ -20,7 +21,6 @@ from airlight.planets.matter.phases import CornetteShanks, Rayleigh, TabulatedPh
 from airlight.planets.matter.profiles import Exponential, Tabulated
 from airlight.planets.spectral import PerWavelength
 from airlight.spectra.sun import solar_irradiance
-from airlight.validation.kider.scans import Scans
 
 FloatArray = NDArray[np.float64]
 

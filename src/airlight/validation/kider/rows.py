@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import Cancelled
+from airlight.fit.scans import Scans
 from airlight.kernel.threads import Cancel, Progress
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.solve import solve
@@ -24,7 +25,6 @@ from airlight.validation.kider.planets import (
 )
 from airlight.validation.kider.scans import (
     MILLI,
-    Scans,
     read_scans,
     symmetric_part,
     total_rmse,
