@@ -189,7 +189,7 @@ class _Problem:
     def sizes(self, x: FloatArray) -> FloatArray:
         """Usual sizes of the parameters, never 0."""
         steps = np.array([50.0 * one.least_step for one in self.parameters])
-        return np.maximum(np.abs(x), steps)
+        return np.asarray(np.maximum(np.abs(x), steps))
 
     def residuals(self, x: FloatArray) -> FloatArray:
         """Differences over their standard deviations, data then priors."""

@@ -48,7 +48,7 @@ def rest_curves(rests: Rests, title: str = "Residuals") -> Picture:
         _curve(one, bins)
         one.set_xlabel(label)
     axes[0].set_ylabel("fit over measured, less 1 [%]")
-    axes[0].legend(fontsize=9)
+    axes[0].legend(fontsize=9, loc="upper left")
     return Picture.from_figure(
         figure, title=title,
         caption="Line: mean of the relative differences. Band: their root mean square about 0. "

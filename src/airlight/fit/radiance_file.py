@@ -192,14 +192,15 @@ def _rows(
         base: dict[str, float | str] = {"line": float(line)}
         for one in single:
             base[one.column.name] = _cell(row[one.index], one, line, path)
-        for one in [*wide] or [None]:
+        spectrum: list[_Place | None] = [*wide] or [None]
+        for place in spectrum:
             found = dict(base)
-            if one is not None:
-                found["wavelength"] = one.wavelength
-                found["radiance"] = _cell(row[one.index], one, line, path)
-                if one.wavelength in errors:
+            if place is not None:
+                found["wavelength"] = place.wavelength
+                found["radiance"] = _cell(row[place.index], place, line, path)
+                if place.wavelength in errors:
                     found["uncertainty"] = _cell(
-                        row[errors[one.wavelength].index], errors[one.wavelength], line, path
+                        row[errors[place.wavelength].index], errors[place.wavelength], line, path
                     )
             count += 1
             if count > MOST_VALUES:

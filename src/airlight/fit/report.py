@@ -196,6 +196,11 @@ def _rest_table(label: str, bins: Binned) -> ReportTable:
     )
 
 
+def solutions(sky: SkyFit) -> str:
+    """Number of solutions that were computed, and the time."""
+    return f"{sky.solves} solutions and {sky.rough_solves} coarse ones, {sky.seconds:.1f} s"
+
+
 def facts(sky: SkyFit) -> dict[str, str]:
     """What is needed to repeat the fit."""
     free = ", ".join([*sky.request.free, *(f"{one} of each scan" for one in sky.request.each_scan)])
@@ -205,7 +210,7 @@ def facts(sky: SkyFit) -> dict[str, str]:
         "free": free,
         "loss": sky.request.loss,
         "quality": sky.request.quality,
-        "solutions": f"{sky.solves} computed, and {sky.rough_solves} coarse ones, in {sky.seconds:.1f} s",
+        "solutions": solutions(sky),
     }
 
 

@@ -121,10 +121,10 @@ class SkyModel:
     progress: Progress | None = None
     cancel: Cancel | None = None
     expected: int = 1
-    solves: int = 0
-    _predictions: dict[bytes, FloatArray] = field(default_factory=dict)
-    _solutions: dict[bytes, Solution] = field(default_factory=dict)
-    _kept: dict[bytes, FloatArray] = field(default_factory=dict)
+    solves: int = field(default=0, init=False)
+    _predictions: dict[bytes, FloatArray] = field(default_factory=dict, init=False)
+    _solutions: dict[bytes, Solution] = field(default_factory=dict, init=False)
+    _kept: dict[bytes, FloatArray] = field(default_factory=dict, init=False)
 
     @property
     def all_parameters(self) -> tuple[Parameter, ...]:
