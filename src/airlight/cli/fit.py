@@ -93,7 +93,7 @@ def fit(
         str | None,
         typer.Option(
             metavar="ANGLE",
-            help="Leave out directions nearer to the sun (radiances: none; photograph: 5).",
+            help="Leave out directions nearer to the sun (radiances: none; photograph: 15).",
         ),
     ] = None,
     sun_zenith: Annotated[
@@ -239,7 +239,7 @@ def _photograph(
         encoding=encoding,
         tone_map=tone_map,
         above=options.angle(shot["above"] or "5", "--above"),
-        exclude_sun=options.angle(shot["exclude_sun"] or "5", "--exclude-sun"),
+        exclude_sun=options.angle(shot["exclude_sun"] or "15", "--exclude-sun"),
     )
     return fit_photograph(planet, read_photograph(file, given), request, progress=progress)
 

@@ -33,6 +33,8 @@ class Errors:
         Correlations; 0 with a parameter at its bound.
     at_bound : array of bool, shape (p,)
         Whether a parameter ended at one of its bounds.
+    groups : int
+        Number of scans.
     chi_square : float
         Sum of the squared residuals of the data. [1]
     freedom : int
@@ -44,6 +46,7 @@ class Errors:
     from_data: FloatArray
     correlation: FloatArray
     at_bound: NDArray[np.bool_]
+    groups: int
     chi_square: float
     freedom: int
 
@@ -113,6 +116,7 @@ def errors_of(
         from_data=alone,
         correlation=correlation,
         at_bound=at_bound,
+        groups=int(group.max()) + 1,
         chi_square=float(np.square(residuals[:count]).sum()),
         freedom=count - free.size,
     )

@@ -20,6 +20,9 @@ FloatArray = NDArray[np.float64]
 SMALL_STEP: Final = 0.03
 #: So does one below this share of a parameter's own size, where data have hardly any noise. [1]
 _SMALL_SHARE: Final = 1e-4
+#: Decrease of the sum of squares, less than a thousandth of what an error bar makes, that ends a
+#: round; the sum itself is about the number of values. [1]
+_LEAST_GAIN: Final = 1e-3
 #: Most rounds.
 _MOST_ROUNDS: Final = 12
 #: First guess of a relative uncertainty that is unknown. [1]
@@ -143,7 +146,8 @@ def fit(
     x = np.array([one.start for one in parameters]) if start is None else start
     problem.check_response(problem.slopes(x, central=False))
     for number in range(1, _MOST_ROUNDS + 1):
-        x = problem.minimised(x)
+        # One-sided differences are cheaper; with large residuals their least is elsewhere.
+        x = problem.minimised(x, central=number > 1 or start is not None)
         rescaled = problem.rescaled(x)
         slopes = problem.slopes(x, central=True)
         problem.check_rank(slopes, x)
@@ -215,7 +219,7 @@ class _Problem:
             [slopes / self.sigma[:, None], np.reshape(priors, (-1, len(self.parameters)))]
         )
 
-    def minimised(self, x: FloatArray) -> FloatArray:
+    def minimised(self, x: FloatArray, *, central: bool) -> FloatArray:
         """Parameters at the least loss."""
         from scipy.optimize import least_squares
 
@@ -224,11 +228,11 @@ class _Problem:
         found = least_squares(
             lambda u: self.residuals(u * scale),
             x / scale,
-            jac=lambda u: self.with_priors(self.slopes(u * scale, central=False)) * scale,
+            jac=lambda u: self.with_priors(self.slopes(u * scale, central=central)) * scale,
             bounds=(self.low / scale, self.high / scale),
             x_scale="jac",
-            ftol=1e-5,
-            xtol=1e-4,
+            ftol=_LEAST_GAIN / self.data.values.size,
+            xtol=1e-7,
             gtol=1e-10,
             max_nfev=60,
             **keywords,

@@ -105,7 +105,7 @@ class Shot:
     above : float
         Smallest altitude above the horizon of directions that count. [deg]
     exclude_sun : float
-        Directions nearer to the sun than this do not count. [deg]
+        Directions nearer to the sun than this do not count, for a lens spreads its light. [deg]
     """
 
     projection: str = "fisheye"
@@ -118,7 +118,7 @@ class Shot:
     encoding: str = "srgb"
     tone_map: str | None = None
     above: float = 5.0
-    exclude_sun: float = 5.0
+    exclude_sun: float = 15.0
 
 
 def read_photograph(path: str | Path, shot: Shot) -> Photograph:

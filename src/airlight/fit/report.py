@@ -48,7 +48,7 @@ def result_lines(sky: SkyFit) -> list[str]:
         text = f"{one.name} = {number(float(found.values[k]), error)}"
         text += f" ± {error:.2g}{one.unit_text}" if error > 0.0 else one.unit_text
         if found.errors.by_scans is not None and found.errors.by_scans[k] > 0.0:
-            text += f" (from scan to scan ± {found.errors.by_scans[k]:.2g})"
+            text += f" (from {_groups(sky)} ± {found.errors.by_scans[k]:.2g})"
         remark = _remark(sky, k)
         lines.append(text + (f"; {remark}" if remark else ""))
     return lines
@@ -66,12 +66,11 @@ def warnings_of(sky: SkyFit) -> list[str]:
     if errors.by_scans is not None:
         free = ~errors.at_bound
         ratio = float((errors.by_scans[free] / errors.standard[free]).max()) if free.any() else 0.0
-        count = int(rests_of(sky).scan.max()) + 1
         # The error of an error bar from n scans is 1 / √(2 (n - 1)) of it.
-        if ratio > 1.0 + _WIDER / np.sqrt(2.0 * (count - 1)):
+        if ratio > 1.0 + _WIDER / np.sqrt(2.0 * (errors.groups - 1)):
             out.append(
-                f"the scans differ by more than the noise, up to {ratio:.2g} times: use the error "
-                "bars from scan to scan"
+                f"error bars from {_groups(sky)} are up to {ratio:.2g} times those by noise: use "
+                "them, what is left is no noise"
             )
     names = [one.name for one in found.parameters]
     for i in range(len(names)):
@@ -82,6 +81,10 @@ def warnings_of(sky: SkyFit) -> list[str]:
                     f"{errors.correlation[i, j]:+.3f}"
                 )
     return out
+
+
+def _groups(sky: SkyFit) -> str:
+    return "scan to scan" if isinstance(sky.data, Measurements) else "part to part"
 
 
 def _known(sky: SkyFit) -> bool:
@@ -158,13 +161,13 @@ def _parameters(sky: SkyFit) -> ReportTable:
         )  # fmt: skip
     return ReportTable(
         title="Parameters",
-        columns=["parameter", "unit", "start", "fitted", "± noise", "± scan to scan", "prior",
+        columns=["parameter", "unit", "start", "fitted", "± noise", f"± {_groups(sky)}", "prior",
                  "bounds", ""],
         rows=rows,
         note="± noise: standard error if the values err independently, by their uncertainties or, "
-        "if none are given, by the residuals. ± scan to scan: by how the scans differ, with all "
-        "that the values of a scan have in common; from five scans on. Optical depths and the "
-        "ground's albedo are at 550 nm.",
+        "if none are given, by the residuals. The other one: by how the scans, or the parts of a "
+        "photograph, differ, with all that the values of one have in common; from five on. "
+        "Optical depths and the ground's albedo are at 550 nm.",
     )  # fmt: skip
 
 
