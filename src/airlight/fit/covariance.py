@@ -51,6 +51,11 @@ class Errors:
     freedom: int
 
     @property
+    def largest(self) -> FloatArray:
+        """The larger of both error bars, shape (p,)."""
+        return self.standard if self.by_scans is None else np.maximum(self.standard, self.by_scans)
+
+    @property
     def reduced(self) -> float:
         """Sum of squares over the degrees of freedom; 1 where the model is as good as the data."""
         return self.chi_square / max(self.freedom, 1)

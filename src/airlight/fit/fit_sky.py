@@ -42,7 +42,7 @@ MOST_TURN: Final = 10.0
 _SCALES: Final = (0.2, 5.0)
 #: Share of the median radiance below which a relative uncertainty no longer shrinks. [1]
 _DARKEST: Final = 1e-3
-#: Settings of the solver for derivatives and first steps: coarse, but with all orders, so that
+#: Settings of the solver that finds where the fit begins: coarse, but with all orders, so that
 #: their number makes no jump between two neighbouring solutions.
 ROUGH: Final = replace(QUALITIES["preview"], tolerance=2e-4)
 #: Number of wavelengths of a photograph's colours.
@@ -110,7 +110,7 @@ class SkyFit:
     name : str
         Planet that the fit began with.
     solves, rough_solves : int
-        Number of solutions that were computed, at the quality of the request and for derivatives.
+        Number of solutions that were computed, at the quality of the request and coarse ones.
     seconds : float
         Wall time. [s]
     """
@@ -278,10 +278,9 @@ def _fitted(
         identity=hashlib.sha256(whole.encode() + identity).digest() if base.request.keep else b"",
         progress=base.progress,
         cancel=base.cancel,
-        expected=12 * len(free) + 10,
+        expected=3 * len(free) + 8,
     )
     rough = replace(model, quality=ROUGH)
-    model.rough = rough
     model.nuisances = instrument(rough(np.array([one.parameter.start for one in free])))
     rough.nuisances, parameters = model.nuisances, model.all_parameters
     begun = fit(rough, observed, parameters, loss=base.request.loss)

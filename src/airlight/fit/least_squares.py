@@ -115,9 +115,10 @@ def fit(
     """Fit parameters of a model to data.
 
     Steps in a trust region within the bounds (``scipy.optimize.least_squares``), with derivatives
-    made anew at each point. The fit has converged when central derivatives at its end would move no
-    parameter by more than ``SMALL_STEP`` of its error bar. A round is repeated until then, and
-    until an uncertainty that is estimated from the residuals no longer changes.
+    made anew wherever a step leads farther than the differences reached that made them. The fit has
+    converged when such fresh derivatives, central ones, would move no parameter by more than
+    ``SMALL_STEP`` of its error bar. A round is repeated until then, and until an uncertainty that
+    is estimated from the residuals no longer changes.
 
     Parameters
     ----------
@@ -153,7 +154,7 @@ def fit(
         problem.check_rank(slopes, x)
         errors = problem.errors(x, slopes)
         step = problem.newton_step(x, slopes, errors)
-        share = _over(np.abs(step), errors.standard)
+        share = _over(np.abs(step), errors.largest)
         small = (share <= SMALL_STEP) | (np.abs(step) <= _SMALL_SHARE * problem.sizes(x))
         if small.all() and rescaled < 0.01:
             return Fitted(
@@ -184,6 +185,8 @@ class _Problem:
         self.low = np.array([one.low for one in parameters])
         self.high = np.array([one.high for one in parameters])
         self.scale = 1.0 if data.known else _FIRST_UNCERTAINTY
+        self._at: FloatArray | None = None
+        self._slopes, self._central = np.empty(0), False
 
     @property
     def sigma(self) -> FloatArray:
@@ -203,10 +206,20 @@ class _Problem:
         return np.concatenate([rest, np.array(priors)])
 
     def slopes(self, x: FloatArray, *, central: bool) -> FloatArray:
-        """Derivatives of the predicted values, shape (n, p)."""
-        count = len(self.parameters)
-        columns = [self.model.derivative(x, k, central=central) for k in range(count)]
-        return np.stack(columns, axis=-1)
+        """Derivatives of the predicted values, shape (n, p), fresh or still good."""
+        if not self._good(x, central):
+            count = len(self.parameters)
+            columns = [self.model.derivative(x, k, central=central) for k in range(count)]
+            self._at, self._slopes, self._central = x.copy(), np.stack(columns, axis=-1), central
+        return self._slopes
+
+    def _good(self, x: FloatArray, central: bool) -> bool:
+        """Whether the derivatives are known nearer than the differences reached."""
+        if self._at is None or (central and not self._central):
+            return False
+        pairs = zip(self.parameters, self._at, strict=True)
+        reach = np.array([abs(one.step(float(value))) for one, value in pairs])
+        return bool((np.abs(x - self._at) <= reach).all())
 
     def with_priors(self, slopes: FloatArray) -> FloatArray:
         """Derivatives of the residuals, data then priors."""

@@ -95,9 +95,6 @@ class SkyModel:
         ``combine(radiance, solution)``: predicted values, shape (n,), from radiances (nd, nl).
     quality : str or Settings
         Quality of the solver.
-    rough : SkyModel, optional
-        The same by a coarser solver, which the derivatives are taken from: they need not be as
-        exact as the predictions, whose residuals they only weigh.
     identity : bytes
         What, besides the numbers here, decides the predictions; with it they are kept on disk, so
         that an interrupted fit goes on where it was. Empty: they are not.
@@ -116,7 +113,6 @@ class SkyModel:
     wavelengths: FloatArray
     combine: Callable[[FloatArray, Solution], FloatArray]
     quality: Any = "default"
-    rough: SkyModel | None = None
     identity: bytes = b""
     progress: Progress | None = None
     cancel: Cancel | None = None
@@ -145,8 +141,7 @@ class SkyModel:
         """Derivative of the predicted values by a parameter, shape (n,)."""
         count = len(self.parameters)
         if index < count:
-            model = self if self.rough is None else self.rough
-            return difference(model, self.all_parameters, values, index, central=central)
+            return difference(self, self.all_parameters, values, index, central=central)
         one = self.nuisances[index - count]
         if one.kind == "factor":  # linear, so exact
             return np.where(one.values, self(values) / values[index], 0.0)
@@ -231,10 +226,9 @@ class SkyModel:
     def _report(self, physical: FloatArray) -> None:
         if self.progress is None:
             return
-        done = self.solves + (0 if self.rough is None else self.rough.solves)
-        self.expected = max(self.expected, done + 1)
+        self.expected = max(self.expected, self.solves + 1)
         shown = ", ".join(
             f"{one.name} {value:.4g}"
             for one, value in zip(self.parameters[:3], physical, strict=False)
         )
-        self.progress(done, self.expected, f"fit: {shown}")
+        self.progress(self.solves, self.expected, f"fit: {shown}")

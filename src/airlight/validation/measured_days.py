@@ -122,8 +122,8 @@ def _inputs(day: Day) -> ReportTable:
                  "phase function", "sun", "air", "pressure [hPa]", "ozone [DU]", "scale"],
         rows=rows,
         note="Fitted values with their error bars from scan to scan, from the fit to all scans; "
-        "where a scan is left out, it is predicted by a fit that has not seen it. The ground's albedo is "
-        "that of all published models.",
+        "where a scan is left out, it is predicted by a fit that has not seen it. The ground's "
+        "albedo is that of all published models.",
     )  # fmt: skip
 
 
@@ -207,5 +207,6 @@ def _summary(day: Day) -> str:
     return (
         f"On {day.scans.date}, with the inputs of all published models: {first:.2f} {_UNIT}; with "
         f"the best known inputs, nothing fitted, {second:.2f}; with the aerosol's load fitted to "
-        f"the other scans, the row that counts, {counted:.2f} (optical depth {depth} at 550 nm, exponent {exponent})."
+        f"the other scans, the row that counts, {counted:.2f} (optical depth "
+        f"{depth} at 550 nm, exponent {exponent})."
     )

@@ -103,7 +103,7 @@ class LoadModel:
             quality=quality,
             cancel=cancel,
         )  # fmt: skip
-        self.model.rough = replace(self.model, quality=ROUGH)
+        self.rough = replace(self.model, quality=ROUGH)
 
     def fitted(
         self, kept: NDArray[np.bool_] | None = None, begin: LoadFit | None = None
@@ -130,8 +130,7 @@ class LoadModel:
         parameters = self.model.all_parameters
         start = None if begin is None else begin.fitted.values
         if start is None:
-            assert self.model.rough is not None
-            start = fit(_Part(self.model.rough, values), data, parameters).values
+            start = fit(_Part(self.rough, values), data, parameters).values
         found = fit(_Part(self.model, values), data, parameters, start=start)
         return LoadFit(
             load=_load_of(found.values),
