@@ -18,8 +18,9 @@ FloatArray = NDArray[np.float64]
 BETWEEN: Final = (440.0, 870.0)
 #: Wavelength at which a tilt changes nothing. [nm]
 _PIVOT: Final = 550.0
-#: Keys of a constituent that are tilted together, the first of which stays the same at 550 nm.
-_TILTED: Final = {
+#: Keys of a constituent that are changed together, with their units; a tilt leaves the first of
+#: them as it is at 550 nm.
+COEFFICIENTS: Final = {
     "optical_depth": "1",
     "extinction": "1/m",
     "scattering": "1/m",
@@ -38,7 +39,7 @@ def angstrom_refused(constituent: Tables) -> str:
     constituent : dict
         Table of the constituent.
     """
-    given = [constituent[key] for key in _TILTED if key in constituent]
+    given = [constituent[key] for key in COEFFICIENTS if key in constituent]
     phase = constituent.get("phase_function")
     if not given or any(isinstance(one, dict) for one in given):
         return "the exponent of a constituent that is given by coefficients or optical depths"
@@ -104,7 +105,7 @@ def tilted(
         table["wavelengths"] = nm.tolist()
     power = (nm / _PIVOT) ** -by
     keep = 1.0
-    for key, unit in _TILTED.items():
+    for key, unit in COEFFICIENTS.items():
         if key not in table:
             continue
         old = np.broadcast_to(quantities(table[key], unit, key), nm.shape)

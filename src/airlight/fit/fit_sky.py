@@ -28,7 +28,7 @@ from airlight.planets.reading.declared_keys import spelled_out
 from airlight.planets.reading.nested_tables import Tables
 from airlight.planets.reading.overrides import overridden
 from airlight.planets.reading.reader import load_planet, nested_tables, planet_text, read_tables
-from airlight.solvers.moments.settings import QUALITIES
+from airlight.solvers.moments.settings import Settings, settings_for
 from airlight.solvers.solution import Solution
 
 FloatArray = NDArray[np.float64]
@@ -42,9 +42,8 @@ MOST_TURN: Final = 10.0
 _SCALES: Final = (0.2, 5.0)
 #: Share of the median radiance below which a relative uncertainty no longer shrinks. [1]
 _DARKEST: Final = 1e-3
-#: Settings of the solver that finds where the fit begins: coarse, but with all orders, so that
-#: their number makes no jump between two neighbouring solutions.
-ROUGH: Final = replace(QUALITIES["preview"], tolerance=2e-4)
+#: Tolerance of solutions: all orders, so that their number makes no jump between two neighbours.
+_TOLERANCE: Final = 1e-4
 #: Number of wavelengths of a photograph's colours.
 _COLOUR_WAVELENGTHS: Final = 12
 
@@ -215,6 +214,21 @@ def fit_photograph(
     )  # fmt: skip
 
 
+def smooth(quality: str) -> Settings:
+    """Settings of a quality with a tolerance by which predictions have no jumps.
+
+    Parameters
+    ----------
+    quality : str
+
+    Raises
+    ------
+    ParameterError
+        If there is no such quality.
+    """
+    return replace(settings_for(quality), tolerance=_TOLERANCE)
+
+
 class _Base:
     """Planet to begin with: its tables, and the request."""
 
@@ -274,13 +288,13 @@ def _fitted(
         directions=directions,
         wavelengths=nm,
         combine=combine,
-        quality=base.request.quality,
+        quality=smooth(base.request.quality),
         identity=hashlib.sha256(whole.encode() + identity).digest() if base.request.keep else b"",
         progress=base.progress,
         cancel=base.cancel,
         expected=3 * len(free) + 8,
     )
-    rough = replace(model, quality=ROUGH)
+    rough = replace(model, quality=smooth("preview"))
     model.nuisances = instrument(rough(np.array([one.parameter.start for one in free])))
     rough.nuisances, parameters = model.nuisances, model.all_parameters
     begun = fit(rough, observed, parameters, loss=base.request.loss)

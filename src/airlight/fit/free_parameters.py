@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.fit.angstrom import angstrom_refused, exponent_of, tilted
+from airlight.fit.angstrom import COEFFICIENTS, angstrom_refused, exponent_of, tilted
 from airlight.fit.parameter import Parameter
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
@@ -207,18 +207,24 @@ def _depth(name: str, tables: Tables, planet: Planet, index: int) -> Free:
         raise ParameterError("free", name, "a constituent that has an optical depth at 550 nm")
     path = f"constituents[{index}]"
     amount = _plain(tables, f"{path}.amount", 1.0)
-    by_key = get(tables, f"{path}.optical_depth") is not None
-    high = min(_DEEPEST, 100.0 * start / amount) if not by_key else _DEEPEST
+    given = {key: get(tables, f"{path}.{key}") for key in COEFFICIENTS}
+    given = {key: one for key, one in given.items() if one is not None}
+    by_amount = not given or any(isinstance(one, dict) for one in given.values())
+    high = min(_DEEPEST, 100.0 * start / amount) if by_amount else _DEEPEST
     parameter = Parameter(
         name=name, start=start, low=0.0, high=high, least_step=min(0.002, 0.05 * start)
     )
 
     def write(tables: Tables, value: float) -> Tables:
-        if not by_key:
+        if by_amount:
             return put(tables, f"{path}.amount", amount * value / start)
-        listed = get(tables, f"{path}.optical_depth")
-        share = value / (amount * value_at(tables, path, "optical_depth", AT))
-        return put(tables, f"{path}.optical_depth", _times(listed, share, "1"))
+        share = value / start
+        if "optical_depth" in given:
+            share = value / (amount * value_at(tables, path, "optical_depth", AT))
+        for key in given:
+            listed = get(tables, f"{path}.{key}")
+            tables = put(tables, f"{path}.{key}", _times(listed, share, COEFFICIENTS[key]))
+        return tables
 
     return Free(parameter=parameter, write=write)
 

@@ -17,12 +17,12 @@ from airlight.fit.parameter import Parameter
 FloatArray = NDArray[np.float64]
 
 #: A step with fresh derivatives below this share of every error bar ends the fit. [1]
-SMALL_STEP: Final = 0.03
+SMALL_STEP: Final = 0.05
 #: So does one below this share of a parameter's own size, where data have hardly any noise. [1]
 _SMALL_SHARE: Final = 1e-4
-#: Decrease of the sum of squares, less than a thousandth of what an error bar makes, that ends a
+#: Decrease of the sum of squares, a small part of what an error bar makes, that ends a
 #: round; the sum itself is about the number of values. [1]
-_LEAST_GAIN: Final = 1e-3
+_LEAST_GAIN: Final = 1e-5
 #: Most rounds.
 _MOST_ROUNDS: Final = 12
 #: First guess of a relative uncertainty that is unknown. [1]
@@ -88,7 +88,7 @@ class Fitted:
     rounds : int
         Number of times that the trust region was begun anew.
     last_step : array, shape (p,)
-        Step by the last, fresh derivatives, in error bars; below ``SMALL_STEP``.
+        Step by the last, fresh derivatives, in error bars.
     """
 
     parameters: tuple[Parameter, ...]
@@ -117,8 +117,8 @@ def fit(
     Steps in a trust region within the bounds (``scipy.optimize.least_squares``), with derivatives
     made anew wherever a step leads farther than the differences reached that made them. The fit has
     converged when such fresh derivatives, central ones, would move no parameter by more than
-    ``SMALL_STEP`` of its error bar. A round is repeated until then, and until an uncertainty that
-    is estimated from the residuals no longer changes.
+    ``SMALL_STEP`` of its error bar, or by less than one and for no gain. A round is repeated until
+    then, and until an uncertainty that is estimated from the residuals no longer changes.
 
     Parameters
     ----------
@@ -156,7 +156,9 @@ def fit(
         step = problem.newton_step(x, slopes, errors)
         share = _over(np.abs(step), errors.largest)
         small = (share <= SMALL_STEP) | (np.abs(step) <= _SMALL_SHARE * problem.sizes(x))
-        if small.all() and rescaled < 0.01:
+        # A step that would gain nothing is one within the rounding of the model.
+        least = small.all() or (share.max() < 1.0 and problem.cost(x + step) >= problem.cost(x))
+        if least and rescaled < 0.01:
             return Fitted(
                 parameters=problem.parameters,
                 values=x,
@@ -204,6 +206,10 @@ class _Problem:
         pairs = zip(self.parameters, x, strict=True)
         priors = [one.sigmas_from_prior(value) for one, value in pairs if one.prior is not None]
         return np.concatenate([rest, np.array(priors)])
+
+    def cost(self, x: FloatArray) -> float:
+        """Loss at the parameters."""
+        return float(self.loss(np.square(self.residuals(x)))[0].sum())
 
     def slopes(self, x: FloatArray, *, central: bool) -> FloatArray:
         """Derivatives of the predicted values, shape (n, p), fresh or still good."""

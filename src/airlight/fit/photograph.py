@@ -234,7 +234,7 @@ def _sixteen_bits(path: Path) -> FloatArray | None:
     import png
 
     try:
-        width, height, rows, info = png.Reader(filename=str(path)).asRGB()
+        width, height, rows, info = png.Reader(bytes=path.read_bytes()).asRGB()
     except png.Error:
         return None
     facts: dict[str, Any] = info

@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.fit.fit_sky import ROUGH
+from airlight.fit.fit_sky import smooth
 from airlight.fit.least_squares import Data, Fitted, fit
 from airlight.fit.parameter import Parameter
 from airlight.fit.scans import Scans
@@ -100,10 +100,10 @@ class LoadModel:
             directions=directions,
             wavelengths=scans.wavelengths,
             combine=lambda radiance, _: radiance.ravel(),
-            quality=quality,
+            quality=smooth(quality),
             cancel=cancel,
         )  # fmt: skip
-        self.rough = replace(self.model, quality=ROUGH)
+        self.rough = replace(self.model, quality=smooth("preview"))
 
     def fitted(
         self, kept: NDArray[np.bool_] | None = None, begin: LoadFit | None = None
