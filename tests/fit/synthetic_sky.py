@@ -7,6 +7,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from airlight.fit.fit_sky import smooth
 from airlight.fit.measurements import Measurements
 from airlight.planets import load_planet
 from airlight.solvers import solve
@@ -22,7 +23,7 @@ def clean_sky(
 ) -> Measurements:
     """Radiances of a planet with changes of its file, without noise."""
     sun, view, azimuth = np.meshgrid(suns, (5.0, 35.0, 60.0, 80.0), (10.0, 70.0, 170.0))
-    solution = solve(load_planet(PLANET, changes), WAVELENGTHS, "preview", cache=False)
+    solution = solve(load_planet(PLANET, changes), WAVELENGTHS, smooth("preview"), cache=False)
     seen = solution.radiance(
         altitude=0.0, sun_zenith=sun.ravel(), view_zenith=view.ravel(), azimuth=azimuth.ravel()
     )

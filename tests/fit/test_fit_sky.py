@@ -92,7 +92,7 @@ def test_fitted_file_is_the_fitted_planet(clean: Measurements, tmp_path: Path) -
     file = tmp_path / "fitted.toml"
     file.write_text(fitted_file(sky), encoding="utf-8")
     assert file.read_text().startswith(f"# {PLANET}, fitted to synthetic")
-    again = solve(load_planet(file), [440.0, 550.0, 680.0], "preview", cache=False)
+    again = solve(load_planet(file), [440.0, 550.0, 680.0], fit_sky.smooth("preview"), cache=False)
     seen = again.radiance(
         altitude=0.0, sun_zenith=clean.sun_zenith[::3], view_zenith=clean.view_zenith[::3],
         azimuth=clean.azimuth[::3],
@@ -177,7 +177,7 @@ def frame() -> object:
     from airlight.solvers import solve
 
     planet = load_planet(PLANET, CHANGES)
-    solution = solve(planet, quality="preview", cache=False)
+    solution = solve(planet, quality=fit_sky.smooth("preview"), cache=False)
     scene = Scene(
         altitude=0.0, sun_zenith=50.0,
         camera=Camera(projection="fisheye", width=96, height=96),

@@ -175,6 +175,8 @@ def _places(day: Day) -> ReportTable:
         (f"view zenith angle {LOW[0]:g}° to {LOW[1]:g}°, not near the sun", low),
         ("the rest of the sky", ~near & ~low),
     ):
+        if not chosen.any():
+            continue
         ratio = predicted[chosen].sum() / scans.radiance[chosen].sum() - 1.0
         rows.append(
             (

@@ -383,7 +383,7 @@ def planet(inputs: Inputs, scans: Scans, data: Path) -> Planet:
         )
     depth, albedo, height = inputs.load.optical_depth(nm), inputs.single_scattering_albedo, 1200.0
     lobe = (
-        read_aeronet_phase(data, nm[::3], scans.date)
+        read_aeronet_phase(data, np.union1d(nm[::3], nm[-1:]), scans.date)
         if inputs.aeronet_phase
         else CornetteShanks(asymmetry=0.7)
     )
