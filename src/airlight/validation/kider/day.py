@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
@@ -111,7 +110,7 @@ def compute_day(
     """
     scans, data = read_scan_file(file), file.parent
     best = best_inputs(data, scans.date)
-    done, count = 0, 4 + 2 * len(scans.time)
+    done, count = 0, 4 + len(scans.time)
 
     def step(message: str) -> None:
         nonlocal done
@@ -130,22 +129,24 @@ def compute_day(
     def planet_of(load: Load) -> Planet:
         return planet(replace(best, load=load), scans, data)
 
-    def fitted(name: str, *, with_scale: bool) -> list[Row]:
-        step(name)
-        model = LoadModel(
+    def model_of(*, with_scale: bool) -> LoadModel:
+        return LoadModel(
             planet_of, scans, best.load, with_scale=with_scale, quality=quality, cancel=cancel
         )
-        whole = model.fitted()
-        tell: Callable[[int], None] = lambda k: step(f"{name}, without {scans.time[k]}")  # noqa: E731
-        return [
-            Row(name, best, whole.predicted, whole),
-            Row(f"{name}, one scan left out", best, model.left_out(whole, tell), whole, True),
-        ]
 
     rows = [
         known("inputs of all published models", EVERYBODYS),
         known("best known inputs, nothing fitted", best),
-        *fitted("load fitted", with_scale=False),
-        *fitted("load and instrument's scale fitted", with_scale=True),
+    ]
+    step("load fitted")
+    model = model_of(with_scale=False)
+    whole = model.fitted()
+    left_out = model.left_out(whole, lambda k: step(f"load fitted, without {scans.time[k]}"))
+    step("load and instrument's scale fitted")
+    scaled = model_of(with_scale=True).fitted()
+    rows += [
+        Row("load fitted to all scans", best, whole.predicted, whole),
+        Row("load fitted, the scored scan left out", best, left_out, whole, True),
+        Row("load and instrument's scale fitted to all scans", best, scaled.predicted, scaled),
     ]
     return Day(file=file, scans=scans, rows=rows, counted=3)
