@@ -217,10 +217,6 @@ def fit_photograph(
 def smooth(quality: str) -> Settings:
     """Settings of a quality with a tolerance by which predictions have no jumps.
 
-    Parameters
-    ----------
-    quality : str
-
     Raises
     ------
     ParameterError
