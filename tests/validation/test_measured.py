@@ -11,11 +11,14 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.errors import Cancelled, FileError
+from airlight.fit.fit_sky import smooth
+from airlight.fit.scans import Scans
 from airlight.planets.medium import Medium
+from airlight.solvers.solve import solve
 from airlight.spectra.sun import solar_irradiance
 from airlight.validation.kider import planets as kider_planets
 from airlight.validation.kider import scans as kider_scans
-from airlight.validation.kider.fits import fit_load, fit_pointing
+from airlight.validation.kider.fits import LoadModel, fit_pointing
 from airlight.validation.kider.planets import (
     AERONET_LOAD,
     BEST,
@@ -29,7 +32,6 @@ from airlight.validation.kider.planets import (
 )
 from airlight.validation.kider.rows import compute
 from airlight.validation.kider.scans import (
-    Scans,
     best_factor,
     read_scans,
     rmse_per_scan,
@@ -37,6 +39,7 @@ from airlight.validation.kider.scans import (
     total_rmse,
 )
 from airlight.validation.measured import PUBLISHED, suite_of
+from airlight.validation.measured_days import measured_days
 
 
 def made_up(sky: Callable[[np.ndarray, np.ndarray], np.ndarray]) -> Scans:
@@ -107,25 +110,81 @@ def test_symmetric_sky_has_no_floor_and_antisymmetric_part_is_all_of_it() -> Non
     assert_allclose(symmetric_part(odd), even.radiance, atol=4e-3 * 3.0)
 
 
-def test_load_is_found_again() -> None:
-    # The sky was made with a load; the fit starts from another.
-    nm = np.linspace(360.0, 712.5, 31)
+def day(load: Load, seed: int = 0) -> Scans:
+    """Made-up day of six scans by the planet of a load, with 1 % of noise."""
+    sun = np.linspace(35.0, 55.0, 6)
+    view, azimuth = np.meshgrid([12.0, 40.0, 65.0, 77.0], [20.0, 100.0, -150.0])
+    nm = np.array([400.0, 480.0, 560.0, 640.0, 700.0])
+    shape = (sun.size, view.size)
+    empty = Scans(
+        time=tuple(f"1{k}:00" for k in range(6)), sun_zenith=sun,
+        view_zenith=np.broadcast_to(view.ravel(), shape),
+        azimuth=np.broadcast_to(azimuth.ravel(), shape), wavelengths=nm,
+        radiance=np.ones((*shape, nm.size)), solar_irradiance=np.full(nm.size, 1.8),
+        ground_albedo=np.full(nm.size, 0.1), date="2013-05-27",
+    )  # fmt: skip
+    air = planet(replace(BEST, load=load, aeronet_phase=False), empty, Path())
+    clean = empty.seen(solve(air, nm, smooth("preview"), cache=False))
+    noise = np.random.default_rng(seed).standard_normal(clean.shape)
+    return replace(empty, radiance=clean * (1.0 + 0.01 * noise))
 
-    def sky(load: Load) -> np.ndarray:
-        return 1.0 - np.exp(-0.3 * load.optical_depth(nm)) + 0.02
 
-    truth, start = Load(beta=0.05, alpha=1.4), AERONET_LOAD
-    found, got = fit_load(sky, sky(truth), start, sky(start), iterations=8)
-    # Each step with the derivatives of the start leaves up to a third of the last step's error.
-    assert_allclose([found.beta, found.alpha], [truth.beta, truth.alpha], rtol=1e-3)
-    assert_allclose(got, sky(truth), rtol=1e-4)
+@pytest.mark.slow
+def test_load_is_found_again_and_predicts_the_scan_left_out() -> None:
+    # The day was made with a load; the fit starts from another, and its error bars say how near it
+    # comes. A scan that is left out is predicted to the noise, 1 % of a mean square.
+    truth = Load(beta=0.05, alpha=1.4)
+    scans = day(truth)
+    model = LoadModel(
+        lambda load: planet(replace(BEST, load=load, aeronet_phase=False), scans, Path()),
+        scans, AERONET_LOAD, quality="preview", with_scale=True,
+    )  # fmt: skip
+    found = model.fitted()
+    errors = found.fitted.errors.standard
+    depth = float(truth.optical_depth(550.0))
+    off = np.abs(found.fitted.values - [depth, truth.alpha, 1.0])
+    assert (off < 4.0 * errors).all()
+    assert_allclose(float(found.load.optical_depth(550.0)), found.fitted.values[0], rtol=1e-9)
+    noise = 0.01 * np.sqrt(np.square(scans.radiance).mean())
+    left_out = model.left_out(found)
+    assert_allclose(np.sqrt(np.square(left_out - scans.radiance).mean()), noise, rtol=0.15)
+    # Predicted by other fits than the one to all scans.
+    assert (np.abs(left_out - found.predicted).max(axis=(1, 2)) > 0.0).all()
 
 
-def test_load_fit_keeps_the_start_if_nothing_is_better() -> None:
-    # Where the model does not depend on the load, no step can be nearer.
-    flat = np.ones(4)
-    found, _ = fit_load(lambda _: flat, 2.0 * flat, AERONET_LOAD, flat)
-    assert_allclose([found.beta, found.alpha], [AERONET_LOAD.beta, AERONET_LOAD.alpha], rtol=1e-12)
+@pytest.mark.slow
+def test_every_day_of_a_folder_has_its_rows_and_pictures(tmp_path: Path) -> None:
+    # Two made-up days under the names of measured ones: rows whose parameters stand before their
+    # scores, bars by the row that was left out.
+    pytest.importorskip("matplotlib")
+    for k, name in enumerate(("kider2013-05-27.npz", "kider2013-06-01.npz")):
+        scans = day(AERONET_LOAD, k)
+        np.savez(
+            tmp_path / name, time=np.array([f"{name[5:15]} {one}" for one in scans.time]),
+            sun_zenith_deg=scans.sun_zenith, view_zenith_deg=scans.view_zenith,
+            relative_azimuth_deg=scans.azimuth, wavelength_nm=scans.wavelengths,
+            radiance=scans.radiance, solar_irradiance=scans.solar_irradiance,
+            ground_albedo=scans.ground_albedo,
+        )  # fmt: skip
+    phase = "scattering_angle_deg,p_442nm,p_674nm\n0,1,1\n90,1,1\n180,1,1\n"
+    (tmp_path / kider_planets.FILE).write_text(phase)
+    suite = measured_days(tmp_path, quality="preview")
+    assert [bar.name[:10] for bar in suite.bars] == ["2013-05-27", "2013-06-01"]
+    titles = [part.title for part in suite.parts]  # type: ignore[union-attr]
+    for date in ("2013-05-27", "2013-06-01"):
+        mine = [title for title in titles if title.startswith(date)]
+        assert len(mine) == 5
+        assert "parameters of each row" in mine[0]
+        assert "scores" in mine[1]
+    second = [part for part in suite.parts if "2013-06-01: parameters" in part.title]  # type: ignore[union-attr]
+    assert second[0].rows[1][4] == "Cornette-Shanks, g 0.7"  # type: ignore[union-attr]
+
+
+def test_sun_is_farthest_in_july() -> None:
+    # The Astronomical Almanac 2013: perihelion 2 January, 0.98329 au; aphelion 5 July, 1.01671 au.
+    au = kider_planets.ASTRONOMICAL_UNIT
+    distances = [kider_planets.sun_distance(date) / au for date in ("2013-01-02", "2013-07-05")]
+    assert_allclose(distances, [0.98329, 1.01671], atol=1e-4)
 
 
 def test_pointing_is_found_again() -> None:

@@ -13,11 +13,12 @@ from airlight.errors import ParameterError
 from airlight.gpu.picture.uniforms import FRAME
 from airlight.pixels.picture_numbers import display_numbers
 from airlight.planets import load_planet, planet_names
+from airlight.planets.reading.declared_keys import spelled_out
+from airlight.planets.reading.nested_tables import Tables
 from airlight.planets.reading.reader import nested_tables, planet_text
 from airlight.planets.reading.tables import TABLES, keys_of
-from airlight.viewer.parameters.nested_tables import Tables
 from airlight.viewer.parameters.parameter import KINDS
-from airlight.viewer.parameters.parameter_list import parameters_of, spelled_out, value_at
+from airlight.viewer.parameters.parameter_list import parameters_of, value_at
 from airlight.viewer.parameters.view_parameters import (
     DEFAULTS,
     VIEW_VALUES,

@@ -17,6 +17,7 @@ from airlight.cli import (
     bake,
     errata,
     export_page,
+    fit,
     planets,
     plot,
     radiance,
@@ -43,7 +44,7 @@ app = typer.Typer(
     ),
 )
 _COMMANDS = (
-    planets, show, render, view, radiance, plot, bake, export_page, validate, errata,
+    planets, show, render, view, radiance, fit, plot, bake, export_page, validate, errata,
 )  # fmt: skip
 for command in _COMMANDS:
     function = command.__name__.rpartition(".")[2]

@@ -15,6 +15,7 @@ from airlight.errors import FileError, ParameterError
 EPILOG = examples(
     "airlight validate -o report.html",
     "airlight validate --suite golden -o golden.html",
+    "airlight validate --suite kider --data reference-data -o kider.html",
     "airlight validate --data reference-data -o report.html --pictures pictures",
     "airlight validate --data reference-data -o docs/validation/report.md",
 )
@@ -34,14 +35,15 @@ def validate(
         list[str] | None,
         typer.Option(
             metavar="NAME",
-            help="golden, solvers, spherical, cie, measured, energy or all (all); may be given "
-            "several times.",
+            help="golden, solvers, spherical, cie, measured, kider, energy or all (all); may be "
+            "given several times.",
         ),
     ] = None,
     data: Annotated[
         Path | None,
         typer.Option(
-            metavar="DIR", help="Reference data, which spherical and measured need; not shipped."
+            metavar="DIR",
+            help="Reference data, which spherical, measured and kider need; not shipped.",
         ),
     ] = None,
     pictures: Annotated[

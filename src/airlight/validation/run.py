@@ -29,7 +29,7 @@ class Entry:
     compute : callable
         Function with the signature ``compute(data, progress=, cancel=)``.
     files : tuple of str
-        Files in the folder of reference data, at least one of which is needed.
+        Files in the folder of reference data, or patterns, at least one of which is needed.
     """
 
     title: str
@@ -69,6 +69,13 @@ def _measured(data: Path | None, *, progress: Progress | None, cancel: Cancel | 
     return measured(data, progress=progress, cancel=cancel)
 
 
+def _kider(data: Path | None, *, progress: Progress | None, cancel: Cancel | None) -> Suite:
+    from airlight.validation.measured_days import measured_days
+
+    assert data is not None
+    return measured_days(data, progress=progress, cancel=cancel)
+
+
 def _energy(data: Path | None, *, progress: Progress | None, cancel: Cancel | None) -> Suite:
     from airlight.validation.energy import energy
 
@@ -86,6 +93,7 @@ SUITES: Final[dict[str, Entry]] = {
     ),
     "cie": Entry("CIE clear sky, type 12", _cie),
     "measured": Entry("Measured skies", _measured, ("kider2013-05-27.npz",)),
+    "kider": Entry("Measured days, load fitted", _kider, ("kider*.npz",)),
     "energy": Entry("Energy", _energy),
 }
 
@@ -144,7 +152,7 @@ def chosen(names: Sequence[str], data: Path | None) -> dict[str, str]:
 
 
 def _has_one(data: Path, files: tuple[str, ...]) -> bool:
-    return not files or any((data / file).is_file() for file in files)
+    return not files or any(one.is_file() for file in files for one in data.glob(file))
 
 
 def run(

@@ -3,68 +3,178 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.fit.fit_sky import smooth
+from airlight.fit.least_squares import Data, Fitted, fit
+from airlight.fit.parameter import Parameter
+from airlight.fit.scans import Scans
+from airlight.fit.sky_model import Directions, Nuisance, SkyModel
+from airlight.kernel.threads import Cancel
+from airlight.planets.planet import Planet
 from airlight.validation.kider.planets import Load
-from airlight.validation.kider.scans import Scans
 
 FloatArray = NDArray[np.float64]
 
-#: Steps of the derivatives: of ln β and α [1], and of rotations [deg].
-_LOAD_STEP: Final = 0.05
+#: Step of the derivatives by rotations. [deg]
 _TURN_STEP: Final = 0.3
 #: Largest rotation in one iteration. [deg]
 _LARGEST_TURN: Final = 1.5
 
 
-def fit_load(
-    model: Callable[[Load], FloatArray],
-    measured: FloatArray,
-    start: Load,
-    there: FloatArray,
-    iterations: int = 2,
-) -> tuple[Load, FloatArray]:
-    """Ångström's coefficients that minimise a model's mean square error.
+@dataclass(frozen=True, eq=False)
+class LoadFit:
+    """Aerosol's load that is nearest to measured scans.
 
-    Gauss-Newton steps in (ln β, α); the derivatives hardly change and are kept from the start.
+    Attributes
+    ----------
+    load : Load
+    scale : float
+        Factor of the model's radiances; 1 unless it was fitted. [1]
+    fitted : Fitted
+        Values, error bars and correlations.
+    predicted : array, shape (ns, nd, nl)
+        Radiance of the model. [W m⁻² sr⁻¹ nm⁻¹]
+    """
+
+    load: Load
+    scale: float
+    fitted: Fitted
+    predicted: FloatArray
+
+
+class LoadModel:
+    """Model of scans by the aerosol's optical depth at 550 nm and its Ångström exponent.
+
+    The score of a model is its absolute error, so the fit takes all radiances as equally uncertain;
+    how much, it estimates from the residuals.
 
     Parameters
     ----------
-    model : callable
-        Function that gives the radiance for a load, shape (...).
-    measured : array, shape (...)
-        Measured radiance, in the same unit.
+    planet_of : callable
+        Planet for a load.
+    scans : Scans
     start : Load
-    there : array, shape (...)
-        Radiance of the model at the start.
-    iterations : int
-        Number of iterations; each costs one call of the model, the derivatives cost two in all.
-
-    Returns
-    -------
-    Load, array of shape (...)
-        Best load found, and the model's radiance for it.
+        Load to begin with.
+    with_scale : bool
+        Whether the instrument's scale is fitted too.
+    quality : str
+        Quality of the solver.
+    cancel : callable, optional
+        See ``airlight.kernel.threads``.
     """
 
-    def at(x: FloatArray) -> FloatArray:
-        return model(Load(beta=float(np.exp(x[0])), alpha=float(x[1])))
+    def __init__(
+        self, planet_of: Callable[[Load], Planet], scans: Scans, start: Load, *,
+        with_scale: bool = False, quality: str = "default", cancel: Cancel | None = None,
+    ) -> None:  # fmt: skip
+        self.scans = scans
+        shape = scans.radiance.shape
+        pairs = np.broadcast_to(scans.sun_zenith[:, None], shape[:2])
+        directions = Directions(
+            altitude=np.zeros(pairs.size),
+            sun_zenith=pairs.ravel(),
+            view_zenith=scans.view_zenith.ravel(),
+            azimuth=scans.azimuth.ravel(),
+            scan=np.repeat(np.arange(shape[0]), shape[1]),
+        )
+        every, all_scans = np.ones(scans.radiance.size, bool), np.ones(shape[0], bool)
+        scale = Parameter(name="scale", start=1.0, low=0.2, high=5.0, least_step=0.01)
+        nuisances = [Nuisance(parameter=scale, kind="factor", values=every, scans=all_scans)]
+        self.model = SkyModel(
+            planet_of=lambda values: planet_of(_load_of(values)),
+            parameters=(
+                Parameter(
+                    name="aerosol.optical_depth", start=float(start.optical_depth(550.0)), low=0.0,
+                    high=5.0, least_step=0.002,
+                ),
+                Parameter(
+                    name="aerosol.angstrom", start=start.alpha, low=-2.0, high=4.5, least_step=0.05
+                ),
+            ),
+            nuisances=nuisances if with_scale else [],
+            directions=directions,
+            wavelengths=scans.wavelengths,
+            combine=lambda radiance, _: radiance.ravel(),
+            quality=smooth(quality),
+            cancel=cancel,
+        )  # fmt: skip
+        self.rough = replace(self.model, quality=smooth("preview"))
 
-    x = np.array([np.log(start.beta), start.alpha])
-    got = there
-    slopes = np.stack([(at(x + d) - got).ravel() for d in _LOAD_STEP * np.eye(2)], axis=-1)
-    slopes /= _LOAD_STEP
-    best = (float(np.square(got - measured).sum()), x, got)
-    for _ in range(iterations):
-        x = x + np.linalg.lstsq(slopes, (measured - got).ravel(), rcond=None)[0]
-        got = at(x)
-        error = float(np.square(got - measured).sum())
-        if error < best[0]:
-            best = (error, x, got)
-    _, x, got = best
-    return Load(beta=float(np.exp(x[0])), alpha=float(x[1])), got
+    def fitted(
+        self, kept: NDArray[np.bool_] | None = None, begin: LoadFit | None = None
+    ) -> LoadFit:
+        """Fit to all scans, or to some.
+
+        Parameters
+        ----------
+        kept : array of bool, shape (ns,), optional
+            Scans that are fitted.
+        begin : LoadFit, optional
+            Fit to begin with, if one is near.
+        """
+        shape = self.scans.radiance.shape
+        chosen = np.ones(shape[0], bool) if kept is None else kept
+        values = np.repeat(chosen, shape[1] * shape[2])
+        group = np.repeat(np.arange(int(chosen.sum())), shape[1] * shape[2])
+        data = Data(
+            values=self.scans.radiance.ravel()[values],
+            uncertainty=np.ones(group.size),
+            known=False,
+            group=group,
+        )
+        parameters = self.model.all_parameters
+        start = None if begin is None else begin.fitted.values
+        if start is None:
+            start = fit(_Part(self.rough, values), data, parameters).values
+        found = fit(_Part(self.model, values), data, parameters, start=start)
+        return LoadFit(
+            load=_load_of(found.values),
+            scale=float(found.values[2]) if found.values.size > 2 else 1.0,
+            fitted=found,
+            predicted=self.model(found.values).reshape(shape),
+        )
+
+    def left_out(self, whole: LoadFit, progress: Callable[[int], None] | None = None) -> FloatArray:
+        """Radiance of each scan by the fit to all others, shape (ns, nd, nl).
+
+        Parameters
+        ----------
+        whole : LoadFit
+            Fit to all scans, where each of these fits begins.
+        progress : callable, optional
+            Called with the number of each scan.
+        """
+        count = self.scans.radiance.shape[0]
+        out = np.empty_like(self.scans.radiance)
+        for scan in range(count):
+            if progress is not None:
+                progress(scan)
+            out[scan] = self.fitted(np.arange(count) != scan, whole).predicted[scan]
+        return out
+
+
+@dataclass(frozen=True)
+class _Part:
+    """Some of the values of a model."""
+
+    model: SkyModel
+    values: NDArray[np.bool_]
+
+    def __call__(self, values: FloatArray) -> FloatArray:
+        return self.model(values)[self.values]
+
+    def derivative(self, values: FloatArray, index: int, *, central: bool) -> FloatArray:
+        return self.model.derivative(values, index, central=central)[self.values]
+
+
+def _load_of(values: FloatArray) -> Load:
+    """Load of an optical depth at 550 nm and an exponent."""
+    return Load(beta=float(values[0] * 0.55 ** values[1]), alpha=float(values[1]))
 
 
 def fit_pointing(

@@ -1,7 +1,8 @@
-"""The air above Ithaca on 27 May 2013: the inputs of all published models, and better ones."""
+"""The air above Ithaca on a measured day: the inputs of all published models, and better ones."""
 
 from __future__ import annotations
 
+import datetime
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
@@ -11,16 +12,20 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.constants import ASTRONOMICAL_UNIT
 from airlight.errors import FileError
+from airlight.fit.scans import Scans
 from airlight.optics.gas_absorption import column_from_dobson, ozone_profile_afgl1986
 from airlight.optics.legendre import phase_integral
 from airlight.planets import Constituent, Ground, Planet, Star
 from airlight.planets.matter.absorbers import OzoneAbsorption
 from airlight.planets.matter.gases import GasScattering, RefractiveScattering
-from airlight.planets.matter.phases import CornetteShanks, Rayleigh, TabulatedPhase
+from airlight.planets.matter.phases import (
+    CornetteShanks,
+    Rayleigh,
+    TabulatedPhase,
+)
 from airlight.planets.matter.profiles import Exponential, Tabulated
 from airlight.planets.spectral import PerWavelength
 from airlight.spectra.sun import solar_irradiance
-from airlight.validation.kider.scans import Scans
 
 FloatArray = NDArray[np.float64]
 
@@ -36,6 +41,8 @@ SITE: Final = SEA_LEVEL * (1.0 - 2.255_77e-5 * 270.0) ** 5.255_88
 #: Distance from the sun on that day: 1.00014 - 0.01671 cos g - 0.00014 cos 2g au with g = 140.3°;
 #: the Astronomical Almanac's low-precision formula. [m]
 SUN_DISTANCE: Final = 1.0133 * ASTRONOMICAL_UNIT
+#: Day of these figures.
+DAY: Final = "2013-05-27"
 #: Full width at half height of the spectrometer's bands: an ASD FieldSpec's at 700 nm. [nm]
 BAND_WIDTH: Final = 3.0
 #: Ozone of the profile that goes with it: Anderson et al. (1986), AFGL-TR-86-0110. [DU]
@@ -203,13 +210,46 @@ def penndorf_scattering(wavelengths: ArrayLike) -> RefractiveScattering:
     )
 
 
-def band_irradiance(wavelengths: ArrayLike) -> FloatArray:
+def sun_distance(date: str) -> float:
+    r"""Distance from the sun at noon of a day. [m]
+
+    .. math:: R = 1.00014 - 0.01671 \cos g - 0.00014 \cos 2g, \quad
+              g = 357.528° + 0.9856003°\,n
+
+    with n days from J2000.0.
+
+    Parameters
+    ----------
+    date : str
+        ``YYYY-MM-DD``; if it is none, 27 May 2013.
+
+    References
+    ----------
+    The Astronomical Almanac, page C5, low-precision formulas for the Sun.
+
+    Examples
+    --------
+    >>> round(sun_distance("2013-05-27") / SUN_DISTANCE, 4)
+    1.0
+    """
+    try:
+        days = (datetime.date.fromisoformat(date) - datetime.date(2000, 1, 1)).days
+    except ValueError:
+        return SUN_DISTANCE
+    g = np.radians(357.528 + 0.985_600_3 * days)
+    distance = 1.00014 - 0.01671 * np.cos(g) - 0.00014 * np.cos(2.0 * g)
+    return float(distance) * ASTRONOMICAL_UNIT
+
+
+def band_irradiance(wavelengths: ArrayLike, distance: float = SUN_DISTANCE) -> FloatArray:
     """Irradiance of the sun in the instrument's bands, at the distance of the day.
 
     Parameters
     ----------
     wavelengths : array, shape (nl,)
         Centres of Gaussian bands. [nm]
+    distance : float
+        Distance from the sun. [m]
 
     Returns
     -------
@@ -220,12 +260,36 @@ def band_irradiance(wavelengths: ArrayLike) -> FloatArray:
     away = np.linspace(-4.0 * sigma, 4.0 * sigma, 65)
     weights = np.exp(-0.5 * np.square(away / sigma))
     spectrum = solar_irradiance(np.asarray(wavelengths, dtype=np.float64)[:, None] + away)
-    return (
-        np.asarray(spectrum @ (weights / weights.sum())) * (ASTRONOMICAL_UNIT / SUN_DISTANCE) ** 2
-    )
+    mean = np.asarray(spectrum @ (weights / weights.sum()))
+    return mean * (ASTRONOMICAL_UNIT / distance) ** 2
 
 
-def read_aeronet_phase(folder: Path, wavelengths: ArrayLike) -> TabulatedPhase:
+def aeronet_file(folder: Path, date: str) -> Path | None:
+    """File of the aerosol's phase function on a day, if the folder has one."""
+    found = sorted(folder.glob(f"aeronet-*-{date}-phase-function.csv")) if date else []
+    return found[0] if found else None
+
+
+def best_inputs(folder: Path, date: str) -> Inputs:
+    """Best known inputs of a day.
+
+    A day without a measured load, or phase function, has that of all published models; the rest is
+    the site's and the season's.
+
+    Parameters
+    ----------
+    folder : Path
+        Folder of reference data.
+    date : str
+        ``YYYY-MM-DD``
+    """
+    if date == DAY:
+        return BEST
+    measured = aeronet_file(folder, date) is not None
+    return replace(BEST, load=EVERYBODYS_LOAD, aeronet_phase=measured)
+
+
+def read_aeronet_phase(folder: Path, wavelengths: ArrayLike, date: str = DAY) -> TabulatedPhase:
     """Read the aerosol's phase function retrieved by AERONET, interpolated in wavelength.
 
     Between the four wavelengths, and beyond the first, log p is linear in log λ at each angle;
@@ -237,13 +301,15 @@ def read_aeronet_phase(folder: Path, wavelengths: ArrayLike) -> TabulatedPhase:
         Folder of reference data, as given by ``--data``.
     wavelengths : array, shape (n,)
         Ascending. [nm]
+    date : str
+        Day of the measurement, ``YYYY-MM-DD``.
 
     Raises
     ------
     FileError
         If the file cannot be read, or is not a table of a phase function normalised to 4π.
     """
-    file = folder / FILE
+    file = aeronet_file(folder, date) or folder / FILE
     try:
         lines = [line for line in file.read_text(encoding="utf-8").splitlines() if line.strip()]
         header, *body = [line for line in lines if not line.startswith("#")]
@@ -317,7 +383,9 @@ def planet(inputs: Inputs, scans: Scans, data: Path) -> Planet:
         )
     depth, albedo, height = inputs.load.optical_depth(nm), inputs.single_scattering_albedo, 1200.0
     lobe = (
-        read_aeronet_phase(data, nm[::3]) if inputs.aeronet_phase else CornetteShanks(asymmetry=0.7)
+        read_aeronet_phase(data, np.union1d(nm[::3], nm[-1:]), scans.date)
+        if inputs.aeronet_phase
+        else CornetteShanks(asymmetry=0.7)
     )
     parts = [
         air,
@@ -340,9 +408,10 @@ def planet(inputs: Inputs, scans: Scans, data: Path) -> Planet:
                 absorption=OzoneAbsorption(column=column_from_dobson(inputs.ozone)),
             )
         )
-    irradiance = band_irradiance(nm) if inputs.measured_sun else scans.solar_irradiance
+    at = sun_distance(scans.date)
+    irradiance = band_irradiance(nm, at) if inputs.measured_sun else scans.solar_irradiance
     return Planet(
-        name="Ithaca, 27 May 2013",
+        name=f"Ithaca, {scans.date}".rstrip(", "),
         bottom_radius=bottom,
         top_radius=top,
         ground=Ground(albedo=_spectral(nm, scans.ground_albedo)),

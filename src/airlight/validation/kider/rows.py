@@ -9,10 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import Cancelled
+from airlight.fit.scans import Scans
 from airlight.kernel.threads import Cancel, Progress
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.solve import solve
-from airlight.validation.kider.fits import fit_load, fit_pointing
+from airlight.validation.kider.fits import LoadModel, fit_pointing
 from airlight.validation.kider.planets import (
     AERONET_LOAD,
     BEST,
@@ -24,7 +25,6 @@ from airlight.validation.kider.planets import (
 )
 from airlight.validation.kider.scans import (
     MILLI,
-    Scans,
     read_scans,
     symmetric_part,
     total_rmse,
@@ -110,16 +110,19 @@ def compute(
     """
     scans = read_scans(data)
     named_steps = steps()
-    # One solution per step, four for the fit, one for the other albedo; then the pointing.
-    tasks, done = len(named_steps) + 6, 0
+    # One solution per step, the fit, one for the other albedo; then the pointing.
+    tasks, done = len(named_steps) + 3, 0
 
-    def solution(inputs: Inputs, message: str) -> MomentsSolution:
+    def report(message: str) -> None:
         nonlocal done
         if cancel is not None and cancel():
             raise Cancelled("cancelled")
         if progress is not None:
             progress(done, tasks, message)
         done += 1
+
+    def solution(inputs: Inputs, message: str) -> MomentsSolution:
+        report(message)
         air = planet(inputs, scans, data)
         return solve(air, scans.wavelengths, quality, cache=False, cancel=cancel)
 
@@ -129,22 +132,20 @@ def compute(
     ladder = [(name, radiance(inputs, name)) for name, inputs in named_steps[:-1]]
     known = solution(BEST, named_steps[-1][0])
     ladder.append((named_steps[-1][0], scans.seen(known)))
-    load, fitted = fit_load(
-        lambda load: radiance(replace(BEST, load=load), "fit of the aerosol's load"),
-        scans.radiance,
-        AERONET_LOAD,
-        ladder[-1][1],
-    )
+    report("fit of the aerosol's load")
+    found = LoadModel(
+        lambda load: planet(replace(BEST, load=load), scans, data), scans, AERONET_LOAD,
+        quality=quality, cancel=cancel,
+    ).fitted()  # fmt: skip
     clean = radiance(replace(BEST, single_scattering_albedo=CLEAN_ALBEDO), "a brighter aerosol")
-    if progress is not None:
-        progress(done, tasks, "pointing of the scans")
+    report("pointing of the scans")
     turns, turned = fit_pointing(lambda z, a: scans.seen(known, z, a), scans)
     return Rows(
         scans=scans,
         floor=total_rmse(symmetric_part(scans), scans.radiance),
         ladder=ladder,
-        fitted=fitted,
-        load=load,
+        fitted=found.predicted,
+        load=found.load,
         clean=clean,
         turns=turns,
         turned=turned,

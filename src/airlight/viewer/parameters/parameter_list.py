@@ -10,16 +10,15 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Any, Final
 
 from airlight.errors import ParameterError
+from airlight.planets.reading.declared_keys import declared_key, is_flat, key_at
+from airlight.planets.reading.nested_tables import Tables, get, joined
 from airlight.planets.reading.tables import keys_of
 from airlight.planets.schema.key import Key
-from airlight.planets.schema.measures import listed, number_in
-from airlight.planets.schema.section import suggestion
+from airlight.planets.schema.measures import number_in
 from airlight.viewer.parameters.amounts import AMOUNTS
-from airlight.viewer.parameters.nested_tables import Tables, get, joined, steps_of
 from airlight.viewer.parameters.parameter import Parameter
 from airlight.viewer.parameters.view_parameters import VIEW_GROUPS
 
@@ -60,6 +59,7 @@ def parameters_of(tables: Tables) -> tuple[Parameter, ...]:
 
     Examples
     --------
+    >>> from airlight.planets.reading.declared_keys import spelled_out
     >>> from airlight.planets.reading.reader import nested_tables, planet_text
     >>> mars = spelled_out(nested_tables(*planet_text("mars")[:2]))
     >>> [(one.path, one.unit) for one in parameters_of(mars) if one.group == "shell"]
@@ -80,27 +80,6 @@ def group_of(constituents: list[Tables], index: int) -> str:
     return f"{name} ({index + 1})" if name in taken else name
 
 
-def key_at(tables: Tables, path: str) -> Key:
-    """Declaration of the key at a path; items of a list have the list's key.
-
-    Raises
-    ------
-    ParameterError
-        If no key is declared at the path.
-    """
-    cursor: Any = tables
-    kind, found = "planet", None
-    for step in steps_of(path):
-        if isinstance(step, str):
-            kind = kind if found is None else found.table
-            found = _declared(kind, step, path, cursor if isinstance(cursor, dict) else None)
-            cursor = cursor.get(step) if isinstance(cursor, dict) else None
-        else:
-            cursor = cursor[step] if isinstance(cursor, list) and step < len(cursor) else None
-    assert found is not None
-    return found
-
-
 def value_at(tables: Tables, parameter: Parameter) -> float | str:
     """Value of a parameter of the planet: a number [parameter.unit], or a text."""
     key = key_at(tables, parameter.path)
@@ -110,69 +89,6 @@ def value_at(tables: Tables, parameter: Parameter) -> float | str:
     if parameter.kind == "number":
         return number_in(value, key.shown_unit, key.unit, parameter.path)
     return str(value)
-
-
-def spelled_out(tables: Tables, folder: Path | None = None) -> Tables:
-    """Copy of the tables with comma-separated lists split, and file names made absolute.
-
-    The meaning is unchanged; every number then has its own path.
-
-    Parameters
-    ----------
-    tables : dict
-        Tables of a planet file.
-    folder : Path, optional
-        Folder of the files that it names.
-
-    Returns
-    -------
-    dict
-
-    Raises
-    ------
-    ParameterError
-        If a key is undeclared.
-
-    Examples
-    --------
-    >>> spelled_out({"wavelengths": "680, 550, 440 nm"})["wavelengths"]
-    ['680 nm', '550 nm', '440 nm']
-    """
-    return _spelled(tables, "planet", "", folder)  # type: ignore[no-any-return]
-
-
-def _spelled(value: Any, kind: str, path: str, folder: Path | None) -> Any:
-    if isinstance(value, list):
-        return [_spelled(one, kind, joined(path, i), folder) for i, one in enumerate(value)]
-    if not isinstance(value, dict):
-        return value
-    result = {}
-    for name, one in value.items():
-        key = _declared(kind, name, joined(path, name), value)
-        if isinstance(one, (dict, list)) and key.table and not _flat(one):
-            one = _spelled(one, key.table, joined(path, name), folder)
-        elif isinstance(one, str) and key.kind == "number" and "," in one:
-            one = listed(one, key.unit)
-        elif isinstance(one, str) and one.endswith(".csv") and folder is not None:
-            one = str((folder / one).resolve())
-        result[name] = one
-    return result
-
-
-def _flat(value: Any) -> bool:
-    """Whether the value is a list without tables."""
-    return isinstance(value, list) and not any(isinstance(one, dict) for one in value)
-
-
-def _declared(kind: str, name: str, path: str, table: Tables | None) -> Key:
-    """Declaration of a key: from the table's own variant, else from any that has the key."""
-    for declared in (keys_of(kind, table), keys_of(kind)) if kind else ():
-        for key in declared:
-            if key.name in (name, "*"):
-                return key
-    names = tuple(key.name for key in keys_of(kind, table)) if kind else ()
-    where = path.rpartition(".")[0] or "the file"
-    raise ParameterError(f"a key of {where}", name, suggestion(name, names) or "none")
 
 
 def _left_out(key: Key) -> Any:
@@ -185,7 +101,7 @@ def _left_out(key: Key) -> Any:
 
 def _table(table: Tables, cursor: _Cursor) -> Iterator[Parameter]:
     for name in table:
-        _declared(cursor.kind, name, joined(cursor.path, name), table)
+        declared_key(cursor.kind, name, joined(cursor.path, name), table)
     declared = keys_of(cursor.kind, table)
     order = [key.name for key in declared]
     if order == ["*"]:
@@ -209,7 +125,7 @@ def _value(key: Key, value: Any, path: str, cursor: _Cursor) -> Iterator[Paramet
         raise ParameterError(path, value, "a table" if key.name != "constituents" else "tables")
     if isinstance(value, dict):
         yield from _table(value, _within(key, path, cursor, value))
-    elif isinstance(value, list) and not _flat(value):
+    elif isinstance(value, list) and not is_flat(value):
         for index, one in enumerate(value):
             here = joined(path, index)
             if key.name == "constituents":

@@ -6,10 +6,10 @@ from functools import lru_cache
 from typing import Any, Final
 
 from airlight.errors import AirlightError
+from airlight.planets.reading.nested_tables import Tables, get, put
 from airlight.planets.reading.reader import declared_planet
 from airlight.planets.schema.measures import number_in
 from airlight.viewer.parameters.amounts import TURBIDITY, Amount, amounts_of
-from airlight.viewer.parameters.nested_tables import Tables, get, put
 from airlight.viewer.parameters.turbidity import haze_of, turbidity_of
 
 #: Number of planets whose amounts are remembered.

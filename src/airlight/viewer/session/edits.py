@@ -9,13 +9,13 @@ import numpy as np
 from airlight.constants import SOLAR_RADIUS
 from airlight.optics.phase_table import moments
 from airlight.planets.matter.phases import PHASES
+from airlight.planets.reading.declared_keys import key_at
+from airlight.planets.reading.nested_tables import Tables, get, put
 from airlight.planets.reading.tables import TABLES
 from airlight.planets.schema.kinds import Kinds
 from airlight.planets.schema.measures import number_in, text_of
 from airlight.planets.star import BLACK_BODY
-from airlight.viewer.parameters.nested_tables import Tables, get, put
 from airlight.viewer.parameters.parameter import Parameter, Value
-from airlight.viewer.parameters.parameter_list import key_at
 
 #: IAU 2015 Resolution B3: nominal effective temperature of the sun.
 _SUN_TEMPERATURE: Final = "5772 K"

@@ -11,9 +11,9 @@ from airlight.errors import ParameterError
 from airlight.planets.matter.profiles import Exponential
 from airlight.planets.planet import Planet
 from airlight.planets.reading.coefficient_reader import COEFFICIENTS
+from airlight.planets.reading.nested_tables import Tables, put
 from airlight.planets.reading.tables import MATTER
 from airlight.planets.schema.measures import text_of
-from airlight.viewer.parameters.nested_tables import Tables, put
 
 FloatArray = npt.NDArray[np.float64]
 

@@ -9,13 +9,14 @@ from pathlib import Path
 from typing import Any
 
 from airlight.errors import ParameterError
+from airlight.planets.reading.declared_keys import spelled_out
+from airlight.planets.reading.nested_tables import Tables, differences
+from airlight.planets.reading.planet_file import planet_file
 from airlight.planets.reading.reader import nested_tables, planet_text
 from airlight.viewer.parameters.amounts import Amount
-from airlight.viewer.parameters.nested_tables import Tables, differences
 from airlight.viewer.parameters.parameter import Parameter
-from airlight.viewer.parameters.parameter_list import group_of, parameters_of, spelled_out
+from airlight.viewer.parameters.parameter_list import group_of, parameters_of
 from airlight.viewer.session.edited_amounts import amounts_in
-from airlight.viewer.session.planet_file import planet_file
 
 
 @dataclass(frozen=True)

@@ -9,9 +9,9 @@ from typing import Any, Final
 from urllib.parse import quote, unquote
 
 from airlight.errors import ParameterError
+from airlight.planets.reading.declared_keys import spelled_out
 from airlight.planets.reading.overrides import overridden
 from airlight.viewer.parameters.parameter import Value
-from airlight.viewer.parameters.parameter_list import spelled_out
 from airlight.viewer.parameters.view_parameters import DEFAULTS, view_parameters
 from airlight.viewer.session.planet_state import PlanetState
 

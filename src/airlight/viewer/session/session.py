@@ -13,6 +13,7 @@ from typing import Any
 from airlight.errors import ParameterError
 from airlight.exports.whole_file import whole_file
 from airlight.planets.planet import Planet
+from airlight.planets.reading.planet_file import planet_file
 from airlight.planets.reading.reader import read_tables
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.parameters.view_parameters import view_parameters
@@ -21,7 +22,6 @@ from airlight.viewer.session.comparing import ParameterDifference, differing
 from airlight.viewer.session.editing import Editing
 from airlight.viewer.session.freeze_coefficients import freeze_coefficients, is_advanced
 from airlight.viewer.session.history import Change
-from airlight.viewer.session.planet_file import planet_file
 from airlight.viewer.session.side import Side
 from airlight.viewer.session.solve_request import SolveRequest, Versions
 

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from typing import Any, Final
 
-from airlight.viewer.parameters.nested_tables import Tables
+from airlight.planets.reading.nested_tables import Tables
 
 #: Longest line of a list or a table. [character]
 _WIDTH: Final = 96

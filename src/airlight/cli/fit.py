@@ -1,0 +1,341 @@
+"""``airlight fit``: a planet's parameters from measured radiances or a photograph."""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from airlight.cli import options
+from airlight.cli.examples import examples
+from airlight.cli.progress import shown_progress
+from airlight.errors import FileError, ParameterError
+
+if TYPE_CHECKING:
+    from airlight.fit.fit_sky import Request, SkyFit
+    from airlight.fit.measurements import Measurements
+    from airlight.fit.parameter import Prior
+
+EPILOG = examples(
+    'airlight fit earth --data radiances.csv --free "aerosol.optical_depth, aerosol.angstrom, '
+    'ozone.column, ground.albedo" -o fitted.toml --report fit.html',
+    'airlight fit earth --data sky.csv --free "aerosol.optical_depth, scale" '
+    '--prior "scale=1±0.05" --bounds "aerosol.optical_depth=0..1" --loss huber -o fitted.toml',
+    "airlight fit earth --photo dome.png --sun-zenith 55 --free aerosol.optical_depth "
+    "-o fitted.toml",
+)
+
+_PAIR = re.compile(r"\s*([^=]+?)\s*=\s*([^=]+?)\s*")
+_NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+_PRIOR = re.compile(rf"({_NUMBER})\s*(?:±|\+-|\+/-)\s*({_NUMBER})")
+_BOUNDS = re.compile(rf"({_NUMBER})\s*\.\.\s*({_NUMBER})")
+
+
+def fit(
+    planet: options.Planet_,
+    free: Annotated[
+        str,
+        typer.Option(
+            metavar="LIST",
+            help="What is fitted: NAME.optical_depth, NAME.angstrom, NAME.column, ground.albedo, "
+            "any number of the planet's file by its path; of the instrument scale, "
+            "pointing.azimuth, pointing.zenith, and white_balance.red, .blue of a photograph.",
+        ),
+    ],
+    output: Annotated[
+        Path,
+        typer.Option("--output", "-o", metavar="FILE", help="Planet file with the fitted values."),
+    ],
+    data: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Measured radiances: a CSV, or scans of a day as .npz."),
+    ] = None,
+    photo: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="A photograph instead: PNG, JPEG, or linear EXR."),
+    ] = None,
+    report: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="A page .html, or .md with pictures beside it."),
+    ] = None,
+    each_scan: Annotated[
+        str,
+        typer.Option(metavar="LIST", help="Of the instrument's parameters, those of every scan."),
+    ] = "",
+    bounds: Annotated[
+        str, typer.Option(metavar="LIST", help="Narrower bounds, such as ground.albedo=0..0.4.")
+    ] = "",
+    prior: Annotated[
+        str,
+        typer.Option(metavar="LIST", help="What is known before, such as ozone.column=320±20."),
+    ] = "",
+    start: Annotated[
+        str, typer.Option(metavar="LIST", help="Values to begin with, instead of the planet's.")
+    ] = "",
+    uncertainty: Annotated[
+        str | None,
+        typer.Option(
+            metavar="SHARE",
+            help="Relative standard deviation of the values, such as 3%; by default the file's, or "
+            "estimated from the residuals.",
+        ),
+    ] = None,
+    loss: Annotated[
+        str,
+        typer.Option(
+            metavar="linear|soft_l1|huber|cauchy", help="How much outliers count: linear, fully."
+        ),
+    ] = "linear",
+    exclude_sun: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ANGLE",
+            help="Leave out directions nearer to the sun (radiances: none; photograph: 15).",
+        ),
+    ] = None,
+    sun_zenith: Annotated[
+        str | None, typer.Option(metavar="ANGLE", help="Of a photograph: where the sun is.")
+    ] = None,
+    altitude: Annotated[
+        str, typer.Option(metavar="LENGTH", help="Of a photograph: where the camera is.")
+    ] = "0m",
+    projection: Annotated[
+        str, typer.Option(metavar="NAME", help="Of a photograph: fisheye, perspective, …")
+    ] = "fisheye",
+    fov: Annotated[
+        str | None, typer.Option(metavar="ANGLE", help="Of a photograph: field of view.")
+    ] = None,
+    look: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ZENITH,AZIMUTH", help="Of a photograph: direction, from the sun's side."
+        ),
+    ] = None,
+    roll: Annotated[
+        str, typer.Option(metavar="ANGLE", help="Of a photograph: turn of the camera.")
+    ] = "0",
+    encoding: Annotated[
+        str, typer.Option(metavar="srgb|gamma|linear", help="Of a photograph that is no EXR.")
+    ] = "srgb",
+    tone_map: Annotated[
+        str | None,
+        typer.Option(metavar="NAME", help="Of a photograph: tone map to take back."),
+    ] = None,
+    above: Annotated[
+        str, typer.Option(metavar="ANGLE", help="Of a photograph: lowest altitude that counts.")
+    ] = "5",
+    quality: options.Quality = "default",
+    set_: options.Set = None,
+    no_cache: options.NoCache = False,
+) -> None:
+    """Fit parameters of a planet to measured radiances, or to a photograph of its sky.
+
+    An interrupted fit goes on where it was if it is started again.
+    """
+    from airlight.exports.whole_file import check_target, whole_file
+
+    check_target(output)
+    if output.suffix.lower() != ".toml":
+        raise ParameterError("--output", str(output), "a planet file that ends in .toml")
+    if report is not None:
+        _check_report(report)
+    if (data is None) == (photo is None):
+        shown = "missing" if data is None else f"{data} beside --photo {photo}"
+        raise ParameterError("--data", shown, "--data FILE or --photo FILE, one of them")
+    request = _request(
+        free, each_scan, bounds, prior, start, uncertainty, loss, quality, set_, not no_cache
+    )
+    shot: dict[str, str | None] = {
+        "sun_zenith": sun_zenith, "altitude": altitude, "fov": fov, "look": look, "roll": roll,
+        "above": above, "exclude_sun": exclude_sun,
+    }  # fmt: skip
+    with shown_progress() as progress, _named_options():
+        if photo is not None:
+            sky = _photograph(
+                planet, photo, shot, projection, encoding, tone_map, request, progress
+            )
+        else:
+            assert data is not None
+            sky = _radiances(planet, data, exclude_sun, request, progress)
+    from airlight.fit.fitted_file import fitted_file
+    from airlight.fit.report import result_lines, warnings_of
+
+    with whole_file(output) as part:
+        part.write_text(fitted_file(sky), encoding="utf-8")
+    for line in result_lines(sky):
+        print(line)
+    print(
+        f"{output}  {sky.solves} solutions and {sky.rough_solves} coarse ones, {sky.seconds:.1f} s"
+    )
+    for line in warnings_of(sky):
+        print(f"airlight: {line}", file=sys.stderr)
+    if report is not None:
+        _write_report(sky, report)
+        print(f"{report}  {report.stat().st_size / 1e3:.0f} kB")
+
+
+class _named_options:
+    """Errors of the library's request with the names of the options."""
+
+    def __enter__(self) -> None:
+        return None
+
+    def __exit__(self, kind: object, error: object, trace: object) -> None:
+        names = {"free": "--free", "bounds": "--bounds", "prior": "--prior", "start": "--start",
+                 "loss": "--loss", "each-scan": "--each-scan", "encoding": "--encoding",
+                 "tone_map": "--tone-map", "override": "--set"}  # fmt: skip
+        if isinstance(error, ParameterError) and error.field in names:
+            raise ParameterError(
+                names[error.field], error.value, error.allowed, error.file
+            ) from None
+
+
+def _radiances(
+    planet: str, file: Path, exclude_sun: str | None, request: Request, progress: Any
+) -> SkyFit:
+    from airlight.fit.fit_sky import fit_radiances
+
+    measured = _measurements(file)
+    if exclude_sun is not None:
+        measured = measured.where(
+            measured.angle_from_sun >= options.angle(exclude_sun, "--exclude-sun")
+        )
+    return fit_radiances(planet, measured, request, progress=progress)
+
+
+def _measurements(file: Path) -> Measurements:
+    if file.suffix.lower() == ".npz":
+        from airlight.fit.scans import read_scan_file
+
+        return read_scan_file(file).measurements(str(file))
+    from airlight.fit.radiance_file import read_radiance_file
+
+    return read_radiance_file(file)
+
+
+def _photograph(
+    planet: str, file: Path, shot: dict[str, str | None], projection: str, encoding: str,
+    tone_map: str | None, request: Request, progress: Any,
+) -> SkyFit:  # fmt: skip
+    from airlight.fit.fit_sky import fit_photograph
+    from airlight.fit.photograph import Shot, read_photograph
+    from airlight.scene.limits import within
+
+    sun = shot["sun_zenith"]
+    if sun is None:
+        raise typer.BadParameter("--sun-zenith is missing: an angle such as 55deg, for --photo")
+    look = (None, 0.0) if shot["look"] is None else options.direction(shot["look"], "--look")
+    given = Shot(
+        projection=options.projection(projection),
+        field_of_view=None if shot["fov"] is None else options.angle(shot["fov"], "--fov"),
+        look_zenith=look[0],
+        look_azimuth=look[1],
+        roll=options.angle(shot["roll"] or "0", "--roll"),
+        sun_zenith=within("--sun-zenith", options.angle(sun, "--sun-zenith"), 0.0, 180.0, "deg"),
+        altitude=options.length(shot["altitude"] or "0m", "--altitude"),
+        encoding=encoding,
+        tone_map=tone_map,
+        above=options.angle(shot["above"] or "5", "--above"),
+        exclude_sun=options.angle(shot["exclude_sun"] or "15", "--exclude-sun"),
+    )
+    return fit_photograph(planet, read_photograph(file, given), request, progress=progress)
+
+
+def _request(
+    free: str, each_scan: str, bounds: str, prior: str, start: str, uncertainty: str | None,
+    loss: str, quality: str, set_: list[str] | None, keep: bool,
+) -> Request:  # fmt: skip
+    from airlight.fit.fit_sky import Request
+    from airlight.fit.loss import LOSSES
+    from airlight.planets.reading.overrides import parsed
+    from airlight.units import quantity
+
+    if loss not in LOSSES:
+        raise ParameterError("--loss", loss, ", ".join(LOSSES))
+    names = _listed(free)
+    if not names:
+        raise ParameterError("--free", free, "a list such as aerosol.optical_depth, ground.albedo")
+    share = None
+    if uncertainty is not None:
+        share = quantity(uncertainty, "1", "--uncertainty")
+        if not 0.0 < share < 10.0:
+            raise ParameterError("--uncertainty", uncertainty, "a share such as 3% or 0.03")
+    return Request(
+        free=names,
+        each_scan=_listed(each_scan),
+        bounds={name: _bound(name, text) for name, text in _pairs(bounds, "--bounds")},
+        priors={name: _prior(name, text) for name, text in _pairs(prior, "--prior")},
+        starts={
+            name: quantity(text, "1", f"--start {name}") for name, text in _pairs(start, "--start")
+        },
+        uncertainty=share,
+        loss=loss,
+        quality=quality,
+        overrides=dict(parsed(change) for change in set_ or []),
+        keep=keep,
+    )
+
+
+def _listed(text: str) -> list[str]:
+    return [one.strip() for one in text.split(",") if one.strip()]
+
+
+def _pairs(text: str, option: str) -> list[tuple[str, str]]:
+    found = []
+    for one in _listed(text):
+        match = _PAIR.fullmatch(one)
+        if match is None:
+            raise ParameterError(option, one, "NAME=VALUE, several with commas between")
+        found.append((match[1], match[2]))
+    return found
+
+
+def _bound(name: str, text: str) -> tuple[float, float]:
+    match = _BOUNDS.fullmatch(text)
+    if match is None:
+        raise ParameterError(f"--bounds {name}", text, "LOW..HIGH, such as 0..0.4")
+    return float(match[1]), float(match[2])
+
+
+def _prior(name: str, text: str) -> Prior:
+    from airlight.fit.parameter import Prior
+
+    match = _PRIOR.fullmatch(text)
+    if match is None or not float(match[2]) > 0.0:
+        raise ParameterError(f"--prior {name}", text, "MEAN±SIGMA, such as 320±20 or 320+-20")
+    return Prior(mean=float(match[1]), sigma=float(match[2]))
+
+
+def _check_report(report: Path) -> None:
+    from airlight.exports.whole_file import check_target
+    from airlight.plots.figure import require_matplotlib
+
+    check_target(report)
+    if report.suffix.lower() not in (".html", ".htm", ".md"):
+        raise ParameterError("--report", str(report), "a file that ends in .html or .md")
+    require_matplotlib()
+
+
+def _write_report(sky: SkyFit, report: Path) -> None:
+    from airlight.exports.whole_file import whole_file
+    from airlight.fit.report import html, markdown, parts_of
+    from airlight.reports.markdown import files_of
+
+    if report.suffix.lower() != ".md":
+        with whole_file(report) as part:
+            part.write_text(html(sky), encoding="utf-8")
+        return
+    parts = parts_of(sky)
+    folder = report.parent / f"{report.stem}-pictures"
+    try:
+        folder.mkdir(exist_ok=True)
+    except OSError as error:
+        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
+    for name, png in files_of(parts).items():
+        with whole_file(folder / name) as part:
+            part.write_bytes(png)
+    with whole_file(report) as part:
+        part.write_text(markdown(sky, parts, folder.name), encoding="utf-8")

@@ -1,0 +1,97 @@
+"""Keys of a planet file's nested tables: the declaration of each, and lists spelled out."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from airlight.errors import ParameterError
+from airlight.planets.reading.nested_tables import Tables, joined, steps_of
+from airlight.planets.reading.tables import keys_of
+from airlight.planets.schema.key import Key
+from airlight.planets.schema.measures import listed
+from airlight.planets.schema.section import suggestion
+
+
+def key_at(tables: Tables, path: str) -> Key:
+    """Declaration of the key at a path; items of a list have the list's key.
+
+    Raises
+    ------
+    ParameterError
+        If no key is declared at the path.
+    """
+    cursor: Any = tables
+    kind, found = "planet", None
+    for step in steps_of(path):
+        if isinstance(step, str):
+            kind = kind if found is None else found.table
+            found = declared_key(kind, step, path, cursor if isinstance(cursor, dict) else None)
+            cursor = cursor.get(step) if isinstance(cursor, dict) else None
+        else:
+            cursor = cursor[step] if isinstance(cursor, list) and step < len(cursor) else None
+    assert found is not None
+    return found
+
+
+def spelled_out(tables: Tables, folder: Path | None = None) -> Tables:
+    """Copy of the tables with comma-separated lists split, and file names made absolute.
+
+    The meaning is unchanged; every number then has its own path.
+
+    Parameters
+    ----------
+    tables : dict
+        Tables of a planet file.
+    folder : Path, optional
+        Folder of the files that it names.
+
+    Returns
+    -------
+    dict
+
+    Raises
+    ------
+    ParameterError
+        If a key is undeclared.
+
+    Examples
+    --------
+    >>> spelled_out({"wavelengths": "680, 550, 440 nm"})["wavelengths"]
+    ['680 nm', '550 nm', '440 nm']
+    """
+    return _spelled(tables, "planet", "", folder)  # type: ignore[no-any-return]
+
+
+def _spelled(value: Any, kind: str, path: str, folder: Path | None) -> Any:
+    if isinstance(value, list):
+        return [_spelled(one, kind, joined(path, i), folder) for i, one in enumerate(value)]
+    if not isinstance(value, dict):
+        return value
+    result = {}
+    for name, one in value.items():
+        key = declared_key(kind, name, joined(path, name), value)
+        if isinstance(one, (dict, list)) and key.table and not is_flat(one):
+            one = _spelled(one, key.table, joined(path, name), folder)
+        elif isinstance(one, str) and key.kind == "number" and "," in one:
+            one = listed(one, key.unit)
+        elif isinstance(one, str) and one.endswith(".csv") and folder is not None:
+            one = str((folder / one).resolve())
+        result[name] = one
+    return result
+
+
+def is_flat(value: Any) -> bool:
+    """Whether the value is a list without tables."""
+    return isinstance(value, list) and not any(isinstance(one, dict) for one in value)
+
+
+def declared_key(kind: str, name: str, path: str, table: Tables | None) -> Key:
+    """Declaration of a key: from the table's own variant, else from any that has the key."""
+    for declared in (keys_of(kind, table), keys_of(kind)) if kind else ():
+        for key in declared:
+            if key.name in (name, "*"):
+                return key
+    names = tuple(key.name for key in keys_of(kind, table)) if kind else ()
+    where = path.rpartition(".")[0] or "the file"
+    raise ParameterError(f"a key of {where}", name, suggestion(name, names) or "none")

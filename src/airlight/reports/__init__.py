@@ -1,0 +1,1 @@
+"""Report pages: tables, pictures and text, as HTML and as Markdown."""

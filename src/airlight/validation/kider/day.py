@@ -1,0 +1,152 @@
+"""One measured day: rows whose parameters stand before their score, the load left one scan out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import Cancelled, FileError
+from airlight.fit.scans import Scans, read_scan_file
+from airlight.kernel.threads import Cancel, Progress
+from airlight.planets.planet import Planet
+from airlight.solvers.solve import solve
+from airlight.validation.kider.fits import LoadFit, LoadModel
+from airlight.validation.kider.planets import EVERYBODYS, Inputs, Load, best_inputs, planet
+
+FloatArray = NDArray[np.float64]
+
+#: Files of measured days, each with its date in the name.
+FILES: Final = "kider*.npz"
+
+
+@dataclass(frozen=True, eq=False)
+class Row:
+    """Model of a day, by parameters that are known before its score.
+
+    Attributes
+    ----------
+    name : str
+        What is special about it.
+    inputs : Inputs
+        Ingredients of the planet; a fitted load replaces theirs.
+    predicted : array, shape (ns, nd, nl)
+        [W m⁻² sr⁻¹ nm⁻¹]
+    fit : LoadFit or None
+        Fit to all scans, if the load is fitted.
+    left_out : bool
+        Whether each scan was predicted by the fit to the others.
+    """
+
+    name: str
+    inputs: Inputs
+    predicted: FloatArray
+    fit: LoadFit | None = None
+    left_out: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Day:
+    """Rows of one day.
+
+    Attributes
+    ----------
+    file : Path
+    scans : Scans
+    rows : list of Row
+    counted : int
+        Number of the row that counts: the load fitted, one scan left out.
+    """
+
+    file: Path
+    scans: Scans
+    rows: list[Row]
+    counted: int
+
+    @property
+    def row(self) -> Row:
+        """Row that counts."""
+        return self.rows[self.counted]
+
+
+def day_files(folder: Path) -> list[Path]:
+    """Files of all days in a folder, by name.
+
+    Raises
+    ------
+    FileError
+        If there is none.
+    """
+    found = sorted(folder.glob(FILES))
+    if not found:
+        raise FileError(folder, f"holds no {FILES}")
+    return found
+
+
+def compute_day(
+    file: Path, *, quality: str = "default", progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Day:  # fmt: skip
+    """Compute the rows of a day.
+
+    Parameters
+    ----------
+    file : Path
+        Scans of the day; a phase function of that day is looked for beside it.
+    quality : str
+        Quality of the solver.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Raises
+    ------
+    FileError
+        If a file cannot be read.
+    Cancelled
+        If ``cancel`` returned True.
+    """
+    scans, data = read_scan_file(file), file.parent
+    best = best_inputs(data, scans.date)
+    done, count = 0, 4 + len(scans.time)
+
+    def step(message: str) -> None:
+        nonlocal done
+        if cancel is not None and cancel():
+            raise Cancelled("cancelled")
+        if progress is not None:
+            progress(done, count, f"{scans.date}, {message}")
+        done += 1
+
+    def known(name: str, inputs: Inputs) -> Row:
+        step(name)
+        air = planet(inputs, scans, data)
+        solution = solve(air, scans.wavelengths, quality, cache=False, cancel=cancel)
+        return Row(name, inputs, scans.seen(solution))
+
+    def planet_of(load: Load) -> Planet:
+        return planet(replace(best, load=load), scans, data)
+
+    def model_of(*, with_scale: bool) -> LoadModel:
+        return LoadModel(
+            planet_of, scans, best.load, with_scale=with_scale, quality=quality, cancel=cancel
+        )
+
+    rows = [
+        known("inputs of all published models", EVERYBODYS),
+        known("best known inputs, nothing fitted", best),
+    ]
+    step("load fitted")
+    model = model_of(with_scale=False)
+    whole = model.fitted()
+    left_out = model.left_out(whole, lambda k: step(f"load fitted, without {scans.time[k]}"))
+    step("load and instrument's scale fitted")
+    scaled = model_of(with_scale=True).fitted()
+    rows += [
+        Row("load fitted to all scans", best, whole.predicted, whole),
+        Row("load fitted, the scored scan left out", best, left_out, whole, True),
+        Row("load and instrument's scale fitted to all scans", best, scaled.predicted, scaled),
+    ]
+    return Day(file=file, scans=scans, rows=rows, counted=3)
