@@ -22,7 +22,7 @@ import resource, sys
 from airlight import Camera, Scene, load_planet, render, solve
 from airlight.color.spectral import default_wavelengths
 from airlight.exports.bake import bake
-earth, rgb = load_planet("earth", {"refraction": "none"}), (680.0, 550.0, 440.0)
+earth, rgb = load_planet("earth"), (680.0, 550.0, 440.0)
 VIEW = Scene(camera=Camera(width=1280, height=720), altitude=400e3)
 sixteen = default_wavelengths(16, *earth.wavelength_limits)
 """

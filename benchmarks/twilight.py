@@ -1,7 +1,8 @@
 """What the real air, its stratospheric aerosol and bent light change between noon and night.
 
 ``python benchmarks/twilight.py`` prints the tables of docs/planets.md, a minute: the zenith's light
-by the steps that lead to preset ``earth``, then illuminance and V of the zenith beside published
+by the steps that lead from preset ``earth`` to
+``standard_earth``, then illuminance and V of the zenith beside published
 measurements. All are solved at default quality but with the directions of ``fine``: with the
 twelve of ``default`` the ground's zenith is off by 1 and 11 % with the sun 6° and 10° below the
 horizon, with these by 0.5 %.
@@ -11,7 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from airlight import Planet, load_planet, solve
+from airlight import Planet, solve
 from airlight.planets import replace
 from airlight.planets.matter.profiles import Exponential
 from airlight.solvers.moments.settings import QUALITIES
@@ -21,6 +22,7 @@ from airlight.validation.published_twilight import (
     average_aerosol,
     illuminance,
     illuminance_seidelmann1992,
+    standard_earth,
     v_magnitude,
     with_night_sky,
     zenith_v_patat2006,
@@ -35,11 +37,11 @@ PUBLISHED = (20.0, 5.0, 2.0, 0.0, -1.0, -3.0, -5.0, -6.0, -8.0, -10.0, -12.0)
 
 
 def steps() -> dict[str, Planet]:
-    """Preset ``earth`` without its three refinements, then with one after another.
+    """``standard_earth`` without its three refinements, then with one after another.
 
     The last has more of the lower aerosol: that of the days of the published illuminance.
     """
-    earth = load_planet("earth")
+    earth = standard_earth()
     air, *others = earth.constituents
     # RT/(Mg) of U.S. 1976 at sea level
     exponential = replace(air, profile=Exponential(scale_height=8434.5))
@@ -49,7 +51,7 @@ def steps() -> dict[str, Planet]:
         "standard air": replace(earth, constituents=(air, *low), refraction="none"),
         "stratospheric aerosol": replace(earth, refraction="none"),
         "bent light": earth,
-        "average aerosol": load_planet("earth", average_aerosol()),
+        "average aerosol": standard_earth(average_aerosol()),
     }
 
 

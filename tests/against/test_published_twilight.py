@@ -1,4 +1,4 @@
-"""Preset ``earth`` beside published light about sunset; nothing is fitted.
+"""Earth in the standard atmosphere beside published light about sunset; nothing is fitted.
 
 The tables of docs/planets.md come from ``python benchmarks/twilight.py``.
 """
@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight import load_planet, solve
+from airlight import solve
 from airlight.errors import ParameterError
 from airlight.solvers.solution import Solution
 from airlight.validation.published_twilight import (
@@ -17,6 +17,7 @@ from airlight.validation.published_twilight import (
     average_aerosol,
     illuminance,
     illuminance_seidelmann1992,
+    standard_earth,
     v_magnitude,
     with_night_sky,
     zenith_v_patat2006,
@@ -47,12 +48,12 @@ def test_altitudes_beyond_the_measurements_are_refused(function) -> None:
 
 @pytest.fixture(scope="module")
 def average_day() -> Solution:
-    return solve(load_planet("earth", average_aerosol()), NM, "default")
+    return solve(standard_earth(average_aerosol()), NM, "default")
 
 
 @pytest.fixture(scope="module")
 def earth() -> Solution:
-    return solve(load_planet("earth"), NM, "default")
+    return solve(standard_earth(), NM, "default")
 
 
 @pytest.mark.slow

@@ -119,7 +119,6 @@ def test_planets_known_nowhere_together_are_compared_without_light():
         {
             **changes,
             "ground.map": None,
-            "refraction": "none",
             "constituents": [
                 {
                     "name": "air",
@@ -138,7 +137,7 @@ def test_planets_known_nowhere_together_are_compared_without_light():
 
 
 def test_parameters_of_nested_parts_are_listed_with_their_units():
-    earth = load_planet("earth-hazy")  # its air has one scale height
+    earth = load_planet("earth")
     values = parameter_values(earth.constituents[0], earth.thickness, GREEN)
     assert values["temperature", "K", None] == 288.15
     assert values["pressure", "Pa", None] == 101325.0

@@ -30,7 +30,7 @@ WAVELENGTHS = (680.0, 550.0, 440.0)
 #: Planet, factors of its constituents: thin, thick and no dust; air that bends light.
 FACTORS = {
     "mars": (1.0, 0.1), "mars, a storm": (0.5, 4.0), "mars, clean": (2.0, 0.0),
-    "earth": (0.7, 3.0, 2.0, 0.5),
+    "earth": (0.7, 3.0, 2.0),
 }  # fmt: skip
 
 
@@ -98,7 +98,7 @@ def test_air_that_is_too_thick_is_refused_in_one_line(
         """([air, edit]) => {
           try { editedAir(air, edit); return null; } catch (error) { return error.message; }
         }""",
-        [pages("earth")[1]["air"], {"amounts": [10.0, 10.0, 10.0, 10.0], "ground": 1.0}],
+        [pages("earth")[1]["air"], {"amounts": [10.0, 10.0, 10.0], "ground": 1.0}],
     )
     assert got == "so much air is too thick to be solved here; the desktop viewer solves it"
 
