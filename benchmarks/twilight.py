@@ -16,7 +16,7 @@ from airlight.planets import replace
 from airlight.planets.matter.profiles import Exponential
 from airlight.solvers.moments.settings import QUALITIES
 from airlight.solvers.solution import Solution
-from airlight.validation.published_twilight import (
+from airlight.validation.published.twilight import (
     PARANAL,
     average_aerosol,
     illuminance,

@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose
 from airlight import load_planet, solve
 from airlight.errors import ParameterError
 from airlight.solvers.solution import Solution
-from airlight.validation.published_twilight import (
+from airlight.validation.published.twilight import (
     PARANAL,
     average_aerosol,
     illuminance,
