@@ -1,1 +1,1 @@
-"""Published light of skies and planets beside ours: numbers with their sources, section by section."""
+"""Published light of skies and planets beside ours: numbers and their sources."""
