@@ -50,6 +50,8 @@ ZENITH_AIM: Final = 0.35
 SUNSET: Final = -50.0 / 60.0
 #: Altitude of the sun for the colour of daylight. [deg]
 DAY: Final = 45.0
+#: Altitudes of the sun for the colour of the sky. [deg]
+SKIES: Final = (10.0, 30.0, 60.0)
 #: Depressions of the sun with a Belt of Venus. [deg]
 BELT: Final = (1.0, 2.0, 3.0, 4.0)
 #: Elevations at which the belt is looked for. [deg]
@@ -97,7 +99,7 @@ def illuminances(solution: Solution, altitudes: Sequence[float] = ALTITUDES) -> 
         rows.append(
             Row(
                 what=f"illuminance {when}", unit="lx", published=0.5 * (low + high),
-                error=0.5 * (high - low), stated=f"{low:g} to {high:g}",
+                error=0.5 * (high - low), stated=f"{low:g} to {high:g} lx",
                 ours=ground_illuminance(solution, altitude), source=f"{_AMS}, civil twilight",
             )
         )  # fmt: skip
@@ -144,16 +146,16 @@ def zeniths(solution: Solution) -> Section:
     )  # fmt: skip
 
 
-def colors(average: Solution, clear: Solution) -> Section:
+def colors(average: Solution) -> Section:
     """Colour temperatures of daylight on the ground and of the clear sky.
 
     Parameters
     ----------
-    average, clear : Solution
-        Earth with the aerosol of average days, and preset ``earth``.
+    average : Solution
+        Earth with the aerosol of average days.
     """
     day = correlated_color_temperature(_xyz(average, ground_light(average, DAY)))
-    warmest = min(sky_temperatures(clear, DAY))
+    warmest = min(min(sky_temperatures(average, altitude)) for altitude in SKIES)
     return Section(
         title="Colour temperatures",
         rows=[
@@ -162,14 +164,14 @@ def colors(average: Solution, clear: Solution) -> Section:
                 source="Hernández-Andrés et al. (2001), JOSA A 18, 1325",
             ),
             Row(
-                what=f"warmest of the clear sky, sun {DAY:g}°", unit="K", published=3800.0,
-                ours=warmest, stated="3800 or more",
+                what="warmest of the clear sky, sun 10 to 60°", unit="K", published=3800.0,
+                ours=warmest, stated="3800 K and more",
                 source="Hernández-Andrés et al. (2001), JOSA A 18, 412",
             ),
         ],
         note="Published for Granada: of level ground the most typical of two years under all "
-        "skies, of the clear sky the lowest of 44 directions over seven months, low suns among "
-        "them, which one altitude of the sun need not reach.",
+        "skies, of the clear sky the lowest of 44 directions in seven months, of which the suns "
+        "are not known here.",
     )  # fmt: skip
 
 
@@ -196,7 +198,7 @@ def belts(solution: Solution) -> Section:
     rows = [
         Row(
             what=f"top of the dark segment, sun {-one:g}°", unit="°", published=one, ours=top,
-            stated=f"above {one:g}", source=f"{_AMS}, dark segment; Lee (2015)",
+            stated=f"above {one:g}°", source=f"{_AMS}, dark segment; Lee (2015)",
         )
         for one, (top, _) in zip(BELT, found, strict=True)
     ]  # fmt: skip
@@ -235,7 +237,9 @@ def antitwilight(solution: Solution, depression: float) -> tuple[float, float]:
 
 
 def rise_and_maximum(elevations: FloatArray, x: FloatArray) -> tuple[float, float]:
-    """Elevations of the steepest rise below a curve's uppermost maximum, and of that maximum.
+    """Elevations of a curve's uppermost maximum, and of the steepest rise that leads to it.
+
+    The rise is that from the least value below the maximum: nearer to the horizon the sky reddens.
 
     Parameters
     ----------
@@ -252,6 +256,8 @@ def rise_and_maximum(elevations: FloatArray, x: FloatArray) -> tuple[float, floa
     >>> at = np.arange(0.0, 10.0, 0.5)
     >>> rise_and_maximum(at, np.sin(np.pi * (at - 2.25) / 4.5))  # up at 2.25, largest at 4.5
     (2.25, 4.5)
+    >>> rise_and_maximum(at, np.sin(np.pi * (at - 2.25) / 4.5) + 9.0 * (at == 0.0))
+    (2.25, 4.5)
     >>> rise_and_maximum(at, -at)
     (nan, nan)
     """
@@ -259,7 +265,8 @@ def rise_and_maximum(elevations: FloatArray, x: FloatArray) -> tuple[float, floa
     if not inside.size:
         return float("nan"), float("nan")
     belt = int(inside[-1])
-    steepest = int(np.diff(x[: belt + 1]).argmax())
+    bluest = int(x[:belt].argmin())
+    steepest = bluest + int(np.diff(x[bluest : belt + 1]).argmax())
     return float(elevations[steepest : steepest + 2].mean()), float(elevations[belt])
 
 

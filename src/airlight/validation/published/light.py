@@ -51,7 +51,7 @@ def earth(solve: Solve, quality: object | None = None) -> list[Section]:
     quality = twilight_settings() if quality is None else quality
     average = solve(load_planet("earth", average_aerosol()), TWILIGHT_WAVELENGTHS, quality)
     clear = solve(load_planet("earth"), TWILIGHT_WAVELENGTHS, quality)
-    return [illuminances(average), zeniths(clear), colors(average, clear), belts(clear)]
+    return [illuminances(average), zeniths(clear), colors(average), belts(clear)]
 
 
 def suite_of(sections: list[Section]) -> Suite:

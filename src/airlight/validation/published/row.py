@@ -37,7 +37,7 @@ class Row:
         Error or half range that the source states, which makes the row a bar; None if it states
         none.
     stated : str
-        The number as the source has it, where that is not a single number.
+        The number as the source has it, with its unit, where that is not a single number.
     compare : str
         ``"ratio"``, or ``"difference"`` for magnitudes and coordinates.
     """
@@ -68,7 +68,7 @@ class Row:
             return None
         return Bar(
             name=f"{self.what}: difference from the published", got=self.departure,
-            allowed=self.error, unit=self.unit, source=f"error of {self.source}",
+            allowed=self.error, unit=self.unit, source=f"error or range that {self.source}, states",
         )  # fmt: skip
 
     @property
@@ -79,9 +79,9 @@ class Row:
             if self.compare == "ratio"
             else f"{self.ours - self.published:+.3f}"
         )
-        unit = f" {self.unit}" if self.unit else ""
+        unit = self.unit if self.unit in ("", "°", "′") else f" {self.unit}"
         return (
-            self.what, (self.stated or f"{self.published:.4g}") + unit, f"{self.ours:.4g}{unit}",
+            self.what, self.stated or f"{self.published:.4g}{unit}", f"{self.ours:.4g}{unit}",
             compared, "" if self.error is None else f"± {self.error:.2g}", self.source,
         )  # fmt: skip
 

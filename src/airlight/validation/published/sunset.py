@@ -82,6 +82,7 @@ def sunset() -> Section:
                 ours=flattening(paths), stated="5/6", source=source,
             ),
         ],
-        note="At sea level in the U.S. Standard Atmosphere. The lapse rate near the ground moves "
-        "the height by 0.015.",
+        note="At sea level in the U.S. Standard Atmosphere, 15 °C; the published numbers are for "
+        "10 °C, where air bends light by 1.8 % more. The lapse rate near the ground moves the "
+        "height by 0.015.",
     )  # fmt: skip
