@@ -147,6 +147,6 @@ def solver(progress: Progress | None, cancel: Cancel | None) -> Solve:
         return solve(
             planet, wavelengths, quality, solver="moments", cache=False,
             progress=None if progress is None else tell, cancel=cancel,
-        )  # type: ignore[call-overload,no-any-return]  # fmt: skip
+        )  # fmt: skip
 
     return solved

@@ -142,7 +142,7 @@ def between(wavelengths: ArrayLike, values: ArrayLike, at: FloatArray) -> FloatA
     >>> between([400.0, 500.0], [1.0, 100.0], np.array([450.0, 600.0])).round(6)
     array([ 10., 100.])
     """
-    return np.asarray(np.exp(np.interp(at, wavelengths, np.log(values))))
+    return np.exp(np.interp(at, np.asarray(wavelengths, float), np.log(values)))
 
 
 def zenith_light(solution: Solution, altitude: float, observer: float = 0.0) -> FloatArray:
