@@ -10,26 +10,22 @@ horizon, with these by 0.5 %.
 
 from __future__ import annotations
 
-import numpy as np
-
 from airlight import Planet, solve
 from airlight.planets import replace
 from airlight.planets.matter.profiles import Exponential
-from airlight.solvers.moments.settings import QUALITIES
 from airlight.solvers.solution import Solution
-from airlight.validation.published_twilight import (
-    PARANAL,
+from airlight.validation.published.earth import twilight_settings
+from airlight.validation.published.twilight import (
+    TWILIGHT_WAVELENGTHS,
     average_aerosol,
-    illuminance,
+    ground_illuminance,
     illuminance_seidelmann1992,
+    paranal_zenith_v,
     standard_earth,
-    v_magnitude,
-    with_night_sky,
+    zenith_light,
     zenith_v_patat2006,
 )
 
-#: Wavelengths. [nm]
-NM = tuple(float(nm) for nm in range(400, 721, 20))
 #: Altitudes of the sun of the first table. [deg]
 ALTITUDES = (50.0, 10.0, 5.0, 0.0, -2.0, -4.0, -6.0, -8.0, -10.0, -12.0)
 #: Altitudes of the sun at which published light is compared. [deg]
@@ -55,28 +51,16 @@ def steps() -> dict[str, Planet]:
     }
 
 
-def zenith(solution: Solution, altitude: float, observer: float = 0.0) -> np.ndarray:
-    """Radiance of the zenith over the sun's irradiance at a sun's altitude [deg]. [sr⁻¹]"""
-    light = solution.radiance(altitude=observer, sun_zenith=90.0 - altitude, view_zenith=0.0)
-    return np.asarray(light) / solution.lights[0].irradiance
-
-
-def received(solution: Solution, altitude: float) -> np.ndarray:
-    """Irradiance of the level ground over the sun's at a sun's altitude [deg]. [1]"""
-    found = solution.irradiance(altitude=0.0, sun_zenith=90.0 - altitude)
-    return np.asarray(found["direct"] + found["diffuse"]) / solution.lights[0].irradiance
-
-
 def changes(solved: dict[str, Solution]) -> None:
     """Print the zenith's light by steps."""
-    green = NM.index(560.0)
+    green = TWILIGHT_WAVELENGTHS.index(560.0)
     print("zenith at 560 nm, over that of one exponential\n")
     print("| sun | " + " | ".join(solved) + " |")
     print("|---|" + "---|" * len(solved))
     first = next(iter(solved.values()))
     for altitude in ALTITUDES:
-        base = zenith(first, altitude)[green]
-        row = [f"{zenith(one, altitude)[green] / base:.3f}" for one in solved.values()]
+        base = zenith_light(first, altitude)[green]
+        row = [f"{zenith_light(one, altitude)[green] / base:.3f}" for one in solved.values()]
         row[0] = f"{base:.3e} /sr"
         print(f"| {altitude:g}° | " + " | ".join(row) + " |")
 
@@ -89,7 +73,7 @@ def published(solved: dict[str, Solution]) -> None:
     print("|---|---|" + "---|" * len(names))
     for altitude in PUBLISHED:
         cited = illuminance_seidelmann1992(altitude)
-        row = [illuminance(NM, received(one, altitude)) / cited for one in solved.values()]
+        row = [ground_illuminance(one, altitude) / cited for one in solved.values()]
         print(f"| {altitude:g}° | {cited:.4g} | " + " | ".join(f"{x:.2f}" for x in row) + " |")
     print("\nV of the zenith 2635 m up [mag arcsec⁻²], ours less Patat et al. (2006)\n")
     print("| sun | Patat | " + " | ".join(names) + " |")
@@ -98,17 +82,16 @@ def published(solved: dict[str, Solution]) -> None:
         if not -15.0 <= altitude <= -5.0:
             continue
         cited = zenith_v_patat2006(altitude)
-        row = [
-            with_night_sky(v_magnitude(NM, zenith(one, altitude, PARANAL))) - cited
-            for one in solved.values()
-        ]
+        row = [paranal_zenith_v(one, altitude) - cited for one in solved.values()]
         print(f"| {altitude:g}° | {cited:.2f} | " + " | ".join(f"{x:+.2f}" for x in row) + " |")
 
 
 def main() -> None:
     """Solve and print."""
-    settings = replace(QUALITIES["default"], zenith_angles=QUALITIES["fine"].zenith_angles)
-    solved = {name: solve(planet, NM, settings) for name, planet in steps().items()}
+    settings = twilight_settings()
+    solved = {
+        name: solve(planet, TWILIGHT_WAVELENGTHS, settings) for name, planet in steps().items()
+    }
     for name, one in solved.items():
         print(f"{name}: {one.report}")
     print()

@@ -4,30 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 from airlight import load_planet
-from airlight.geometry.quadrature import gauss_legendre
 from airlight.solvers.moments.solution import MomentsSolution
-
-
-def geometric_albedo(solution: MomentsSolution) -> np.ndarray:
-    """Brightness at full phase over that of a white Lambert disc as large as the ground, (nl,)."""
-    bottom, top = solution.medium.bottom_radius, solution.medium.top_radius
-    far = 1e4 * top
-    rule = gauss_legendre(24)
-    b = top * rule.nodes  # distance from the disc's centre
-    sky = solution.radiance(
-        altitude=far - bottom,
-        sun_zenith=0.0,
-        view_zenith=180.0 - np.degrees(np.arcsin(b / far)),
-        azimuth=0.0,
-    ).to_numpy()
-    rings = top * rule.weights * 2.0 * np.pi * b
-    received = (rings[:, None] * sky / solution.medium.solar_irradiance).sum(axis=0)
-    return received / bottom**2
+from airlight.validation.published.rayleigh_sphere import geometric_albedo
 
 
 @pytest.mark.parametrize(

@@ -12,14 +12,14 @@ from numpy.testing import assert_allclose
 from airlight import solve
 from airlight.errors import ParameterError
 from airlight.solvers.solution import Solution
-from airlight.validation.published_twilight import (
-    PARANAL,
+from airlight.validation.published.twilight import (
     average_aerosol,
+    ground_illuminance,
     illuminance,
     illuminance_seidelmann1992,
+    paranal_zenith_v,
     standard_earth,
     v_magnitude,
-    with_night_sky,
     zenith_v_patat2006,
 )
 
@@ -62,17 +62,13 @@ def test_illuminance_is_the_supplement_s_within_a_quarter(
     altitude: float, average_day: Solution
 ) -> None:
     # Measurements of average clear days; ours has the average continental aerosol.
-    found = average_day.irradiance(altitude=0.0, sun_zenith=90.0 - altitude)
-    received = np.asarray(found["direct"] + found["diffuse"]) / average_day.lights[0].irradiance
-    cited = illuminance_seidelmann1992(altitude)
-    assert_allclose(illuminance(NM, received), cited, rtol=0.25)
+    found = ground_illuminance(average_day, altitude)
+    assert_allclose(found, illuminance_seidelmann1992(altitude), rtol=0.25)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("altitude", [-5.0, -6.0, -8.0, -10.0, -12.0])
 def test_zenith_in_twilight_is_paranal_s(altitude: float, earth: Solution) -> None:
     # 2635 m up, with the night's own light; Patat's nights scatter by 0.2 mag.
-    light = earth.radiance(altitude=PARANAL, sun_zenith=90.0 - altitude, view_zenith=0.0)
-    relative = np.asarray(light) / earth.lights[0].irradiance
-    found = with_night_sky(v_magnitude(NM, relative))
+    found = paranal_zenith_v(earth, altitude)
     assert_allclose(found, zenith_v_patat2006(altitude), rtol=0, atol=0.35)

@@ -14,7 +14,7 @@ from numpy.testing import assert_allclose
 from airlight.errors import FileError, ParameterError
 from airlight.planets import load_planet, planet_names
 from airlight.planets.medium import Medium
-from airlight.validation.published_twilight import STANDARD_EARTH
+from airlight.validation.published.twilight import STANDARD_EARTH
 from airlight.viewer.session.saved_state import from_fragment, to_fragment
 from airlight.viewer.session.session import Session
 

@@ -15,6 +15,7 @@ from airlight.errors import FileError, ParameterError
 EPILOG = examples(
     "airlight validate -o report.html",
     "airlight validate --suite golden -o golden.html",
+    "airlight validate --suite published -o published.html",
     "airlight validate --suite kider --data reference-data -o kider.html",
     "airlight validate --data reference-data -o report.html --pictures pictures",
     "airlight validate --data reference-data -o docs/validation/report.md",
@@ -35,8 +36,8 @@ def validate(
         list[str] | None,
         typer.Option(
             metavar="NAME",
-            help="golden, solvers, spherical, cie, measured, kider, energy or all (all); may be "
-            "given several times.",
+            help="golden, solvers, spherical, cie, measured, kider, energy, published or all (all);"
+            " may be given several times.",
         ),
     ] = None,
     data: Annotated[

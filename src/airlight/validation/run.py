@@ -82,6 +82,12 @@ def _energy(data: Path | None, *, progress: Progress | None, cancel: Cancel | No
     return energy(progress=progress, cancel=cancel)
 
 
+def _published(data: Path | None, *, progress: Progress | None, cancel: Cancel | None) -> Suite:
+    from airlight.validation.published.light import published
+
+    return published(progress=progress, cancel=cancel)
+
+
 #: All suites, in the order of the report.
 SUITES: Final[dict[str, Entry]] = {
     "golden": Entry("Golden numbers", _golden),
@@ -95,6 +101,7 @@ SUITES: Final[dict[str, Entry]] = {
     "measured": Entry("Measured skies", _measured, ("kider2013-05-27.npz",)),
     "kider": Entry("Measured days, load fitted", _kider, ("kider*.npz",)),
     "energy": Entry("Energy", _energy),
+    "published": Entry("Published light", _published),
 }
 
 

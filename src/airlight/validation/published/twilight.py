@@ -26,14 +26,17 @@ from numpy.typing import ArrayLike, NDArray
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
 from airlight.planets import Planet, load_planet
+from airlight.solvers import Solution
 from airlight.spectra.color_matching import cie_1931
 from airlight.spectra.sun import solar_irradiance
 
 FloatArray = NDArray[np.float64]
 
 #: Planet file of ``standard_earth``.
-STANDARD_EARTH: Final = Path(__file__).parent / "data" / "earth-standard.toml"
+STANDARD_EARTH: Final = Path(__file__).parent.parent / "data" / "earth-standard.toml"
 
+#: Wavelengths at which twilight is solved. [nm]
+TWILIGHT_WAVELENGTHS: Final = tuple(float(nm) for nm in range(400, 721, 20))
 #: Lowest and highest altitude of the sun [deg], and coefficients of each cubic. [1]
 _SUPPLEMENT: Final = (
     (-18.0, -12.0, 13.84, 262.72, 1447.42, 2797.93),
@@ -141,9 +144,61 @@ def with_night_sky(magnitude: float) -> float:
     return float(-2.5 * np.log10(both))
 
 
-def _between(wavelengths: FloatArray, values: FloatArray, at: FloatArray) -> FloatArray:
-    """Positive values at other wavelengths, linear in their logarithm, held beyond the ends."""
-    return np.exp(np.interp(at, wavelengths, np.log(values)))
+def between(wavelengths: ArrayLike, values: ArrayLike, at: FloatArray) -> FloatArray:
+    """Positive values at other wavelengths, linear in their logarithm, held beyond the ends.
+
+    Parameters
+    ----------
+    wavelengths, values : array, shape (nl,)
+        Wavelengths, ascending [nm], and values there, positive.
+    at : array, shape (n,)
+        [nm]
+
+    Examples
+    --------
+    >>> between([400.0, 500.0], [1.0, 100.0], np.array([450.0, 600.0])).round(6)
+    array([ 10., 100.])
+    """
+    return np.exp(np.interp(at, np.asarray(wavelengths, float), np.log(values)))
+
+
+def zenith_light(solution: Solution, altitude: float, observer: float = 0.0) -> FloatArray:
+    """Radiance of the zenith over the sun's irradiance, shape (nl,). [sr⁻¹]
+
+    Parameters
+    ----------
+    solution : Solution
+    altitude : float
+        True altitude of the sun. [deg]
+    observer : float
+        Altitude of the observer. [m]
+    """
+    light = solution.radiance(altitude=observer, sun_zenith=90.0 - altitude, view_zenith=0.0)
+    return np.asarray(light) / solution.lights[0].irradiance
+
+
+def ground_light(solution: Solution, altitude: float) -> FloatArray:
+    """Irradiance of the level ground over the sun's, shape (nl,). [1]
+
+    Parameters
+    ----------
+    solution : Solution
+    altitude : float
+        True altitude of the sun. [deg]
+    """
+    found = solution.irradiance(altitude=0.0, sun_zenith=90.0 - altitude)
+    return np.asarray(found["direct"] + found["diffuse"]) / solution.lights[0].irradiance
+
+
+def ground_illuminance(solution: Solution, altitude: float) -> float:
+    """Illuminance of the level ground with the sun at 1 au, at a true altitude [deg]. [lx]"""
+    return illuminance(solution.wavelengths, ground_light(solution, altitude))
+
+
+def paranal_zenith_v(solution: Solution, altitude: float) -> float:
+    """V of Paranal's zenith with the night's light, by the sun's altitude [deg]. [mag arcsec⁻²]"""
+    light = zenith_light(solution, altitude, PARANAL)
+    return with_night_sky(v_magnitude(solution.wavelengths, light))
 
 
 def illuminance(wavelengths: ArrayLike, transmitted: ArrayLike) -> float:
@@ -158,7 +213,7 @@ def illuminance(wavelengths: ArrayLike, transmitted: ArrayLike) -> float:
     """
     seen = cie_1931()
     nm = np.asarray(seen.wavelengths, float)
-    ratio = _between(np.asarray(wavelengths, float), np.asarray(transmitted, float), nm)
+    ratio = between(wavelengths, transmitted, nm)
     luminous = seen.at(nm)[:, 1] * solar_irradiance(nm)
     return float(LUMINOUS_EFFICACY * np.trapezoid(ratio * luminous, nm))
 
@@ -176,6 +231,6 @@ def v_magnitude(wavelengths: ArrayLike, relative_radiance: ArrayLike) -> float:
     nm = np.arange(_V_WAVELENGTHS[0], _V_WAVELENGTHS[-1] + 0.5)
     # Photons are counted: the passband times the wavelength weights the energy.
     weight = np.interp(nm, _V_WAVELENGTHS, _V_PASSBAND) * nm * solar_irradiance(nm)
-    ratio = _between(np.asarray(wavelengths, float), np.asarray(relative_radiance, float), nm)
+    ratio = between(wavelengths, relative_radiance, nm)
     mean = np.trapezoid(ratio * weight, nm) / np.trapezoid(weight, nm)
     return float(SOLAR_V - 2.5 * np.log10(mean / _SQUARE_ARCSECONDS))

@@ -1,0 +1,1 @@
+"""Published light of skies and planets beside ours: numbers and their sources."""

@@ -1,0 +1,277 @@
+"""Earth: illuminance of the ground, the zenith of twilight, colour temperatures, the Belt of Venus.
+
+* Seidelmann (1992) and Patat et al. (2006): see ``twilight``.
+* American Meteorological Society, Glossary of Meteorology, "civil twilight", "astronomical
+  twilight", "antitwilight arch", "dark segment": what clear evenings have, ranges included.
+* Hernández-Andrés, Romero, Nieves & Lee (2001), Color and spectral analysis of daylight in southern
+  Europe, JOSA A 18, 1325: 2600 spectra of the light on level ground at Granada, under all skies.
+* Hernández-Andrés, Romero & Lee (2001), Colorimetric and spectroradiometric characteristics of
+  narrow-field-of-view clear skylight in Granada, Spain, JOSA A 18, 412: 1500 spectra of the sky.
+* Lee (2015), Measuring and modeling twilight's Belt of Venus, Applied Optics 54, B194.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.color.color_temperature import correlated_color_temperature
+from airlight.color.spectral import rgb_weights
+from airlight.color.xyz import chromaticity, rgb_to_xyz
+from airlight.planets import replace
+from airlight.solvers import Solution
+from airlight.solvers.moments.settings import QUALITIES, Settings
+from airlight.validation.published.row import Row, Section
+from airlight.validation.published.twilight import (
+    ground_illuminance,
+    ground_light,
+    illuminance_seidelmann1992,
+    paranal_zenith_v,
+    zenith_v_patat2006,
+)
+from airlight.validation.suite import Bar
+
+FloatArray = NDArray[np.float64]
+
+#: True altitudes of the sun. [deg]
+ALTITUDES: Final = (
+    90.0, 60.0, 40.0, 20.0, 10.0, 5.0, 2.0, 0.0, -1.0, -3.0, -5.0, -6.0, -8.0, -10.0, -12.0,
+)  # fmt: skip
+#: Altitudes of the sun between which the aim for the illuminance holds [deg], and that aim. [%]
+AIMED: Final = (-10.0, 5.0)
+ILLUMINANCE_AIM: Final = 25.0
+#: Depressions of the sun of the zenith's magnitude [deg], and the aim for it. [mag]
+DEPRESSIONS: Final = (5.0, 6.0, 8.0, 10.0, 12.0)
+ZENITH_AIM: Final = 0.35
+#: Altitude of the sun at sunset by the almanac's convention. [deg]
+SUNSET: Final = -50.0 / 60.0
+#: Altitude of the sun for the colour of daylight. [deg]
+DAY: Final = 45.0
+#: Altitudes of the sun for the colour of the sky. [deg]
+SKIES: Final = (10.0, 30.0, 60.0)
+#: Depressions of the sun with a Belt of Venus. [deg]
+BELT: Final = (1.0, 2.0, 3.0, 4.0)
+#: Elevations at which the belt is looked for. [deg]
+_ELEVATIONS: Final = np.arange(0.25, 30.1, 0.25)
+_AMS: Final = "AMS, Glossary of Meteorology"
+
+
+def twilight_settings() -> Settings:
+    """Default quality with the directions of ``fine``, which the ground needs in twilight.
+
+    With the twelve of ``default`` the zenith is off by 1 and 11 % with the sun 6° and 10° below the
+    horizon, with these by 0.5 %.
+    """
+    return replace(QUALITIES["default"], zenith_angles=QUALITIES["fine"].zenith_angles)
+
+
+def illuminances(solution: Solution, altitudes: Sequence[float] = ALTITUDES) -> Section:
+    """Illuminance of level ground under a clear sky, noon to the end of nautical twilight.
+
+    Parameters
+    ----------
+    solution : Solution
+        Earth with the aerosol of average days.
+    altitudes : sequence of float
+        True altitudes of the sun. [deg]
+    """
+    rows = [
+        Row(
+            what=f"illuminance, sun {altitude:g}°", unit="lx",
+            published=illuminance_seidelmann1992(altitude),
+            ours=ground_illuminance(solution, altitude),
+            source="Seidelmann (1992), section 9.34",
+        )
+        for altitude in altitudes
+    ]  # fmt: skip
+    aimed = [
+        row.percent
+        for row, altitude in zip(rows, altitudes, strict=True)
+        if AIMED[0] <= altitude <= AIMED[1]
+    ]
+    for altitude, low, high, when in (
+        (SUNSET, 410.0, 585.0, "at sunset"),
+        (-6.0, 2.0, 3.5, "at the end of civil twilight"),
+    ):
+        rows.append(
+            Row(
+                what=f"illuminance {when}", unit="lx", published=0.5 * (low + high),
+                error=0.5 * (high - low), stated=f"{low:g} to {high:g} lx",
+                ours=ground_illuminance(solution, altitude), source=f"{_AMS}, civil twilight",
+            )
+        )  # fmt: skip
+    rows.append(
+        Row(
+            what="illuminance at the end of nautical twilight", unit="lx", published=0.008,
+            ours=ground_illuminance(solution, -12.0), source=f"{_AMS}, astronomical twilight",
+        )
+    )  # fmt: skip
+    aim = Bar(
+        name=f"illuminance, sun {AIMED[1]:+g}° to {AIMED[0]:g}°: largest difference",
+        got=max(aimed, default=0.0), allowed=ILLUMINANCE_AIM, unit="%",
+        source="the aim for an average clear day",
+    )  # fmt: skip
+    return Section(
+        title="Illuminance of level ground under a clear sky",
+        rows=rows,
+        aims=[aim] if aimed else [],
+        note="Ours has the average continental aerosol of Hess et al. (1998), optical depth 0.151, "
+        "since the published numbers are of average clear days; gas bands and the night's own "
+        "light are left out, and the ground is the mean of the Earth.",
+    )
+
+
+def zeniths(solution: Solution) -> Section:
+    """Magnitude of Paranal's zenith in twilight; ``solution`` is of ``standard_earth``."""
+    rows = [
+        Row(
+            what=f"V of the zenith 2635 m up, sun {-one:g}°", unit="mag arcsec⁻²",
+            published=zenith_v_patat2006(-one), ours=paranal_zenith_v(solution, -one),
+            source="Patat et al. (2006), Table 4", compare="difference",
+        )
+        for one in DEPRESSIONS
+    ]  # fmt: skip
+    aim = Bar(
+        name=f"V of the zenith, sun {-DEPRESSIONS[0]:g}° to {-DEPRESSIONS[-1]:g}°: largest "
+        "difference",
+        got=max(row.departure for row in rows), allowed=ZENITH_AIM, unit="mag",
+        source="the aim: the scatter of the nights, 0.2 mag, and that of a night's ozone and dust",
+    )  # fmt: skip
+    return Section(
+        title="Zenith in twilight", rows=rows, aims=[aim],
+        note="Ours with the night's own 21.6 mag arcsec⁻² (Patat 2003).",
+    )  # fmt: skip
+
+
+def colors(average: Solution) -> Section:
+    """Colour temperatures of daylight on the ground and of the clear sky.
+
+    Parameters
+    ----------
+    average : Solution
+        Earth with the aerosol of average days.
+    """
+    day = correlated_color_temperature(_xyz(average, ground_light(average, DAY)))
+    warmest = min(min(sky_temperatures(average, altitude)) for altitude in SKIES)
+    return Section(
+        title="Colour temperatures",
+        rows=[
+            Row(
+                what=f"light on level ground, sun {DAY:g}°", unit="K", published=5700.0, ours=day,
+                source="Hernández-Andrés et al. (2001), JOSA A 18, 1325",
+            ),
+            Row(
+                what="warmest of the clear sky, sun 10 to 60°", unit="K", published=3800.0,
+                ours=warmest, stated="3800 K and more",
+                source="Hernández-Andrés et al. (2001), JOSA A 18, 412",
+            ),
+        ],
+        note="Published for Granada: of level ground the most typical of two years under all "
+        "skies, of the clear sky the lowest of 44 directions in seven months, of which the suns "
+        "are not known here.",
+    )  # fmt: skip
+
+
+def sky_temperatures(solution: Solution, altitude: float) -> list[float]:
+    """Colour temperatures of directions over the dome with the sun at an altitude [deg]. [K]
+
+    Four meridians from the sun's at zenith angles of 0 to 85°, farther than 5° from the sun.
+    """
+    view, around = np.meshgrid(np.arange(0.0, 86.0, 17.0), [0.0, 45.0, 90.0, 180.0])
+    view, around = view.ravel(), around.ravel()
+    far = (around != 0.0) | (np.abs(view - (90.0 - altitude)) > 5.0)
+    sky = solution.radiance(
+        altitude=0.0, sun_zenith=90.0 - altitude, view_zenith=view[far], azimuth=around[far]
+    ).values
+    return [
+        correlated_color_temperature(one)
+        for one in _xyz(solution, sky / solution.lights[0].irradiance)
+    ]
+
+
+def belts(solution: Solution) -> Section:
+    """Dark segment and Belt of Venus opposite the set sun, against the sun's depression."""
+    found = [antitwilight(solution, one) for one in BELT]
+    rows = [
+        Row(
+            what=f"top of the dark segment, sun {-one:g}°", unit="°", published=one, ours=top,
+            stated=f"above {one:g}°", source=f"{_AMS}, dark segment; Lee (2015)",
+        )
+        for one, (top, _) in zip(BELT, found, strict=True)
+    ]  # fmt: skip
+    below = Bar(
+        name="Belt of Venus: depressions at which the dark segment is below the antisolar point",
+        got=sum(not row.ours > row.published for row in rows), allowed=0,
+        source=f"{_AMS}: it is always higher than the sun is low",
+    )  # fmt: skip
+    reddest = ", ".join(f"{belt:.1f}" for _, belt in found)
+    return Section(
+        title="Belt of Venus", rows=rows, aims=[below],
+        note="The dark segment ends where the sky's chromaticity x rises fastest; the belt, where "
+        f"x is largest, stands above it, at {reddest}°.",
+    )  # fmt: skip
+
+
+def antitwilight(solution: Solution, depression: float) -> tuple[float, float]:
+    """Elevations of the dark segment's top and of the Belt of Venus opposite the sun.
+
+    Parameters
+    ----------
+    solution : Solution
+    depression : float
+        Depression of the sun. [deg]
+
+    Returns
+    -------
+    top, belt : float
+        See ``rise_and_maximum``, of the chromaticity x. [deg]
+    """
+    sky = solution.radiance(
+        altitude=0.0, sun_zenith=90.0 + depression, view_zenith=90.0 - _ELEVATIONS, azimuth=180.0
+    ).values
+    x = chromaticity(_xyz(solution, sky / solution.lights[0].irradiance))[:, 0]
+    return rise_and_maximum(_ELEVATIONS, x)
+
+
+def rise_and_maximum(elevations: FloatArray, x: FloatArray) -> tuple[float, float]:
+    """Elevations of a curve's uppermost maximum, and of the steepest rise that leads to it.
+
+    The rise is that from the least value below the maximum: nearer to the horizon the sky reddens.
+
+    Parameters
+    ----------
+    elevations, x : array, shape (n,)
+        Even elevations, ascending [deg], and chromaticities there [1].
+
+    Returns
+    -------
+    rise, maximum : float
+        NaN if the curve has no maximum between its ends. [deg]
+
+    Examples
+    --------
+    >>> at = np.arange(0.0, 10.0, 0.5)
+    >>> rise_and_maximum(at, np.sin(np.pi * (at - 2.25) / 4.5))  # up at 2.25, largest at 4.5
+    (2.25, 4.5)
+    >>> rise_and_maximum(at, np.sin(np.pi * (at - 2.25) / 4.5) + 9.0 * (at == 0.0))
+    (2.25, 4.5)
+    >>> rise_and_maximum(at, -at)
+    (nan, nan)
+    """
+    inside = np.flatnonzero((x[1:-1] > x[:-2]) & (x[1:-1] >= x[2:])) + 1
+    if not inside.size:
+        return float("nan"), float("nan")
+    belt = int(inside[-1])
+    bluest = int(x[:belt].argmin())
+    steepest = bluest + int(np.diff(x[bluest : belt + 1]).argmax())
+    return float(elevations[steepest : steepest + 2].mean()), float(elevations[belt])
+
+
+def _xyz(solution: Solution, relative: FloatArray) -> FloatArray:
+    """Tristimulus values of light over the star's irradiance, shape (..., 3)."""
+    light = solution.lights[0]
+    weights = rgb_weights(solution.wavelengths, light.spectrum)
+    return np.asarray(rgb_to_xyz(relative * light.irradiance @ weights))

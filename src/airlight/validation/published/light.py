@@ -1,0 +1,85 @@
+"""The suite ``published``: light that others measured or computed, and published, beside ours."""
+
+from __future__ import annotations
+
+from airlight.validation.published.earth import (
+    belts,
+    colors,
+    illuminances,
+    twilight_settings,
+    zeniths,
+)
+from airlight.validation.published.mars import daylight
+from airlight.validation.published.rayleigh_sphere import rayleigh_sphere
+from airlight.validation.published.row import Section, Solve, solver
+from airlight.validation.published.sunset import sunset
+from airlight.validation.published.twilight import (
+    TWILIGHT_WAVELENGTHS,
+    average_aerosol,
+    standard_earth,
+)
+from airlight.validation.published.venus import venus
+from airlight.validation.suite import Cancel, Progress, Suite
+
+
+def published(*, progress: Progress | None = None, cancel: Cancel | None = None) -> Suite:
+    """Compare with published light.
+
+    Parameters
+    ----------
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Raises
+    ------
+    Cancelled
+        If ``cancel`` returned True.
+    """
+    solve = solver(progress, cancel)
+    return suite_of(
+        [*earth(solve), sunset(), daylight(solve), venus(solve), rayleigh_sphere(solve)]
+    )
+
+
+def earth(solve: Solve, quality: object | None = None) -> list[Section]:
+    """Sections of the Earth: a clear day, and one with average aerosol.
+
+    Parameters
+    ----------
+    solve : callable
+        See ``row.Solve``.
+    quality : str or Settings, optional
+        Quality of the solver; that of twilight if left out.
+    """
+    quality = twilight_settings() if quality is None else quality
+    average = solve(standard_earth(average_aerosol()), TWILIGHT_WAVELENGTHS, quality)
+    clear = solve(standard_earth(), TWILIGHT_WAVELENGTHS, quality)
+    return [illuminances(average), zeniths(clear), colors(average), belts(clear)]
+
+
+def suite_of(sections: list[Section]) -> Suite:
+    """Build the section of the report.
+
+    Parameters
+    ----------
+    sections : list of Section
+    """
+    bars = [bar for section in sections for bar in section.bars]
+    met = sum(bar.passed for bar in bars)
+    return Suite(
+        name="published",
+        title="Published light",
+        summary=(
+            "Numbers that others measured or computed, beside those of the presets; nothing is "
+            "fitted. A number is judged where its source states an error or a range, or where an "
+            f"aim is set, which the bar's source says: {met} of {len(bars)} are met. What else "
+            "differs is mostly the air that day, which the presets do not know."
+        ),
+        bars=bars,
+        parts=[section.table for section in sections],
+        settings=[
+            "Earth in the standard atmosphere, presets mars and venus",
+            "twilight: default quality with the directions of fine, 400 to 720 nm",
+            "Venus: preview quality, 400 to 1000 nm",
+        ],
+    )

@@ -1,0 +1,63 @@
+"""Mars: chromaticity of daylight.
+
+Maki et al. (2021), Color properties at the Mars InSight landing site, Earth and Space Science 8,
+e2020EA001336: the white point of daylight has x = 0.35, y = 0.34, standard deviations 0.01 and
+0.02, by the cameras' pictures of the lander's calibration target.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from airlight.color.spectral import default_wavelengths, rgb_weights
+from airlight.color.xyz import chromaticity, rgb_to_xyz
+from airlight.planets import load_planet
+from airlight.validation.published.row import Row, Section, Solve
+from airlight.validation.published.twilight import ground_light
+
+#: Altitude of the sun. [deg]
+DAY: Final = 60.0
+#: Optical depth of the preset's dust, and of a dusty day.
+DUST: Final = (0.5, 1.0)
+
+
+def daylight(solve: Solve, quality: object = "default") -> Section:
+    """Chromaticity of sun and sky together on level ground.
+
+    Parameters
+    ----------
+    solve : callable
+        See ``row.Solve``.
+    quality : str or Settings
+    """
+    rows = []
+    for dust in DUST:
+        x, y = daylight_chromaticity(solve, quality, dust)
+        for name, value, error, got in (("x", 0.35, 0.01, x), ("y", 0.34, 0.02, y)):
+            rows.append(
+                Row(
+                    what=f"daylight on Mars, dust {dust:g}, chromaticity {name}", published=value,
+                    # The preset is judged; the dusty day shows what hangs on the dust.
+                    ours=got, error=error if dust == DUST[0] else None,
+                    source="Maki et al. (2021)", compare="difference",
+                )
+            )  # fmt: skip
+    return Section(
+        title="Daylight on Mars",
+        rows=rows,
+        note=f"Sun and sky together on level ground, sun {DAY:g}° high. The lander's days are not "
+        "those of the preset's dust; the published errors are standard deviations.",
+    )
+
+
+def daylight_chromaticity(solve: Solve, quality: object, dust: float) -> tuple[float, float]:
+    """Chromaticity x, y of the light on level ground under dust of an optical depth. [1]"""
+    mars = load_planet("mars", {"dust.particles.optical_depth": dust})
+    solution = solve(mars, default_wavelengths(12).tolist(), quality)
+    light = solution.lights[0]
+    weights = rgb_weights(solution.wavelengths, light.spectrum)
+    rgb = ground_light(solution, DAY) * light.irradiance @ weights
+    x, y = np.asarray(chromaticity(rgb_to_xyz(rgb)))
+    return float(x), float(y)

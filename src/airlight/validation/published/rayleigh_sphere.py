@@ -1,0 +1,184 @@
+r"""Geometric albedo of a sphere deep in gas that absorbs nothing: published, exact, and ours.
+
+Chandrasekhar (1950), Radiative Transfer, sections 44 and 45: light that a plane of such gas without
+end reflects, by three H-functions of the characteristic functions
+
+.. math:: \Psi_0 = \tfrac{3}{16}(3 - \mu^2), \quad \Psi_1 = \tfrac38 \mu^2 (1 - \mu^2), \quad
+          \Psi_2 = \tfrac{3}{32} (1 - \mu^2)^2 .
+
+Polarisation is left out, here as in airlight: with it the albedo is 0.798 (Prather 1974, ApJ 192,
+787), 6 % more.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.quadrature import gauss_legendre
+from airlight.planets import Constituent, Ground, Planet, Star
+from airlight.planets.matter.phases import Rayleigh
+from airlight.planets.matter.profiles import Exponential
+from airlight.solvers import Solution
+from airlight.validation.energy_planets import VAST
+from airlight.validation.published.row import Row, Section, Solve
+from airlight.validation.suite import Bar
+
+FloatArray = NDArray[np.float64]
+
+#: Difference from the exact albedo that counts as done. [%]
+ALBEDO_BAR: Final = 0.5
+#: Optical depth of the gas. Below it, white ground reflects as more gas would, but for e^-16.
+DEPTH: Final = 8.0
+_SCALE_HEIGHT: Final = 8e3
+_WAVELENGTH: Final = 550.0
+_POINTS: Final = 60
+#: Points of the disc's radius.
+_RINGS: Final = 24
+_STEPS: Final = 2000
+
+
+def h_function(mu: FloatArray, weights: FloatArray, psi: FloatArray) -> FloatArray:
+    r"""Chandrasekhar's H-function of a characteristic function.
+
+    .. math:: \frac{1}{H(\mu)} = \sqrt{1 - 2 \int_0^1 \Psi\, d\mu'}
+              + \int_0^1 \frac{\mu' \Psi(\mu') H(\mu')}{\mu + \mu'} d\mu'
+
+    Parameters
+    ----------
+    mu, weights, psi : array, shape (n,)
+        Points from 0 to 1, weights of their quadrature, and the characteristic function there. [1]
+
+    Returns
+    -------
+    array, shape (n,)
+        [1]
+
+    References
+    ----------
+    Chandrasekhar (1950), section 38, eq. 14.
+    """
+    rest = np.sqrt(max(1.0 - 2.0 * float(weights @ psi), 0.0))
+    kernel = mu * psi * weights / (mu[:, None] + mu)
+    h = np.ones_like(mu)
+    for _ in range(_STEPS):
+        # Half a step: whole ones go to and fro about the solution.
+        better = 0.5 * (h + 1.0 / (rest + kernel @ h))
+        if np.abs(better - h).max() < 1e-13:
+            break
+        h = better
+    return h
+
+
+def rayleigh_constant(mu: FloatArray, weights: FloatArray, h: FloatArray) -> FloatArray:
+    r"""Constant c of the reflected light, from the conservation of energy, shape (n,). [1]
+
+    What falls in at each :math:`\mu_0` comes out again; the n results are the same.
+    """
+    taken = weights * h * mu * mu[:, None] * h[:, None] / (mu + mu[:, None])
+    constant = 0.375 * (taken * (3.0 + mu * mu[:, None])).sum(axis=1)
+    linear = 0.375 * (taken * (mu + mu[:, None])).sum(axis=1)
+    return np.asarray((constant - 2.0 * mu) / linear)
+
+
+def exact_albedo() -> float:
+    r"""Geometric albedo of a sphere of gas without end, by Rayleigh's phase function. [1]
+
+    .. math:: p = \tfrac{3}{32} \int_0^1 \mu \left[ H_0^2 (3 - 2 c \mu + \mu^2)
+              + 4 \mu^2 (1 - \mu^2) H_1^2 + (1 - \mu^2)^2 H_2^2 \right] d\mu
+
+    from Chandrasekhar's scattering function (section 44, eq. 51) at :math:`\mu = \mu_0`, back
+    towards the sun.
+
+    Examples
+    --------
+    >>> f"{exact_albedo():.2f}"  # 0.75, Dlugach & Yanovitskij (1974), Icarus 22, 66
+    '0.75'
+    """
+    rule = gauss_legendre(_POINTS)
+    mu, weights = rule.nodes, rule.weights
+    sine2 = 1.0 - mu**2
+    h0 = h_function(mu, weights, 3.0 / 16.0 * (3.0 - mu**2))
+    h1 = h_function(mu, weights, 0.375 * mu**2 * sine2)
+    h2 = h_function(mu, weights, 3.0 / 32.0 * sine2**2)
+    c = float(rayleigh_constant(mu, weights, h0).mean())
+    back = h0**2 * (3.0 - 2.0 * c * mu + mu**2)
+    back += 4.0 * mu**2 * sine2 * h1**2 + sine2**2 * h2**2
+    return float(3.0 / 32.0 * weights @ (mu * back))
+
+
+def geometric_albedo(solution: Solution) -> FloatArray:
+    """Brightness at full phase over that of a white Lambert disc as large as the ground, (nl,)."""
+    bottom, top = solution.medium.bottom_radius, solution.medium.top_radius
+    far = 1e4 * top
+    rule = gauss_legendre(_RINGS)
+    b = top * rule.nodes  # distance from the disc's centre
+    sky = solution.radiance(
+        altitude=far - bottom,
+        sun_zenith=0.0,
+        view_zenith=180.0 - np.degrees(np.arcsin(b / far)),
+        azimuth=0.0,
+    ).values
+    rings = top * rule.weights * 2.0 * np.pi * b
+    received = (rings[:, None] * sky / solution.medium.solar_irradiance).sum(axis=0)
+    return np.asarray(received / bottom**2)
+
+
+def rayleigh_planet() -> Planet:
+    """Vast sphere under gas of optical depth 8 on white ground, a point star of irradiance 1."""
+    bottom = VAST * 6360e3
+    return Planet(
+        name="gas without end",
+        bottom_radius=bottom,
+        top_radius=bottom + 100e3,
+        ground=Ground(albedo=1.0),
+        star=Star(irradiance=1.0, angular_radius=0.0),
+        constituents=(
+            Constituent(
+                name="gas",
+                profile=Exponential(scale_height=_SCALE_HEIGHT),
+                scattering=DEPTH / _SCALE_HEIGHT,
+                phase_function=Rayleigh(),
+            ),
+        ),
+    )
+
+
+def rayleigh_sphere(solve: Solve, quality: object = "default") -> Section:
+    """Albedo of the sphere beside the published and the exact one.
+
+    Parameters
+    ----------
+    solve : callable
+        See ``row.Solve``.
+    quality : str or Settings
+    """
+    ours = float(geometric_albedo(solve(rayleigh_planet(), (_WAVELENGTH,), quality))[0])
+    exact = Row(
+        what="geometric albedo, exact solution", published=exact_albedo(), ours=ours,
+        source="Chandrasekhar (1950), sections 44 and 45",
+    )  # fmt: skip
+    return Section(
+        title="Sphere of gas that absorbs nothing",
+        rows=[
+            Row(
+                what="geometric albedo", published=0.75, ours=ours, error=0.005,
+                source="Dlugach & Yanovitskij (1974), to the digits quoted",
+            ),
+            exact,
+            Row(
+                what="geometric albedo with polarisation, left out here", published=0.798,
+                ours=ours, source="Prather (1974)",
+            ),
+        ],
+        aims=[
+            Bar(
+                name="Rayleigh sphere: difference from the exact albedo", got=exact.percent,
+                allowed=ALBEDO_BAR, unit="%", source="accuracy that counts as done, energy",
+            )
+        ],
+        note="Rayleigh's phase function without depolarisation; gas of optical depth 8 over white "
+        "ground stands for gas without end, a sphere a thousand times the Earth for a plane.",
+    )  # fmt: skip

@@ -1,0 +1,152 @@
+"""Published numbers beside ours, and the table and bars that they make."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Final, Literal
+
+from airlight.kernel.threads import Cancel, Progress
+from airlight.planets import Planet
+from airlight.solvers import Solution
+from airlight.validation.suite import Bar, Mark, ReportTable
+
+#: Function that solves a planet at wavelengths [nm] and a quality.
+Solve = Callable[[Planet, Sequence[float], object], Solution]
+Compare = Literal["ratio", "difference"]
+
+#: Headings of a table of rows.
+COLUMNS: Final = ("what", "published", "ours", "ours over it", "stated error", "source")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Row:
+    """Published number and ours.
+
+    Attributes
+    ----------
+    what : str
+        Quantity and circumstances.
+    published, ours : float
+        Published number and ours, in the same unit.
+    source : str
+        Work that the number stands in.
+    unit : str
+        Unit; empty for a pure number.
+    error : float or None
+        Error or half range that the source states, which makes the row a bar; None if it states
+        none.
+    stated : str
+        The number as the source has it, with its unit, where that is not a single number.
+    compare : str
+        ``"ratio"``, or ``"difference"`` for magnitudes and coordinates.
+    """
+
+    what: str
+    published: float
+    ours: float
+    source: str
+    unit: str = ""
+    error: float | None = None
+    stated: str = ""
+    compare: Compare = "ratio"
+
+    @property
+    def departure(self) -> float:
+        """Size of the difference from the published number, in its unit."""
+        return abs(self.ours - self.published)
+
+    @property
+    def percent(self) -> float:
+        """Size of the difference over the published number. [%]"""
+        return 100.0 * self.departure / abs(self.published)
+
+    @property
+    def bar(self) -> Bar | None:
+        """Bar of a row whose source states an error."""
+        if self.error is None:
+            return None
+        return Bar(
+            name=f"{self.what}: difference from the published", got=self.departure,
+            allowed=self.error, unit=self.unit, source=f"error or range that {self.source}, states",
+        )  # fmt: skip
+
+    @property
+    def cells(self) -> tuple[str | float, ...]:
+        """Cells under ``COLUMNS``."""
+        compared = (
+            f"{self.ours / self.published:.3f}"
+            if self.compare == "ratio"
+            else f"{self.ours - self.published:+.3f}"
+        )
+        unit = self.unit if self.unit in ("", "°", "′") else f" {self.unit}"
+        return (
+            self.what, self.stated or f"{self.published:.4g}{unit}", f"{self.ours:.4g}{unit}",
+            compared, "" if self.error is None else f"± {self.error:.2g}", self.source,
+        )  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class Section:
+    """Rows of one subject.
+
+    Attributes
+    ----------
+    title : str
+        Title of the table.
+    rows : sequence of Row
+    note : str
+        What ours is, and what hangs on it.
+    aims : sequence of Bar
+        Bars over several rows, or of rows whose source states no error.
+    """
+
+    title: str
+    rows: Sequence[Row]
+    note: str = ""
+    aims: Sequence[Bar] = ()
+
+    @property
+    def bars(self) -> list[Bar]:
+        """Bars of the rows, then the aims."""
+        return [bar for row in self.rows if (bar := row.bar) is not None] + list(self.aims)
+
+    @property
+    def table(self) -> ReportTable:
+        """Table of the report."""
+        differences = all(row.compare == "difference" for row in self.rows)
+        heading = "ours less it" if differences else "ours over it"
+        return ReportTable(
+            title=self.title,
+            columns=[heading if name == "ours over it" else name for name in COLUMNS],
+            rows=[row.cells for row in self.rows],
+            marks=[_mark(row) for row in self.rows],
+            note=self.note,
+        )
+
+
+def _mark(row: Row) -> Mark:
+    bar = row.bar
+    if bar is None:
+        return ""
+    return "pass" if bar.passed else "fail"
+
+
+def solver(progress: Progress | None, cancel: Cancel | None) -> Solve:
+    """Function that solves, tells its progress and can be cancelled.
+
+    Solutions are neither read from the disk nor kept there: a report says what this version does.
+    """
+    from airlight.solvers import solve
+
+    def solved(planet: Planet, wavelengths: Sequence[float], quality: object) -> Solution:
+        def tell(done: int, total: int, message: str) -> None:
+            assert progress is not None
+            progress(done, total, f"{planet.name}, {message}")
+
+        return solve(
+            planet, wavelengths, quality, solver="moments", cache=False,
+            progress=None if progress is None else tell, cancel=cancel,
+        )  # fmt: skip
+
+    return solved

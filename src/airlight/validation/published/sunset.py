@@ -1,0 +1,89 @@
+"""Setting sun: refraction on the horizon, and the flattening of the disc.
+
+Meeus (1991), Astronomical Algorithms, chapter 15: light is bent by 34' on the horizon and by 29'
+half a degree above it, so that the sun of 32' loses a sixth of its height.
+"""
+
+from __future__ import annotations
+
+from math import asin, degrees, radians, sin
+from typing import Final
+
+import numpy as np
+
+from airlight.geometry.bending import seen_star
+from airlight.planets import Medium, Planet
+from airlight.solvers.light_paths import LightPaths
+from airlight.validation.published.row import Row, Section
+from airlight.validation.published.twilight import standard_earth
+
+#: Angular diameter of the sun at 1 au. [deg]
+DIAMETER: Final = 2.0 * 0.2665
+#: Wavelength of the medium, which bends all light as much. [nm]
+_NM: Final = 550.0
+
+
+def refraction(paths: LightPaths, seen: float) -> float:
+    """Lift of a star seen from the ground. [deg]
+
+    Parameters
+    ----------
+    paths : LightPaths
+    seen : float
+        Apparent altitude of the star. [deg]
+    """
+    x = paths.optical_radius(np.array([paths.medium.bottom_radius]))
+    if paths.shell is not None:
+        x = np.array([paths.shell.bottom])
+    return degrees(float(paths.bent(x, np.array([sin(radians(seen))]))[0]))
+
+
+def flattening(paths: LightPaths, diameter: float = DIAMETER) -> float:
+    """Height over width of a star whose lower limb touches the horizon of the ground. [1]
+
+    Parameters
+    ----------
+    paths : LightPaths
+    diameter : float
+        True angular diameter of the star. [deg]
+    """
+    bottom, top = paths.medium.bottom_radius, paths.medium.top_radius
+    if paths.shell is not None:
+        bottom, top = paths.shell.bottom, paths.shell.top
+    low = -refraction(paths, 0.0)
+    limbs = [
+        asin(float(seen_star(bottom, sin(radians(true)), bottom, top, paths.lift)[0]))
+        for true in (low, low + diameter)
+    ]
+    return degrees(limbs[1] - limbs[0]) / diameter
+
+
+def paths_of(planet: Planet) -> LightPaths:
+    """Paths of light in a planet's air."""
+    return LightPaths.of(Medium.from_planet(planet, (_NM,)))
+
+
+def sunset() -> Section:
+    """Refraction and flattening by ``standard_earth``."""
+    paths = paths_of(standard_earth())
+    source = "Meeus (1991), chapter 15"
+    return Section(
+        title="Setting sun",
+        rows=[
+            Row(
+                what="refraction on the horizon", unit="′", published=34.0,
+                ours=60.0 * refraction(paths, 0.0), source=source,
+            ),
+            Row(
+                what="refraction half a degree above", unit="′", published=29.0,
+                ours=60.0 * refraction(paths, 0.5), source=source,
+            ),
+            Row(
+                what="height over width of the sun on the horizon", published=5.0 / 6.0,
+                ours=flattening(paths), stated="5/6", source=source,
+            ),
+        ],
+        note="At sea level in the U.S. Standard Atmosphere, 15 °C; the published numbers are for "
+        "10 °C, where air bends light by 1.8 % more. The lapse rate near the ground moves the "
+        "height by 0.015.",
+    )  # fmt: skip
