@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import asyncio
 import io
 import threading
 import time
 from collections.abc import Callable, Iterator
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 import pytest
@@ -39,7 +40,12 @@ def viewer(solution: Any) -> Iterator[Any]:
     def solving(session: Session, **more: Any) -> Solving:
         return Solving(session, **{**more, "solver": lambda *a, **k: solution})
 
-    made = Viewer("mars", solving=solving)
+    def none() -> NoReturn:
+        raise RuntimeError  # Playwright, in the same process, keeps a loop that runs no callback
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(asyncio, "get_running_loop", none)
+        made = Viewer("mars", solving=solving)
     assert made.wait(300.0)
     yield made
     made.close()

@@ -41,14 +41,6 @@ class Answers:
     def value(self, path: str) -> Any:
         return self.window.session.value(path)
 
-    def edit(self, path: str, value: Any) -> None:
-        self.window.session.set(path, value)
-
-    def outdated(self, side: str) -> str:
-        """What a side with an old picture is doing; empty if its picture is as requested."""
-        self.draws(1)
-        return self.window._sides.outdated(side)
-
     def place_of(self, path: str) -> list[float]:
         self.draws(2)  # a list or a search takes its place within a frame
         panel, gallery = self.window.panel, self.window.gallery
