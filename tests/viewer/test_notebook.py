@@ -60,27 +60,67 @@ def test_python_moves_what_the_browser_is_told(viewer: Any) -> None:
 
 
 def test_browser_moves_what_python_holds(viewer: Any) -> None:
-    # a browser sets the widget's state, all values at once
+    # all values at once, as a host of widgets sets them
     before = viewer.values["view.sun_zenith"]
     assert before != 75.5
     viewer.set_state({"values": {**viewer.values, "view.sun_zenith": 75.5}})
     assert viewer.session.value("view.sun_zenith") == 75.5
-    viewer.set_state({"command": {"name": "undo", "count": 1}})
+    viewer.set_state({"messages": {"a": [{"command": "undo", "count": 1}]}})
     assert viewer.session.value("view.sun_zenith") == before
     assert viewer.values["view.sun_zenith"] == before
 
 
+def edit(count: int, path: str, value: float, gesture: str | None = None) -> dict[str, Any]:
+    """One message of a browser's view."""
+    name = path if gesture is None else gesture
+    return {"edit": {path: value}, "gesture": name, "held": False, "count": count}
+
+
 def test_a_browser_knows_what_has_been_heard(viewer: Any) -> None:
     # each message is acknowledged, also one that changes nothing; of each view by itself
-    viewer.set_state({"gesture": {"name": "", "held": False, "by": "a", "count": 1}})
-    assert viewer.can["heard"] == {"a": 1}
-    values = {**viewer.values, "view.sun_zenith": 75.5}
-    gesture = {"name": "view.sun_zenith", "held": False, "by": "b", "count": 4}
-    viewer.set_state({"gesture": gesture, "values": values})
-    assert viewer.can["heard"] == {"a": 1, "b": 4}
-    assert viewer.session.value("view.sun_zenith") == 75.5
-    viewer.set_state({"command": {"name": "undo", "by": "a", "count": 2}})
-    assert viewer.can["heard"] == {"a": 2, "b": 4}
+    viewer.set_state({"messages": {"a": [{"command": "rest", "count": 1}]}})
+    assert viewer.heard == {"a": 1}
+    sun = "view.sun_zenith"
+    viewer.set_state({"messages": {"b": [edit(4, sun, 75.5)]}})
+    assert viewer.heard == {"a": 1, "b": 4}
+    assert viewer.session.value(sun) == 75.5
+    viewer.set_state({"messages": {"a": [{"command": "undo", "count": 2}], "b": []}})
+    assert viewer.heard == {"a": 2, "b": 4}
+    assert viewer.session.value(sun) != 75.5
+
+
+def test_messages_are_followed_once_and_in_order(viewer: Any) -> None:
+    # a host merges updates, of which Python then sees the last, and sends others twice
+    sun = "view.sun_zenith"
+    first = viewer.session.value(sun)
+    early = [edit(1, sun, 20.0), {"command": "rest", "count": 2}]
+    viewer.set_state({"messages": {"a": early}})
+    late = [*early, edit(3, sun, 40.0), {"command": "rest", "count": 4}, edit(5, sun, 60.0)]
+    late += [{"command": "undo", "count": 6}, {"command": "undo", "count": 7}]
+    viewer.set_state({"messages": {"a": late}})
+    assert viewer.heard == {"a": 7}
+    assert viewer.session.value(sun) == 20.0
+    viewer.set_state({"messages": {"a": late[1:]}})
+    assert viewer.session.value(sun) == 20.0
+    viewer.session.undo()
+    assert viewer.session.value(sun) == first
+
+
+def test_what_python_sets_survives_a_message_on_its_way(viewer: Any) -> None:
+    viewer.set("view.look_zenith", 30.0)
+    viewer.set_state({"messages": {"a": [edit(1, "view.sun_zenith", 75.5)]}})
+    assert viewer.values["view.look_zenith"] == 30.0
+    assert viewer.values["view.sun_zenith"] == 75.5
+
+
+def test_an_invalid_edit_is_heard_and_said(viewer: Any) -> None:
+    before = viewer.session.value("view.altitude")
+    wrong, right = edit(1, "view.altitude", -5e3), edit(2, "view.sun_zenith", 75.5)
+    viewer.set_state({"messages": {"a": [wrong, right]}})
+    assert viewer.heard == {"a": 2}
+    assert "view.altitude is -5000" in viewer.message
+    assert viewer.values["view.altitude"] == before
+    assert viewer.values["view.sun_zenith"] == 75.5
 
 
 def test_flight_is_no_step_of_undo(viewer: Any) -> None:

@@ -256,42 +256,90 @@ def test_the_exposure_eases_as_in_python(modules: Callable[..., Any]) -> None:
     assert_allclose(got, [adaptation.towards(to, held=held) for to, held in steps], rtol=1e-12)
 
 
-def test_a_late_answer_does_not_undo_an_edit(modules: Callable[..., Any]) -> None:
-    # A busy kernel answers to the first of two edits after the second was made.
+#: A model like a host's, whose kernel hears when told; its last message as `sent()`.
+_REMOTE = """([parameters, values]) => {
+  const traits = { parameters, values, can: {}, heard: {}, messages: {} };
+  window.model = {
+    get: (name) => traits[name],
+    set: (name, value) => { traits[name] = value; },
+    save_changes: () => {},
+  };
+  window.state = new RemoteState(model);
+  window.unheard = () => Object.values(traits.messages)[0] ?? [];
+  window.sent = () => unheard().at(-1);
+  window.answer = (message, values) => {
+    traits.heard = message ? { [state.name]: message.count } : { other: 9 };
+    traits.values = { ...traits.values, ...values };
+    state.hear();
+  };
+}"""
+
+
+@pytest.fixture
+def remote(modules: Callable[..., Any]) -> Any:
+    """Page with a state in Python as `state`."""
     page = modules({"state/remote_state": ("RemoteState",)})
-    got = page.evaluate(
-        """([parameters, values]) => {
-          const traits = { parameters, values, can: { heard: {} } };
-          const sent = [];
-          const model = {
-            get: (name) => traits[name],
-            set: (name, value) => { traits[name] = value; },
-            save_changes: () => sent.push(traits.gesture),
-          };
-          const state = new RemoteState(model);
-          const answer = (message, values) => {
-            traits.can = { heard: message ? { [message.by]: message.count } : { other: 9 } };
-            traits.values = { ...traits.values, ...values };
-            state.hear();
-          };
-          const seen = [];
+    page.evaluate(_REMOTE, [PARAMETERS, VALUES])
+    return page
+
+
+def test_a_late_answer_does_not_undo_an_edit(remote: Any) -> None:
+    # A busy kernel answers to the first of two edits after the second was made.
+    got = remote.evaluate(
+        """() => {
+          const seen = [], messages = [];
           for (const altitude of [5, 7]) {
             state.set({ "view.altitude": altitude });
             state.send();
+            messages.push(sent());
           }
           answer(null, { "view.altitude": 50 }); // another view's edit, before this one's arrived
           seen.push(state.values["view.altitude"]);
-          answer(sent[0], { "view.altitude": 5 });
+          answer(messages[0], { "view.altitude": 5 });
           seen.push(state.values["view.altitude"]);
-          answer(sent[1], { "view.altitude": 7.5 }); // adjusted by Python
+          answer(messages[1], { "view.altitude": 7.5 }); // adjusted by Python
           seen.push(state.values["view.altitude"]);
-          answer(sent[1], { "view.altitude": 9 }); // set by Python
+          answer(messages[1], { "view.altitude": 9 }); // set by Python
           seen.push(state.values["view.altitude"]);
           state.set({ "view.altitude": 11 }); // not sent yet
-          answer(sent[1], { "view.altitude": 10 });
+          answer(messages[1], { "view.altitude": 10 });
           seen.push(state.values["view.altitude"]);
           return seen;
-        }""",
-        [PARAMETERS, VALUES],
+        }"""
     )
     assert got == [7, 7, 7.5, 9, 11]
+
+
+def test_messages_are_sent_until_they_are_heard(remote: Any) -> None:
+    got = remote.evaluate(
+        """() => {
+          state.set({ "view.altitude": 5 }, "view.altitude", true);
+          state.rest();
+          state.undo();
+          const all = unheard();
+          answer(all[1], {});
+          state.redo();
+          return [all, unheard()];
+        }"""
+    )
+    first = {"edit": {"view.altitude": 5}, "gesture": "view.altitude", "held": True, "count": 1}
+    rest, undo = {"command": "rest", "count": 2}, {"command": "undo", "count": 3}
+    assert got == [[first, rest, undo], [undo, {"command": "redo", "count": 4}]]
+
+
+def test_a_busy_kernel_gets_one_edit_of_many_frames(remote: Any) -> None:
+    got = remote.evaluate(
+        """async () => {
+          const frame = () => new Promise((done) => requestAnimationFrame(done));
+          for (let altitude = 10; altitude < 20; altitude++) {
+            state.set({ "view.altitude": altitude }, "drag");
+            await frame();
+          }
+          const before = unheard().map((one) => one.edit["view.altitude"]);
+          answer(unheard()[0], {});
+          await frame();
+          await frame();
+          return [before, unheard().map((one) => [one.count, one.edit["view.altitude"]])];
+        }"""
+    )
+    assert got == [[10], [[2, 19]]]

@@ -91,8 +91,8 @@ class Viewer(anywidget.AnyWidget):
     status = traitlets.Unicode().tag(sync=True)
     message = traitlets.Unicode().tag(sync=True)
     can = traitlets.Dict().tag(sync=True)
-    command = traitlets.Dict().tag(sync=True)
-    gesture = traitlets.Dict().tag(sync=True)
+    messages = traitlets.Dict().tag(sync=True)
+    heard = traitlets.Dict().tag(sync=True)
     height = traitlets.Int(540).tag(sync=True)
     device = traitlets.Unicode("auto").tag(sync=True)
     drawer = traitlets.Unicode("").tag(sync=True)
@@ -115,8 +115,6 @@ class Viewer(anywidget.AnyWidget):
         self._telling = False
         self._shown: object = None
         self._waiting: Mapping[str, Any] = {}
-        self._gesture: Mapping[str, Any] = {}
-        self._heard: dict[str, int] = {}  # number of the last message of each browser's view
         super().__init__(
             height=height,
             device=device,
@@ -129,9 +127,8 @@ class Viewer(anywidget.AnyWidget):
         except RuntimeError:
             self._loop = None
         unfollow = self.session.follow(lambda versions: self._tell())
-        self.observe(self._take_gesture, "gesture")  # before the values that it explains
         self.observe(self._take_values, "values")
-        self.observe(self._take_command, "command")
+        self.observe(self._take_messages, "messages")
         self.observe(self._take_wanted, "wanted")
         self.observe(self._take_drawer, "drawer")
         self._pictures = KernelPictures(self._answer)
@@ -177,16 +174,16 @@ class Viewer(anywidget.AnyWidget):
                 "swap": session.has_other,
                 "showing": session.showing,
                 "camera": session.shares_camera,
-                "heard": dict(self._heard),
             },
         }
 
-    def _tell(self) -> None:
-        """Send the state of the session to the browser."""
+    def _tell(self, heard: dict[str, int] | None = None) -> None:
+        """Send the state of the session to the browser, and which messages led to it."""
+        told = self._told() | ({} if heard is None else {"heard": heard})
         self._telling = True
         try:
             with self.hold_sync():
-                for name, value in self._told().items():
+                for name, value in told.items():
                     setattr(self, name, value)
         finally:
             self._telling = False
@@ -237,43 +234,76 @@ class Viewer(anywidget.AnyWidget):
 
     # --- from the browser ---------------------------------------------------------------------
 
-    def _take_gesture(self, change: Mapping[str, Any]) -> None:
-        self._gesture = change["new"]
-        if self._hear(change["new"]):
-            self.can = self._told()["can"]
+    def _take_messages(self, change: Mapping[str, Any]) -> None:
+        """Act on the browser's messages that have not been heard, in order.
 
-    def _hear(self, message: Mapping[str, Any]) -> bool:
-        """Keep the number of a message, which the browser waits for; False without one."""
-        if "by" not in message:
-            return False
-        self._heard[str(message["by"])] = int(message["count"])
-        return True
+        A host may merge updates, or repeat them: each view therefore sends all its messages until
+        it knows them heard, numbered.
+        """
+        heard = dict(self.heard)
+        faults = []
+        for view, messages in change["new"].items():
+            for message in messages:
+                if message["count"] > heard.get(view, 0):
+                    heard[view] = message["count"]
+                    faults.append(self._act(message))
+        if heard != self.heard:
+            self.message = next(filter(None, faults), "")
+            self._tell(heard)  # with rejected and adjusted values
 
-    def _take_values(self, change: Mapping[str, Any]) -> None:
-        if self._telling:
-            return
+    def _act(self, message: Mapping[str, Any]) -> str:
+        """Follow one message of the browser; returns the error in one line, or an empty string."""
+        try:
+            if "command" in message:
+                self._command(message["command"])
+            else:
+                self._edit(message["edit"], message["gesture"], message["held"])
+        except AirlightError as error:
+            return str(error)
+        return ""
+
+    def _edit(
+        self, edit: Mapping[str, Value], gesture: str | None = None, held: bool = False
+    ) -> None:
+        """Apply an edit, with undo steps like those of a page's history for a browser's gesture."""
         known = self.session.values
-        news = {
-            path: value
-            for path, value in change["new"].items()
-            if path in known and value != known[path]
-        }
-        self._try(lambda: self._edit(news))
-        # Rejected or adjusted values are sent back.
-        self._tell()
-
-    def _edit(self, news: Mapping[str, Value]) -> None:
-        """Apply edits of the browser, with undo steps like those of a page's history."""
-        gesture, self._gesture = self._gesture, {}
-        name, held = str(gesture.get("name", "")), bool(gesture.get("held", False))
+        news = {path: edit[path] for path in edit if path in known and edit[path] != known[path]}
         view = {path: value for path, value in news.items() if path.startswith("view.")}
-        if len(view) > 1 or (view and "name" in gesture and name not in view):
-            self.session.move(view, gesture=name, held=held)  # type: ignore[arg-type]
+        if len(view) > 1 or (view and gesture is not None and gesture not in view):
+            self.session.move(view, gesture=gesture or "", held=held)  # type: ignore[arg-type]
             news = {path: value for path, value in news.items() if path not in view}
-        if held and name in news and self.session.dragged != name:
-            self.session.begin_drag(name)
+        if held and gesture in news and self.session.dragged != gesture:
+            self.session.begin_drag(str(gesture))
         for path, value in news.items():
             self.session.set(path, value)
+
+    def _command(self, name: str) -> None:
+        session = self.session
+        commands: dict[str, Callable[[], object]] = {
+            "undo": session.undo,
+            "redo": session.redo,
+            "reset": session.reset,
+            "keep": session.store_b,
+            "swap": session.swap,
+            "rest": session.end_drag,
+            "one camera": lambda: self._share_camera(True),
+            "two cameras": lambda: self._share_camera(False),
+        }
+        commands[name]()
+
+    def _share_camera(self, shared: bool) -> None:
+        self.session.shares_camera = shared
+
+    def _take_values(self, change: Mapping[str, Any]) -> None:
+        """Apply values that were set on the widget."""
+        if self._telling:
+            return
+        try:
+            self._edit(change["new"])
+            self.message = ""
+        except AirlightError as error:
+            self.message = str(error)
+        self._tell()
 
     def _take_drawer(self, change: Mapping[str, Any]) -> None:
         """Prepare the kernel for drawing, once the browser has found no graphics card."""
@@ -293,31 +323,3 @@ class Viewer(anywidget.AnyWidget):
         width, height = wanted["size"]
         size = (int(width), int(height))
         self._pictures.ask(Order(int(wanted["number"]), solved.solution, view, size))
-
-    def _take_command(self, change: Mapping[str, Any]) -> None:
-        session = self.session
-        acts: dict[str, Callable[[], object]] = {
-            "undo": session.undo,
-            "redo": session.redo,
-            "reset": session.reset,
-            "keep": session.store_b,
-            "swap": session.swap,
-            "rest": session.end_drag,
-            "one camera": lambda: self._share_camera(True),
-            "two cameras": lambda: self._share_camera(False),
-        }
-        self._hear(change["new"])
-        act = acts.get(change["new"].get("name", ""))
-        if act is not None:
-            self._try(act)
-            self._tell()
-
-    def _share_camera(self, shared: bool) -> None:
-        self.session.shares_camera = shared
-
-    def _try(self, act: Callable[[], object]) -> None:
-        try:
-            act()
-            self.message = ""
-        except AirlightError as error:
-            self.message = str(error)

@@ -36,6 +36,7 @@ function render({ model, el }) {
     },
   });
   on("values", () => state.hear());
+  on("heard", () => state.hear()); // a host may pass on one of the two before the other
   on("parameters", () => viewer.declare(model.get("parameters"), model.get("values")));
   on("picture", () => viewer.take(model.get("picture")));
   on("title", () => viewer.retitle(model.get("title")));

@@ -3,15 +3,16 @@ import { State } from "./state.js";
 
 export class RemoteState extends State {
   /**
-   * @param {object} model Model of the widget: `values`, `gesture` and `command` to Python,
-   *     `values` and `can` from Python.
+   * @param {object} model Model of the widget: `messages` to Python; `values`, `can` and `heard`,
+   *     the number of the last message of each view, from Python.
    */
   constructor(model) {
     super(model.get("parameters"), model.get("values"));
     this.model = model;
     this.name = Math.random().toString(36).slice(2); // a widget may be shown more than once
-    this.commands = 0;
-    this.waiting = null;
+    this.count = 0;
+    this.unheard = []; // messages, all sent again with each new one: a host may drop one of them
+    this.waiting = null; // edit of one gesture, not sent yet
     this.holding = false;
   }
 
@@ -29,8 +30,10 @@ export class RemoteState extends State {
 
   /** Take over Python's values, unless a later edit is on its way: its answer follows. */
   hear() {
-    const heard = this.model.get("can").heard[this.name] ?? 0;
-    if (heard >= this.commands && !this.waiting) this.take(this.model.get("values"));
+    const heard = this.model.get("heard")[this.name] ?? 0;
+    this.unheard = this.unheard.filter((message) => message.count > heard);
+    if (this.waiting) requestAnimationFrame(() => this.sendWhenHeard());
+    else if (this.unheard.length === 0) this.take(this.model.get("values"));
   }
 
   /** Python answers with the values that follow. */
@@ -40,39 +43,42 @@ export class RemoteState extends State {
 
   record(name, before, after, held) {
     this.holding ||= held;
-    this.sendLater({ name, held });
+    this.sendLater(name, held, after);
   }
 
   move(changes) {
-    this.sendLater({ name: "", held: false });
+    this.sendLater("", false, changes);
     super.move(changes);
   }
 
   /** Send all changes of one gesture in one frame together. */
-  sendLater(gesture) {
-    if (this.waiting && this.waiting.name !== gesture.name) this.send();
-    if (!this.waiting) requestAnimationFrame(() => this.send());
-    this.waiting = gesture;
+  sendLater(gesture, held, changes) {
+    if (this.waiting && this.waiting.gesture !== gesture) this.send();
+    if (!this.waiting) requestAnimationFrame(() => this.sendWhenHeard());
+    this.waiting = { gesture, held, edit: { ...this.waiting?.edit, ...changes } };
+  }
+
+  /** Send an edit once Python has the last one, so that a busy kernel gets one of many frames. */
+  sendWhenHeard() {
+    if (this.unheard.length === 0) this.send();
   }
 
   send() {
-    if (!this.waiting) return;
-    this.model.set("gesture", { ...this.waiting, ...this.signed() });
+    const edit = this.waiting;
     this.waiting = null;
-    this.model.set("values", { ...this.values });
-    this.model.save_changes();
+    if (edit) this.post(edit);
   }
 
   /** Send a command for Python's session. */
-  command(name) {
+  command(command) {
     this.send();
-    this.model.set("command", { name, ...this.signed() });
-    this.model.save_changes();
+    this.post({ command });
   }
 
-  /** Sender and number of a message, which Python repeats once it has it. */
-  signed() {
-    return { by: this.name, count: ++this.commands };
+  post(message) {
+    this.unheard = [...this.unheard, { ...message, count: ++this.count }];
+    this.model.set("messages", { ...this.model.get("messages"), [this.name]: this.unheard });
+    this.model.save_changes();
   }
 
   undo() {
