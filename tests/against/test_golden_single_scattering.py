@@ -33,7 +33,7 @@ TABLE = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize("quality", ["default", pytest.param("fine", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("quality", ["default", pytest.param("fine", marks=pytest.mark.validation)])
 def test_first_order_meets_the_golden_table(
     quality: str, reference_earth: Callable[..., Planet], solved: Callable[..., MomentsSolution],
     tell: Callable[[str], None],
