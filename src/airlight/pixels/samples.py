@@ -76,9 +76,12 @@ def sampled_light(
     for sample in range(side * side):
         sx, sy = px, py
         if side > 1:
+            # a grid turned by atan(1 / side): no two samples share a row or a column, so a level
+            # horizon is smooth in side² steps
             down = sample // side
-            sx = px + ((sample - side * down + 0.5) * step - 0.5)
-            sy = py + ((down + 0.5) * step - 0.5)
+            across = sample - side * down
+            sx = px + ((across + 1.0 - (down + 0.5) * step) * step - 0.5)
+            sy = py + ((down + (across + 0.5) * step) * step - 0.5)
             x, y, z = camera_direction(sx, sy, screen)
         pixel_light(
             sx, sy, x, y, z, exact, reach, window, observer, screen, light, work, color, result

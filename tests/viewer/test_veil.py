@@ -1,0 +1,95 @@
+"""Veil of the window over a side whose picture is not the planet's as it is edited."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Iterator
+from typing import Any, cast
+
+import numpy as np
+import pytest
+
+from airlight import load_planet
+from airlight.gpu.device.device import Device
+from airlight.paint.scene_painter import ScenePainter
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.viewer.painting.picture_painter import PicturePainter
+from airlight.viewer.session.session import Session
+from airlight.viewer.window.canvas import OffscreenCanvas
+from airlight.viewer.window.window import Window
+
+LONG = 300.0  # time limit, generous for a busy machine [s]
+DEPTH = "constituents[1].particles.optical_depth"
+
+
+class Solver:
+    """Solver with one answer for all planets, given at once or held back."""
+
+    def __init__(self, solution: MomentsSolution) -> None:
+        self.solution = solution
+        self.gate = threading.Event()
+        self.gate.set()
+
+    def __call__(self, *_: Any, **__: Any) -> MomentsSolution:
+        assert self.gate.wait(LONG)
+        return self.solution
+
+
+@pytest.fixture
+def solver(solved: Callable[..., MomentsSolution]) -> Solver:
+    return Solver(solved(load_planet("mars"), (440.0, 550.0, 680.0), "preview"))
+
+
+@pytest.fixture
+def window(device: Device, solver: Solver) -> Iterator[Window]:
+    pytest.importorskip("imgui_bundle")
+    session = Session("mars")
+    session.store_b()
+    window = Window(
+        session,
+        OffscreenCanvas((800, 600)),
+        device.device,
+        lambda: PicturePainter(device.device, ScenePainter()),
+        cast(Any, solver),
+    )
+    window.actions.shows_panels = False
+    window.panel.compares = True
+    yield window
+    solver.gate.set()
+    window.close()
+
+
+def until(window: Window, reached: Callable[[], object]) -> np.ndarray:
+    """Frames until a condition holds; median brightness of the sides after one more."""
+    canvas = cast(OffscreenCanvas, window._canvas)
+    end = time.monotonic() + LONG
+    while not reached():
+        assert time.monotonic() < end
+        canvas.run(window.draw)
+        time.sleep(0.02)
+    canvas.run(window.draw)
+    assert canvas.picture is not None
+    place = window.picture_rectangle()
+    rows = slice(int(place.top) + 60, int(place.top + place.height) - 60)
+    left, right = np.array_split(canvas.picture[rows, :, :3].astype(float), 2, axis=1)
+    return np.array([np.median(left), np.median(right)])
+
+
+@pytest.mark.slow
+def test_a_side_that_is_being_solved_is_veiled(window: Window, solver: Solver) -> None:
+    sides = window._sides
+    before = until(window, lambda: sides.settled and not sides.outdated("A"))
+    assert (before > 20.0).all()
+    assert sides.outdated("B") == ""
+
+    solver.gate.clear()
+    window.session.set(DEPTH, 1.5)
+    held = until(window, lambda: sides.outdated("A"))
+    # the veil takes 55 % of the edited side's light, of the other's none
+    assert held[0] == pytest.approx(0.45 * before[0], abs=1.0)
+    assert held[1] == pytest.approx(before[1], abs=1.0)
+
+    solver.gate.set()
+    after = until(window, lambda: sides.settled and not sides.outdated("A"))
+    assert after == pytest.approx(before, abs=1.0)
