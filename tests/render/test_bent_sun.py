@@ -74,10 +74,10 @@ def test_squeeze_on_the_horizon_is_one_less_the_curvature_of_light(sunset: Momen
     assert_allclose(squeeze, step, rtol=2e-3)
 
 
-def test_the_sun_on_the_horizon_is_flattened_to_five_sixths(sunset: MomentsSolution) -> None:
-    # Meeus (1991), Astronomical Algorithms, chapter 15: refraction is 34' on the horizon and 29'
-    # half a degree above, so that the sun of 32' loses about a sixth of its height: 0.83. Bennett's
-    # formula gives 0.84; the lapse rate moves it by 0.015 (0.814 in isothermal air).
+def test_the_sun_on_the_horizon_is_flattened_by_a_sixth(sunset: MomentsSolution) -> None:
+    # Meeus (1998), Astronomical Algorithms, equations 16.3 (Bennett) and 16.4 (Sæmundsson): the sun
+    # of 32' on the horizon is 26.9' high, 0.84 of its width; the lapse rate moves it by 0.015
+    # (0.814 in isothermal air).
     paths, width = sunset.paths, 2.0 * 0.2665
     shell = paths.shell
     assert shell is not None
@@ -88,7 +88,7 @@ def test_the_sun_on_the_horizon_is_flattened_to_five_sixths(sunset: MomentsSolut
         for true in (low, low + width)
     ]
     height = degrees(np.arcsin(limbs[1]) - np.arcsin(limbs[0]))
-    assert_allclose(height / width, 0.83, atol=0.02)
+    assert_allclose(height / width, 0.84, atol=0.02)
     # The lower limb appears on the horizon.
     assert_allclose(limbs[0], 0.0, atol=1e-6)
 

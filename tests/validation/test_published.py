@@ -75,12 +75,18 @@ def test_a_sun_behind_no_air_is_round_and_not_lifted() -> None:
 
 
 def test_the_sun_sets_as_the_almanac_says() -> None:
-    # The row end to end: 34' and 29' are for 10 °C, rounded to a minute, and of another lapse rate
-    # (3 %, as for Bennett's formula in tests/render); 5/6 to 0.02.
+    # The row end to end: 34' and 28.75' are for 10 °C and 1010 hPa, the first rounded to a minute,
+    # and of another lapse rate (3 %, as for Bennett's formula in tests/render, which moves the
+    # height by 0.015).
     horizon, above, height = sunset().rows
-    warm = 283.15 / 288.15
-    assert_allclose([horizon.ours, above.ours], [34.0 * warm, 29.0 * warm], rtol=0.03, atol=0.5)
-    assert_allclose(height.ours, 5.0 / 6.0, atol=0.02)
+    warm = 283.15 / 288.15 * 1013.25 / 1010.0
+    assert_allclose([horizon.ours, above.ours], [34.0 * warm, 28.75 * warm], rtol=0.03, atol=0.5)
+    assert_allclose(height.ours, 0.84, atol=0.02)
+    # Meeus (1998), equations 16.3 and 16.4, from the lower limb on the horizon to the upper one.
+    low = 1.0 / np.tan(np.radians(7.31 / 4.4))
+    true = (32.0 - low) / 60.0
+    high = 1.02 / np.tan(np.radians(true + 10.3 / (true + 5.11)))
+    assert_allclose(height.published, (60.0 * true + high) / 32.0, atol=5e-4)
     # The law of the disc: its height is the true one less what its two limbs are lifted apart.
     low, high = horizon.ours, 60.0 * refraction(paths_of(standard_earth()), 0.533 * height.ours)
     assert_allclose(height.ours, 1.0 - (low - high) / (60.0 * 0.533), atol=2e-3)
@@ -111,8 +117,15 @@ def test_energy_is_conserved_by_the_exact_reflection_at_every_angle() -> None:
 
 
 def test_the_exact_albedo_is_the_published_one() -> None:
-    # Dlugach & Yanovitskij (1974): 0.75, two digits.
-    assert_allclose(sphere.exact_albedo(), 0.75, atol=5e-3)
+    # Dlugach & Yanovitskij (1974): 0.751, of which the last digit is good to a unit: by the same
+    # H-functions their gas that scatters evenly has 0.6897 for 0.689, and 0.6358 for 0.636.
+    assert_allclose(sphere.exact_albedo(), 0.751, rtol=0, atol=1e-3)
+    rule = gauss_legendre(40)
+    mu, weights = rule.nodes, rule.weights
+    for single, known in ((1.0, 0.689), (0.999, 0.636), (0.98, 0.482), (0.7, 0.162)):
+        h = sphere.h_function(mu, weights, np.full(40, 0.5 * single))
+        # back towards the sun, section 37: I = ϖ F H²/8
+        assert_allclose(single / 4.0 * weights @ (mu * h * h), known, rtol=0, atol=1e-3)
 
 
 class EvenGround(Solution):

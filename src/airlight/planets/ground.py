@@ -21,9 +21,10 @@ FloatArray = npt.NDArray[np.float64]
 #: Wind speeds over water. [m s⁻¹]
 WINDS: Final = (0.5, 25.0)
 #: Albedo of full cover: that of a cloud of optical depth 11.5 by the two-stream formula of Lacis &
-#: Hansen (1974, J. Atmos. Sci. 31, 118), √3 (1 - g) τ / (2 + √3 (1 - g) τ) with g = 0.85. ISCCP
-#: (Rossow & Schiffer 1999, BAMS 80, 2261) calls clouds of 3.6 to 23 of medium thickness: 0.32 to
-#: 0.75. [1]
+#: Hansen (1974, J. Atmos. Sci. 31, 118), √3 (1 - g) τ / (2 + √3 (1 - g) τ) with g = 0.85, which is
+#: τ / (τ + 7.7) (Seinfeld & Pandis 2006, Atmospheric Chemistry and Physics, eqs. 24.37, 24.38).
+#: ISCCP (Rossow & Schiffer 1999, BAMS 80, 2261) calls clouds of 3.6 to 23 of medium thickness: 0.32
+#: to 0.75. [1]
 CLOUD_ALBEDO: Final = 0.6
 #: Altitude of the layer: ISCCP's middle clouds have their tops at 680 to 440 hPa, which is 3.2 to
 #: 6.5 km in the standard atmosphere. [m]

@@ -83,7 +83,7 @@ def illuminances(solution: Solution, altitudes: Sequence[float] = ALTITUDES) -> 
             what=f"illuminance, sun {altitude:g}°", unit="lx",
             published=illuminance_seidelmann1992(altitude),
             ours=ground_illuminance(solution, altitude),
-            source="Seidelmann (1992), section 9.34",
+            source="Seidelmann (1992); Urban & Seidelmann (2013), Table 12.8",
         )
         for altitude in altitudes
     ]  # fmt: skip
@@ -130,7 +130,7 @@ def zeniths(solution: Solution) -> Section:
         Row(
             what=f"V of the zenith 2635 m up, sun {-one:g}°", unit="mag arcsec⁻²",
             published=zenith_v_patat2006(-one), ours=paranal_zenith_v(solution, -one),
-            source="Patat et al. (2006), Table 4", compare="difference",
+            source="Patat et al. (2006), Table 1", compare="difference",
         )
         for one in DEPRESSIONS
     ]  # fmt: skip
@@ -138,7 +138,7 @@ def zeniths(solution: Solution) -> Section:
         name=f"V of the zenith, sun {-DEPRESSIONS[0]:g}° to {-DEPRESSIONS[-1]:g}°: largest "
         "difference",
         got=max(row.departure for row in rows), allowed=ZENITH_AIM, unit="mag",
-        source="the aim: the scatter of the nights, 0.2 mag, and that of a night's ozone and dust",
+        source="the aim: the scatter of the nights, 0.18 mag, and that of a night's ozone and dust",
     )  # fmt: skip
     return Section(
         title="Zenith in twilight", rows=rows, aims=[aim],

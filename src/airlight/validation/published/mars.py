@@ -1,8 +1,8 @@
 """Mars: chromaticity of daylight.
 
 Maki et al. (2021), Color properties at the Mars InSight landing site, Earth and Space Science 8,
-e2020EA001336: the white point of daylight has x = 0.35, y = 0.34, standard deviations 0.01 and
-0.02, by the cameras' pictures of the lander's calibration target.
+e2020EA001336, abstract: the white point of daylight has x = 0.35, y = 0.34, standard deviations
+0.01 and 0.02, by the cameras' pictures of the lander's calibration target.
 """
 
 from __future__ import annotations

@@ -1,7 +1,9 @@
 """Setting sun: refraction on the horizon, and the flattening of the disc.
 
-Meeus (1991), Astronomical Algorithms, chapter 15: light is bent by 34' on the horizon and by 29'
-half a degree above it, so that the sun of 32' loses a sixth of its height.
+Meeus (1998), Astronomical Algorithms, second edition: light is bent by 34' on the horizon (chapter
+15), by 28.75' half a degree above it (chapter 16, example a), at 10 °C and 1010 hPa. By equations
+16.3 (Bennett) and 16.4 (Sæmundsson) a sun of 32' on the horizon is 26.9' high, 0.84 of its width.
+The book's numbers are those of programs after it and of their tests, not checked against the book.
 """
 
 from __future__ import annotations
@@ -66,24 +68,24 @@ def paths_of(planet: Planet) -> LightPaths:
 def sunset() -> Section:
     """Refraction and flattening by ``standard_earth``."""
     paths = paths_of(standard_earth())
-    source = "Meeus (1991), chapter 15"
+    source = "Meeus (1998), chapter 16"
     return Section(
         title="Setting sun",
         rows=[
             Row(
                 what="refraction on the horizon", unit="′", published=34.0,
-                ours=60.0 * refraction(paths, 0.0), source=source,
+                ours=60.0 * refraction(paths, 0.0), source="Meeus (1998), chapter 15",
             ),
             Row(
-                what="refraction half a degree above", unit="′", published=29.0,
+                what="refraction half a degree above", unit="′", published=28.75,
                 ours=60.0 * refraction(paths, 0.5), source=source,
             ),
             Row(
-                what="height over width of the sun on the horizon", published=5.0 / 6.0,
-                ours=flattening(paths), stated="5/6", source=source,
+                what="height over width of the sun on the horizon", published=0.84,
+                ours=flattening(paths), source=f"{source}, equations 3 and 4",
             ),
         ],
         note="At sea level in the U.S. Standard Atmosphere, 15 °C; the published numbers are for "
-        "10 °C, where air bends light by 1.8 % more. The lapse rate near the ground moves the "
-        "height by 0.015.",
+        "10 °C and 1010 hPa, where air bends light by 1.4 % more. The lapse rate near the ground "
+        "moves the height by 0.015.",
     )  # fmt: skip

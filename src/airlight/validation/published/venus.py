@@ -2,11 +2,14 @@
 
 * Tomasko et al. (1979), Preliminary results of the solar flux radiometer experiment aboard the
   Pioneer Venus multiprobe mission, Science 203, 795: 0.4 to 1.0 µm; with the sun 67° from the
-  zenith some 15 W m⁻² are absorbed by a dark ground.
-* Titov et al. (2007), Radiation in the atmosphere of Venus, in Exploring Venus as a terrestrial
-  planet, AGU Geophysical Monograph 176: 2.6 % of the sunlight reach the ground, global mean.
+  zenith some 15 W m⁻² are absorbed by a dark ground. Later the same authors had the sun at 65.7°
+  (Tomasko et al. 1985, Advances in Space Research 5, 71).
+* Titov, Bullock, Crisp, Renno, Taylor & Zasova (2007), Radiation in the atmosphere of Venus, in
+  Exploring Venus as a terrestrial planet, AGU Geophysical Monograph 176, section 1: 2.6 % of the
+  sunlight reach the ground, global mean.
 * Avduevsky et al. (1973), Venera 8: measurements of solar illumination through the atmosphere of
-  Venus, J. Atmos. Sci. 30, 1215: some 1.5 % of what falls on the top; the sun was about 5.5° high.
+  Venus, J. Atmos. Sci. 30, 1215: some 1.5 % of what falls on the top; the sun was 5.5° high
+  (Roscosmos).
 * Kopp & Lean (2011), A new, lower value of total solar irradiance, Geophysical Research Letters 38,
   L01706: 1360.8 W m⁻².
 """
