@@ -16,6 +16,10 @@ from airlight.scene.scene import Scene
 
 FloatArray = NDArray[np.float64]
 
+#: Width of the picture that a device draws for its exposure to be measured: of the next larger one
+#: the exposure differs by a few hundredths of a stop, of 64 pixels by a quarter where the glow
+#: about a low sun covers a few of them. [pixel]
+METERED: Final = 128
 #: Angle beyond a star's disc that is left out with it: refraction on a horizon lifts a star by up
 #: to 0.6°, and a pixel may hold a part of the disc. [rad]
 _MARGIN: Final = math.radians(0.75)

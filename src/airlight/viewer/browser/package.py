@@ -30,6 +30,7 @@ from airlight.gpu.picture.uniforms import FRAME, LAYERS
 from airlight.pixels.picture_numbers import ORDERS, display_numbers, overlay_numbers
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.scene.ground_overlay import ground_overlay
+from airlight.scene.metering import METERED
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.surface_map import surface_map
 from airlight.solvers.moments.solution import MomentsSolution
@@ -41,8 +42,6 @@ from airlight.viewer.parameters.view_parameters import VIEW_VALUES
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Longer side of the small picture from which the exposure is measured. [pixel]
-GLANCE: Final = 64
 _FORMAT: Final = FORMATS[4]
 #: Number of levels of glare's pyramid: those of the largest canvas, 8192 pixels.
 LEVELS: Final = 12
@@ -58,7 +57,7 @@ def plan() -> dict[str, Any]:
     places |= {f"table_{name}": [start, 4] for name, start in where["tables"].items()}
     height = 3 * columns * rows // FLAT_WIDTH
     sky = {"format": _FORMAT, "width": FLAT_WIDTH, "height": height}
-    glance = {"name": "glance", "format": _FORMAT, "width": GLANCE, "height": GLANCE}
+    glance = {"name": "glance", "format": _FORMAT, "width": METERED, "height": METERED}
 
     def resized(name: str) -> list[dict[str, Any]]:
         return [{"name": name, "format": _FORMAT, "width": 1, "height": 1}]
@@ -130,7 +129,7 @@ def program() -> dict[str, Any]:
             "quick": list(QUICK_SKY_SHAPE),
         },
         "layers": list(LAYERS),
-        "glance": GLANCE,
+        "glance": METERED,
         "projections": {
             name: list(form.field_of_view_limits) for name, form in PROJECTIONS.items()
         },

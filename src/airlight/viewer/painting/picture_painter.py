@@ -9,13 +9,11 @@ from typing import Any, Final
 from airlight.color.display import to_display
 from airlight.color.exposure import MOST_EXPOSURE
 from airlight.paint.scene_painter import LivePicture, ScenePainter
-from airlight.scene.metering import scene_exposure
+from airlight.scene.metering import METERED, scene_exposure
 from airlight.scene.picture_size import scaled
 from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.painting.picture_texture import Canvases
 
-#: Width of the picture on which automatic exposure is measured, where a device draws. [pixel]
-_MEASURED: Final = 96.0
 #: Pause between pictures while the exposure eases. [s]
 _PAUSE: Final = 1.0 / 60.0
 
@@ -105,7 +103,7 @@ class PicturePainter:
             before, measured = self._measured
             if request.same_light(before):
                 return measured
-        small = scaled(step.scene, min(1.0, _MEASURED / step.scene.camera.width))
-        measured = scene_exposure(step.linear(_MEASURED), small, radius)
+        small = scaled(step.scene, min(1.0, METERED / step.scene.camera.width))
+        measured = scene_exposure(step.linear(METERED), small, radius)
         self._measured = request, measured
         return measured
