@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 EPILOG = examples(
     "airlight show earth",
     "airlight show my-planet.toml",
+    "airlight show earth --latitude 72 --longitude -40",
     "airlight show earth-openspace --compare earth",
     "airlight show earth --set 'ozone.absorption.ozone=200 DU' --compare earth",
 )
@@ -35,6 +36,9 @@ def show(
             help="Show what differs from PLANET to this one instead, and by how much.",
         ),
     ] = None,
+    latitude: options.Latitude = None,
+    longitude: options.Longitude = None,
+    ground_albedo: options.GroundAlbedo = None,
     set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
@@ -48,6 +52,7 @@ def show(
     from airlight.planets.parameter_values import made_of
 
     world = options.planet(planet, set_)
+    world = options.with_solved_ground(world, ground_albedo, latitude, longitude)
     if compare is not None:
         print_comparison(world, options.planet(compare), cache=not no_cache)
         return
@@ -87,6 +92,8 @@ def _overview(planet: Planet, medium: Medium) -> Table:
     table.add_row("ground albedo", _spectral(medium.ground_albedo))
     if medium.ground_map is not None:
         table.add_row("ground map", medium.ground_map)
+    if medium.ground_map is not None or medium.ground_clouds is not None:
+        table.add_row("ground below the air", _ground_below(planet))
     if medium.ground_clouds is not None:
         table.add_row("clouds", f"{medium.ground_clouds}, mean cover {medium.ground.cover:.4g}")
     table.add_row("star", _parameters(planet.star))
@@ -94,6 +101,12 @@ def _overview(planet: Planet, medium: Medium) -> Table:
     degrees = planet.star.angular_radius_degrees
     table.add_row("star's angular radius", f"{degrees:.5g} deg")
     return table
+
+
+def _ground_below(planet: Planet) -> str:
+    """Region whose ground the air is solved for."""
+    known = planet.ground.local_line(planet.wavelengths[len(planet.wavelengths) // 2])
+    return known or "that of the whole planet; pictures have that around their observer"
 
 
 def _constituents(planet: Planet) -> Table:
