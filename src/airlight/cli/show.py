@@ -80,6 +80,8 @@ def _spectral(values: Any) -> str:
 
 
 def _overview(planet: Planet, medium: Medium) -> Table:
+    from airlight.planets.gas_bands import bands_left_out
+
     table = _table(planet.name, "")
     if planet.description:
         table.add_row("description", planet.description)
@@ -96,6 +98,8 @@ def _overview(planet: Planet, medium: Medium) -> Table:
         table.add_row("ground below the air", _ground_below(planet))
     if medium.ground_clouds is not None:
         table.add_row("clouds", f"{medium.ground_clouds}, mean cover {medium.ground.cover:.4g}")
+    for left_out in bands_left_out(planet, medium.wavelengths):
+        table.add_row("left out", str(left_out))
     table.add_row("star", _parameters(planet.star))
     table.add_row("starlight", f"{_spectral(medium.solar_irradiance)} W m⁻² nm⁻¹")
     degrees = planet.star.angular_radius_degrees
