@@ -58,7 +58,7 @@ def show(
         return
     medium = Medium.from_planet(world, world.wavelengths)
     console = Console()
-    console.print(_overview(world, medium), end="\n\n")
+    console.print(_overview(world, medium, given=ground_albedo is not None), end="\n\n")
     console.print(_constituents(world), end="\n\n")
     if any(made_of(one) for one in world.constituents):
         console.print(_composition(world), end="\n\n")
@@ -79,7 +79,7 @@ def _spectral(values: Any) -> str:
     return "  ".join(f"{float(value):.4g}" for value in values)
 
 
-def _overview(planet: Planet, medium: Medium) -> Table:
+def _overview(planet: Planet, medium: Medium, *, given: bool) -> Table:
     from airlight.planets.gas_bands import bands_left_out
 
     table = _table(planet.name, "")
@@ -95,7 +95,7 @@ def _overview(planet: Planet, medium: Medium) -> Table:
     if medium.ground_map is not None:
         table.add_row("ground map", medium.ground_map)
     if medium.ground_map is not None or medium.ground_clouds is not None:
-        table.add_row("ground below the air", _ground_below(planet))
+        table.add_row("ground below the air", "as given" if given else _ground_below(planet))
     if medium.ground_clouds is not None:
         table.add_row("clouds", f"{medium.ground_clouds}, mean cover {medium.ground.cover:.4g}")
     for left_out in bands_left_out(planet, medium.wavelengths):
