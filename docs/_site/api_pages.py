@@ -16,7 +16,8 @@ STATIONS = (
     ("Planets", ("load_planet", "planet_names", "Planet", "Constituent", "Ground", "Star",
                  "Medium", "replace")),
     ("Light", ("solve", "Solution")),
-    ("Pictures", ("Scene", "Camera", "look_at", "render", "Frame", "write_picture")),
+    ("Pictures", ("Scene", "Camera", "look_at", "local_ground", "render", "Frame",
+                  "write_picture")),
     ("Errors", ("AirlightError", "ParameterError", "FileError", "ConvergenceError", "Cancelled")),
 )  # fmt: skip
 

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     )
     from airlight.render import Frame, render
     from airlight.scene import Camera, Scene, look_at
+    from airlight.scene.local_ground import local_ground
     from airlight.solvers import Solution, solve
 
 #: Where each public name lives.
@@ -49,6 +50,7 @@ _HOMES = {
     "Camera": "airlight.scene",
     "Scene": "airlight.scene",
     "look_at": "airlight.scene",
+    "local_ground": "airlight.scene.local_ground",
     "render": "airlight.render",
     "Frame": "airlight.render",
     "write_picture": "airlight.exports",
@@ -73,6 +75,7 @@ __all__ = [
     "Camera",
     "Scene",
     "look_at",
+    "local_ground",
     "render",
     "Frame",
     "write_picture",

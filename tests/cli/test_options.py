@@ -130,3 +130,38 @@ def test_keys_of_a_planet_file_are_set_from_their_text() -> None:
 def test_a_key_that_is_none_is_blamed_on_the_option(text: str) -> None:
     with pytest.raises(ParameterError, match="--set is"):
         options.planet("earth", [text])
+
+
+def test_the_albedo_of_the_solved_ground_is_a_number_pairs_or_a_table() -> None:
+    earth = options.planet("earth")
+    for text, albedos in (
+        ("0.3", [0.3, 0.3]),
+        (" 440:0.2,680:0.3 ", [0.2, 0.3]),
+        ("earth-albedo", earth.ground.albedos([440.0, 680.0])),
+    ):
+        given = options.with_ground_albedo(earth, text)
+        assert_allclose(given.ground.albedos([440.0, 680.0]), albedos)
+        assert given.ground.map == "earth"
+
+
+@pytest.mark.parametrize("text", ["1.2", "-0.1", "grass", "440:0.2,680", "440:2", "0,3", "nan", ""])
+def test_an_albedo_that_is_none_is_refused(text: str) -> None:
+    with pytest.raises(ParameterError, match=r"^--ground-albedo is "):
+        options.with_ground_albedo(options.planet("earth"), text)
+
+
+@pytest.mark.parametrize(
+    ("words", "error"),
+    [
+        ((None, "10", None), "--latitude is '10'; allowed: both of"),
+        ((None, None, "10"), "--longitude is '10'; allowed: both of"),
+        (("0.3", "10", "20"), "--latitude is '10'; allowed: not together with --ground-albedo"),
+        ((None, "100", "20"), "--latitude is 100.0; allowed: -90 to 90 deg"),
+    ],
+)
+def test_the_solved_ground_is_asked_for_in_one_way(
+    words: tuple[str | None, ...], error: str
+) -> None:
+    with pytest.raises(ParameterError) as refusal:
+        options.with_solved_ground(options.planet("earth"), *words)
+    assert str(refusal.value).startswith(error)

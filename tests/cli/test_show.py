@@ -83,3 +83,19 @@ def test_what_is_set_is_what_is_shown(
     # a gas says what it is made of, ozone its column: 345 DU
     assert "288.15 K" in out
     assert "9.26939e+22 m⁻²" in out
+
+
+def test_the_ground_that_the_air_is_solved_for_is_said(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Greenland's inland ice: more than five times the planet's mean albedo, 0.105
+    monkeypatch.setattr(sky_color, "sky_colors", lambda *a, **o: (SKY[0],))
+    assert main(["show", "earth"]) == 0
+    assert "that of the whole planet" in " ".join(capsys.readouterr().out.split())
+    assert main(["show", "earth", "--latitude", "72", "--longitude", "-40"]) == 0
+    out = " ".join(capsys.readouterr().out.split())
+    assert "ground of 72°N 40°W" in out
+    assert float(out.split(": albedo ")[1].split()[0]) > 5.0 * 0.105
+    assert "planet 0.105" in out
+    assert main(["show", "earth", "--ground-albedo", "0.3"]) == 0
+    assert "ground below the air as given" in " ".join(capsys.readouterr().out.split())

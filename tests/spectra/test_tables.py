@@ -96,7 +96,11 @@ def test_shapes_follow_the_wavelengths():
 
 
 def test_an_unknown_table_is_refused_with_the_known_names():
-    with pytest.raises(ParameterError, match="astm-g173, cie-1931, earth-albedo, ozone-293k"):
+    known = (
+        "astm-g173, cie-1931, earth-albedo, oxygen-bands, oxygen-pairs, ozone-293k, "
+        "water-vapour-bands$"
+    )
+    with pytest.raises(ParameterError, match=known):
         read_spectrum("../../planets/earth")
 
 

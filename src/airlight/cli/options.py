@@ -35,6 +35,26 @@ Glare = Annotated[
         help="Of light that a lens spreads around the sun: 1 is a lens, 0 none, at most 10.",
     ),
 ]
+GroundAlbedo = Annotated[
+    str | None,
+    typer.Option(
+        metavar="ALBEDO",
+        help="Of the ground below the air that is solved: 0.3; 440:0.2,550:0.3,680:0.35 by "
+        "wavelength in nm; or the name of a table. If left out, that of the ground around the "
+        "observer by the planet's map, of a planet without map its file's.",
+    ),
+]
+Latitude = Annotated[
+    str | None,
+    typer.Option(
+        metavar="ANGLE",
+        help="Of the observer, with --longitude: the air is solved for the ground around him by "
+        "the planet's map; without, for the mean of the planet.",
+    ),
+]
+Longitude = Annotated[
+    str | None, typer.Option(metavar="ANGLE", help="Of the observer, with --latitude; east is +.")
+]
 NoCache = Annotated[
     bool, typer.Option("--no-cache", help="Neither read nor keep solutions on disk.")
 ]
@@ -72,6 +92,83 @@ def planet(name: str, changes: list[str] | None = None) -> Planet:
         if error.field != FIELD:
             raise
         raise ParameterError("--set", error.value, error.allowed, error.file) from None
+
+
+def with_ground_albedo(planet: Planet, text: str) -> Planet:
+    """Planet with the ground's albedo of ``--ground-albedo``, which its map leaves as it is.
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet of the command.
+    text : str
+        A number, pairs of wavelength [nm] and albedo such as ``440:0.2,680:0.3``, or the name of a
+        table of reflectances.
+
+    Raises
+    ------
+    ParameterError
+        If it is none of these, or out of range.
+    """
+    from airlight.planets import replace
+    from airlight.planets.spectral import PerWavelength
+
+    option, allowed = "--ground-albedo", "0 to 1, nm:albedo pairs, or the name of a table"
+    albedo: float | str | PerWavelength = text.strip()
+    try:
+        if ":" in text:
+            pairs = [one.split(":") for one in text.split(",")]
+            nm, values = zip(*((float(one), float(other)) for one, other in pairs), strict=True)
+            albedo = PerWavelength(wavelengths=nm, values=values)
+        elif not text.strip()[:1].isalpha():
+            albedo = float(text)
+        return replace(planet, ground=replace(planet.ground, albedo=albedo, local=None))
+    except (ParameterError, ValueError) as error:
+        words = error.allowed if isinstance(error, ParameterError) else allowed
+        raise ParameterError(option, text, words) from None
+
+
+def with_solved_ground(
+    planet: Planet,
+    ground_albedo: str | None,
+    latitude: str | None,
+    longitude: str | None,
+    altitude: float = 0.0,
+) -> Planet:
+    """Planet with the ground that its air is solved for; itself if no option says which.
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet of the command.
+    ground_albedo, latitude, longitude : str or None
+        Texts of the options of that name: the albedo, or both coordinates, or none.
+    altitude : float
+        Altitude of the observer. [m]
+
+    Raises
+    ------
+    ParameterError
+        If options contradict each other, one coordinate is missing, or a value is out of range.
+    """
+    given = {"--latitude": latitude, "--longitude": longitude}
+    numbers = {o.strip("-"): angle(text, o) for o, text in given.items() if text is not None}
+    if numbers and ground_albedo is not None:
+        option = f"--{next(iter(numbers))}"
+        raise ParameterError(option, given[option], "not together with --ground-albedo")
+    if ground_albedo is not None:
+        return with_ground_albedo(planet, ground_albedo)
+    if not numbers:
+        return planet
+    if len(numbers) == 1:
+        option = f"--{next(iter(numbers))}"
+        raise ParameterError(option, given[option], "both of --latitude and --longitude")
+    from airlight.scene.local_ground import local_ground
+
+    try:
+        return local_ground(planet, **numbers, altitude=altitude)
+    except ParameterError as error:
+        raise ParameterError(f"--{error.field}", error.value, error.allowed) from None
 
 
 def length(text: str, option: str) -> float:

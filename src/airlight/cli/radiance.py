@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 EPILOG = examples(
     "airlight radiance earth --altitude 0m --sun-zenith 60 --view-zenith 30 --azimuth 90",
     "airlight radiance mars --altitude 2m --sun-zenith 45 --view-zenith 0 --wavelengths 600,450",
+    "airlight radiance earth --sun-zenith 60 --view-zenith 0 --latitude 72 --longitude -40",
     "airlight radiance earth --input cases.csv --output out.csv",
     "airlight radiance earth --input - --output - < cases.csv > out.csv",
     "airlight radiance earth --sun-zenith 92 --view-zenith 60 --solver montecarlo "
@@ -104,6 +105,9 @@ def radiance(
         int | None,
         typer.Option(metavar="NUMBER", help="Of montecarlo's random numbers (1)."),
     ] = None,
+    latitude: options.Latitude = None,
+    longitude: options.Longitude = None,
+    ground_albedo: options.GroundAlbedo = None,
     set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
@@ -118,8 +122,17 @@ def radiance(
         "--view-zenith": view_zenith,
         "--azimuth": azimuth,
     }
-    cases = _one_case(single, output) if input_ is None else _many_cases(input_, single, output)
+    if input_ is None:
+        cases = _one_case(single, output)
+    else:
+        where = {"--latitude": latitude, "--longitude": longitude}
+        cases = _many_cases(input_, {**single, **where}, output)
     world = options.planet(planet, set_)
+    if input_ is None:
+        height = float(cases.values[0, 0])
+        world = options.with_solved_ground(world, ground_albedo, latitude, longitude, height)
+    else:
+        world = options.with_solved_ground(world, ground_albedo, None, None)
     nm = world.wavelengths if wavelengths is None else options.wavelengths(wavelengths, world)
     sampled = solver == "montecarlo"
     _warn_of_repeated(radiance_columns(nm) + (error_columns(nm) if sampled else []), cases)
@@ -145,6 +158,8 @@ def radiance(
         write_cases(output, cases, nm, values, errors)
     else:
         _print(nm, values, errors, histories)
+    if solution.report.ground:
+        print(f"airlight: {solution.report.ground}", file=sys.stderr)
     if sampled and solution.report.unreached:
         print(f"airlight: {solution.report}", file=sys.stderr)
 

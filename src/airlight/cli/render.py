@@ -142,10 +142,10 @@ def render(
         ),
     ] = 1,
     latitude: Annotated[
-        str, typer.Option(metavar="ANGLE", help="Of the ground below, for its map.")
+        str, typer.Option(metavar="ANGLE", help="Of the ground below, by its map.")
     ] = "25deg",
     longitude: Annotated[
-        str, typer.Option(metavar="ANGLE", help="Of the ground below, for its map; east is +.")
+        str, typer.Option(metavar="ANGLE", help="Of the ground below, by its map; east is +.")
     ] = "30deg",
     sun_azimuth: Annotated[
         str, typer.Option(metavar="ANGLE", help="Compass bearing of the sun, for the map.")
@@ -158,6 +158,7 @@ def render(
             "decoration.",
         ),
     ] = "detailed",
+    ground_albedo: options.GroundAlbedo = None,
     set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
@@ -174,6 +175,8 @@ def render(
     _check_glare(glare)
     projection = options.projection(projection)
     world = options.planet(planet, set_)
+    if ground_albedo is not None:
+        world = options.with_ground_albedo(world, ground_albedo)
     height = options.length(altitude, "--altitude")
     sun = options.angle(sun_zenith, "--sun-zenith")
     columns, rows = options.picture_size(size, projection)
@@ -199,9 +202,11 @@ def render(
     )
     frame = _painted(
         world, scene, wavelengths, quality, device, exact=exact, samples=samples,
-        cache=not no_cache,
+        cache=not no_cache, local=ground_albedo is None,
     )  # fmt: skip
     changes = {"changes": "; ".join(set_)} if set_ else {}
+    if ground_albedo is not None:
+        changes["ground_albedo"] = ground_albedo
     metadata = {"planet": world.name, **scene.metadata(), **changes}
     written = write_picture(
         output, frame, metadata, exposure=ev, tone_map=tone_map, encoding=encoding,
@@ -250,6 +255,7 @@ def _painted(
     exact: bool,
     samples: int,
     cache: bool,
+    local: bool,
 ) -> Frame:
     """The frame, with progress on the standard error stream."""
     from airlight.paint.paint_scene import FEWEST, paint_scene
@@ -265,7 +271,7 @@ def _painted(
     with shown_progress() as report:
         return paint_scene(
             planet, scene, wavelengths=nm, quality=quality, device=device, exact=exact,
-            samples=samples, cache=cache, refused=refused,
+            samples=samples, cache=cache, local=local, refused=refused,
             progress=report,
         )  # fmt: skip
 

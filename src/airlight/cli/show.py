@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 EPILOG = examples(
     "airlight show earth",
     "airlight show my-planet.toml",
+    "airlight show earth --latitude 72 --longitude -40",
     "airlight show earth-openspace --compare earth",
     "airlight show earth --set 'ozone.absorption.ozone=200 DU' --compare earth",
 )
@@ -35,6 +36,9 @@ def show(
             help="Show what differs from PLANET to this one instead, and by how much.",
         ),
     ] = None,
+    latitude: options.Latitude = None,
+    longitude: options.Longitude = None,
+    ground_albedo: options.GroundAlbedo = None,
     set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
@@ -48,12 +52,13 @@ def show(
     from airlight.planets.parameter_values import made_of
 
     world = options.planet(planet, set_)
+    world = options.with_solved_ground(world, ground_albedo, latitude, longitude)
     if compare is not None:
         print_comparison(world, options.planet(compare), cache=not no_cache)
         return
     medium = Medium.from_planet(world, world.wavelengths)
     console = Console()
-    console.print(_overview(world, medium), end="\n\n")
+    console.print(_overview(world, medium, given=ground_albedo is not None), end="\n\n")
     console.print(_constituents(world), end="\n\n")
     if any(made_of(one) for one in world.constituents):
         console.print(_composition(world), end="\n\n")
@@ -74,7 +79,9 @@ def _spectral(values: Any) -> str:
     return "  ".join(f"{float(value):.4g}" for value in values)
 
 
-def _overview(planet: Planet, medium: Medium) -> Table:
+def _overview(planet: Planet, medium: Medium, *, given: bool) -> Table:
+    from airlight.planets.gas_bands import bands_left_out
+
     table = _table(planet.name, "")
     if planet.description:
         table.add_row("description", planet.description)
@@ -87,13 +94,23 @@ def _overview(planet: Planet, medium: Medium) -> Table:
     table.add_row("ground albedo", _spectral(medium.ground_albedo))
     if medium.ground_map is not None:
         table.add_row("ground map", medium.ground_map)
+    if medium.ground_map is not None or medium.ground_clouds is not None:
+        table.add_row("ground below the air", "as given" if given else _ground_below(planet))
     if medium.ground_clouds is not None:
         table.add_row("clouds", f"{medium.ground_clouds}, mean cover {medium.ground.cover:.4g}")
+    for left_out in bands_left_out(planet, medium.wavelengths):
+        table.add_row("left out", str(left_out))
     table.add_row("star", _parameters(planet.star))
     table.add_row("starlight", f"{_spectral(medium.solar_irradiance)} W m⁻² nm⁻¹")
     degrees = planet.star.angular_radius_degrees
     table.add_row("star's angular radius", f"{degrees:.5g} deg")
     return table
+
+
+def _ground_below(planet: Planet) -> str:
+    """Region whose ground the air is solved for."""
+    known = planet.ground.local_line(planet.wavelengths[len(planet.wavelengths) // 2])
+    return known or "that of the whole planet; pictures have that around their observer"
 
 
 def _constituents(planet: Planet) -> Table:

@@ -16,6 +16,7 @@ from airlight.planets.picture_wavelengths import (
     texel_wavelengths,
 )
 from airlight.scene.frame import Frame
+from airlight.scene.local_ground import local_ground
 
 if TYPE_CHECKING:
     from airlight.kernel.threads import Cancel, Progress
@@ -37,6 +38,7 @@ def paint_scene(
     orders: str = "all",
     samples: int = 1,
     cache: bool = True,
+    local: bool = True,
     refused: Callable[[str], None] | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -65,6 +67,9 @@ def paint_scene(
         Samples per side of every pixel, as for ``airlight.render``.
     cache : bool
         Whether the CPU looks for the solution on disk first, and stores it there.
+    local : bool
+        Whether a planet with a map of the ground is solved for the ground around the observer
+        (``airlight.local_ground``), instead of for the mean of its planet.
     refused : callable, optional
         Receives the reason, one line, where ``gpu`` has to leave the work to the CPU.
     progress, cancel : callable, optional
@@ -73,7 +78,7 @@ def paint_scene(
     Returns
     -------
     Frame
-        Linear sRGB radiance [W m⁻² sr⁻¹]; its metadata name the device.
+        Linear sRGB radiance [W m⁻² sr⁻¹]; its metadata name the device and the local ground.
 
     Raises
     ------
@@ -98,7 +103,7 @@ def paint_scene(
         raise ParameterError("wavelengths", list(wavelengths), f"{FEWEST} or more, or none given")
     count = LIVE if wavelengths is None else len(wavelengths)
     chosen = drawing_device(device, planet, count, scene.camera.width, refused)
-    weights, colour = None, {}
+    weights, told = None, {}
     nm = wavelengths
     if nm is None:
         by_default = picture_wavelengths if chosen is None else texel_wavelengths
@@ -107,10 +112,19 @@ def paint_scene(
             from airlight.color.four_wavelengths import fitted_weights
 
             weights = fitted_weights(nm, planet.lights(nm)[0].spectrum)
-            colour = {"colour": "from four wavelengths, fitted to the star"}
+            told = {"colour": "from four wavelengths, fitted to the star"}
+    if local:
+        planet = local_ground(
+            planet,
+            latitude=scene.latitude,
+            longitude=scene.longitude,
+            altitude=scene.altitude,
+        )
     solution = solve_planet(planet, nm, quality, cache=cache, progress=progress, cancel=cancel)
     frame = ScenePainter(chosen).frame(
         solution, scene, exact=exact, orders=orders, samples=samples, weights=weights,
         progress=progress, cancel=cancel,
     )  # fmt: skip
-    return replace(frame, metadata={**frame.metadata, **colour})
+    if solution.report.ground:
+        told["solved_ground"] = solution.report.ground
+    return replace(frame, metadata={**frame.metadata, **told})

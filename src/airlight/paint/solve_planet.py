@@ -99,8 +99,7 @@ def solve_planet(
         except (ThickAir, ConvergenceError):
             pass
         else:
-            solution.planet = planet
-            return solution
+            return solution.of(planet)
     return solvers.solve(planet, nm, quality, cache=cache, progress=progress, cancel=cancel)
 
 

@@ -10,7 +10,8 @@ import numpy.typing as npt
 
 from airlight.optics.reflection import LAWS, Reflection, law_number
 from airlight.planets.cloud_cover import mean_cover
-from airlight.planets.parameters import parameters
+from airlight.planets.local_ground import LocalGround
+from airlight.planets.parameters import instance_of, parameters, replace
 from airlight.planets.schema.key import FileTable, Key, Wavelengths, always
 from airlight.planets.schema.record import Record
 from airlight.planets.schema.section import Section
@@ -62,8 +63,9 @@ class Ground(Record):
     albedo : float, PerWavelength or str
         Fraction of light that is reflected, 0 to 1, or the name of a table of it. [1]
     map : str, optional
-        Name of a picture of the ground, used where the ground is seen; the light that the ground
-        sends back into the air comes from ``albedo``.
+        Name of a picture of the ground, used where the ground is seen, and by
+        ``airlight.local_ground``; otherwise the light that the ground sends back into the air comes
+        from ``albedo``.
     lights : str, optional
         Name of a picture of the lights of towns, which are seen but light no air.
     clouds : str, optional
@@ -90,7 +92,8 @@ class Ground(Record):
         Key(
             label="albedo",
             help="Fraction of a uniform sky's light that the ground reflects.",
-            note="A number, a list beside `wavelengths`, or the name of a table of reflectances.",
+            note="A number, a list beside `wavelengths`, or the name of a table of reflectances."
+            " With a map it is the mean over the planet.",
             range=(0.0, 1.0),
             spectral=True,
             read=_read_albedo,
@@ -109,7 +112,8 @@ class Ground(Record):
                 note="`earth`, or a picture of the whole sphere, twice as wide as high, north up,"
                 " 180° W on the left, of up to 200 million pixels; a grey one beside it whose name"
                 " ends in `-water.png` has the share of water. Used where the ground is seen; the"
-                " light that the ground sends back into the air comes from the albedo.",
+                " air has the albedo, in pictures times the map's mean around the observer over"
+                " that of the whole map.",
                 kind="text",
                 range=(1.0, 100.0),
                 example="the name of a map of the ground",
@@ -140,7 +144,7 @@ class Ground(Record):
                 help="Path of a picture of clouds, drawn as a flat layer that casts shadows.",
                 note="A picture as for the map, black for clear sky, white for full cover; none"
                 " comes with airlight. Seen from above the layer; the air has the mean of ground"
-                " and clouds below it.",
+                " and clouds below it, in pictures around the observer.",
                 kind="text",
                 range=(1.0, 100.0),
                 example="the path of a picture of clouds",
@@ -213,6 +217,8 @@ class Ground(Record):
         | None
     ) = None
 
+    local: Annotated[LocalGround | None, instance_of(LocalGround, type(None))] = None
+
     @property
     def limits(self) -> Limits:
         """Wavelengths at which the albedo is known. [nm]"""
@@ -228,6 +234,9 @@ class Ground(Record):
             known = read_spectrum(self.albedo).at(wavelengths)
         else:
             known = spectral_at(self.albedo, wavelengths)
+        if self.local is not None:
+            mirrors = self.map is not None and self.law != "water"
+            known = known * self.local.ratio(wavelengths, self.wind if mirrors else None)
         return np.clip(self.brightness * known, 0.0, LAWS[self.law].LARGEST_ALBEDO)
 
     @property
@@ -244,4 +253,24 @@ class Ground(Record):
         wind = plain.wind if self.wind is None else self.wind
         if self.clouds is None:
             return Reflection(1.0, law, wet, wind)
-        return Reflection(1.0, law, wet, wind, mean_cover(self.clouds), self.cloud_albedo)
+        cover = mean_cover(self.clouds) if self.local is None else self.local.here.cover
+        return Reflection(1.0, law, wet, wind, cover, self.cloud_albedo)
+
+    def local_line(self, wavelength: float) -> str:
+        """Line of a report about the local ground; empty if it is that of the whole planet.
+
+        Parameters
+        ----------
+        wavelength : float
+            Wavelength at which the albedos are given. [nm]
+        """
+        if self.local is None:
+            return ""
+        here, all_of_it = (
+            float(one.albedos([wavelength])[0]) for one in (self, replace(self, local=None))
+        )
+        clouds = f", cover of clouds {self.local.here.cover:.3g}" if self.clouds else ""
+        return (
+            f"ground of {self.local}: albedo {here:.3g} at {wavelength:.4g} nm, "
+            f"planet {all_of_it:.3g}{clouds}"
+        )

@@ -32,8 +32,8 @@ class Scene:
     sun_zenith : float
         Zenith angle of the sun at the observer, 0 to 180. [deg]
     latitude, longitude : float
-        Coordinates of the point below the observer, north and east positive; they only position the
-        map of the ground. [deg]
+        Coordinates of the point below the observer, north and east positive; they position the map
+        of the ground. [deg]
     sun_azimuth : float
         Compass bearing of the sun, 0 north and 90 east; it only rotates the map of the ground.
         [deg]

@@ -54,7 +54,18 @@ class SurfaceMap:
 
     @cached_property
     def _mean(self) -> NDArray[np.float64]:
-        full = self.levels[0]
+        return self.mean(0)
+
+    def mean(self, level: int) -> NDArray[np.float64]:
+        """Mean colour and share of water over the sphere's area, shape (4,). [1]
+
+        Parameters
+        ----------
+        level : int
+            Level whose texels are added up: a coarser one is quicker, and differs by the rounding
+            of its texels.
+        """
+        full = self.levels[level]
         edges = np.sin(np.linspace(0.5 * math.pi, -0.5 * math.pi, full.shape[0] + 1))
         bands = 0.5 * (edges[:-1] - edges[1:])
         rows = [DECODED[c][full[..., c]].mean(axis=1, dtype=np.float64) for c in range(CHANNELS)]

@@ -48,6 +48,8 @@ class Report:
         Wall time; 0 if the solution was read from the cache. [s]
     note : str
         What the solver leaves out of this planet, on one line; empty if nothing.
+    ground : str
+        Region whose ground stands for the planet's, on one line; empty if it is the whole planet.
     """
 
     solver: str
@@ -56,12 +58,13 @@ class Report:
     residual: tuple[float, ...]
     seconds: float
     note: str = ""
+    ground: str = ""
 
     def __str__(self) -> str:
         took = f"{self.seconds:.2f} s" if self.seconds else "from the cache"
         return (
             f"{self.solver}: {self.sweeps} sweeps, last change {max(self.residual):.1e}, {took} "
-            f"({self.settings})" + (f"; {self.note}" if self.note else "")
+            f"({self.settings})" + "".join(f"; {one}" for one in (self.note, self.ground) if one)
         )
 
 
@@ -79,6 +82,8 @@ def _checked(field: str, value: ArrayLike, low: float, high: float, unit: str) -
 
 #: Largest altitude of an observer. [m]
 HIGHEST = 1e15
+#: Wavelength next to which a report gives albedos. [nm]
+GREEN = 550.0
 
 
 class Solution(ABC):
@@ -98,6 +103,13 @@ class Solution(ABC):
     report: Report
     planet: Planet | None = None
     _source: LightSource | None = None
+
+    def of(self, planet: Planet) -> Self:
+        """Keep the planet with its solution, and say in the report which ground it has."""
+        nm = self.wavelengths
+        line = planet.ground.local_line(float(nm[np.argmin(np.abs(nm - GREEN))]))
+        self.planet, self.report = planet, replace(self.report, ground=line)
+        return self
 
     @cached_property
     def paths(self) -> LightPaths:

@@ -142,5 +142,4 @@ def solve(
     solution: Solution = import_module(f"{package}.solution").solve(
         medium, settings, cache=cache, progress=progress, cancel=cancel
     )
-    solution.planet = planet
-    return solution
+    return solution.of(planet)

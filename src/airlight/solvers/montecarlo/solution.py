@@ -35,7 +35,7 @@ class MonteCarloReport(Report):
 
     Attributes
     ----------
-    solver, settings, sweeps, residual, seconds :
+    solver, settings, sweeps, residual, seconds, ground :
         Fields of ``Report``; ``sweeps`` is the number of orders kept apart, ``residual`` the
         largest standard error over radiance per wavelength, of the last result.
     histories : int
@@ -52,14 +52,15 @@ class MonteCarloReport(Report):
     lines: int = 0
 
     def __str__(self) -> str:
+        ground = f"; {self.ground}" if self.ground else ""
         if not self.lines:
-            return f"{self.solver}: nothing asked yet ({self.settings})"
+            return f"{self.solver}: nothing asked yet ({self.settings}){ground}"
         missed = ""
         if self.unreached:
             missed = f", {self.unreached} of {self.lines} lines of sight NOT within the error asked"
         return (
             f"{self.solver}: {self.histories:.3g} histories, largest error "
-            f"{max(self.residual):.1e}{missed}, {self.seconds:.2f} s ({self.settings})"
+            f"{max(self.residual):.1e}{missed}, {self.seconds:.2f} s ({self.settings}){ground}"
         )
 
 

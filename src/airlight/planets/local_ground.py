@@ -1,0 +1,90 @@
+"""Ground of one region: by how much it is brighter or darker than the mean of its planet."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.color.upsampling import reflectance_basis
+from airlight.optics.water import mean_gloss
+
+FloatArray = npt.NDArray[np.float64]
+
+
+class GroundMeans(NamedTuple):
+    """Means of a map of the ground, over a region or over the whole planet.
+
+    Attributes
+    ----------
+    color : tuple of float, length 3
+        Linear sRGB reflectance; of no effect if it is that of the planet too. [1]
+    water : float
+        Share of water. [1]
+    cover : float
+        Cover of clouds. [1]
+    """
+
+    color: tuple[float, float, float]
+    water: float
+    cover: float
+
+    def reflectances(self, wavelengths: npt.ArrayLike, wind: float | None) -> FloatArray:
+        """Reflectance under a uniform sky without the clouds, shape (nl,). [1]
+
+        Parameters
+        ----------
+        wavelengths : array, shape (nl,)
+            Wavelengths. [nm]
+        wind : float or None
+            Wind speed over the water, which then mirrors the sky. [m s⁻¹]
+        """
+        known = np.clip(reflectance_basis(wavelengths) @ np.asarray(self.color), 0.0, 1.0)
+        gloss = 0.0 if wind is None else float(mean_gloss(wind))
+        return np.asarray(known + self.water * gloss)
+
+
+@dataclass(frozen=True, kw_only=True)
+class LocalGround:
+    """Ground that the air of an observer sees, beside that of the whole planet.
+
+    Parameters
+    ----------
+    latitude, longitude : float
+        Coordinates of the point below the observer, north and east positive. [deg]
+    altitude : float
+        Altitude of the observer. [m]
+    reach : float
+        Distance along the ground within which half of its weight lies. [m]
+    here, planet : GroundMeans
+        Means over the region, by that weight, and over the planet.
+    """
+
+    latitude: float
+    longitude: float
+    altitude: float
+    reach: float
+    here: GroundMeans
+    planet: GroundMeans
+
+    def ratio(self, wavelengths: npt.ArrayLike, wind: float | None) -> FloatArray:
+        """Reflectance over that of the planet, shape (nl,); 1 where the planet's is 0. [1]
+
+        Parameters
+        ----------
+        wavelengths, wind :
+            Arguments of ``GroundMeans.reflectances``.
+        """
+        here = self.here.reflectances(wavelengths, wind)
+        planet = self.planet.reflectances(wavelengths, wind)
+        return np.asarray(np.divide(here, planet, out=np.ones_like(here), where=planet > 0.0))
+
+    def __str__(self) -> str:
+        north = f"{abs(self.latitude):.4g}°{'N' if self.latitude >= 0.0 else 'S'}"
+        east = f"{abs(self.longitude):.4g}°{'E' if self.longitude >= 0.0 else 'W'}"
+        return (
+            f"{north} {east}, seen by the air of an observer at {self.altitude:.4g} m, half of it "
+            f"within {self.reach / 1e3:.3g} km"
+        )

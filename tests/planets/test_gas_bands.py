@@ -1,0 +1,121 @@
+"""Bands of gases: the tables against other sources, as constituents, and what is left out."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight import Medium, Planet, load_planet
+from airlight.planets.gas_bands import AIRMASS, PAIR_DENSITY, bands_left_out
+from airlight.spectra.tables import read_spectrum
+
+DOCS = Path(__file__).parents[2] / "docs"
+PRESET = Path(str(__import__("airlight").__file__)).parent / "planets" / "presets" / "earth.toml"
+#: Oxygen above the standard atmosphere's ground: a fifth of p/(mg). [m⁻²]
+OXYGEN = 0.209476 * 101_325.0 / (9.80665 * 0.0289644 / 6.02214076e23)
+
+
+def through(table: str, column: float, wavelengths: np.ndarray) -> np.ndarray:
+    return np.exp(-AIRMASS * column * read_spectrum(table).at(wavelengths))
+
+
+def standard_sunlight() -> tuple[np.ndarray, np.ndarray]:
+    """Wavelengths [nm] and direct sunlight at airmass 1.5 over that outside the air."""
+    spectra = pytest.importorskip("pvlib.spectrum").get_reference_spectra()
+    nm = spectra.index.to_numpy()
+    return nm, (spectra["direct"] / spectra["extraterrestrial"]).to_numpy()
+
+
+def dip(nm: np.ndarray, light: np.ndarray, centre: float, core: float, *edges: float) -> float:
+    """Mean of the core of a band over the line between the means of two edges, 4 nm wide."""
+
+    def mean(middle: float, half: float) -> float:
+        inside = (nm >= middle - half) & (nm <= middle + half)
+        return float(np.trapezoid(light[inside], nm[inside]) / np.ptp(nm[inside]))
+
+    low, high = (mean(edge, 2.0) for edge in edges)
+    part = (centre - edges[0]) / (edges[1] - edges[0])
+    return mean(centre, core) / (low + part * (high - low))
+
+
+@pytest.mark.parametrize(
+    ("centre", "edges", "within"), [(764.0, (754.0, 776.0), 0.06), (689.0, (680.0, 710.0), 0.02)]
+)
+def test_oxygen_s_bands_are_those_of_the_standard_sunlight(
+    centre: float, edges: tuple[float, float], within: float
+) -> None:
+    # A second method: ASTM G173's direct sunlight at airmass 1.5, by SMARTS, whose band model of
+    # the A band is coarser than lines: 4 % deeper.
+    ours = float(through("oxygen-bands", OXYGEN, np.array([centre]))[0])
+    assert_allclose(ours, dip(*standard_sunlight(), centre, 5.0, *edges), rtol=within)
+
+
+def test_oxygen_s_pairs_are_those_of_the_standard_sunlight() -> None:
+    # The same at 477 nm, where neither water nor lines of oxygen are near; the squared density of
+    # an atmosphere of 8.4 km has half its scale height.
+    nm = np.arange(460.0, 496.0)
+    light = through("oxygen-pairs", PAIR_DENSITY * 0.5 * 8434.5, nm)
+    ours = dip(nm, light, 477.0, 3.0, 465.0, 490.0)
+    assert_allclose(ours, dip(*standard_sunlight(), 477.0, 3.0, 465.0, 490.0), rtol=0.005)
+
+
+def test_water_s_bands_have_the_coefficients_of_bird_and_riordan() -> None:
+    # Eq. 2-8 of the report with its own coefficients at four wavelengths, 1.42 cm of water
+    spectrl2 = pytest.importorskip("pvlib.spectrum.spectrl2")
+    known = spectrl2._SPECTRL2_COEFFS
+    nm = np.array([593.0, 690.0, 816.0, 937.0])
+    amount = np.interp(nm, known["wavelength"], known["water_vapor_absorption"]) * 1.42 * AIRMASS
+    expected = np.exp(-0.2385 * amount / (1.0 + 20.07 * amount) ** 0.45)
+    column = 1.42e4 / 18.01528 * 6.02214076e23
+    assert_allclose(through("water-vapour-bands", column, nm), expected, rtol=1e-4)
+
+
+def documented() -> str:
+    """Constituents of docs/planets.md with the bands."""
+    page = (DOCS / "planets.md").read_text(encoding="utf-8")
+    (block,) = re.findall(r"```toml\n(.*?)```", page, flags=re.DOTALL)
+    return str(block)
+
+
+@pytest.fixture(scope="module")
+def banded(tmp_path_factory: pytest.TempPathFactory) -> Planet:
+    file = tmp_path_factory.mktemp("planets") / "bands.toml"
+    file.write_text(PRESET.read_text(encoding="utf-8") + "\n" + documented(), encoding="utf-8")
+    return load_planet(str(file))
+
+
+def test_the_constituents_of_the_page_take_what_the_tables_say(banded: Planet) -> None:
+    # The vertical depth is column times cross-section, for the pairs with the squared density.
+    nm = np.array([764.0, 724.0, 689.0, 577.0])
+    medium = Medium.from_planet(banded, nm)
+    depth = dict(zip(medium.names, medium.vertical_optical_depth, strict=True))
+    for name, table, column in (
+        ("oxygen", "oxygen-bands", OXYGEN),
+        ("water vapour", "water-vapour-bands", 1.42e4 / 18.01528 * 6.02214076e23),
+        ("pairs of oxygen", "oxygen-pairs", PAIR_DENSITY * 0.5 * 8434.5),
+    ):
+        expected = through(table, column, nm)
+        assert_allclose(np.exp(-AIRMASS * depth[name]), expected, rtol=3e-3, err_msg=name)
+
+
+def test_what_a_planet_has_is_not_left_out(banded: Planet) -> None:
+    assert bands_left_out(banded, [764.0]) == ()
+    left_out = bands_left_out(load_planet("earth"), [764.0, 577.0])
+    assert [one.name for one in left_out] == ["O2", "O2-O2"]
+    bands, pairs = left_out
+    assert_allclose(1.0 - bands.loss[0], through("oxygen-bands", OXYGEN, np.array([764.0]))[0],
+                    rtol=3e-3)  # fmt: skip
+    expected = through("oxygen-pairs", PAIR_DENSITY * 0.5 * 8434.5, np.array([577.0]))[0]
+    assert_allclose(1.0 - pairs.loss[1], expected, rtol=1e-3)
+    assert (bands.wavelength, pairs.wavelength) == (764.0, 578.0)
+
+
+def test_a_gas_without_a_table_is_named_and_thin_gas_is_not() -> None:
+    (methane,) = bands_left_out(load_planet("titan"), [619.0])
+    assert str(methane) == "bands of CH4: no table of them"
+    assert bands_left_out(load_planet("mars"), [764.0]) == ()  # 0.16 % of 6 hPa
+    assert bands_left_out(load_planet("earth-bruneton"), [764.0]) == ()  # coefficients alone
