@@ -114,7 +114,12 @@ class Setup:
 
     @cached_property
     def ends(self) -> FloatArray:
-        """Altitudes at which panels of rays end. [m]"""
+        """Altitudes at which panels of a sweep's rays end. [m]"""
+        return panel_ends(self.medium, self.grid, self.parts, sweeps=True)
+
+    @cached_property
+    def march_ends(self) -> FloatArray:
+        """Altitudes at which panels of lines of sight end. [m]"""
         return panel_ends(self.medium, self.grid, self.parts)
 
     @property
