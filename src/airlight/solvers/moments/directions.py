@@ -1,5 +1,4 @@
-"""Directions in which a sweep gathers light: zenith cosines and their weights on either side of the
-horizon.
+"""Directions in which a sweep gathers light, on either side of the horizon, and their weights.
 
 Thick air is lit alike from neighbouring directions: Gauss-Legendre points over each side suffice.
 In clear air most of the light of deep twilight comes from a narrow band at the horizon, on either
@@ -57,7 +56,6 @@ def directions(grid: Grid, counts: tuple[int, ...]) -> Directions:
 
     Examples
     --------
-    >>> from airlight.solvers.moments.grid import Grid
     >>> ground = Grid(1.0, 1.02, np.ones(1), *[np.zeros(0)] * 3)
     >>> directions(ground, (1, 1)).mu.round(3).tolist()
     [[-0.069, -0.569, 0.069, 0.569]]
