@@ -19,14 +19,15 @@ _EDGE: Final = 0.01
 _ALOFT: Final = 2.0
 #: Smallest scattering optical depth of a layer that counts.
 _FAINT: Final = 1e-4
-#: The same of a layer that no step of a march misses, being wider than ``_WIDE`` of the shell.
-_FAINT_AND_WIDE: Final = 0.01
+#: Width over the shell's thickness above which a layer is wide.
 _WIDE: Final = 0.15
 #: Distance below which edges are merged, as a fraction of the shell.
 _APART: Final = 0.015
 
 
-def layer_edges(density: DensitySegments, scattering: FloatArray) -> FloatArray:
+def layer_edges(
+    density: DensitySegments, scattering: FloatArray, *, faint_and_wide: float = 0.0
+) -> FloatArray:
     """Altitudes of the bottom, the peak and the top of each elevated layer that scatters.
 
     Parameters
@@ -35,6 +36,8 @@ def layer_edges(density: DensitySegments, scattering: FloatArray) -> FloatArray:
         Profiles of the constituents.
     scattering : array, shape (nc,)
         Largest scattering coefficient of each constituent at relative density 1. [m⁻¹]
+    faint_and_wide : float
+        Smallest scattering optical depth that counts of a layer wider than 15 % of the shell. [1]
 
     Returns
     -------
@@ -59,7 +62,7 @@ def layer_edges(density: DensitySegments, scattering: FloatArray) -> FloatArray:
             continue
         within = np.flatnonzero(profile > _EDGE * profile[peak])
         wide = within[-1] - within[0] > _WIDE * (_SAMPLES - 1)
-        if wide and scattering[i] * columns[i] < _FAINT_AND_WIDE:
+        if wide and scattering[i] * columns[i] < faint_and_wide:
             continue
         found += [float(altitude[k]) for k in (within[0], peak, within[-1])]
     kept: list[float] = []

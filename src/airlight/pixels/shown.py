@@ -70,7 +70,9 @@ def even_points(solution: MomentsSolution) -> tuple[int, int, int]:
     """
     light, degree = solution.light, solution.moments.degree
     constituents = len(solution.paths.medium.names)
-    panels = 2 * (light.ends.size + 1) + 2
+    # Two legs, the ends of the shadow and the cuts of a thick line; water's mirrored sky has one.
+    legs, more = light.ends.size + 1, 5
+    panels = 2 * legs + more + (legs + more if light.ground.wet else 0)
     terms = sum((l + 1) // 4 + (l + 1) % 4 for l in range(degree + 1))
     point = (degree + 1) * (constituents + 2) + 2 * terms + 12 * constituents
     fitting = [n for n in _EVEN if n * panels * (point + n * constituents // 4) <= _MOST_TURNS]

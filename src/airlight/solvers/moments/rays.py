@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Final, NamedTuple
 
 import numpy as np
-from numpy.polynomial.legendre import legvander
 from numpy.typing import NDArray
 
 from airlight.geometry.bending import bend_angle, turned
@@ -14,6 +13,7 @@ from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import compiled_loop
 from airlight.optics.density_profile import DensitySegments
+from airlight.solvers.moments.directions import directions
 from airlight.solvers.moments.grid import Grid
 from airlight.tables.columns import cut_at_corners, density_table, new_path, trace_resolved
 
@@ -32,8 +32,7 @@ class Rays(NamedTuple):
     mu, weight : array, shape (r, a)
         Zenith cosine and its weight in ∫ dmu; the first half of a row points below the horizon. [1]
     flux : array, shape (r, a)
-        Weight in ∫ mu dmu over the upper half of the sphere, from the polynomial through the
-        directions above the horizon. [1]
+        Weight in ∫ mu dmu over the upper half of the sphere. [1]
     length : array, shape (r, a)
         Distance to the ground or to the top. [m]
     start : array, shape (r, a + 1)
@@ -130,7 +129,7 @@ def trace_rays(
     grid: Grid,
     density: DensitySegments,
     strongest: FloatArray,
-    angles: int,
+    angles: tuple[int, ...],
     nodes: int,
     panels: int = 1,
     *,
@@ -147,8 +146,8 @@ def trace_rays(
         Profiles of the air.
     strongest : array, shape (nc,)
         Largest extinction of each constituent at any wavelength. [m⁻¹]
-    angles : int
-        Gauss-Legendre zenith angles on each side of the local horizon.
+    angles : tuple of int
+        Numbers of zenith angles, see ``directions``.
     nodes, panels : int
         Points a panel, and panels a leg.
     bend : float
@@ -157,22 +156,14 @@ def trace_rays(
     ends : array, shape (n,)
         Altitudes at which panels end, from ``panel_ends``. [m]
     """
-    rule = gauss_legendre(angles)
-    horizon = -np.sqrt((grid.radii - grid.bottom_radius) * (grid.radii + grid.bottom_radius))
-    horizon = (horizon / grid.radii)[:, None]
-    mu = np.concatenate(
-        [-1.0 + (horizon + 1.0) * rule.nodes, horizon + (1.0 - horizon) * rule.nodes], axis=1
-    )
-    weight = np.concatenate(
-        [(horizon + 1.0) * rule.weights, (1.0 - horizon) * rule.weights], axis=1
-    )
+    mu, weight, flux = directions(grid, angles)
     per_ray = nodes * (2 * panels + 6 + 2 * ends.size)
     constituents = density.edges.shape[0]
     room = mu.size * per_ray
     rays = Rays(
         mu,
         weight,
-        _flux_weights(horizon[:, 0], angles),
+        flux,
         np.empty(mu.shape),
         np.empty((mu.shape[0], mu.shape[1] + 1), np.int64),
         np.empty((*mu.shape, constituents)),
@@ -203,17 +194,3 @@ def trace_rays(
         amount=rays.amount[:count].copy(),
         column=rays.column[:count].copy(),
     )
-
-
-def _flux_weights(horizon: FloatArray, angles: int) -> FloatArray:
-    """Weights of ∫_0^1 mu L dmu for L given at the Gauss-Legendre points from the horizon up."""
-    rule, fine = gauss_legendre(angles), gauss_legendre(2 * angles)
-    degrees = np.arange(angles)
-    basis = legvander(2.0 * rule.nodes - 1.0, angles - 1)
-    analysis = (2 * degrees[:, None] + 1) * rule.weights * basis.T
-    weights = np.zeros((horizon.size, 2 * angles))
-    for i, low in enumerate(horizon):
-        x = (fine.nodes - low) / (1.0 - low)
-        cardinal = legvander(2.0 * x - 1.0, angles - 1) @ analysis
-        weights[i, angles:] = (fine.weights * fine.nodes) @ cardinal
-    return weights

@@ -37,6 +37,9 @@ THIN: Final = 0.1
 #: of rows over that of clear air.
 _ROW_DEPTH: Final = 0.15
 _MORE_ROWS: Final = 8
+#: Smallest scattering optical depth of a wide layer aloft at whose edges the panels of sweeps end:
+#: a fainter one changes skies by less than 0.4 % there, and ends would cost 10 % of the solve.
+_FAINT_AND_WIDE: Final = 0.01
 #: Legendre moments below this count as zero.
 NEGLIGIBLE: Final = 1e-6
 #: Largest part of a scattering that counts as unscattered. [1]
@@ -222,7 +225,7 @@ class Optics:
         )
 
 
-def panel_ends(medium: Medium, grid: Grid, parts: int) -> FloatArray:
+def panel_ends(medium: Medium, grid: Grid, parts: int, *, sweeps: bool = False) -> FloatArray:
     """Altitudes at which the panels of rays end, ascending, inside the shell. [m]
 
     Parameters
@@ -232,10 +235,14 @@ def panel_ends(medium: Medium, grid: Grid, parts: int) -> FloatArray:
         Grid of the medium.
     parts : int
         More than 1 in thick air, whose levels are then the ends; otherwise those of layers aloft.
+    sweeps : bool
+        Whether the rays are those of sweeps, which need no ends in layers that are faint and wide.
+        A line of sight of eight points saw a stratosphere of depth 0.007 10 % too bright.
     """
     if parts > 1:
         return panel_cuts(grid.radii - grid.bottom_radius, parts)
-    return layer_edges(medium.density, medium.scattering.max(axis=1))
+    least = _FAINT_AND_WIDE if sweeps else 0.0
+    return layer_edges(medium.density, medium.scattering.max(axis=1), faint_and_wide=least)
 
 
 def column_rows(medium: Medium, settings: Settings) -> int:
@@ -251,7 +258,8 @@ def column_rows(medium: Medium, settings: Settings) -> int:
         Settings with the number of rows of clear air.
     """
     rows = settings.column_radii
-    if not layer_edges(medium.density, medium.scattering.max(axis=1)).size:
+    brightest = medium.scattering.max(axis=1)
+    if not layer_edges(medium.density, brightest, faint_and_wide=_FAINT_AND_WIDE).size:
         return rows
     bottom = medium.bottom_radius
     coordinate = np.linspace(0.0, 1.0, rows)

@@ -21,7 +21,10 @@ class Settings:
     radii, suns : int
         Nodes in radius and in sun elevation.
     zenith_angles : int
-        Directions on each side of the local horizon.
+        Directions on each side of the local horizon in thick air.
+    horizon_angles, high_angles : int
+        Directions next to the local horizon and farther from it, on each side, in clear air; of the
+        latter as many more as the degree needs.
     azimuths : int
         Directions over half a turn; three quarters of the degree where that is more.
     nodes : int
@@ -41,6 +44,8 @@ class Settings:
     radii: int
     suns: int
     zenith_angles: int
+    horizon_angles: int
+    high_angles: int
     azimuths: int
     nodes: int
     tolerance: float
@@ -62,6 +67,8 @@ QUALITIES: Final = {
         radii=14,
         suns=36,
         zenith_angles=6,
+        horizon_angles=3,
+        high_angles=3,
         azimuths=4,
         nodes=8,
         tolerance=1e-2,
@@ -77,6 +84,8 @@ QUALITIES: Final = {
         radii=24,
         suns=56,
         zenith_angles=12,
+        horizon_angles=6,
+        high_angles=5,
         azimuths=7,
         nodes=14,
         tolerance=2e-3,
@@ -92,6 +101,8 @@ QUALITIES: Final = {
         radii=40,
         suns=104,
         zenith_angles=20,
+        horizon_angles=10,
+        high_angles=10,
         azimuths=20,
         nodes=20,
         tolerance=1e-4,

@@ -114,8 +114,22 @@ class Setup:
 
     @cached_property
     def ends(self) -> FloatArray:
-        """Altitudes at which panels of rays end. [m]"""
+        """Altitudes at which panels of a sweep's rays end. [m]"""
+        return panel_ends(self.medium, self.grid, self.parts, sweeps=True)
+
+    @cached_property
+    def march_ends(self) -> FloatArray:
+        """Altitudes at which panels of lines of sight end. [m]"""
         return panel_ends(self.medium, self.grid, self.parts)
+
+    @property
+    def zenith_angles(self) -> tuple[int, ...]:
+        """Numbers of directions on each side of the horizon, as for ``directions``."""
+        settings = self.settings
+        if self.parts > 1:
+            return (settings.zenith_angles,)
+        # n points integrate polynomials of degree 2n - 1, so all harmonics of isotropic light.
+        return settings.horizon_angles, max(settings.high_angles, (self.degree + 2) // 2)
 
     @property
     def ray_nodes(self) -> int:
@@ -133,7 +147,7 @@ class Setup:
             self.gathering,
             self.medium.density,
             self.medium.extinction.max(axis=1),
-            self.settings.zenith_angles,
+            self.zenith_angles,
             self.ray_nodes,
             bend=self.paths.bend,
             ends=self.ends,

@@ -122,7 +122,7 @@ class MomentsSolution(Solution):
             strongest=medium.extinction.max(axis=1),
             brightest=medium.scattering.max(axis=1),
             lift=self.paths.lift,
-            ends=self.setup.ends,
+            ends=self.setup.march_ends,
             row=grid.row,
             place=grid.place,
             start=expansion.start,

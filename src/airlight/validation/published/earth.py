@@ -21,9 +21,7 @@ from numpy.typing import NDArray
 from airlight.color.color_temperature import correlated_color_temperature
 from airlight.color.spectral import rgb_weights
 from airlight.color.xyz import chromaticity, rgb_to_xyz
-from airlight.planets import replace
 from airlight.solvers import Solution
-from airlight.solvers.moments.settings import QUALITIES, Settings
 from airlight.validation.published.row import Row, Section
 from airlight.validation.published.twilight import (
     ground_illuminance,
@@ -57,15 +55,6 @@ BELT: Final = (1.0, 2.0, 3.0, 4.0)
 #: Elevations at which the belt is looked for. [deg]
 _ELEVATIONS: Final = np.arange(0.25, 30.1, 0.25)
 _AMS: Final = "AMS, Glossary of Meteorology"
-
-
-def twilight_settings() -> Settings:
-    """Default quality with the directions of ``fine``, which the ground needs in twilight.
-
-    With the twelve of ``default`` the zenith is off by 1 and 11 % with the sun 6° and 10° below the
-    horizon, with these by 0.5 %.
-    """
-    return replace(QUALITIES["default"], zenith_angles=QUALITIES["fine"].zenith_angles)
 
 
 def illuminances(solution: Solution, altitudes: Sequence[float] = ALTITUDES) -> Section:

@@ -6,7 +6,6 @@ from airlight.validation.published.earth import (
     belts,
     colors,
     illuminances,
-    twilight_settings,
     zeniths,
 )
 from airlight.validation.published.mars import daylight
@@ -41,7 +40,7 @@ def published(*, progress: Progress | None = None, cancel: Cancel | None = None)
     )
 
 
-def earth(solve: Solve, quality: object | None = None) -> list[Section]:
+def earth(solve: Solve, quality: object = "default") -> list[Section]:
     """Sections of the Earth: a clear day, and one with average aerosol.
 
     Parameters
@@ -49,9 +48,8 @@ def earth(solve: Solve, quality: object | None = None) -> list[Section]:
     solve : callable
         See ``row.Solve``.
     quality : str or Settings, optional
-        Quality of the solver; that of twilight if left out.
+        Quality of the solver.
     """
-    quality = twilight_settings() if quality is None else quality
     average = solve(standard_earth(average_aerosol()), TWILIGHT_WAVELENGTHS, quality)
     clear = solve(standard_earth(), TWILIGHT_WAVELENGTHS, quality)
     return [illuminances(average), zeniths(clear), colors(average), belts(clear)]
@@ -79,7 +77,7 @@ def suite_of(sections: list[Section]) -> Suite:
         parts=[section.table for section in sections],
         settings=[
             "Earth in the standard atmosphere, presets mars and venus",
-            "twilight: default quality with the directions of fine, 400 to 720 nm",
+            "twilight: default quality, 400 to 720 nm",
             "Venus: preview quality, 400 to 1000 nm",
         ],
     )

@@ -95,7 +95,7 @@ def solver_data(
         },
         "picture": {
             "shared": SHARED,
-            "ends": [float(x) for x in plan.setup.ends],
+            "ends": [float(x) for x in plan.setup.march_ends],
             "levels": int(plan.sizes["levels"]),
         },
     }
