@@ -30,10 +30,10 @@ from airlight.solvers.moments.source import (
 from airlight.solvers.moments.sweep import sun_index
 from airlight.tables.column_ratios import columns_to_top
 
-#: By day, the light scattered before is left out at points of the thinnest air. Were all points of
-#: a line as faint as that, they would scatter this part of what the line does; of a line on which
-#: the air thins exponentially a tenth of it is left out.
-FAINT = 2e-3
+#: By day, the light scattered before is left out at points that scatter less than this part of
+#: their line, over the number of its points: less than that altogether. Where the air thins
+#: exponentially it is some 2 % of that, however many points there are.
+FAINT = 5e-3
 
 
 @inlined
@@ -68,7 +68,6 @@ def march(r, mu, mu_s, nu, length, orders, air, peaks, phase, light, work, resul
     for c in range(light.constituents):
         scatters += light.brightest[c] * work.totals[c]
         work.before[c] = 0.0
-    # A share of each point: with more points, each of them scatters less.
     faint = FAINT * min(scatters, 1.0) / (n * (count - 1)) if day else 0.0
     for at in range(0, light.lanes, LANES):
         store(result, at, splat(0.0))
