@@ -1,15 +1,17 @@
 """Nodes of the moments of the radiance: radii and sun elevations.
 
 Radii are even in the distance to the horizon (Bruneton's mapping), with more of them where the air
-is thick (``levels``). Sun elevations crowd around the terminator: elevation = w·sinh(t) - e with t
-even, where w and e are 0.6 and 0.3 of the dip of the horizon seen from the top of the shell (6° and
-3° for Earth), so that every planet gets its own grid.
+is thick (``levels``). Sun elevations e crowd around the terminator, by 1/sqrt(w² + (e + s)²) nodes
+in a degree, where w and s are 0.6 and 0.3 of the dip of the horizon seen from the top of the shell
+(6° and 3° for Earth), so that every planet gets its own grid. Far in the shadow, where no light is
+left, they are sparser; by day they are not as sparse as that, for there light is a curved function
+of the elevation. Measurements: docs/decisions/0001-moments-in-the-twilight.md.
 """
 
 from __future__ import annotations
 
 from math import acos, asinh, degrees, sqrt
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +22,17 @@ from airlight.solvers.moments.levels import Depths, place_levels
 
 FloatArray = NDArray[np.float64]
 
+#: Width and depth below the horizon of the dense nodes, over the horizon's dip.
+_WIDTH: Final = 0.6
+_SHIFT: Final = 0.3
+#: Part of the nodes that is left in the shadow, and depths below the horizon, over its dip, between
+#: which they thin out.
+_SHADOW: Final = 0.3
+_LEAVES: Final = (1.5, 2.5)
+#: By day the nodes are never sparser than the terminator's are at this elevation. [deg]
+_DAY: Final = 45.0
+#: Elevations at which the density is summed.
+_SAMPLES: Final = 8193
 #: Entries of the table that finds the index of a sun cosine in the grid.
 _LOOKUP = 8192
 
@@ -71,14 +84,11 @@ def make_grid(
         Step, in radii of the grid, between those at which light is gathered.
     """
     dip = degrees(acos(bottom_radius / top_radius))
-    width, shift = 0.6 * dip, 0.3 * dip
-    first, last = asinh((shift - 90.0) / width), asinh((shift + 90.0) / width)
-    t = np.linspace(first, last, suns)
-    elevation = width * np.sinh(t) - shift
-    sun_cosines = np.sin(np.radians(elevation))
+    elevation, index = sun_indices(dip, suns)
+    sun_cosines = np.sin(np.radians(np.interp(np.arange(suns, dtype=float), index, elevation)))
     sun_cosines[0], sun_cosines[-1] = -1.0, 1.0
     wanted = np.degrees(np.arcsin(np.linspace(-1.0, 1.0, _LOOKUP + 1)))
-    place = (np.arcsinh((wanted + shift) / width) - first) / (last - first) * (suns - 1)
+    place = np.interp(wanted, elevation, index)
     even = vectorized(altitude_coordinate)(
         bottom_radius + depths.altitude, bottom_radius, top_radius
     )
@@ -91,9 +101,45 @@ def make_grid(
         r,
         sun_cosines,
         levels.row,
-        np.clip(place, 0.0, suns - 1.0),
+        place,
     )
     return grid, levels.parts
+
+
+def sun_indices(dip: float, suns: int) -> tuple[FloatArray, FloatArray]:
+    """Fractional indices of the nodes at many sun elevations.
+
+    Parameters
+    ----------
+    dip : float
+        Dip of the horizon, seen from the top of the shell. [deg]
+    suns : int
+        Number of nodes.
+
+    Returns
+    -------
+    elevation : array, shape (n,)
+        Elevations, ascending from -90 to 90. [deg]
+    index : array, shape (n,)
+        Fractional indices, ascending from 0 to suns - 1. [1]
+    """
+    width, shift = _WIDTH * dip, _SHIFT * dip
+    t = np.linspace(asinh((shift - 90.0) / width), asinh((shift + 90.0) / width), _SAMPLES)
+    elevation = width * np.sinh(t) - shift
+    elevation[0], elevation[-1] = -90.0, 90.0
+    begin, end = _LEAVES
+    shadow = 1.0 - (1.0 - _SHADOW) * _smooth((-elevation / dip - begin) / (end - begin))
+    # Per step of t, in which the terminator's own nodes are even.
+    density = np.hypot(shadow, _smooth(elevation / dip) * width * np.cosh(t) / _DAY)
+    steps = 0.5 * (density[1:] + density[:-1])
+    index = np.concatenate([[0.0], np.cumsum(steps)])
+    return elevation, index * ((suns - 1) / index[-1])
+
+
+def _smooth(x: FloatArray) -> FloatArray:
+    """0 below 0, 1 above 1, and a smooth step between."""
+    x = np.clip(x, 0.0, 1.0)
+    return np.asarray(x * x * (3.0 - 2.0 * x))
 
 
 @inlined

@@ -31,8 +31,9 @@ from airlight.solvers.moments.sweep import sun_index
 from airlight.tables.column_ratios import columns_to_top
 
 #: By day, the light scattered before is left out at points that scatter less than this part of
-#: their line: at most a dozen of them, in the thinnest air.
-FAINT = 5e-4
+#: their line, over the number of its points: less than that altogether. Where the air thins
+#: exponentially it is some 2 % of that, however many points there are.
+FAINT = 5e-3
 
 
 @inlined
@@ -67,7 +68,7 @@ def march(r, mu, mu_s, nu, length, orders, air, peaks, phase, light, work, resul
     for c in range(light.constituents):
         scatters += light.brightest[c] * work.totals[c]
         work.before[c] = 0.0
-    faint = FAINT * min(scatters, 1.0) if day else 0.0
+    faint = FAINT * min(scatters, 1.0) / (n * (count - 1)) if day else 0.0
     for at in range(0, light.lanes, LANES):
         store(result, at, splat(0.0))
         store(result, 2 * light.lanes + at, splat(0.0))
