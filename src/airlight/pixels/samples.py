@@ -77,10 +77,12 @@ def sampled_light(
         sx, sy = px, py
         if side > 1:
             # a grid turned by atan(1 / side): no two samples share a row or a column, so a level
-            # horizon is smooth in side² steps
+            # horizon is smooth in side² steps; turned the other way in the picture's other half,
+            # which keeps symmetric skies symmetric
+            hand = 1.0 if px < 0.5 * screen.width else -1.0
             down = sample // side
             across = sample - side * down
-            sx = px + ((across + 1.0 - (down + 0.5) * step) * step - 0.5)
+            sx = px + hand * ((across + 1.0 - (down + 0.5) * step) * step - 0.5)
             sy = py + ((down + (across + 0.5) * step) * step - 0.5)
             x, y, z = camera_direction(sx, sy, screen)
         pixel_light(
