@@ -17,9 +17,12 @@ from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load, store
 from airlight.pixels.pixel import pixel_light
 from airlight.pixels.star_disc import camera_direction
+from airlight.scene.projections import PROJECTIONS
 
 #: Samples per side of a pixel that an edge crosses.
 EDGE: Final = 3
+#: Index of the projection whose two sides are neighbours.
+_PANORAMA: Final = list(PROJECTIONS).index("equirectangular")
 #: Distance of a pixel's corner from its centre, with a margin for its shape. [pixel]
 _CORNER: Final = 0.75
 
@@ -78,12 +81,15 @@ def sampled_light(
         if side > 1:
             # a grid turned by atan(1 / side): no two samples share a row or a column, so a level
             # horizon is smooth in side² steps; turned the other way in the picture's other half,
-            # which keeps symmetric skies symmetric
+            # which keeps symmetric skies symmetric, and not in a panorama, which has no halves
             hand = 1.0 if px < 0.5 * screen.width else -1.0
+            if screen.projection == _PANORAMA:
+                hand = 0.0
             down = sample // side
             across = sample - side * down
-            sx = px + hand * ((across + 1.0 - (down + 0.5) * step) * step - 0.5)
-            sy = py + ((down + (across + 0.5) * step) * step - 0.5)
+            row, column = (down + 0.5) * step - 0.5, (across + 0.5) * step - 0.5
+            sx = px + column - hand * row * step
+            sy = py + row + hand * column * step
             x, y, z = camera_direction(sx, sy, screen)
         pixel_light(
             sx, sy, x, y, z, exact, reach, window, observer, screen, light, work, color, result
