@@ -100,7 +100,9 @@ def test_messages_are_followed_once_and_in_order(viewer: Any) -> None:
     viewer.set_state({"messages": {"a": late}})
     assert viewer.heard == {"a": 7}
     assert viewer.session.value(sun) == 20.0
-    viewer.set_state({"messages": {"a": late[1:]}})
+    # an undo that is sent again with the next message is not done again
+    viewer.set_state({"messages": {"a": [late[-1], {"command": "rest", "count": 8}]}})
+    assert viewer.heard == {"a": 8}
     assert viewer.session.value(sun) == 20.0
     viewer.session.undo()
     assert viewer.session.value(sun) == first
