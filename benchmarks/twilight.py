@@ -1,13 +1,13 @@
 """What the real air, its stratospheric aerosol and bent light change between noon and night.
 
 ``python benchmarks/twilight.py`` prints the tables of docs/planets.md, a minute: the zenith's light
-by the steps that lead from preset ``earth`` to ``standard_earth``, then illuminance and V of the
+by the steps that lead from preset ``earth`` to preset ``earth``, then illuminance and V of the
 zenith beside published measurements.
 """
 
 from __future__ import annotations
 
-from airlight import Planet, solve
+from airlight import Planet, load_planet, solve
 from airlight.planets import replace
 from airlight.planets.matter.profiles import Exponential
 from airlight.solvers.solution import Solution
@@ -17,7 +17,6 @@ from airlight.validation.published.twilight import (
     ground_illuminance,
     illuminance_seidelmann1992,
     paranal_zenith_v,
-    standard_earth,
     zenith_light,
     zenith_v_patat2006,
 )
@@ -29,11 +28,11 @@ PUBLISHED = (20.0, 5.0, 2.0, 0.0, -1.0, -3.0, -5.0, -6.0, -8.0, -10.0, -12.0)
 
 
 def steps() -> dict[str, Planet]:
-    """``standard_earth`` without its three refinements, then with one after another.
+    """preset ``earth`` without its three refinements, then with one after another.
 
     The last has more of the lower aerosol: that of the days of the published illuminance.
     """
-    earth = standard_earth()
+    earth = load_planet("earth")
     air, *others = earth.constituents
     # RT/(Mg) of U.S. 1976 at sea level
     exponential = replace(air, profile=Exponential(scale_height=8434.5))
@@ -43,7 +42,7 @@ def steps() -> dict[str, Planet]:
         "standard air": replace(earth, constituents=(air, *low), refraction="none"),
         "stratospheric aerosol": replace(earth, refraction="none"),
         "bent light": earth,
-        "average aerosol": standard_earth(average_aerosol()),
+        "average aerosol": load_planet("earth", average_aerosol()),
     }
 
 

@@ -20,7 +20,6 @@ from airlight.validation.published.twilight import (
     illuminance,
     illuminance_seidelmann1992,
     paranal_zenith_v,
-    standard_earth,
     v_magnitude,
     zenith_v_patat2006,
 )
@@ -72,7 +71,7 @@ def test_the_average_aerosol_is_that_of_opac_s_mixture() -> None:
     extinction = (numbers * hazy.extinction[parts]).sum(axis=0)
     cosine = (scattering * hazy.phase_moments(1)[parts, :, 1]).sum(axis=0) / scattering.sum(axis=0)
 
-    ours = Medium.from_planet(standard_earth(average_aerosol()), nm)
+    ours = Medium.from_planet(load_planet("earth", average_aerosol()), nm)
     aerosol = ours.names.index("aerosol")
     assert_allclose(ours.extinction[aerosol, 2], extinction[2], rtol=0, atol=0.5e-6)
     assert_allclose(
@@ -94,12 +93,12 @@ def test_the_average_aerosol_is_that_of_opac_s_mixture() -> None:
 
 @pytest.fixture(scope="module")
 def average_day() -> Solution:
-    return solve(standard_earth(average_aerosol()), NM, "default")
+    return solve(load_planet("earth", average_aerosol()), NM, "default")
 
 
 @pytest.fixture(scope="module")
 def earth() -> Solution:
-    return solve(standard_earth(), NM, "default")
+    return solve(load_planet("earth"), NM, "default")
 
 
 @pytest.mark.slow

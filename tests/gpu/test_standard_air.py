@@ -6,12 +6,11 @@ import numpy as np
 import pytest
 from marched_pictures import marched
 
-from airlight import Camera, Scene, solve
+from airlight import Camera, Scene, load_planet, solve
 from airlight.gpu.device.device import Device
 from airlight.gpu.device.flat import read_texture
 from airlight.gpu.picture.pictures import Pictures
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.validation.published.twilight import standard_earth
 
 NM = (440.0, 500.0, 560.0, 620.0)
 CAMERA = Camera(width=64, height=36, look_zenith=95.0, look_azimuth=-20.0)
@@ -20,7 +19,7 @@ CAMERA = Camera(width=64, height=36, look_zenith=95.0, look_azimuth=-20.0)
 @pytest.fixture(scope="module")
 def solution() -> MomentsSolution:
     """Standard atmosphere at the quality whose shaders have the longest loops that are usual."""
-    solved = solve(standard_earth(), NM, "default", cache=False)
+    solved = solve(load_planet("earth"), NM, "default", cache=False)
     assert isinstance(solved, MomentsSolution)
     return solved
 

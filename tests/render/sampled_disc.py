@@ -153,7 +153,7 @@ def _through(directions: FloatArray, solution: MomentsSolution, altitude: float)
     """Transmittance to space along directions, 0 where the ground intervenes, (n, nl). [1]"""
     sight, medium = straight_sight(directions, solution, altitude), solution.paths.medium
     depth = columns(
-        sight.r, sight.mu, sight.length, medium.bottom_radius, medium.density, nodes=16, panels=2
+        sight.r, sight.mu, sight.length, medium.bottom_radius, medium.density, nodes=32, panels=12
     )
     through = np.exp(-(depth @ medium.extinction))
     through[sight.to_ground] = 0.0

@@ -18,7 +18,6 @@ from airlight.planets.matter.profiles import Tent
 from airlight.render import render
 from airlight.render.drawing import color_weights
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.validation.published.twilight import standard_earth
 
 Lit = Callable[..., MomentsSolution]
 
@@ -73,7 +72,7 @@ def test_few_points_see_a_faint_stratosphere(
     # Second method: a march of 72 points a leg. The layer has a depth of 0.007, of which eight
     # points of a steep line see one or two; light is bent, so the layer's lower edge is 1.2 km
     # lower by optical altitude, and the density has a corner at the tropopause.
-    solution = lit(standard_earth(), (680.0, 550.0, 440.0))
+    solution = lit(load_planet("earth"), (680.0, 550.0, 440.0))
     camera = Camera(width=24, height=14, look_zenith=sun - 8.0)
     scene = Scene(altitude=2.0, sun_zenith=sun, camera=camera)
     drawn = render(solution, scene, exact=True).rgb

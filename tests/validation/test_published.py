@@ -19,7 +19,7 @@ from airlight.validation.published.earth import ALTITUDES, SUNSET, illuminances
 from airlight.validation.published.light import published, suite_of
 from airlight.validation.published.row import COLUMNS, Row, Section, solver
 from airlight.validation.published.sunset import flattening, paths_of, refraction, sunset
-from airlight.validation.published.twilight import average_aerosol, standard_earth
+from airlight.validation.published.twilight import average_aerosol
 from airlight.validation.published.venus import TOTAL, band_flux, global_mean, ground_flux
 from airlight.validation.run import SUITES, chosen
 from airlight.validation.suite import Bar
@@ -68,7 +68,7 @@ def test_cells_compare_by_ratio_or_by_difference() -> None:
 
 def test_a_sun_behind_no_air_is_round_and_not_lifted() -> None:
     # An exact limit: straight light.
-    paths = paths_of(replace(standard_earth(), refraction="none"))
+    paths = paths_of(replace(load_planet("earth"), refraction="none"))
     assert refraction(paths, 0.0) == 0.0
     # the arcsine of the sine of half a degree, to rounding
     assert_allclose(flattening(paths), 1.0, rtol=1e-12)
@@ -88,7 +88,7 @@ def test_the_sun_sets_as_the_almanac_says() -> None:
     high = 1.02 / np.tan(np.radians(true + 10.3 / (true + 5.11)))
     assert_allclose(height.published, (60.0 * true + high) / 32.0, atol=5e-4)
     # The law of the disc: its height is the true one less what its two limbs are lifted apart.
-    low, high = horizon.ours, 60.0 * refraction(paths_of(standard_earth()), 0.533 * height.ours)
+    low, high = horizon.ours, 60.0 * refraction(paths_of(load_planet("earth")), 0.533 * height.ours)
     assert_allclose(height.ours, 1.0 - (low - high) / (60.0 * 0.533), atol=2e-3)
 
 
@@ -172,7 +172,7 @@ def test_ground_that_gets_a_tenth_of_all_light_gets_a_tenth_in_the_mean(tenth: E
 def test_sunset_by_the_suite_is_within_the_published_range() -> None:
     # One section from the planet to the bar, cheap: three wavelengths, preview. The range of clear
     # evenings is the source's; of sunlight at noon less than 15 % may be missing or too much.
-    average = standard_earth(average_aerosol())
+    average = load_planet("earth", average_aerosol())
     section = illuminances(solver(None, None)(average, (450.0, 550.0, 650.0), "preview"), (40.0,))
     by_name = {one.what: one for one in section.rows}
     noon = by_name["illuminance, sun 40°"]

@@ -362,6 +362,6 @@ def pixel_light(
         if part > 0.0:
             for at in range(0, light.lanes, LANES):
                 through = through_columns(
-                    work.totals, light.extinction, light.constituents, light.lanes, at
+                    work.totals, light.true_extinction, light.constituents, light.lanes, at
                 )
                 store(result, at, load(result, at) + through * np.float32(part))

@@ -9,11 +9,10 @@ import pytest
 from numpy.polynomial.legendre import Legendre
 from numpy.testing import assert_allclose
 
-from airlight import solve
+from airlight import load_planet, solve
 from airlight.solvers.moments.directions import directions
 from airlight.solvers.moments.grid import Grid
 from airlight.solvers.moments.settings import QUALITIES, Settings
-from airlight.validation.published.twilight import standard_earth
 
 GRID = Grid(6371e3, 6471e3, 6371e3 + np.array([0.0, 1.0, 2e4, 1e5]), *[np.zeros(0)] * 3)
 #: A small planet with a vast shell, whose horizon is far below the horizontal.
@@ -61,7 +60,7 @@ def test_deep_twilight_has_the_directions_that_it_needs() -> None:
     default = QUALITIES["default"]
 
     def sky(settings: Settings) -> np.ndarray:
-        solution = solve(standard_earth(), (440.0, 550.0, 680.0), settings, cache=False)
+        solution = solve(load_planet("earth"), (440.0, 550.0, 680.0), settings, cache=False)
         azimuth = np.array([0.0, 90.0, 180.0])
         return np.stack([
             np.asarray(solution.radiance(

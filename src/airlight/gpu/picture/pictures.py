@@ -39,7 +39,7 @@ from airlight.pixels.picture_numbers import (
 from airlight.pixels.shown import WAVELENGTHS, as_texels, shown_solution
 from airlight.pixels.sky_by_processor import filled_sky
 from airlight.pixels.sky_table import Observer
-from airlight.pixels.sky_window import SkyWindow
+from airlight.pixels.sky_window import COARSEST, SkyWindow
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.solvers.moments.march_tables import MarchTables, quadratures
@@ -48,7 +48,7 @@ from airlight.solvers.moments.solution import MomentsSolution
 FloatArray = NDArray[np.float64]
 
 #: Shape of the table of the sky: azimuths over half a turn, and rows of each half.
-SKY_SHAPE: Final = (256, 128)
+SKY_SHAPE: Final = COARSEST
 #: Shape of that table on a software device while something moves.
 QUICK_SKY_SHAPE: Final = (64, 64)
 #: Pixels drawn at once, read from a table, marched, and marched in software: no driver then assumes

@@ -58,6 +58,8 @@ class MarchTables(NamedTuple):
         Quadratures of a panel, from ``quadratures``.
     extinction : array, shape (nc·w,)
         Extinction after the removal of forward peaks. [m⁻¹]
+    true_extinction : array, shape (nc·w,)
+        Extinction, by which the star's disc is dimmed. [m⁻¹]
     scattering : array, shape (nc·w,)
         True scattering coefficients. [m⁻¹]
     moments : array, shape (nc·(N + 1)·w,)
@@ -101,6 +103,7 @@ class MarchTables(NamedTuple):
     back: Annotated[FloatArray, scalars()]
     rules: Annotated[FloatArray, scalars()]
     extinction: Annotated[Float32Array, SPECTRA]
+    true_extinction: Annotated[Float32Array, SPECTRA]
     scattering: Annotated[Float32Array, SPECTRA]
     moments: Annotated[Float32Array, SPECTRA]
     phase: Annotated[Float32Array, SPECTRA]

@@ -130,6 +130,7 @@ class MomentsSolution(Solution):
             back=expansion.back,
             rules=quadratures((settings.march_nodes,) * 3),
             extinction=air.extinction,
+            true_extinction=pack(medium.extinction),
             scattering=pack(medium.scattering),
             moments=air.moments,
             phase=pack(np.moveaxis(medium.phase_table, 2, 0)),

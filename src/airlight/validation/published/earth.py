@@ -114,7 +114,7 @@ def illuminances(solution: Solution, altitudes: Sequence[float] = ALTITUDES) -> 
 
 
 def zeniths(solution: Solution) -> Section:
-    """Magnitude of Paranal's zenith in twilight; ``solution`` is of ``standard_earth``."""
+    """Magnitude of Paranal's zenith in twilight; ``solution`` is of preset ``earth``."""
     rows = [
         Row(
             what=f"V of the zenith 2635 m up, sun {-one:g}°", unit="mag arcsec⁻²",

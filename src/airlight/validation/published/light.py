@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from airlight.planets import load_planet
 from airlight.validation.published.earth import (
     belts,
     colors,
@@ -15,7 +16,6 @@ from airlight.validation.published.sunset import sunset
 from airlight.validation.published.twilight import (
     TWILIGHT_WAVELENGTHS,
     average_aerosol,
-    standard_earth,
 )
 from airlight.validation.published.venus import venus
 from airlight.validation.suite import Cancel, Progress, Suite
@@ -50,8 +50,8 @@ def earth(solve: Solve, quality: object = "default") -> list[Section]:
     quality : str or Settings, optional
         Quality of the solver.
     """
-    average = solve(standard_earth(average_aerosol()), TWILIGHT_WAVELENGTHS, quality)
-    clear = solve(standard_earth(), TWILIGHT_WAVELENGTHS, quality)
+    average = solve(load_planet("earth", average_aerosol()), TWILIGHT_WAVELENGTHS, quality)
+    clear = solve(load_planet("earth"), TWILIGHT_WAVELENGTHS, quality)
     return [illuminances(average), zeniths(clear), colors(average), belts(clear)]
 
 

@@ -14,10 +14,9 @@ from typing import Final
 import numpy as np
 
 from airlight.geometry.bending import seen_star
-from airlight.planets import Medium, Planet
+from airlight.planets import Medium, Planet, load_planet
 from airlight.solvers.light_paths import LightPaths
 from airlight.validation.published.row import Row, Section
-from airlight.validation.published.twilight import standard_earth
 
 #: Angular diameter of the sun at 1 au. [deg]
 DIAMETER: Final = 2.0 * 0.2665
@@ -66,8 +65,8 @@ def paths_of(planet: Planet) -> LightPaths:
 
 
 def sunset() -> Section:
-    """Refraction and flattening by ``standard_earth``."""
-    paths = paths_of(standard_earth())
+    """Refraction and flattening by preset ``earth``."""
+    paths = paths_of(load_planet("earth"))
     source = "Meeus (1998), chapter 16"
     return Section(
         title="Setting sun",

@@ -21,24 +21,18 @@ Both are fits to measurements, by the sun's true altitude:
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
-from airlight.planets import Planet, load_planet
 from airlight.solvers import Solution
 from airlight.spectra.color_matching import cie_1931
 from airlight.spectra.sun import solar_irradiance
 
 FloatArray = NDArray[np.float64]
-
-#: Planet file of ``standard_earth``.
-STANDARD_EARTH: Final = Path(__file__).parent.parent / "data" / "earth-standard.toml"
 
 #: Wavelengths at which twilight is solved. [nm]
 TWILIGHT_WAVELENGTHS: Final = tuple(float(nm) for nm in range(400, 721, 20))
@@ -108,19 +102,8 @@ def zenith_v_patat2006(altitude: float) -> float:
     return float(np.polynomial.polynomial.polyval(-altitude - low, _PATAT))
 
 
-def standard_earth(changes: Mapping[str, Any] | None = None) -> Planet:
-    """Earth with the air of the U.S. Standard Atmosphere, 1976, in which light is bent.
-
-    Parameters
-    ----------
-    changes : mapping, optional
-        Changes by path, as for ``load_planet``.
-    """
-    return load_planet(STANDARD_EARTH, changes)
-
-
 def average_aerosol() -> dict[str, object]:
-    """Changes of ``standard_earth`` that make its aerosol the continental average of Hess et al.
+    """Changes of preset ``earth`` that make its aerosol the continental average of Hess et al.
 
     Optical depth 0.151 at 550 nm with Ångström exponents of 1.11 and 1.42 below and above 500 nm,
     0.075 /km at the ground, single-scattering albedo 0.925, mean cosine 0.703.

@@ -35,7 +35,7 @@ export function isPlain({ amounts, ground }) {
  * @param {object} air
  * @param {{amounts: number[], ground: number}} edit
  * @returns {object} Tables by name, four wavelengths per texel: `extinction` and `moments` without
- *     forward peaks, `scattering`, `albedo`, `level`; `strongest` and `brightest` of each
+ *     forward peaks, `true_extinction`, `scattering`, `albedo`, `level`; `strongest` and `brightest` of each
  *     constituent; and `thick`, the weight of the night side.
  * @throws {RangeError} If the atmosphere is too thick for this solver; one line.
  */
@@ -55,6 +55,7 @@ export function editedAir(air, { amounts, ground }) {
   const whole = scattering.values.map((x, i) => x + absorption.values[i]);
   return {
     extinction,
+    true_extinction: Float32Array.from(whole),
     scattering: Float32Array.from(scattering.values),
     moments,
     albedo: Float32Array.from(air.albedo, (x) => Math.min(x * ground, air.brightest)),

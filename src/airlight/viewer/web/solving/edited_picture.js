@@ -25,7 +25,8 @@ export async function editedPicture(plain, { plan, scalars, fixed }, air, light,
   }
   const [start, length] = plain.uniforms.table_basis;
   const basis = old.spectra.slice(4 * start, 4 * (start + length)).map((x) => x * ground);
-  const { extinction, scattering, moments, albedo } = air;
+  const { extinction, true_extinction, scattering, moments, albedo } = air;
+  const spectra = { extinction, true_extinction, scattering, moments, albedo, basis };
   const nodes = levels * suns;
   uniforms.table_field = [0, nodes * (terms + 1), 0, 0];
   uniforms.table_sky = [nodes * (terms + 1), 2 * nodes, 0, 0];
@@ -36,7 +37,7 @@ export async function editedPicture(plain, { plan, scalars, fixed }, air, light,
       scalars: { format: "r32float", data: appended(old.scalars, numbers, 1, uniforms) },
       spectra: {
         format: "rgba32float",
-        data: appended(old.spectra, { extinction, scattering, moments, albedo, basis }, 4, uniforms),
+        data: appended(old.spectra, spectra, 4, uniforms),
       },
       fields: { texture: light },
     },
