@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 import airlight
 from airlight.exports.bake import bake
 
-earth = airlight.load_planet("earth")
+earth = airlight.load_planet("earth", {"refraction": "none"})  # tables draw straight
 solution = airlight.solve(earth, [680.0, 550.0, 440.0], quality="preview")
 baked = bake(solution, size=(8, 32, 8, 4), points=500)  # a small one of the scattered light
 table = baked.tables["transmittance"]
