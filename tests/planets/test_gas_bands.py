@@ -17,6 +17,9 @@ DOCS = Path(__file__).parents[2] / "docs"
 PRESET = Path(str(__import__("airlight").__file__)).parent / "planets" / "presets" / "earth.toml"
 #: Oxygen above the standard atmosphere's ground: a fifth of p/(mg). [m⁻²]
 OXYGEN = 0.209476 * 101_325.0 / (9.80665 * 0.0289644 / 6.02214076e23)
+#: Integral of the standard atmosphere's squared density over that at the ground, by trapezoids of
+#: 0.25 m over its Tables' layers; one exponential of 8434.5 m has half of that, 4217 m. [m]
+SQUARED = 4637.0
 
 
 def through(table: str, column: float, wavelengths: np.ndarray) -> np.ndarray:
@@ -55,10 +58,9 @@ def test_oxygen_s_bands_are_those_of_the_standard_sunlight(
 
 
 def test_oxygen_s_pairs_are_those_of_the_standard_sunlight() -> None:
-    # The same at 477 nm, where neither water nor lines of oxygen are near; the squared density of
-    # an atmosphere of 8.4 km has half its scale height.
+    # The same at 477 nm, where neither water nor lines of oxygen are near.
     nm = np.arange(460.0, 496.0)
-    light = through("oxygen-pairs", PAIR_DENSITY * 0.5 * 8434.5, nm)
+    light = through("oxygen-pairs", PAIR_DENSITY * SQUARED, nm)
     ours = dip(nm, light, 477.0, 3.0, 465.0, 490.0)
     assert_allclose(ours, dip(*standard_sunlight(), 477.0, 3.0, 465.0, 490.0), rtol=0.005)
 
@@ -96,7 +98,7 @@ def test_the_constituents_of_the_page_take_what_the_tables_say(banded: Planet) -
     for name, table, column in (
         ("oxygen", "oxygen-bands", OXYGEN),
         ("water vapour", "water-vapour-bands", 1.42e4 / 18.01528 * 6.02214076e23),
-        ("pairs of oxygen", "oxygen-pairs", PAIR_DENSITY * 0.5 * 8434.5),
+        ("pairs of oxygen", "oxygen-pairs", PAIR_DENSITY * SQUARED),
     ):
         expected = through(table, column, nm)
         assert_allclose(np.exp(-AIRMASS * depth[name]), expected, rtol=3e-3, err_msg=name)
@@ -109,7 +111,7 @@ def test_what_a_planet_has_is_not_left_out(banded: Planet) -> None:
     bands, pairs = left_out
     assert_allclose(1.0 - bands.loss[0], through("oxygen-bands", OXYGEN, np.array([764.0]))[0],
                     rtol=3e-3)  # fmt: skip
-    expected = through("oxygen-pairs", PAIR_DENSITY * 0.5 * 8434.5, np.array([577.0]))[0]
+    expected = through("oxygen-pairs", PAIR_DENSITY * SQUARED, np.array([577.0]))[0]
     assert_allclose(1.0 - pairs.loss[1], expected, rtol=1e-3)
     assert (bands.wavelength, pairs.wavelength) == (764.0, 578.0)
 

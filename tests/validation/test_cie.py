@@ -60,4 +60,4 @@ def test_more_aerosol_is_more_of_the_aerosol_alone() -> None:
     earth = load_planet("earth")
     thin, thick = (Medium.from_planet(with_aerosol(earth, k), NM) for k in (1.0, 3.0))
     ratio = thick.vertical_optical_depth / thin.vertical_optical_depth
-    assert_allclose(ratio, [[1.0] * 3, [3.0] * 3, [1.0] * 3], rtol=1e-12)
+    assert_allclose(ratio, [[1.0] * 3, [3.0] * 3, [1.0] * 3, [1.0] * 3], rtol=1e-12)
