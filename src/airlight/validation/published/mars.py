@@ -51,8 +51,8 @@ def daylight(solve: Solve, quality: object = "default") -> Section:
         title="Daylight on Mars",
         rows=rows,
         note=f"Sun and sky together on level ground, sun {DAY:g}° high. The lander's days had "
-        "optical depths of 0.5 to 1.9, typically under 1 (Lemmon et al. 2024), the preset has 0.5; the "
-        "published errors are standard deviations.",
+        "optical depths of 0.5 to 1.9, typically under 1 (Lemmon et al. 2024); the preset has 0.5. "
+        "The published errors are standard deviations.",
     )
 
 
