@@ -10,8 +10,12 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import Medium, Planet, load_planet
+from airlight.planets import replace
 from airlight.planets.gas_bands import AIRMASS, PAIR_DENSITY, bands_left_out
+from airlight.planets.matter.absorbers import CrossSectionAbsorption
+from airlight.planets.matter.gas_mixture import GasMixture
 from airlight.spectra.tables import read_spectrum
+from airlight.validation.published.titan import titan_with_methane
 
 DOCS = Path(__file__).parents[2] / "docs"
 PRESET = Path(str(__import__("airlight").__file__)).parent / "planets" / "presets" / "earth.toml"
@@ -76,11 +80,10 @@ def test_water_s_bands_have_the_coefficients_of_bird_and_riordan() -> None:
     assert_allclose(through("water-vapour-bands", column, nm), expected, rtol=1e-4)
 
 
-def documented() -> str:
-    """Constituents of docs/planets.md with the bands."""
+def documented(which: int = 0) -> str:
+    """Constituents of docs/planets.md with the bands: Earth's, then Titan's."""
     page = (DOCS / "planets.md").read_text(encoding="utf-8")
-    (block,) = re.findall(r"```toml\n(.*?)```", page, flags=re.DOTALL)
-    return str(block)
+    return str(re.findall(r"```toml\n(.*?)```", page, flags=re.DOTALL)[which])
 
 
 @pytest.fixture(scope="module")
@@ -117,7 +120,47 @@ def test_what_a_planet_has_is_not_left_out(banded: Planet) -> None:
 
 
 def test_a_gas_without_a_table_is_named_and_thin_gas_is_not() -> None:
-    (methane,) = bands_left_out(load_planet("titan"), [619.0])
-    assert str(methane) == "bands of CH4: no table of them"
+    earth = load_planet("earth")
+    air = earth.constituents[0]
+    assert isinstance(air.matter, GasMixture)
+    ammonia = replace(air, matter=replace(air.matter, composition={"N2": 0.9, "NH3": 0.1}))
+    (left_out,) = bands_left_out(replace(earth, constituents=(ammonia,)), [647.0])
+    assert str(left_out) == "bands of NH3: no table of them"
     assert bands_left_out(load_planet("mars"), [764.0]) == ()  # 0.16 % of 6 hPa
     assert bands_left_out(load_planet("earth-bruneton"), [764.0]) == ()  # coefficients alone
+
+
+def test_methane_s_bands_are_karkoschka_s() -> None:
+    # Karkoschka (1998) as read twice over: optical depths of 2.80 km-amagat at 620, 730 and 790 nm
+    loschmidt = 101_325.0 / (1.380649e-23 * 273.15)
+    sigma = read_spectrum("methane-bands").at([620.0, 730.0, 790.0, 390.0])
+    assert_allclose(2.80e3 * loschmidt * sigma, [1.269, 7.128, 1.985, 0.0], rtol=5e-4)
+
+
+def test_titan_has_the_methane_of_its_gas() -> None:
+    # 3.5 % of its molecules; the mean of 5.65 and 1.48 % over the column, Niemann et al. (2010)
+    titan = titan_with_methane()
+    air, *_, methane = titan.constituents
+    assert isinstance(air.matter, GasMixture)
+    assert isinstance(methane.absorption, CrossSectionAbsorption)
+    share = dict(air.matter.composition)["CH4"]
+    gas = air.matter.number_density * air.profile.column(titan.thickness)
+    assert_allclose(methane.absorption.column, share * gas, rtol=0.01)
+    assert bands_left_out(titan, [730.0]) == ()
+    (left_out,) = bands_left_out(load_planet("titan"), [730.0])
+    assert left_out.loss[0] > 0.999
+    (methane_of_old,) = bands_left_out(load_planet("early-earth"), [730.0])
+    assert methane_of_old.name == "CH4"
+    assert methane_of_old.wavelength == 730.0
+
+
+def test_the_methane_of_the_page_is_that_of_the_published_disc(tmp_path: Path) -> None:
+    # one planet, written twice: as a file's constituent and in Python
+    file = tmp_path / "titan.toml"
+    preset = PRESET.with_name("titan.toml").read_text(encoding="utf-8")
+    file.write_text(preset + "\n" + documented(1), encoding="utf-8")
+    nm = [620.0, 730.0]
+    ours, given = (Medium.from_planet(one, nm) for one in (titan_with_methane(), load_planet(file)))
+    assert_allclose(ours.absorption[-1], given.absorption[-1], rtol=1e-12)
+    h = np.linspace(0.0, 300e3, 61)
+    assert_allclose(ours.density.at(h)[-1], given.density.at(h)[-1], rtol=1e-12)

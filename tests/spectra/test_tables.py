@@ -20,7 +20,7 @@ def test_every_table_names_its_quantity_unit_source_and_licence():
         assert len(table.source) > 20
         assert table.licence
         steps = np.diff(table.wavelengths)
-        assert_array_equal(steps, 10.0 if name == "earth-albedo" else 1.0)
+        assert_array_equal(steps, 10.0 if name in ("earth-albedo", "methane-bands") else 1.0)
         assert np.all(np.isfinite(table.values))
         assert np.all(table.values >= 0.0)
 
@@ -97,8 +97,8 @@ def test_shapes_follow_the_wavelengths():
 
 def test_an_unknown_table_is_refused_with_the_known_names():
     known = (
-        "astm-g173, cie-1931, earth-albedo, oxygen-bands, oxygen-pairs, ozone-293k, "
-        "water-vapour-bands$"
+        "astm-g173, cie-1931, earth-albedo, methane-bands, oxygen-bands, oxygen-pairs, "
+        "ozone-293k, water-vapour-bands$"
     )
     with pytest.raises(ParameterError, match=known):
         read_spectrum("../../planets/earth")

@@ -23,7 +23,7 @@ FloatArray = npt.NDArray[np.float64]
 TABLES: Final[dict[str, tuple[str, ...]]] = {
     "O2": ("oxygen-bands",),
     "H2O": ("water-vapour-bands",),
-    "CH4": (),
+    "CH4": ("methane-bands",),
     "NH3": (),
 }
 #: Table of oxygen's pairs, whose number goes with the square of the density; and the density of
@@ -84,8 +84,9 @@ def bands_left_out(planet: Planet, wavelengths: npt.ArrayLike) -> tuple[LeftOut,
 
     Bands that nowhere take more than 5e-5 of the visible light are none.
 
-    The cross-sections are means over 10 nm that are right for the Earth's air; where the air is
-    thinner or thicker than that, the size is of the right order only.
+    The cross-sections are means over 10 nm that are right for the Earth's air, those of methane for
+    some kilometres of the pure gas at 0 °C and 101 325 Pa; elsewhere the size is of the right order
+    only.
 
     Parameters
     ----------

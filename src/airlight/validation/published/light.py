@@ -13,6 +13,7 @@ from airlight.validation.published.mars import daylight
 from airlight.validation.published.rayleigh_sphere import rayleigh_sphere
 from airlight.validation.published.row import Section, Solve, solver
 from airlight.validation.published.sunset import sunset
+from airlight.validation.published.titan import full_disc
 from airlight.validation.published.twilight import (
     TWILIGHT_WAVELENGTHS,
     average_aerosol,
@@ -35,9 +36,8 @@ def published(*, progress: Progress | None = None, cancel: Cancel | None = None)
         If ``cancel`` returned True.
     """
     solve = solver(progress, cancel)
-    return suite_of(
-        [*earth(solve), sunset(), daylight(solve), venus(solve), rayleigh_sphere(solve)]
-    )
+    others = [sunset(), daylight(solve), venus(solve), full_disc(solve), rayleigh_sphere(solve)]
+    return suite_of([*earth(solve), *others])
 
 
 def earth(solve: Solve, quality: object = "default") -> list[Section]:
@@ -76,8 +76,8 @@ def suite_of(sections: list[Section]) -> Suite:
         bars=bars,
         parts=[section.table for section in sections],
         settings=[
-            "Earth in the standard atmosphere, presets mars and venus",
+            "Earth in the standard atmosphere, presets mars, venus and titan",
             "twilight: default quality, 400 to 720 nm",
-            "Venus: preview quality, 400 to 1000 nm",
+            "Venus: preview quality, 400 to 1000 nm; Titan: preview quality",
         ],
     )

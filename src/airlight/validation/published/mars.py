@@ -3,6 +3,9 @@
 Maki et al. (2021), Color properties at the Mars InSight landing site, Earth and Space Science 8,
 e2020EA001336, abstract: the white point of daylight has x = 0.35, y = 0.34, standard deviations
 0.01 and 0.02, by the cameras' pictures of the lander's calibration target.
+
+Lemmon et al. (2024), Results from the InSight atmospheric imaging campaign, Icarus 421, 116248,
+abstract: the optical depth of dust and ice at the lander was 0.5 to 1.9, typically under 1.
 """
 
 from __future__ import annotations
@@ -47,8 +50,9 @@ def daylight(solve: Solve, quality: object = "default") -> Section:
     return Section(
         title="Daylight on Mars",
         rows=rows,
-        note=f"Sun and sky together on level ground, sun {DAY:g}° high. The lander's days are not "
-        "those of the preset's dust; the published errors are standard deviations.",
+        note=f"Sun and sky together on level ground, sun {DAY:g}° high. The lander's days had "
+        "optical depths of 0.5 to 1.9, typically under 1 (Lemmon et al. 2024); the preset has 0.5. "
+        "The published errors are standard deviations.",
     )
 
 
