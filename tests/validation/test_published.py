@@ -20,7 +20,7 @@ from airlight.validation.published.light import published, suite_of
 from airlight.validation.published.row import COLUMNS, Row, Section, solver
 from airlight.validation.published.sunset import flattening, paths_of, refraction, sunset
 from airlight.validation.published.twilight import average_aerosol
-from airlight.validation.published.venus import TOTAL, band_flux, global_mean, ground_flux
+from airlight.validation.published.venus import EDGES, TOTAL, band_flux, global_mean, ground_flux
 from airlight.validation.run import SUITES, chosen
 from airlight.validation.suite import Bar
 
@@ -155,18 +155,28 @@ def test_the_flux_of_all_light_is_the_suns(tenth: EvenGround) -> None:
     # of which the sun, which lacks ultraviolet, has some per cent more.
     nm = np.arange(400.0, 1001.0)
     known = float(np.trapezoid(solar_irradiance(nm), nm)) / 0.7233**2
-    assert_allclose(band_flux(tenth, np.ones(3)), known, rtol=1e-6)
+    assert_allclose(band_flux([tenth], np.ones(3)), known, rtol=1e-6)
     wide = np.geomspace(50.0, 1e6, 20_001)
     share = np.trapezoid(planck_radiance(nm, 5772.0), nm)
     share /= np.trapezoid(planck_radiance(wide, 5772.0), wide)
     assert_allclose(known * 0.7233**2 / TOTAL, share, rtol=0.05)
 
 
+def test_a_wavelength_stands_for_its_interval(tenth: EvenGround) -> None:
+    # By hand: of the three wavelengths 450 nm lies in the interval from 440 to 460 nm, the next in
+    # that from 540 to 560 nm, and what lies between goes with it.
+    assert {440.0, 460.0, 540.0, 560.0} <= set(EDGES)
+    alone = band_flux([tenth], np.array([0.0, 1.0, 0.0]))
+    nm = np.arange(460.0, 560.01, 0.25)
+    known = float(np.trapezoid(solar_irradiance(nm), nm)) / 0.7233**2
+    assert_allclose(alone, known, rtol=0.005)
+
+
 def test_ground_that_gets_a_tenth_of_all_light_gets_a_tenth_in_the_mean(tenth: EvenGround) -> None:
     # By hand: a tenth of the irradiance times the zenith cosine; of the sphere's mean, a quarter.
-    top = band_flux(tenth, np.ones(3))
-    assert_allclose(ground_flux(tenth, 60.0), 0.05 * top, rtol=1e-6)
-    assert_allclose(global_mean(tenth), 0.1 * 0.25 * top, rtol=1e-6)
+    top = band_flux([tenth], np.ones(3))
+    assert_allclose(ground_flux([tenth], 60.0), 0.05 * top, rtol=1e-6)
+    assert_allclose(global_mean([tenth]), 0.1 * 0.25 * top, rtol=1e-6)
 
 
 def test_sunset_by_the_suite_is_within_the_published_range() -> None:

@@ -18,7 +18,7 @@ from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.acceleration import mixing_weights
 from airlight.solvers.moments.convergence import counts, relative_change, remaining_change
-from airlight.solvers.moments.packing import level_weights, thickness
+from airlight.solvers.moments.packing import level_weights, pack, thickness
 from airlight.solvers.moments.reduced_optics import Optics
 from airlight.solvers.moments.settings import QUALITIES
 from airlight.solvers.moments.solution import solve
@@ -30,7 +30,7 @@ WAVELENGTHS = (680.0, 550.0, 440.0)
 #: Planet, factors of its constituents: thin, thick and no dust; air that bends light.
 FACTORS = {
     "mars": (1.0, 0.1), "mars, a storm": (0.5, 4.0), "mars, clean": (2.0, 0.0),
-    "earth": (0.7, 3.0, 2.0),
+    "earth": (0.7, 3.0, 2.0, 0.5),
 }  # fmt: skip
 
 
@@ -78,7 +78,10 @@ def test_edited_air_is_that_of_an_edited_medium(
     grid = solution.moments.grid  # the suns are the same for every degree
     dip = acos(grid.bottom_radius / grid.top_radius)
     # float32, to which both are rounded, after sums in different orders
-    tables = {"extinction": air.extinction, "moments": air.moments, "albedo": air.ground.albedo}
+    tables = {
+        "extinction": air.extinction, "moments": air.moments, "albedo": air.ground.albedo,
+        "true_extinction": pack(paths.medium.extinction),
+    }  # fmt: skip
     for name, table in tables.items():
         wanted = table.reshape(-1, 8)[:, :4].reshape(-1)
         assert_allclose(got[name], wanted, rtol=1e-5, atol=1e-6 * abs(wanted).max(), err_msg=name)

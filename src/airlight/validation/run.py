@@ -82,6 +82,12 @@ def _energy(data: Path | None, *, progress: Progress | None, cancel: Cancel | No
     return energy(progress=progress, cancel=cancel)
 
 
+def _disort(data: Path | None, *, progress: Progress | None, cancel: Cancel | None) -> Suite:
+    from airlight.validation.plane_parallel import disort
+
+    return disort(progress=progress, cancel=cancel)
+
+
 def _published(data: Path | None, *, progress: Progress | None, cancel: Cancel | None) -> Suite:
     from airlight.validation.published.light import published
 
@@ -101,6 +107,7 @@ SUITES: Final[dict[str, Entry]] = {
     "measured": Entry("Measured skies", _measured, ("kider2013-05-27.npz",)),
     "kider": Entry("Measured days, load fitted", _kider, ("kider*.npz",)),
     "energy": Entry("Energy", _energy),
+    "disort": Entry("Flat air against discrete ordinates", _disort),
     "published": Entry("Published light", _published),
 }
 

@@ -1,0 +1,235 @@
+"""The suite ``disort``: flat air of great depth against discrete ordinates.
+
+Reference: irradiances by PythonicDISORT (Ho & Pincus 2024, Journal of Open Source Software 9,
+6442), discrete ordinates after Stamnes, Tsay, Wiscombe & Jayaweera (1988), Applied Optics 27, 2502,
+in many even layers; ``builders/disort.py`` made ``data/plane-parallel.toml``. Here the planets are
+a thousand times as large as theirs, so that the suns of neighbouring places do not mix.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.planets import Constituent, Ground, Medium, Planet, Star, load_planet, replace
+from airlight.planets.matter.phases import HenyeyGreenstein, PhaseFunction, Rayleigh
+from airlight.planets.matter.profiles import Exponential, Tent
+from airlight.solvers import Solution
+from airlight.validation.energy_planets import VAST
+from airlight.validation.finite_disc import with_point_star
+from airlight.validation.published.row import solver
+from airlight.validation.suite import Bar, Cancel, Progress, ReportTable, Suite
+
+FloatArray = NDArray[np.float64]
+
+FILE: Final = "data/plane-parallel.toml"
+#: Zenith angles of the sun. [deg]
+SUNS: Final = (0.0, 30.0, 60.0, 75.0)
+#: Difference of the light on the ground that is aimed at. [%]
+AIM: Final = 1.0
+#: Relative difference of an optical depth above which the reference belongs to another planet.
+SAME: Final = 1e-6
+_BOTTOM, _THICKNESS, _ALBEDO = 6000e3, 100e3, 0.05
+
+
+@dataclass(frozen=True, kw_only=True)
+class FlatCase:
+    """Flat planet at one wavelength.
+
+    Attributes
+    ----------
+    name : str
+        Name, as in the file.
+    planet : Planet
+        The planet, flat, under a point star.
+    wavelength : float
+        Wavelength. [nm]
+    """
+
+    name: str
+    planet: Planet
+    wavelength: float
+
+    @property
+    def medium(self) -> Medium:
+        """Medium at the one wavelength."""
+        return Medium.from_planet(self.planet, (self.wavelength,))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Reference:
+    """What PythonicDISORT found.
+
+    Attributes
+    ----------
+    depth, absorption : float
+        Vertical optical depth of extinction and of absorption. [1]
+    ground : array, shape (ns,)
+        Irradiance of the level ground over that of level ground outside the air, by sun. [1]
+    """
+
+    depth: float
+    absorption: float
+    ground: FloatArray
+
+
+def flat_cases() -> tuple[FlatCase, ...]:
+    """Cases in the order of the report: gas and clouds that are simple, then Venus."""
+    gas = [
+        FlatCase(name=f"gas of depth {depth:g}, absorbs nothing", wavelength=550.0,
+                 planet=_air(Exponential(scale_height=8e3), depth / 8e3, 0.0, Rayleigh()))
+        for depth in (2.0, 8.0, 37.65)
+    ]  # fmt: skip
+    clouds = [
+        FlatCase(name=f"cloud of depth {depth:g}, single-scattering albedo 0.999", wavelength=550.0,
+                 planet=_air(Tent(center=6e3, half_width=2e3), 0.999 * depth / 2e3,
+                             0.001 * depth / 2e3, HenyeyGreenstein(asymmetry=0.75)))
+        for depth in (10.0, 30.0)
+    ]  # fmt: skip
+    venus = flattened(with_point_star(load_planet("venus")))
+    return (
+        *gas,
+        *clouds,
+        *(FlatCase(name=f"venus, {nm:g} nm", planet=venus, wavelength=nm) for nm in (450.0, 700.0)),
+    )
+
+
+def flattened(planet: Planet) -> Planet:
+    """The same air above a ground a thousand times as large.
+
+    Parameters
+    ----------
+    planet : Planet
+    """
+    bottom = VAST * planet.bottom_radius
+    return replace(planet, bottom_radius=bottom, top_radius=bottom + planet.thickness)
+
+
+def _air(
+    profile: Exponential | Tent, scattering: float, absorption: float, phase: PhaseFunction
+) -> Planet:
+    """Flat planet of one constituent, by its coefficients at relative density 1 [m⁻¹]."""
+    return flattened(
+        Planet(
+            name="flat air",
+            bottom_radius=_BOTTOM,
+            top_radius=_BOTTOM + _THICKNESS,
+            ground=Ground(albedo=_ALBEDO),
+            star=Star(irradiance=1.0, angular_radius=0.0),
+            constituents=(
+                Constituent(name="matter", profile=profile, scattering=scattering,
+                            absorption=absorption, phase_function=phase),
+            ),
+        )
+    )  # fmt: skip
+
+
+@cache
+def references() -> dict[str, Reference]:
+    """References of ``data/plane-parallel.toml`` by the names of their cases."""
+    text = files("airlight.validation").joinpath(FILE).read_text(encoding="utf-8")
+    return {
+        one["name"]: Reference(
+            depth=one["depth"], absorption=one["absorption"], ground=np.array(one["ground"])
+        )
+        for one in tomllib.loads(text)["case"]
+    }
+
+
+def depths(medium: Medium) -> tuple[float, float]:
+    """Vertical optical depths of extinction and of absorption at the first wavelength. [1]
+
+    Parameters
+    ----------
+    medium : Medium
+    """
+    columns = np.asarray(medium.columns)
+    return (
+        float(medium.extinction[:, 0] @ columns),
+        float(medium.absorption[:, 0] @ columns),
+    )
+
+
+def ground_share(solution: Solution, suns: Sequence[float] = SUNS) -> FloatArray:
+    """Irradiance of level ground over that of level ground outside the air, shape (ns,). [1]
+
+    Parameters
+    ----------
+    solution : Solution
+        Solution at one wavelength.
+    suns : sequence of float
+        Zenith angles of the sun. [deg]
+    """
+    light = solution.irradiance(altitude=0.0, sun_zenith=list(suns))
+    total = np.asarray(light["direct"] + light["diffuse"])[:, 0]
+    out: FloatArray = total / (solution.lights[0].irradiance[0] * np.cos(np.radians(suns)))
+    return out
+
+
+def disort(
+    *,
+    quality: object = "default",
+    cases: Sequence[FlatCase] | None = None,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Suite:
+    """Compare the light on the ground below flat air with discrete ordinates.
+
+    Parameters
+    ----------
+    quality : str or Settings
+        Quality of the moments solver.
+    cases : sequence of FlatCase, optional
+        Cases to compare instead of all.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Raises
+    ------
+    Cancelled
+        If ``cancel`` returned True.
+    """
+    solve = solver(progress, cancel)
+    bars, rows = [], []
+    for case in flat_cases() if cases is None else cases:
+        known = references()[case.name]
+        solution = solve(case.planet, (case.wavelength,), quality)
+        off = 100.0 * (ground_share(solution) / known.ground - 1.0)
+        remade = np.allclose(depths(solution.medium), (known.depth, known.absorption), rtol=SAME)
+        worst = float(np.abs(off).max()) if remade else float("nan")
+        bars.append(
+            Bar(name=f"{case.name}: light on the ground, worst of {len(SUNS)} suns", got=worst,
+                allowed=AIM, unit="%", source="the aim")
+        )  # fmt: skip
+        rows.append(
+            (case.name, f"{known.depth:.4g}", f"{known.absorption:.3g}",
+             *(f"{share:.5f} ({d:+.2f} %)" for share, d in zip(known.ground, off, strict=True)))
+        )  # fmt: skip
+    met = sum(bar.passed for bar in bars)
+    return Suite(
+        name="disort",
+        title="Flat air against discrete ordinates",
+        summary=(
+            "The light that reaches the ground through deep flat air, by the moments solver and by "
+            f"PythonicDISORT: {met} of {len(bars)} are within {AIM:g} %. Light deep in air that "
+            "absorbs nothing is the rest of a large cancellation, and the hardest to get."
+        ),
+        bars=bars,
+        parts=[
+            ReportTable(
+                title="Light on the ground over that outside the air, and our difference from it",
+                columns=["air", "depth", "absorption", *(f"sun {sun:g}°" for sun in SUNS)],
+                rows=rows,
+                note="The sun's angle is from the zenith; nan in a bar: the planet has changed "
+                "since the reference was made (python builders/disort.py).",
+            )
+        ],
+        settings=[f"moments solver, {quality} quality; grounds of albedo {_ALBEDO:g}"],
+    )
