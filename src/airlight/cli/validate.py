@@ -36,8 +36,8 @@ def validate(
         list[str] | None,
         typer.Option(
             metavar="NAME",
-            help="golden, solvers, spherical, cie, measured, kider, energy, published or all (all);"
-            " may be given several times.",
+            help="golden, solvers, spherical, cie, measured, kider, energy, disort, published or "
+            "all (all); may be given several times.",
         ),
     ] = None,
     data: Annotated[
