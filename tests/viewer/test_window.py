@@ -488,7 +488,13 @@ OF_FILE = (
 
 @pytest.mark.parametrize("whole", [False, pytest.param(True, marks=pytest.mark.validation)])
 def test_every_control_is_clicked_and_changes_its_value(window: Driven, whole: bool) -> None:
-    # By the mouse, where the panel says that the control is; the last click is undone by its key.
+    # By the mouse, where the panel says that the control is; of the planet's file each click is
+    # undone by its key, of the others the last.
+    def undo(path: str, before: Any) -> None:
+        if window.ask("value", path) != before:
+            window.mouse("mousemove", 600, 200, "sleep", 0.1, "key", "ctrl+z")
+        window.until(lambda: window.ask("value", path) == before, of=path)
+
     window.ask("recover", "mars")
     declared = {path: (kind, options) for path, kind, options in window.ask("find", ".")}
     wanted = [path for path in declared if path.startswith(("air.", "view.", "display.", "light."))]
@@ -532,12 +538,10 @@ def test_every_control_is_clicked_and_changes_its_value(window: Driven, whole: b
         window.until(
             lambda path=path, before=before: window.ask("value", path) != before, 20.0, of=path
         )
-
-    def undone() -> bool:
-        window.mouse("mousemove", 600, 200, "sleep", 0.1, "key", "ctrl+z", "sleep", 0.2)
-        return bool(window.ask("value", path) == before)
-
-    window.until(undone, of=path)  # of one click, or of the second on a slider
+        if path in others:  # another profile, law or method has other parameters
+            undo(path, before)
+        last = path, before
+    undo(*last)
     window.ask("find", "")
 
 
