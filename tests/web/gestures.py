@@ -23,9 +23,12 @@ KEYS = (
 
 #: Rectangle of the viewer within the page: left, top, width, height. [pixel]
 _PLACE = """() => {
+  airlight.parts.root.scrollIntoView({ block: "nearest" });
   const { left, top, width, height } = airlight.parts.root.getBoundingClientRect();
   return [left, top, width, height];
 }"""
+#: Whether a point is the viewer's.
+_HELD = "([x, y]) => airlight.parts.root.contains(document.elementFromPoint(x, y))"
 #: Whether the keyboard focus is in the viewer; elsewhere keys belong to its host.
 _FOCUSED = "airlight.parts.root.contains(document.activeElement)"
 
@@ -64,9 +67,14 @@ class Gestures:
         touches.detach()
 
     def _point(self) -> tuple[float, float]:
-        left, top, width, height = self.page.evaluate(_PLACE)
-        x, y = self.chance.random(), self.chance.random()
-        return left + 1.0 + x * (width - 2.0), top + 1.0 + y * (height - 2.0)
+        """Point of the viewer that its host neither covers nor has scrolled away."""
+        for _ in range(100):
+            left, top, width, height = self.page.evaluate(_PLACE)
+            x = left + 1.0 + self.chance.random() * (width - 2.0)
+            y = top + 1.0 + self.chance.random() * (height - 2.0)
+            if self.page.evaluate(_HELD, [x, y]):
+                return x, y
+        raise AssertionError("the viewer is out of sight")
 
     def _click(self) -> None:
         x, y = self._point()
