@@ -52,8 +52,8 @@ def missing() -> str:
 class Driven:
     """Window in its own process, with a mouse and keys on its display."""
 
-    def __init__(self, display: str, folder: Path, by: str) -> None:
-        self.environment = {**os.environ, "DISPLAY": display}
+    def __init__(self, display: str, folder: Path, by: str, **environment: str) -> None:
+        self.environment = {**os.environ, "DISPLAY": display, **environment}
         self.screen = folder / "Xvfb_screen0"
         self.log = folder / "stderr"
         self._errors = self.log.open("w")
@@ -135,15 +135,11 @@ class Driven:
                 stream.close()
 
 
-@pytest.fixture(scope="module")
-def window(
-    tmp_path_factory: pytest.TempPathFactory, lacking: Callable[[str], NoReturn]
-) -> Iterator[Driven]:
-    reason = missing()
-    if reason:
-        lacking(reason)
+@contextlib.contextmanager
+def opened_window(folder: Path, **environment: str) -> Iterator[Driven]:
+    """Window on a display of its own, with its first picture."""
     reads, writes = os.pipe()
-    screen, folder = f"{SIZE[0]}x{SIZE[1]}x24", tmp_path_factory.mktemp("window")
+    screen = f"{SIZE[0]}x{SIZE[1]}x24"
     server = subprocess.Popen(
         [
             "Xvfb",
@@ -163,9 +159,24 @@ def window(
     os.close(writes)
     with os.fdopen(reads) as pipe:
         display = f":{pipe.readline().strip()}"
-    driven = Driven(display, folder, "auto")
+    driven = Driven(display, folder, "auto", **environment)
     try:
         assert driven.ask("settled", 240.0), driven.ask("error")
+        yield driven
+    finally:
+        driven.close()
+        server.terminate()
+        server.wait()
+
+
+@pytest.fixture(scope="module")
+def window(
+    tmp_path_factory: pytest.TempPathFactory, lacking: Callable[[str], NoReturn]
+) -> Iterator[Driven]:
+    reason = missing()
+    if reason:
+        lacking(reason)
+    with opened_window(tmp_path_factory.mktemp("window")) as driven:
         left, top, right, bottom = driven.ask("place_of", "search")
         driven.press(0.5 * (left + right), 0.5 * (top + bottom))
         driven.until(lambda: driven.ask("typing"))
@@ -177,10 +188,29 @@ def window(
         driven.mouse("mouseup", 1)
         driven.ask("settled", 60.0)
         yield driven
-    finally:
-        driven.close()
-        server.terminate()
-        server.wait()
+
+
+@pytest.mark.slow
+def test_frames_keep_coming_while_a_software_device_compiles(
+    tmp_path: Path, lacking: Callable[[str], NoReturn], tell: Callable[[str], None]
+) -> None:
+    # With an empty cache of shaders: the window stood still until they were compiled, 5 s on two
+    # quiet cores and a minute on busy ones, and a click seemed to be lost.
+    reason = missing()
+    if reason:
+        lacking(reason)
+    with opened_window(tmp_path, MESA_SHADER_CACHE_DIR=str(tmp_path / "shaders")) as driven:
+        if not driven.ask("software"):
+            pytest.skip("a graphics card compiles beside the frames that it draws")
+        assert driven.ask("compiling")
+        longest, limit = 0.0, time.monotonic() + 240.0
+        while driven.ask("compiling"):
+            assert time.monotonic() < limit
+            longest = max(longest, driven.ask("longest_gap", 2.0))
+        slowness = driven.ask("slowness")
+        tell(f"window: longest time between frames while shaders compile {longest:.2f} s")
+        # as while the planet is solved, below
+        assert longest < 0.3 * min(slowness, 5.0)
 
 
 def test_a_slider_dragged_changes_the_value_and_the_picture(window: Driven) -> None:
@@ -488,7 +518,13 @@ OF_FILE = (
 
 @pytest.mark.parametrize("whole", [False, pytest.param(True, marks=pytest.mark.validation)])
 def test_every_control_is_clicked_and_changes_its_value(window: Driven, whole: bool) -> None:
-    # By the mouse, where the panel says that the control is; the last click is undone by its key.
+    # By the mouse, where the panel says that the control is; of the planet's file each click is
+    # undone by its key, of the others the last.
+    def undo(path: str, before: Any) -> None:
+        if window.ask("value", path) != before:
+            window.mouse("mousemove", 600, 200, "sleep", 0.1, "key", "ctrl+z")
+        window.until(lambda: window.ask("value", path) == before, of=path)
+
     window.ask("recover", "mars")
     declared = {path: (kind, options) for path, kind, options in window.ask("find", ".")}
     wanted = [path for path in declared if path.startswith(("air.", "view.", "display.", "light."))]
@@ -532,12 +568,10 @@ def test_every_control_is_clicked_and_changes_its_value(window: Driven, whole: b
         window.until(
             lambda path=path, before=before: window.ask("value", path) != before, 20.0, of=path
         )
-
-    def undone() -> bool:
-        window.mouse("mousemove", 600, 200, "sleep", 0.1, "key", "ctrl+z", "sleep", 0.2)
-        return bool(window.ask("value", path) == before)
-
-    window.until(undone, of=path)  # of one click, or of the second on a slider
+        if path in others:  # another profile, law or method has other parameters
+            undo(path, before)
+        last = path, before
+    undo(*last)
     window.ask("find", "")
 
 
@@ -553,16 +587,8 @@ def test_buttons_are_clicked(window: Driven) -> None:
     window.until(lambda: window.ask("value", "view.altitude") != altitude)
     window.click("time")
     window.until(lambda: part("time") is True)
-
-    def stopped() -> bool:
-        # beside other tests a click was lost here twice, for reasons that are not known
-        window.click("time")
-        limit = time.monotonic() + 15.0
-        while part("time") is not False and time.monotonic() < limit:
-            time.sleep(0.02)
-        return part("time") is False
-
-    window.until(stopped)
+    window.click("time")
+    window.until(lambda: part("time") is False)
     window.click("probe")
     window.until(lambda: part("probe") is True)
     window.click("probe")

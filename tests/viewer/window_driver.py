@@ -186,6 +186,13 @@ class Answers:
     def threads(self) -> list[str]:
         return sorted(one.name for one in threading.enumerate() if "airlight" in one.name)
 
+    def software(self) -> bool:
+        return open_device().software
+
+    def compiling(self) -> bool:
+        """Whether shaders are being compiled for pictures."""
+        return any(one.name == "airlight-compiling" for one in threading.enumerate())
+
     def error(self) -> str:
         return self.window.problem
 

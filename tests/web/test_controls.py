@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 import os
-import random
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import painted
 import pytest
+from gestures import Gestures, close_all
 from numpy.testing import assert_allclose
 from waiting import PATIENCE, until
 
@@ -27,8 +28,6 @@ SIZES = ((1280, 720), (800, 600), (390, 844))
 PHONE = {"width": 390, "height": 844}
 #: Number of random clicks; AIRLIGHT_CLICKS asks for more.
 CLICKS = int(os.environ.get("AIRLIGHT_CLICKS", "60"))
-#: Buttons that leave the page or ask the browser.
-ASIDE = ("save picture", "film", "copy link", "fullscreen")
 
 
 @pytest.fixture(scope="module")
@@ -84,6 +83,14 @@ def phone(chromium: Any, file: Any) -> Iterator[Any]:
     context.close()
 
 
+@pytest.fixture(params=["mouse", "finger"])
+def used(request: pytest.FixtureRequest) -> tuple[Any, Callable[..., None]]:
+    """The page, and what presses a control of it, at a place: the mouse, or a finger."""
+    if request.param == "mouse":
+        return request.getfixturevalue("page"), lambda one, **at: one.click(**at)
+    return request.getfixturevalue("phone"), lambda one, **at: one.tap(**at)
+
+
 #: Elements whose text leaves its box, and those that leave the panel.
 MISFITS = """() => {
   const { root } = airlight.parts;
@@ -115,8 +122,9 @@ def test_labels_and_numbers_fit(size: tuple[int, int], page: Any) -> None:
     assert box["width"] * box["height"] > 0.3 * size[0] * size[1]
 
 
-def test_every_control_changes_its_value(page: Any) -> None:
-    # a click on a slider at a third or two thirds of it, an option, a box; undo takes each back
+def test_every_control_changes_its_value(used: tuple[Any, Callable[..., None]]) -> None:
+    # a slider at a third or two thirds of it, an option, a box; undo takes each back
+    page, press = used
     rows = page.evaluate(
         """() => [...airlight.controls.rows].map(([path, { element }]) => [
           path, airlight.state.parameters.get(path).kind])"""
@@ -132,7 +140,7 @@ def test_every_control_changes_its_value(page: Any) -> None:
             box = slider.bounding_box()
             share = float(slider.input_value()) / 1000.0
             x = box["width"] * (0.3 if share > 0.5 else 0.7)
-            slider.click(position={"x": x, "y": 0.5 * box["height"]})
+            press(slider, position={"x": x, "y": 0.5 * box["height"]})
         elif kind == "choice":
             options = page.evaluate("(path) => airlight.state.parameters.get(path).options", path)
             other = next((one for one in options if one != before), None)
@@ -140,11 +148,11 @@ def test_every_control_changes_its_value(page: Any) -> None:
                 continue
             row.locator("select").select_option(other)
         else:
-            row.locator("input").click()
+            press(row.locator("input"))
         after = page.evaluate(get, path)
         assert after != before, path
         page.evaluate("airlight.state.rest()")
-        page.locator("[data-action=undo]").click()
+        press(page.locator("[data-action=undo]"))
         assert page.evaluate(get, path) == before, path
     page.evaluate("airlight.settled()")
     assert page.evaluate("airlight.parts.message.textContent") == ""
@@ -162,22 +170,80 @@ def test_typed_numbers_and_escape(page: Any) -> None:
     assert page.evaluate("document.activeElement === airlight.parts.canvas")
 
 
-def test_every_button_is_pressed(page: Any) -> None:
-    for button in page.locator("[data-action]").all():
-        action = button.get_attribute("data-action")
-        if action in ASIDE or button.is_disabled() or not button.is_visible():
-            continue
-        button.click()
+def test_every_button_does_what_it_says(used: tuple[Any, Callable[..., None]]) -> None:
+    # those that are left at the end have been forgotten here
+    page, press = used
+    left = set(page.evaluate("[...document.querySelectorAll('[data-action]')]"
+                             ".map((one) => one.dataset.action)"))  # fmt: skip
+
+    def pressed(action: str, effect: str) -> None:
+        button = page.locator(f'[data-action="{action}"]')
+        button.scroll_into_view_if_needed()
+        press(button)
+        until(page, effect, 60.0)
         assert page.evaluate("airlight.parts.message.textContent") == "", action
-        if action == "help":
-            assert page.locator(".airlight-help").is_visible()
-            page.keyboard.press("Escape")
-    page.evaluate("airlight.flight.playing && airlight.flight.play()")
-    assert page.evaluate("airlight.state.hasOther") is True
-    page.locator(".airlight-fold").click()
-    assert not page.locator(".airlight-panel").is_visible()
-    page.locator(".airlight-fold").click()
-    assert page.locator(".airlight-panel").is_visible()
+        left.discard(action)
+
+    def saved(action: str) -> bytes:
+        with page.expect_download() as download:
+            press(page.locator(f'[data-action="{action}"]'))
+        left.discard(action)
+        return Path(download.value.path()).read_bytes()
+
+    names = sorted(one for one in left if one.startswith("viewpoint"))
+    assert len(names) == len(viewpoints(RADIUS, RADIUS + 1e5)) > 3
+    for index, name in enumerate(names):
+        pressed(name, f"Object.entries(airlight.viewpoints[{index}].view)"
+                      ".every(([path, value]) => airlight.state.get(path) === value)")  # fmt: skip
+    altitude = page.evaluate("airlight.state.get('view.altitude')")
+    pressed("undo", f"airlight.state.get('view.altitude') !== {altitude}")
+    pressed("redo", f"airlight.state.get('view.altitude') === {altitude}")
+    pressed("reset", "Object.entries(airlight.state.initial)"
+                     ".every(([path, value]) => airlight.state.get(path) === value)")  # fmt: skip
+    pressed("keep as b", "airlight.state.hasOther")
+    for showing in "BA":
+        pressed("swap", f"airlight.state.showing === '{showing}'")
+    for shared in ("false", "true"):
+        pressed("one camera", f"airlight.state.sharesCamera === {shared}")
+    if page.locator("[data-action=advanced]").is_visible():
+        for shown in ("true", "false"):
+            pressed("advanced", f"airlight.controls.advanced === {shown}")
+    left.discard("advanced")  # it is shown for planets that have such parameters
+    for shown in ("false", "true"):
+        pressed("help", f"airlight.parts.help.hidden === {shown}")
+    zenith = page.evaluate("airlight.state.get('view.sun_zenith')")
+    pressed("time", f"airlight.state.get('view.sun_zenith') !== {zenith}")
+    pressed("time", "!airlight.flight.playing")
+    pressed("fullscreen", "document.fullscreenElement === airlight.parts.root")
+    pressed("fullscreen", "document.fullscreenElement === null")
+    assert saved("save picture").startswith(b"\x89PNG")
+    pressed("film", "airlight.film !== null")
+    page.wait_for_timeout(300)  # of film
+    assert saved("film").startswith(bytes.fromhex("1a45dfa3"))  # EBML
+    assert page.evaluate("airlight.film === null")
+    pressed("copy link", "airlight.parts.note.textContent.startsWith('copied: ')")
+    link = page.evaluate("airlight.parts.note.textContent").removeprefix("copied: ")
+    search = page.locator(".airlight-search")
+    press(search)
+    page.keyboard.press("Control+v")
+    assert search.input_value() == link
+    assert left == set()
+    # search and its groups, and the panel
+    search.fill("sun")
+    rows = page.locator(".airlight-row:visible")
+    until(page, "airlight.controls.words === 'sun'")
+    assert 0 < rows.count() < page.evaluate("airlight.state.parameters.size")
+    search.fill("")
+    for summary in page.locator("summary:visible").all():
+        is_open = "(one) => one.parentElement.open"
+        before = summary.evaluate(is_open)
+        press(summary)
+        assert summary.evaluate(is_open) is not before
+        press(summary)
+        assert summary.evaluate(is_open) is before
+    for hidden in (True, False):
+        press(page.locator(".airlight-fold"))
+        assert page.locator(".airlight-panel").is_visible() is not hidden
 
 
 def test_a_phone_hides_the_panel_and_turns_by_touch(phone: Any) -> None:
@@ -216,30 +282,9 @@ def test_a_phone_hides_the_panel_and_turns_by_touch(phone: Any) -> None:
 
 
 def test_random_clicks_leave_the_page_alive(page: Any) -> None:
-    clicked(page, CLICKS, seed=12)
-
-
-def clicked(page: Any, count: int, seed: int) -> None:
-    """Click at random, anywhere, with drags and keys; the page still draws and reacts."""
-    chance = random.Random(seed)
-    width, height = 1280, 720
-    for _ in range(count):
-        x, y = chance.uniform(1, width - 1), chance.uniform(1, height - 1)
-        what = chance.random()
-        page.mouse.move(x, y)
-        if what < 0.7:
-            page.mouse.click(x, y, button=chance.choice(["left", "left", "left", "right"]))
-        elif what < 0.9:
-            page.mouse.down()
-            page.mouse.move(chance.uniform(1, width - 1), chance.uniform(1, height - 1), steps=3)
-            page.mouse.up()
-        else:
-            page.mouse.wheel(0, chance.choice([-300, 300]))
-        page.keyboard.press("Escape")
-    page.evaluate("airlight.flight.release(); airlight.flight.playing && airlight.flight.play()")
-    if page.evaluate("document.fullscreenElement !== null"):
-        page.evaluate("document.exitFullscreen()")
-    page.evaluate("airlight.film && airlight.toggleFilm()")
+    # and the page still draws and reacts
+    Gestures(page, seed=12).by_mouse(CLICKS)
+    close_all(page)
     page.evaluate("airlight.settled()")
     assert page.evaluate("airlight.parts.message.textContent") == ""
     frames = page.evaluate("airlight.loop.frames")

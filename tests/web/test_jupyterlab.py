@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from gestures import Gestures, assert_sound, close_all
 from PIL import Image
 from waiting import PATIENCE, until
 
@@ -112,10 +113,9 @@ def seen(page: Any) -> np.ndarray:
     return np.asarray(Image.open(io.BytesIO(shot)).convert("RGB"), float)
 
 
-@pytest.mark.slow
-def test_slider_in_jupyterlab_moves_python_and_the_picture(
-    lab: str, chromium: Any, tell: Callable[[str], None]
-) -> None:
+@pytest.fixture
+def notebook(lab: str, chromium: Any) -> Iterator[Any]:
+    """Notebook in JupyterLab, whose first cell shows the viewer's first picture."""
     page = chromium.new_page(viewport={"width": 1200, "height": 900})
     page.set_default_timeout(1e3 * PATIENCE)
     page.goto(lab)
@@ -124,6 +124,15 @@ def test_slider_in_jupyterlab_moves_python_and_the_picture(
     run_cell(page, 0)
     page.locator(".airlight canvas").wait_for()
     until(page, "!!document.querySelector('.airlight').parentElement.viewer.drawn")
+    yield page
+    page.close()
+
+
+@pytest.mark.slow
+def test_slider_in_jupyterlab_moves_python_and_the_picture(
+    notebook: Any, tell: Callable[[str], None]
+) -> None:
+    page = notebook
     before = seen(page)
 
     slider = page.locator("[data-path='view.look_zenith'] input[type=range]")
@@ -163,4 +172,51 @@ def test_slider_in_jupyterlab_moves_python_and_the_picture(
 
     run_cell(page, 3)
     until(page, "!document.querySelector('.airlight')")
-    page.close()
+
+
+#: What the first cell sets.
+SET = ["light.quality", "light.wavelengths", "display.automatic"]
+#: What the cells of the notebook hold.
+CELLS = "[...document.querySelectorAll('.jp-CodeCell .cm-content')].map((one) => one.textContent)"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("count", [40, pytest.param(200, marks=pytest.mark.validation)])
+def test_random_clicks_leave_the_widget_alive(count: int, notebook: Any) -> None:
+    # a key that is pressed in the widget is none of the notebook's, whose letters edit cells
+    faults: list[str] = []
+    notebook.on("pageerror", lambda error: faults.append(str(error)))
+    notebook.on("console", lambda m: faults.append(m.text) if m.type == "error" else None)
+    notebook.evaluate(f"window.airlight = {VIEWER}")
+    cells = notebook.evaluate(CELLS)
+    start = notebook.evaluate("airlight.state.values")
+    Gestures(notebook, 5, host=True).by_mouse(count)
+    close_all(notebook)
+    notebook.locator("[data-action=reset]").click()
+    # reset brings back all but what the cell had set, which is set again
+    same = """([values, left]) => Object.entries(values).every(
+      ([path, value]) => left.includes(path) || airlight.state.get(path) === value)"""
+    end = time.monotonic() + PATIENCE
+    while not notebook.evaluate(same, [start, SET]):
+        assert time.monotonic() < end, notebook.evaluate("airlight.state.values")
+        notebook.wait_for_timeout(100)
+    for path in SET:
+        notebook.evaluate("([path, value]) => airlight.state.set({ [path]: value })",
+                          [path, start[path]])  # fmt: skip
+    while not notebook.evaluate(same, [start, []]):
+        assert time.monotonic() < end, notebook.evaluate("airlight.state.values")
+        notebook.wait_for_timeout(100)
+    until(notebook, "airlight.source.stale() === ''")
+    assert_sound(notebook)
+    folded = notebook.locator(".airlight details:not([open]) > summary:visible")
+    while folded.count():
+        folded.first.click()
+    before = seen(notebook)  # JupyterLab may have opened a panel of its own beside it
+    notebook.locator("[data-path='view.look_zenith'] input[type=text]").click()
+    for key in ("Control+a", "3", "0", "Enter"):
+        notebook.keyboard.press(key)
+    until(notebook, "airlight.state.get('view.look_zenith') === 30")
+    assert np.abs(seen(notebook) - before).mean() > 2.0
+    assert_sound(notebook)
+    assert notebook.evaluate(CELLS) == cells
+    assert faults == []

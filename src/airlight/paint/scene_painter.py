@@ -374,22 +374,38 @@ class ScenePainter:
             time.sleep(_POLL)
 
     def _compile(self, solution: MomentsSolution, picture: LivePicture) -> None:
-        """Draw one very small picture, which compiles the shaders."""
-        import wgpu
+        """Draw one very small picture, which compiles the shaders.
 
+        A software device compiles them in the queue in which the window's frames wait. It therefore
+        compiles them first in another queue, and finds them then in the driver's cache.
+        """
+        assert self._device is not None
         try:
-            if self._device is not None and self._device.software:
+            if self._device.software:
                 self._has((DRAWING[0],), lambda: self._closing)  # fills the table of the sky
             if self._takes(solution):
-                assert self._device is not None
-                small = scaled(picture.scene, _TINY / picture.scene.camera.width)
-                texture = self._device.device.create_texture(
-                    size=(small.camera.width, small.camera.height, 1),
-                    format=LIVE_FORMAT,
-                    usage=wgpu.TextureUsage.RENDER_ATTACHMENT,
-                )
-                ready = replace(picture, scene=small, pictures=self._pictures)
-                ready.draw(texture.create_view(), exposure=0.0, tone_map="natural", uniforms={})
-                ready.linear(_TINY)
+                assert self._pictures is not None
+                if self._device.software and not self._closing:
+                    apart = type(self._pictures)(self._device.apart(), self._pictures.sky_shape)
+                    apart.show(solution)
+                    _draw_small(replace(picture, pictures=apart))
+                if not self._closing:
+                    _draw_small(replace(picture, pictures=self._pictures))
         finally:
             self._compiled = True
+
+
+def _draw_small(picture: LivePicture) -> None:
+    """Draw a picture of a few pixels, by all shaders."""
+    import wgpu
+
+    assert picture.pictures is not None
+    small = scaled(picture.scene, _TINY / picture.scene.camera.width)
+    texture = picture.pictures.device.device.create_texture(
+        size=(small.camera.width, small.camera.height, 1),
+        format=LIVE_FORMAT,
+        usage=wgpu.TextureUsage.RENDER_ATTACHMENT,
+    )
+    ready = replace(picture, scene=small)
+    ready.draw(texture.create_view(), exposure=0.0, tone_map="natural", uniforms={})
+    ready.linear(_TINY)

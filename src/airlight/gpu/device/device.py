@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import threading
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import Any, Final
 
@@ -96,6 +96,10 @@ class Device:
         # By a read: the queue's own call for this is unusable in wgpu 0.32.
         self.device.queue.read_buffer(self._last)
 
+    def apart(self) -> Device:
+        """Another device on the same adapter, whose queue waits for nothing in this one's."""
+        return replace(self, device=_requested(self.adapter))
+
     @cached_property
     def _last(self) -> Any:
         import wgpu
@@ -136,11 +140,7 @@ def _opened(choice: str) -> Device:
         raise NoDevice(f"it is switched off ({CHOICE}=off)")
     adapter = _adapter(_wgpu(), choice)
     try:
-        device = adapter.request_device_sync(
-            label="airlight",
-            required_features=sorted(_WELCOME & set(adapter.features)),
-            required_limits=_limits(adapter.limits),
-        )
+        device = _requested(adapter)
     except RuntimeError as error:
         raise NoDevice(f"{adapter.summary} cannot be opened: {_last_line(error)}") from error
     return Device(
@@ -148,6 +148,14 @@ def _opened(choice: str) -> Device:
         adapter=adapter,
         name=adapter.summary,
         software=adapter.info["adapter_type"] == "CPU",
+    )
+
+
+def _requested(adapter: Any) -> Any:
+    return adapter.request_device_sync(
+        label="airlight",
+        required_features=sorted(_WELCOME & set(adapter.features)),
+        required_limits=_limits(adapter.limits),
     )
 
 

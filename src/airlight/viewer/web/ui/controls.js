@@ -113,6 +113,12 @@ function labelled(parameter, ...inputs) {
   return element("label", { className: `airlight-row airlight-${parameter.kind}` }, label, ...inputs);
 }
 
+/** Call `take` once a text is entered; in JupyterLab, Enter alone does not tell of a change. */
+function taken(field, take) {
+  field.addEventListener("change", take);
+  field.addEventListener("keydown", ({ key }) => key === "Enter" && take());
+}
+
 function numberRow(parameter, set, rest) {
   const field = element("input", { type: "text", inputMode: "decimal", spellcheck: false });
   const slider = element("input", { type: "range", min: 0, max: STEPS, step: 1 });
@@ -124,7 +130,7 @@ function numberRow(parameter, set, rest) {
     set(Math.min(Math.max(number, least), most), true);
   });
   slider.addEventListener("change", rest);
-  field.addEventListener("change", () => {
+  taken(field, () => {
     const text = field.value.trim().replace(",", ".");
     set(text === "" ? NaN : Number(text));
   });
@@ -170,6 +176,6 @@ function switchRow(parameter, set) {
 
 function textRow(parameter, set) {
   const field = element("input", { type: "text", spellcheck: false });
-  field.addEventListener("change", () => set(field.value));
+  taken(field, () => set(field.value));
   return { element: labelled(parameter, field), show: (value) => void (field.value = value) };
 }

@@ -1,0 +1,108 @@
+"""Page of a planet that is clicked and touched at random: it lives, and shows what it is told."""
+
+from __future__ import annotations
+
+import base64
+import io
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from gestures import Gestures, assert_sound, close_all
+from numpy.testing import assert_allclose
+from PIL import Image
+from waiting import PATIENCE, until
+
+from airlight import load_planet, solve
+from airlight.viewer.browser.page import page_data
+from airlight.viewer.browser.page_text import page_text
+from airlight.viewer.session.session import Session
+
+WIDTH, HEIGHT = 160, 90
+PHONE = {"width": 390, "height": 844}
+SLIDER = "[data-path='view.look_zenith'] input[type=range]"
+#: Number of gestures: a few in every check, as many as are asked for in that of minutes.
+COUNTS = (40, pytest.param(200, marks=pytest.mark.validation))
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Page of Mars without dust, whose air can be edited."""
+    solution = solve(load_planet("mars-rayleigh"), [680, 550, 440], "preview", cache=False)
+    session = Session("mars-rayleigh")
+    session.move({"view.altitude": 4e5, "view.look_zenith": 105.0, "view.sun_zenith": 60.0})
+    data = page_data(solution, "mars-rayleigh", "Mars", session.values, "three")
+    assert data["solver"] is not None
+    path = tmp_path_factory.mktemp("clicks") / "page.html"
+    path.write_text(page_text("Mars", data), encoding="utf-8")
+    return path
+
+
+@pytest.fixture
+def phone(chromium: Any, file: Path) -> Iterator[Any]:
+    """The page on a phone, which is touched; fails at the end on any error in the page."""
+    context = chromium.new_context(viewport=PHONE, has_touch=True, device_scale_factor=1)
+    context.set_offline(True)
+    page, faults = context.new_page(), []
+    page.set_default_timeout(1e3 * PATIENCE)
+    page.on("pageerror", lambda error: faults.append(str(error)))
+    page.on("console", lambda m: faults.append(m.text) if m.type == "error" else None)
+    page.goto(f"{file.as_uri()}?device=webgl2")
+    yield page
+    context.close()
+    assert faults == []
+
+
+def png(page: Any) -> np.ndarray:
+    """Picture of the page. [0 to 255]"""
+    text = page.evaluate(
+        """async ([width, height]) => {
+          await airlight.settled();
+          const blob = await airlight.png(width, height);
+          const bytes = new Uint8Array(await blob.arrayBuffer());
+          return btoa(Array.from(bytes, (one) => String.fromCharCode(one)).join(""));
+        }""",
+        [WIDTH, HEIGHT],
+    )
+    image = Image.open(io.BytesIO(base64.b64decode(text)))
+    return np.asarray(image.convert("RGB"), float)
+
+
+def clicked(page: Any, act: Callable[[], None], press: Callable[[Any], None]) -> None:
+    """Do something at random; then all is closed, undone by reset, and follows a slider again."""
+    page.evaluate("airlight.ready")
+    first = png(page)
+    assert first.max() > 60.0
+    act()
+    close_all(page)
+    assert_sound(page)
+    press(page.locator("[data-action=reset]"))
+    until(page, "Object.entries(airlight.state.initial).every(([path, value]) =>"
+                " airlight.state.get(path) === value)")  # fmt: skip
+    # the picture of the beginning: none of what was done in between has stayed
+    assert_allclose(png(page), first, atol=1.0)
+    folded = page.locator("details:not([open]) > summary:visible")
+    while folded.count():
+        press(folded.first)
+    slider = page.locator(SLIDER)
+    slider.scroll_into_view_if_needed()
+    box = slider.bounding_box()
+    before = page.evaluate("airlight.state.get('view.look_zenith')")
+    page.mouse.click(box["x"] + 0.9 * box["width"], box["y"] + 0.5 * box["height"])
+    until(page, f"airlight.state.get('view.look_zenith') > {before} + 20")
+    assert np.abs(png(page) - first).mean() > 10.0
+    assert_sound(page)
+
+
+@pytest.mark.parametrize("count", COUNTS)
+def test_random_clicks_leave_the_page_of_a_planet_alive(
+    count: int, file: Path, opened: Callable[..., Any]
+) -> None:
+    page = opened(file, "?device=webgl2")
+    clicked(page, lambda: Gestures(page, 12).by_mouse(count), lambda button: button.click())
+
+
+def test_random_touches_leave_the_page_of_a_planet_alive(phone: Any) -> None:
+    clicked(phone, lambda: Gestures(phone, 7).by_fingers(40), lambda button: button.tap())
