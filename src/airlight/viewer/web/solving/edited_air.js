@@ -35,8 +35,8 @@ export function isPlain({ amounts, ground }) {
  * @param {object} air
  * @param {{amounts: number[], ground: number}} edit
  * @returns {object} Tables by name, four wavelengths per texel: `extinction` and `moments` without
- *     forward peaks, `true_extinction`, `scattering`, `albedo`, `level`; `strongest` and `brightest` of each
- *     constituent; and `thick`, the weight of the night side.
+ *     forward peaks, `true_extinction`, `scattering`, `albedo`, `level`; `strongest` and `brightest`
+ *     of each constituent; and `thick`, the weight of the night side.
  * @throws {RangeError} If the atmosphere is too thick for this solver; one line.
  */
 export function editedAir(air, { amounts, ground }) {
