@@ -27,7 +27,7 @@ from airlight.viewer.browser.page_text import page_text
 from airlight.viewer.parameters.amounts import amounts_of
 from airlight.viewer.parameters.view_parameters import DEFAULTS
 
-GROUND = {"view.altitude": 2.0, "view.look_zenith": 80.0, "display.exposure": -2.5}
+GROUND = {"view.altitude": 2.0, "view.look_zenith": 80.0, "display.exposure": -4.0}
 SPACE = {"view.altitude": 2e6, "view.look_zenith": 150.0, "view.sun_zenith": 80.0,
          "display.exposure": -2.5}  # fmt: skip
 #: Planet, factors of its constituents and of its ground, view.
