@@ -16,7 +16,7 @@ from airlight.scene.projections.projected import projected_rays
 FloatArray = NDArray[np.float64]
 
 #: Azimuths over half a turn, and rows of each half, of the coarsest table.
-COARSEST: Final = (128, 256)
+COARSEST: Final = (192, 192)
 #: Largest factor by which a finer table has more of each.
 _FINEST: Final = 4.0
 #: Pixels per texel of a fine table; and of the coarsest, the fewest for which it is worth filling.

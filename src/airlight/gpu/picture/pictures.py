@@ -49,6 +49,8 @@ FloatArray = NDArray[np.float64]
 
 #: Shape of the table of the sky: azimuths over half a turn, and rows of each half.
 SKY_SHAPE: Final = COARSEST
+#: Shape of that table on a page, where the whole one would take too long while something moves.
+MEDIUM_SKY_SHAPE: Final = (128, 64)
 #: Shape of that table on a software device while something moves.
 QUICK_SKY_SHAPE: Final = (64, 64)
 #: Pixels drawn at once, read from a table, marched, and marched in software: no driver then assumes

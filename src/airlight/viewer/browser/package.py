@@ -23,7 +23,7 @@ from airlight.gpu.picture.display_shaders import (
     display_shader,
     spread_shader,
 )
-from airlight.gpu.picture.pictures import QUICK_SKY_SHAPE, SKY_SHAPE
+from airlight.gpu.picture.pictures import MEDIUM_SKY_SHAPE, QUICK_SKY_SHAPE, SKY_SHAPE
 from airlight.gpu.picture.shaders import Shader, picture_shader, sky_air_shader, sky_peaks_shader
 from airlight.gpu.picture.solution_textures import SolutionTables
 from airlight.gpu.picture.uniforms import FRAME, LAYERS
@@ -125,7 +125,7 @@ def program() -> dict[str, Any]:
         "shaders": web_shaders(),
         "sky": {
             "full": list(SKY_SHAPE),
-            "medium": [SKY_SHAPE[0] // 2, SKY_SHAPE[1] // 2],
+            "medium": list(MEDIUM_SKY_SHAPE),
             "quick": list(QUICK_SKY_SHAPE),
         },
         "layers": list(LAYERS),
