@@ -161,6 +161,36 @@ def test_turbidity_of_a_page_is_that_of_the_session(modules: Callable[..., Any])
         assert_allclose(after[path], value, rtol=1e-8, err_msg=path)
 
 
+@pytest.mark.parametrize("path", ["air.amounts[1]", "air.amounts[3]", "air.turbidity"])
+def test_a_reset_brings_each_of_two_hazes_back(path: str, modules: Callable[..., Any]) -> None:
+    # Turbidity is reset with them, and moves all haze in proportion: not where haze is reset too.
+    session = Session("earth")
+    shown = [one for one in session.parameters if one.group == AMOUNTS]
+    assert [one.path for one in shown if one.matter == "haze"] == [
+        "air.amounts[1]",
+        "air.amounts[3]",
+    ]
+    values = {one.path: session.value(one.path) for one in shown}
+    page = modules({"state/state": ("State",)})
+    got = page.evaluate(
+        """([parameters, values, path]) => {
+          const state = new State(parameters, values);
+          state.set({ [path]: 3 * values[path] });
+          state.reset();
+          const after = { ...state.values };
+          state.undo();
+          const back = state.get(path);
+          state.redo();
+          return [after, back / values[path], state.values];
+        }""",
+        [[one.as_json() for one in shown], values, path],
+    )
+    for found in (got[0], got[2]):
+        for one, value in values.items():
+            assert_allclose(found[one], value, rtol=1e-12, err_msg=one)
+    assert_allclose(got[1], 3.0, rtol=1e-12)
+
+
 def test_the_next_guess_is_weighed_as_on_the_processor(modules: Callable[..., Any]) -> None:
     # a second method: the solver's Python code, with its eight lanes
     rng = np.random.default_rng(4)

@@ -24,7 +24,8 @@ export function follows(path) {
 }
 
 /**
- * Changes, with those that follow from them.
+ * Changes, with those that follow from them. Where changes have haze, as a reset and an undo do,
+ * turbidity follows from it, whatever they say of it.
  *
  * @param {Map<string, object>} parameters Declared parameters, by path.
  * @param {Object<string, number>} values Values before.
@@ -39,7 +40,7 @@ export function withFollowing(parameters, values, changes) {
   const depth = (matter, now) =>
     of(matter).reduce((sum, one) => sum + (now[one.path] / one.present) * one.depth, 0);
   const made = { ...changes };
-  if (TURBIDITY in changes) {
+  if (TURBIDITY in changes && !of("haze").some(({ path }) => path in changes)) {
     const before = depth("haze", values);
     // Without any haze it comes back as in the planet's file.
     const old = (one) => (before > 0 ? values[one.path] : one.present);
