@@ -36,8 +36,8 @@ NM = (440.0, 500.0, 560.0, 620.0)
 
 @pytest.fixture(scope="module")
 def earth(solved: Callable[..., MomentsSolution]) -> MomentsSolution:
-    """Solution of the Earth, preview."""
-    return solved(load_planet("earth"), NM, "preview")
+    """Solution of the Earth, preview, light straight: so are the rays by which it is asked here."""
+    return solved(load_planet("earth", {"refraction": "none"}), NM, "preview")
 
 
 @pytest.fixture(scope="module")
