@@ -101,7 +101,7 @@ def bands_left_out(planet: Planet, wavelengths: npt.ArrayLike) -> tuple[LeftOut,
     >>> for one in bands_left_out(load_planet("earth"), [764.0]):
     ...     print(one.name, one.loss.round(2).tolist())
     O2 [0.41]
-    O2-O2 [0.0]
+    O2-O2 [0.01]
     """
     used = {
         one.absorption.cross_section

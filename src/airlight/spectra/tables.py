@@ -95,7 +95,7 @@ def spectrum_names() -> tuple[str, ...]:
     Examples
     --------
     >>> spectrum_names()[:4]
-    ('astm-g173', 'cie-1931', 'earth-albedo', 'oxygen-bands')
+    ('astm-g173', 'cie-1931', 'earth-albedo', 'methane-bands')
     """
     folder = files("airlight.spectra") / "data"
     found = (entry.name.removesuffix(".csv") for entry in folder.iterdir() if ".csv" in entry.name)
