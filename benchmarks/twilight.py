@@ -1,7 +1,7 @@
 """What the real air, its stratospheric aerosol and bent light change between noon and night.
 
 ``python benchmarks/twilight.py`` prints the tables of docs/planets.md, a minute: the zenith's light
-by the steps that lead from preset ``earth`` to preset ``earth``, then illuminance and V of the
+by the steps that lead from one exponential to preset ``earth``, then illuminance and V of the
 zenith beside published measurements.
 """
 
@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from airlight import Planet, load_planet, solve
 from airlight.planets import replace
-from airlight.planets.matter.profiles import Exponential
 from airlight.solvers.solution import Solution
 from airlight.validation.published.twilight import (
     TWILIGHT_WAVELENGTHS,
     average_aerosol,
     ground_illuminance,
     illuminance_seidelmann1992,
+    one_exponential,
     paranal_zenith_v,
     zenith_light,
     zenith_v_patat2006,
@@ -28,17 +28,15 @@ PUBLISHED = (20.0, 5.0, 2.0, 0.0, -1.0, -3.0, -5.0, -6.0, -8.0, -10.0, -12.0)
 
 
 def steps() -> dict[str, Planet]:
-    """preset ``earth`` without its three refinements, then with one after another.
+    """Preset ``earth`` without its three refinements, then with one after another.
 
     The last has more of the lower aerosol: that of the days of the published illuminance.
     """
     earth = load_planet("earth")
     air, *others = earth.constituents
-    # RT/(Mg) of U.S. 1976 at sea level
-    exponential = replace(air, profile=Exponential(scale_height=8434.5))
     low = [one for one in others if one.name != "stratospheric aerosol"]
     return {
-        "one exponential": replace(earth, constituents=(exponential, *low), refraction="none"),
+        "one exponential": one_exponential(earth),
         "standard air": replace(earth, constituents=(air, *low), refraction="none"),
         "stratospheric aerosol": replace(earth, refraction="none"),
         "bent light": earth,

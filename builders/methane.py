@@ -42,8 +42,8 @@ def main() -> None:
             "licence": "figures of a public archive",
             "note": [
                 "1e-29 m^2 are 0.269 per km-amagat. Made from spectra of the outer planets and",
-                "Titan with ways of a few km-amagat, and right for such ways: lines saturate, so",
-                "shorter ways take more and longer ones less than Beer's law with these. The mean",
+                "Titan with paths of a few km-amagat, and right for such paths: lines saturate, so",
+                "shorter paths take more and longer ones less than Beer's law with these. The mean",
                 "over 10 nm of the coefficient takes more than the band where it is dark (730 nm).",
                 "Wavelengths in air.",
             ],

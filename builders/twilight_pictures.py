@@ -13,27 +13,17 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from airlight import Camera, Planet, Scene, load_planet, replace, solve
+from airlight import Camera, Scene, load_planet, solve
 from airlight.color.display import to_display
 from airlight.color.exposure import automatic_exposure
 from airlight.color.spectral import default_wavelengths
-from airlight.planets.matter.profiles import Exponential
 from airlight.render import render
+from airlight.validation.published.twilight import one_exponential
 
 FILE = Path(__file__).parents[1] / "docs" / "images" / "planets" / "earth-twilight.png"
 WIDTH, HEIGHT, GAP = 320, 180, 4
 #: Depressions of the sun, and azimuths of the line of sight from the sun. [deg]
 DEPRESSIONS, ASIDE = (2.0, 4.0, 6.0), (0.0, 180.0)
-#: Scale height of the same air in one exponential: RT/(Mg). [m]
-SCALE_HEIGHT = 8434.5
-
-
-def one_exponential(earth: Planet) -> Planet:
-    """Earth as it was before its air had temperatures."""
-    air, *others = earth.constituents
-    air = replace(air, profile=Exponential(scale_height=SCALE_HEIGHT))
-    low = [one for one in others if one.name != "stratospheric aerosol"]
-    return replace(earth, constituents=(air, *low), refraction="none")
 
 
 def main() -> None:

@@ -268,11 +268,12 @@ def test_a_small_disc_has_its_light_on_every_projection(
 def test_the_setting_disc_has_the_processor_s_light(
     device: Device, solved: Callable[..., MomentsSolution]
 ) -> None:
-    # 2 % at 85°; on the horizon 4 %: there the depth is 15, and its table is accurate to 2e-3.
+    # 1 % at 85°, where extinction without forward peaks would be 1.5 % too little; on the horizon 4 %:
+    # there the depth is 15, and its table is accurate to 2e-3.
     solution = solved(load_planet("earth"), NM, "default")
     pictures = Pictures(device, (64, 64))
     pictures.show(solution)
-    for sun_zenith, tolerance in ((85.0, 0.02), (90.0, 0.04)):
+    for sun_zenith, tolerance in ((85.0, 0.01), (90.0, 0.04)):
         camera = Camera(width=96, height=54, look_zenith=sun_zenith, field_of_view=3.0)
         seen = Scene(altitude=20.0, sun_zenith=sun_zenith, camera=camera)
         wanted = processor_total(solution, seen)

@@ -152,6 +152,7 @@ def _opened(choice: str) -> Device:
 
 
 def _requested(adapter: Any) -> Any:
+    """Device of an adapter, with the features and limits that the shaders use."""
     return adapter.request_device_sync(
         label="airlight",
         required_features=sorted(_WELCOME & set(adapter.features)),

@@ -28,6 +28,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
+from airlight.planets import Planet, replace
+from airlight.planets.matter.profiles import Exponential
 from airlight.solvers import Solution
 from airlight.spectra.color_matching import cie_1931
 from airlight.spectra.sun import solar_irradiance
@@ -45,6 +47,8 @@ _SUPPLEMENT: Final = (
     (5.0, 20.0, 3.05, 13.28, -45.98, 64.33),
     (20.0, 90.0, 3.74, 3.97, -4.07, 1.47),
 )
+#: Scale height of the U.S. Standard Atmosphere, 1976, at sea level, RT/(Mg). [m]
+SCALE_HEIGHT: Final = 8434.5
 #: Altitude of the observatory on Paranal. [m]
 PARANAL: Final = 2635.0
 #: Depressions of the sun between which the fit is given. [deg]
@@ -100,6 +104,20 @@ def zenith_v_patat2006(altitude: float) -> float:
     if not low <= -altitude <= high:
         raise ParameterError("altitude", altitude, f"{-high:g} to {-low:g} deg")
     return float(np.polynomial.polynomial.polyval(-altitude - low, _PATAT))
+
+
+def one_exponential(earth: Planet) -> Planet:
+    """Earth without its layers, its stratospheric aerosol and refraction, the column kept.
+
+    Parameters
+    ----------
+    earth : Planet
+        Preset ``earth``, or an edit of it.
+    """
+    air, *others = earth.constituents
+    air = replace(air, profile=Exponential(scale_height=SCALE_HEIGHT))
+    low = [one for one in others if one.name != "stratospheric aerosol"]
+    return replace(earth, constituents=(air, *low), refraction="none")
 
 
 def average_aerosol() -> dict[str, object]:
