@@ -268,8 +268,8 @@ def test_a_small_disc_has_its_light_on_every_projection(
 def test_the_setting_disc_has_the_processor_s_light(
     device: Device, solved: Callable[..., MomentsSolution]
 ) -> None:
-    # 1 % at 85°, where extinction without forward peaks would be 1.5 % too little; on the horizon 4 %:
-    # there the depth is 15, and its table is accurate to 2e-3.
+    # 1 % at 85°, where extinction without forward peaks makes it 1.5 % brighter; on the horizon
+    # 4 %: there the depth is 15, and its table is accurate to 2e-3.
     solution = solved(load_planet("earth"), NM, "default")
     pictures = Pictures(device, (64, 64))
     pictures.show(solution)
