@@ -76,3 +76,24 @@ def test_facing_a_northern_sun_east_is_on_the_right(latitude: float) -> None:
     assert_allclose(frame.T @ north_pole, direction(90.0 - latitude, 0.0), atol=ROUNDING)
     east = np.array([-math.sin(math.radians(10.0)), math.cos(math.radians(10.0)), 0.0])
     assert_allclose(frame @ direction(90.0, 90.0), east, atol=ROUNDING)
+
+
+def test_bearings_are_angles_from_the_sun_s_side() -> None:
+    # the sun in the south-west: north-west is 90° to its right
+    where = {"altitude": 0.0, "sun_zenith": 80.0, "bottom_radius": EARTH, "sun_azimuth": 225.0}
+    assert look_at("NW", **where) == (90.0, 90.0)
+    assert look_at("315°/20", **where) == (70.0, 90.0)
+    assert look_at("-45", **where) == (90.0, 90.0)
+    assert look_at("sun", **where) == (80.0, 0.0)
+    assert look_at("moon", moon=(60.0, 180.0), **where) == (60.0, -45.0)
+
+
+def test_bearing_without_elevation_is_on_the_horizon() -> None:
+    zenith, _ = look_at("E", altitude=400e3, sun_zenith=80.0, bottom_radius=EARTH)
+    assert zenith == horizon_zenith(400e3, EARTH)
+
+
+@pytest.mark.parametrize("word", ["NNN", "361", "NE/91", "NE/", "", "north"])
+def test_what_is_no_bearing_is_refused(word: str) -> None:
+    with pytest.raises(ParameterError, match="a bearing such as NE"):
+        look_at(word, altitude=0.0, sun_zenith=0.0, bottom_radius=EARTH)

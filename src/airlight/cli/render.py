@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from airlight.cli import options
+from airlight.cli import options, time_and_place
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
 
 if TYPE_CHECKING:
+    from airlight.cli.time_and_place import Placed
     from airlight.paint.drawing_device import Choice
     from airlight.planets.planet import Planet
     from airlight.scene import Scene
@@ -28,6 +29,10 @@ EPILOG = examples(
     "airlight render earth --altitude 0m --projection fisheye --size 2048 -o dome.exr",
     "airlight render my-planet.toml --wavelengths rgb --quality preview -o quick.png",
     "airlight render titan --device gpu --size 3840x2160 -o titan.png",
+    "airlight render earth --at 59.33N,18.07E --time 2026-06-21T22:10+02:00 --look-at sun "
+    "-o stockholm.png",
+    "airlight render earth --at 46.5N,8E,2km --time '2026-12-21 civil-dusk' --look-at W -o a.png",
+    "airlight render mars --at 4.59S,137.44E --ls 250 --time sunset --look-at sun -o gale.png",
 )
 
 #: Where the camera looks if nobody says: across the sunlight, which shows the air best. [deg]
@@ -39,9 +44,18 @@ def render(
     output: Annotated[
         Path, typer.Option("--output", "-o", metavar="FILE", help="A .png, or a linear .exr.")
     ],
+    at: time_and_place.At = None,
+    time_: time_and_place.Time = None,
+    zone: time_and_place.Zone = None,
+    season: time_and_place.Season = None,
+    sun_distance: time_and_place.SunDistance = "true",
     altitude: Annotated[
-        str, typer.Option(metavar="LENGTH", help="Of the observer above the ground: 400km, 10m.")
-    ] = "400km",
+        str | None,
+        typer.Option(
+            metavar="LENGTH",
+            help="Of the observer above the ground: 10m. If left out 400km, with --at 2m.",
+        ),
+    ] = None,
     look: Annotated[
         str | None,
         typer.Option(
@@ -51,15 +65,20 @@ def render(
         ),
     ] = None,
     look_at: Annotated[
-        Literal["horizon", "nadir", "zenith", "sun"] | None,
-        typer.Option(metavar="WORD", help="Instead: horizon, nadir, zenith or sun."),
+        str | None,
+        typer.Option(
+            metavar="WORD|BEARING",
+            help="Instead: horizon, nadir, zenith, sun, with --time moon; or a compass bearing, "
+            "NE or 315, with an elevation 315/20, without on the horizon.",
+        ),
     ] = None,
     roll: Annotated[
         str, typer.Option(metavar="ANGLE", help="Turns the camera clockwise about its line.")
     ] = "0deg",
     sun_zenith: Annotated[
-        str, typer.Option(metavar="ANGLE", help="Zenith angle of the sun at the observer.")
-    ] = "72deg",
+        str | None,
+        typer.Option(metavar="ANGLE", help="Zenith angle of the sun at the observer: 72deg."),
+    ] = None,
     fov: Annotated[
         str | None,
         typer.Option(
@@ -142,14 +161,18 @@ def render(
         ),
     ] = 1,
     latitude: Annotated[
-        str, typer.Option(metavar="ANGLE", help="Of the ground below, by its map.")
-    ] = "25deg",
+        str | None, typer.Option(metavar="ANGLE", help="Of the ground below, by its map: 25deg.")
+    ] = None,
     longitude: Annotated[
-        str, typer.Option(metavar="ANGLE", help="Of the ground below, by its map; east is +.")
-    ] = "30deg",
+        str | None,
+        typer.Option(metavar="ANGLE", help="Of the ground below, by its map; east is +: 30deg."),
+    ] = None,
     sun_azimuth: Annotated[
-        str, typer.Option(metavar="ANGLE", help="Compass bearing of the sun, for the map.")
-    ] = "105deg",
+        str | None,
+        typer.Option(
+            metavar="ANGLE", help="Compass bearing of the sun, for map and bearings: 105deg."
+        ),
+    ] = None,
     ground: Annotated[
         Literal["plain", "detailed"],
         typer.Option(
@@ -177,10 +200,15 @@ def render(
     world = options.planet(planet, set_)
     if ground_albedo is not None:
         world = options.with_ground_albedo(world, ground_albedo)
-    height = options.length(altitude, "--altitude")
-    sun = options.angle(sun_zenith, "--sun-zenith")
+    placed = time_and_place.given(
+        world, at, time_, zone, season,
+        {"--sun-zenith": sun_zenith, "--sun-azimuth": sun_azimuth, "--latitude": latitude,
+         "--longitude": longitude}, altitude,
+    )  # fmt: skip
+    if placed is None:
+        placed = time_and_place.by_angles(sun_zenith, sun_azimuth, latitude, longitude, altitude)
     columns, rows = options.picture_size(size, projection)
-    zenith, azimuth = _target(look, look_at, projection, height, sun, world)
+    zenith, azimuth = _target(look, look_at, projection, placed, world)
     from airlight.scene import Camera, Scene
 
     scene = Scene(
@@ -193,13 +221,16 @@ def render(
             look_azimuth=azimuth,
             roll=options.angle(roll, "--roll"),
         ),
-        altitude=height,
-        sun_zenith=sun,
-        latitude=options.angle(latitude, "--latitude"),
-        longitude=options.angle(longitude, "--longitude"),
-        sun_azimuth=options.angle(sun_azimuth, "--sun-azimuth"),
+        altitude=placed.altitude,
+        sun_zenith=placed.sun_zenith,
+        latitude=placed.latitude,
+        longitude=placed.longitude,
+        sun_azimuth=placed.sun_azimuth,
         ground=ground,
+        time=placed.time,
     )
+    if placed.time is not None:
+        world = time_and_place.lit(world, placed, sun_distance)
     frame = _painted(
         world, scene, wavelengths, quality, device, exact=exact, samples=samples,
         cache=not no_cache, local=ground_albedo is None,
@@ -214,6 +245,8 @@ def render(
     )  # fmt: skip
     light = "linear" if written.exposure is None else f"exposure {written.exposure:+.2f} EV"
     seconds = time.perf_counter() - started
+    if placed.time is not None:
+        print(time_and_place.line(world, placed, sun_distance))
     print(
         f"{written.path}  {columns}x{rows}  {written.size / 1e3:.0f} kB  {seconds:.1f} s  {light}"
     )
@@ -223,8 +256,7 @@ def _target(
     look: str | None,
     look_at: str | None,
     projection: str,
-    altitude: float,
-    sun_zenith: float,
+    placed: Placed,
     planet: Planet,
 ) -> tuple[float | None, float]:
     """Direction of the camera: zenith angle, None for the projection's own, and azimuth. [deg]"""
@@ -236,12 +268,17 @@ def _target(
         return options.direction(look, "--look")
     if look_at is None and projection != "perspective":
         return None, 0.0
-    zenith, azimuth = looking_at(
-        look_at or "horizon",
-        altitude=max(altitude, 0.0),
-        sun_zenith=sun_zenith,
-        bottom_radius=planet.bottom_radius,
-    )
+    try:
+        zenith, azimuth = looking_at(
+            look_at or "horizon",
+            altitude=max(placed.altitude, 0.0),
+            sun_zenith=placed.sun_zenith,
+            bottom_radius=planet.bottom_radius,
+            sun_azimuth=placed.sun_azimuth,
+            moon=placed.moon,
+        )
+    except ParameterError as error:
+        raise ParameterError("--look-at", error.value, error.allowed) from None
     return zenith, azimuth if look_at is not None else _ACROSS
 
 

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Annotated, Final
 import numpy as np
 import numpy.typing as npt
 
+from airlight.ephemeris.world import WORLDS, World, world_named
 from airlight.errors import ParameterError
 from airlight.planets.constituent import Constituent
 from airlight.planets.ground import Ground
-from airlight.planets.parameters import instance_of, parameters
+from airlight.planets.parameters import MISSING, instance_of, parameters
 from airlight.planets.schema.key import WAVELENGTHS, Key, always
 from airlight.planets.schema.record import Record
 from airlight.planets.spectral import (
@@ -26,6 +27,8 @@ from airlight.planets.spectral import (
 from airlight.planets.star import Star
 
 if TYPE_CHECKING:
+    from datetime import datetime
+
     from airlight.planets.light_source import LightSource
 
 FloatArray = npt.NDArray[np.float64]
@@ -54,6 +57,8 @@ class Planet(Record):
         Default wavelengths of the planet. [nm]
     description : str, optional
         Nature and sources of the numbers, in a sentence or two.
+    body : str, optional
+        World whose sky it has by place and time: ``"earth"``, ``"mars"`` or ``"titan"``.
     refraction : str, optional
         ``"bouguer"``: the gases bend light; ``"none"``: rays are straight.
 
@@ -100,6 +105,20 @@ class Planet(Record):
                 help="Default wavelengths of the planet.",
                 note="Without them: 680, 550, 440 nm; if the planet is not known there, those of"
                 " its first constituent that names any.",
+            ),
+        ]
+        | None
+    ) = None
+    body: (
+        Annotated[
+            str,
+            Key(
+                label="body",
+                help="World whose sky it has by place and time.",
+                note="For `airlight render --at --time` and `airlight.Scene.at`.",
+                kind="choice",
+                words=lambda: tuple(WORLDS),
+                mode="advanced",
             ),
         ]
         | None
@@ -181,6 +200,8 @@ class Planet(Record):
             raise ParameterError(
                 "constituents", len(self.constituents), f"1 to {MOST_CONSTITUENTS} constituents"
             )
+        if self.body is not None:
+            world_named(self.body)
         names: set[str] = set()
         for index, constituent in enumerate(self.constituents):
             if constituent.name in names:
@@ -231,6 +252,47 @@ class Planet(Record):
             spectrum=self.star.irradiances,
         )
         return (star,)
+
+    def lit_at(self, time: datetime) -> Planet:
+        """Planet with the sun at its true distance at a time; itself if its light has no distance.
+
+        Parameters
+        ----------
+        time : datetime
+            Instant with its zone.
+
+        Raises
+        ------
+        ParameterError
+            If the planet names no ``body``, or the time is unusable.
+
+        Examples
+        --------
+        >>> from datetime import UTC, datetime
+        >>> from airlight.planets import load_planet
+        >>> near = load_planet("earth").lit_at(datetime(2026, 1, 3, 17, tzinfo=UTC))
+        >>> f"{near.star.distance / 149597870700:.4f}"
+        '0.9833'
+        """
+        from airlight.ephemeris.instant import days_of
+        from airlight.ephemeris.sun_vector import solar_point
+
+        point = solar_point(self.world, days_of(time))
+        return dataclasses.replace(self, star=self.star.at_distance(point.distance))
+
+    @property
+    def world(self) -> World:
+        """World whose sky it has.
+
+        Raises
+        ------
+        ParameterError
+            If it names none.
+        """
+        if self.body is None:
+            allowed = f"one of {', '.join(WORLDS)}, in the planet's file or by --set body=earth"
+            raise ParameterError("body", MISSING, allowed)
+        return world_named(self.body)
 
     @property
     def wavelengths(self) -> tuple[float, ...]:

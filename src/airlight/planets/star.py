@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from typing import Annotated, Final
 
@@ -209,6 +210,31 @@ class Star(Record):
         assert self._radius is not None
         assert self._distance is not None
         return math.degrees(math.asin(self._radius / self._distance))
+
+    def at_distance(self, distance: float) -> Star:
+        """Star at another distance, and of the size that it has there.
+
+        Parameters
+        ----------
+        distance : float
+            Distance. [m]
+
+        Returns
+        -------
+        Star
+            Star whose angular radius is rounded to three digits, so that solutions of neighbouring
+            days are one; itself if it is known only by its irradiance.
+
+        Examples
+        --------
+        >>> far = Star(spectrum="astm-g173").at_distance(2.0 * ASTRONOMICAL_UNIT)
+        >>> far.angular_radius_degrees
+        0.133
+        """
+        if self._distance is None or self._radius is None or self.irradiance is not None:
+            return self
+        angle = math.degrees(math.asin(self._radius / distance))
+        return dataclasses.replace(self, distance=distance, angular_radius=float(f"{angle:.3g}"))
 
     @property
     def limits(self) -> Limits:

@@ -8,9 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
+from airlight.scene.compass import compass_bearing
 
 #: Targets of a camera.
-TARGETS = ("horizon", "nadir", "zenith", "sun")
+TARGETS = ("horizon", "nadir", "zenith", "sun", "moon")
 _RADIAN = math.pi / 180.0
 
 
@@ -44,26 +45,37 @@ def horizon_zenith(altitude: float, bottom_radius: float) -> float:
 
 
 def look_at(
-    target: str, *, altitude: float, sun_zenith: float, bottom_radius: float
+    target: str,
+    *,
+    altitude: float,
+    sun_zenith: float,
+    bottom_radius: float,
+    sun_azimuth: float = 180.0,
+    moon: tuple[float, float] | None = None,
 ) -> tuple[float, float]:
     """Angles of a target of interest.
 
     Parameters
     ----------
     target : str
-        Name of the target: ``horizon`` (below the sun, on the ground's edge), ``nadir``, ``zenith``
-        or ``sun``.
+        Name of the target: ``horizon`` (below the sun, on the ground's edge), ``nadir``,
+        ``zenith``, ``sun`` or ``moon``; or a compass bearing: ``NE``, degrees such as ``315``, with
+        an elevation ``315/20``, without one on the horizon.
     altitude : float
         Altitude of the observer. [m]
     sun_zenith : float
         Zenith angle of the sun at the observer. [deg]
     bottom_radius : float
         Radius of the ground. [m]
+    sun_azimuth : float
+        Compass bearing of the sun, for bearings and the moon. [deg]
+    moon : (float, float), optional
+        Zenith angle and compass bearing of the moon, where they are known. [deg]
 
     Returns
     -------
     (float, float)
-        Zenith angle and azimuth. [deg]
+        Zenith angle, and azimuth from the sun's side. [deg]
 
     Raises
     ------
@@ -74,6 +86,8 @@ def look_at(
     --------
     >>> look_at("sun", altitude=0.0, sun_zenith=80.0, bottom_radius=6360e3)
     (80.0, 0.0)
+    >>> look_at("W/20", altitude=0.0, sun_zenith=80.0, bottom_radius=6360e3, sun_azimuth=225.0)
+    (70.0, 45.0)
     """
     if target == "horizon":
         return horizon_zenith(altitude, bottom_radius), 0.0
@@ -83,7 +97,16 @@ def look_at(
         return 0.0, 0.0
     if target == "sun":
         return sun_zenith, 0.0
-    raise ParameterError("look_at", target, ", ".join(TARGETS))
+    if target == "moon" and moon is not None:
+        return moon[0], math.remainder(moon[1] - sun_azimuth, 360.0)
+    bearing = None if target == "moon" else compass_bearing(target)
+    if bearing is None:
+        words = ", ".join(TARGETS[:-1])
+        allowed = f"{words}, moon beside a time, or a bearing such as NE, 315 or 315/20"
+        raise ParameterError("look_at", target, allowed)
+    turn, elevation = bearing
+    zenith = horizon_zenith(altitude, bottom_radius) if elevation is None else 90.0 - elevation
+    return zenith, math.remainder(turn - sun_azimuth, 360.0)
 
 
 def ground_axes(

@@ -4,16 +4,23 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, replace
+from datetime import datetime
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.ephemeris.instant import universal_time
 from airlight.errors import ParameterError
 from airlight.scene.camera import Camera
 from airlight.scene.ground_detail import GROUNDS
 from airlight.scene.light_position import LightPosition
 from airlight.scene.limits import within
+from airlight.scene.observer import look_at as angles_of
 from airlight.scene.observer import planet_frame
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
 
 #: Largest altitude of an observer. [m]
 HIGHEST_ALTITUDE = 1e12
@@ -41,6 +48,8 @@ class Scene:
     ground : str
         ``plain``, the map or the albedo alone, or ``detailed``: with noise below the map's
         resolution, which is decoration.
+    time : datetime, optional
+        Instant that the scene shows; it moves nothing, ``at`` makes a scene by it.
 
     Raises
     ------
@@ -60,6 +69,7 @@ class Scene:
     longitude: float = 0.0
     sun_azimuth: float = 180.0
     ground: str = "plain"
+    time: datetime | None = None
 
     def __post_init__(self) -> None:
         if not isinstance(self.camera, Camera):
@@ -75,6 +85,91 @@ class Scene:
         ):
             value = within(f"scene.{name}", getattr(self, name), low, high, unit)
             object.__setattr__(self, name, value)
+
+    @classmethod
+    def at(
+        cls,
+        planet: Planet,
+        *,
+        latitude: float,
+        longitude: float,
+        time: datetime | str,
+        zone: str | None = None,
+        season: float | None = None,
+        altitude: float = 2.0,
+        look_at: str | None = None,
+        camera: Camera | None = None,
+        ground: str = "plain",
+    ) -> Scene:
+        """Scene at a place and time: the sun where it stands then.
+
+        Parameters
+        ----------
+        planet : Planet
+            Planet whose ``body`` is known. Its light at that time is ``planet.lit_at(scene.time)``.
+        latitude, longitude : float
+            Place, north and east positive: on Earth geographic, elsewhere planetocentric. [deg]
+        time : datetime or str
+            Instant with its zone, or a text such as ``"2026-06-21T22:10+02:00"`` or
+            ``"2026-06-21 sunset"``; see ``airlight.ephemeris.time_text.read_time``.
+        zone, season : optional
+            Zone and longitude Ls of the sun [deg] that a text refers to; see ``read_time``.
+        altitude : float
+            Altitude of the observer. [m]
+        look_at : str, optional
+            Target of the camera: ``sun``, ``moon``, a compass bearing, or another of ``look_at``;
+            if left out, the camera's own angles count, with azimuth 0 on the sun's side.
+        camera : Camera, optional
+            Camera.
+        ground : str
+            ``plain`` or ``detailed``.
+
+        Raises
+        ------
+        ParameterError
+            If the planet names no body, or a value is unusable.
+
+        Examples
+        --------
+        >>> from airlight.planets import load_planet
+        >>> scene = Scene.at(
+        ...     load_planet("earth"), latitude=59.33, longitude=18.07,
+        ...     time="2026-06-21T22:10+02:00", look_at="N")
+        >>> f"{scene.sun_zenith:.2f} {scene.sun_azimuth:.1f} {scene.camera.look_azimuth:.1f}"
+        '90.97 323.9 36.1'
+        """
+        from airlight.ephemeris.instant import days_of
+        from airlight.ephemeris.sky import Place, moon_after, sun_after
+        from airlight.ephemeris.time_text import read_time
+
+        place = Place(
+            body=planet.world.name, latitude=latitude, longitude=longitude, altitude=altitude
+        )
+        moment = read_time(time, place, zone=zone, season=season) if isinstance(time, str) else time
+        days = days_of(moment)
+        sun = sun_after(place, days)
+        shown = camera if camera is not None else Camera()
+        if look_at is not None:
+            moon = moon_after(place, days) if place.world.has_moon else None
+            zenith, azimuth = angles_of(
+                look_at,
+                altitude=altitude,
+                sun_zenith=sun.zenith,
+                bottom_radius=planet.bottom_radius,
+                sun_azimuth=sun.azimuth,
+                moon=None if moon is None else (moon.zenith, moon.azimuth),
+            )
+            shown = replace(shown, look_zenith=zenith, look_azimuth=azimuth)
+        return cls(
+            camera=shown,
+            altitude=altitude,
+            sun_zenith=sun.zenith,
+            sun_azimuth=sun.azimuth,
+            latitude=latitude,
+            longitude=longitude,
+            ground=ground,
+            time=moment,
+        )
 
     @property
     def lights(self) -> tuple[LightPosition, ...]:
@@ -126,7 +221,9 @@ class Scene:
         '400000 m'
         """
         camera = self.camera
+        moment = {} if self.time is None else {"time": universal_time(self.time)}
         return {
+            **moment,
             "altitude": f"{self.altitude:.10g} m",
             "sun_zenith": f"{self.sun_zenith:.10g} deg",
             "latitude": f"{self.latitude:.10g} deg",

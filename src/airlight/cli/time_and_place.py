@@ -1,0 +1,219 @@
+"""Options that say where and when: ``--at``, ``--time``, ``--zone``, ``--ls``."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import typer
+
+from airlight.cli import options
+from airlight.errors import ParameterError
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from datetime import datetime
+
+    from airlight.planets.planet import Planet
+
+At = Annotated[
+    str | None,
+    typer.Option(
+        "--at",
+        metavar="LAT,LON[,ALTITUDE]",
+        help="Where, beside --time: 59.33N,18.07E or 59.33,18.07; also ,35km. On Mars and Titan "
+        "planetocentric, east positive.",
+    ),
+]
+Time = Annotated[
+    str | None,
+    typer.Option(
+        "--time",
+        metavar="TIME",
+        help="When, beside --at: 2026-06-21T22:10+02:00, …Z, without a zone beside --zone; or, "
+        "also after a date, sunrise, sunset, noon, moonrise, moonset, civil-dusk, civil-dawn, "
+        "nautical-…, astronomical-….",
+    ),
+]
+Zone = Annotated[
+    str | None,
+    typer.Option(
+        metavar="ZONE",
+        help="Of a --time without one: Europe/Stockholm; or solar, local true solar time.",
+    ),
+]
+Season = Annotated[
+    str | None,
+    typer.Option(
+        "--ls",
+        metavar="ANGLE",
+        help="Longitude Ls of the sun, 0 in northern spring: --time is then a word or a local true "
+        "solar time, 14:30 (if left out noon), at the first passage after its date, or after 2000.",
+    ),
+]
+SunDistance = Annotated[
+    Literal["true", "file"],
+    typer.Option(
+        metavar="WORD",
+        help="With --time, the sun's distance and size: true, those of that time; file, the "
+        "planet's own.",
+    ),
+]
+
+#: Altitudes if nobody says: from orbit, and on the ground. [m]
+_ORBIT, _STANDING = 400e3, 2.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Placed:
+    """Observer and sun as the options say.
+
+    Attributes
+    ----------
+    altitude : float
+        Altitude of the observer. [m]
+    latitude, longitude : float
+        Coordinates of the point below. [deg]
+    sun_zenith, sun_azimuth : float
+        Zenith angle and compass bearing of the sun. [deg]
+    time : datetime or None
+        Instant, where one is given.
+    moon : (float, float) or None
+        Zenith angle and bearing of the moon, where they are known. [deg]
+    """
+
+    altitude: float
+    latitude: float
+    longitude: float
+    sun_zenith: float
+    sun_azimuth: float
+    time: datetime | None = None
+    moon: tuple[float, float] | None = None
+
+
+def by_angles(
+    sun_zenith: str | None,
+    sun_azimuth: str | None,
+    latitude: str | None,
+    longitude: str | None,
+    altitude: str | None,
+) -> Placed:
+    """Observer and sun by their angles, from the options' texts.
+
+    Examples
+    --------
+    >>> by_angles(None, None, None, None, "35km").altitude
+    35000.0
+    """
+
+    def angle(text: str | None, option: str, default: float) -> float:
+        return default if text is None else options.angle(text, option)
+
+    return Placed(
+        altitude=_ORBIT if altitude is None else options.length(altitude, "--altitude"),
+        latitude=angle(latitude, "--latitude", 25.0),
+        longitude=angle(longitude, "--longitude", 30.0),
+        sun_zenith=angle(sun_zenith, "--sun-zenith", 72.0),
+        sun_azimuth=angle(sun_azimuth, "--sun-azimuth", 105.0),
+    )
+
+
+def given(
+    planet: Planet,
+    at: str | None,
+    time: str | None,
+    zone: str | None,
+    season: str | None,
+    others: Mapping[str, str | None],
+    altitude: str | None,
+) -> Placed | None:
+    """Observer and sun by place and time; None if no option names them.
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet, whose ``body`` says whose sky it is.
+    at, time, zone, season : str or None
+        Texts of ``--at``, ``--time``, ``--zone`` and ``--ls``.
+    others : mapping
+        Options that say the same by angles, and their texts.
+    altitude : str or None
+        Text of ``--altitude``.
+
+    Raises
+    ------
+    ParameterError
+        If an option is missing, contradicts another or cannot be read, or the planet has no body.
+    """
+    named = {"--at": at, "--time": time, "--zone": zone, "--ls": season}
+    if all(text is None for text in named.values()):
+        return None
+    if at is None:
+        option = next(one for one, text in named.items() if text is not None)
+        raise ParameterError(option, named[option], "beside --at, the place")
+    for option, text in others.items():
+        if text is not None:
+            raise ParameterError(option, text, "left out beside --at and --time")
+    if time is None and season is None:
+        raise ParameterError("--at", at, "beside --time, or --ls")
+    from airlight.ephemeris.place_text import read_place
+    from airlight.ephemeris.sky import Place, moon_seen, sun_seen
+    from airlight.ephemeris.time_text import read_time
+
+    latitude, longitude, above = read_place(at, "--at")
+    if above is not None and altitude is not None:
+        raise ParameterError("--altitude", altitude, "left out beside an altitude in --at")
+    height = _STANDING
+    if above is not None:
+        height = options.length(above, "--at")
+    elif altitude is not None:
+        height = options.length(altitude, "--altitude")
+    place = Place(body=planet.world.name, latitude=latitude, longitude=longitude, altitude=height)
+    ls = None if season is None else options.angle(season, "--ls")
+    try:
+        moment = read_time(time or "noon", place, zone=zone, season=ls, field="--time")
+    except ParameterError as error:
+        names = {"zone": "--zone", "solar_longitude": "--ls", "body": "--time"}
+        value = time if error.field == "body" else error.value
+        field = names.get(error.field, error.field)
+        raise ParameterError(field, value, error.allowed) from None
+    sun = sun_seen(place, moment)
+    moon = moon_seen(place, moment) if place.world.has_moon else None
+    return Placed(
+        altitude=height,
+        latitude=latitude,
+        longitude=longitude,
+        sun_zenith=sun.zenith,
+        sun_azimuth=sun.azimuth,
+        time=moment,
+        moon=None if moon is None else (moon.zenith, moon.azimuth),
+    )
+
+
+def lit(planet: Planet, placed: Placed, sun_distance: str) -> Planet:
+    """Planet in the light of that time: the sun at its true distance, or at the file's."""
+    if placed.time is None or sun_distance == "file":
+        return planet
+    return planet.lit_at(placed.time)
+
+
+def line(planet: Planet, placed: Placed, sun_distance: str) -> str:
+    """Line that says place, time, sun and moon, and by which distance the planet is lit."""
+    from airlight.ephemeris.sky import Place
+    from airlight.ephemeris.sky_line import sky_line
+    from airlight.scene.apparent_sun import apparent_altitude
+
+    assert placed.time is not None
+    place = Place(
+        body=planet.world.name,
+        latitude=placed.latitude,
+        longitude=placed.longitude,
+        altitude=placed.altitude,
+    )
+    seen = apparent_altitude(planet, placed.altitude, placed.sun_zenith)
+    text = sky_line(place, placed.time, seen=seen)
+    if sun_distance == "file":
+        return f"{text}  lit as in the planet's file"
+    if planet.star.irradiance is not None:
+        return f"{text}  lit as in the planet's file, which gives the irradiance"
+    return text

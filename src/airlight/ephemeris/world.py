@@ -1,0 +1,100 @@
+"""Worlds whose sky is known by time: name, day, year, and rotation."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+from airlight.errors import ParameterError
+
+
+@dataclass(frozen=True, kw_only=True)
+class Spin:
+    """Rotation elements of a world in the International Celestial Reference Frame.
+
+    Attributes
+    ----------
+    right_ascension, declination : float
+        Direction of the north pole. [deg]
+    meridian : float
+        Angle W from the ascending node of the equator to the prime meridian at J2000. [deg]
+    rate : float
+        Its growth. [deg day⁻¹]
+    """
+
+    right_ascension: float
+    declination: float
+    meridian: float
+    rate: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class World:
+    """World with a known orbit and rotation.
+
+    Attributes
+    ----------
+    name : str
+        Name, as the key ``body`` of a planet file has it.
+    orbit : str
+        Planet whose orbit about the sun it follows, by astronomy-engine's name.
+    spin : Spin or None
+        Rotation elements; None: those of astronomy-engine for ``orbit``.
+    orbit_radius : float
+        Radius of its orbit about that planet, which it faces with longitude 0; 0 for a planet. [m]
+    solar_day : float
+        Length of its mean solar day. [day]
+    year : float
+        Tropical year: of its seasons. [day]
+    has_moon : bool
+        Whether its sky has a moon that is known here.
+    """
+
+    name: str
+    orbit: str
+    spin: Spin | None = None
+    orbit_radius: float = 0.0
+    solar_day: float
+    year: float
+    has_moon: bool = False
+
+
+#: Rotation of Titan, which is synchronous: Archinal et al. (2018), Celestial Mechanics and
+#: Dynamical Astronomy 130, 22, Table 2 (the constants of Archinal et al. 2011).
+_TITAN: Final = Spin(
+    right_ascension=39.4827, declination=83.4279, meridian=186.5855, rate=22.5769768
+)
+
+#: Worlds by name. Days: Earth's; Mars's and its year, Allison & McEwen (2000), Planetary and Space
+#: Science 48, 215; Titan's from its rotation and Saturn's sidereal year of 10759.22 days, with
+#: 10747 days between its spring equinoxes (Williams, NASA Saturn Fact Sheet).
+WORLDS: Final = {
+    "earth": World(name="earth", orbit="Earth", solar_day=1.0, year=365.24219, has_moon=True),
+    "mars": World(name="mars", orbit="Mars", solar_day=1.0274912517, year=686.9725),
+    "titan": World(
+        name="titan",
+        orbit="Saturn",
+        spin=_TITAN,
+        orbit_radius=1.22187e9,
+        solar_day=360.0 / (22.5769768 - 360.0 / 10759.22),
+        year=10747.0,
+    ),
+}
+
+
+def world_named(name: str) -> World:
+    """World by its name.
+
+    Raises
+    ------
+    ParameterError
+        If there is none of that name.
+
+    Examples
+    --------
+    >>> f"{world_named('titan').solar_day:.2f}"
+    '15.97'
+    """
+    if name not in WORLDS:
+        raise ParameterError("body", name, ", ".join(WORLDS))
+    return WORLDS[name]

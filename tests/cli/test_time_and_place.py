@@ -1,0 +1,87 @@
+"""``airlight render --at --time``: what is drawn, said and refused."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from airlight.cli import main
+from airlight.exports.png import read_png_metadata
+
+QUICK = ["--quality", "preview", "--wavelengths", "rgb", "--size", "32x18"]
+STOCKHOLM = ["--at", "59.33N,18.07E", "--time", "2026-06-21T21:10+02:00"]
+
+
+def rendered(path: Path, *words: str, planet: str = "earth-atmosphere-plus") -> dict[str, str]:
+    assert main(["render", planet, "-o", str(path), *QUICK, *words]) == 0
+    texts = read_png_metadata(path)
+    return {key.removeprefix("airlight."): value for key, value in texts.items()}
+
+
+def test_picture_of_a_place_and_time_says_both(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    texts = rendered(tmp_path / "a.png", *STOCKHOLM, "--look-at", "sun")
+    line, file = capsys.readouterr().out.splitlines()
+    assert line == (
+        "earth 59.3300°N 18.0700°E  2026-06-21T19:10:00Z  sun +4.18°, bearing 311.2°, 1.0162 au  "
+        "moon +21.39°, bearing 220.9°, 49 % lit, waxing"
+    )
+    assert "a.png" in file
+    assert texts["time"] == "2026-06-21T19:10:00Z"
+    assert texts["altitude"] == "2 m"
+    assert float(texts["sun_azimuth"].split()[0]) == pytest.approx(311.2, abs=0.05)
+    assert texts["look"].split(",")[1] == "0 deg"
+
+
+def test_sun_distance_of_the_file_is_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    rendered(tmp_path / "a.png", *STOCKHOLM, "--sun-distance", "file", "--altitude", "5km")
+    assert "lit as in the planet's file" in capsys.readouterr().out
+
+
+def test_mars_by_season_and_solar_time(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["--at", "4.59S,137.44E,10m", "--ls", "250", "--time", "14:30", "--look-at", "W/10"]
+    texts = rendered(tmp_path / "m.png", *words, planet="mars-rayleigh")
+    said = capsys.readouterr().out.splitlines()[0]
+    assert said.startswith("mars 4.5900°S 137.4400°E  200")
+    assert said.endswith("solar time 14:30")
+    assert texts["altitude"] == "10 m"
+    assert texts["look"].startswith("80,")
+
+
+@pytest.mark.parametrize(
+    ("words", "line"),
+    [
+        (["--at", "59N,18E"], "--at is '59N,18E'; allowed: beside --time, or --ls"),
+        (["--time", "sunset"], "--time is 'sunset'; allowed: beside --at, the place"),
+        (["--zone", "solar"], "--zone is 'solar'; allowed: beside --at, the place"),
+        ([*STOCKHOLM, "--sun-zenith", "80"], "--sun-zenith is '80'; allowed: left out beside"),
+        ([*STOCKHOLM, "--latitude", "8"], "--latitude is '8'; allowed: left out beside"),
+        (["--at", "59N,18E,2km", "--altitude", "3km", "--time", "noon"], "--altitude is '3km'"),
+        (["--at", "91N,18E", "--time", "noon"], "--at is '91N,18E'; allowed: latitudes from -90"),
+        (["--at", "59N,18E", "--time", "2026-06-21T10:00"], "a time with its zone"),
+        (["--at", "59N,18E", "--time", "2026-06-21 10:00", "--zone", "X"], "--zone is 'X'"),
+        (["--at", "78N,15E", "--time", "2026-06-21 sunset"], "the sun stays between 11."),
+        (["--at", "59N,18E", "--ls", "400"], "--ls is 400.0; allowed: 0 to 360 deg"),
+        (["--look-at", "moon"], "--look-at is 'moon'; allowed: horizon, nadir, zenith, sun, moon"),
+    ],
+)
+def test_what_cannot_be_is_one_clear_line(
+    words: list[str], line: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "a.png"
+    assert main(["render", "earth-atmosphere-plus", "-o", str(path), *QUICK, *words]) != 0
+    error = capsys.readouterr().err.strip()
+    assert line in error
+    assert "\n" not in error
+    assert not path.exists()
+
+
+def test_planet_without_a_body_is_told_how_to_get_one(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["render", "venus", "-o", str(tmp_path / "v.png"), *QUICK, *STOCKHOLM]) != 0
+    assert "body is missing; allowed: one of earth, mars, titan" in capsys.readouterr().err

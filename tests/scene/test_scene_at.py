@@ -1,0 +1,85 @@
+"""Scenes by place and time: directions on the ground's map, and the light of that day."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight import Camera, Scene, load_planet
+from airlight.constants import ASTRONOMICAL_UNIT
+from airlight.ephemeris.instant import days_of
+from airlight.ephemeris.sky import Place, moon_seen
+from airlight.ephemeris.sun_vector import solar_point
+from airlight.errors import ParameterError
+from airlight.scene.apparent_sun import apparent_altitude
+
+TIME = datetime(2026, 6, 21, 14, 10, tzinfo=UTC)
+
+
+@pytest.mark.parametrize("name", ["earth", "mars", "titan"])
+def test_sun_of_a_scene_stands_above_the_point_below_it(name: str) -> None:
+    # two ways to the same vector of the planet's frame: by the scene's angles, and directly
+    planet = load_planet(name)
+    scene = Scene.at(planet, latitude=-33.0, longitude=70.0, time=TIME)
+    point = solar_point(planet.world, days_of(TIME))
+    latitude, longitude = np.radians([point.latitude, point.longitude])
+    flat = np.cos(latitude)
+    expected = [flat * np.cos(longitude), flat * np.sin(longitude), np.sin(latitude)]
+    # 0.0024° of parallax on Earth
+    assert_allclose(scene.ground_frame @ scene.sun_direction, expected, rtol=0, atol=5e-5)
+
+
+def test_camera_looks_where_it_is_told() -> None:
+    earth = load_planet("earth")
+    where = {"latitude": 59.33, "longitude": 18.07, "time": TIME}
+    sun = Scene.at(earth, **where, look_at="sun")
+    assert sun.camera.look_azimuth == 0.0
+    assert sun.camera.look_zenith == sun.sun_zenith
+    moon = Scene.at(earth, **where, look_at="moon", camera=Camera(width=8, height=6))
+    seen = moon_seen(Place(latitude=59.33, longitude=18.07, altitude=2.0), TIME)
+    north, west, up = moon.ground_frame.T @ moon.ground_frame @ moon.camera.axes[2]
+    east_north_up = seen.direction
+    # local frame: x to the sun's bearing, y left of it
+    turn = np.radians(moon.sun_azimuth)
+    along = east_north_up[1] * np.cos(turn) + east_north_up[0] * np.sin(turn)
+    left = east_north_up[1] * np.sin(turn) - east_north_up[0] * np.cos(turn)
+    assert_allclose([north, west, up], [along, left, east_north_up[2]], rtol=0, atol=1e-9)
+    assert moon.camera.width == 8
+
+
+def test_scene_says_its_time() -> None:
+    scene = Scene.at(load_planet("earth"), latitude=0.0, longitude=0.0, time="2026-06-21T12:00Z")
+    assert scene.metadata()["time"] == "2026-06-21T12:00:00Z"
+    assert "time" not in Scene().metadata()
+
+
+def test_planet_that_is_no_known_world_is_refused() -> None:
+    with pytest.raises(ParameterError, match="body is missing; allowed: one of earth, mars, titan"):
+        Scene.at(load_planet("venus"), latitude=0.0, longitude=0.0, time=TIME)
+
+
+def test_light_of_a_day_follows_the_distance() -> None:
+    # perihelion 2026-01-03 17:16 UTC, 0.9833020 au; aphelion 2026-07-06 17:30, 1.0166441 au (USNO)
+    earth = load_planet("earth")
+    near = earth.lit_at(datetime(2026, 1, 3, 17, 16, tzinfo=UTC)).star
+    far = earth.lit_at(datetime(2026, 7, 6, 17, 30, tzinfo=UTC)).star
+    # centres of sun and Earth, by a truncated theory: 1e-5
+    assert near.distance == pytest.approx(0.9833020 * ASTRONOMICAL_UNIT, rel=1e-5)
+    assert far.distance == pytest.approx(1.0166441 * ASTRONOMICAL_UNIT, rel=1e-5)
+    ratio = near.irradiances([550.0]) / far.irradiances([550.0])
+    assert_allclose(ratio, (1.0166441 / 0.9833020) ** 2, rtol=5e-5)
+    # the sun's radius over its distance, to three digits
+    assert near.angular_radius_degrees == pytest.approx(0.2665 / 0.98330, abs=5.1e-4)
+
+
+def test_sun_on_the_horizon_is_lifted_as_in_almanacs() -> None:
+    earth = load_planet("earth")
+    # 34' where it is seen on the horizon, for an air of 10 °C; this one has 15 °C: 33'
+    lift = apparent_altitude(earth, 0.0, 90.0 + 33.0 / 60.0)
+    assert lift == pytest.approx(0.0, abs=2.5 / 60.0)
+    assert apparent_altitude(earth, 0.0, 95.0) is None
+    assert apparent_altitude(earth, 200e3, 60.0) is None
+    assert apparent_altitude(load_planet("mars"), 0.0, 60.0) is None
