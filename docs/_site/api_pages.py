@@ -18,6 +18,7 @@ STATIONS = (
     ("Light", ("solve", "Solution")),
     ("Pictures", ("Scene", "Camera", "look_at", "local_ground", "render", "Frame",
                   "write_picture")),
+    ("Composition", ("compose", "Pinhole", "Placement")),
     ("Errors", ("AirlightError", "ParameterError", "FileError", "ConvergenceError", "Cancelled")),
 )  # fmt: skip
 

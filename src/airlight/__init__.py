@@ -12,6 +12,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from airlight.composition import Pinhole, Placement, compose
     from airlight.errors import (
         AirlightError,
         Cancelled,
@@ -54,6 +55,9 @@ _HOMES = {
     "render": "airlight.render",
     "Frame": "airlight.render",
     "write_picture": "airlight.exports",
+    "compose": "airlight.composition",
+    "Pinhole": "airlight.composition",
+    "Placement": "airlight.composition",
     "AirlightError": "airlight.errors",
     "ParameterError": "airlight.errors",
     "FileError": "airlight.errors",
@@ -79,6 +83,9 @@ __all__ = [
     "render",
     "Frame",
     "write_picture",
+    "compose",
+    "Pinhole",
+    "Placement",
     "AirlightError",
     "ParameterError",
     "FileError",

@@ -15,6 +15,7 @@ import typer
 
 from airlight.cli import (
     bake,
+    compose,
     errata,
     export_page,
     fit,
@@ -44,7 +45,7 @@ app = typer.Typer(
     ),
 )
 _COMMANDS = (
-    planets, show, render, view, radiance, fit, plot, bake, export_page, validate, errata,
+    planets, show, render, compose, view, radiance, fit, plot, bake, export_page, validate, errata,
 )  # fmt: skip
 for command in _COMMANDS:
     function = command.__name__.rpartition(".")[2]

@@ -1,7 +1,7 @@
 """Loops that draw pictures, compiled before there is a solution to draw.
 
 The types of a loop's arguments follow from the declarations of its NamedTuples; with empty tables
-of these types it is called for no row and no texel, which compiles it.
+of these types it is called for no pixel and no texel, which compiles it.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 from airlight.kernel.ahead import CompiledAhead
 from airlight.kernel.shader_fields import InTexture, shader_fields
 from airlight.pixels.picture_numbers import observer_from, screen_from
-from airlight.pixels.rows_by_processor import draw_rows, march_rows
+from airlight.pixels.pixels_by_processor import draw_pixels, march_pixels
 from airlight.pixels.sky_by_processor import SkyLayers, fill_texels
 from airlight.pixels.sky_window import SkyWindow
 from airlight.scene import Camera
@@ -22,8 +22,8 @@ from airlight.solvers.moments.march_tables import MarchTables, new_workspace, qu
 
 #: Loops of a picture that reads a table of the sky, in the order of their use; and of one that does
 #: not.
-DRAWING: Final = (fill_texels, draw_rows)
-MARCHING: Final = (march_rows,)
+DRAWING: Final = (fill_texels, draw_pixels)
+MARCHING: Final = (march_pixels,)
 
 
 def compiled_ahead() -> CompiledAhead:
@@ -38,7 +38,7 @@ def compile_loops() -> None:
 
 
 def _arguments() -> list[tuple[Any, ...]]:
-    """Arguments of each loop, for no texel and no row."""
+    """Arguments of each loop, for no texel and no pixel."""
     tables = empty(MarchTables)._replace(rules=quadratures((1, 1, 1)))
     work = new_workspace(tables)
     numbers: Any = defaultdict(float)
@@ -46,9 +46,9 @@ def _arguments() -> list[tuple[Any, ...]]:
     observer = observer_from(numbers)
     layers, window = SkyLayers.none(), SkyWindow.whole(2, 2)
     screen = screen_from(numbers, Camera(width=1, height=1), None, None, layers)
-    weights, rgb = np.zeros(3, np.float32), np.zeros((1, 1, 3), np.float32)
-    rows = (0, 0, window, observer, screen, tables, work, weights, 1.0, rgb)
-    return [(0, 0, window, observer, tables, work, layers), rows, rows]
+    weights, rgb, none = np.zeros(3, np.float32), np.zeros((1, 3), np.float32), np.zeros(0)
+    pixels = (none, none, window, observer, screen, tables, work, weights, 1.0, rgb)
+    return [(0, 0, window, observer, tables, work, layers), pixels, pixels]
 
 
 def _screen_numbers() -> tuple[str, ...]:

@@ -15,7 +15,7 @@ from airlight.pixels.picture_numbers import (
     scene_numbers,
     screen_from,
 )
-from airlight.pixels.rows_by_processor import draw_rows, march_rows
+from airlight.pixels.pixels_by_processor import draw_pixels, march_pixels
 from airlight.pixels.shown import shown_solution
 from airlight.pixels.sky_by_processor import SkyLayers, filled_sky
 from airlight.pixels.sky_window import SkyWindow, sky_window
@@ -114,10 +114,25 @@ class Drawing:
         rgb : array, shape (height, width, 3)
             Receives the radiance. [W m⁻² sr⁻¹]
         """
-        rows = march_rows if self.window is None else draw_rows
+        px = np.arange(rgb.shape[1]) + 0.5
+        py = np.arange(first, last) + 0.5
+        x, y = np.broadcast_arrays(px, py[:, None])
+        self.draw_pixels(x.ravel(), y.ravel(), rgb[first:last].reshape(-1, 3))
+
+    def draw_pixels(self, px: FloatArray, py: FloatArray, rgb: Float32Array) -> None:
+        """Draw pixels anywhere in the picture, linear sRGB.
+
+        Parameters
+        ----------
+        px, py : array, shape (n,)
+            Centres of the pixels, from the picture's left and top edge. [pixel]
+        rgb : array, shape (n, 3)
+            Receives the radiance. [W m⁻² sr⁻¹]
+        """
+        pixels = march_pixels if self.window is None else draw_pixels
         window = SkyWindow.whole(0, 0) if self.window is None else self.window
-        rows(
-            first, last, window, self._observer, self._screen, self._tables,
+        pixels(
+            px, py, window, self._observer, self._screen, self._tables,
             new_workspace(self._tables), self._weights, self._reach, rgb,
         )  # fmt: skip
 

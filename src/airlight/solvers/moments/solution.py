@@ -174,11 +174,45 @@ class MomentsSolution(Solution):
             Radiance. [sr⁻¹]
         """
         sight = self.paths.sight(sight)
-        seen = self.paths.seen_nu(sight)
-        n = sight.r.size
-        out = np.empty((n, self.wavelengths.size))
         chosen = self.light if light is None else light
-        count = self.wavelengths.size
+        return self._lines(sight, orders, chosen, scatterers, ground)[0]
+
+    def stretches(
+        self, sight: Sight, length: FloatArray, *, light: MarchTables | None = None
+    ) -> tuple[FloatArray, FloatArray]:
+        """Light of the air between points and what lies at a distance from them.
+
+        Parameters
+        ----------
+        sight : Sight
+            n lines of sight, from ``paths.sight``.
+        length : array, shape (n,)
+            Lengths, not beyond those of the lines, as ``paths.drawn_length`` gives them. [m]
+        light : MarchTables, optional
+            Replaces ``self.light``.
+
+        Returns
+        -------
+        radiance : array, shape (n, nl)
+            Radiance of the air per irradiance of the star, all orders. [sr⁻¹]
+        transmittance : array, shape (n, nl)
+            Transmittance, with light scattered into removed forward peaks as transmitted. [1]
+        """
+        part = replace(sight, length=length)
+        return self._lines(part, 2, self.light if light is None else light, None, False)
+
+    def _lines(
+        self,
+        sight: Sight,
+        orders: int,
+        chosen: MarchTables,
+        scatterers: Sequence[int] | None,
+        ground: bool,
+    ) -> tuple[FloatArray, FloatArray]:
+        """Radiance [sr⁻¹] and transmittance [1] of lines from ``paths.sight``, each (n, nl)."""
+        seen = self.paths.seen_nu(sight)
+        n, count = sight.r.size, self.wavelengths.size
+        out, through = np.empty((n, count)), np.empty((n, count))
         ends = sight.to_ground if ground else np.zeros_like(sight.to_ground)
 
         def run(index: int) -> None:
@@ -188,7 +222,7 @@ class MomentsSolution(Solution):
                 silent = [c for c in range(phases.shape[1]) if c not in scatterers]
                 phases[:, silent] = 0.0
             phase = pack(phases).reshape(phases.shape[0], -1)
-            result = np.empty((phase.shape[0], chosen.lanes), np.float32)
+            result = np.empty((phase.shape[0], 2 * chosen.lanes), np.float32)
             _march_all(
                 sight.r[rows],
                 sight.mu[rows],
@@ -203,9 +237,10 @@ class MomentsSolution(Solution):
                 result,
             )
             out[rows] = result[:, :count]
+            through[rows] = result[:, chosen.lanes : chosen.lanes + count]
 
         run_blocks(run, -(-n // _BLOCK))
-        return out
+        return out, through
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
@@ -249,7 +284,7 @@ def _march_all(r, mu, mu_s, nu, length, to_ground, orders, phase, light, work, o
             for at in range(0, lanes, LANES):
                 behind = load(found, lanes + at) * load(ground, at)
                 store(found, at, load(found, at) + behind)
-        out[k] = found[:lanes]
+        out[k] = found[: 2 * lanes]
 
 
 def solve(

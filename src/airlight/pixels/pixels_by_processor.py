@@ -1,4 +1,4 @@
-"""Rows of pixels on the CPU: from the table of the sky, or each pixel by its own march."""
+"""Pixels on the CPU: from the table of the sky, or each by its own march."""
 
 from __future__ import annotations
 
@@ -31,29 +31,27 @@ def _as_color(light, lanes, weights, sums, out):
 
 
 @inlined
-def _rows(exact, first, last, window, observer, screen, light, work, weights, reach, out):
-    """Draw rows, see ``draw_rows``; ``exact`` as in ``pixel_light``."""
+def _pixels(exact, px, py, window, observer, screen, light, work, weights, reach, out):
+    """Draw pixels, see ``draw_pixels``; ``exact`` as in ``pixel_light``."""
     screen, light, work, weights, out = borrowed((screen, light, work, weights, out))
     found, total = np.empty(light.lanes, np.float32), np.empty(light.lanes, np.float32)
     color = np.zeros(GROUND_VALUES)
     sums = np.empty(3 * LANES, np.float32)
-    for j in range(first, last):
-        for i in range(out.shape[1]):
-            sampled_light(
-                i + 0.5, j + 0.5, exact, reach, window, observer, screen, light, work, color, total,
-                found,
-            )  # fmt: skip
-            _as_color(found, light.lanes, weights, sums, out[j, i])
+    for k in range(px.size):
+        sampled_light(
+            px[k], py[k], exact, reach, window, observer, screen, light, work, color, total, found
+        )
+        _as_color(found, light.lanes, weights, sums, out[k])
 
 
 @compiled_loop
-def draw_rows(first, last, window, observer, screen, light, work, weights, reach, out):
-    """Draw rows of pixels from the table of the sky.
+def draw_pixels(px, py, window, observer, screen, light, work, weights, reach, out):
+    """Draw pixels from the table of the sky.
 
     Parameters
     ----------
-    first, last : int
-        Rows ``first`` to ``last`` - 1.
+    px, py : array, shape (n,)
+        Centres of the pixels, from the picture's left and top edge. [pixel]
     window : SkyWindow
         Available part of the table.
     observer, screen, light : Observer, Screen, MarchTables
@@ -64,13 +62,13 @@ def draw_rows(first, last, window, observer, screen, light, work, weights, reach
         Linear sRGB per radiance over irradiance. [W m⁻² sr⁻¹ sr]
     reach : float
         Angle from the apparent star beyond which nothing of its disc is visible. [rad]
-    out : array, shape (height, width, 3)
+    out : array, shape (n, 3)
         Receives linear sRGB.
     """
-    _rows(False, first, last, window, observer, screen, light, work, weights, reach, out)
+    _pixels(False, px, py, window, observer, screen, light, work, weights, reach, out)
 
 
 @compiled_loop
-def march_rows(first, last, window, observer, screen, light, work, weights, reach, out):
-    """Draw rows of pixels, each pixel by its own march; arguments as in ``draw_rows``."""
-    _rows(True, first, last, window, observer, screen, light, work, weights, reach, out)
+def march_pixels(px, py, window, observer, screen, light, work, weights, reach, out):
+    """Draw pixels, each by its own march; arguments as in ``draw_pixels``."""
+    _pixels(True, px, py, window, observer, screen, light, work, weights, reach, out)

@@ -1,0 +1,267 @@
+"""``airlight compose``: the air over a picture that another renderer drew."""
+
+from __future__ import annotations
+
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+import typer
+
+from airlight.cli import options
+from airlight.cli.examples import examples
+from airlight.cli.progress import shown_progress
+from airlight.errors import ParameterError
+
+if TYPE_CHECKING:
+    from airlight.composition import Composed, Pinhole, Placement
+    from airlight.exports.render_passes import RenderPasses
+
+EPILOG = examples(
+    "airlight compose render.exr --camera camera.json --planet earth -o composed.exr",
+    "airlight compose render.exr --depth depth.exr --camera transforms.json --sun-zenith 80 "
+    "--sun-azimuth 250 -o composed.exr",
+    "airlight compose beauty.exr --depth depth.exr --depth-kind inverse --camera camera.json "
+    "--altitude 1500m --metres-per-unit 0.01 -o composed.png",
+)
+
+
+def compose(
+    color: Annotated[
+        Path,
+        typer.Argument(metavar="COLOR.exr", help="The picture without air, linear sRGB."),
+    ],
+    output: Annotated[
+        Path, typer.Option("--output", "-o", metavar="FILE", help="A linear .exr, or a .png.")
+    ],
+    depth: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Its depth, an .exr; COLOR.exr itself if left out."),
+    ] = None,
+    depth_kind: Annotated[
+        Literal["auto", "planar", "distance", "position", "inverse"],
+        typer.Option(
+            metavar="KIND",
+            help="planar (along the camera's axis), distance (along the line), position, inverse "
+            "(1 over planar), or auto, by the channel's name.",
+        ),
+    ] = "auto",
+    depth_channel: Annotated[
+        str | None, typer.Option(metavar="NAME", help="Of the depth, if it is not found.")
+    ] = None,
+    layer: Annotated[
+        str | None, typer.Option(metavar="NAME", help="Of the colour, where there are several.")
+    ] = None,
+    camera: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="A transforms.json; if left out, the matrices worldToCamera and worldToNDC of "
+            "COLOR.exr.",
+        ),
+    ] = None,
+    planet: Annotated[
+        str | None,
+        typer.Option(metavar="PLANET", help="A preset or a TOML file (the camera's, or earth)."),
+    ] = None,
+    sun_zenith: Annotated[
+        str | None, typer.Option(metavar="ANGLE", help="Of the sun at the scene's origin (60deg).")
+    ] = None,
+    sun_azimuth: Annotated[
+        str | None, typer.Option(metavar="ANGLE", help="Compass bearing of the sun (180deg).")
+    ] = None,
+    latitude: Annotated[
+        str | None, typer.Option(metavar="ANGLE", help="Of the scene's origin (0deg).")
+    ] = None,
+    longitude: Annotated[
+        str | None, typer.Option(metavar="ANGLE", help="Of the scene's origin (0deg).")
+    ] = None,
+    altitude: Annotated[
+        str | None, typer.Option(metavar="LENGTH", help="Of the scene's origin (0m).")
+    ] = None,
+    heading: Annotated[
+        str | None,
+        typer.Option(metavar="ANGLE", help="Compass bearing of the scene's +Y (0deg, north)."),
+    ] = None,
+    metres_per_unit: Annotated[
+        float | None, typer.Option(metavar="NUMBER", help="Length of the scene's unit (1).")
+    ] = None,
+    up: Annotated[
+        Literal["z", "y"] | None, typer.Option(metavar="AXIS", help="The scene's vertical (z).")
+    ] = None,
+    white: Annotated[
+        str,
+        typer.Option(
+            metavar="NUMBER|radiance",
+            help="Value of a white surface that faces the sun without air; or radiance, for W m⁻² "
+            "sr⁻¹ as airlight writes them.",
+        ),
+    ] = "1",
+    exact: Annotated[
+        bool,
+        typer.Option("--exact", help="March through the air pixel by pixel, without froxels."),
+    ] = False,
+    disc: Annotated[
+        bool, typer.Option("--disc/--no-disc", help="Draw the sun's own disc in the sky.")
+    ] = True,
+    exposure: Annotated[
+        str, typer.Option(metavar="EV|auto", help="Of a .png: brightens by 2 to this power.")
+    ] = "auto",
+    tone_map: Annotated[
+        str, typer.Option(metavar="NAME", help="Of a .png: natural, hable, aces, agx …")
+    ] = "natural",
+    wavelengths: Annotated[
+        str | None,
+        typer.Option(metavar="rgb|N|LIST", help="As for render; 16 if left out."),
+    ] = None,
+    quality: options.Quality = "default",
+    set_: options.Set = None,
+    no_cache: options.NoCache = False,
+) -> None:
+    """Lay a planet's air over a picture by its depth, and its sky behind.
+
+    The picture stays on its own scale of brightness; see docs/compose.md.
+    """
+    started = time.perf_counter()
+    from airlight.exports.picture import picture_suffix
+    from airlight.exports.render_passes import read_render_passes
+
+    suffix = picture_suffix(output)
+    ev = options.exposure(exposure)
+    per_white = _white(white)
+    passes = read_render_passes(color)
+    rgb, alpha = passes.colors(layer)
+    holder = passes if depth is None else read_render_passes(depth)
+    away, kind = holder.depth(depth_kind, depth_channel)
+    pinhole, block = _camera(camera, color, passes)
+    texts = {
+        "sun_zenith": sun_zenith, "sun_azimuth": sun_azimuth, "latitude": latitude,
+        "longitude": longitude, "heading": heading,
+    }  # fmt: skip
+    place = _placement(block, texts, altitude, metres_per_unit, up)
+    solution = _solved(planet or block.get("planet", "earth"), place, wavelengths, quality, set_,
+                       cache=not no_cache)  # fmt: skip
+    from airlight.composition import compose as composed_over
+
+    with shown_progress() as report:
+        composed = composed_over(
+            rgb, away, pinhole, solution, place, alpha=alpha, depth_kind=kind, white=per_white,
+            exact=exact, disc=disc, progress=report,
+        )  # fmt: skip
+    metadata = {
+        "planet": solution.planet.name,
+        "picture": color.name,
+        "depth_kind": kind,
+        "white": white,
+        "altitude": f"{composed.scene.altitude:.10g} m",
+        "sun_zenith": f"{composed.scene.sun_zenith:.10g} deg",
+        **({"changes": "; ".join(set_)} if set_ else {}),
+    }
+    _write(output, suffix, composed, metadata, ev, tone_map)
+    seconds = time.perf_counter() - started
+    width, height = pinhole.width, pinhole.height
+    how = f"{100.0 * composed.marched:.0f} % of the surfaces marched"
+    if composed.error > 0.0:
+        how += f", others within {100.0 * composed.error:.2f} %"
+    print(f"{output}  {width}x{height}  {seconds:.1f} s  depth {kind}  {how}")
+    if solution.report.ground:
+        print(f"airlight: {solution.report.ground}", file=sys.stderr)
+
+
+def _white(text: str) -> float | None:
+    """Parse ``--white``: a number above 0, or None for radiance."""
+    if text.strip().lower() == "radiance":
+        return None
+    try:
+        value = float(text)
+    except ValueError:
+        value = -1.0
+    if not 0.0 < value < 1e30:
+        raise ParameterError("--white", text, "a number above 0, or radiance")
+    return value
+
+
+def _camera(file: Path | None, color: Path, passes: RenderPasses) -> tuple[Pinhole, dict[str, Any]]:
+    """Camera of the picture, in its size, and the block that places the scene."""
+    from airlight.composition.pinhole import camera_from_json, camera_from_matrices
+
+    width, height = passes.size
+    if file is not None:
+        found, block = camera_from_json(file, str(color), size=passes.size)
+        try:
+            return found.sized(width, height), block
+        except ParameterError as error:
+            raise error.in_file(file) from None
+    to_camera, to_ndc = (passes.header.get(name) for name in ("worldToCamera", "worldToNDC"))
+    if to_camera is None or to_ndc is None:
+        allowed = f"a transforms.json, since {color} lacks worldToCamera and worldToNDC"
+        raise ParameterError("--camera", None, allowed)
+    return camera_from_matrices(to_camera, to_ndc, width, height), {}
+
+
+def _placement(
+    block: dict[str, Any],
+    texts: dict[str, str | None],
+    altitude: str | None,
+    metres_per_unit: float | None,
+    up: str | None,
+) -> Placement:
+    """Placement by the camera's block, with the options in place of what they replace."""
+    from airlight.composition import Placement
+
+    given: dict[str, float | str | None] = {"metres_per_unit": metres_per_unit, "up": up}
+    for name, text in texts.items():
+        option = "--" + name.replace("_", "-")
+        given[name] = None if text is None else options.angle(text, option)
+    given["altitude"] = None if altitude is None else options.length(altitude, "--altitude")
+    try:
+        return Placement.from_block(block, **given)
+    except ParameterError as error:
+        if given.get(error.field) is None:
+            raise
+        option = "--" + error.field.replace("_", "-")
+        raise ParameterError(option, error.value, error.allowed) from None
+
+
+def _solved(
+    name: str, place: Placement, wavelengths: str | None, quality: str, changes: list[str] | None,
+    *, cache: bool,
+) -> Any:  # fmt: skip
+    """Solution of the planet for the ground around the scene."""
+    from airlight.paint.paint_scene import FEWEST
+    from airlight.paint.solve_planet import solve_planet
+    from airlight.scene.local_ground import local_ground
+
+    world = options.planet(name, changes)
+    nm = None if wavelengths is None else options.wavelengths(wavelengths, world)
+    if nm is not None and len(nm) < FEWEST:
+        allowed = "rgb, 3 to 99, or three or more wavelengths: a picture has colours"
+        raise ParameterError("--wavelengths", wavelengths, allowed)
+    world = local_ground(
+        world, latitude=place.latitude, longitude=place.longitude,
+        altitude=max(place.altitude, 0.0),
+    )  # fmt: skip
+    with shown_progress() as report:
+        return solve_planet(world, nm, quality, cache=cache, progress=report)
+
+
+def _write(
+    output: Path,
+    suffix: str,
+    composed: Composed,
+    metadata: dict[str, str],
+    exposure: float | str,
+    tone_map: str,
+) -> None:
+    """Write the picture: linear on the scale of the given one, or exposed."""
+    if suffix == ".exr":
+        from airlight.exports.exr import write_exr
+
+        scale = ", ".join(f"{one:.6g}" for one in composed.scale)
+        note = {"radiance_of_1": f"{scale} W m-2 sr-1, linear sRGB"}
+        write_exr(output, composed.rgb, metadata | note)
+        return
+    from airlight.exports.picture import write_picture
+
+    write_picture(output, composed.frame, metadata, exposure=exposure, tone_map=tone_map)

@@ -1,0 +1,331 @@
+"""``compose``: the air over another renderer's picture, pixel by pixel, in bands of rows.
+
+Implements the composition of a picture with its depth: the light that reaches the camera is the
+surface's times the transmittance of the air before it, and the light of that stretch of air, which
+is marched, never the difference of two look-ups.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from airlight.composition.depth import distances, filled, kind_of
+from airlight.composition.froxels import BAR, CELL, Froxels
+from airlight.composition.pinhole import Pinhole
+from airlight.composition.placement import Placement, Viewpoint, viewpoint
+from airlight.composition.stretch import Air
+from airlight.composition.surface_light import SurfaceLight
+from airlight.errors import Cancelled, ParameterError
+from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.pixels.lit_scenes import lit_scenes
+from airlight.render.drawing import Drawing
+from airlight.scene import Scene
+from airlight.scene.frame import Frame
+from airlight.solvers.moments.solution import MomentsSolution
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+#: Pixels of a band, which has whole rows of cells: what is worked on at once is bounded.
+_BAND: Final = 1 << 18
+#: Most rows of cells of a band.
+_CELLS: Final = 8
+#: Pixels in which the nearest surface is looked for where a pass missed it.
+_REACH: Final = 8
+#: Reflectance of the grey surface to whose light errors are compared.
+_GREY: Final = 0.18
+#: Pixels of the sky in one block of work.
+_BLOCK: Final = 1 << 12
+
+
+@dataclass(frozen=True, eq=False)
+class Composed:
+    """Result of ``compose``.
+
+    Attributes
+    ----------
+    rgb : array, shape (h, w, 3), float32
+        Linear sRGB, on the scale of the given colours.
+    scale : array, shape (3,)
+        Radiance of the value 1 in each channel. [W m⁻² sr⁻¹]
+    scene : Scene
+        Scene whose observer and light the picture has; its camera covers the picture.
+    star_radius : float
+        Angular radius of the star. [rad]
+    marched : float
+        Fraction of the pixels with a surface whose air was marched instead of read from froxels.
+    error : float
+        Largest error of the froxels that were used, of one pixel in each cell, over the light of a
+        grey surface behind its air; 0 without froxels.
+    """
+
+    rgb: Float32Array
+    scale: FloatArray
+    scene: Scene
+    star_radius: float
+    marched: float
+    error: float
+
+    @property
+    def frame(self) -> Frame:
+        """Picture in radiance, to be exposed and written as ``render``'s. [W m⁻² sr⁻¹]"""
+        return Frame(
+            rgb=(self.rgb * self.scale).astype(np.float32),
+            pixel_angle=self.scene.camera.glare_angle,
+            metadata={"unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931"},
+        )
+
+
+def compose(
+    rgb: ArrayLike,
+    depth: ArrayLike,
+    camera: Pinhole,
+    solution: MomentsSolution,
+    place: Placement,
+    *,
+    alpha: ArrayLike | None = None,
+    depth_kind: str = "auto",
+    white: float | None = 1.0,
+    exact: bool = False,
+    disc: bool = True,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Composed:
+    """Lay a planet's air over a picture, and its sky behind.
+
+    Parameters
+    ----------
+    rgb : array, shape (h, w, 3)
+        Picture without air, linear sRGB; premultiplied where there is an alpha.
+    depth : array, shape (h, w) or (h, w, 3)
+        Depth of the surfaces, see ``depth_kind``. No surface: 0 or less, not a number, 1e9 and
+        more; a position of exactly 0, 0, 0. [scene units]
+    camera : Pinhole
+        Camera.
+    solution : MomentsSolution
+        Solution of the planet at three or more wavelengths.
+    place : Placement
+        Place of the scene's origin on the planet, and direction of the sun.
+    alpha : array, shape (h, w), optional
+        Part of each pixel that surfaces cover: behind the rest is the sky. By default 1 where there
+        is depth. A pixel partly covered whose depth missed the surface takes that of the nearest.
+    depth_kind : str
+        ``planar`` along the camera's axis, ``distance`` along the pixel's line, ``position`` in the
+        scene, ``inverse`` for 1 over planar; ``auto`` is ``position`` for three channels, else
+        ``planar``.
+    white : float, optional
+        Value of ``rgb`` of a white Lambert surface that faces the star without air, in each
+        channel: the picture is balanced to the star. None: ``rgb`` is radiance in linear sRGB, as
+        ``render`` gives it. [W m⁻² sr⁻¹]
+    exact : bool
+        Whether the air is marched for each pixel, instead of read from froxels where these err by
+        less than 0.2 %.
+    disc : bool
+        Whether the star's own disc is drawn in the sky.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Returns
+    -------
+    Composed
+        Picture on the scale of ``rgb``.
+
+    Raises
+    ------
+    ParameterError
+        If arrays, camera and depth do not fit each other, a value is out of range, or the camera is
+        below the ground.
+    Cancelled
+        If ``cancel`` requested it.
+    """
+    colors, cover, passes, kind = _checked(rgb, alpha, depth, depth_kind, camera)
+    if white is not None and not 0.0 < white < np.inf:
+        raise ParameterError("white", white, "above 0")
+    if not isinstance(solution, MomentsSolution):
+        raise ParameterError("solution", type(solution).__name__, "a solution of moments")
+    view = viewpoint(camera, place, solution.medium.bottom_radius)
+    pictures = [
+        _Picture(seen, lit, view, exact, disc) for seen, lit in lit_scenes(view.scene, solution)
+    ]
+    surface = SurfaceLight(solution, white)
+    out = np.empty((camera.height, camera.width, 3), np.float32)
+    step = CELL * min(max(_BAND // (CELL * camera.width), 1), _CELLS)
+    bands = -(-camera.height // step)
+    counts, error = np.zeros(2), 0.0
+    for band in range(bands):
+        if cancel is not None and cancel():
+            raise Cancelled("the composition")
+        first, last = band * step, min((band + 1) * step, camera.height)
+        # silhouettes at the band's edges see the surfaces of the next rows
+        low, high = max(first - _REACH, 0), min(last + _REACH, camera.height)
+        rows, near = slice(first, last), slice(low, high)
+        away = distances(passes[near], kind, camera, near, place.metres_per_unit)
+        covers = np.isfinite(away).astype(np.float64) if cover is None else cover[near]
+        away = filled(away, (covers > 0.0) & (covers < 1.0), _REACH)[first - low : last - low]
+        covers = covers[first - low : last - low].copy()
+        covers[(covers >= 1.0) & np.isinf(away)] = 0.0  # a background, not a surface
+        light = np.where((covers > 0.0)[..., None], colors[rows], 0.0) * surface.scale
+        total = np.zeros_like(light)
+        solid = covers > 0.0
+        for number, picture in enumerate(pictures):
+            air, through, told = picture.air(camera, rows, away, solid)
+            if number == 0:
+                total[solid] = surface.through(light[solid], through)
+                counts += told[:2]
+            error = max(error, told[2])
+            total[solid] += covers[solid][:, None] * (air @ picture.colors)
+            open_ = covers < 1.0
+            total[open_] += (1.0 - covers[open_])[:, None] * picture.sky(rows, open_)
+        out[rows] = total / surface.scale
+        if progress is not None:
+            progress(band + 1, bands, "composing")
+    return Composed(
+        rgb=out, scale=surface.scale, scene=view.scene,
+        star_radius=solution.lights[0].angular_radius,
+        marched=float(counts[1] / max(counts[0], 1.0)), error=error,
+    )  # fmt: skip
+
+
+def _checked(
+    rgb: ArrayLike, alpha: ArrayLike | None, depth: ArrayLike, kind: str, camera: Pinhole
+) -> tuple[NDArray[Any], NDArray[Any] | None, NDArray[Any], str]:
+    """Colours, cover and depth as arrays of the camera's shape, and the kind of the depth."""
+    colors, passes = np.asarray(rgb), np.asarray(depth)
+    cover = None if alpha is None else np.asarray(alpha)
+    shape = (camera.height, camera.width)
+    if colors.shape != (*shape, 3):
+        raise ParameterError("rgb", colors.shape, f"shape {(*shape, 3)}, as the camera's picture")
+    kind = kind_of(passes, kind)
+    if passes.shape[:2] != shape or (passes.ndim == 3 and passes.shape[2] != 3):
+        raise ParameterError("depth", passes.shape, f"the picture's rows and columns, {shape}")
+    if cover is not None:
+        if cover.shape != shape:
+            raise ParameterError("alpha", cover.shape, f"the picture's rows and columns, {shape}")
+        if not ((cover >= 0.0) & (cover <= 1.001)).all():
+            wrong = cover[~((cover >= 0.0) & (cover <= 1.001))].flat[0]
+            raise ParameterError("alpha", float(wrong), "0 to 1")
+    if not np.isfinite(colors).all():
+        raise ParameterError("rgb", float(colors[~np.isfinite(colors)][0]), "finite numbers")
+    return colors, cover, passes, kind
+
+
+class _Picture:
+    """Air and sky of a picture by one light."""
+
+    def __init__(
+        self, scene: Scene, solution: MomentsSolution, view: Viewpoint, exact: bool, disc: bool
+    ) -> None:
+        self._view, self._exact = view, exact
+        self._axes = scene.camera.axes
+        self.colors = solution.lights[0].colors()
+        self._air = Air(solution, scene)
+        self._drawing = Drawing(solution, scene, exact=exact, disc=disc)
+        self._filled = False
+        self._grey = self._grey_light(solution, scene)
+
+    def _grey_light(self, solution: MomentsSolution, scene: Scene) -> FloatArray:
+        """Light of a level grey surface at the observer, per irradiance, shape (nl,). [sr⁻¹]"""
+        medium = solution.medium
+        r = np.array([min(medium.bottom_radius + scene.altitude, medium.top_radius)])
+        mu_s = np.array([scene.sun_direction[2]])
+        received = solution.relative_direct_irradiance(r, mu_s)
+        received = received + solution.relative_sky_irradiance(r, mu_s)
+        return np.asarray(_GREY / np.pi * received[0])
+
+    def _directions(self, rays: FloatArray) -> FloatArray:
+        unit = rays / np.linalg.norm(rays, axis=-1, keepdims=True)
+        return np.asarray(unit @ self._axes)
+
+    def sky(self, rows: slice, pixels: NDArray[np.bool_]) -> Float32Array:
+        """Linear sRGB of what is behind some pixels of a band: sky or the planet's ground."""
+        if not self._filled:
+            self._drawing.fill_sky()
+            self._filled = True
+        j, i = np.nonzero(pixels)
+        px = np.asarray(self._view.left + 0.5 + i, np.float64)
+        py = np.asarray(self._view.top + self._view.stretch * (j + rows.start + 0.5), np.float64)
+        out = np.empty((px.size, 3), np.float32)
+
+        def run(index: int) -> None:
+            part = slice(index * _BLOCK, (index + 1) * _BLOCK)
+            self._drawing.draw_pixels(px[part], py[part], out[part])
+
+        run_blocks(run, -(-px.size // _BLOCK))
+        return out
+
+    def air(
+        self, camera: Pinhole, rows: slice, away: FloatArray, solid: NDArray[np.bool_]
+    ) -> tuple[FloatArray, FloatArray, tuple[float, float, float]]:
+        """Air before the surfaces of a band.
+
+        Returns
+        -------
+        radiance, transmittance : array, shape (n, nl)
+            As from ``Air.before``.
+        told : (float, float, float)
+            Numbers of surfaces and of those that were marched, and the froxels' largest error.
+        """
+        rays = camera.rays(rows)
+        directions = self._directions(rays[solid])
+        reached = away[solid]
+        n = reached.size
+        if n == 0:
+            empty = np.empty((0, self.colors.shape[0]))
+            return empty, empty, (0.0, 0.0, 0.0)
+        finite = np.isfinite(reached)
+        if self._exact or not self._air.inside or n < CELL * CELL or not finite.any():
+            radiance, transmittance, _ = self._air.before(directions, reached)
+            return radiance, transmittance, (float(n), float(n), 0.0)
+        return self._by_froxels(camera, rows, solid, directions, reached)
+
+    def _by_froxels(
+        self,
+        camera: Pinhole,
+        rows: slice,
+        solid: NDArray[np.bool_],
+        directions: FloatArray,
+        reached: FloatArray,
+    ) -> tuple[FloatArray, FloatArray, tuple[float, float, float]]:
+        finite = np.isfinite(reached)
+        height = rows.stop - rows.start
+        # nodes at the corners of cells, some beyond the picture
+        x = CELL * np.arange(-(-camera.width // CELL) + 1.0)
+        y = rows.start + CELL * np.arange(-(-height // CELL) + 1.0)
+        nodes = camera.rays_at(x, y)
+        seen = reached[finite]
+        table = Froxels.fill(
+            self._air, self._directions(nodes), float(seen.min()), float(seen.max())
+        )
+        j, i = np.nonzero(solid)
+        across, down = (i + 0.5) / CELL, (j + 0.5) / CELL
+        read = np.where(finite, reached, table.nearest)
+        radiance, transmittance, good = table.read(across, down, read)
+        good &= finite
+        # the pixel nearest to the middle of each cell
+        cell = (j // CELL) * x.size + i // CELL
+        off = np.hypot(across % 1.0 - 0.5, down % 1.0 - 0.5) + np.where(good, 0.0, 10.0)
+        order = np.lexsort((off, cell))
+        first = np.ones(order.size, bool)
+        first[1:] = cell[order][1:] != cell[order][:-1]
+        probes = order[first]
+        probes = probes[good[probes]]
+        error = 0.0
+        if probes.size:
+            light, through, _ = self._air.before(directions[probes], reached[probes])
+            wrong = np.abs(radiance[probes] - light)
+            wrong += self._grey * np.abs(transmittance[probes] - through)
+            wrong = (wrong / np.maximum(light + self._grey * through, 1e-30)).max(axis=1)
+            bad = np.zeros(int(cell.max()) + 1, bool)
+            bad[cell[probes[wrong > BAR]]] = True
+            good &= ~bad[cell]
+            error = float(wrong[wrong <= BAR].max(initial=0.0))
+        rest = ~good
+        if rest.any():
+            radiance[rest], transmittance[rest], _ = self._air.before(
+                directions[rest], reached[rest]
+            )
+        return radiance, transmittance, (float(reached.size), float(rest.sum()), error)

@@ -1,0 +1,94 @@
+"""Air between a camera and what it sees: one stretch of each pixel's line, marched."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.pixels.march_points import march_points
+from airlight.pixels.shown import shown_solution
+from airlight.scene import Scene
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solvers.sight import enter_shell
+
+FloatArray = NDArray[np.float64]
+
+#: Longest stretch in which nothing is seen of the air. [m]
+_NOTHING = 1e-6
+#: Length up to which nodes lie below the ground, over the length to it.
+_BELOW = 2.5
+
+
+class Air:
+    """Air in front of an observer, lit by one light.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Solution, lit by that light.
+    scene : Scene
+        Observer, with the light at azimuth 0.
+    """
+
+    def __init__(self, solution: MomentsSolution, scene: Scene) -> None:
+        self.solution = solution
+        medium = solution.medium
+        self._bottom, self._top = medium.bottom_radius, medium.top_radius
+        self._r, self._sun = medium.bottom_radius + scene.altitude, scene.sun_direction
+        points = march_points(solution)
+        self._tables = shown_solution(
+            solution, peaks=False, points=points.points, panels=points.panels
+        )
+
+    @property
+    def inside(self) -> bool:
+        """Whether the observer is in the air."""
+        return self._r < self._top
+
+    def before(
+        self, directions: FloatArray, distances: FloatArray, *, below: bool = False
+    ) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
+        """Light and transmittance of the air before points at some distances.
+
+        Parameters
+        ----------
+        directions : array, shape (n, 3)
+            Unit vectors in the observer's local frame, as they are seen where light is bent. [1]
+        distances : array, shape (n,)
+            Distances of the points, along the ray; may be infinite. [m]
+        below : bool
+            Whether points below the ground are reached, through air as dense as at the ground:
+            nodes of a table, which is then smooth above it.
+
+        Returns
+        -------
+        radiance, transmittance : array, shape (n, nl)
+            Light of the air per irradiance of the light [sr⁻¹], and its transmittance [1].
+        whole : array of bool, shape (n,)
+            Whether a point lies at the end of its line in the air, or beyond.
+        """
+        paths = self.solution.paths
+        mu, sine = directions[:, 2], np.hypot(directions[:, 0], directions[:, 1])
+        nu = np.clip(directions @ self._sun, -1.0, 1.0)
+        r, mu_s = np.full_like(mu, self._r), np.full_like(mu, self._sun[2])
+        entered = enter_shell(r, mu, sine, mu_s, nu, self._bottom, self._top)
+        sight = paths.sight(entered)
+        way = np.zeros_like(mu)
+        if not self.inside:
+            chord = np.sqrt(np.maximum(self._top**2 - np.square(r * sine), 0.0))
+            way = np.where(entered.length > 0.0, -r * mu - chord, 0.0)
+        wanted = np.minimum(np.maximum(distances - way, 0.0), 1e3 * self._top)
+        asked = paths.drawn_length(sight.r, sight.mu, wanted, sight.length, quick=True)
+        longest = np.where(below & sight.to_ground, _BELOW * sight.length, sight.length)
+        length = np.minimum(asked, longest)
+        radiance = np.zeros((mu.size, self.solution.wavelengths.size))
+        transmittance = np.ones_like(radiance)
+        some = length > _NOTHING
+        if some.any():
+            kept = type(sight)(
+                sight.r[some], sight.mu[some], sight.mu_s[some], sight.nu[some],
+                sight.length[some], sight.to_ground[some],
+            )  # fmt: skip
+            marched = self.solution.stretches(kept, length[some], light=self._tables)
+            radiance[some], transmittance[some] = marched
+        return radiance, transmittance, length >= longest

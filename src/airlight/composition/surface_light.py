@@ -1,0 +1,60 @@
+"""Colours of surfaces behind air: their spectra, and what of them is transmitted.
+
+A surface's colour is three numbers, the air's transmittance a spectrum. So a colour is taken for
+that of the smoothest reflectance that has it under the star (``color.upsampling``), and what comes
+through is its spectrum times the transmittance, in colour again: a matrix of 3 x 3 per pixel, the
+identity without air. White under the star is exact.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.color.upsampling import reflectance_basis
+from airlight.solvers.moments.solution import MomentsSolution
+
+FloatArray = NDArray[np.float64]
+
+
+class SurfaceLight:
+    """Conversion of surfaces' colours through air.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Solution, whose first light is the star.
+    white : float or None
+        Value of a white Lambert surface that faces the star without air; None for colours in
+        radiance. [1]
+
+    Attributes
+    ----------
+    scale : array, shape (3,)
+        Radiance of the value 1 in each channel. [W m⁻² sr⁻¹]
+    colors : array, shape (nl, 3)
+        Linear sRGB per radiance over the star's irradiance. [W m⁻² sr⁻¹ sr]
+    """
+
+    def __init__(self, solution: MomentsSolution, white: float | None) -> None:
+        self.colors = solution.lights[0].colors()
+        sun = self.colors.sum(axis=0)
+        self.scale = np.ones(3) if white is None else sun / (np.pi * white)
+        basis = reflectance_basis(solution.wavelengths)
+        whole = self.colors.T @ basis
+        # what a spectrum of unit colour contributes at each wavelength, shape (nl, 3, 3)
+        spectra = basis @ np.linalg.inv(whole)
+        self._shares = self.colors[:, :, None] * spectra[:, None, :]
+
+    def through(self, colors: FloatArray, transmittance: FloatArray) -> FloatArray:
+        """Colours after the air, shape (n, 3).
+
+        Parameters
+        ----------
+        colors : array, shape (n, 3)
+            Colours of surfaces, linear sRGB. [any unit]
+        transmittance : array, shape (n, nl)
+            Transmittance of the air before them. [1]
+        """
+        matrices = (transmittance @ self._shares.reshape(-1, 9)).reshape(-1, 3, 3)
+        return np.asarray(np.einsum("nij,nj->ni", matrices, colors))

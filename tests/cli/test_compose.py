@@ -1,0 +1,140 @@
+"""``airlight compose`` on files as Blender writes them, in one part and in several."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import OpenEXR
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight.cli.app import main
+from airlight.exports.exr import read_exr
+
+SIZE = (16, 24)
+MATRIX = [[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 30], [0, 0, 0, 1]]
+QUICK = ["--wavelengths=rgb", "--quality=preview"]
+
+
+def passes() -> dict[str, np.ndarray]:
+    """A grey ball 100 m ahead of a camera that looks north, and its passes."""
+    rows, columns = SIZE
+    x, y = np.meshgrid((np.arange(columns) - 11.5) / 24.0, (7.5 - np.arange(rows)) / 24.0)
+    ball = x**2 + y**2 < 0.05
+    depth = np.where(ball, 100.0, 1e10).astype(np.float32)
+    position = np.stack([x * depth, depth, 30.0 + y * depth], axis=-1)
+    position[~ball] = 0.0
+    named = {"Combined.A": ball, "Depth.Z": depth}
+    named |= {f"Combined.{c}": 0.2 * ball for c in "RGB"}
+    named |= {f"Position.{c}": position[..., i] for i, c in enumerate("XYZ")}
+    return {f"ViewLayer.{k}": np.ascontiguousarray(v, np.float32) for k, v in named.items()}
+
+
+def one_part(path: Path, channels: dict[str, np.ndarray], **header: object) -> Path:
+    attributes = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage, **header}
+    OpenEXR.File(attributes, dict(channels)).write(str(path))
+    return path
+
+
+def many_parts(path: Path, channels: dict[str, np.ndarray]) -> Path:
+    """Blender 5: a part for each pass, named as its channels without their last letter."""
+    groups: dict[str, dict[str, np.ndarray]] = {}
+    for name, values in channels.items():
+        groups.setdefault(name.rpartition(".")[0], {})[name] = values
+    parts = [
+        OpenEXR.Part({"name": name, "type": OpenEXR.scanlineimage}, dict(one))
+        for name, one in groups.items()
+    ]
+    OpenEXR.File(parts).write(str(path))
+    return path
+
+
+def camera(folder: Path, **block: object) -> Path:
+    place = {"planet": "earth-atmosphere-plus", "sun_zenith": 50.0, **block}
+    data = {"w": 24, "h": 16, "fl_x": 24.0, "transform_matrix": MATRIX, "airlight": place}
+    path = folder / "camera.json"
+    path.write_text(json.dumps(data), encoding="utf-8")
+    return path
+
+
+def test_one_part_and_many_give_the_same_picture(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    # the same passes in the layouts before and since Blender 5, and its positions in a second file
+    found = passes()
+    position = {k: v for k, v in found.items() if "Position" in k}
+    depth = one_part(tmp_path / "position.exr", position)
+    cases = {
+        "old": (one_part(tmp_path / "old.exr", found), []),
+        "new": (many_parts(tmp_path / "new.exr", found), []),
+        "apart": (tmp_path / "new.exr", ["--depth", str(depth)]),
+    }
+    pictures, notes = {}, {}
+    for name, (color, more) in cases.items():
+        out = tmp_path / f"{name}-out.exr"
+        words = ["compose", str(color), "--camera", str(camera(tmp_path)), "-o", str(out)]
+        assert main([*words, *more, *QUICK]) == 0
+        pictures[name], notes[name] = read_exr(out)
+    printed = capsys.readouterr().out
+    assert printed.count("depth planar") == 2
+    assert printed.count("depth position") == 1
+    assert_allclose(pictures["new"], pictures["old"], rtol=0)
+    assert_allclose(pictures["apart"], pictures["old"], rtol=1e-5)
+    assert notes["apart"]["airlight.depth_kind"] == "position"
+    # 100 m of clear air change a grey of 0.2 by a per cent or two; behind is a blue sky
+    middle, corner = pictures["old"][8, 12], pictures["old"][0, 0]
+    assert_allclose(middle, 0.2, rtol=0.05)
+    assert corner[2] > corner[1] > corner[0] > 0.0
+
+
+def test_matrices_in_the_header_stand_for_a_camera(tmp_path: Path) -> None:
+    # OpenEXR's standard attributes, which multiply rows and look along +Z
+    to_camera = np.diag([1.0, 1.0, -1.0, 1.0]) @ np.linalg.inv(np.array(MATRIX, float))
+    project = np.array([[1.0, 0, 0.5, 0], [0, -1.5, 0.5, 0], [0, 0, 1, -0.1], [0, 0, 1, 0]])
+    attributes = {
+        "worldToCamera": np.ascontiguousarray(to_camera.T, np.float32),
+        "worldToNDC": np.ascontiguousarray((project @ to_camera).T, np.float32),
+    }
+    named = one_part(tmp_path / "named.exr", passes(), **attributes)
+    plain = one_part(tmp_path / "plain.exr", passes())
+    planet = ["--planet=earth-atmosphere-plus", "--sun-zenith=50", *QUICK]
+    outs = [tmp_path / "a.exr", tmp_path / "b.exr"]
+    assert main(["compose", str(named), "-o", str(outs[0]), *planet]) == 0
+    file = str(camera(tmp_path))
+    assert main(["compose", str(plain), "--camera", file, "-o", str(outs[1]), *QUICK]) == 0
+    assert_allclose(read_exr(outs[0])[0], read_exr(outs[1])[0], rtol=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("words", "line"),
+    [
+        (["missing.exr", "-o", "out.exr"], "missing.exr: no such file"),
+        (["render.exr", "-o", "out.jpg"], "ends in .png or .exr"),
+        (["render.exr", "-o", "out.exr"], "--camera is None; allowed: a transforms.json"),
+        (["camera.json", "-o", "out.exr"], "camera.json: cannot be read as OpenEXR"),
+        (["render.exr", "--camera", "camera.json", "-o", "out.exr", "--depth-channel=Q"],
+         "--depth-channel is 'in channels ViewLayer.Combined.A"),
+        (["render.exr", "--camera", "camera.json", "-o", "out.exr", "--white=-1"],
+         "--white is '-1'; allowed: a number above 0, or radiance"),
+        (["render.exr", "--camera", "camera.json", "-o", "out.exr", "--sun-zenith=190"],
+         "--sun-zenith is 190.0; allowed: 0 to 180 deg"),
+        (["render.exr", "--camera", "camera.json", "-o", "out.exr", "--layer=Fog"],
+         "colour is 'in channels"),
+        (["render.exr", "--camera", "camera.json", "-o", "out.exr", "--planet=vulcan"], "vulcan"),
+        (["render.exr", "--camera", "camera.json", "-o", "out.exr", "--altitude=-100m",
+          "--planet=earth-atmosphere-plus", *QUICK], "camera's altitude is '-70 m'"),
+    ],
+)  # fmt: skip
+def test_bad_input_gets_one_clear_line(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str],
+    words: list[str], line: str,
+) -> None:  # fmt: skip
+    monkeypatch.chdir(tmp_path)
+    one_part(tmp_path / "render.exr", passes())
+    camera(tmp_path)
+    assert main(["compose", *words]) == 2
+    error = capsys.readouterr().err.strip().splitlines()[-1]
+    assert line in error
+    assert not (tmp_path / "out.exr").exists()
