@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numba
+import numpy as np
 
 from airlight import Camera, Scene, load_planet
 from airlight.render.ahead import _arguments
@@ -35,8 +36,9 @@ def test_empty_arguments_have_the_types_of_a_picture(solved: Callable[..., Any])
     drawing = Drawing(solution, Scene(altitude=400e3, camera=camera))
     drawing.fill_sky()
     fill, draw, _ = _arguments()
+    points = np.zeros(4)
     real = (
-        0, 1, drawing.window, drawing._observer, drawing._screen, drawing._tables,
+        points, points, drawing.window, drawing._observer, drawing._screen, drawing._tables,
         new_workspace(drawing._tables), drawing._weights, drawing._reach,
     )  # fmt: skip
     for made, one in zip(draw[:9], real, strict=True):
