@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from datetime import UTC, datetime
 
 import pytest
@@ -34,15 +35,15 @@ def test_mars_keeps_the_time_of_mars24(
     shown = true_solar_time(MARS, longitude, days)
     # 2.5 s of a sol: 0.01° of rotation
     assert abs((shown - hour + 12.0) % 24.0 - 12.0) < 0.01 / 15.0
-    # arcsin(0.42565 sin Ls), Allison & McEwen (2000), eq. D5 of Mars24 less its planetographic term
-    assert point.distance == pytest.approx({277.18758: 1.39366}.get(season, 1.47768)
-                                           * ASTRONOMICAL_UNIT, rel=3e-4)  # fmt: skip
+    # Mars24, eq. D-2: the series of the heliocentric distance over the mean anomaly
+    anomaly = math.radians(19.3871 + 0.52402073 * (days + 64.184 / 86400.0))
+    terms = (1.00436, -0.09309, -0.004336, -0.00031, -0.00003)
+    distance = 1.52367934 * sum(term * math.cos(k * anomaly) for k, term in enumerate(terms))
+    assert point.distance == pytest.approx(distance * ASTRONOMICAL_UNIT, rel=2e-4)
 
 
 def test_declination_of_the_sun_on_mars_follows_its_season() -> None:
     # Allison & McEwen (2000), eq. 20: the sine of 25.19° is 0.42565
-    import math
-
     for season in (0.0, 45.0, 90.0, 200.0, 270.0):
         days = time_of_season(MARS, season, 0.0)
         expected = math.degrees(math.asin(0.42565 * math.sin(math.radians(season))))

@@ -25,6 +25,7 @@ BOTTOM, TOP = 6360e3, 6460e3
 STAR = (numbers(BOTTOM, TOP), numbers(-0.1, 1.0), BOTTOM, TOP, RNG.uniform(0.0, 0.01, (8, 12, 1)))
 LATITUDES, BEARINGS, ZENITHS = numbers(-90.0, 90.0), numbers(0.0, 360.0), numbers(0.0, 180.0)
 ALTITUDES, SPEEDS = RNG.lognormal(9.0, 6.0, COUNT), (numbers(-1.0, 1.0), numbers(-1.0, 1.0))
+DATES = (RNG.integers(1950, 2051, COUNT), RNG.integers(1, 367, COUNT), numbers(0.0, 24.0))
 WAY = (BEARINGS[::-1], numbers(0.0, 2.0))
 PIXELS = (numbers(64.0, 2000.0), numbers(64.0, 2000.0), numbers(0.01, 2.9))
 #: Points of a picture of 120 by 20 pixels, and directions in the camera's frame.
@@ -36,6 +37,12 @@ STEPS = 4
 FILLING = {"combine", "reduce_optics"}
 #: Arguments of each function: numbers, or tables, which are the same for all calls.
 CASES: dict[str, tuple[Any, ...]] = {
+    "days_of_date": DATES,
+    "date_after": (*DATES, numbers(-500.0, 500.0)),
+    "orbit_of": (RNG.integers(0, 3, COUNT), numbers(-0.5, 0.5)),
+    "spin_of": (RNG.integers(0, 3, COUNT), numbers(-20000.0, 20000.0)),
+    "point_below_sun": (RNG.integers(0, 3, COUNT), numbers(-20000.0, 20000.0)),
+    "sun_on_date": (RNG.integers(0, 3, COUNT), LATITUDES, BEARINGS, *DATES),
     "direction_of": ANGLES[:2],
     "camera_frame": ANGLES,
     "ground_axes": ANGLES,

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from typing import Final
 
+from airlight.ephemeris.sun_formula import days_of_date, point_below_sun
 from airlight.scene.great_circle import DEGREE, RADIAN, bearing_of
 
 #: Rotation of the sky in an hour. [deg]
@@ -56,3 +57,27 @@ def time_of(latitude: float, zenith: float, azimuth: float) -> tuple[float, floa
     out, pole = cosine * up - sine * north, sine * up + cosine * north
     hour = 12.0 - math.atan2(east, out) * DEGREE / _HOUR
     return math.atan2(pole, math.hypot(out, east)) * DEGREE, hour - 24.0 * math.floor(hour / 24.0)
+
+
+def sun_on_date(
+    world: float, latitude: float, longitude: float, year: float, day: float, hour: float
+) -> tuple[float, float]:
+    """Zenith angle and compass bearing of the sun at a place and date. [deg]
+
+    Parameters
+    ----------
+    world : float
+        Index in ``airlight.ephemeris.sun_formula.NUMBERED``.
+    latitude, longitude : float
+        Place, north and east positive. [deg]
+    year, day, hour : float
+        Year, day of the year from 1, and time, UTC [h].
+
+    Examples
+    --------
+    >>> zenith, azimuth = sun_on_date(0.0, 59.33, 18.07, 2026.0, 172.0, 20.0 + 10.0 / 60.0)
+    >>> f"{zenith:.1f} {azimuth:.1f}"  # Stockholm, 21 June, two minutes after sunset
+    '91.0 323.9'
+    """
+    north, east, _ = point_below_sun(world, days_of_date(year, day, hour))
+    return sun_at(latitude, north, 12.0 + (longitude - east) / _HOUR)

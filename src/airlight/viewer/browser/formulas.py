@@ -10,6 +10,7 @@ from typing import Any, Final
 from airlight.color.exposure import eased, exposure_of
 from airlight.color.glare import glare_levels, glare_share
 from airlight.color.xyz import luminance_of
+from airlight.ephemeris import sun_formula
 from airlight.geometry.bending import raised_star
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.javascript import JAVASCRIPT
@@ -53,6 +54,8 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     flight.sun_dragged: (),
     sun_time.sun_at: (),
     sun_time.time_of: (),
+    sun_time.sun_on_date: (),
+    sun_formula.date_after: (),
     change_at: (),
     count_at: (),
     rest_after: (F32, F32, I32),
@@ -96,5 +99,6 @@ def formulas_text() -> str:
         f"export const PIXEL_ANGLES = {{ {angles} }};\n"
         f"export const CONNECTED = {json.dumps(connected)};\n"
         f"export const ASPECTS = {json.dumps(aspects)};\n"
+        f"export const WORLDS = {json.dumps(sun_formula.NUMBERED)};\n"
     )
     return f"{emitted_formulas().functions_text()}\n{tables}"

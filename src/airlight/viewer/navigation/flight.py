@@ -22,6 +22,7 @@ from airlight.scene.flight import (
 )
 from airlight.scene.sun_time import sun_at, time_of
 from airlight.viewer.navigation.keys import FACTORS, HELD, RATES
+from airlight.viewer.parameters.sun_clock import CLOCK, date_later
 from airlight.viewer.session.session import Session
 
 View = Mapping[str, Any]
@@ -192,6 +193,15 @@ class Flight:
         """
         latitude = float(self._session.view["view.latitude"])
         self._session.move(_sun(sun_at(latitude, declination, hour)), gesture=gesture)
+
+    def pass_time(self, hours: float) -> None:
+        """Move the sun on by some hours, without an undo step: by the date, where it goes by it."""
+        view = self._session.view
+        if view[CLOCK]:
+            self._session.move(date_later(view, hours))
+            return
+        declination, hour = self.time
+        self.set_time(declination, (hour + hours) % 24.0, gesture="")
 
     @property
     def time(self) -> tuple[float, float]:

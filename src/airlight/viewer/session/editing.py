@@ -314,7 +314,7 @@ class Editing:
         after = _checked(view, of_view)
         change = Change(view=after)
         if not gesture:
-            self._changed(self._side.put(change))
+            self._changed(self._side.put(self._side.followed(change)))
         elif any(value != self._side.view[path] for path, value in after.items()):
             self._changed(self._side.record(gesture, change, held=held))
 

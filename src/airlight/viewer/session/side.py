@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping
 from collections.abc import Set as AbstractSet
+from dataclasses import replace
 from typing import Any, Final
 
 from airlight.errors import ParameterError
@@ -12,6 +13,7 @@ from airlight.planets.schema.section import suggestion
 from airlight.viewer.parameters.amounts import Amount
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.parameter_list import value_at
+from airlight.viewer.parameters.sun_clock import CLOCK, with_sun
 from airlight.viewer.parameters.view_parameters import DEFAULTS, view_parameters
 from airlight.viewer.session.edited_amounts import amount_edited, amount_value, keys_of_amount
 from airlight.viewer.session.edits import edited, restored
@@ -149,12 +151,21 @@ class Side:
         held : bool
             Whether the step lasts until ``end_drag``, regardless of time.
         """
+        after = self.followed(after)
         before = Change(
             planet=None if after.planet is None else self.planet,
             view={path: self.view[path] for path in after.view},
         )
         self.history.record(Step(name, before, after, self._clock(), open=held))
         return self.put(after)
+
+    def followed(self, after: Change) -> Change:
+        """Change with the sun that follows from date and place, where the view asks for it."""
+        planet = self.planet if after.planet is None else after.planet
+        body = planet.tables.get("body")
+        opened = after.planet is not None and bool(self.view[CLOCK]) and CLOCK not in after.view
+        view = {**after.view, CLOCK: True} if opened else after.view
+        return replace(after, view=with_sun(body, self.view, view))
 
     def change(self, name: str, after: Change) -> AbstractSet[str]:
         """Apply a change as a separate undo step; no step if nothing changes."""

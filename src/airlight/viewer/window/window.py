@@ -197,9 +197,7 @@ class Window:
         if self._flight.moving:
             self.attempt(lambda: self._flight.step(seconds))
         if self.panel.plays:
-            declination, hour = self._flight.time
-            hour += seconds * self.panel.speed / 3600.0
-            self.attempt(lambda: self._flight.set_time(declination, hour % 24.0, gesture=""))
+            self.attempt(lambda: self._flight.pass_time(seconds * self.panel.speed / 3600.0))
 
     def _follow(self) -> None:
         """Send the current requests to the solvers and painters."""

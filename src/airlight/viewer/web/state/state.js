@@ -3,6 +3,7 @@ import { withFollowing } from "./amounts.js";
 import { History } from "./history.js";
 import { fragmentOf, readFragment } from "./link.js";
 import { checked } from "./parameters.js";
+import { withSun } from "./sun_clock.js";
 
 /** Paths of camera and sun, which the states of a comparison can share. */
 const CAMERA = /^view\./;
@@ -107,7 +108,7 @@ export class State {
   /** Changes, with those of values that follow from them and from the values at their start. */
   following(changes, name) {
     const start = { ...this.values, ...this.history.joined(name)?.before };
-    return withFollowing(this.parameters, start, changes);
+    return withSun(this.values, withFollowing(this.parameters, start, changes));
   }
 
   record(name, before, after, held) {
@@ -202,7 +203,7 @@ export class State {
    */
   takeFragment(fragment) {
     const { values, faults } = readFragment(this, fragment);
-    this.take(values);
+    this.take(withSun(this.values, values));
     return faults;
   }
 }

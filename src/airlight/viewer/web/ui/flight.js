@@ -16,6 +16,7 @@ import {
   turned,
 } from "../generated/formulas.js";
 import { KEYS } from "../generated/keys.js";
+import { later } from "../state/sun_clock.js";
 
 const { held: HELD, factors: FACTORS, rates: RATES } = KEYS;
 /** Values changed by flying on a great circle, in the order of `turned`. */
@@ -114,12 +115,17 @@ export class Flight {
     this.now = now;
     if (this.moving) this.step(seconds);
     if (this.playing) {
-      const latitude = this.state.get("view.latitude");
-      const [declination, hour] = time_of(latitude, ...this.sun());
-      const later = hour + (seconds * RATES.time) / 3600;
-      this.state.take(sunValues(sun_at(latitude, declination, later % 24)));
+      const hours = (seconds * RATES.time) / 3600;
+      this.state.take(later(this.state.values, hours) ?? this.laterToday(hours));
     }
     return true;
+  }
+
+  /** Sun some hours later, by local solar time. [h] */
+  laterToday(hours) {
+    const latitude = this.state.get("view.latitude");
+    const [declination, hour] = time_of(latitude, ...this.sun());
+    return sunValues(sun_at(latitude, declination, (hour + hours) % 24));
   }
 
   step(seconds) {

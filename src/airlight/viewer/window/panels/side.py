@@ -11,6 +11,7 @@ from airlight.planets.reading.reader import planet_names
 from airlight.viewer.navigation.flight import Flight
 from airlight.viewer.navigation.viewpoints import VIEWPOINTS
 from airlight.viewer.parameters.parameter import Parameter, Value
+from airlight.viewer.parameters.sun_clock import CLOCK, date_text
 from airlight.viewer.session.session import Session
 from airlight.viewer.window import style
 from airlight.viewer.window.panels.parameters import ParameterRows
@@ -246,6 +247,10 @@ class SidePanel:
         """Draw the sliders of local solar time and declination."""
         from imgui_bundle import imgui
 
+        view = self._session.view
+        if view[CLOCK]:
+            imgui.text_unformatted(f"sun of {date_text(view)}")
+            style.hint("date and time of the rows below; moving the sun by hand leaves them")
         declination, hour = self._flight.time
         for name, value, high, form, sentence in (
             ("local solar time", hour, 24.0, "%.2f h", "12 h when the sun is highest"),
