@@ -94,6 +94,7 @@ def page_data(
     return {
         "title": title,
         "planet": name,
+        "body": solution.planet.body if solution.planet is not None else None,
         "note": (EDITED if edited else NOTE).format(name=name),
         "parameters": [one.as_json() for one in (*edited, *parameters)],
         "values": {

@@ -16,6 +16,7 @@ const viewer = new Viewer(place, {
   title: data.title,
   parameters: data.parameters,
   values: data.values,
+  body: data.body,
   note: data.note,
   device: wanted,
   first,

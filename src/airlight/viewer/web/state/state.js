@@ -14,8 +14,10 @@ export class State {
   /**
    * @param {object[]} parameters Declared parameters.
    * @param {Object<string, number | string | boolean>} values Initial values, restored by `reset`.
+   * @param {string | null} body World whose sky the planet has, where no parameter says it.
    */
-  constructor(parameters, values) {
+  constructor(parameters, values, body = null) {
+    this.fixedBody = body;
     this.parameters = new Map(parameters.map((one) => [one.path, one]));
     this.planet = "";
     this.initial = { ...values };
@@ -32,6 +34,11 @@ export class State {
   follow(listener) {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
+  }
+
+  /** World whose sky the planet has, if any. */
+  get body() {
+    return this.values.body ?? this.fixedBody;
   }
 
   get(path) {
@@ -108,7 +115,7 @@ export class State {
   /** Changes, with those of values that follow from them and from the values at their start. */
   following(changes, name) {
     const start = { ...this.values, ...this.history.joined(name)?.before };
-    return withSun(this.values, withFollowing(this.parameters, start, changes));
+    return withSun(this.body, this.values, withFollowing(this.parameters, start, changes));
   }
 
   record(name, before, after, held) {
@@ -203,7 +210,7 @@ export class State {
    */
   takeFragment(fragment) {
     const { values, faults } = readFragment(this, fragment);
-    this.take(withSun(this.values, values));
+    this.take(withSun(this.body, this.values, values));
     return faults;
   }
 }

@@ -12,14 +12,15 @@ const SUN = ["view.sun_zenith", "view.sun_azimuth"];
 /**
  * Changes of a view, with the sun that follows from date and place, or the switch from the sun.
  *
+ * @param {string | null | undefined} body World whose sky the planet has; none has no date.
  * @param {Object<string, number | string | boolean>} values Values before, by path.
  * @param {Object<string, number | string | boolean>} changes Validated changes, by path.
  * @returns {Object<string, number | string | boolean>}
  */
-export function withSun(values, changes) {
+export function withSun(body, values, changes) {
   const has = (paths) => paths.some((path) => path in changes);
   if (!has([CLOCK, ...DATE, ...PLACE, ...SUN])) return changes;
-  const world = WORLDS.indexOf(values.body);
+  const world = WORLDS.indexOf(body);
   let on = Boolean(values[CLOCK]);
   if (CLOCK in changes) on = Boolean(changes[CLOCK]);
   else if (has(DATE) && !has(SUN)) on = true;
@@ -35,9 +36,9 @@ export function withSun(values, changes) {
 }
 
 /** Date of a view some hours later, with the sun; null where the sun does not go by a date. [h] */
-export function later(values, hours) {
+export function later(body, values, hours) {
   if (!values[CLOCK]) return null;
   const [year, day, hour] = DATE.map((path) => values[path]);
   const date = date_after(Math.floor(year), Math.floor(day), hour, hours);
-  return withSun(values, Object.fromEntries(DATE.map((path, i) => [path, date[i]])));
+  return withSun(body, values, Object.fromEntries(DATE.map((path, i) => [path, date[i]])));
 }

@@ -116,7 +116,7 @@ export class Flight {
     if (this.moving) this.step(seconds);
     if (this.playing) {
       const hours = (seconds * RATES.time) / 3600;
-      this.state.take(later(this.state.values, hours) ?? this.laterToday(hours));
+      this.state.take(later(this.state.body, this.state.values, hours) ?? this.laterToday(hours));
     }
     return true;
   }

@@ -13,6 +13,7 @@
  * - `status()` — optional short status of the solution;
  * - `stale()` — optional words while the picture shows another planet than the controls, or none;
  * - `link(fragment)` — optional address that shows the state again;
+ * - `body` — world whose sky the planet has, where no parameter says it;
  * - `note` — optional line about parameters that cannot be edited here;
  * - `device` — auto, webgpu, webgl2, or a name of `devices`;
  * - `devices` — optional further devices, see devices/device.js.
@@ -51,7 +52,7 @@ export class Viewer {
    */
   constructor(place, source) {
     this.source = source;
-    this.state = source.state ?? new State(source.parameters, source.values);
+    this.state = source.state ?? new State(source.parameters, source.values, source.body);
     this.flight = new Flight(this.state, () => this.request(), () => source.radius());
     this.build(place);
     const { root, canvas, tools, controls } = this.parts;
