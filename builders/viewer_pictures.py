@@ -1,8 +1,8 @@
 """Remake the pictures of window, page and notebook in ``docs/images``.
 
 Run with ``python builders/viewer_pictures.py``, or with the names of the pictures wanted:
-``window-probe``, ``window-compare``, ``page-400km``, ``notebook-marimo``. The window is drawn
-offscreen; page and notebook need Chromium and playwright, the notebook marimo too.
+``window-probe``, ``window-date``, ``window-compare``, ``page-400km``, ``notebook-marimo``. The
+window is drawn offscreen; page and notebook need Chromium and playwright, the notebook marimo too.
 """
 
 from __future__ import annotations
@@ -188,6 +188,12 @@ def notebook(name: str) -> None:
 PICTURES: dict[str, Callable[[str], None]] = {
     "window-probe": lambda name: window(
         name, {"view.altitude": 400e3, "view.sun_zenith": 75.0}, (113.8, 60.0), "View"
+    ),
+    "window-date": lambda name: window(
+        name,
+        {"view.hour": 19.5, "view.latitude": 59.33, "view.longitude": 18.07, "view.altitude": 2.0},
+        (88.0, 0.0),
+        "View",
     ),
     "window-compare": lambda name: window(
         name,

@@ -101,9 +101,10 @@ def test_mars_has_the_sun_of_its_own_date() -> None:
 def test_planet_without_a_body_has_no_date() -> None:
     session = Session("venus")
     before = sun_of(session)
-    session.set("view.hour", 3.0)
-    session.set("view.clock", True)
-    assert session.value("view.clock") is False
+    assert not {one.path for one in session.parameters} & {"view.clock", "view.hour"}
+    session.move({"view.hour": 3.0}, gesture="any")
+    session.change_view("any", {"view.clock": True})
+    assert session.view["view.clock"] is False
     assert sun_of(session) == before
 
 

@@ -39,7 +39,7 @@ def file(tmp_path_factory: pytest.TempPathFactory) -> Any:
     parameters = (*amounts, *view)
     values = {one.path: DEFAULTS[one.path] for one in view}
     data = {
-        "title": "Earth after an eruption – airlight", "planet": "painted",
+        "title": "Earth after an eruption – airlight", "planet": "painted", "body": "earth",
         "note": "Amounts and the ground are edited here.",
         "parameters": [one.as_json() for one in parameters],
         "values": {**values, **{one.path: one.present for one in amounts}},

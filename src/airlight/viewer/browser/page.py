@@ -26,6 +26,7 @@ from airlight.viewer.browser.tables_text import DIGITS, as_text, deflated, round
 from airlight.viewer.navigation.first_view import first_view
 from airlight.viewer.parameters.amounts import amounts_of
 from airlight.viewer.parameters.parameter import Parameter, Value
+from airlight.viewer.parameters.sun_clock import OF_DATE
 from airlight.viewer.parameters.view_parameters import VIEW_VALUES
 from airlight.viewer.session.session import Session
 
@@ -59,9 +60,17 @@ class Page:
     quality: str
 
 
-def page_parameters() -> tuple[Parameter, ...]:
-    """View parameters that a page can change: those that need no new solution."""
-    return tuple(one for one in VIEW_VALUES if one.part != "planet")
+def page_parameters(*, dated: bool = True) -> tuple[Parameter, ...]:
+    """View parameters that a page can change: those that need no new solution.
+
+    Parameters
+    ----------
+    dated : bool
+        Whether the planet has a ``body``, so that its sun goes by a date.
+    """
+    return tuple(
+        one for one in VIEW_VALUES if one.part != "planet" and (dated or one.path not in OF_DATE)
+    )
 
 
 def page_data(
@@ -89,12 +98,13 @@ def page_data(
     solver = solver_data(solution)
     planet = None if solver is None else solution.planet
     edited = () if planet is None else amounts_of(planet, MOST)
-    parameters = page_parameters()
+    body = None if solution.planet is None else solution.planet.body
+    parameters = page_parameters(dated=body is not None)
     fixed = program()
     return {
         "title": title,
         "planet": name,
-        "body": solution.planet.body if solution.planet is not None else None,
+        "body": body,
         "note": (EDITED if edited else NOTE).format(name=name),
         "parameters": [one.as_json() for one in (*edited, *parameters)],
         "values": {

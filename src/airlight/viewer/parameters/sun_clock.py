@@ -15,6 +15,8 @@ from airlight.viewer.parameters.parameter import Value
 CLOCK: Final = "view.clock"
 DATE: Final = ("view.year", "view.day", "view.hour")
 PLACE: Final = ("view.latitude", "view.longitude")
+#: Paths that only a planet with a ``body`` has.
+OF_DATE: Final = (CLOCK, *DATE)
 SUN: Final = ("view.sun_zenith", "view.sun_azimuth")
 
 

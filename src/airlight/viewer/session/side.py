@@ -13,7 +13,7 @@ from airlight.planets.schema.section import suggestion
 from airlight.viewer.parameters.amounts import Amount
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.parameter_list import value_at
-from airlight.viewer.parameters.sun_clock import CLOCK, with_sun
+from airlight.viewer.parameters.sun_clock import CLOCK, OF_DATE, with_sun
 from airlight.viewer.parameters.view_parameters import DEFAULTS, view_parameters
 from airlight.viewer.session.edited_amounts import amount_edited, amount_value, keys_of_amount
 from airlight.viewer.session.edits import edited, restored
@@ -72,7 +72,9 @@ class Side:
         """Amounts of the planet, its declared parameters, and those of the view."""
         amounts, planet, groups = self.planet.amounts, self.planet.parameters, self.planet.groups
         if self._listed is None or self._listed[0] is not planet or self._listed[1] != groups:
-            whole = (*amounts, *planet, *view_parameters(groups))
+            dated = self.planet.tables.get("body") is not None
+            view = (one for one in view_parameters(groups) if dated or one.path not in OF_DATE)
+            whole = (*amounts, *planet, *view)
             self._listed = (planet, groups, whole, {one.path: one for one in whole})
         return self._listed[2]
 
