@@ -183,7 +183,7 @@ def view_parameters(constituents: tuple[str, ...] = ()) -> tuple[Parameter, ...]
     Examples
     --------
     >>> [one.path for one in view_parameters(("air",)) if one.kind == "switch"]
-    ['display.automatic', 'display.locked', 'display.eye', 'light.constituents[0]']
+    ['view.clock', 'display.automatic', 'display.locked', 'display.eye', 'light.constituents[0]']
     """
     switches = tuple(
         Parameter(path=switch_path(index), label=name, group="light", kind="switch",
