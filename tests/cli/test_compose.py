@@ -107,6 +107,25 @@ def test_matrices_in_the_header_stand_for_a_camera(tmp_path: Path) -> None:
     assert_allclose(read_exr(outs[0])[0], read_exr(outs[1])[0], rtol=1e-4)
 
 
+def test_surfaces_are_lit_by_their_passes(tmp_path: Path) -> None:
+    # a ball that faces up is brighter than one that faces down; its own colours are not used
+    found = passes()
+    ball = found["ViewLayer.Combined.A"]
+    found |= {f"ViewLayer.Diffuse Color.{c}": 0.5 * ball for c in "RGB"}
+    found |= {f"ViewLayer.Normal.{c}": 0.0 * ball for c in "XY"}
+    pictures = []
+    for up in (1.0, -1.0):
+        color = many_parts(tmp_path / "lit.exr", found | {"ViewLayer.Normal.Z": up * ball})
+        words = ["compose", str(color), "--albedo", str(color), "--normals", str(color)]
+        place = ["--camera", str(camera(tmp_path)), "-o", str(tmp_path / "out.exr"), *QUICK]
+        assert main([*words, *place]) == 0
+        pictures.append(read_exr(tmp_path / "out.exr")[0])
+    above, below = (one[8, 12] for one in pictures)
+    # cos 50° of the star, and a sky; from below the ground, which reflects a tenth
+    assert 0.25 < above[1] < 0.45
+    assert 0.01 < below[1] < 0.12
+
+
 @pytest.mark.parametrize(
     ("words", "line"),
     [
@@ -123,6 +142,8 @@ def test_matrices_in_the_header_stand_for_a_camera(tmp_path: Path) -> None:
         (["render.exr", "--camera", "camera.json", "-o", "out.exr", "--layer=Fog"],
          "colour is 'in channels"),
         (["render.exr", "--camera", "camera.json", "-o", "out.exr", "--planet=vulcan"], "vulcan"),
+        (["render.exr", "--camera", "camera.json", "-o", "out.exr", "--normals=render.exr"],
+         "--normals is 'render.exr'; allowed: only together with --albedo"),
         (["render.exr", "--camera", "camera.json", "-o", "out.exr", "--altitude=-100m",
           "--planet=earth-atmosphere-plus", *QUICK], "camera's altitude is '-70 m'"),
     ],

@@ -24,6 +24,8 @@ EPILOG = examples(
     "--sun-azimuth 250 -o composed.exr",
     "airlight compose beauty.exr --depth depth.exr --depth-kind inverse --camera camera.json "
     "--altitude 1500m --metres-per-unit 0.01 -o composed.png",
+    "airlight compose render.exr --albedo render.exr --normals render.exr --camera camera.json "
+    "-o lit.exr",
 )
 
 
@@ -52,6 +54,25 @@ def compose(
     ] = None,
     layer: Annotated[
         str | None, typer.Option(metavar="NAME", help="Of the colour, where there are several.")
+    ] = None,
+    albedo: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="With --normals: surfaces are lit by the planet's sun and sky instead. An .exr "
+            "with R, G, B or Blender's Diffuse Color; may be COLOR.exr.",
+        ),
+    ] = None,
+    normals: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Of the surfaces, in the scene; an .exr with Normal."),
+    ] = None,
+    shadow: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="Part of the sun that surfaces see, 0 to 1; an .exr of one channel.",
+        ),
     ] = None,
     camera: Annotated[
         Path | None,
@@ -134,6 +155,7 @@ def compose(
     rgb, alpha = passes.colors(layer)
     holder = passes if depth is None else read_render_passes(depth)
     away, kind = holder.depth(depth_kind, depth_channel)
+    surfaces = _surfaces(albedo, normals, shadow)
     pinhole, block = _camera(camera, color, passes)
     texts = {
         "sun_zenith": sun_zenith, "sun_azimuth": sun_azimuth, "latitude": latitude,
@@ -147,7 +169,7 @@ def compose(
     with shown_progress() as report:
         composed = composed_over(
             rgb, away, pinhole, solution, place, alpha=alpha, depth_kind=kind, white=per_white,
-            exact=exact, disc=disc, progress=report,
+            exact=exact, disc=disc, progress=report, **surfaces,
         )  # fmt: skip
     metadata = {
         "planet": solution.planet.name,
@@ -167,6 +189,26 @@ def compose(
     print(f"{output}  {width}x{height}  {seconds:.1f} s  depth {kind}  {how}")
     if solution.report.ground:
         print(f"airlight: {solution.report.ground}", file=sys.stderr)
+
+
+def _surfaces(albedo: Path | None, normals: Path | None, shadow: Path | None) -> dict[str, Any]:
+    """Passes by which surfaces are lit anew, as arguments of ``airlight.compose``."""
+    from airlight.exports.render_passes import read_render_passes
+
+    for option, one, other in (
+        ("--albedo", albedo, normals), ("--normals", normals, albedo), ("--shadow", shadow, albedo)
+    ):  # fmt: skip
+        if one is not None and other is None:
+            raise ParameterError(option, str(one), "only together with --albedo and --normals")
+    if albedo is None or normals is None:
+        return {}
+    found: dict[str, Any] = {
+        "albedo": read_render_passes(albedo).vectors("RGB", ("Diffuse Color", "DiffCol", "")),
+        "normals": read_render_passes(normals).vectors("XYZ", ("Normal", "N", "")),
+    }
+    if shadow is not None:
+        found["shadow"] = read_render_passes(shadow).only()
+    return found
 
 
 def _white(text: str) -> float | None:

@@ -17,6 +17,7 @@ from airlight.composition.depth import distances, filled, kind_of
 from airlight.composition.froxels import BAR, CELL, Froxels
 from airlight.composition.pinhole import Pinhole
 from airlight.composition.placement import Placement, Viewpoint, viewpoint
+from airlight.composition.relight import Relight
 from airlight.composition.stretch import Air
 from airlight.composition.surface_light import SurfaceLight
 from airlight.errors import Cancelled, ParameterError
@@ -88,6 +89,9 @@ def compose(
     place: Placement,
     *,
     alpha: ArrayLike | None = None,
+    albedo: ArrayLike | None = None,
+    normals: ArrayLike | None = None,
+    shadow: ArrayLike | None = None,
     depth_kind: str = "auto",
     white: float | None = 1.0,
     exact: bool = False,
@@ -113,6 +117,12 @@ def compose(
     alpha : array, shape (h, w), optional
         Part of each pixel that surfaces cover: behind the rest is the sky. By default 1 where there
         is depth. A pixel partly covered whose depth missed the surface takes that of the nearest.
+    albedo, normals : array, shape (h, w, 3), optional
+        Lambert albedo of the surfaces in linear sRGB, premultiplied [1], and their normals in the
+        scene's coordinates. Given both, surfaces are lit by the planet's star, sky and ground, and
+        ``rgb`` is not used.
+    shadow : array, shape (h, w), optional
+        Part of the star that is visible from each of these surfaces; 1 everywhere by default. [1]
     depth_kind : str
         ``planar`` along the camera's axis, ``distance`` along the pixel's line, ``position`` in the
         scene, ``inverse`` for 1 over planar; ``auto`` is ``position`` for three channels, else
@@ -143,6 +153,7 @@ def compose(
         If ``cancel`` requested it.
     """
     colors, cover, passes, kind = _checked(rgb, alpha, depth, depth_kind, camera)
+    relit = _relit(colors.shape, albedo, normals, shadow)
     if white is not None and not 0.0 < white < np.inf:
         raise ParameterError("white", white, "above 0")
     if not isinstance(solution, MomentsSolution):
@@ -173,8 +184,12 @@ def compose(
         solid = covers > 0.0
         for number, picture in enumerate(pictures):
             air, through, told = picture.air(camera, rows, away, solid)
-            if number == 0:
+            if relit is not None:
+                parts = [one[rows][solid] for one in relit]
+                total[solid] += picture.relit(camera, rows, away, solid, parts, through)
+            elif number == 0:
                 total[solid] = surface.through(light[solid], through)
+            if number == 0:
                 counts += told[:2]
             error = max(error, told[2])
             total[solid] += covers[solid][:, None] * (air @ picture.colors)
@@ -213,6 +228,29 @@ def _checked(
     return colors, cover, passes, kind
 
 
+def _relit(
+    shape: tuple[int, ...],
+    albedo: ArrayLike | None,
+    normals: ArrayLike | None,
+    shadow: ArrayLike | None,
+) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]] | None:
+    """Albedo, normals and visible part of the star as arrays; None if surfaces keep their light."""
+    if albedo is None or normals is None:
+        for name, one in (("albedo", albedo), ("normals", normals), ("shadow", shadow)):
+            if one is not None:
+                raise ParameterError(name, np.shape(one), "only albedo and normals together")
+        return None
+    lit = np.ones(shape[:2]) if shadow is None else np.asarray(shadow)
+    given = {"albedo": np.asarray(albedo), "normals": np.asarray(normals), "shadow": lit}
+    for name, one in given.items():
+        wanted = shape[:2] if name == "shadow" else shape
+        if one.shape != wanted:
+            raise ParameterError(name, one.shape, f"shape {wanted}, as the picture")
+        if not np.isfinite(one).all():
+            raise ParameterError(name, float(one[~np.isfinite(one)][0]), "finite numbers")
+    return given["albedo"], given["normals"], lit
+
+
 class _Picture:
     """Air and sky of a picture by one light."""
 
@@ -225,6 +263,8 @@ class _Picture:
         self._air = Air(solution, scene)
         self._drawing = Drawing(solution, scene, exact=exact, disc=disc)
         self._filled = False
+        r = solution.medium.bottom_radius + scene.altitude
+        self._relight = Relight(solution, r, scene.sun_direction)
         self._grey = self._grey_light(solution, scene)
 
     def _grey_light(self, solution: MomentsSolution, scene: Scene) -> FloatArray:
@@ -281,6 +321,35 @@ class _Picture:
             radiance, transmittance, _ = self._air.before(directions, reached)
             return radiance, transmittance, (float(n), float(n), 0.0)
         return self._by_froxels(camera, rows, solid, directions, reached)
+
+    def relit(
+        self,
+        camera: Pinhole,
+        rows: slice,
+        away: FloatArray,
+        solid: NDArray[np.bool_],
+        parts: list[NDArray[Any]],
+        transmittance: FloatArray,
+    ) -> FloatArray:
+        """Linear sRGB of surfaces lit by the planet's light, behind the air. [W m⁻² sr⁻¹]
+
+        Parameters
+        ----------
+        camera, rows, away, solid :
+            Arguments of ``air``.
+        parts : list of array
+            Albedo, normals and visible part of the star of the surfaces.
+        transmittance : array, shape (n, nl)
+            Transmittance of the air before them. [1]
+        """
+        albedo, normals, lit = (np.asarray(one, np.float64) for one in parts)
+        reached = away[solid]
+        # what has no depth stands at the camera for its light
+        points = self._directions(camera.rays(rows)[solid])
+        points *= np.where(np.isfinite(reached), reached, 0.0)[:, None]
+        turned = normals @ camera.axes.T @ self._axes
+        light = self._relight.radiance(points, turned, albedo, lit)
+        return np.asarray((light * transmittance) @ self.colors)
 
     def _by_froxels(
         self,

@@ -147,19 +147,40 @@ class RenderPasses:
             return self.channels[min(found)], means if kind == "auto" else kind
         raise self._lacking("depth", "Depth.Z, Z or Position.X, .Y, .Z")
 
-    def vectors(self, ending: str) -> Float32Array:
-        """Pass of three channels such as ``Normal``, shape (h, w, 3).
+    def vectors(self, letters: str, names: tuple[str, ...]) -> Float32Array:
+        """Pass of three channels, shape (h, w, 3).
+
+        Parameters
+        ----------
+        letters : str
+            Last letters of its channels.
+        names : tuple of str
+            Ends of its name, best first; empty for channels without one.
 
         Raises
         ------
         ParameterError
             If there is none.
         """
-        for letters in ("XYZ", "RGB"):
+        for name in names:
             for prefix in self._prefixes(letters):
-                if prefix.rstrip(".").endswith(ending) or (prefix == "" and letters == "RGB"):
+                stem = prefix.rstrip(".")
+                if stem == name or (name and stem.endswith(f".{name}")):
                     return self.group(prefix, letters)
-        raise self._lacking(ending, f"{ending}.X, .Y, .Z or R, G, B")
+        wanted = " or ".join(one for one in names if one)
+        raise self._lacking(wanted, f"{names[0]}.{letters[0]}, .{letters[1]}, .{letters[2]}")
+
+    def only(self) -> NDArray[Any]:
+        """Only channel of the file, shape (h, w).
+
+        Raises
+        ------
+        ParameterError
+            If there are several.
+        """
+        if len(self.channels) > 1:
+            raise self._lacking("a pass", "one channel alone")
+        return next(iter(self.channels.values()))
 
     def _lacking(self, what: str, wanted: str) -> ParameterError:
         names = ", ".join(list(self.channels)[:12])

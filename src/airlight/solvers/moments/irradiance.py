@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from airlight.geometry.bending import level_light
+from airlight.geometry.bending import level_light, star_points
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
 from airlight.optics.reflection import sky_factor, star_factor
 from airlight.solvers.moments.grid import radius_index
-from airlight.solvers.moments.source import level_sky, level_star
+from airlight.solvers.moments.source import level_sky, level_star, star_at
 from airlight.solvers.moments.sweep import sun_index
 from airlight.tables.column_ratios import columns_to_top
 
@@ -81,6 +81,22 @@ def direct_irradiance(r, mu_s, light, work, out):
         for at in range(0, lanes, LANES):
             star = level_star(
                 work.here, work.there, from_low, from_high, light.extinction, light.constituents,
+                lanes, at,
+            )  # fmt: skip
+            store(out[k], at, star)
+
+
+@compiled_loop
+def facing_irradiance(r, mu_s, light, work, out):
+    """Compute irradiance by the star of surfaces that face it, arguments as above. [1]"""
+    bottom, top, lanes = light.bottom, light.top, light.lanes
+    for k in range(r.size):
+        seen, low, high = star_points(r[k], mu_s[k], bottom, top, light.star_radius, light.lift)
+        columns_to_top(r[k], low, bottom, top, light.columns, work.here)
+        columns_to_top(r[k], high, bottom, top, light.columns, work.there)
+        for at in range(0, lanes, LANES):
+            star = star_at(
+                seen, work.here, work.there, high > low, light.extinction, light.constituents,
                 lanes, at,
             )  # fmt: skip
             store(out[k], at, star)

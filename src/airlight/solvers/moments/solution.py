@@ -25,6 +25,7 @@ from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.harmonics import coefficient_count
 from airlight.solvers.moments.irradiance import (
     direct_irradiance,
+    facing_irradiance,
     ground_radiance,
     sky_irradiance,
 )
@@ -247,6 +248,18 @@ class MomentsSolution(Solution):
         work = new_workspace(self.light)
         x = self.paths.optical_radius(r)
         return self._received(x, lambda light, out: direct_irradiance(x, mu_s, light, work, out))
+
+    def relative_facing_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
+        """Irradiance by the star of surfaces that face it, relative to that without air, (n, nl).
+
+        Parameters
+        ----------
+        r, mu_s : array, shape (n,)
+            Radii [m] and cosines of the star's zenith angle [1].
+        """
+        work = new_workspace(self.light)
+        x = self.paths.optical_radius(r)
+        return self._received(x, lambda light, out: facing_irradiance(x, mu_s, light, work, out))
 
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
