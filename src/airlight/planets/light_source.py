@@ -37,6 +37,9 @@ class LightSource:
     spectrum : callable or None
         ``spectrum(wavelengths)``, the irradiance at any wavelengths; None where only the samples
         are known: then colours use the sun's spectral shape between them.
+    darkening : callable or None
+        ``darkening(wavelengths)``, coefficients of the darkening towards the rim, shape (nl, 6),
+        see ``spectra.limb_darkening``; None for a uniform disc.
     """
 
     name: str
@@ -44,6 +47,7 @@ class LightSource:
     wavelengths: FloatArray
     irradiance: FloatArray
     spectrum: Callable[[Any], FloatArray] | None = None
+    darkening: Callable[[Any], FloatArray] | None = None
 
     def colors(self, weights: npt.ArrayLike | None = None) -> FloatArray:
         """Linear sRGB of light that is known per irradiance of this source, shape (nl, 3).

@@ -250,6 +250,7 @@ class Planet(Record):
             wavelengths=nm,
             irradiance=self.star.irradiances(nm),
             spectrum=self.star.irradiances,
+            darkening=self.star.darkening,
         )
         return (star,)
 

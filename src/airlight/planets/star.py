@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from collections.abc import Callable
+from functools import partial
 from typing import Annotated, Final
 
 import numpy as np
@@ -262,3 +264,18 @@ class Star(Record):
         assert self.temperature is not None
         assert self.radius is not None
         return star_irradiance(wavelengths, self.temperature, self.radius, self._distance)
+
+    @property
+    def darkening(self) -> Callable[[npt.ArrayLike], FloatArray] | None:
+        """Law of the disc's darkening towards its rim, of wavelengths, see ``LightSource``.
+
+        The sun's where the spectrum is the sun's, that of a grey atmosphere where a temperature is
+        known; None, a uniform disc, beside an irradiance alone.
+        """
+        from airlight.spectra.limb_darkening import black_body_darkening, solar_darkening
+
+        if self.spectrum is not None:
+            return solar_darkening
+        if self.temperature is not None:
+            return partial(black_body_darkening, temperature=self.temperature)
+        return None

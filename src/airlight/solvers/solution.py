@@ -124,7 +124,7 @@ class Solution(ABC):
         if self.planet is None:
             return self.medium.lights
         return tuple(
-            replace(sampled, spectrum=light.spectrum)
+            replace(sampled, spectrum=light.spectrum, darkening=light.darkening)
             for sampled, light in zip(
                 self.medium.lights, self.planet.lights(self.wavelengths), strict=True
             )

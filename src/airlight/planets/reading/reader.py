@@ -125,10 +125,22 @@ def planet_text(name_or_path: str | Path) -> tuple[str, str, Path | None]:
     if isinstance(name_or_path, str) and not there and path.suffix != ".toml":
         names = suggestion(name_or_path, planet_names())
         raise ParameterError("planet", name_or_path, f"{names}; or the path to a TOML file")
-    return _text(path), str(path), path.parent
+    return file_text(path), str(path), path.parent
 
 
-def _text(path: Path) -> str:
+def file_text(path: Path) -> str:
+    """Text of a file that a user names, of limited size.
+
+    Parameters
+    ----------
+    path : Path
+        Path of the file.
+
+    Raises
+    ------
+    FileError
+        If it does not exist, cannot be read, is too large, or is not UTF-8.
+    """
     try:
         if path.is_dir():
             raise FileError(path, "is a folder; allowed: a TOML file")

@@ -1,0 +1,117 @@
+r"""Brightness of a moon by its phase: spheres without air, and the Moon as it is measured.
+
+The irradiance by a sphere of radius R at a distance d, lit by E at the phase angle α, is
+
+.. math:: E' = E \, p \, \Phi(\alpha) \, (R/d)^2
+
+with the geometric albedo p and a phase function Φ(0) = 1.
+"""
+
+from __future__ import annotations
+
+from math import pi
+from typing import Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+FloatArray = NDArray[np.float64]
+
+#: Magnitudes of the full Moon and of the sun at their mean distances: Krisciunas & Schaefer (1991),
+#: Publications of the Astronomical Society of the Pacific 103, 1033, eq. 9; Cox (2000), Allen's
+#: Astrophysical Quantities, 4th edition, section 14.1. [mag]
+FULL_MOON: Final = -12.73
+SUN: Final = -26.74
+#: Ratio of the Moon's mean distance to its radius, to which the magnitude refers. [1]
+_RADII_AWAY: Final = 384_400.0 / 1737.4
+#: Geometric albedo of the Moon at 550 nm that these magnitudes mean. [1]
+MOON_ALBEDO: Final = 10.0 ** (-0.4 * (FULL_MOON - SUN)) * _RADII_AWAY**2
+#: Power of the wavelength by which the Moon's albedo rises: its colour B - V is 0.92 mag, the sun's
+#: 0.65 mag (Cox 2000, table 12.1), between 440 and 550 nm. [1]
+MOON_REDDENING: Final = 0.4 * (0.92 - 0.65) * np.log(10.0) / np.log(550.0 / 440.0)
+#: Largest phase angle of the measurements; thinner crescents keep their surface's brightness. [deg]
+_THINNEST: Final = 160.0
+
+
+def lambert_phase(phase: ArrayLike) -> FloatArray:
+    """Phase function of a Lambert sphere, whose geometric albedo is 2/3 of its albedo. [1]
+
+    Parameters
+    ----------
+    phase : array
+        Phase angle, 0 to 180. [deg]
+
+    References
+    ----------
+    Russell (1916), Astrophysical Journal 43, 173.
+
+    Examples
+    --------
+    >>> lambert_phase([0.0, 90.0, 180.0]).round(4) + 0.0
+    array([1.    , 0.3183, 0.    ])
+    """
+    a = np.radians(np.asarray(phase, float))
+    return np.asarray((np.sin(a) + (pi - a) * np.cos(a)) / pi)
+
+
+def lommel_seeliger_phase(phase: ArrayLike) -> FloatArray:
+    r"""Phase function of a sphere of dark dust, by Lommel and Seeliger's law. [1]
+
+    .. math:: \Phi = 1 - \sin\frac{\alpha}{2} \tan\frac{\alpha}{2} \ln\cot\frac{\alpha}{4}
+
+    Parameters
+    ----------
+    phase : array
+        Phase angle, 0 to 180. [deg]
+
+    References
+    ----------
+    Seeliger (1887); in Hapke (2012), Theory of Reflectance and Emittance Spectroscopy, eq. 11.46.
+
+    Examples
+    --------
+    >>> lommel_seeliger_phase([0.0, 90.0, 180.0]).round(4) + 0.0
+    array([1.    , 0.3768, 0.    ])
+    """
+    a = np.radians(np.clip(np.asarray(phase, float), 1e-9, 180.0 - 1e-9))
+    half = 0.5 * a
+    return np.asarray(1.0 + np.sin(half) * np.tan(half) * np.log(np.tan(0.5 * half)))
+
+
+def moon_phase(phase: ArrayLike) -> FloatArray:
+    """Phase function of the Moon as measured, without the opposition surge of the last degrees. [1]
+
+    ΔV = 0.026 |α| + 4e-9 α⁴ magnitudes, fainter than full.
+
+    Parameters
+    ----------
+    phase : array
+        Phase angle, 0 to 180. [deg]
+
+    References
+    ----------
+    Krisciunas & Schaefer (1991), Publications of the Astronomical Society of the Pacific 103, 1033,
+    eq. 9.
+
+    Examples
+    --------
+    >>> moon_phase([0.0, 90.0]).round(4)  # half Moon: a twelfth, not a half
+    array([1.    , 0.0909])
+    """
+    a = np.abs(np.asarray(phase, float))
+    return np.asarray(10.0 ** (-0.4 * (0.026 * a + 4e-9 * a**4)))
+
+
+def moon_surface_factor(phase: ArrayLike) -> FloatArray:
+    """Factor by which the Moon's surface is fainter than one of dark dust, at a phase angle. [1]
+
+    With it the whole disc has the brightness that is measured. Phases are known up to 160 degrees;
+    beyond, the factor stays.
+
+    Parameters
+    ----------
+    phase : array
+        Phase angle, 0 to 180. [deg]
+    """
+    known = np.minimum(np.asarray(phase, float), _THINNEST)
+    return np.asarray(moon_phase(known) / lommel_seeliger_phase(known))

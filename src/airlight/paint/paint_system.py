@@ -1,0 +1,473 @@
+"""``paint_system``: several bodies, with and without air, in one picture.
+
+Each line of sight is followed from the observer on: it passes the air of the bodies that it meets,
+which dims it, bends it and adds its own light, until it ends on a surface, on a star's disc, or in
+the dark. Bodies do not overlap, so their order along every line is that of the power of the
+observer's point, d² - R².
+
+A planet with air is drawn by ``Drawing``, as in a picture of it alone, once for each light. What
+stands behind air is sampled line by line.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import ParameterError
+from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.paint.scene_lights import SceneLights
+from airlight.paint.solve_planet import solve_planet
+from airlight.planets.picture_wavelengths import picture_wavelengths
+from airlight.render.drawing import Drawing
+from airlight.render.through_air import through_air
+from airlight.scene import Camera, Scene
+from airlight.scene.directions import camera_axes
+from airlight.scene.frame import Frame
+from airlight.scene.local_ground import local_ground
+from airlight.scene.projections.projected import projected_rays
+from airlight.scene.surface_map import surface_map
+from airlight.spectra.limb_darkening import UNIFORM
+from airlight.system import System
+from airlight.system.body import Body
+from airlight.system.light import Light
+from airlight.system.surface_light import surface_factor
+
+if TYPE_CHECKING:
+    from airlight.planets.light_source import LightSource
+    from airlight.solvers.moments.solution import MomentsSolution
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+#: Samples per side of a pixel that an edge may cross, and of one that a thin ring of refracted
+#: light may.
+_SAMPLES: Final = 4
+#: Pixels in one block of rows.
+_BLOCK_PIXELS: Final = 1 << 14
+#: Lines of sight that are followed together.
+_LINES: Final = 1 << 15
+#: Share of a star's irradiance below which a light of a planet is left out. [1]
+_FAINTEST: Final = 1e-12
+
+
+def paint_system(
+    system: System,
+    *,
+    width: int = 1280,
+    height: int = 720,
+    wavelengths: Sequence[float] | None = None,
+    quality: str = "default",
+    samples: int = _SAMPLES,
+    cache: bool = True,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Frame:
+    """Draw a scene of several bodies and lights.
+
+    Parameters
+    ----------
+    system : System
+        Bodies, lights, observer and camera, see ``load_system``.
+    width, height : int
+        Size of the picture. [pixel]
+    wavelengths : sequence of float, optional
+        Wavelengths, at least three; by default sixteen over the visible. [nm]
+    quality : str
+        Quality as for ``airlight.solve``.
+    samples : int
+        Samples per side of a pixel that the edge of a body or of a star crosses, 1 to 16.
+    cache : bool
+        Whether solutions are looked for on disk first, and stored there.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Returns
+    -------
+    Frame
+        Linear sRGB radiance. [W m⁻² sr⁻¹]
+
+    Raises
+    ------
+    ParameterError
+        If bodies overlap, the observer stands inside one, or a planet is not known at the
+        wavelengths.
+    ConvergenceError
+        If the orders of scattering do not converge.
+    Cancelled
+        If ``cancel`` requested it.
+    """
+    if not isinstance(samples, int) or not 1 <= samples <= 16:
+        raise ParameterError("samples", samples, "1 to 16")
+    if wavelengths is not None and len(wavelengths) < 3:
+        raise ParameterError("wavelengths", list(wavelengths), "3 or more, or none given")
+    system.check_distances()
+    picture = _Picture(system, width, height, wavelengths, quality, samples, cache=cache,
+                       progress=progress, cancel=cancel)  # fmt: skip
+    return picture.frame(progress, cancel)
+
+
+@dataclass(frozen=True, eq=False)
+class _Air:
+    """Planet with air as this observer sees it."""
+
+    body: Body
+    solution: MomentsSolution
+    altitude: float
+    axes: FloatArray
+    layer: Float32Array
+
+
+class _Picture:
+    def __init__(
+        self,
+        system: System,
+        width: int,
+        height: int,
+        wavelengths: Sequence[float] | None,
+        quality: str,
+        samples: int,
+        *,
+        cache: bool,
+        progress: Progress | None,
+        cancel: Cancel | None,
+    ) -> None:
+        self.system, self.samples = system, samples
+        view = system.view
+        self.camera = Camera(
+            projection=view.projection, width=width, height=height,
+            field_of_view=view.field_of_view,
+        )  # fmt: skip
+        self.eye, self.axes = system.eye, system.camera_axes
+        if wavelengths is None:
+            first = next(iter(system.planets.values()), None)
+            wavelengths = (
+                tuple(np.linspace(400.0, 700.0, 16)) if first is None
+                else tuple(picture_wavelengths(first).tolist())
+            )  # fmt: skip
+        self.wavelengths = np.asarray(wavelengths, float)
+        solutions = {}
+        for body in system.bodies:
+            if body.planet is not None:
+                solutions[body.name] = self._solved(body, quality, cache, progress, cancel)
+        self.lights = SceneLights(system, self.wavelengths, solutions)
+        self.colors = self.lights.source(self.lights.stars[0], self.eye).colors()
+        bodies = sorted(system.bodies, key=self._power)
+        self.items: list[_Air | Body] = [
+            self._air(body, solutions[body.name], progress, cancel)
+            if body.name in solutions else body
+            for body in bodies
+        ]  # fmt: skip
+
+    def _power(self, body: Body) -> float:
+        apart = float(np.linalg.norm(body.centre - self.eye))
+        outer = self.system.outer_radius(body)
+        return (apart - outer) * (apart + outer)
+
+    # --- planets with air ---------------------------------------------------------------------
+
+    def _place(self, body: Body) -> tuple[float, float, float]:
+        """Latitude, longitude and altitude of the observer above a body. [deg], [m]"""
+        apart = self.eye - body.centre
+        distance = float(np.linalg.norm(apart))
+        x, y, z = self.system.axes(body) @ (apart / distance)
+        altitude = max(distance - self.system.radius(body), 0.0)
+        if self.system.observer.body == body.name:
+            altitude = self.system.observer.altitude
+        return math.degrees(math.asin(min(max(z, -1.0), 1.0))), math.degrees(math.atan2(y, x)), (
+            altitude
+        )  # fmt: skip
+
+    def _solved(
+        self, body: Body, quality: str, cache: bool, progress: Progress | None,
+        cancel: Cancel | None,
+    ) -> MomentsSolution:  # fmt: skip
+        latitude, longitude, altitude = self._place(body)
+        planet = local_ground(self.system.planets[body.name], latitude=latitude,
+                              longitude=longitude, altitude=altitude)  # fmt: skip
+        return solve_planet(planet, self.wavelengths.tolist(), quality, cache=cache,
+                            progress=progress, cancel=cancel)  # fmt: skip
+
+    def _air(
+        self, body: Body, solution: MomentsSolution, progress: Progress | None,
+        cancel: Cancel | None,
+    ) -> _Air:  # fmt: skip
+        latitude, longitude, altitude = self._place(body)
+        up = (self.eye - body.centre) / np.linalg.norm(self.eye - body.centre)
+        layer = np.zeros((self.camera.height, self.camera.width, 3), np.float32)
+        brightest = 0.0
+        for number, light in enumerate(self.lights.on(body)):
+            source = self.lights.seen_from(light, body)
+            brightest = max(brightest, float(source.irradiance.max()))
+            if source.irradiance.max() <= _FAINTEST * brightest:
+                continue
+            lit = _only_lit(solution, source, number)
+            scene = self._scene(body, light, up, latitude, longitude, altitude)
+            layer += self._drawn(Drawing(lit, scene, disc=False), progress, cancel)
+        return _Air(body, solution, altitude, _level_axes(up), layer)
+
+    def _scene(
+        self, body: Body, light: Light, up: FloatArray, latitude: float, longitude: float,
+        altitude: float,
+    ) -> Scene:  # fmt: skip
+        """Scene of a planet alone under one light, in the frame of that light."""
+        towards = self.lights.towards(light, body.centre[None])[0]
+        local = _level_axes(up, towards)
+        north = self.system.axes(body)[2]
+        east = np.cross(north, up)
+        flat = np.linalg.norm(east)
+        bearing = 0.0
+        if flat > 1e-12:
+            east = east / flat
+            bearing = math.degrees(math.atan2(local[0] @ east, local[0] @ np.cross(up, east)))
+        zenith, azimuth, roll = _camera_angles(self.axes @ local.T)
+        return Scene(
+            camera=replace(self.camera, look_zenith=zenith, look_azimuth=azimuth, roll=roll),
+            altitude=altitude,
+            sun_zenith=math.degrees(math.atan2(towards @ local[0], towards @ up)),
+            latitude=latitude,
+            longitude=longitude,
+            sun_azimuth=bearing,
+            ground="detailed",
+        )
+
+    def _drawn(
+        self, drawing: Drawing, progress: Progress | None, cancel: Cancel | None
+    ) -> Float32Array:
+        height, width = self.camera.height, self.camera.width
+        rgb = np.zeros((height, width, 3), np.float32)
+        drawing.fill_sky(cancel=cancel, progress=progress)
+        step = max(1, _BLOCK_PIXELS // width)
+        run_blocks(
+            lambda k: drawing.draw(k * step, min((k + 1) * step, height), rgb),
+            -(-height // step), cancel=cancel, progress=progress, message="rendering air",
+        )  # fmt: skip
+        return rgb
+
+    # --- lines of sight -----------------------------------------------------------------------
+
+    def frame(self, progress: Progress | None, cancel: Cancel | None) -> Frame:
+        height, width = self.camera.height, self.camera.width
+        rgb = np.zeros((height, width, 3))
+        step = max(1, _BLOCK_PIXELS // width)
+        run_blocks(
+            lambda k: self._draw(k * step, min((k + 1) * step, height), rgb),
+            -(-height // step), cancel=cancel, progress=progress, message="rendering bodies",
+        )  # fmt: skip
+        names = ", ".join(body.name for body in self.system.bodies)
+        nm = ", ".join(f"{w:g}" for w in self.wavelengths)
+        return Frame(
+            rgb=rgb.astype(np.float32),
+            metadata={
+                "scene": self.system.name,
+                "bodies": names,
+                "wavelengths": f"{nm} nm",
+                "unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931",
+                "device": "processor",
+            },
+            pixel_angle=self.camera.glare_angle,
+        )
+
+    def _rays(self, first: int, last: int, across: float, down: float) -> FloatArray:
+        """Unit vectors in the frame of the scene, shape (rows, width, 3). [1]"""
+        camera = self.camera
+        assert camera.field_of_view is not None
+        x = np.arange(camera.width) + across
+        y = np.arange(first, last) + down
+        rays = projected_rays(
+            camera.projection, x, y, camera.width, camera.height,
+            math.radians(camera.field_of_view),
+        )  # fmt: skip
+        return np.asarray(rays @ self.axes)
+
+    def _draw(self, first: int, last: int, rgb: FloatArray) -> None:
+        centre = self._rays(first, last, 0.5, 0.5)
+        shape = centre.shape[:2]
+        inside, edge = self._regions(centre.reshape(-1, 3))
+        layers = [
+            item.layer[first:last].reshape(-1, 3) if isinstance(item, _Air) else None
+            for item in self.items
+        ]
+        out = np.zeros((shape[0] * shape[1], 3))
+        plain = ~inside & ~edge
+        for layer in layers:
+            if layer is not None:
+                # Air in front of air: nothing here is behind it but other air, found below.
+                out[plain] += layer[plain]
+        count = self.samples
+        for chosen, n in ((np.flatnonzero(inside & ~edge), 1), (np.flatnonzero(edge), count)):
+            for k in range(n * n):
+                down, across = divmod(k, n)
+                rays = self._rays(first, last, (across + 0.5) / n, (down + 0.5) / n)
+                lines = rays.reshape(-1, 3)
+                for at in range(0, chosen.size, _LINES):
+                    some = chosen[at : at + _LINES]
+                    found = self._followed(lines[some], [
+                        None if layer is None else layer[some] for layer in layers
+                    ])  # fmt: skip
+                    out[some] += found / (n * n)
+        rgb[first:last] = out.reshape(*shape, 3)
+
+    def _regions(self, rays: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """Pixels that show more than one thing, and those that an edge may cross."""
+        inside, edge = np.zeros(len(rays), bool), np.zeros(len(rays), bool)
+        margin = 2.0 * self.camera.pixel_angle
+        bend = max(
+            (item.solution.paths.largest_bend for item in self.items if isinstance(item, _Air)),
+            default=0.0,
+        )
+        shown = np.any(rays != 0.0, axis=-1)
+        for k, item in enumerate(self.items):
+            body = item.body if isinstance(item, _Air) else item
+            apart = body.centre - self.eye
+            distance = float(np.linalg.norm(apart))
+            for radius in {self.system.radius(body), self.system.outer_radius(body)}:
+                if radius >= distance:
+                    continue
+                angle = _angle_between(rays, apart / distance) - math.asin(radius / distance)
+                if isinstance(item, Body):
+                    inside |= shown & (angle < margin + bend)
+                    edge |= shown & (np.abs(angle) < margin + bend * (k > 0))
+                elif k > 0:
+                    inside |= shown & (angle < margin + bend)
+        for light in self.lights.stars:
+            source = self.lights.source(light, self.eye)
+            angle = _angle_between(rays, light.towards(self.eye))
+            edge |= shown & (angle < source.angular_radius + margin + bend)
+        return inside, edge
+
+    def _followed(self, rays: FloatArray, layers: list[Float32Array | None]) -> FloatArray:
+        """Light along lines of sight, linear sRGB, shape (n, 3). [W m⁻² sr⁻¹]"""
+        out = np.zeros((len(rays), 3))
+        through = np.ones((len(rays), self.wavelengths.size))
+        white = self.colors.sum(axis=0)
+        shown = np.any(rays != 0.0, axis=-1)
+        through[~shown] = 0.0
+        for item, layer in zip(self.items, layers, strict=True):
+            if isinstance(item, _Air):
+                assert layer is not None
+                out += layer * ((through @ self.colors) / white)
+                dimmed, local = through_air(item.solution, item.altitude, rays @ item.axes.T)
+                through *= dimmed
+                rays = local @ item.axes
+            else:
+                self._hit(item, rays, through, out)
+        for light in self.lights.stars:
+            self._star(light, rays, through, out)
+        return out
+
+    def _hit(
+        self, body: Body, rays: FloatArray, through: FloatArray, out: FloatArray
+    ) -> None:
+        """Add the light of a body without air, which ends the lines that meet it."""
+        apart = body.centre - self.eye
+        radius = self.system.radius(body)
+        along = rays @ apart
+        distance = float(np.linalg.norm(apart))
+        # R² - d² sin²: from the cross product, which loses nothing far away.
+        miss = np.linalg.norm(np.cross(rays, apart), axis=-1)
+        met = np.flatnonzero((along > 0.0) & (miss < radius) & (through.max(axis=1) > 0.0))
+        if met.size == 0:
+            return
+        length = along[met] - np.sqrt((radius - miss[met]) * (radius + miss[met]))
+        if distance < radius:
+            length = np.maximum(length, 0.0)
+        normal = (self.eye + length[:, None] * rays[met] - body.centre) / radius
+        normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
+        points = body.centre + radius * normal
+        texture = self._texture(body, normal, length)
+        albedo = body.albedos(self.wavelengths)
+        for light in self.lights.on(body):
+            source = self.lights.seen_from(light, body)
+            towards = self.lights.towards(light, points)
+            size = np.full(met.size, source.angular_radius)
+            factor = surface_factor(body, normal, towards, -rays[met], size)
+            lit = np.flatnonzero(factor > 0.0)
+            if lit.size == 0:
+                continue
+            light_here = through[met[lit]] * albedo * factor[lit, None]
+            if light.star is not None:
+                light_here = light_here * self.lights.unshadowed(light, points[lit], body)
+            out[met[lit]] += (light_here @ source.colors()) * texture[lit]
+        through[met] = 0.0
+
+    def _texture(self, body: Body, normal: FloatArray, length: FloatArray) -> FloatArray:
+        """Colours of a body's map relative to its mean, shape (n, 3). [1]"""
+        if body.map is None:
+            return np.ones((len(normal), 3))
+        folder = self.system.folder
+        beside = None if folder is None else folder / body.map
+        path = str(beside) if beside is not None and beside.is_file() else body.map
+        picture = surface_map(path)
+        x, y, z = (normal @ self.system.axes(body).T).T
+        footprint = length * self.camera.pixel_angle / self.system.radius(body)
+        colors = picture.sample(
+            np.degrees(np.arcsin(np.clip(z, -1.0, 1.0))), np.degrees(np.arctan2(y, x)),
+            picture.level(footprint),
+        )[..., :3]  # fmt: skip
+        mean = float(picture.mean_rgb @ np.array([0.2126, 0.7152, 0.0722]))
+        return np.asarray(colors / max(mean, 1e-6), dtype=np.float64)
+
+    def _star(self, light: Light, rays: FloatArray, through: FloatArray, out: FloatArray) -> None:
+        """Add the disc of a star to the lines that end on it."""
+        source = self.lights.source(light, self.eye)
+        alpha = source.angular_radius
+        if alpha <= 0.0:
+            return
+        angle = _angle_between(rays, light.towards(self.eye))
+        met = np.flatnonzero((angle < alpha) & (through.max(axis=1) > 0.0))
+        if met.size == 0:
+            return
+        law = source.darkening
+        coefficients = np.tile(UNIFORM, (self.wavelengths.size, 1))
+        coefficients = coefficients if law is None else law(self.wavelengths)
+        mu = np.sqrt(np.maximum(1.0 - (np.sin(angle[met]) / math.sin(alpha)) ** 2, 0.0))
+        shape = (mu[:, None] ** np.arange(coefficients.shape[1])) @ coefficients.T
+        radiance = shape / (math.pi * math.sin(alpha) ** 2)
+        out[met] += (through[met] * radiance) @ source.colors()
+
+
+def _angle_between(rays: FloatArray, towards: FloatArray) -> FloatArray:
+    """Angles between unit vectors, accurate when small, shape (n,). [rad]"""
+    return np.asarray(
+        np.arctan2(np.linalg.norm(np.cross(rays, towards), axis=-1), rays @ towards)
+    )
+
+
+def _level_axes(up: FloatArray, towards: FloatArray | None = None) -> FloatArray:
+    """Axes of an observer's local frame as rows: x to the side of a light, z to the zenith. [1]"""
+    flat = np.zeros(3)
+    if towards is not None:
+        flat = towards - (towards @ up) * up
+    if np.linalg.norm(flat) < 1e-12:
+        flat = np.cross(up, [0.0, 0.0, 1.0] if abs(up[2]) < 0.9 else [1.0, 0.0, 0.0])
+    x = flat / np.linalg.norm(flat)
+    return np.stack([x, np.cross(up, x), up])
+
+
+def _camera_angles(axes: FloatArray) -> tuple[float, float, float]:
+    """Zenith angle, azimuth and roll of a camera of known axes, as ``camera_axes`` takes them.
+
+    Parameters
+    ----------
+    axes : array, shape (3, 3)
+        Right, up and forward in the local frame, as rows. [1]
+    """
+    right, _, forward = axes
+    zenith = math.degrees(math.atan2(math.hypot(forward[0], forward[1]), forward[2]))
+    azimuth = math.degrees(math.atan2(-forward[1], forward[0]))
+    level, upright, _ = camera_axes(zenith, azimuth, 0.0)
+    return zenith, azimuth, math.degrees(math.atan2(-right @ upright, right @ level))
+
+
+def _only_lit(solution: MomentsSolution, source: LightSource, number: int) -> MomentsSolution:
+    """Solution under one light; the lamps of towns shine once, beside the first."""
+    lit = solution.lit_by(source)
+    if number > 0 and lit.medium.ground_lights is not None:
+        lit.medium = replace(lit.medium, ground_lights=None)
+    return lit

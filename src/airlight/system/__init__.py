@@ -1,0 +1,8 @@
+"""Bodies, lights and an observer among them: scene files."""
+
+from __future__ import annotations
+
+from airlight.system.reading import is_scene_file, load_system, system_names
+from airlight.system.system import System
+
+__all__ = ["System", "is_scene_file", "load_system", "system_names"]

@@ -1,0 +1,185 @@
+"""Body of a scene: a planet with air, or a sphere without."""
+
+from __future__ import annotations
+
+from typing import Annotated, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.errors import ParameterError
+from airlight.optics.moon_phase import (
+    MOON_ALBEDO,
+    MOON_REDDENING,
+    lambert_phase,
+    lommel_seeliger_phase,
+    moon_phase,
+)
+from airlight.planets.parameters import MISSING, parameters
+from airlight.planets.schema.key import Key
+from airlight.planets.schema.record import Record
+from airlight.planets.spectral import Spectral, spectral_at
+from airlight.system.vectors import POSITION, frame_of, unit
+
+FloatArray = npt.NDArray[np.float64]
+
+#: Laws by which a body without air reflects, with the phase functions of whole spheres.
+LAWS: Final = {
+    "lambert": lambert_phase,
+    "lommel-seeliger": lommel_seeliger_phase,
+    "moon": moon_phase,
+}
+
+
+@parameters
+class Body(Record):
+    """Sphere at a place: with the air of a planet file, or bare.
+
+    Parameters
+    ----------
+    name : str
+        Name by which lights, observer and camera refer to it.
+    planet : str, optional
+        Preset or planet file whose ground and air it has.
+    radius : float, optional
+        Radius of a body without air, which must be given for it. [m]
+    albedo : float or PerWavelength, optional
+        Of a body without air: albedo of a Lambert surface, geometric albedo by the other laws; the
+        Moon's own by default for ``moon``, otherwise 0.1. [1]
+    reflection : str
+        ``lambert``; ``lommel-seeliger``, dark dust; ``moon``, the same with the brightness that the
+        Moon has at each phase.
+    map : str, optional
+        Picture of the surface, whose colours multiply the albedo, with a mean of 1.
+    position : tuple of float
+        Centre in the frame of the scene. [m]
+    pole : tuple of float
+        Direction of the north pole.
+    prime_meridian : float
+        Angle of the prime meridian from the ascending node of the equator on the frame's xy plane,
+        eastward, as the IAU counts it. [deg]
+    faces : str, optional
+        Name of the body that stands above the prime meridian, instead of ``prime_meridian``.
+    """
+
+    has_wavelengths = True
+
+    name: Annotated[
+        str,
+        Key(label="name", help="Name that the scene refers to.", kind="text", range=(1, 60),
+            example="moon"),
+    ]  # fmt: skip
+    planet: (
+        Annotated[
+            str,
+            Key(label="planet", help="Preset or planet file, for a body with air.", kind="text",
+                range=(1, 4000), example="earth"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    radius: (
+        Annotated[
+            float,
+            Key(label="radius", help="Radius of a body without air.", unit="m", range=(1.0, 1e10),
+                example="1737.4 km"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    albedo: (
+        Annotated[
+            Spectral,
+            Key(label="albedo", help="Albedo of a body without air; geometric but for Lambert's"
+                " law.", range=(0.0, 1.0), spectral=True, example="0.12"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    reflection: Annotated[
+        str,
+        Key(label="reflection", help="Law by which a body without air reflects.", kind="choice",
+            words=lambda: tuple(LAWS)),
+    ] = "lommel-seeliger"  # fmt: skip
+    map: (
+        Annotated[
+            str,
+            Key(label="map", help="Picture of the surface of a body without air.", kind="text",
+                range=(1, 4000), example="moon.jpg"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    position: Annotated[tuple[float, ...], POSITION] = (0.0, 0.0, 0.0)
+    pole: Annotated[
+        tuple[float, ...],
+        Key(label="pole", help="Direction of the north pole.", range=(-1e6, 1e6), listed=True,
+            example="[0, 0, 1]"),
+    ] = (0.0, 0.0, 1.0)  # fmt: skip
+    prime_meridian: Annotated[
+        float,
+        Key(label="prime meridian", help="Angle from the equator's ascending node, eastward.",
+            unit="deg", range=(-360.0, 360.0), example="30 deg"),
+    ] = 0.0  # fmt: skip
+    faces: (
+        Annotated[
+            str,
+            Key(label="faces", help="Body above the prime meridian.", kind="text", range=(1, 60),
+                example="earth"),
+        ]
+        | None
+    ) = None  # fmt: skip
+
+    def __post_init__(self) -> None:
+        unit(self.pole, "pole")
+        if len(self.position) != 3:
+            raise ParameterError("position", self.position, "three lengths")
+        if self.planet is None:
+            if self.radius is None:
+                raise ParameterError("radius", MISSING, "a length, of a body without air")
+        else:
+            for name in ("radius", "albedo", "map"):
+                if getattr(self, name) is not None:
+                    raise ParameterError(name, getattr(self, name), "none beside a planet")
+        if self.faces is not None and self.prime_meridian != 0.0:
+            raise ParameterError("prime_meridian", self.prime_meridian, "none beside faces")
+
+    @property
+    def centre(self) -> FloatArray:
+        """Position of the centre, shape (3,). [m]"""
+        return np.asarray(self.position, float)
+
+    def albedos(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """Albedo at each wavelength, shape (nl,). [1]"""
+        nm = np.asarray(wavelengths, float)
+        if self.albedo is not None:
+            return spectral_at(self.albedo, nm)
+        if self.reflection == "moon":
+            return np.asarray(MOON_ALBEDO * (nm / 550.0) ** MOON_REDDENING)
+        return np.full(nm.shape, 0.1)
+
+    def brightness(self, wavelengths: npt.ArrayLike, phase: float) -> FloatArray:
+        """Geometric albedo times phase function of a body without air, shape (nl,). [1]
+
+        Parameters
+        ----------
+        wavelengths : array, shape (nl,)
+            Wavelengths. [nm]
+        phase : float
+            Phase angle. [deg]
+        """
+        share = 2.0 / 3.0 if self.reflection == "lambert" else 1.0
+        return self.albedos(wavelengths) * share * float(LAWS[self.reflection](phase))
+
+    def axes(self, faced: FloatArray | None) -> FloatArray:
+        """Axes of the frame that turns with the body, as rows, shape (3, 3). [1]
+
+        Parameters
+        ----------
+        faced : array, shape (3,), or None
+            Centre of the body that ``faces`` names. [m]
+        """
+        if faced is None:
+            return frame_of(np.asarray(self.pole, float), self.prime_meridian)
+        north = unit(self.pole, "pole")
+        across = np.cross(north, faced - self.centre)
+        if not np.linalg.norm(across) > 0.0:
+            raise ParameterError("faces", self.faces, "a body that is not above the pole")
+        east = across / np.linalg.norm(across)
+        return np.stack([np.cross(east, north), east, north])

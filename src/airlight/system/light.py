@@ -1,0 +1,125 @@
+"""Light of a scene: a star, or a body that shines by another light."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.errors import ParameterError
+from airlight.planets.parameters import MISSING, parameters, replace
+from airlight.planets.schema.key import Key, Wavelengths
+from airlight.planets.schema.record import Record
+from airlight.planets.schema.section import Section
+from airlight.planets.star import Star
+from airlight.system.vectors import POSITION, unit
+
+
+FloatArray = npt.NDArray[np.float64]
+
+
+def _read_star(section: Section, name: str, wavelengths: Wavelengths) -> Star:
+    return Star.read(section.section(name, "a table such as { spectrum = 'astm-g173' }"))
+
+
+@parameters
+class Light(Record):
+    """Star in a direction or at a place, or a body of the scene that reflects the stars' light.
+
+    Exactly one of ``star`` and ``body`` is given.
+
+    Parameters
+    ----------
+    name : str, optional
+        Name of a star, by which the camera refers to it; ``sun`` by default.
+    star : Star, optional
+        Spectrum and size of a star.
+    direction : tuple of float, optional
+        Direction towards a star that is far away: its irradiance and angular radius are those of
+        ``star`` everywhere.
+    position : tuple of float, optional
+        Centre of a star instead of a direction; its irradiance at a body follows its distance. [m]
+    body : str, optional
+        Name of a body that shines by reflected light: a moon, a planet.
+    """
+
+    name: Annotated[
+        str,
+        Key(label="name", help="Name of a star.", kind="text", range=(1, 60), example="sun"),
+    ] = "sun"
+    star: (
+        Annotated[
+            Star,
+            Key(label="star", help="Spectrum and size of a star, as in a planet file.",
+                kind="table", table="star", read=_read_star),
+        ]
+        | None
+    ) = None  # fmt: skip
+    direction: (
+        Annotated[
+            tuple[float, ...],
+            Key(label="direction", help="Direction towards a star.", range=(-1e12, 1e12),
+                listed=True, example="[1, 0, 0]"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    position: Annotated[tuple[float, ...], POSITION] | None = None
+    body: (
+        Annotated[
+            str,
+            Key(label="body", help="Body that shines by reflected light.", kind="text",
+                range=(1, 60), example="moon"),
+        ]
+        | None
+    ) = None  # fmt: skip
+
+    def __post_init__(self) -> None:
+        if (self.star is None) == (self.body is None):
+            given = MISSING if self.star is None else "star and body"
+            raise ParameterError("star", given, "one of star and body")
+        if self.body is not None:
+            for name in ("direction", "position"):
+                if getattr(self, name) is not None:
+                    raise ParameterError(name, getattr(self, name), "none beside a body")
+            return
+        if (self.direction is None) == (self.position is None):
+            given = MISSING if self.direction is None else "direction and position"
+            raise ParameterError("direction", given, "one of direction and position")
+        if self.direction is not None:
+            unit(self.direction, "direction")
+        elif len(self.position or ()) != 3:
+            raise ParameterError("position", self.position, "three lengths")
+        elif self.star is not None and (
+            self.star.irradiance is not None or self.star.angular_radius is not None
+        ):
+            raise ParameterError(
+                "position", self.position, "a direction for a star of given irradiance or angle"
+            )
+
+    def towards(self, points: FloatArray) -> FloatArray:
+        """Directions of a star from points, shape (..., 3). [1]
+
+        Parameters
+        ----------
+        points : array, shape (..., 3)
+            Positions. [m]
+        """
+        if self.direction is not None:
+            return np.broadcast_to(unit(self.direction, "direction"), np.shape(points))
+        apart = np.asarray(self.position, float) - points
+        return np.asarray(apart / np.linalg.norm(apart, axis=-1, keepdims=True))
+
+    def star_at(self, point: FloatArray) -> Star:
+        """Star as it is seen from a point, with its irradiance and its angular radius there.
+
+        Parameters
+        ----------
+        point : array, shape (3,)
+            Position. [m]
+        """
+        assert self.star is not None
+        if self.position is None:
+            return self.star
+        distance = float(np.linalg.norm(np.asarray(self.position) - point))
+        return replace(self.star, distance=distance)

@@ -1,0 +1,130 @@
+"""Scene files: from TOML to a ``System``, every error in one line."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from airlight.errors import ParameterError
+from airlight.planets.reading.reader import file_text, nested_tables
+from airlight.planets.schema.section import Section, suggestion
+from airlight.system.body import Body
+from airlight.system.light import Light
+from airlight.system.system import System
+from airlight.system.viewpoint import Observer, View
+
+
+@cache
+def system_names() -> tuple[str, ...]:
+    """Names of the scenes in the package.
+
+    Examples
+    --------
+    >>> "earth-moon" in system_names()
+    True
+    """
+    folder = resources.files("airlight.system") / "presets"
+    found = [entry.name for entry in folder.iterdir() if entry.name.endswith(".toml")]
+    return tuple(sorted(name.removesuffix(".toml") for name in found))
+
+
+def is_scene_file(name_or_path: str | Path) -> bool:
+    """Whether a name or a file is that of a scene, rather than of a planet.
+
+    Parameters
+    ----------
+    name_or_path : str or Path
+        Name of a preset, or path of a TOML file: that of a scene has ``[[bodies]]``.
+
+    Examples
+    --------
+    >>> is_scene_file("earth-moon"), is_scene_file("earth")
+    (True, False)
+    """
+    if str(name_or_path) in system_names():
+        return True
+    path = Path(name_or_path)
+    if path.suffix != ".toml" or not path.is_file():
+        return False
+    return "bodies" in nested_tables(file_text(path), str(path))
+
+
+def load_system(name_or_path: str | Path) -> System:
+    """Load a scene by the name of a preset, or from a scene file.
+
+    Parameters
+    ----------
+    name_or_path : str or Path
+        One of ``system_names()``, or the path to a TOML file; docs/scenes.md describes its keys.
+
+    Returns
+    -------
+    System
+
+    Raises
+    ------
+    FileError
+        If the file does not exist, cannot be read, or is not TOML.
+    ParameterError
+        If the name is unknown, or the file is invalid: the error names file, field, value and the
+        allowed values.
+
+    Examples
+    --------
+    >>> [body.name for body in load_system("earth-moon").bodies]
+    ['earth', 'moon']
+    """
+    if isinstance(name_or_path, str) and name_or_path in system_names():
+        preset = resources.files("airlight.system") / "presets" / f"{name_or_path}.toml"
+        return read_system(preset.read_text(encoding="utf-8"), f"{name_or_path}.toml")
+    path = Path(name_or_path)
+    if path.suffix != ".toml" and not path.exists():
+        names = suggestion(str(name_or_path), system_names())
+        raise ParameterError("scene", str(name_or_path), f"{names}; or the path to a TOML file")
+    return read_system(file_text(path), str(path), path.parent)
+
+
+def read_system(text: str, file: str, folder: Path | None = None) -> System:
+    """Read a scene from the text of a scene file.
+
+    Parameters
+    ----------
+    text : str
+        Text in TOML.
+    file : str
+        Name in errors.
+    folder : Path, optional
+        Folder of files that the text names.
+
+    Raises
+    ------
+    FileError
+        If the text is not TOML.
+    ParameterError
+        If the file is invalid.
+    """
+    try:
+        return _read(Section(nested_tables(text, file), folder=folder))
+    except ParameterError as error:
+        if error.file is not None:
+            raise
+        raise ParameterError(error.field, error.value, error.allowed, file=file) from None
+
+
+def _read(file: Section) -> System:
+    values: dict[str, Any] = {"folder": file.folder}
+    values["name"] = file.text("name", "a title, such as 'Earth and Moon'")
+    values["description"] = file.text("description", "a sentence", "")
+    values["bodies"] = tuple(
+        Body.read(one, one.wavelengths())
+        for one in file.sections("bodies", "one or more [[bodies]] tables")
+    )
+    values["lights"] = tuple(
+        Light.read(one) for one in file.sections("lights", "one or more [[lights]] tables")
+    )
+    values["observer"] = Observer.read(file.section("observer", "a table [observer]"))
+    values["view"] = View.read(file.section("camera", "a table [camera]"))
+    file.finish()
+    return System(**values)

@@ -1,0 +1,163 @@
+"""Observer and camera of a scene."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from airlight.errors import ParameterError
+from airlight.planets.parameters import MISSING, parameters
+from airlight.planets.schema.key import Key
+from airlight.planets.schema.record import Record
+from airlight.scene.projections import PROJECTIONS
+from airlight.system.vectors import POSITION, unit
+
+
+@parameters
+class Observer(Record):
+    """Place of the observer: above a body, or anywhere.
+
+    Parameters
+    ----------
+    body : str, optional
+        Name of the body that ``latitude``, ``longitude`` and ``altitude`` refer to.
+    latitude, longitude : float
+        Planetocentric coordinates, north and east positive. [deg]
+    altitude : float
+        Altitude above the ground. [m]
+    position : tuple of float, optional
+        Coordinates in the frame of the scene, instead of a body. [m]
+    """
+
+    body: (
+        Annotated[
+            str,
+            Key(label="body", help="Body above which the observer is.", kind="text",
+                range=(1, 60), example="earth"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    latitude: Annotated[
+        float,
+        Key(label="latitude", help="Planetocentric latitude, north positive.", unit="deg",
+            range=(-90.0, 90.0), example="37 deg"),
+    ] = 0.0  # fmt: skip
+    longitude: Annotated[
+        float,
+        Key(label="longitude", help="Planetocentric longitude, east positive.", unit="deg",
+            range=(-360.0, 360.0), example="-87.7 deg"),
+    ] = 0.0  # fmt: skip
+    altitude: Annotated[
+        float,
+        Key(label="altitude", help="Altitude above the ground.", unit="m", range=(0.0, 1e12),
+            example="400 km"),
+    ] = 2.0  # fmt: skip
+    position: Annotated[tuple[float, ...], POSITION] | None = None
+
+    def __post_init__(self) -> None:
+        if (self.body is None) == (self.position is None):
+            given = MISSING if self.body is None else "body and position"
+            raise ParameterError("body", given, "one of body and position")
+        if self.position is not None and len(self.position) != 3:
+            raise ParameterError("position", self.position, "three lengths")
+
+
+@parameters
+class View(Record):
+    """Direction and projection of the camera.
+
+    Parameters
+    ----------
+    look_at : str, optional
+        Name of a body or of a star at which the camera looks.
+    look_zenith, look_bearing : float, optional
+        Zenith angle and compass bearing, for an observer above a body. [deg]
+    direction : tuple of float, optional
+        Direction in the frame of the scene.
+    up : tuple of float, optional
+        Direction that is up in the picture; the zenith of an observer above a body, else z.
+    roll : float
+        Clockwise rotation of the camera about its line of sight. [deg]
+    projection : str
+        Name of the projection.
+    field_of_view : float, optional
+        Angle as for ``Camera``. [deg]
+    """
+
+    look_at: (
+        Annotated[
+            str,
+            Key(label="look at", help="Body or star at which the camera looks.", kind="text",
+                range=(1, 60), example="moon"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    look_zenith: (
+        Annotated[
+            float,
+            Key(label="zenith angle", help="Zenith angle of the line of sight.", unit="deg",
+                range=(0.0, 180.0), example="80 deg"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    look_bearing: (
+        Annotated[
+            float,
+            Key(label="bearing", help="Compass bearing of the line of sight, 90 east.",
+                unit="deg", range=(-360.0, 360.0), example="225 deg"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    direction: (
+        Annotated[
+            tuple[float, ...],
+            Key(label="direction", help="Direction of the line of sight.", range=(-1e12, 1e12),
+                listed=True, example="[1, 0, 0]"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    up: (
+        Annotated[
+            tuple[float, ...],
+            Key(label="up", help="Direction that is up in the picture.", range=(-1e12, 1e12),
+                listed=True, example="[0, 0, 1]"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    roll: Annotated[
+        float,
+        Key(label="roll", help="Clockwise rotation of the camera.", unit="deg",
+            range=(-360.0, 360.0), example="0 deg"),
+    ] = 0.0  # fmt: skip
+    projection: Annotated[
+        str,
+        Key(label="projection", help="Projection of the picture.", kind="choice",
+            words=lambda: tuple(PROJECTIONS)),
+    ] = "perspective"  # fmt: skip
+    field_of_view: (
+        Annotated[
+            float,
+            Key(label="field of view", help="Angle from left to right, or across a fisheye.",
+                unit="deg", range=(1e-4, 360.0), example="40 deg"),
+        ]
+        | None
+    ) = None  # fmt: skip
+
+    def __post_init__(self) -> None:
+        ways = {
+            "look_at": self.look_at is not None,
+            "direction": self.direction is not None,
+            "look_zenith and look_bearing": self.look_zenith is not None
+            or self.look_bearing is not None,
+        }
+        given = [name for name, there in ways.items() if there]
+        if len(given) != 1:
+            shown = " and ".join(given) if given else MISSING
+            raise ParameterError("look_at", shown, f"one of {', '.join(ways)}")
+        if given[0].startswith("look_zenith"):
+            for name in ("look_zenith", "look_bearing"):
+                if getattr(self, name) is None:
+                    raise ParameterError(name, MISSING, "an angle, beside the other one")
+        if self.direction is not None:
+            unit(self.direction, "direction")
+        if self.up is not None:
+            unit(self.up, "up")

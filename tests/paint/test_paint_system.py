@@ -1,0 +1,175 @@
+"""Pictures of several bodies, against pictures of one planet and against laws."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import airlight
+from airlight.color.xyz import luminance
+from airlight.errors import ParameterError
+from airlight.paint.paint_system import paint_system
+from airlight.paint.scene_lights import SceneLights
+from airlight.scene import Camera, Scene
+from airlight.scene.local_ground import local_ground
+from airlight.spectra.limb_darkening import solar_darkening
+from airlight.system import System
+from airlight.system.body import Body
+from airlight.system.light import Light
+from airlight.system.vectors import unit
+from airlight.system.viewpoint import Observer, View
+
+NM = (680.0, 550.0, 440.0)
+SUN = airlight.Star(spectrum="astm-g173")
+EARTH = Body(name="earth", planet="earth")
+MOON = Body(name="moon", radius=1737.4e3, reflection="moon", position=(3.844e8, 0.0, 0.0))
+SIZE = {"width": 60, "height": 40}
+
+
+def system(*bodies: Body, lights: tuple[Light, ...], observer: Observer, view: View) -> System:
+    return System(name="x", bodies=bodies, lights=lights, observer=observer, view=view)
+
+
+def drawn(scene: System, **options: object) -> np.ndarray:
+    return paint_system(scene, **(SIZE | {"wavelengths": NM, "quality": "preview"} | options)).rgb
+
+
+@pytest.mark.parametrize("altitude", [2.0, 400e3])
+def test_a_planet_alone_is_drawn_as_render_draws_it(altitude: float) -> None:
+    # The sun 10 degrees above the horizon in the east; the camera to the south-east, rolled.
+    up, east = np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0])
+    sun = np.sin(np.radians(10.0)) * up + np.cos(np.radians(10.0)) * east
+    got = drawn(system(
+        EARTH, lights=(Light(star=SUN, direction=tuple(sun)),),
+        observer=Observer(body="earth", altitude=altitude),
+        view=View(look_zenith=95.0, look_bearing=135.0, roll=20.0, field_of_view=70.0),
+    ))  # fmt: skip
+    # Azimuth 45: to the right of the sun, which stands at bearing 90.
+    scene = Scene(
+        camera=Camera(**SIZE, field_of_view=70.0, look_zenith=95.0, look_azimuth=45.0, roll=20.0),
+        altitude=altitude, sun_zenith=80.0, sun_azimuth=90.0, ground="detailed",
+    )  # fmt: skip
+    planet = local_ground(airlight.load_planet("earth"), latitude=0.0, longitude=0.0,
+                          altitude=altitude)  # fmt: skip
+    solution = airlight.solve(planet, NM, quality="preview")
+    expected = airlight.render(solution, scene).rgb
+    # The star's disc is drawn line by line here, and has a dark rim.
+    disc = expected.max(axis=-1) > 20.0 * np.median(expected)
+    assert_allclose(got[~disc], expected[~disc], rtol=1e-3, atol=1e-6 * np.median(expected))
+
+
+def test_the_full_moons_light_is_that_of_its_picture() -> None:
+    # Second method: the radiance of the picture over the pixels' solid angles, against the
+    # magnitude by which the Moon lights a landscape.
+    scene = system(
+        MOON, EARTH, lights=(Light(star=SUN, direction=(-1.0, 0.05, 0.0)), Light(body="moon")),
+        observer=Observer(position=(7e7, 0.0, 0.0)), view=View(look_at="moon", field_of_view=1.0),
+    )  # fmt: skip
+    rgb = drawn(scene, width=80, height=80, wavelengths=NM)
+    eye = scene.eye
+    lights = SceneLights(scene, np.array(NM), {})
+    source = lights.source(scene.lights[1], eye)
+    pixel = np.radians(1.0) / 80.0
+    total = luminance(rgb.sum(axis=(0, 1))) * pixel**2
+    colors = lights.source(scene.lights[0], eye).colors() / lights.source(
+        scene.lights[0], eye).irradiance[:, None]  # fmt: skip
+    assert_allclose(total, luminance(source.irradiance @ colors), rtol=0.01)
+
+
+def test_a_body_in_front_hides_and_one_behind_is_hidden() -> None:
+    lights = (Light(star=SUN, direction=(-1.0, 0.0, 0.0)),)
+    near = Body(name="near", radius=1e6, albedo=0.5, position=(1e8, 0.0, 0.0))
+    far = Body(name="far", radius=2e6, albedo=0.05, position=(2e8, 0.0, 0.0))
+    view = View(direction=(1.0, 0.0, 0.0), field_of_view=1.6)
+    observer = Observer(position=(0.0, 0.0, 0.0))
+    both = drawn(system(near, far, lights=lights, observer=observer, view=view))
+    swapped = drawn(system(far, near, lights=lights, observer=observer, view=view))
+    assert_allclose(both, swapped)
+    alone = drawn(system(near, lights=lights, observer=observer, view=view))
+    assert_allclose(both[18:22, 28:32], alone[18:22, 28:32], rtol=1e-6)
+    # The nearer one throws its shadow on the other: its sunlit side is dark behind it.
+    assert both.max() > 0.0
+
+
+def test_a_moon_seen_through_the_air_is_dimmed_by_its_transmittance() -> None:
+    # A full Moon of dark dust, which is uniform, 20 degrees high by night.
+    up, south = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, -1.0])
+    apart = np.sin(np.radians(20.0)) * up + np.cos(np.radians(20.0)) * south
+    moon = Body(name="moon", radius=1737.4e3, position=tuple(3.844e8 * apart))
+    lights = (Light(star=SUN, direction=tuple(np.array([0.0, 0.06, 0.0]) - apart)),)
+    view = View(look_at="moon", field_of_view=0.2)
+    through, bare = (
+        drawn(system(*bodies, lights=lights, observer=observer, view=view), width=4, height=4)
+        for bodies, observer in (
+            ((EARTH, moon), Observer(body="earth", altitude=2.0)),
+            ((moon,), Observer(position=(6378e3, 0.0, 0.0))),
+        )
+    )
+    solution = airlight.solve(airlight.load_planet("earth"), NM, quality="preview")
+    zenith = np.degrees(np.arccos(unit(moon.centre - [6378e3, 0.0, 0.0], "x") @ up))
+    dimmed = solution.transmittance(altitude=2.0, view_zenith=zenith).values
+    lights_at = SceneLights(system(moon, lights=lights, observer=Observer(position=(0, 0, 0)),
+                                   view=view), np.array(NM), {})  # fmt: skip
+    colors = lights_at.seen_from(lights[0], moon).colors() * moon.albedos(NM)[:, None]
+    expected = (dimmed @ colors) / colors.sum(axis=0)
+    assert_allclose((through / bare).mean(axis=(0, 1)), expected, rtol=0.01)
+
+
+def test_a_stars_disc_has_its_irradiance_and_its_dark_rim() -> None:
+    scene = system(
+        Body(name="rock", radius=1.0, position=(0.0, 1e6, 0.0)),
+        lights=(Light(star=SUN, direction=(1.0, 0.0, 0.0)),),
+        observer=Observer(position=(0.0, 0.0, 0.0)), view=View(look_at="sun", field_of_view=0.7),
+    )  # fmt: skip
+    rgb = drawn(scene, width=70, height=70)
+    lights = SceneLights(scene, np.array(NM), {})
+    source = lights.source(scene.lights[0], scene.eye)
+    pixel = np.radians(0.7) / 70.0
+    assert_allclose(rgb.sum(axis=(0, 1)) * pixel**2, source.colors().sum(axis=0), rtol=5e-3)
+    centre, rim = rgb[35, 35], rgb[35, 35 + 25]
+    expected = solar_darkening([550.0])[0] @ np.sqrt(1 - (0.255 / 0.2665) ** 2) ** np.arange(6)
+    assert_allclose(rim[1] / centre[1] * solar_darkening([550.0])[0].sum(), expected, rtol=0.1)
+    assert rim[2] / centre[2] < rim[0] / centre[0]  # redder towards the rim
+
+
+def test_two_suns_are_the_sum_of_each() -> None:
+    towards = ((0.2, 1.0, 0.0), (0.3, 0.9, 0.4))
+    suns = [Light(name=f"s{k}", star=SUN, direction=d) for k, d in enumerate(towards)]
+    observer = Observer(body="earth", altitude=2.0)
+    view = View(look_zenith=60.0, look_bearing=0.0, field_of_view=60.0)
+    pictures = [
+        drawn(system(EARTH, lights=tuple(some), observer=observer, view=view))
+        for some in (suns, suns[:1], suns[1:])
+    ]
+    # Lamps of towns do not shine twice.
+    assert_allclose(pictures[0], pictures[1] + pictures[2], rtol=2e-3,
+                    atol=1e-4 * pictures[0].max())  # fmt: skip
+
+
+def test_moonlight_is_a_faint_day() -> None:
+    # A full Moon at the sun's place: the same sky, 4e5 times darker and redder by the Moon's
+    # own colour.
+    towards = np.array([0.6, 0.8, 0.0])
+    place = tuple(3.844e8 * towards)
+    moon = Body(name="moon", radius=1737.4e3, reflection="moon", position=place)
+    observer = Observer(body="earth", altitude=2.0)
+    view = View(look_zenith=30.0, look_bearing=270.0, field_of_view=60.0)
+    day = drawn(system(EARTH, lights=(Light(star=SUN, direction=tuple(towards)),),
+                       observer=observer, view=view))  # fmt: skip
+    night = drawn(system(EARTH, moon, observer=observer, view=view, lights=(
+        Light(star=SUN, direction=tuple(-towards + np.array([0.0, 0.0, 0.05]))),
+        Light(body="moon"),
+    )))  # fmt: skip
+    ratio = day[:20].mean(axis=(0, 1)) / night[:20].mean(axis=(0, 1))
+    assert_allclose(ratio[1], 4.0e5, rtol=0.25)
+    assert ratio[0] < ratio[1] < ratio[2]
+
+
+def test_options_out_of_range_are_refused() -> None:
+    scene = system(MOON, lights=(Light(star=SUN, direction=(-1.0, 0.0, 0.0)),),
+                   observer=Observer(position=(0.0, 0.0, 0.0)), view=View(look_at="moon"))  # fmt: skip
+    with pytest.raises(ParameterError, match="samples is 17; allowed: 1 to 16"):
+        paint_system(scene, samples=17)
+    with pytest.raises(ParameterError, match="wavelengths"):
+        paint_system(scene, wavelengths=(550.0,))
