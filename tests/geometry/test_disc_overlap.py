@@ -83,7 +83,7 @@ def test_limits() -> None:
     [(100.0, 1.0, 1.0, "star_radius"), (1.0, -1.0, 1.0, "separation"), (1.0, 1.0, 200.0, "radius")],
 )
 def test_angles_out_of_range(star: float, separation: float, radius: float, field: str) -> None:
-    with pytest.raises(ParameterError, match=f"{field} is .* deg"):
+    with pytest.raises(ParameterError, match=rf"{field} is .* deg"):
         visible_light(star, [separation], [radius])
-    with pytest.raises(ParameterError, match="occluders is 17; allowed: at most 16"):
+    with pytest.raises(ParameterError, match=r"occluders is 17; allowed: at most 16"):
         visible_light(1.0, np.ones(17), np.ones(17))

@@ -85,9 +85,9 @@ def test_straight_light_leaves_a_dark_umbra() -> None:
 
 def test_a_distance_inside_the_air_is_refused(whole: ShadowLight) -> None:
     solution = airlight.solve(airlight.load_planet("earth"), NM, quality="preview")
-    with pytest.raises(ParameterError, match="distance is 6400000"):
+    with pytest.raises(ParameterError, match=r"distance is 6400000"):
         ShadowLight(solution, 6.4e6)
-    with pytest.raises(ParameterError, match="separation is 100.0; allowed: 0 to 90 deg"):
+    with pytest.raises(ParameterError, match=r"separation is 100.0; allowed: 0 to 90 deg"):
         whole.at(100.0)
 
 
@@ -105,5 +105,5 @@ def test_the_light_of_a_whole_planet_without_air_is_lamberts() -> None:
     solution = airlight.solve(clear, (550.0,), quality="preview", cache=False)
     assert_allclose(disc_light(solution, 0.0), 2.0 / 3.0, rtol=2e-3)
     assert_allclose(disc_light(solution, 90.0), 2.0 / 3.0 / np.pi, rtol=5e-3)
-    with pytest.raises(ParameterError, match="phase is 181.0; allowed: 0 to 180 deg"):
+    with pytest.raises(ParameterError, match=r"phase is 181.0; allowed: 0 to 180 deg"):
         disc_light(solution, 181.0)

@@ -54,5 +54,5 @@ def test_no_star_has_a_negative_rim(temperature: float) -> None:
 
 
 def test_a_temperature_must_be_one() -> None:
-    with pytest.raises(ParameterError, match="temperature is 0.0; allowed: above 0 K"):
+    with pytest.raises(ParameterError, match=r"temperature is 0.0; allowed: above 0 K"):
         black_body_darkening([550.0], 0.0)

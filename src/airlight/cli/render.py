@@ -1,4 +1,4 @@
-"""``airlight render``: a planet file becomes a picture."""
+"""``airlight render``: a planet file, or a scene file, becomes a picture."""
 
 from __future__ import annotations
 
@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from airlight.cli import options, time_and_place
+from airlight.cli import options, scene_file, time_and_place
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
 
 if TYPE_CHECKING:
     from airlight.cli.time_and_place import Placed
+    from airlight.exports.picture import Written
     from airlight.paint.drawing_device import Choice
     from airlight.planets.planet import Planet
     from airlight.scene import Scene
@@ -32,6 +33,7 @@ EPILOG = examples(
     "airlight render earth --at 59.33N,18.07E --time 2026-06-21T22:10+02:00 --look-at sun "
     "-o stockholm.png",
     "airlight render earth --at 46.5N,8E,2km --time '2026-12-21 civil-dusk' --look-at W -o a.png",
+    "airlight render lunar-eclipse --size 800x600 -o moon.png",
     "airlight render mars --at 4.59S,137.44E --ls 250 --time sunset --look-at sun -o gale.png",
 )
 
@@ -185,18 +187,37 @@ def render(
     set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
-    """Compute a picture of a planet's air.
+    """Compute a picture of a planet's air, or of a scene with several bodies and lights.
 
     Numbers carry their units (400km, 85deg); without one they are metres and degrees.
     """
     started = time.perf_counter()
     from airlight.exports.picture import picture_suffix, write_picture
+    from airlight.system import is_scene_file
 
     picture_suffix(output)
     ev = options.camera(exposure, iso, aperture, shutter)
     _check_tone_map(tone_map)
     _check_glare(glare)
     projection = options.projection(projection)
+    if is_scene_file(planet):
+        frame = scene_file.painted(
+            planet, size, wavelengths, quality, samples if samples > 1 else None,
+            cache=not no_cache,
+            beside={
+                "--at": at, "--time": time_, "--altitude": altitude, "--look": look,
+                "--look-at": look_at, "--sun-zenith": sun_zenith, "--sun-azimuth": sun_azimuth,
+                "--latitude": latitude, "--longitude": longitude, "--fov": fov,
+                "--ground-albedo": ground_albedo, "--set": set_, "--ls": season,
+                "--zone": zone,
+            },
+        )  # fmt: skip
+        written = write_picture(
+            output, frame, frame.metadata, exposure=ev, tone_map=tone_map, encoding=encoding,
+            primaries=primaries, bits=bits, glare=glare,
+        )  # fmt: skip
+        _report(written, frame, started)
+        return
     world = options.planet(planet, set_)
     if ground_albedo is not None:
         world = options.with_ground_albedo(world, ground_albedo)
@@ -243,10 +264,16 @@ def render(
         output, frame, metadata, exposure=ev, tone_map=tone_map, encoding=encoding,
         primaries=primaries, bits=bits, glare=glare,
     )  # fmt: skip
-    light = "linear" if written.exposure is None else f"exposure {written.exposure:+.2f} EV"
-    seconds = time.perf_counter() - started
     if placed.time is not None:
         print(time_and_place.line(world, placed, sun_distance))
+    _report(written, frame, started)
+
+
+def _report(written: Written, frame: Frame, started: float) -> None:
+    """Line about the picture that was written."""
+    light = "linear" if written.exposure is None else f"exposure {written.exposure:+.2f} EV"
+    seconds = time.perf_counter() - started
+    rows, columns = frame.rgb.shape[:2]
     print(
         f"{written.path}  {columns}x{rows}  {written.size / 1e3:.0f} kB  {seconds:.1f} s  {light}"
     )

@@ -45,8 +45,7 @@ if TYPE_CHECKING:
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Samples per side of a pixel that an edge may cross, and of one that a thin ring of refracted
-#: light may.
+#: Samples per side of a pixel that an edge may cross.
 _SAMPLES: Final = 4
 #: Pixels in one block of rows.
 _BLOCK_PIXELS: Final = 1 << 14
@@ -63,7 +62,7 @@ def paint_system(
     height: int = 720,
     wavelengths: Sequence[float] | None = None,
     quality: str = "default",
-    samples: int = _SAMPLES,
+    samples: int | None = None,
     cache: bool = True,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -80,8 +79,9 @@ def paint_system(
         Wavelengths, at least three; by default sixteen over the visible. [nm]
     quality : str
         Quality as for ``airlight.solve``.
-    samples : int
-        Samples per side of a pixel that the edge of a body or of a star crosses, 1 to 16.
+    samples : int, optional
+        Samples per side of a pixel that the edge of a body or of a star crosses, 1 to 16; 4 by
+        default.
     cache : bool
         Whether solutions are looked for on disk first, and stored there.
     progress, cancel : callable, optional
@@ -102,6 +102,7 @@ def paint_system(
     Cancelled
         If ``cancel`` requested it.
     """
+    samples = _SAMPLES if samples is None else samples
     if not isinstance(samples, int) or not 1 <= samples <= 16:
         raise ParameterError("samples", samples, "1 to 16")
     if wavelengths is not None and len(wavelengths) < 3:
@@ -277,8 +278,8 @@ class _Picture:
         """Unit vectors in the frame of the scene, shape (rows, width, 3). [1]"""
         camera = self.camera
         assert camera.field_of_view is not None
-        x = np.arange(camera.width) + across
-        y = np.arange(first, last) + down
+        x = np.arange(camera.width, dtype=np.float64) + across
+        y = np.arange(first, last, dtype=np.float64) + down
         rays = projected_rays(
             camera.projection, x, y, camera.width, camera.height,
             math.radians(camera.field_of_view),
@@ -361,9 +362,7 @@ class _Picture:
             self._star(light, rays, through, out)
         return out
 
-    def _hit(
-        self, body: Body, rays: FloatArray, through: FloatArray, out: FloatArray
-    ) -> None:
+    def _hit(self, body: Body, rays: FloatArray, through: FloatArray, out: FloatArray) -> None:
         """Add the light of a body without air, which ends the lines that meet it."""
         apart = body.centre - self.eye
         radius = self.system.radius(body)
@@ -434,9 +433,7 @@ class _Picture:
 
 def _angle_between(rays: FloatArray, towards: FloatArray) -> FloatArray:
     """Angles between unit vectors, accurate when small, shape (n,). [rad]"""
-    return np.asarray(
-        np.arctan2(np.linalg.norm(np.cross(rays, towards), axis=-1), rays @ towards)
-    )
+    return np.asarray(np.arctan2(np.linalg.norm(np.cross(rays, towards), axis=-1), rays @ towards))
 
 
 def _level_axes(up: FloatArray, towards: FloatArray | None = None) -> FloatArray:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -91,14 +92,14 @@ class SceneLights:
         """
         nm = self.wavelengths
         if light.star is not None:
-            star = light.star_at(point)
+            seen = light.star_at(point)
             return LightSource(
                 name=light.name,
-                angular_radius=np.radians(star.angular_radius_degrees),
+                angular_radius=math.radians(seen.angular_radius_degrees),
                 wavelengths=nm,
-                irradiance=star.irradiances(nm),
-                spectrum=star.irradiances,
-                darkening=star.darkening,
+                irradiance=seen.irradiances(nm),
+                spectrum=seen.irradiances,
+                darkening=seen.darkening,
             )
         assert light.body is not None
         body = self.system.body(light.body)

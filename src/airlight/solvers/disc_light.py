@@ -1,4 +1,4 @@
-"""Light of a planet's whole disc: what it gives to a distant place, as a moon or a planet shines."""
+"""Light of a planet's whole disc: what it gives to a distant place, as a moon shines."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from airlight.solvers.solution import Solution
 
 FloatArray = NDArray[np.float64]
 
-#: Points of the impact parameter over the ground's disc, over the air beside it, and of half a turn.
+#: Points of the impact parameter over the ground's disc and over the air beside it; of half a turn.
 _DISC: Final = 40
 _RIM: Final = 16
 _TURN: Final = 24

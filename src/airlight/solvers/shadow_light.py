@@ -17,6 +17,7 @@ Source: Vollmer & Gedzelman (2008), Applied Optics 47, H52, for the ray around t
 
 from __future__ import annotations
 
+import math
 from typing import Final
 
 import numpy as np
@@ -71,7 +72,7 @@ class ShadowLight:
         drawn = paths.medium
         bottom, top = drawn.bottom_radius, drawn.top_radius
         step = (top - bottom) / _RAYS
-        impact = bottom + step * (np.arange(_RAYS) + 0.5)
+        impact = np.asarray(bottom + step * (np.arange(_RAYS) + 0.5), np.float64)
         straight = np.zeros(_RAYS)
         half = np.sqrt((top - impact) * (top + impact))
         depth = 2.0 * columns(impact, straight, half, bottom, drawn.density) @ drawn.extinction
@@ -114,12 +115,12 @@ class ShadowLight:
             raise ParameterError("separation", separation, "0 to 90 deg")
         if self.star_radius <= 0.0:
             raise ParameterError("star.angular_radius", 0.0, "above 0 deg in an eclipse")
-        return angles
+        return np.asarray(angles)
 
     def _free(self, separation: float) -> FloatArray:
         """Light of the part of the disc beside the air."""
         return visible_light(
-            float(np.degrees(self.star_radius)), [np.degrees(separation)],
+            math.degrees(self.star_radius), [np.degrees(separation)],
             [np.degrees(self.air_radius)], darkening=self._law,
         )  # fmt: skip
 
@@ -169,6 +170,4 @@ class ShadowLight:
 
 def _sine_squared_half(a: FloatArray, b: float, phi: FloatArray) -> FloatArray:
     """sin²(c/2) of the third side of a spherical triangle, without loss of digits. [1]"""
-    return np.asarray(
-        np.sin(0.5 * (a - b)) ** 2 + np.sin(a) * np.sin(b) * np.sin(0.5 * phi) ** 2
-    )
+    return np.asarray(np.sin(0.5 * (a - b)) ** 2 + np.sin(a) * np.sin(b) * np.sin(0.5 * phi) ** 2)

@@ -12,12 +12,11 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-from numpy.polynomial import laguerre
+from numpy.polynomial import laguerre, legendre
 from numpy.typing import ArrayLike, NDArray
 
 from airlight.constants import BOLTZMANN, PLANCK, SPEED_OF_LIGHT
 from airlight.errors import ParameterError
-from airlight.geometry.quadrature import gauss_legendre
 
 FloatArray = NDArray[np.float64]
 
@@ -129,15 +128,16 @@ def black_body_darkening(wavelengths: ArrayLike, temperature: float) -> FloatArr
         raise ParameterError("temperature", temperature, "above 0 K, finite")
     temperature = max(temperature, _COOLEST)
     depths, weights = laguerre.laggauss(_DEPTHS)
-    rule = gauss_legendre(_COSINES)
+    nodes, mass = legendre.leggauss(_COSINES)
+    cosines = 0.5 * (nodes + 1.0)
     # L(μ) = ∫ B(T(μ x)) e^-x dx, relative to the radiance at the effective temperature.
-    hotter = (0.75 * (rule.nodes[:, None] * depths + 2.0 / 3.0)) ** 0.25
+    hotter = (0.75 * (cosines[:, None] * depths + 2.0 / 3.0)) ** 0.25
     x = (PLANCK * SPEED_OF_LIGHT / (BOLTZMANN * temperature * 1e-9) / nm)[:, None, None]
     emerging = (np.exp(x - x / hotter) * np.expm1(-x) / np.expm1(-x / hotter)) @ weights
-    powers = rule.nodes[:, None] ** np.arange(COEFFICIENTS)
-    mass = np.sqrt(rule.weights * rule.nodes)
+    powers = cosines[:, None] ** np.arange(COEFFICIENTS)
+    mass = np.sqrt(mass * cosines)
     fitted = np.linalg.lstsq(mass[:, None] * powers, (mass * emerging).T, rcond=None)[0]
-    return _of_mean_one(fitted.T)
+    return _of_mean_one(np.asarray(fitted.T, np.float64))
 
 
 def _neckel(microns: float, piece: int) -> FloatArray:

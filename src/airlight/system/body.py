@@ -7,6 +7,7 @@ from typing import Annotated, Final
 import numpy as np
 import numpy.typing as npt
 
+from airlight.ephemeris.positions import BODIES
 from airlight.errors import ParameterError
 from airlight.optics.moon_phase import (
     MOON_ALBEDO,
@@ -58,6 +59,9 @@ class Body(Record):
     prime_meridian : float
         Angle of the prime meridian from the ascending node of the equator on the frame's xy plane,
         eastward, as the IAU counts it. [deg]
+    ephemeris : str, optional
+        Body of the solar system whose position, pole and prime meridian it has at the time of the
+        scene file, instead of those: see ``airlight.ephemeris.positions``.
     faces : str, optional
         Name of the body that stands above the prime meridian, instead of ``prime_meridian``.
     """
@@ -117,6 +121,19 @@ class Body(Record):
         Key(label="prime meridian", help="Angle from the equator's ascending node, eastward.",
             unit="deg", range=(-360.0, 360.0), example="30 deg"),
     ] = 0.0  # fmt: skip
+    ephemeris: (
+        Annotated[
+            str,
+            Key(
+                label="ephemeris",
+                help="Body of the solar system whose place and rotation it has at the scene's"
+                " time.",
+                kind="choice",
+                words=lambda: tuple(name for name in BODIES if name != "sun"),
+            ),
+        ]
+        | None
+    ) = None
     faces: (
         Annotated[
             str,
@@ -137,6 +154,11 @@ class Body(Record):
             for name in ("radius", "albedo", "map"):
                 if getattr(self, name) is not None:
                     raise ParameterError(name, getattr(self, name), "none beside a planet")
+        if self.ephemeris is not None:
+            for name, plain in (("position", (0.0, 0.0, 0.0)), ("pole", (0.0, 0.0, 1.0)),
+                                ("prime_meridian", 0.0), ("faces", None)):  # fmt: skip
+                if getattr(self, name) != plain:
+                    raise ParameterError(name, getattr(self, name), "none beside an ephemeris")
         if self.faces is not None and self.prime_meridian != 0.0:
             raise ParameterError("prime_meridian", self.prime_meridian, "none beside faces")
 

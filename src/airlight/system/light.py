@@ -15,7 +15,6 @@ from airlight.planets.schema.section import Section
 from airlight.planets.star import Star
 from airlight.system.vectors import POSITION, unit
 
-
 FloatArray = npt.NDArray[np.float64]
 
 
@@ -40,6 +39,8 @@ class Light(Record):
         ``star`` everywhere.
     position : tuple of float, optional
         Centre of a star instead of a direction; its irradiance at a body follows its distance. [m]
+    ephemeris : str, optional
+        ``sun``, instead of a direction or a position: the sun's at the time of the scene file.
     body : str, optional
         Name of a body that shines by reflected light: a moon, a planet.
     """
@@ -65,6 +66,14 @@ class Light(Record):
         | None
     ) = None  # fmt: skip
     position: Annotated[tuple[float, ...], POSITION] | None = None
+    ephemeris: (
+        Annotated[
+            str,
+            Key(label="ephemeris", help="The sun, at its place at the scene's time.",
+                kind="choice", words=lambda: ("sun",)),
+        ]
+        | None
+    ) = None  # fmt: skip
     body: (
         Annotated[
             str,
@@ -79,13 +88,16 @@ class Light(Record):
             given = MISSING if self.star is None else "star and body"
             raise ParameterError("star", given, "one of star and body")
         if self.body is not None:
-            for name in ("direction", "position"):
+            for name in ("direction", "position", "ephemeris"):
                 if getattr(self, name) is not None:
                     raise ParameterError(name, getattr(self, name), "none beside a body")
             return
-        if (self.direction is None) == (self.position is None):
-            given = MISSING if self.direction is None else "direction and position"
-            raise ParameterError("direction", given, "one of direction and position")
+        ways = [name for name in ("direction", "position", "ephemeris") if getattr(self, name)]
+        if len(ways) != 1:
+            given = " and ".join(ways) if ways else MISSING
+            raise ParameterError("direction", given, "one of direction, position, ephemeris")
+        if self.ephemeris is not None:
+            return
         if self.direction is not None:
             unit(self.direction, "direction")
         elif len(self.position or ()) != 3:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from datetime import datetime
 from functools import cache
 from importlib import resources
 from pathlib import Path
 from typing import Any
 
+from airlight.ephemeris.positions import position_of
 from airlight.errors import ParameterError
+from airlight.planets.parameters import replace
 from airlight.planets.reading.reader import file_text, nested_tables
 from airlight.planets.schema.section import Section, suggestion
 from airlight.system.body import Body
@@ -117,14 +120,56 @@ def _read(file: Section) -> System:
     values: dict[str, Any] = {"folder": file.folder}
     values["name"] = file.text("name", "a title, such as 'Earth and Moon'")
     values["description"] = file.text("description", "a sentence", "")
-    values["bodies"] = tuple(
-        Body.read(one, one.wavelengths())
-        for one in file.sections("bodies", "one or more [[bodies]] tables")
-    )
-    values["lights"] = tuple(
-        Light.read(one) for one in file.sections("lights", "one or more [[lights]] tables")
-    )
+    time = _time(file)
+    bodies, lights = [], []
+    for one in file.sections("bodies", "one or more [[bodies]] tables"):
+        bodies.append(_placed_body(Body.read(one, one.wavelengths()), time, one))
+    for one in file.sections("lights", "one or more [[lights]] tables"):
+        lights.append(_placed_light(Light.read(one), time, one))
+    values |= {"bodies": tuple(bodies), "lights": tuple(lights), "time": time}
     values["observer"] = Observer.read(file.section("observer", "a table [observer]"))
     values["view"] = View.read(file.section("camera", "a table [camera]"))
     file.finish()
     return System(**values)
+
+
+def _time(file: Section) -> datetime | None:
+    """Time of the scene, with its zone."""
+    if "time" not in file:
+        return None
+    allowed = "a time with a zone, such as '2017-08-21T18:25Z'"
+    given = file.raw("time")
+    if not isinstance(given, (str, datetime)):
+        raise ParameterError("time", given, allowed)
+    try:
+        time = given if isinstance(given, datetime) else datetime.fromisoformat(given)
+    except ValueError:
+        raise ParameterError("time", given, allowed) from None
+    if time.tzinfo is None:
+        raise ParameterError("time", given, allowed)
+    return time
+
+
+def _placed_body(body: Body, time: datetime | None, section: Section) -> Body:
+    """Body at the place and with the rotation of its ephemeris."""
+    if body.ephemeris is None:
+        return body
+    place = position_of(body.ephemeris, _needed(time, section))
+    return replace(
+        body, ephemeris=None, position=place.position, pole=place.pole,
+        prime_meridian=place.prime_meridian,
+    )  # fmt: skip
+
+
+def _placed_light(light: Light, time: datetime | None, section: Section) -> Light:
+    """Star at the place of its ephemeris."""
+    if light.ephemeris is None:
+        return light
+    place = position_of(light.ephemeris, _needed(time, section))
+    return replace(light, ephemeris=None, position=place.position)
+
+
+def _needed(time: datetime | None, section: Section) -> datetime:
+    if time is None:
+        raise ParameterError(section.name_of("ephemeris"), "no time", "beside a time of the scene")
+    return time

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from datetime import datetime
 from functools import cached_property
 from pathlib import Path
 
@@ -38,6 +39,8 @@ class System:
         Camera.
     folder : Path, optional
         Folder of the files that it names.
+    time : datetime, optional
+        Time for which an ephemeris placed its bodies.
 
     Raises
     ------
@@ -52,6 +55,7 @@ class System:
     view: View
     description: str = ""
     folder: Path | None = None
+    time: datetime | None = None
 
     def __post_init__(self) -> None:
         names = [body.name for body in self.bodies]
