@@ -1,4 +1,4 @@
-"""Write the tables of docs/planet-files.md from the declarations of its keys.
+"""Write the tables of docs/planet-files.md and docs/scenes.md from the declarations of their keys.
 
 python builders/planet_file_tables.py
 """
@@ -8,8 +8,12 @@ from __future__ import annotations
 from pathlib import Path
 
 from airlight.planets.reading.handbook import filled
+from airlight.system.handbook import key_table
 
-PAGE = Path(__file__).parents[1] / "docs" / "planet-files.md"
+DOCS = Path(__file__).parents[1] / "docs"
+PAGES = {"planet-files.md": None, "scenes.md": key_table}
 
 if __name__ == "__main__":
-    PAGE.write_text(filled(PAGE.read_text(encoding="utf-8")), encoding="utf-8")
+    for name, table in PAGES.items():
+        page = DOCS / name
+        page.write_text(filled(page.read_text(encoding="utf-8"), table), encoding="utf-8")

@@ -9,7 +9,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.errors import FileError, ParameterError
+from airlight.planets.reading.handbook import filled
 from airlight.system import is_scene_file, load_system, system_names
+from airlight.system.handbook import TABLES, key_table
 from airlight.system.reading import read_system
 
 WHOLE = """
@@ -115,3 +117,11 @@ def test_files_are_told_apart(tmp_path: Path) -> None:
         load_system("earth-mon")
     with pytest.raises(FileError):
         load_system(tmp_path / "none.toml")
+
+
+def test_the_tables_of_the_page_are_those_of_the_declarations() -> None:
+    # written by builders/planet_file_tables.py
+    page = (Path(__file__).parents[2] / "docs" / "scenes.md").read_text(encoding="utf-8")
+    assert all(f"<!-- keys: {kind} -->" in page for kind in TABLES)
+    assert filled(page, key_table) == page
+    assert all(f"`{name}`" in page for name in system_names())

@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, Final
 
 from airlight.planets.reading.tables import TABLES, keys_of
@@ -17,13 +17,15 @@ _BLOCK: Final = re.compile(r"<!-- keys: (\w+) -->\n.*?<!-- end of keys -->", fla
 _MOST_WORDS: Final = 6
 
 
-def filled(page: str) -> str:
+def filled(page: str, table: Callable[[str], str] | None = None) -> str:
     """Fill every block between ``<!-- keys: kind -->`` and its end on a page.
 
     Parameters
     ----------
     page : str
         Text in Markdown.
+    table : callable, optional
+        ``table(kind)``, the contents of a block; ``key_table`` by default.
 
     Raises
     ------
@@ -32,7 +34,7 @@ def filled(page: str) -> str:
     """
 
     def block(match: re.Match[str]) -> str:
-        return f"<!-- keys: {match[1]} -->\n{key_table(match[1])}<!-- end of keys -->"
+        return f"<!-- keys: {match[1]} -->\n{(table or key_table)(match[1])}<!-- end of keys -->"
 
     return _BLOCK.sub(block, page)
 
@@ -58,12 +60,25 @@ def key_table(kind: str) -> str:
         keys = tuple(key for key in keys if key.name != "kind")
         lines += [""] if keys else []
     if keys:
-        lines += ["| key | value | left out | meaning |", "|---|---|---|---|"]
-        which = table.keywords if isinstance(table, Alternatives) else ()
-        for key in keys:
-            left_out = _left_out(key, one_of=key.name in which)
-            lines.append(_row(_cell(f"`{key.name}`"), _value(key), left_out, _meaning(key)))
+        lines.append(rows_of(keys, table.keywords if isinstance(table, Alternatives) else ()))
     return "\n".join(lines) + "\n"
+
+
+def rows_of(keys: Sequence[Key], which: Sequence[str] = ()) -> str:
+    """Table of keys in Markdown: value, default and meaning of each.
+
+    Parameters
+    ----------
+    keys : sequence of Key
+        Declarations.
+    which : sequence of str
+        Names of keys of which one has to be given.
+    """
+    lines = ["| key | value | left out | meaning |", "|---|---|---|---|"]
+    for key in keys:
+        left_out = _left_out(key, one_of=key.name in which)
+        lines.append(_row(_cell(f"`{key.name}`"), _value(key), left_out, _meaning(key)))
+    return "\n".join(lines)
 
 
 def _of_kinds(kinds: Kinds[Any]) -> Iterator[str]:
