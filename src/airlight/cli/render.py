@@ -209,7 +209,12 @@ def render(
                 "--look-at": look_at, "--sun-zenith": sun_zenith, "--sun-azimuth": sun_azimuth,
                 "--latitude": latitude, "--longitude": longitude, "--fov": fov,
                 "--ground-albedo": ground_albedo, "--set": set_, "--ls": season,
-                "--zone": zone,
+                "--zone": zone, "--exact": exact,
+                "--projection": projection if projection != "perspective" else None,
+                "--roll": roll if roll != "0deg" else None,
+                "--device": device if device == "gpu" else None,
+                "--ground": ground if ground != "detailed" else None,
+                "--sun-distance": sun_distance if sun_distance != "true" else None,
             },
         )  # fmt: skip
         written = write_picture(
