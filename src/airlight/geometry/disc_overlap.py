@@ -205,7 +205,7 @@ def visible_light(
     Examples
     --------
     >>> visible_light(0.25, [0.25], [0.25]).round(6)  # equal discs, half a diameter apart
-    array([0.608998])
+    array([0.608997])
     """
     law = np.atleast_2d(np.ones((1, 1)) if darkening is None else np.asarray(darkening, float))
     given = np.broadcast_arrays(*(np.atleast_1d(np.asarray(x, float))

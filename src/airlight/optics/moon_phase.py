@@ -95,8 +95,8 @@ def moon_phase(phase: ArrayLike) -> FloatArray:
 
     Examples
     --------
-    >>> moon_phase([0.0, 90.0]).round(4)  # half Moon: a twelfth, not a half
-    array([1.    , 0.0909])
+    >>> moon_phase([0.0, 90.0]).round(4)  # half Moon: an eleventh, not a half
+    array([1.   , 0.091])
     """
     a = np.abs(np.asarray(phase, float))
     return np.asarray(10.0 ** (-0.4 * (0.026 * a + 4e-9 * a**4)))
