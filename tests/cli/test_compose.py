@@ -126,6 +126,17 @@ def test_surfaces_are_lit_by_their_passes(tmp_path: Path) -> None:
     assert 0.01 < below[1] < 0.12
 
 
+def test_the_sun_of_a_place_and_time_is_that_of_its_angles(tmp_path: Path) -> None:
+    # by the ephemeris: the sun is 0.4° north of the zenith of 23°N at noon of the solstice
+    color, file = one_part(tmp_path / "render.exr", passes()), str(camera(tmp_path))
+    when = ["--at=23N,0E", "--time=2026-06-21T12:00Z", "--planet=earth-atmosphere-plus"]
+    first = tmp_path / "a.exr"
+    assert main(["compose", str(color), "--camera", file, "-o", str(first), *when, *QUICK]) == 0
+    notes = read_exr(first)[1]
+    assert float(notes["airlight.sun_zenith"].split()[0]) == pytest.approx(0.66, abs=0.1)
+    assert notes["airlight.altitude"] == "30 m"
+
+
 @pytest.mark.parametrize(
     ("words", "line"),
     [

@@ -9,14 +9,16 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
-from airlight.cli import options
+from airlight.cli import options, time_and_place
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
 
 if TYPE_CHECKING:
+    from airlight.cli.time_and_place import Placed
     from airlight.composition import Composed, Pinhole, Placement
     from airlight.exports.render_passes import RenderPasses
+    from airlight.planets.planet import Planet
 
 EPILOG = examples(
     "airlight compose render.exr --camera camera.json --planet earth -o composed.exr",
@@ -24,6 +26,8 @@ EPILOG = examples(
     "--sun-azimuth 250 -o composed.exr",
     "airlight compose beauty.exr --depth depth.exr --depth-kind inverse --camera camera.json "
     "--altitude 1500m --metres-per-unit 0.01 -o composed.png",
+    "airlight compose render.exr --camera camera.json --at 46.6N,8E --time '2026-07-01 sunset' "
+    "-o sunset.png",
     "airlight compose render.exr --albedo render.exr --normals render.exr --camera camera.json "
     "-o lit.exr",
 )
@@ -86,6 +90,10 @@ def compose(
         str | None,
         typer.Option(metavar="PLANET", help="A preset or a TOML file (the camera's, or earth)."),
     ] = None,
+    at: time_and_place.At = None,
+    time_: time_and_place.Time = None,
+    zone: time_and_place.Zone = None,
+    season: time_and_place.Season = None,
     sun_zenith: Annotated[
         str | None, typer.Option(metavar="ANGLE", help="Of the sun at the scene's origin (60deg).")
     ] = None,
@@ -161,9 +169,14 @@ def compose(
         "sun_zenith": sun_zenith, "sun_azimuth": sun_azimuth, "latitude": latitude,
         "longitude": longitude, "heading": heading,
     }  # fmt: skip
-    place = _placement(block, texts, altitude, metres_per_unit, up)
-    solution = _solved(planet or block.get("planet", "earth"), place, wavelengths, quality, set_,
-                       cache=not no_cache)  # fmt: skip
+    world = options.planet(planet or block.get("planet", "earth"), set_)
+    angles = {f"--{name.replace('_', '-')}": text for name, text in texts.items()}
+    del angles["--heading"]
+    placed = time_and_place.given(world, at, time_, zone, season, angles, altitude)
+    if placed is not None:
+        world = time_and_place.lit(world, placed, "true")
+    place = _placement(block, texts, altitude, metres_per_unit, up, placed, at)
+    solution = _solved(world, place, wavelengths, quality, cache=not no_cache)
     from airlight.composition import compose as composed_over
 
     with shown_progress() as report:
@@ -248,6 +261,8 @@ def _placement(
     altitude: str | None,
     metres_per_unit: float | None,
     up: str | None,
+    placed: Placed | None,
+    at: str | None,
 ) -> Placement:
     """Placement by the camera's block, with the options in place of what they replace."""
     from airlight.composition import Placement
@@ -257,6 +272,11 @@ def _placement(
         option = "--" + name.replace("_", "-")
         given[name] = None if text is None else options.angle(text, option)
     given["altitude"] = None if altitude is None else options.length(altitude, "--altitude")
+    if placed is not None:
+        for name in ("latitude", "longitude", "sun_zenith", "sun_azimuth"):
+            given[name] = getattr(placed, name)
+        if at is not None and at.count(",") > 1:  # with an altitude
+            given["altitude"] = placed.altitude
     try:
         return Placement.from_block(block, **given)
     except ParameterError as error:
@@ -267,15 +287,13 @@ def _placement(
 
 
 def _solved(
-    name: str, place: Placement, wavelengths: str | None, quality: str, changes: list[str] | None,
-    *, cache: bool,
-) -> Any:  # fmt: skip
+    world: Planet, place: Placement, wavelengths: str | None, quality: str, *, cache: bool
+) -> Any:
     """Solution of the planet for the ground around the scene."""
     from airlight.paint.paint_scene import FEWEST
     from airlight.paint.solve_planet import solve_planet
     from airlight.scene.local_ground import local_ground
 
-    world = options.planet(name, changes)
     nm = None if wavelengths is None else options.wavelengths(wavelengths, world)
     if nm is not None and len(nm) < FEWEST:
         allowed = "rgb, 3 to 99, or three or more wavelengths: a picture has colours"
