@@ -83,5 +83,5 @@ def test_what_cannot_be_is_one_clear_line(
 def test_planet_without_a_body_is_told_how_to_get_one(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert main(["render", "venus", "-o", str(tmp_path / "v.png"), *QUICK, *STOCKHOLM]) != 0
+    assert main(["render", "exoplanet", "-o", str(tmp_path / "v.png"), *QUICK, *STOCKHOLM]) != 0
     assert "body is missing; allowed: one of earth, mars, titan" in capsys.readouterr().err
