@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from airlight.composition.compose import Composed, compose
+from airlight.composition.composed import Composed, compose
 from airlight.composition.pinhole import Pinhole
 from airlight.composition.placement import Placement
 

@@ -25,11 +25,11 @@ Float32Array = NDArray[np.float32]
 #: Pixels between nodes.
 CELL: Final = 16
 #: Steps of distance over a factor of ten.
-STEPS: Final = 8
+STEPS: Final = 16
 #: Largest error of a cell, over the light of a grey surface behind its air.
 BAR: Final = 2e-3
 #: Most nodes of distance; nearer surfaces are marched.
-_MOST: Final = 64
+_MOST: Final = 96
 #: Pixels of one block of work.
 _BLOCK: Final = 1 << 14
 

@@ -32,7 +32,7 @@ FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 #: Pixels of a band, which has whole rows of cells: what is worked on at once is bounded.
-_BAND: Final = 1 << 18
+_BAND: Final = 1 << 16
 #: Most rows of cells of a band.
 _CELLS: Final = 8
 #: Pixels in which the nearest surface is looked for where a pass missed it.
