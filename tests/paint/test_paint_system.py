@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -17,6 +19,7 @@ from airlight.spectra.limb_darkening import solar_darkening
 from airlight.system import System
 from airlight.system.body import Body
 from airlight.system.light import Light
+from airlight.system.stars import stars
 from airlight.system.vectors import unit
 from airlight.system.viewpoint import Observer, View
 
@@ -175,3 +178,57 @@ def test_options_out_of_range_are_refused() -> None:
         paint_system(scene, samples=17)
     with pytest.raises(ParameterError, match=r"wavelengths"):
         paint_system(scene, wavelengths=(550.0,))
+
+
+def test_stars_have_their_light_and_their_place() -> None:
+    # Orion's belt without air: all light of the catalogue within the picture, and Alnilam, HIP
+    # 26311 at 84.05338, -1.20192 degrees, in its centre.
+    towards = direction_to(84.05338, -1.20192)
+    rock = Body(name="rock", radius=1.0, position=tuple(-1e6 * towards))
+    scene = replace(
+        system(rock, lights=(Light(star=SUN, direction=tuple(-towards)),),
+               observer=Observer(position=(0.0, 0.0, 0.0)),
+               view=View(direction=tuple(towards), field_of_view=20.0)),
+        stars=True,
+    )  # fmt: skip
+    rgb = drawn(scene, width=81, height=81)
+    row, column = np.unravel_index(np.argmax(rgb[36:45, 36:45, 1]), (9, 9))
+    assert (row, column) == (4, 4)
+    lights = SceneLights(scene, np.array(NM), {})
+    source = lights.source(scene.lights[0], scene.eye)
+    weights = source.colors() / source.irradiance[:, None]
+    local = stars().directions @ scene.camera_axes.T
+    side = np.tan(np.radians(10.0)) * 0.98
+    inside = (local[:, 2] > 0) & (np.abs(local[:, :2] / local[:, 2:]).max(axis=1) < side)
+    expected = (stars().irradiances(NM)[inside] @ weights).sum(axis=0)
+    x, y = (np.arange(81) + 0.5 - 40.5) / 40.5 * np.tan(np.radians(10.0)), 0
+    solid = (np.tan(np.radians(10.0)) / 40.5) ** 2 / (1.0 + x[:, None] ** 2 + x**2) ** 1.5 + y
+    total = (rgb * solid[..., None]).sum(axis=(0, 1))
+    assert_allclose(total, expected, rtol=0.03)
+
+
+def test_a_star_is_lifted_dimmed_and_hidden() -> None:
+    # One star truly on the horizon is seen half a degree higher, red; behind a body it is gone.
+    up = direction_to(84.05338 + 90.0, 0.0)
+    radius = airlight.load_planet("earth").bottom_radius
+    towards = direction_to(84.05338, -1.20192)
+    earth = Body(name="earth", planet="earth", position=tuple(-radius * up))
+    scene = system(
+        earth, lights=(Light(star=SUN, direction=tuple(-up)),),
+        observer=Observer(position=tuple(2.0 * up)),
+        view=View(direction=tuple(towards), up=tuple(up), field_of_view=2.0),
+    )  # fmt: skip
+    dark = drawn(scene, width=40, height=40)
+    lit = drawn(replace(scene, stars=True), width=40, height=40) - dark
+    row = float((lit[..., 0].sum(axis=1) @ np.arange(40)) / lit[..., 0].sum())
+    assert 0.45 < (19.5 - row) * 2.0 / 40.0 < 0.65
+    light = lit.sum(axis=(0, 1))
+    assert light[0] > 20.0 * light[2]
+    rock = Body(name="rock", radius=100.0, position=tuple(2.0 * up + 3000.0 * towards))
+    with pytest.raises(ParameterError, match=r"position is .* m from earth.; allowed: at least"):
+        drawn(replace(scene, bodies=(earth, rock)))
+
+
+def direction_to(ascension: float, declination: float) -> np.ndarray:
+    a, d = np.radians([ascension, declination])
+    return np.array([np.cos(d) * np.cos(a), np.cos(d) * np.sin(a), np.sin(d)])

@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
+from airlight.geometry.bending import raised_star
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.paint.scene_lights import SceneLights
 from airlight.paint.solve_planet import solve_planet
@@ -30,12 +31,14 @@ from airlight.scene import Camera, Scene
 from airlight.scene.directions import camera_axes
 from airlight.scene.frame import Frame
 from airlight.scene.local_ground import local_ground
+from airlight.scene.pixel_position import pixel_positions
 from airlight.scene.projections.projected import projected_rays
 from airlight.scene.surface_map import surface_map
 from airlight.spectra.limb_darkening import UNIFORM
 from airlight.system import System
 from airlight.system.body import Body
 from airlight.system.light import Light
+from airlight.system.stars import stars
 from airlight.system.surface_light import surface_factor
 
 if TYPE_CHECKING:
@@ -47,6 +50,8 @@ Float32Array = NDArray[np.float32]
 
 #: Samples per side of a pixel that an edge may cross.
 _SAMPLES: Final = 4
+#: Steps towards the direction in which a star is seen through air.
+_BENDS: Final = 4
 #: Pixels in one block of rows.
 _BLOCK_PIXELS: Final = 1 << 14
 #: Lines of sight that are followed together.
@@ -122,6 +127,21 @@ class _Air:
     altitude: float
     axes: FloatArray
     layer: Float32Array
+
+    def raised(self, true: FloatArray) -> FloatArray:
+        """Directions in which far points are seen from inside the air, shape (n, 3). [1]"""
+        paths = self.solution.paths
+        if paths.shell is None:
+            return true
+        local = true @ self.axes.T
+        r = np.array(self.solution.medium.bottom_radius + self.altitude)
+        place = float(paths.optical_radius(r)), paths.shell.bottom, paths.shell.top
+        seen = np.array([raised_star(place[0], z, *place[1:], paths.lift) for z in local[:, 2]])
+        flat = np.hypot(local[:, 0], local[:, 1])
+        level = np.sqrt(np.maximum((1.0 - seen) * (1.0 + seen), 0.0))
+        scale = np.divide(level, flat, out=np.ones_like(flat), where=flat > 0.0)
+        lifted = np.stack([local[:, 0] * scale, local[:, 1] * scale, seen], axis=-1)
+        return np.asarray(lifted @ self.axes)
 
 
 class _Picture:
@@ -230,7 +250,7 @@ class _Picture:
         return Scene(
             camera=replace(self.camera, look_zenith=zenith, look_azimuth=azimuth, roll=roll),
             altitude=altitude,
-            sun_zenith=math.degrees(math.atan2(towards @ local[0], towards @ up)),
+            sun_zenith=math.degrees(math.atan2(abs(towards @ local[0]), towards @ up)),
             latitude=latitude,
             longitude=longitude,
             sun_azimuth=bearing,
@@ -260,6 +280,8 @@ class _Picture:
             lambda k: self._draw(k * step, min((k + 1) * step, height), rgb),
             -(-height // step), cancel=cancel, progress=progress, message="rendering bodies",
         )  # fmt: skip
+        if self.system.stars:
+            self._add_stars(rgb)
         names = ", ".join(body.name for body in self.system.bodies)
         nm = ", ".join(f"{w:g}" for w in self.wavelengths)
         return Frame(
@@ -362,20 +384,75 @@ class _Picture:
             self._star(light, rays, through, out)
         return out
 
-    def _hit(self, body: Body, rays: FloatArray, through: FloatArray, out: FloatArray) -> None:
-        """Add the light of a body without air, which ends the lines that meet it."""
+    def _add_stars(self, rgb: FloatArray) -> None:
+        """Add the catalogue's stars as points: dimmed, reddened and lifted by air, or hidden."""
+        catalogue = stars()
+        x, _, _ = pixel_positions(self.camera, catalogue.directions @ self.axes.T)
+        shown = np.flatnonzero(np.isfinite(x))
+        if shown.size == 0:
+            return
+        true = catalogue.directions[shown]
+        rays, through = self._apparent(true)
+        x, y, solid = pixel_positions(self.camera, rays @ self.axes.T)
+        source = self.lights.source(self.lights.stars[0], self.eye)
+        weights = source.colors() / source.irradiance[:, None]
+        light = (through * catalogue.irradiances(self.wavelengths)[shown]) @ weights
+        for k in np.flatnonzero(np.isfinite(x) & (through.max(axis=1) > 0.0)):
+            column, row = math.floor(x[k] - 0.5), math.floor(y[k] - 0.5)
+            right, down = x[k] - 0.5 - column, y[k] - 0.5 - row
+            for i, j, share in ((0, 0, (1 - right) * (1 - down)), (0, 1, right * (1 - down)),
+                                (1, 0, (1 - right) * down), (1, 1, right * down)):  # fmt: skip
+                if 0 <= row + i < rgb.shape[0] and 0 <= column + j < rgb.shape[1]:
+                    rgb[row + i, column + j] += share * light[k] / solid[k]
+
+    def _apparent(self, true: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Directions in which far points are seen, and the transmittance towards them.
+
+        Found by steps against the difference to where the line leads behind the air, from the
+        direction that the table of the planet's own apparent star gives inside its air.
+        """
+        rays = true
+        for item in self.items:
+            if isinstance(item, _Air) and item.altitude < item.solution.medium.thickness:
+                rays = item.raised(true)
+        for _ in range(_BENDS):
+            through, behind = self._behind(rays)
+            open_ = through.max(axis=1) > 0.0
+            moved = np.where(open_[:, None], rays + true - behind, rays)
+            rays = moved / np.linalg.norm(moved, axis=-1, keepdims=True)
+        return rays, self._behind(rays)[0]
+
+    def _behind(self, rays: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Transmittance of lines of sight past all bodies, and their directions behind them."""
+        through = np.ones((len(rays), self.wavelengths.size))
+        for item in self.items:
+            if isinstance(item, _Air):
+                dimmed, local = through_air(item.solution, item.altitude, rays @ item.axes.T)
+                through *= dimmed
+                rays = local @ item.axes
+            else:
+                through[self._meets(item, rays)[0]] = 0.0
+        return through, rays
+
+    def _meets(self, body: Body, rays: FloatArray) -> tuple[NDArray[np.intp], FloatArray]:
+        """Lines of sight that meet a body without air, and how far away. [m]"""
         apart = body.centre - self.eye
         radius = self.system.radius(body)
         along = rays @ apart
-        distance = float(np.linalg.norm(apart))
         # R² - d² sin²: from the cross product, which loses nothing far away.
         miss = np.linalg.norm(np.cross(rays, apart), axis=-1)
-        met = np.flatnonzero((along > 0.0) & (miss < radius) & (through.max(axis=1) > 0.0))
+        met = np.flatnonzero((along > 0.0) & (miss < radius))
+        length = along[met] - np.sqrt((radius - miss[met]) * (radius + miss[met]))
+        return met, np.maximum(length, 0.0)
+
+    def _hit(self, body: Body, rays: FloatArray, through: FloatArray, out: FloatArray) -> None:
+        """Add the light of a body without air, which ends the lines that meet it."""
+        met, length = self._meets(body, rays)
+        open_ = through[met].max(axis=1) > 0.0
+        met, length = met[open_], length[open_]
         if met.size == 0:
             return
-        length = along[met] - np.sqrt((radius - miss[met]) * (radius + miss[met]))
-        if distance < radius:
-            length = np.maximum(length, 0.0)
+        radius = self.system.radius(body)
         normal = (self.eye + length[:, None] * rays[met] - body.centre) / radius
         normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
         points = body.centre + radius * normal

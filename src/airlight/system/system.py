@@ -39,6 +39,8 @@ class System:
         Camera.
     folder : Path, optional
         Folder of the files that it names.
+    stars : bool
+        Whether the stars of the catalogue are drawn; the frame is then that of the J2000 equator.
     time : datetime, optional
         Time for which an ephemeris placed its bodies.
 
@@ -55,6 +57,7 @@ class System:
     view: View
     description: str = ""
     folder: Path | None = None
+    stars: bool = False
     time: datetime | None = None
 
     def __post_init__(self) -> None:
