@@ -103,14 +103,21 @@ class Gestures:
 
     def _slide(self, touches: Any, fingers: int) -> None:
         starts, ends = ([self._point() for _ in range(fingers)] for _ in range(2))
-        for step in range(5):
-            points = [
-                {"x": a + 0.25 * step * (c - a), "y": b + 0.25 * step * (d - b), "id": index}
-                for index, ((a, b), (c, d)) in enumerate(zip(starts, ends, strict=True))
-            ]
-            kind = "touchMove" if step else "touchStart"
-            touches.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
-        touches.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+        slide(touches, starts, ends)
+
+
+def slide(
+    touches: Any, starts: list[tuple[float, float]], ends: list[tuple[float, float]]
+) -> None:
+    """Slide fingers in straight lines, by a session of Chromium's protocol."""
+    for step in range(5):
+        points = [
+            {"x": a + 0.25 * step * (c - a), "y": b + 0.25 * step * (d - b), "id": index}
+            for index, ((a, b), (c, d)) in enumerate(zip(starts, ends, strict=True))
+        ]
+        kind = "touchMove" if step else "touchStart"
+        touches.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+    touches.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
 
 
 #: What Escape closes, by name, while it is open.

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from gestures import Gestures, assert_sound, close_all
+from gestures import Gestures, assert_sound, close_all, slide
 from numpy.testing import assert_allclose
 from PIL import Image
 from waiting import PATIENCE, until
@@ -104,5 +104,20 @@ def test_random_clicks_leave_the_page_of_a_planet_alive(
     clicked(page, lambda: Gestures(page, 12).by_mouse(count), lambda button: button.click())
 
 
-def test_random_touches_leave_the_page_of_a_planet_alive(phone: Any) -> None:
-    clicked(phone, lambda: Gestures(phone, 7).by_fingers(40), lambda button: button.tap())
+@pytest.mark.parametrize("count", COUNTS)
+def test_random_touches_leave_the_page_of_a_planet_alive(count: int, phone: Any) -> None:
+    clicked(phone, lambda: Gestures(phone, 7).by_fingers(count), lambda button: button.tap())
+    assert phone.evaluate("visualViewport.scale") == 1.0
+
+
+def test_fingers_on_the_panel_neither_zoom_nor_leave_the_page(phone: Any) -> None:
+    phone.evaluate("airlight.ready")
+    address = phone.url
+    touches = phone.context.new_cdp_session(phone)
+    slide(touches, [(180.0, 620.0), (200.0, 640.0)], [(20.0, 560.0), (370.0, 800.0)])
+    assert phone.evaluate("visualViewport.scale") == 1.0
+    for _ in range(2):
+        slide(touches, [(20.0, 540.0)], [(380.0, 545.0)])
+        phone.wait_for_timeout(300)
+    assert phone.url.partition("#")[0] == address.partition("#")[0]
+    assert phone.evaluate("airlight.state.get('view.altitude')") == 4e5
