@@ -87,7 +87,7 @@ VIEWS = {
     "antisolar-90": View("earth", 2.0, 90.0, 82.0, 180.0),
     "antisolar-92": View("earth", 2.0, 92.0, 82.0, 180.0),
     "antisolar-94": View("earth", 2.0, 94.0, 82.0, 180.0),
-    "noon": View("earth", 2.0, 35.0, 72.0, 90.0, place=(36.6, -121.5)),
+    "noon": View("earth", 2.0, 35.0, 80.0, 90.0, place=(24.0, 45.0)),
     "12-km": View("earth", 12e3, 50.0, 92.0, 40.0),
     "35-km": View("earth", 35e3, 70.0, 93.0, 30.0),
     "limb-by-day": View("earth", 420e3, 60.0, 107.0, 60.0),
@@ -124,7 +124,7 @@ def scene_of(view: View, radius: float, width: int) -> Scene:
     )  # fmt: skip
     return Scene(
         camera=camera, altitude=altitude, sun_zenith=view.sun, latitude=view.place[0],
-        longitude=view.place[1], sun_azimuth=view.bearing,
+        longitude=view.place[1], sun_azimuth=view.bearing, ground="detailed",
     )  # fmt: skip
 
 

@@ -18,13 +18,16 @@ _WIDEST: Final = 2048
 _QUALITY: Final = 90
 
 
-def ground_map(found: SurfaceMap | None) -> dict[str, Any] | None:
+def ground_map(found: SurfaceMap | None, *, lossless: bool = False) -> dict[str, Any] | None:
     """Ground map, or overlay, for ``web/drawing/ground.js``.
 
     Parameters
     ----------
     found : SurfaceMap or None
         Map.
+    lossless : bool
+        Whether the colours are kept as they are, as the light of lamps must be: next to a town a
+        JPEG's error is light on a dark sea, and grey pictures are hardly larger without it.
 
     Returns
     -------
@@ -40,7 +43,7 @@ def ground_map(found: SurfaceMap | None) -> dict[str, Any] | None:
         texels = reduced(texels, _WIDEST // 2, _WIDEST)
     rows, columns = texels.shape[:2]
     return {
-        "image": _colors(texels[..., :3]),
+        "image": _colors(texels[..., :3], lossless),
         "water": _water(texels[..., 3]),
         "rows": rows,
         "columns": columns,
@@ -48,13 +51,16 @@ def ground_map(found: SurfaceMap | None) -> dict[str, Any] | None:
     }
 
 
-def _colors(pixels: NDArray[np.uint8]) -> str:
-    """Data URL of a JPEG, which is small and which every browser reads."""
+def _colors(pixels: NDArray[np.uint8], lossless: bool) -> str:
+    """Data URL of a JPEG, which is small and which every browser reads, or of a PNG."""
     from PIL import Image
 
     room = io.BytesIO()
     grey = np.ptp(pixels, axis=2).max() == 0
     image = Image.fromarray(np.ascontiguousarray(pixels[..., 0] if grey else pixels))
+    if lossless:
+        image.save(room, "PNG", optimize=True)
+        return _as_address("png", room.getvalue())
     # No subsampling of colours: coasts would lose their water's.
     image.save(room, "JPEG", quality=_QUALITY, subsampling=0, optimize=True)
     return _as_address("jpeg", room.getvalue())

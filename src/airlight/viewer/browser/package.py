@@ -185,7 +185,9 @@ def solution_package(
         "star": float(star.angular_radius),
         "paths": light_paths(solution),
         "ground": ground_map(None if mapped is None else surface_map(mapped)),
-        "overlay": ground_map(ground_overlay(medium.ground_lights, medium.ground_clouds)),
+        "overlay": ground_map(
+            ground_overlay(medium.ground_lights, medium.ground_clouds), lossless=True
+        ),
         "viewpoints": viewpoints(medium.bottom_radius, medium.top_radius),
     }
     tables = {name: (FORMATS[values.shape[1]], values) for name, values in made.textures.items()}
