@@ -2,10 +2,13 @@
 
 Frames are as skies are, by formula, at 1280 × 720. Wall time is of all threads, the other of one
 thread's processor for a pixel, which other work on the machine does not change.
+``--device`` measures its passes on the graphics device, in software where there is none, beside
+those that only fill the picture, or copy it: what a pass over all pixels costs there.
 """
 
 from __future__ import annotations
 
+import argparse
 import os
 import time
 from collections.abc import Callable
@@ -20,6 +23,32 @@ from airlight.color.tone_maps import TONE_MAPS
 
 WIDTH, HEIGHT = 1280, 720
 REPEATS = 7
+#: Format of the device's target, and angle of a pixel. [rad]
+TARGET = "rgba8unorm"
+PIXEL = 1e-3
+#: A sky with a sun, and passes that do nothing with it.
+SKY = """
+@fragment
+fn sky(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {
+  let near = exp(-0.01 * distance(at.xy, vec2<f32>(640.0, 300.0)));
+  return vec4<f32>(3.0 + 200.0 * near, 5.0 + 90.0 * near, 9.0 + 20.0 * near, 1.0);
+}
+"""
+PLAIN = {
+    "fill": """
+@fragment
+fn fill() -> @location(0) vec4<f32> {
+  return vec4<f32>(0.25, 0.5, 0.75, 1.0);
+}
+""",
+    "copy": """
+@group(0) @binding(0) var light: texture_2d<f32>;
+@fragment
+fn copy(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {
+  return textureLoad(light, vec2<i32>(at.xy), 0);
+}
+""",
+}
 
 
 def frames() -> dict[str, NDArray[np.float32]]:
@@ -45,8 +74,56 @@ def shortest(work: Callable[[], object], clock: Callable[[], float]) -> float:
     return min(times)
 
 
+def by_device() -> None:
+    """Print a line for each pass, with the time of the whole process's threads beside it."""
+    import wgpu
+
+    from airlight.gpu.device.device import open_device
+    from airlight.gpu.device.fragment_pass import FragmentPass
+    from airlight.gpu.picture.display_passes import LINEAR, DisplayPasses
+    from airlight.pixels.picture_numbers import display_numbers
+
+    device = open_device()
+    chain = DisplayPasses(device)
+    light = chain.picture(WIDTH, HEIGHT)
+    target = device.device.create_texture(
+        size=(WIDTH, HEIGHT, 1), format=TARGET, usage=wgpu.TextureUsage.RENDER_ATTACHMENT
+    ).create_view()
+    waits = device.device.create_buffer(size=16, usage=wgpu.BufferUsage.COPY_SRC)
+    FragmentPass(device, SKY, "sky", [LINEAR]).draw({}, [light])
+    fill, copy = (FragmentPass(device, text, name, [TARGET]) for name, text in PLAIN.items())
+
+    def shown(glare: float, again: bool) -> None:
+        chain.drawn = object() if again else "sky"
+        numbers = {**display_numbers(-4.0, "natural", "srgb"), "glare": glare}
+        chain.show(numbers, PIXEL, target, TARGET)
+
+    works = {
+        "fill": lambda: fill.draw({}, [target]),
+        "copy": lambda: copy.draw({"light": light}, [target]),
+        "display": lambda: shown(0.0, False),
+        "display, glare kept": lambda: shown(1.0, False),
+        "display, glare anew": lambda: shown(1.0, True),
+    }
+    print(f"{WIDTH} x {HEIGHT}, {device.name}")
+    for name, work in works.items():
+
+        def done(work: Callable[[], None] = work) -> None:
+            work()
+            device.device.queue.read_buffer(waits)  # comes after all that was submitted
+
+        done()
+        wall, own = shortest(done, time.perf_counter), shortest(done, time.process_time)
+        print(f"{name:20s} {1e3 * wall:6.1f} ms  {1e3 * own:6.1f} ms of the processor")
+
+
 def main() -> None:
     """Print a line for each frame, and for each tone map."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("--device", action="store_true", help="the graphics device's passes")
+    if parser.parse_args().device:
+        by_device()
+        return
     made = frames()
     print(f"{WIDTH} x {HEIGHT}, {os.cpu_count()} processors")
     for name, rgb in made.items():

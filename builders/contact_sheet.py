@@ -1,8 +1,9 @@
 """Contact sheet of 24 scenes of which everybody has seen photographs, shown as by default.
 
-Run with ``python builders/contact_sheet.py FOLDER``: one PNG a scene, and the sheet.
-``--by window`` and ``--by page`` take the pictures from the window, drawn offscreen, and from
-exported pages in Chromium, which needs playwright; names of scenes draw those alone.
+Run with ``python builders/contact_sheet.py FOLDER``: one PNG a scene, and the sheet of all that
+are in the folder. ``--by window`` and ``--by page`` take the pictures from the window, drawn
+offscreen, and from exported pages in Chromium, which needs playwright; names of scenes draw those
+alone. ``--sheet docs/images/scenes/processor.jpg`` remakes the documentation's.
 """
 
 from __future__ import annotations
@@ -145,7 +146,7 @@ def sheet(files: dict[str, Path], target: Path) -> None:
         left, top = number % COLUMNS * WIDTH, number // COLUMNS * (high + LABEL)
         page.paste(Image.open(file).convert("RGB").resize((WIDTH, high)), (left, top))
         pen.text((left + 6, top + high + 5), name, (220, 220, 220))
-    page.save(target)
+    page.save(target, quality=85)
 
 
 def by_processor(names: list[str], width: int) -> Iterator[tuple[str, Image.Image]]:
@@ -253,16 +254,17 @@ def main() -> None:
     parser.add_argument("names", nargs="*", default=list(VIEWS), help="views, by default all")
     parser.add_argument("--by", default="processor", choices=list(BY))
     parser.add_argument("--width", type=int, default=960, help="width of a picture [pixel]")
+    parser.add_argument("--sheet", type=Path, help="file of the sheet, by default in the folder")
     given = parser.parse_args()
     given.folder.mkdir(parents=True, exist_ok=True)
-    files = {}
+    files = {name: given.folder / f"{name}.png" for name in VIEWS}
     started = time.perf_counter()
     for name, picture in BY[given.by](given.names, given.width):
-        files[name] = given.folder / f"{name}.png"
         picture.save(files[name])
         print(f"{name}: {time.perf_counter() - started:.1f} s", flush=True)
         started = time.perf_counter()
-    sheet(files, given.folder / "sheet.png")
+    there = {name: file for name, file in files.items() if file.is_file()}
+    sheet(there, given.sheet or given.folder / "sheet.png")
 
 
 if __name__ == "__main__":

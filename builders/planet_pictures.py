@@ -55,9 +55,15 @@ def views(planet: Planet) -> Iterator[tuple[str, Scene]]:
     distance = 6.0 * planet.bottom_radius
     half = 1.15 * math.asin(planet.top_radius / distance)
     across = 2.0 * math.degrees(math.atan(WIDTH / HEIGHT * math.tan(half)))
-    far = Camera(width=WIDTH, height=HEIGHT, look_zenith=180.0, field_of_view=across, roll=90.0)
+    far = Camera(
+        width=WIDTH, height=HEIGHT, look_zenith=180.0, look_azimuth=90.0, field_of_view=across
+    )
     altitude = distance - planet.bottom_radius
-    yield "space", Scene(camera=far, altitude=altitude, sun_zenith=55.0, latitude=15.0)
+    # North above, the sun on the left.
+    yield (
+        "space",
+        Scene(camera=far, altitude=altitude, sun_zenith=55.0, latitude=15.0, sun_azimuth=270.0),
+    )
 
 
 def reversed_rayleigh(mars: Planet) -> Planet:

@@ -91,7 +91,7 @@ def main() -> None:
             elif name == "earth":
                 rendered(EARTH, folder / "earth.png")
                 Image.open(folder / "earth.png").convert("RGB").save(
-                    FOLDER / "earth.jpg", quality=90
+                    FOLDER / "earth.jpg", quality=95
                 )
             else:
                 device_sheet(folder).save(FOLDER / "gpu-pictures.png")

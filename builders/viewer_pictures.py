@@ -197,8 +197,8 @@ PICTURES: dict[str, Callable[[str], None]] = {
     ),
     "window-compare": lambda name: window(
         name,
-        {"view.altitude": 1.529e7, "view.sun_zenith": 50.0},
-        (180.0, 0.0),
+        {"view.altitude": 1.529e7, "view.sun_zenith": 35.0, "view.sun_azimuth": 250.0},
+        (180.0, 110.0),  # north above
         "Compare",
         other="mars",
     ),

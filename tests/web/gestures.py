@@ -106,9 +106,7 @@ class Gestures:
         slide(touches, starts, ends)
 
 
-def slide(
-    touches: Any, starts: list[tuple[float, float]], ends: list[tuple[float, float]]
-) -> None:
+def slide(touches: Any, starts: list[tuple[float, float]], ends: list[tuple[float, float]]) -> None:
     """Slide fingers in straight lines, by a session of Chromium's protocol."""
     for step in range(5):
         points = [
