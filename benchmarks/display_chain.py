@@ -2,6 +2,7 @@
 
 Frames are as skies are, by formula, at 1280 × 720. Wall time is of all threads, the other of one
 thread's processor for a pixel, which other work on the machine does not change.
+``--frame`` compares it, glare and exposure included, with the light of whole frames of Earth.
 ``--device`` measures its passes on the graphics device, in software where there is none, beside
 those that only fill the picture, or copy it: what a pass over all pixels costs there.
 """
@@ -12,6 +13,7 @@ import argparse
 import os
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -20,9 +22,17 @@ from numpy.typing import NDArray
 from airlight.color.display import display_of, display_rows, to_display
 from airlight.color.exposure import automatic_exposure
 from airlight.color.tone_maps import TONE_MAPS
+from airlight.planets.picture_wavelengths import picture_wavelengths
+from airlight.scene.frame import Frame
 
 WIDTH, HEIGHT = 1280, 720
 REPEATS = 7
+#: Altitude [m], zenith angle of the sun, and of the line of sight with its azimuth [deg], by name.
+LOOKS = {
+    "orbit": (400e3, 60.0, 110.0, -75.0),
+    "noon": (2.0, 35.0, 80.0, 90.0),
+    "sunset": (2.0, 89.0, 82.0, 0.0),
+}
 #: Format of the device's target, and angle of a pixel. [rad]
 TARGET = "rgba8unorm"
 PIXEL = 1e-3
@@ -74,6 +84,34 @@ def shortest(work: Callable[[], object], clock: Callable[[], float]) -> float:
     return min(times)
 
 
+def by_frame(count: int) -> None:
+    """Print a line for each frame of Earth: light and display, of the processor's time.
+
+    Parameters
+    ----------
+    count : int
+        Number of wavelengths.
+    """
+    from airlight import Camera, Scene, load_planet, render, solve
+
+    planet = load_planet("earth")
+    solution = solve(planet, picture_wavelengths(planet, count))
+    print(f"{WIDTH} x {HEIGHT}, {count} wavelengths")
+    for name, (altitude, sun, look, aside) in LOOKS.items():
+        camera = Camera(width=WIDTH, height=HEIGHT, look_zenith=look, look_azimuth=aside)
+        scene = Scene(camera=camera, altitude=altitude, sun_zenith=sun)
+        frame = render(solution, scene)
+
+        def display(frame: Frame = frame) -> None:
+            to_display(frame.rgb, replace(frame).exposure, pixel_angle=frame.pixel_angle)
+
+        light = shortest(partial(render, solution, scene), time.process_time)
+        shown = shortest(display, time.process_time)
+        share = shown / (light + shown)
+        print(f"{name:8s} {1e3 * light:6.0f} ms of light, {1e3 * shown:4.0f} ms of display, "
+              f"{share:.1%} of the frame")  # fmt: skip
+
+
 def by_device() -> None:
     """Print a line for each pass, with the time of the whole process's threads beside it."""
     import wgpu
@@ -120,9 +158,14 @@ def by_device() -> None:
 def main() -> None:
     """Print a line for each frame, and for each tone map."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("--frame", type=int, metavar="WAVELENGTHS", help="whole frames")
     parser.add_argument("--device", action="store_true", help="the graphics device's passes")
-    if parser.parse_args().device:
+    given = parser.parse_args()
+    if given.device:
         by_device()
+        return
+    if given.frame:
+        by_frame(given.frame)
         return
     made = frames()
     print(f"{WIDTH} x {HEIGHT}, {os.cpu_count()} processors")
