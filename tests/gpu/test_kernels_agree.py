@@ -293,7 +293,7 @@ STEPS = [
     Case(packing.floor_below, (POSITIVE,)),
     # A power of a quotient: WGSL's log₂ and 2ˣ, as POWER; under a root.
     Case(packing.ratio_scale, (POSITIVE, OTHER, UNIT), rtol=2 * POWER),
-    Case(levels.cubic_bend, (UNIT, OTHER, POSITIVE, UNIT, OTHER), atol=80 * EPS),
+    Case(levels.cubic_bend, (UNIT, OTHER, POSITIVE, UNIT, OTHER, 3.0), atol=80 * EPS),
     Case(levels.is_smooth, (UNIT, OTHER, POSITIVE, MU)),
     # The ratio is inverted again: differences of numbers up to 10.
     Case(

@@ -53,6 +53,22 @@ def test_clear_air_keeps_the_radii_it_had() -> None:
     assert_allclose(levels.row, 23.0 * even, atol=2e-3)
 
 
+def test_levels_are_smooth_in_depth_so_that_cubics_through_them_add_no_light() -> None:
+    # Light linear in depth, as deep in air that absorbs nothing: from level to level of the table
+    # straight lines should have its integral over the level's number, but for h⁴ of growing steps.
+    even = np.linspace(0.0, 1.0, 4097)
+    depths = exponential_air(40.0)
+    levels = place_levels(even, depths, 24)
+    light = 1.0 + 40.0 - np.interp(levels.altitudes, depths.altitude, depths.scattering)
+    kept = finer_weights((light.size - 1) // 3 + 1, 3) @ light[::3]
+    rows = np.arange(0.0, light.size - 1 + 1e-9, 1 / 32)
+    at = np.interp(rows, levels.row, depths.altitude)
+    true = 41.0 - np.interp(at, depths.altitude, depths.scattering)
+    off = (np.interp(rows, np.arange(light.size), kept) / true - 1.0)[:-1]
+    by_step = off.reshape(-1, 96).mean(axis=1)
+    assert abs(by_step[2:-4]).max() < 1e-4
+
+
 def test_thick_air_has_radii_close_to_its_ends_and_not_too_far_inside() -> None:
     # The steps should be 0.15 of a mean free path at the ends and 2 inside.
     even = np.linspace(0.0, 1.0, 4097)
@@ -66,20 +82,23 @@ def test_thick_air_has_radii_close_to_its_ends_and_not_too_far_inside() -> None:
     assert_array_less(0.0, np.diff(levels.row))
 
 
-def test_between_radii_a_cubic_is_kept_and_an_exponential_stays_positive() -> None:
-    # Four points fix a cubic, three a parabola at the two ends; as ratios an exponential is exact
-    # in the middle of an interval.
-    x = np.arange(9.0)
-    fine = np.linspace(0.0, 8.0, 17)
+def test_between_radii_a_cubic_keeps_its_mean_and_an_exponential_stays_positive() -> None:
+    # Straight lines between the levels have the integral of the cubic from radius to radius; the
+    # first and last steps continue parabolas.
+    parts, x = 3, np.arange(9.0)
+    fine = np.arange(8 * parts + 1) / parts
     one = np.ones((1, 1), np.float32)
-    for power, inside in ((2, slice(None)), (3, slice(2, -2))):
+    for power, inside in ((2, slice(None)), (3, slice(1, -1))):
         values = (100.0 + x**power)[:, None, None, None].astype(np.float32)
-        got = finer(values, values[:, :, 0], one, 2)[:, 0, 0, 0]
-        assert_allclose(got[inside], 100.0 + fine[inside] ** power, rtol=1e-6)
-        assert_allclose(finer_weights(9, 2) @ values[:, 0, 0, 0], got, rtol=1e-6)
+        got = finer(values, values[:, :, 0], one, parts)[:, 0, 0, 0]
+        steps = 0.5 / parts * (got[1:] + got[:-1]).reshape(-1, parts).sum(axis=1)
+        known = 100.0 + np.diff(x ** (power + 1)) / (power + 1)
+        assert_allclose(steps[inside], known[inside], rtol=1e-6)
+        assert_allclose(got[::parts], 100.0 + x**power, rtol=1e-7)
+        assert_allclose(finer_weights(9, parts) @ values[:, 0, 0, 0], got, rtol=1e-6)
     night = np.exp(-2.0 * x)[:, None, None, None].astype(np.float32)
     got = finer(night, night[:, :, 0], 0 * one, 2)[:, 0, 0, 0]
-    assert_allclose(got, np.exp(-2.0 * fine), rtol=1e-5)
+    assert_allclose(got, np.exp(-np.arange(17.0)), rtol=1e-5)
 
 
 def test_a_source_that_is_the_same_everywhere_is_kept_by_every_ray() -> None:

@@ -151,9 +151,10 @@ def refined(index, sizes, tables, light, floors):
     x = float(level % sizes.parts) / float(sizes.parts)
     below, near, far, above = four_levels(light, mean_at, step, i, 0, dark, sizes.radii)
     near_scale, far_scale = 1.0 / sqrt(near), 1.0 / sqrt(far)
-    smooth = is_smooth(x, near, far, cubic_bend(x, below, near, far, above))
+    parts = float(sizes.parts)
+    smooth = is_smooth(x, near, far, cubic_bend(x, below, near, far, above, parts))
     below, near, far, above = four_levels(light, here, step, i, part, dark, sizes.radii)
-    bend = cubic_bend(x, below, near, far, above)
+    bend = cubic_bend(x, below, near, far, above, parts)
     if not smooth:
         bend = 0.0
     weight = tables.level[j * WAVELENGTHS + lane]

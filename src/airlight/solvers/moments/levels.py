@@ -7,9 +7,11 @@ inside, where it obeys diffusion and is a linear function of depth.
 
 Linear interpolation underestimates light that is curved downwards, as if air that absorbs nothing
 absorbed some in each step. In thick air by day the moments are therefore interpolated between
-radii by the cubic through four of them; between the levels that are tabled between two radii,
-linear interpolation suffices. At night the light falls e-fold from one radius to the next; there
-ratios keep it positive.
+radii by the cubic through four of them. Rays read the levels that are tabled between two radii
+linearly; these are moved by so much that this neither adds nor takes light on the mean over a step,
+for deep in the air a gain of 1e-4 a scattering adds up to several per cent. As cubics run over the
+number of the level, that has to be a smooth function of depth. At night the light falls e-fold from
+one radius to the next; there ratios keep it positive.
 """
 
 from __future__ import annotations
@@ -32,6 +34,8 @@ THICK: Final = 1.5
 _FIRST_STEP: Final = 0.15
 _GROWTH: Final = 0.2
 _LAST_STEP: Final = 2.0
+#: Sharpness of the bend from growing to largest steps: a corner there cost light 0.2 %.
+_BEND: Final = 4.0
 #: Number of steps of that grid.
 _STEPS: Final = 23
 #: Part of the clear grid's radii that thick air does not need.
@@ -157,7 +161,7 @@ def finer(
     near, far = values[:-1], values[1:]
     for part in range(1, parts):
         x = np.float32(part / parts)
-        bend = _bend(values, part / parts)
+        bend = _bend(values, part / parts, parts)
         smooth = vectorized(is_smooth)(
             x, near[:, :, :1], far[:, :, :1], bend[:, :, :1].astype(np.float32)
         )
@@ -168,12 +172,26 @@ def finer(
 
 
 @kernel
-def cubic_bend(x, below, near, far, above):
-    """Cubic through four levels minus the straight line, at x between the middle two."""
+def cubic_bend(x, below, near, far, above, parts):
+    """Cubic through four levels minus the straight line, at x between the middle two.
+
+    Less what straight lines between the levels tabled at x = 1/parts, 2/parts, … add to the mean:
+    a twelfth of the second difference from one to the next, all taken off those inside the step.
+
+    Parameters
+    ----------
+    x : float
+        Position between the middle levels, 0 to 1. [1]
+    below, near, far, above : float
+        Moment at the four levels.
+    parts : float
+        Number from ``Levels``, more than 1. [1]
+    """
     y = 1.0 - x
-    return (x * y / 6.0) * (
-        (1.0 + y) * (2.0 * near - below - far) + (1.0 + x) * (2.0 * far - above - near)
-    )
+    first = 2.0 * near - below - far
+    second = 2.0 * far - above - near
+    evened = (y * first + x * second) / (12.0 * parts * (parts - 1.0))
+    return (x * y / 6.0) * ((1.0 + y) * first + (1.0 + x) * second) + evened
 
 
 @kernel
@@ -211,25 +229,31 @@ def finer_weights(count: int, parts: int) -> FloatArray:
     out[::parts] = unit
     for part in range(1, parts):
         x = part / parts
-        out[part::parts] = (1.0 - x) * unit[:-1] + x * unit[1:] + _bend(unit, x)
+        out[part::parts] = (1.0 - x) * unit[:-1] + x * unit[1:] + _bend(unit, x, parts)
     return out
 
 
-def _bend(values: NDArray[Any], x: float) -> NDArray[Any]:
-    """Cubic through four levels minus the straight line, at x between adjacent levels."""
+def _bend(values: NDArray[Any], x: float, parts: int) -> NDArray[Any]:
+    """``cubic_bend`` at x between adjacent levels."""
     # The level beyond each end continues the parabola through the last three.
     first = 3 * (values[:1] - values[1:2]) + values[2:3]
     last = 3 * (values[-1:] - values[-2:-1]) + values[-3:-2]
     below, above = np.concatenate([first, values[:-2]]), np.concatenate([values[2:], last])
     return np.asarray(
-        vectorized(cubic_bend)(values.dtype.type(x), below, values[:-1], values[1:], above)
+        vectorized(cubic_bend)(
+            values.dtype.type(x), below, values[:-1], values[1:], above, values.dtype.type(parts)
+        )
     )
 
 
 def _steps(depth: FloatArray) -> FloatArray:
     """Integral ∫ dτ/step(τ), the step growing from both ends; the depth ascends from 0."""
-    near = np.minimum(depth, depth[-1] - depth)
-    growing = np.minimum(near, (_LAST_STEP - _FIRST_STEP) / _GROWTH)
-    half = np.log1p(growing * _GROWTH / _FIRST_STEP) / _GROWTH + (near - growing) / _LAST_STEP
-    whole = 2.0 * half.max()
-    return np.asarray(np.where(depth < 0.5 * depth[-1], half, whole - half))
+
+    def beyond_least(near: FloatArray) -> FloatArray:
+        growing = 1.0 / (_FIRST_STEP + _GROWTH * near)
+        return np.asarray((growing**_BEND + least**_BEND) ** (1.0 / _BEND) - least)
+
+    least = 1.0 / _LAST_STEP
+    density = least + beyond_least(depth) + beyond_least(depth[-1] - depth)
+    steps = 0.5 * (density[1:] + density[:-1]) * np.diff(depth)
+    return np.concatenate([[0.0], np.cumsum(steps)])
