@@ -217,6 +217,12 @@ def test_hazy_earth_has_the_optics_of_opac():
     assert_allclose(np.log(total[1] / total[3]) / np.log(800.0 / 500.0), 1.45, rtol=0, atol=5e-3)
 
 
+def test_hazy_earth_has_the_stratosphere_of_earth():
+    hazy, clean = load_planet("earth-hazy"), load_planet("earth")
+    assert hazy.constituents[-1] == clean.constituents[-1]
+    assert hazy.constituents[-1].name == "stratospheric aerosol"
+
+
 def test_pinatubos_droplets_dim_all_colours_alike():
     # Russell et al. 1996: effective radii of 0.5 µm make the optical depth flat from 0.4 to 0.7 µm
     medium = medium_of("earth-volcanic", [400.0, 550.0, 700.0])

@@ -86,7 +86,6 @@ def test_between_radii_a_cubic_keeps_its_mean_and_an_exponential_stays_positive(
     # Straight lines between the levels have the integral of the cubic from radius to radius; the
     # first and last steps continue parabolas.
     parts, x = 3, np.arange(9.0)
-    fine = np.arange(8 * parts + 1) / parts
     one = np.ones((1, 1), np.float32)
     for power, inside in ((2, slice(None)), (3, slice(1, -1))):
         values = (100.0 + x**power)[:, None, None, None].astype(np.float32)
