@@ -81,7 +81,7 @@ def lommel_seeliger_phase(phase: ArrayLike) -> FloatArray:
 def moon_phase(phase: ArrayLike) -> FloatArray:
     """Phase function of the Moon as measured, without the opposition surge of the last degrees. [1]
 
-    ΔV = 0.026 |α| + 4e-9 α⁴ magnitudes, fainter than full.
+    It is ΔV = 0.026 α + 4e-9 α⁴ magnitudes fainter than full, α in degrees.
 
     Parameters
     ----------
