@@ -3,7 +3,7 @@
 Run with ``python builders/contact_sheet.py FOLDER``: one PNG a scene, and the sheet of all that
 are in the folder. ``--by window`` and ``--by page`` take the pictures from the window, drawn
 offscreen, and from exported pages in Chromium, which needs playwright; names of scenes draw those
-alone. ``--sheet docs/images/scenes/processor.jpg`` remakes the documentation's.
+alone. ``--sheet docs/images/sheets/processor.jpg`` remakes the documentation's.
 """
 
 from __future__ import annotations
