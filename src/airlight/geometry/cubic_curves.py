@@ -9,6 +9,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from airlight.kernel import compiled_loop
+
 FloatArray = NDArray[np.float64]
 
 
@@ -106,8 +108,7 @@ def spline_slopes(x: FloatArray, y: FloatArray, first: float | None = None) -> F
     Parameters
     ----------
     x : array, shape (n,)
-        Points, strictly ascending, at least two, at most some hundreds: the system is solved
-        densely.
+        Points, strictly ascending, at least two.
     y : array, shape (n, ...)
     first : float, optional
         Slope at the first point, instead of the condition there; at least four points.
@@ -134,20 +135,33 @@ def spline_slopes(x: FloatArray, y: FloatArray, first: float | None = None) -> F
     if x.size == 3:
         middle = (step[1] * chord[0] + step[0] * chord[1]) / (step[0] + step[1])
         return np.stack([2.0 * chord[0] - middle, middle, 2.0 * chord[1] - middle])
-    system = np.zeros((x.size, x.size))
+    below, middle, above = np.zeros(x.size), np.empty(x.size), np.zeros(x.size)
     wanted = np.empty_like(chord, shape=y.shape)
-    inner = np.arange(1, x.size - 1)
-    system[inner, inner - 1] = step[1:]
-    system[inner, inner] = 2.0 * (step[:-1] + step[1:])
-    system[inner, inner + 1] = step[:-1]
+    below[1:-1], middle[1:-1], above[1:-1] = step[1:], 2.0 * (step[:-1] + step[1:]), step[:-1]
     low, high = step[:-1][trailing], step[1:][trailing]
     wanted[1:-1] = 3.0 * (high * chord[:-1] + low * chord[1:])
-    system[0, :2], wanted[0] = _no_knot(step[0], step[1], chord[0], chord[1])
-    system[-1, :-3:-1], wanted[-1] = _no_knot(step[-1], step[-2], chord[-1], chord[-2])
+    (middle[0], above[0]), wanted[0] = _no_knot(step[0], step[1], chord[0], chord[1])
+    (middle[-1], below[-1]), wanted[-1] = _no_knot(step[-1], step[-2], chord[-1], chord[-2])
     if first is not None:
-        system[0, :2], wanted[0] = (1.0, 0.0), first
-    slopes = np.linalg.solve(system, wanted.reshape(x.size, -1))
-    return np.asarray(slopes, np.float64).reshape(y.shape)
+        middle[0], above[0], wanted[0] = 1.0, 0.0, first
+    slopes = np.array(wanted, np.float64, order="C").reshape(x.size, -1)
+    _solve_tridiagonal(below, middle, above, slopes)
+    return slopes.reshape(y.shape)
+
+
+@compiled_loop
+def _solve_tridiagonal(below, middle, above, wanted):
+    """Solve a tridiagonal system by elimination, in place; pivots of a spline stay positive."""
+    for k in range(1, middle.size):
+        factor = below[k] / middle[k - 1]
+        middle[k] -= factor * above[k - 1]
+        for c in range(wanted.shape[1]):
+            wanted[k, c] -= factor * wanted[k - 1, c]
+    for k in range(middle.size - 1, -1, -1):
+        for c in range(wanted.shape[1]):
+            if k + 1 < middle.size:
+                wanted[k, c] -= above[k] * wanted[k + 1, c]
+            wanted[k, c] /= middle[k]
 
 
 def _no_knot(
