@@ -27,7 +27,7 @@ EARTH, MARS = "earth-atmosphere-plus", "mars-standard"
 #: Wavelengths that the check has, and every which line of sight: light that a Mars with dust
 #: scatters in all orders, and that Earth's air scatters most. The rest takes minutes: it is for
 #: ``scripts/test --validation`` and ``airlight validate``.
-CHECKED = {MARS: ((550.0,), 3), EARTH: ((440.0,), 1)}
+CHECKED = {MARS: ((550.0,), 6), EARTH: ((440.0,), 1)}
 LATER = pytest.mark.validation
 
 Answered = Callable[[str, float, int], list[Answer]]

@@ -302,7 +302,11 @@ def test_dusk_falls_smoothly(
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("name", "largest", "bearable"), [("mars-standard", 0.05, 0.05), ("mars", 0.25, 0.05)]
+    ("name", "largest", "bearable"),
+    [
+        ("mars-standard", 0.05, 0.05),
+        pytest.param("mars", 0.25, 0.05, marks=pytest.mark.validation),
+    ],
 )
 def test_default_agrees_with_fine_on_dusty_mars(
     name: str,

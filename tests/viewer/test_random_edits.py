@@ -125,7 +125,7 @@ def without_places(line: str) -> str:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("edits", [200, pytest.param(1000, marks=pytest.mark.validation)])
+@pytest.mark.parametrize("edits", [120, pytest.param(1000, marks=pytest.mark.validation)])
 def test_random_edits(edits: int, tell: Callable[[str], None]) -> None:
     # After each edit the newest planet is shown or rejected in one line; its light is finite.
     chance = random.Random(20260)
