@@ -30,8 +30,8 @@ def add_sun_disc(
 
     Its radiance is irradiance over solid angle, times the transmittance along each pixel's own
     line of sight. With refraction, the disc is where the refracted lines of sight meet it: lifted,
-    and flattened near the horizon. Limb darkening is left out: the disc is even. A point star
-    (angular radius 0) is not drawn.
+    and flattened near the horizon. Each sample has the darkening of its place on the disc; a disc
+    of less than a pixel is even. A point star (angular radius 0) is not drawn.
 
     Parameters
     ----------
@@ -69,7 +69,8 @@ def add_sun_disc(
         outside = leaving_direction(directions[near], solution, scene.altitude)
         whole[near] = _angle(outside, sun) < alpha - 1.5 * pixel
         if whole.any():
-            light = _through(directions[whole], solution, scene.altitude) @ weights
+            shape = _darkened(_angle(outside, sun)[whole[near]], solution)
+            light = (shape * _through(directions[whole], solution, scene.altitude)) @ weights
             rgb[row, whole] += light / solid_angle
         rim = np.flatnonzero(near & ~whole)
         total = np.zeros((rim.size, 3))
@@ -79,9 +80,19 @@ def add_sun_disc(
                 outside = leaving_direction(at, solution, scene.altitude)
                 inside = _angle(outside, sun) < alpha
                 if inside.any():
-                    light = _through(at[inside], solution, scene.altitude) @ weights
+                    shape = _darkened(_angle(outside, sun)[inside], solution)
+                    light = (shape * _through(at[inside], solution, scene.altitude)) @ weights
                     total[inside] += light / solid_angle
         rgb[row, rim] += total / _SAMPLES**2
+
+
+def _darkened(apart: FloatArray, solution: MomentsSolution) -> FloatArray:
+    """Radiance over the mean of the disc at angles from its middle, shape (n, nl). [1]"""
+    star = solution.lights[0]
+    ratio = np.sin(apart) / np.sin(star.angular_radius)
+    mu = np.sqrt(np.maximum(1.0 - ratio**2, 0.0))
+    law = star.darkenings
+    return np.asarray((mu[:, None] ** np.arange(law.shape[1])) @ law.T)
 
 
 def _add_small_disc(

@@ -65,10 +65,12 @@ class Always:
     value: int
 
 
-#: Marks of fields: an index, a table of four wavelengths, and one that an edit of the light renews.
+#: Marks of fields: an index, a table of four wavelengths, one that an edit of the light renews, and
+#: one that each light of a picture has for itself.
 CHOICE: Final = Choice()
 SPECTRA: Final = InTexture("spectra", spectral=True)
 FIELDS: Final = InTexture("fields", spectral=True)
+DISC: Final = InTexture("disc", spectral=True)
 
 
 def image(texture: str) -> InTexture:

@@ -34,7 +34,6 @@ from airlight.scene.local_ground import local_ground
 from airlight.scene.pixel_position import pixel_positions
 from airlight.scene.projections.projected import projected_rays
 from airlight.scene.surface_map import surface_map
-from airlight.spectra.limb_darkening import UNIFORM
 from airlight.system import System
 from airlight.system.body import Body
 from airlight.system.light import Light
@@ -499,9 +498,7 @@ class _Picture:
         met = np.flatnonzero((angle < alpha) & (through.max(axis=1) > 0.0))
         if met.size == 0:
             return
-        law = source.darkening
-        coefficients = np.tile(UNIFORM, (self.wavelengths.size, 1))
-        coefficients = coefficients if law is None else law(self.wavelengths)
+        coefficients = source.darkenings
         mu = np.sqrt(np.maximum(1.0 - (np.sin(angle[met]) / math.sin(alpha)) ** 2, 0.0))
         shape = (mu[:, None] ** np.arange(coefficients.shape[1])) @ coefficients.T
         radiance = shape / (math.pi * math.sin(alpha) ** 2)

@@ -18,7 +18,6 @@ from airlight.planets.light_source import LightSource
 from airlight.solvers.disc_light import disc_light
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.shadow_light import ShadowLight
-from airlight.spectra.limb_darkening import UNIFORM
 from airlight.system import System
 from airlight.system.body import Body
 from airlight.system.light import Light
@@ -141,9 +140,7 @@ class SceneLights:
         alpha = source.angular_radius
         if alpha <= 0.0:
             return left
-        law = source.darkening
-        darkening = np.tile(UNIFORM, (self.wavelengths.size, 1))
-        darkening = darkening if law is None else law(self.wavelengths)
+        darkening = source.darkenings
         bare = []
         for body in self.system.bodies:
             if body.name == own.name:

@@ -15,6 +15,7 @@ from airlight.color.xyz import luminance
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
 from airlight.geometry.bending import seen_star
+from airlight.pixels.disc_shading import shading_numbers
 from airlight.pixels.observer_numbers import observer_numbers
 from airlight.pixels.pixel import Screen
 from airlight.pixels.sky_by_processor import SkyLayers
@@ -82,6 +83,8 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
         "samples": 1.0,
         "edges": 1.0,
     }
+    source = solution.lights[0]
+    numbers |= shading_numbers(source.phase, source.limb, sun_level, float(sun[2]))
     for name, axis in zip(("right", "up", "forward"), axes, strict=True):
         numbers |= {f"{name}_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
     ground = solution.medium.ground_map
@@ -140,6 +143,7 @@ def screen_from(
         "height": float(camera.height),
         "projection": int(numbers["projection"]),
         "draws_disc": bool(numbers["draws_disc"]),
+        "phased": bool(numbers["phased"]),
         "samples": int(numbers["samples"]),
         "edges": bool(numbers["edges"]),
         "mapped": ground is not None,

@@ -11,6 +11,7 @@ from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.kernel.shader_fields import CHOICE, InTexture
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle, row_from_impact
+from airlight.pixels.disc_shading import darkened
 from airlight.pixels.ground import ground_factor, ground_shares, lamp_light
 from airlight.pixels.ground_angles import bent_to_ground, columns_to_ground
 from airlight.pixels.sky_table import half_sine_between, look
@@ -37,6 +38,13 @@ class Screen(NamedTuple):
     pixel_angle: float
     disc: float
     draws_disc: bool
+    phased: bool
+    phase_sine: float
+    phase_cosine: float
+    phase_share: float
+    limb_x: float
+    limb_y: float
+    limb_z: float
     samples: Annotated[int, CHOICE]
     edges: bool
     mapped: bool
@@ -356,12 +364,15 @@ def pixel_light(
         store(result, at, total)
     if screen.draws_disc and not to_ground:
         apart = 2.0 * half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
-        part = 0.0
+        p0, p1, p2, p3, p4, p5 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
         if apart < reach:
-            part = star_disc(px, py, x, y, z, observer, screen, light, work.totals)
-        if part > 0.0:
+            p0, p1, p2, p3, p4, p5 = star_disc(
+                px, py, x, y, z, observer, screen, light, work.totals
+            )
+        if p0 > 0.0:
             for at in range(0, light.lanes, LANES):
                 through = through_columns(
                     work.totals, light.true_extinction, light.constituents, light.lanes, at
                 )
-                store(result, at, load(result, at) + through * np.float32(part))
+                disc = darkened(p0, p1, p2, p3, p4, p5, light, at)
+                store(result, at, load(result, at) + through * disc)

@@ -1,7 +1,7 @@
 """Star's own disc in a pixel: its light through the air, for any apparent size.
 
-A disc of several pixels has a smooth rim; a smaller one is a few points, each of them distributed
-over the four pixels around it. Both conserve the light.
+A disc of several pixels has a smooth rim and the shape of ``disc_shading``; a smaller one is a few
+points, each of them distributed over the four pixels around it. Both conserve the light.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ import numpy as np
 from airlight.geometry.bending import bend_angle
 from airlight.kernel import inlined, kernel
 from airlight.mappings.sky_view import angle_above_horizon
+from airlight.pixels.disc_shading import disc_powers, whole_powers
 from airlight.pixels.sky_table import half_sine_between
 from airlight.scene.projections.projected import projected_ray
 from airlight.tables.column_ratios import columns_to_top
@@ -148,7 +149,7 @@ def covered(apart, radius, pixel):
 
 @inlined
 def star_disc(px, py, x, y, z, observer, screen, light, columns):
-    """Radiance of the star's disc in a pixel before attenuation by the air, per irradiance. [sr⁻¹]
+    """Radiance of the light's disc in a pixel before attenuation by the air, per irradiance.
 
     Parameters
     ----------
@@ -160,19 +161,34 @@ def star_disc(px, py, x, y, z, observer, screen, light, columns):
         Observer, camera with its maps, and tables of the solution.
     columns : array, shape (nc,)
         Receives the columns of the air in front of it. [m]
+
+    Returns
+    -------
+    tuple of six float
+        Weights of the powers of the cosine of emergence, see ``disc_powers``; 0 where there is
+        nothing of the disc. [sr⁻¹]
     """
     if x == 0.0 and y == 0.0 and z == 0.0:
-        return 0.0
+        return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     lx, ly, lz, free = leaving_air(x, y, z, observer, light, columns)
     apart = 2.0 * half_sine_between(lx, ly, lz, observer.sun_x, observer.sun_z)
     pixel = screen.pixel_angle
     # Two pixel diagonals: no point of a disc is assigned to a pixel farther away.
     if not free or apart > light.star_radius + 3.0 * pixel:
-        return 0.0
+        return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     part = covered(apart, light.star_radius, pixel) * screen.disc
     if light.star_radius < SMALL * pixel:
         part = _point_like(px, py, part, observer, screen, light, columns)
-    return part
+        return whole_powers(part)
+    along = 0.0
+    if screen.phased:
+        toward = (lx - observer.sun_x) * screen.limb_x + ly * screen.limb_y
+        toward += (lz - observer.sun_z) * screen.limb_z
+        along = toward / max(apart, 1e-12)
+    return disc_powers(
+        part, apart, light.star_radius, pixel, along, screen.phased, screen.phase_sine,
+        screen.phase_cosine, screen.phase_share,
+    )  # fmt: skip
 
 
 @inlined

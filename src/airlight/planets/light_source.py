@@ -16,6 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.color.four_wavelengths import picture_weights
+from airlight.spectra.limb_darkening import UNIFORM
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -40,6 +41,10 @@ class LightSource:
     darkening : callable or None
         ``darkening(wavelengths)``, coefficients of the darkening towards the rim, shape (nl, 6),
         see ``spectra.limb_darkening``; None for a uniform disc.
+    phase : float or None
+        Phase angle of a body that reflects, 0 full, below 180; None for a star. [deg]
+    limb : float
+        Direction from that body's middle to its bright limb, clockwise from the zenith's. [deg]
     """
 
     name: str
@@ -48,6 +53,15 @@ class LightSource:
     irradiance: FloatArray
     spectrum: Callable[[Any], FloatArray] | None = None
     darkening: Callable[[Any], FloatArray] | None = None
+    phase: float | None = None
+    limb: float = 0.0
+
+    @property
+    def darkenings(self) -> FloatArray:
+        """Coefficients of the darkening at the wavelengths, shape (nl, 6); even without a law."""
+        if self.darkening is None:
+            return np.tile(UNIFORM, (self.wavelengths.size, 1))
+        return self.darkening(self.wavelengths)
 
     def colors(self, weights: npt.ArrayLike | None = None) -> FloatArray:
         """Linear sRGB of light that is known per irradiance of this source, shape (nl, 3).

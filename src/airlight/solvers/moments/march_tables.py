@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from airlight.geometry.path import MAX_EDGES
 from airlight.geometry.quadrature import gauss_legendre
-from airlight.kernel.shader_fields import CHOICE, FIELDS, SPECTRA, Always, scalars
+from airlight.kernel.shader_fields import CHOICE, DISC, FIELDS, SPECTRA, Always, scalars
 from airlight.optics.reflection import Reflection
 
 FloatArray = NDArray[np.float64]
@@ -66,6 +66,8 @@ class MarchTables(NamedTuple):
         Scattering coefficient times Legendre moment, both after that removal. [m⁻¹]
     phase : array, shape (phase_nodes·nc·w,)
         Phase functions on even steps of sin(θ/2). [sr⁻¹]
+    darkening : array, shape (6·w,)
+        Radiance of the star's disc over its mean, by powers of the cosine of emergence. [1]
     basis : array, shape (3·w,)
         Reflectance of a red, a green and a blue ground. [1]
     field : array, shape (r·s·(1 + k)·w,)
@@ -107,6 +109,7 @@ class MarchTables(NamedTuple):
     scattering: Annotated[Float32Array, SPECTRA]
     moments: Annotated[Float32Array, SPECTRA]
     phase: Annotated[Float32Array, SPECTRA]
+    darkening: Annotated[Float32Array, DISC]
     basis: Annotated[Float32Array, SPECTRA]
     field: Annotated[Float32Array, FIELDS]
     sky: Annotated[Float32Array, FIELDS]

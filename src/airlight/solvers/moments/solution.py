@@ -135,6 +135,7 @@ class MomentsSolution(Solution):
             scattering=pack(medium.scattering),
             moments=air.moments,
             phase=pack(np.moveaxis(medium.phase_table, 2, 0)),
+            darkening=pack(self.lights[0].darkenings.T),
             basis=pack(medium.map_basis.T),
             field=field,
             sky=sky,

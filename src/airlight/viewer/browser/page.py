@@ -138,7 +138,7 @@ def _table_text(key: str, table: NDArray[np.float32], uniforms: Mapping[str, Any
         degree, suns = int(uniforms["degree"]), int(uniforms["suns"])
         texels = suns * (1 + coefficient_count(degree))
         return as_text(rounded(table, DIGITS), 4 * texels)
-    return as_text(rounded(table, DIGITS), 4 * constituents)
+    return as_text(rounded(table, DIGITS), 4 if key == "disc" else 4 * constituents)
 
 
 def export_page(

@@ -17,6 +17,7 @@ from airlight.color.texels import CHANNELS
 from airlight.color.xyz import chromaticity, luminance, rgb_to_xyz
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
+from airlight.pixels.disc_shading import disc_powers, shading_numbers
 from airlight.pixels.lit_scenes import lit_scenes
 from airlight.render.drawing import color_weights
 from airlight.render.sun_disc import leaving_direction, sun_solid_angle
@@ -285,9 +286,20 @@ def _star(
     if alpha <= 0.0 or to_ground:
         return nothing
     outside = leaving_direction(direction[np.newaxis], solution, altitude)[0]
-    if float(np.linalg.norm(outside - position.direction)) > 2.0 * math.sin(0.5 * alpha):
+    towards = position.direction
+    apart = 2.0 * math.asin(min(0.5 * float(np.linalg.norm(outside - towards)), 1.0))
+    if apart > alpha:
         return nothing
-    return np.asarray(through * star.irradiance / sun_solid_angle(alpha))
+    numbers = shading_numbers(star.phase, star.limb, math.hypot(*towards[:2]), float(towards[2]))
+    azimuth = math.atan2(towards[1], towards[0])
+    across = math.cos(azimuth) * numbers["limb_x"] - math.sin(azimuth) * numbers["limb_y"]
+    aside = math.sin(azimuth) * numbers["limb_x"] + math.cos(azimuth) * numbers["limb_y"]
+    along = float((outside - towards) @ [across, aside, numbers["limb_z"]]) / max(apart, 1e-12)
+    powers = disc_powers(
+        1.0 / sun_solid_angle(alpha), apart, alpha, 0.0, along, star.phase is not None,
+        numbers["phase_sine"], numbers["phase_cosine"], numbers["phase_share"],
+    )  # fmt: skip
+    return np.asarray(through * star.irradiance * (star.darkenings @ powers))
 
 
 def _ground(

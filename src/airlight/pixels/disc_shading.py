@@ -1,0 +1,165 @@
+"""Shape of a light's disc in a pixel: darkened towards its rim, or lit from one side.
+
+The radiance of a disc over its mean is a polynomial in the cosine μ of emergence, one for each
+wavelength (``spectra.limb_darkening``), times a factor that is 1 for a star. For a moon the factor
+is Lommel and Seeliger's law, of mean 1 too: either way the disc has the irradiance of its light.
+"""
+
+from __future__ import annotations
+
+from math import cos, radians, sin, sqrt
+from typing import Final
+
+import numpy as np
+
+from airlight.kernel import inlined, kernel
+from airlight.kernel.lanes import load
+from airlight.optics.moon_phase import lommel_seeliger_phase
+
+#: Number of powers of μ, from 0: as many as ``limb_darkening.COEFFICIENTS``.
+POWERS: Final = 6
+#: Offset of both points of Gauss's rule from the middle, in halves of the interval.
+_GAUSS: Final = 3.0**-0.5
+
+
+def shading_numbers(
+    phase: float | None, limb: float, sun_level: float, sun_z: float
+) -> dict[str, float]:
+    """Uniforms of a disc's shape.
+
+    Parameters
+    ----------
+    phase, limb : float or None, float
+        Of ``LightSource``. [deg]
+    sun_level, sun_z : float
+        Horizontal and vertical component towards the light. [1]
+
+    Examples
+    --------
+    >>> half = shading_numbers(90.0, 0.0, 1.0, 0.0)  # on the horizon, lit from above
+    >>> half["limb_x"], half["limb_z"], round(half["phase_share"], 2)
+    (-0.0, 1.0, 5.31)
+    """
+    if phase is None:
+        names = ("phased", "phase_sine", "phase_cosine", "phase_share", "limb_x", "limb_y",
+                 "limb_z")  # fmt: skip
+        return dict.fromkeys(names, 0.0)
+    turn, angle = radians(limb), radians(phase)
+    return {
+        "phased": 1.0,
+        "phase_sine": sin(angle),
+        "phase_cosine": cos(angle),
+        "phase_share": 2.0 / max(float(lommel_seeliger_phase(phase)), 1e-12),
+        "limb_x": -sun_z * cos(turn),
+        "limb_y": -sin(turn),
+        "limb_z": sun_level * cos(turn),
+    }
+
+
+@kernel
+def moon_shade(mu, toward, phase_sine, phase_cosine, phase_share):
+    r"""Radiance of a point of a dusty sphere over the mean of its disc, dark half included. [1]
+
+    .. math:: \frac{L}{\bar L} = \frac{2}{\Phi(\alpha)} \frac{\mu_0}{\mu_0 + \mu}, \qquad
+              \mu_0 = t \sin\alpha + \mu \cos\alpha
+
+    Parameters
+    ----------
+    mu : float
+        Cosine of emergence. [1]
+    toward : float
+        Distance t from the disc's middle towards its bright limb, in radii. [1]
+    phase_sine, phase_cosine : float
+        Of the phase angle α. [1]
+    phase_share : float
+        2 / Φ(α), from ``lommel_seeliger_phase``. [1]
+
+    References
+    ----------
+    Hapke (2012), Theory of Reflectance and Emittance Spectroscopy, eqs. 8.35 and 11.46.
+
+    Examples
+    --------
+    >>> moon_shade(0.3, 0.8, 0.0, 1.0, 2.0)  # the full disc is even
+    1.0
+    """
+    lit = toward * phase_sine + mu * phase_cosine
+    if lit <= 0.0:
+        return 0.0
+    return phase_share * lit / (lit + max(mu, 0.0))
+
+
+@inlined
+def whole_powers(share):
+    """Means of the powers of μ over a whole disc, times a share of it; see ``disc_powers``."""
+    return (
+        share, share * 2.0 / 3.0, share / 2.0, share * 2.0 / 5.0, share / 3.0, share * 2.0 / 7.0
+    )  # fmt: skip
+
+
+@kernel
+def disc_powers(
+    share, apart, radius, pixel, along, phased, phase_sine, phase_cosine, phase_share
+):  # fmt: skip
+    """Means of the powers of μ over the part of a disc that a pixel covers, times its share.
+
+    Two points along the radius, at equal areas between the pixel's inner and outer end: a pixel on
+    the rim ends there.
+
+    Parameters
+    ----------
+    share : float
+        Radiance of an even disc in the pixel, per irradiance. [sr⁻¹]
+    apart, radius, pixel : float
+        Angles: between pixel and the disc's middle, radius of the disc, of a pixel. [rad]
+    along : float
+        Cosine of the angle at the disc's middle between pixel and bright limb. [1]
+    phased : bool
+        Whether the disc is a moon's, with the arguments of ``moon_shade``.
+    phase_sine, phase_cosine, phase_share : float
+        Arguments of ``moon_shade``.
+
+    Returns
+    -------
+    tuple of six float
+        Mean of μ^k for k = 0 to 5, times the share and, of a moon, the shade. [sr⁻¹]
+    """
+    inner = min(max(apart - 0.5 * pixel, 0.0) / radius, 1.0)
+    outer = min((apart + 0.5 * pixel) / radius, 1.0)
+    middle = 0.5 * (inner * inner + outer * outer)
+    half = 0.5 * (outer - inner) * (outer + inner)
+    p0, p1, p2, p3, p4, p5 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    for point in range(2):
+        square = middle + (2.0 * point - 1.0) * _GAUSS * half
+        mu = sqrt(max(1.0 - square, 0.0))
+        part = 0.5 * share
+        if phased:
+            part *= moon_shade(mu, sqrt(square) * along, phase_sine, phase_cosine, phase_share)
+        p0 += part
+        p1 += part * mu
+        p2 += part * mu * mu
+        p3 += part * mu * mu * mu
+        p4 += part * (mu * mu) * (mu * mu)
+        p5 += part * (mu * mu) * (mu * mu) * mu
+    return p0, p1, p2, p3, p4, p5
+
+
+@inlined
+def darkened(p0, p1, p2, p3, p4, p5, light, at):
+    """Radiance of the disc in a pixel before attenuation by the air, per irradiance. [sr⁻¹]
+
+    Parameters
+    ----------
+    p0, p1, p2, p3, p4, p5 : float
+        Result of ``disc_powers``. [sr⁻¹]
+    light : MarchTables
+        Tables of the solution, with ``darkening``.
+    at : int
+        Index of the first lane.
+    """
+    total = load(light.darkening, at) * np.float32(p0)
+    total = total + load(light.darkening, light.lanes + at) * np.float32(p1)
+    total = total + load(light.darkening, 2 * light.lanes + at) * np.float32(p2)
+    total = total + load(light.darkening, 3 * light.lanes + at) * np.float32(p3)
+    total = total + load(light.darkening, 4 * light.lanes + at) * np.float32(p4)
+    return total + load(light.darkening, 5 * light.lanes + at) * np.float32(p5)
