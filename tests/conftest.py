@@ -17,6 +17,7 @@ except ImportError:  # Windows
     fcntl = None  # type: ignore[assignment]
 
 if TYPE_CHECKING:
+    from airlight.composition.aerial_perspective import AerialPerspective
     from airlight.gpu.device.device import Device
     from airlight.planets import Planet
     from airlight.solvers.moments.solution import MomentsSolution
@@ -201,3 +202,17 @@ def solved() -> Callable[..., MomentsSolution]:
         return kept[key]
 
     return solution
+
+
+@pytest.fixture(scope="session")
+def aerial(once: Callable[[str, Callable[[], Any]], Any]) -> AerialPerspective:
+    """Small tables of the air over Earth, sun at 75°, observer at 500 m."""
+    from airlight import Scene, load_planet, solve
+    from airlight.composition.aerial_perspective import AerialPerspective
+
+    def make() -> AerialPerspective:
+        solution = solve(load_planet("earth"), (440, 500, 560, 620), "preview", cache=False)
+        scene = Scene(altitude=500.0, sun_zenith=75.0)
+        return AerialPerspective.fill(solution, scene, size=(24, 24, 6), sky_size=(48, 48))
+
+    return once("aerial", make)

@@ -16,7 +16,8 @@ from airlight.errors import FileError, ParameterError
 from airlight.exports.bake import Baked, bake
 from airlight.exports.exr import read_exr_channels, write_exr_channels
 from airlight.exports.table_errors import random_positions
-from airlight.exports.table_files import check_folder, load_table, load_tables, write_tables
+from airlight.exports.table_files import FORMAT, load_table, load_tables, write_tables
+from airlight.exports.whole_folder import check_folder
 from airlight.planets import Planet
 
 CHOICES: dict[str, dict[str, Any]] = {
@@ -173,9 +174,9 @@ def test_a_folder_of_other_files_is_left_alone(all_baked: dict[str, Baked], tmp_
         write_tables(tmp_path, all_baked["plus"])
     assert (tmp_path / "scattering.npz").read_text() == "mine"
     with pytest.raises(FileError, match="is a file"):
-        check_folder(tmp_path / "scattering.npz")
+        check_folder(tmp_path / "scattering.npz", FORMAT)
     with pytest.raises(FileError, match="there is no folder"):
-        check_folder(tmp_path / "a" / "b")
+        check_folder(tmp_path / "a" / "b", FORMAT)
 
 
 def test_nothing_is_left_behind_when_writing_fails(
@@ -187,7 +188,7 @@ def test_nothing_is_left_behind_when_writing_fails(
     def full(*arguments: Any) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(table_files, "_manifest_text", full)
+    monkeypatch.setattr(table_files, "write_manifest", full)
     with pytest.raises(FileError, match="No space left"):
         write_tables(tmp_path / "out", all_baked["plus"])
     assert list(tmp_path.iterdir()) == []

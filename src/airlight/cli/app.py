@@ -14,6 +14,7 @@ from typing import Annotated, Any
 import typer
 
 from airlight.cli import (
+    aerial,
     bake,
     compose,
     errata,
@@ -45,7 +46,8 @@ app = typer.Typer(
     ),
 )
 _COMMANDS = (
-    planets, show, render, compose, view, radiance, fit, plot, bake, export_page, validate, errata,
+    planets, show, render, compose, aerial, view, radiance, fit, plot, bake, export_page, validate,
+    errata,
 )  # fmt: skip
 for command in _COMMANDS:
     function = command.__name__.rpartition(".")[2]

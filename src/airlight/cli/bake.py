@@ -101,7 +101,8 @@ def bake(
     """
     started = time.perf_counter()
     from airlight.exports.bake import bake as fill
-    from airlight.exports.table_files import check_folder, write_tables
+    from airlight.exports.table_files import FORMAT, write_tables
+    from airlight.exports.whole_folder import check_folder
     from airlight.planets import replace
 
     chosen = _packing(layout, packing, mie)
@@ -111,7 +112,7 @@ def bake(
         raise ParameterError("--azimuth", azimuth, "only with --packing phase-included")
     texels = None if size is None else _size(size, layout)
     number = _order(order, cumulative)
-    check_folder(output)
+    check_folder(output, FORMAT)
     world = options.planet(planet, set_)
     if world.refraction != "none":
         print("airlight: light is drawn straight in tables: refraction is 'none'", file=sys.stderr)

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.composition.stretch import Air
+from airlight.geometry.cubic_curves import catmull_rom
 from airlight.kernel import compiled_loop
 from airlight.kernel.threads import run_blocks
 
@@ -128,15 +129,7 @@ def _read(x, y, z, values, usable, out, good):
         for lane in range(lanes):
             out[k, lane] = np.float32(0.0)
         for node in range(4):
-            # Catmull & Rom (1974) for even steps
-            if node == 0:
-                cubic = 0.5 * t * (-1.0 + t * (2.0 - t))
-            elif node == 1:
-                cubic = 1.0 + 0.5 * t * t * (3.0 * t - 5.0)
-            elif node == 2:
-                cubic = 0.5 * t * (1.0 + t * (4.0 - 3.0 * t))
-            else:
-                cubic = 0.5 * t * t * (t - 1.0)
+            cubic = catmull_rom(node, t)
             for corner in range(4):
                 right, down = corner % 2, corner // 2
                 weight = np.float32(cubic * (e if right else 1.0 - e) * (f if down else 1.0 - f))

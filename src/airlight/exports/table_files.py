@@ -11,12 +11,7 @@ A folder of tables appears whole: files are written beside it first, and the man
 
 from __future__ import annotations
 
-import contextlib
 import hashlib
-import json
-import secrets
-import shutil
-from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Final
@@ -29,11 +24,16 @@ from airlight.exports.bake import Baked
 from airlight.exports.exr import write_exr_channels
 from airlight.exports.header import version
 from airlight.exports.table_errors import Errors
+from airlight.exports.whole_folder import (
+    MANIFEST,
+    fingerprint,
+    read_manifest,
+    whole_folder,
+    write_manifest,
+)
 from airlight.tables.scattered_light import PhaseFunctions, ScatteredLight
 from airlight.tables.table import Table, layout_of
 
-#: Name of the manifest in its folder.
-MANIFEST: Final = "manifest.json"
 #: Format named in the manifest.
 FORMAT: Final = "airlight tables 1"
 _PHASES: Final = "phase-functions.npz"
@@ -69,8 +69,7 @@ def write_tables(folder: str | Path, baked: Baked) -> Path:
         If the folder holds other files of these names, or cannot be written to; it is then
         unchanged.
     """
-    target = check_folder(folder)
-    with _beside(target, folder) as part:
+    with whole_folder(folder, FORMAT) as part:
         manifest = _manifest(baked)
         for name, table in baked.tables.items():
             arrays = {f"{name}.npz": part / f"{name}.npz", f"{name}.exr": part / f"{name}.exr"}
@@ -78,7 +77,7 @@ def write_tables(folder: str | Path, baked: Baked) -> Path:
                 np.savez_compressed(stream, values=table.values)
             write_exr_channels(arrays[f"{name}.exr"], exr_channels(table), _texts(baked, table))
             manifest["tables"][name]["files"] = {
-                file: _fingerprint(path) for file, path in arrays.items()
+                file: fingerprint(path) for file, path in arrays.items()
             }
         with (part / _PHASES).open("wb") as stream:
             np.savez_compressed(
@@ -86,71 +85,9 @@ def write_tables(folder: str | Path, baked: Baked) -> Path:
                 names=np.array(baked.light.phases.names),
                 values=baked.light.phases.values,
             )
-        manifest["light"]["files"] = {_PHASES: _fingerprint(part / _PHASES)}
-        (part / MANIFEST).write_text(_manifest_text(manifest), encoding="utf-8")
-        _put(part, target)
+        manifest["light"]["files"] = {_PHASES: fingerprint(part / _PHASES)}
+        write_manifest(part, manifest)
     return Path(folder) / MANIFEST
-
-
-def check_folder(folder: str | Path) -> Path:
-    """Resolve a folder of tables and check that it can be written, before long work.
-
-    Raises
-    ------
-    FileError
-        If it is a file, its parent is missing, or it holds files but no tables of airlight.
-    """
-    target = Path(folder).resolve()
-    try:
-        if target.exists() and not target.is_dir():
-            raise FileError(folder, "is a file, not a folder")
-        if not target.parent.is_dir():
-            raise FileError(folder, f"there is no folder {target.parent}")
-        if target.is_dir() and any(target.iterdir()) and not (target / MANIFEST).is_file():
-            raise FileError(folder, f"holds files, but no {MANIFEST}: name a new or empty folder")
-        if (target / MANIFEST).is_file():
-            _read_manifest(target / MANIFEST)
-    except OSError as error:
-        raise FileError(folder, str(error)) from error
-    return target
-
-
-@contextlib.contextmanager
-def _beside(target: Path, named: str | Path) -> Iterator[Path]:
-    part = target.with_name(f".{secrets.token_hex(8)}.part")
-    try:
-        part.mkdir()
-        yield part
-    except OSError as error:
-        raise FileError(named, f"cannot be written: {error.strerror or error}") from error
-    finally:
-        shutil.rmtree(part, ignore_errors=True)
-
-
-def _put(part: Path, target: Path) -> None:
-    if not target.exists():
-        part.rename(target)
-        return
-    old = target / MANIFEST
-    if old.is_file():
-        stale = _files_of(_read_manifest(old))
-        old.unlink()  # from here on the folder is marked as incomplete
-        for name in stale:
-            (target / name).unlink(missing_ok=True)
-    for file in sorted(part.iterdir(), key=lambda path: path.name == MANIFEST):
-        file.replace(target / file.name)
-
-
-def _files_of(manifest: dict[str, Any]) -> list[str]:
-    groups = [manifest["light"], *manifest["tables"].values()]
-    return [Path(name).name for group in groups for name in group["files"]]
-
-
-def _fingerprint(path: Path) -> dict[str, Any]:
-    return {
-        "bytes": path.stat().st_size,
-        "sha256": hashlib.sha256(path.read_bytes()).hexdigest(),
-    }
 
 
 def _manifest(baked: Baked) -> dict[str, Any]:
@@ -171,10 +108,6 @@ def _manifest(baked: Baked) -> dict[str, Any]:
         "tables": {name: _described(table) for name, table in baked.tables.items()},
         "errors": {name: errors.as_dict() for name, errors in baked.errors.items()},
     }
-
-
-def _manifest_text(manifest: dict[str, Any]) -> str:
-    return json.dumps(manifest, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def _described(table: Table) -> dict[str, Any]:
@@ -295,12 +228,7 @@ def _manifest_path(manifest: str | Path) -> Path:
 
 
 def _read_manifest(path: Path) -> dict[str, Any]:
-    try:
-        content = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise FileError(path, f"cannot be read: {error}") from error
-    if not isinstance(content, dict) or content.get("format") != FORMAT:
-        raise FileError(path, f"is no manifest of the format {FORMAT!r}")
+    content = read_manifest(path, FORMAT)
     if not isinstance(content.get("tables"), dict) or not isinstance(content.get("light"), dict):
         raise FileError(path, "is no manifest of tables: tables or light are missing")
     return content

@@ -1,4 +1,4 @@
-"""Cubic curves through points: with given slopes, monotone, and splines.
+"""Cubic curves through points: with given slopes, monotone, splines, and Catmull and Rom's.
 
 The curves equal SciPy's ``PchipInterpolator`` and ``CubicSpline``, whose import takes as long as a
 picture; the tests compare them.
@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from airlight.kernel import compiled_loop
+from airlight.kernel import compiled_loop, kernel
 
 FloatArray = NDArray[np.float64]
 
@@ -171,3 +171,32 @@ def _no_knot(
     both = step + next_step
     right = ((step + 2.0 * both) * next_step * chord + step**2 * next_chord) / both
     return (next_step, both), np.asarray(right)
+
+
+@kernel
+def catmull_rom(node, t):
+    """Weight of one of four evenly spaced points in the cubic between the inner two. [1]
+
+    Parameters
+    ----------
+    node : int
+        Index of the point, 0 to 3.
+    t : float
+        Fraction of the distance from point 1 to point 2. [1]
+
+    References
+    ----------
+    Catmull & Rom (1974).
+
+    Examples
+    --------
+    >>> [catmull_rom(node, 0.5) for node in range(4)]
+    [-0.0625, 0.5625, 0.5625, -0.0625]
+    """
+    if node == 0:
+        return 0.5 * t * (-1.0 + t * (2.0 - t))
+    if node == 1:
+        return 1.0 + 0.5 * t * t * (3.0 * t - 5.0)
+    if node == 2:
+        return 0.5 * t * (1.0 + t * (4.0 - 3.0 * t))
+    return 0.5 * t * t * (t - 1.0)

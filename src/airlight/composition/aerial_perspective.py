@@ -1,0 +1,360 @@
+"""Aerial perspective around one observer: tables of the air and the sky for a pass in a shader.
+
+Froxels of all directions instead of a camera's: the camera may turn, and move sideways as far as
+the air is the same, without new tables. The sky behind has tables of its own.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from airlight.composition.aerial_reading import (
+    AerialTables,
+    air_radiance,
+    air_transmittance,
+    sky_radiance,
+)
+from airlight.composition.stretch import Air
+from airlight.errors import Cancelled, ParameterError
+from airlight.kernel import compiled_loop
+from airlight.kernel.lanes import LANES, store
+from airlight.kernel.threads import Cancel, Progress
+from airlight.mappings.sky_view import direction_from_row
+from airlight.pixels.picture_numbers import scene_numbers
+from airlight.scene import Scene
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solvers.sight import enter_shell
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+#: Azimuths, rows of each half and steps to a factor of ten of the air's tables.
+SIZE: Final = (48, 48, 8)
+#: Azimuths and rows of each half of the sky's tables.
+SKY_SIZE: Final = (128, 128)
+#: Limits of the tables' sizes.
+_LEAST, _MOST = 4, 512
+#: Smallest coordinate of a row, so that lines of the two halves lie on either side of the horizon.
+_ASIDE: Final = 3e-4
+#: Smallest transmittance of a channel: deep red has less than no blue in sRGB. [1]
+_DARKEST: Final = 1e-6
+#: Largest value stored: half precision ends at 65504.
+_LARGEST: Final = 3e4
+#: Texels marched at once.
+_BLOCK: Final = 1 << 15
+#: Reflectance of the grey surface to whose light errors are compared.
+_GREY: Final = 0.18
+#: Number and seed of the points at which errors are measured.
+ERROR_POINTS: Final = 4096
+SEED: Final = 20260621
+
+
+@dataclass(frozen=True)
+class AerialErrors:
+    """Errors of the tables against the march, at random directions and distances.
+
+    Attributes
+    ----------
+    air_median, air_95, air_largest : float
+        Of a grey surface's light and the air's before it. [1]
+    sky_median, sky_95, sky_largest : float
+        Of the sky and the ground, without the star's disc. [1]
+    """
+
+    air_median: float
+    air_95: float
+    air_largest: float
+    sky_median: float
+    sky_95: float
+    sky_largest: float
+
+
+@dataclass(frozen=True, eq=False)
+class AerialPerspective:
+    """Air before every point around an observer, and the sky behind.
+
+    Directions are unit vectors in the observer's frame: x level towards the star, z up. Radiance
+    is in units of a white Lambert surface that faces the star without air, in each channel of
+    linear sRGB.
+
+    Attributes
+    ----------
+    tables : AerialTables
+        Tables and numbers of the look-ups.
+    scene : Scene
+        Observer and star.
+    scale : array, shape (3,)
+        Radiance of the value 1 in each channel. [W m⁻² sr⁻¹]
+    errors : AerialErrors
+        Errors, measured when the tables were filled.
+    """
+
+    tables: AerialTables
+    scene: Scene
+    scale: FloatArray
+    errors: AerialErrors
+
+    @classmethod
+    def fill(
+        cls,
+        solution: MomentsSolution,
+        scene: Scene,
+        *,
+        nearest: float = 10.0,
+        farthest: float = 200e3,
+        size: tuple[int, int, int] = SIZE,
+        sky_size: tuple[int, int] = SKY_SIZE,
+        progress: Progress | None = None,
+        cancel: Cancel | None = None,
+    ) -> AerialPerspective:
+        """March to every node, and measure the error between them.
+
+        Parameters
+        ----------
+        solution : MomentsSolution
+            Solution of the planet at three or more wavelengths.
+        scene : Scene
+            Observer inside the air, and one light; its camera is not used.
+        nearest, farthest : float
+            Distances between which the air is tabled. Before nearer points it is proportional to
+            the distance; before farther ones it is that before the farthest. [m]
+        size : (int, int, int)
+            Azimuths, rows of each half, and steps of distance to a factor of ten.
+        sky_size : (int, int)
+            Azimuths and rows of each half of the sky's tables.
+        progress, cancel : callable, optional
+            See ``airlight.kernel.threads``.
+
+        Raises
+        ------
+        ParameterError
+            If the observer is outside the air, there is more than one light, or a value is out of
+            its range.
+        Cancelled
+            If ``cancel`` requested it.
+        """
+        _check(solution, scene, nearest, farthest, (*size, *sky_size))
+        march = _March(solution, scene)
+        steps = int(np.ceil(size[2] * np.log10(farthest / nearest))) + 1
+        # one node before the nearest and one beyond the farthest, which the cubic needs
+        distance = nearest * (farthest / nearest) ** (np.arange(-1, steps + 1) / (steps - 1))
+        directions = march.nodes(*size[:2])
+        count = 2 * directions.shape[0] * distance.size + 2 * sky_size[0] * sky_size[1] * 2
+        light = np.zeros((directions.shape[0], distance.size, LANES), np.float32)
+        extinction = np.zeros_like(light)
+        done, block = 0, max(_BLOCK // distance.size, 1)
+        for first in range(0, directions.shape[0], block):
+            if cancel is not None and cancel():
+                raise Cancelled("the tables of the air")
+            part = directions[first : first + block]
+            away = np.tile(distance, part.shape[0])
+            shape = (part.shape[0], distance.size, 3)
+            radiance, through = march.air(np.repeat(part, distance.size, axis=0), away, below=True)
+            amount = -np.log(np.maximum(through, _DARKEST))
+            light[first : first + block, :, :3] = (radiance / away[:, None]).reshape(shape)
+            extinction[first : first + block, :, :3] = (amount / away[:, None]).reshape(shape)
+            done += 2 * away.size
+            if progress is not None:
+                progress(done, count, "air")
+        sky, star = march.sky(march.nodes(*sky_size))
+        if progress is not None:
+            progress(count, count, "sky")
+        scales = [max(float(one.max()), 1e-30) / _LARGEST for one in (light, extinction)]
+        numbers = march.numbers
+        tables = AerialTables(
+            horizon_mu=numbers["horizon_mu"], horizon_sine=numbers["horizon_sine"],
+            star_x=numbers["seen_x"], star_z=numbers["seen_z"],
+            star_radius=solution.lights[0].angular_radius,
+            nearest=nearest, farthest=farthest,
+            octave=(steps - 1) / np.log2(farthest / nearest),
+            columns=size[0], rows=size[1], steps=distance.size,
+            sky_columns=sky_size[0], sky_rows=sky_size[1], lanes=LANES,
+            light_scale=scales[0], extinction_scale=scales[1],
+            air_light=_stored(light / scales[0]), air_extinction=_stored(extinction / scales[1]),
+            air_sky=_stored(sky**0.25), air_star=_stored(star**0.25),
+        )  # fmt: skip
+        made = cls(tables, scene, march.scale, AerialErrors(*(0.0,) * 6))
+        return cls(tables, scene, march.scale, _errors(made, march))
+
+    def air(self, directions: ArrayLike, distances: ArrayLike) -> tuple[Float32Array, Float32Array]:
+        """Air before points: as the shader has it.
+
+        Parameters
+        ----------
+        directions : array, shape (n, 3)
+            Unit vectors in the observer's frame. [1]
+        distances : array, shape (n,)
+            Distances. [m]
+
+        Returns
+        -------
+        radiance, transmittance : array, shape (n, 3)
+            Linear sRGB, and the transmittance of white. [1]
+        """
+        unit = np.ascontiguousarray(directions, np.float64)
+        out = np.zeros((unit.shape[0], 2 * LANES), np.float32)
+        _read_air(unit, np.asarray(distances, np.float64), self.tables, out)
+        return out[:, :3], out[:, LANES : LANES + 3]
+
+    def sky(self, directions: ArrayLike, pixel: float = 1e-3) -> Float32Array:
+        """Sky, or ground, behind everything, with the star's disc: as the shader has it.
+
+        Parameters
+        ----------
+        directions : array, shape (n, 3)
+            Unit vectors in the observer's frame. [1]
+        pixel : float
+            Angle that a pixel spans. [rad]
+
+        Returns
+        -------
+        array, shape (n, 3)
+            Linear sRGB. [1]
+        """
+        unit = np.ascontiguousarray(directions, np.float64)
+        out = np.zeros((unit.shape[0], LANES), np.float32)
+        _read_sky(unit, pixel, self.tables, out)
+        return out[:, :3]
+
+
+class _March:
+    """Exact light along lines of sight, in the colours of the tables."""
+
+    def __init__(self, solution: MomentsSolution, scene: Scene) -> None:
+        self.solution = solution
+        self.numbers = scene_numbers(scene, solution)
+        self._air = Air(solution, scene)
+        self._r = solution.medium.bottom_radius + scene.altitude
+        self._sun = scene.sun_direction
+        colors = solution.lights[0].colors()
+        self.scale = colors.sum(axis=0) / np.pi
+        self._radiance = colors / self.scale
+        self._white = colors / colors.sum(axis=0)
+        radius = solution.lights[0].angular_radius
+        self._disc = 0.0 if radius == 0.0 else self.numbers["disc"]
+        r, mu_s = np.array([self._r]), np.array([self._sun[2]])
+        received = solution.relative_direct_irradiance(r, mu_s)
+        received = received + solution.relative_sky_irradiance(r, mu_s)
+        self.grey = (_GREY / np.pi * received[0]) @ self._radiance
+
+    def nodes(self, columns: int, rows: int) -> FloatArray:
+        """Directions of the texels, row by row, first those above the horizon, (n, 3). [1]"""
+        azimuth = np.pi * (np.arange(columns) / (columns - 1)) ** 2
+        at = np.maximum(np.arange(rows) / (rows - 1), _ASIDE)
+        horizon = (self.numbers["horizon_mu"], self.numbers["horizon_sine"])
+        halves = []
+        for sky in (True, False):
+            mu, sine = np.array([direction_from_row(row, sky, *horizon) for row in at]).T
+            x, y = sine[:, None] * np.cos(azimuth), sine[:, None] * np.sin(azimuth)
+            halves.append(np.stack([x, y, np.broadcast_to(mu[:, None], x.shape)], axis=-1))
+        return np.concatenate(halves).reshape(-1, 3)
+
+    def air(
+        self, directions: FloatArray, distances: FloatArray, *, below: bool = False
+    ) -> tuple[FloatArray, FloatArray]:
+        """Radiance and transmittance of the air, each (n, 3). [1]"""
+        light, through, _ = self._air.before(directions, distances, below=below)
+        return light @ self._radiance, through @ self._white
+
+    def sky(self, directions: FloatArray) -> tuple[Float32Array, Float32Array]:
+        """Radiance of sky or ground, and of the star's disc behind the air, each (n, LANES). [1]"""
+        medium = self.solution.medium
+        mu, sine = directions[:, 2], np.hypot(directions[:, 0], directions[:, 1])
+        nu = np.clip(directions @ self._sun, -1.0, 1.0)
+        r, mu_s = np.full_like(mu, self._r), np.full_like(mu, self._sun[2])
+        sight = enter_shell(r, mu, sine, mu_s, nu, medium.bottom_radius, medium.top_radius)
+        sky, star = (np.zeros((mu.size, LANES), np.float32) for _ in range(2))
+        sky[:, :3] = np.maximum(self.solution.relative_radiance(sight) @ self._radiance, 0.0)
+        free = ~self.solution.paths.sight(sight).to_ground
+        _, through, _ = self._air.before(directions[free], np.full(int(free.sum()), np.inf))
+        star[free, :3] = np.maximum(self._disc * through @ self._radiance, 0.0)
+        return sky, star
+
+
+def _check(
+    solution: MomentsSolution,
+    scene: Scene,
+    nearest: float,
+    farthest: float,
+    sizes: tuple[int, ...],
+) -> None:
+    if not isinstance(solution, MomentsSolution):
+        raise ParameterError("solution", type(solution).__name__, "a solution of moments")
+    thickness = solution.medium.thickness
+    if scene.altitude >= thickness:
+        allowed = f"below the top of the air, {thickness:g} m"
+        raise ParameterError("scene.altitude", scene.altitude, allowed)
+    if len(scene.lights) != 1:
+        raise ParameterError("scene.lights", len(scene.lights), "one light")
+    if not 0.0 < nearest < np.inf:
+        raise ParameterError("nearest", nearest, "above 0 m")
+    if not 2.0 * nearest <= farthest <= 1e9:
+        raise ParameterError("farthest", farthest, "twice the nearest distance to 1e9 m")
+    for one in sizes:
+        if not _LEAST <= one <= _MOST:
+            raise ParameterError("size", one, f"{_LEAST} to {_MOST}")
+
+
+def _stored(values: FloatArray | Float32Array) -> Float32Array:
+    """Texels as they are written, in half precision."""
+    return np.ascontiguousarray(values, np.float16).astype(np.float32).ravel()
+
+
+def _errors(made: AerialPerspective, march: _March) -> AerialErrors:
+    """Errors at random distances, even in the logarithm, and random directions.
+
+    A third of these are even over the sphere, a third within 10° of the star, a third within 3° of
+    the horizon.
+    """
+    rng = np.random.default_rng(SEED)
+    unit = rng.normal(size=(ERROR_POINTS, 3))
+    third = ERROR_POINTS // 3
+    unit /= np.linalg.norm(unit, axis=1, keepdims=True)
+    star = np.array([made.tables.star_x, 0.0, made.tables.star_z])
+    unit[:third] = star + 0.17 * rng.random((third, 1)) * unit[:third]
+    dip = np.arccos(made.tables.horizon_mu) + np.radians(rng.uniform(-3.0, 3.0, third))
+    flat = unit[-third:, :2] / np.linalg.norm(unit[-third:, :2], axis=1, keepdims=True)
+    unit[-third:] = np.column_stack([flat * np.sin(dip)[:, None], np.cos(dip)])
+    unit /= np.linalg.norm(unit, axis=1, keepdims=True)
+    tables = made.tables
+    away = tables.nearest * (tables.farthest / tables.nearest) ** rng.random(ERROR_POINTS)
+    light, through, whole = march._air.before(unit, away)
+    air = light @ march._radiance + march.grey * (through @ march._white)
+    radiance, transmittance = made.air(unit, away)
+    wrong = np.abs(radiance + march.grey * transmittance - air) / np.maximum(air, 1e-30)
+    free = ~whole
+    behind = march.sky(unit)[0][:, :3]
+    off = np.abs(_without_disc(made, unit) - behind) / np.maximum(behind, 1e-30)
+    bright = behind > 1e-6 * behind.max()
+    return AerialErrors(*_statistics(wrong[free]), *_statistics(off[bright]))
+
+
+def _without_disc(made: AerialPerspective, unit: FloatArray) -> Float32Array:
+    dark = made.tables._replace(air_star=np.zeros_like(made.tables.air_star))
+    out = np.zeros((unit.shape[0], LANES), np.float32)
+    _read_sky(np.ascontiguousarray(unit), 1e-3, dark, out)
+    return out[:, :3]
+
+
+def _statistics(values: FloatArray) -> tuple[float, float, float]:
+    if not values.size:
+        return 0.0, 0.0, 0.0
+    return float(np.median(values)), float(np.percentile(values, 95.0)), float(values.max())
+
+
+@compiled_loop
+def _read_air(unit, distances, tables, out):
+    for k in range(distances.size):
+        x, y, z = unit[k, 0], unit[k, 1], unit[k, 2]
+        store(out[k], 0, air_radiance(x, y, z, distances[k], tables))
+        store(out[k], LANES, air_transmittance(x, y, z, distances[k], tables))
+
+
+@compiled_loop
+def _read_sky(unit, pixel, tables, out):
+    for k in range(unit.shape[0]):
+        store(out[k], 0, sky_radiance(unit[k, 0], unit[k, 1], unit[k, 2], pixel, tables))

@@ -1,0 +1,187 @@
+"""Look-ups of aerial perspective: the air before a point and the sky, by direction and distance.
+
+Tables are indexed by direction as the table of the sky is, with azimuths denser towards the star,
+and, of the air, by distance. Between directions they are linear, along the distance cubic in its
+logarithm. The formulas run on the processor and are emitted to shaders.
+"""
+
+from __future__ import annotations
+
+from math import atan2, log2, pi, sqrt
+from typing import Annotated, NamedTuple
+
+import numpy as np
+
+from airlight.geometry.cubic_curves import catmull_rom
+from airlight.kernel import inlined
+from airlight.kernel.lanes import exponential, load, maximum, splat
+from airlight.kernel.shader_fields import Always, InTexture
+from airlight.mappings.sky_view import angle_above_horizon, row_from_angle
+from airlight.pixels.pixel import between_texels, texel_before
+from airlight.pixels.sky_table import half_sine_between
+from airlight.pixels.star_disc import covered
+
+
+class AerialTables(NamedTuple):
+    """Tables of the air and the sky before one observer, with the numbers of their look-ups.
+
+    Attributes
+    ----------
+    horizon_mu, horizon_sine : float
+        Cosine and sine of the horizon's zenith angle. [1]
+    star_x, star_z : float
+        Horizontal and vertical component towards the apparent star. [1]
+    star_radius : float
+        Angular radius of its disc. [rad]
+    nearest, farthest : float
+        Distances between which the air is tabled. [m]
+    octave : float
+        Steps of distance to a factor of two. [1]
+    columns, rows, steps : int
+        Azimuths, rows of each half, and distances of the air's tables.
+    sky_columns, sky_rows : int
+        Azimuths and rows of each half of the sky's tables.
+    lanes : int
+        Numbers of a texel.
+    light_scale, extinction_scale : float
+        Radiance over distance [m⁻¹] and mean extinction [m⁻¹] of a stored 1.
+    air_light, air_extinction : array
+        Stored radiance over distance, and mean extinction; red, green, blue. [1]
+    air_sky, air_star : array
+        Fourth roots of the radiance of the sky, and of the star's disc through the air. [1]
+    """
+
+    horizon_mu: float
+    horizon_sine: float
+    star_x: float
+    star_z: float
+    star_radius: float
+    nearest: float
+    farthest: float
+    octave: float
+    columns: int
+    rows: int
+    steps: int
+    sky_columns: int
+    sky_rows: int
+    lanes: Annotated[int, Always(1)]
+    light_scale: float
+    extinction_scale: float
+    air_light: Annotated[np.ndarray, InTexture("air_light", spectral=True, whole=True)]
+    air_extinction: Annotated[np.ndarray, InTexture("air_extinction", spectral=True, whole=True)]
+    air_sky: Annotated[np.ndarray, InTexture("air_sky", spectral=True, whole=True)]
+    air_star: Annotated[np.ndarray, InTexture("air_star", spectral=True, whole=True)]
+
+
+@inlined
+def texel_towards(x, y, z, columns, rows, tables):
+    """First of the four texels around a direction.
+
+    Parameters
+    ----------
+    x, y, z : float
+        Direction in the observer's frame: x level towards the star, z up. A unit vector. [1]
+    columns, rows : int
+        Azimuths, and rows of each half.
+    tables : AerialTables
+        Tables with their horizon.
+
+    Returns
+    -------
+    near : int
+        Index of the texel.
+    right, down : float
+        Fractions of the distance to the next texel and to the next row. [1]
+    """
+    sine = sqrt(x * x + y * y)
+    angle = angle_above_horizon(z, sine, tables.horizon_mu, tables.horizon_sine)
+    row = row_from_angle(angle, tables.horizon_mu)
+    azimuth = sqrt(atan2(abs(y), x) / pi)
+    column, right = texel_before(azimuth * (columns - 1), 0, columns - 1)
+    line, down = texel_before(row * (rows - 1), 0, rows - 1)
+    before = rows if angle < 0.0 else 0
+    return (before + line) * columns + column, right, down
+
+
+@inlined
+def per_distance(table, x, y, z, distance, tables):
+    """Stored amount over distance between the nodes of a table. [1]
+
+    Parameters
+    ----------
+    table : array
+        ``air_light`` or ``air_extinction``.
+    x, y, z, distance, tables :
+        Arguments of ``air_radiance``.
+    """
+    near, right, down = texel_towards(x, y, z, tables.columns, tables.rows, tables)
+    z_place = log2(max(distance, tables.nearest) / tables.nearest) * tables.octave + 1.0
+    step, t = texel_before(z_place, 1, tables.steps - 2)
+    e, f = np.float32(right), np.float32(down)
+    g, h = np.float32(1.0) - f, np.float32(1.0) - e
+    along = tables.lanes * tables.steps
+    total = splat(0.0)
+    for node in range(4):
+        upper = along * near + tables.lanes * (step - 1 + node)
+        lower = upper + along * tables.columns
+        value = (
+            load(table, upper) * (g * h)
+            + load(table, upper + along) * (g * e)
+            + load(table, lower) * (f * h)
+            + load(table, lower + along) * (f * e)
+        )
+        total = total + value * np.float32(catmull_rom(node, t))
+    return maximum(total, splat(0.0))
+
+
+@inlined
+def air_radiance(x, y, z, distance, tables):
+    """Radiance of the air before a point; red, green, blue. [1]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Direction of the point in the observer's frame: x level towards the star, z up. A unit
+        vector. [1]
+    distance : float
+        Distance of the point. [m]
+    tables : AerialTables
+        Tables.
+    """
+    reach = min(distance, tables.farthest)
+    stored = per_distance(tables.air_light, x, y, z, reach, tables)
+    return stored * np.float32(tables.light_scale * reach)
+
+
+@inlined
+def air_transmittance(x, y, z, distance, tables):
+    """Transmittance of the air before a point, for white under the star. [1]
+
+    Parameters
+    ----------
+    x, y, z, distance, tables :
+        Arguments of ``air_radiance``.
+    """
+    reach = min(distance, tables.farthest)
+    stored = per_distance(tables.air_extinction, x, y, z, reach, tables)
+    return exponential(stored * np.float32(-tables.extinction_scale * reach))
+
+
+@inlined
+def sky_radiance(x, y, z, pixel, tables):
+    """Radiance of the sky or the planet's ground, with the star's disc; red, green, blue. [1]
+
+    Parameters
+    ----------
+    x, y, z, tables :
+        Arguments of ``air_radiance``.
+    pixel : float
+        Angle that a pixel spans, over which the disc's rim is smooth. [rad]
+    """
+    near, right, down = texel_towards(x, y, z, tables.sky_columns, tables.sky_rows, tables)
+    columns = tables.sky_columns
+    sky = between_texels(tables.air_sky, near, columns, right, down, tables.lanes, 0)
+    apart = 2.0 * half_sine_between(x, y, z, tables.star_x, tables.star_z)
+    share = covered(apart, tables.star_radius, pixel)
+    disc = between_texels(tables.air_star, near, columns, right, down, tables.lanes, 0)
+    return sky + disc * np.float32(share)

@@ -1,0 +1,115 @@
+"""Aerial perspective on disk: textures of half floats, shader functions, and a JSON manifest.
+
+Every texture is a file of RGBA half floats, little-endian, row by row, as a graphics device takes
+it: format ``rgba16float`` of WebGPU, ``RGBA16F`` of WebGL2. ``air.wgsl`` and ``air.glsl`` read them
+texel by texel.
+"""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+
+from airlight.composition.aerial_perspective import AerialPerspective
+from airlight.composition.aerial_shader import TEXTURES, aerial_shader
+from airlight.exports.header import version
+from airlight.exports.whole_folder import MANIFEST, fingerprint, whole_folder, write_manifest
+from airlight.gpu.emit.glsl import GLSL
+from airlight.gpu.emit.shader_types import FLAT_WIDTH
+from airlight.gpu.emit.wgsl import WGSL
+from airlight.kernel.lanes import LANES
+
+#: Format named in the manifest.
+FORMAT: Final = "airlight aerial perspective 1"
+_CHANNELS: Final = 4
+
+
+def write_aerial(
+    folder: str | Path, aerial: AerialPerspective, about: dict[str, str] | None = None
+) -> Path:
+    """Write the tables of aerial perspective with their shader functions and manifest.
+
+    Parameters
+    ----------
+    folder : str or Path
+        Folder to create, an empty folder, or one that holds such tables, which are replaced.
+    aerial : AerialPerspective
+        Tables.
+    about : dict, optional
+        Texts for the manifest: the planet, its changes.
+
+    Returns
+    -------
+    Path
+        Path of the manifest.
+
+    Raises
+    ------
+    FileError
+        If the folder holds other files, or cannot be written to; it is then unchanged.
+
+    Examples
+    --------
+    ::
+
+        solution = airlight.solve(airlight.load_planet("earth"), wavelengths=range(410, 700, 19))
+        scene = airlight.Scene(altitude=500.0, sun_zenith=66.0)
+        write_aerial("air", AerialPerspective.fill(solution, scene))
+    """
+    with whole_folder(folder, FORMAT) as part:
+        textures: dict[str, Any] = {}
+        for name in TEXTURES:
+            file = part / f"{name}.bin"
+            texels = _flat(getattr(aerial.tables, name))
+            file.write_bytes(texels.tobytes())
+            textures[name] = {
+                "width": FLAT_WIDTH,
+                "height": texels.shape[0],
+                "texels": getattr(aerial.tables, name).size // LANES,
+                "format": "rgba16float",
+                "files": {file.name: fingerprint(file)},
+            }
+        shaders: dict[str, Any] = {}
+        for dialect, file_name in ((WGSL, "air.wgsl"), (GLSL, "air.glsl")):
+            file = part / file_name
+            file.write_text(aerial_shader(aerial, dialect), encoding="utf-8")
+            shaders[dialect.name] = {"files": {file_name: fingerprint(file)}}
+        write_manifest(part, _manifest(aerial, about or {}, textures, shaders))
+    return Path(folder) / MANIFEST
+
+
+def _flat(values: np.ndarray) -> np.ndarray:
+    """Texels of four channels as a flat texture, shape (height, FLAT_WIDTH, 4), half floats."""
+    texels = values.reshape(-1, LANES)[:, :_CHANNELS]
+    height = -(-texels.shape[0] // FLAT_WIDTH)
+    out = np.zeros((height * FLAT_WIDTH, _CHANNELS), "<f2")
+    out[: texels.shape[0]] = texels
+    return out.reshape(height, FLAT_WIDTH, _CHANNELS)
+
+
+def _manifest(
+    aerial: AerialPerspective,
+    about: dict[str, str],
+    textures: dict[str, Any],
+    shaders: dict[str, Any],
+) -> dict[str, Any]:
+    tables, scene = aerial.tables, aerial.scene
+    return {
+        "format": FORMAT,
+        "airlight": version(),
+        **about,
+        "altitude_m": scene.altitude,
+        "sun_zenith_deg": scene.sun_zenith,
+        "nearest_m": tables.nearest,
+        "farthest_m": tables.farthest,
+        "star_angular_radius_rad": tables.star_radius,
+        "unit": "1: white Lambert surface that faces the star without air; linear sRGB",
+        "radiance_of_1_W_m-2_sr-1": aerial.scale.tolist(),
+        "frame": "x level towards the star, z up; y is used by its size alone",
+        "textures": textures,
+        "shaders": shaders,
+        "errors": asdict(aerial.errors),
+    }

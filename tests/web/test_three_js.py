@@ -1,0 +1,126 @@
+"""The pass of the example for three.js, by its own file, against the look-ups in Python."""
+
+from __future__ import annotations
+
+import functools
+import http.server
+import shutil
+import subprocess
+import threading
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, NoReturn
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight.color.encoding import srgb_encode
+from airlight.composition.aerial_perspective import AerialPerspective
+from airlight.exports.aerial_files import write_aerial
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "engines" / "three"
+WIDTH, HEIGHT, FIELD_OF_VIEW = 96, 54, 50.0
+GREY, AWAY = 0.25, 20e3
+
+#: A wall to the north that covers the left half, and what is drawn of it.
+PAGE = f"""<!doctype html><link rel="icon" href="data:,"><script type="importmap">
+{{ "imports": {{ "three": "./node_modules/three/build/three.module.js" }} }}
+</script><script type="module">
+  import * as THREE from "three";
+  import {{ AirPass }} from "./air_pass.js";
+  const renderer = new THREE.WebGLRenderer();
+  renderer.setSize({WIDTH}, {HEIGHT});
+  const air = await AirPass.load("air");
+  air.star.setFromSphericalCoords(1, 75 * Math.PI / 180, Math.PI - 60 * Math.PI / 180);
+  air.exposure = 2;
+  const scene = new THREE.Scene();
+  const wall = new THREE.Mesh(
+    new THREE.PlaneGeometry(40, 80),
+    new THREE.MeshBasicMaterial({{ color: new THREE.Color({GREY}, {GREY}, {GREY}) }}),
+  );
+  wall.position.set(-20, 0, -20);
+  scene.add(wall);
+  air.metresPerUnit = 1000;
+  const camera = new THREE.PerspectiveCamera({FIELD_OF_VIEW}, {WIDTH / HEIGHT}, 0.01, 100);
+  camera.updateMatrixWorld();
+  air.render(renderer, scene, camera);
+  const pixels = new Uint8Array(4 * {WIDTH * HEIGHT});
+  const gl = renderer.getContext();
+  gl.readPixels(0, 0, {WIDTH}, {HEIGHT}, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  window.seen = Array.from(pixels);
+</script>"""
+
+
+@pytest.fixture(scope="module")
+def folder(
+    aerial: AerialPerspective,
+    tmp_path_factory: pytest.TempPathFactory,
+    lacking: Callable[[str], NoReturn],
+) -> Path:
+    """The example with its tables, and three.js by npm."""
+    if shutil.which("npm") is None:
+        lacking("no npm (on Debian: apt-get install npm)")
+    place = tmp_path_factory.mktemp("three")
+    for name in ("air_pass.js", "index.html", "package.json"):
+        shutil.copy(EXAMPLE / name, place / name)
+    asked = ["npm", "install", "--silent", "--no-audit", "--no-fund"]
+    subprocess.run(asked, cwd=place, check=True, timeout=300)
+    write_aerial(place / "air", aerial)
+    (place / "wall.html").write_text(PAGE, encoding="utf-8")
+    return place
+
+
+class _Quiet(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *arguments: Any) -> None:
+        pass
+
+
+@pytest.fixture(scope="module")
+def opened_page(folder: Path, chromium: Any) -> Iterator[Callable[[str], Any]]:
+    """Open a page of the folder by HTTP; fails at the end on any error in a page."""
+    handler = functools.partial(_Quiet, directory=str(folder))
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    context = chromium.new_context(viewport={"width": 320, "height": 180})
+    faults: list[str] = []
+
+    def opened(name: str) -> Any:
+        page = context.new_page()
+        page.on("pageerror", lambda error: faults.append(str(error)))
+        page.on("console", lambda m: faults.append(m.text) if m.type == "error" else None)
+        page.goto(f"http://127.0.0.1:{server.server_port}/{name}")
+        return page
+
+    yield opened
+    context.close()
+    server.shutdown()
+    server.server_close()
+    assert faults == []
+
+
+def test_a_wall_and_the_sky_behind(
+    opened_page: Callable[[str], Any], aerial: AerialPerspective
+) -> None:
+    page = opened_page("wall.html")
+    page.wait_for_function("window.seen !== undefined", timeout=120e3)
+    seen = np.array(page.evaluate("window.seen"), float).reshape(HEIGHT, WIDTH, 4)[::-1, :, :3]
+    tall = np.tan(np.radians(0.5 * FIELD_OF_VIEW))
+    x = ((np.arange(WIDTH) + 0.5) / WIDTH * 2.0 - 1.0) * tall * WIDTH / HEIGHT
+    y = (1.0 - (np.arange(HEIGHT) + 0.5) / HEIGHT * 2.0) * tall
+    ray = np.stack(np.broadcast_arrays(x, y[:, None], -1.0), axis=-1)
+    length = np.linalg.norm(ray, axis=-1, keepdims=True)
+    level = np.array([np.sin(np.radians(60.0)), 0.0, -np.cos(np.radians(60.0))])
+    rows = np.stack([level, np.cross([0.0, 1.0, 0.0], level), [0.0, 1.0, 0.0]])
+    unit = (ray / length @ rows.T).reshape(-1, 3)
+    radiance, transmittance = aerial.air(unit, AWAY * length.ravel())
+    covered = np.broadcast_to(x < 0.0, (HEIGHT, WIDTH)).ravel()
+    sky = aerial.sky(unit, pixel=np.radians(FIELD_OF_VIEW) / HEIGHT)
+    light = np.where(covered[:, None], GREY * transmittance + radiance, sky)
+    wanted = 255.0 * srgb_encode(1.0 - np.exp(-2.0 * light)).reshape(HEIGHT, WIDTH, 3)
+    assert_allclose(seen, wanted, atol=2.0)
+
+
+def test_the_example_draws(opened_page: Callable[[str], Any]) -> None:
+    page = opened_page("index.html")
+    page.wait_for_function("document.title.includes('drawn')", timeout=120e3)
