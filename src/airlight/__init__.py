@@ -34,6 +34,8 @@ if TYPE_CHECKING:
     from airlight.render import Frame, render
     from airlight.scene import Camera, Scene, look_at
     from airlight.scene.local_ground import local_ground
+    from airlight.scene.moon_light import MoonLight
+    from airlight.scene.star_light import StarLight
     from airlight.solvers import Solution, solve
 
 #: Where each public name lives.
@@ -52,6 +54,8 @@ _HOMES = {
     "Scene": "airlight.scene",
     "look_at": "airlight.scene",
     "local_ground": "airlight.scene.local_ground",
+    "MoonLight": "airlight.scene.moon_light",
+    "StarLight": "airlight.scene.star_light",
     "render": "airlight.render",
     "Frame": "airlight.render",
     "write_picture": "airlight.exports",
@@ -80,6 +84,8 @@ __all__ = [
     "Scene",
     "look_at",
     "local_ground",
+    "MoonLight",
+    "StarLight",
     "render",
     "Frame",
     "write_picture",

@@ -1,13 +1,22 @@
-"""Lights of towns in pictures of a device."""
+"""Lights of towns, and several lights, in pictures of a device."""
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+import numpy as np
+import pytest
 from numpy.testing import assert_allclose
 
-from airlight import Camera, Scene, load_planet, solve
+from airlight import Camera, MoonLight, Scene, StarLight, load_planet, solve
+from airlight.color.display import to_display
 from airlight.gpu.device.device import Device
+from airlight.gpu.device.flat import read_texture
 from airlight.gpu.picture.pictures import Pictures
 from airlight.render import render
+
+#: Use of a texture that is drawn into and read: RENDER_ATTACHMENT and COPY_SRC of WebGPU.
+TARGET = 0x10 | 0x01
 
 
 def test_lights_by_night_are_those_of_the_processor(device: Device) -> None:
@@ -24,3 +33,28 @@ def test_lights_by_night_are_those_of_the_processor(device: Device) -> None:
         wanted = render(solution, scene).rgb
         assert wanted.max() > 1e-5
         assert_allclose(pictures.frame(scene).rgb, wanted, rtol=5e-3, atol=2e-3 * wanted.max())
+
+
+@pytest.mark.parametrize("name", ["night", "day", "two suns"])
+def test_several_lights_are_shown_as_by_the_processor(name: str, device: Device) -> None:
+    # Each light has its table of the sky, its disc and its colours; the moon's phase and the second
+    # star's darkening included. Discs of fifty pixels, so that the rim is little of the picture.
+    solution = solve(load_planet("earth"), (440.0, 500.0, 560.0, 620.0), "preview", cache=False)
+    moon = MoonLight(zenith=76.0, azimuth=25.0, phase=60.0, angular_radius=4.0)
+    red = StarLight(zenith=78.0, azimuth=5.0, star=StarLight.black_body(3500.0, 4.0))
+    zenith, others = {
+        "night": (106.0, (moon,)), "day": (60.0, (moon,)), "two suns": (80.0, (red, moon)),
+    }[name]  # fmt: skip
+    camera = Camera(width=96, height=54, look_zenith=80.0, look_azimuth=20.0)
+    scene = Scene(camera=camera, altitude=100.0, sun_zenith=zenith, others=others)
+    wanted = render(solution, scene)
+    pictures = Pictures(device, (128, 64))
+    pictures.show(solution)
+    shown = []
+    for one in (replace(scene, others=()), scene):
+        target = device.device.create_texture(size=(96, 54, 1), format="rgba32float", usage=TARGET)
+        pictures.draw(one, target.create_view(), "rgba32float", exposure=wanted.exposure)
+        shown.append(255.0 * read_texture(device, target)[..., :3])
+    expected = to_display(wanted.rgb, wanted.exposure).astype(float)
+    assert np.abs(shown[1] - expected).max() <= 2
+    assert np.abs(shown[0] - expected).max() > 5  # the second light is seen

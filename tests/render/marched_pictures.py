@@ -20,7 +20,7 @@ def marched(
     """Picture of ``render(..., exact=True)``; like a software device without samples of edges."""
     camera = scene.camera
     total = np.zeros((camera.height, camera.width, 3), np.float32)
-    for seen, lit in lit_scenes(scene, solution):
+    for seen, lit, _, _ in lit_scenes(scene, solution):
         rgb = np.zeros_like(total)
         drawing = Drawing(lit, seen, exact=True, edges=not device.software, **options)
         drawing.draw(0, camera.height, rgb)

@@ -1,4 +1,4 @@
-"""Sun of a session by its date and time."""
+"""Sun and Moon of a session by its date and time."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 
-from airlight.ephemeris.sky import Place, sun_seen
+from airlight.ephemeris.sky import Place, moon_seen, sun_seen
 from airlight.viewer.navigation.flight import Flight
 from airlight.viewer.session.session import Session
 
@@ -136,3 +136,65 @@ def test_reset_goes_back_to_the_first_sun() -> None:
     session.set("view.hour", 3.0)
     session.reset()
     assert dict(session.view) == first
+
+
+def moon_of(session: Session) -> tuple[float, float]:
+    """Altitude and bearing of the second light. [deg]"""
+    view = session.view
+    return 90.0 - float(view["view.second_zenith"]), float(view["view.second_azimuth"])
+
+
+def test_date_sets_the_moon_where_the_ephemeris_has_it() -> None:
+    session = dated()
+    assert session.value("view.second_light") == "moon"
+    seen = moon_seen(PLACE, EVENING)
+    # 0.09° at most, and more in bearing than on the sky
+    assert moon_of(session) == pytest.approx((seen.altitude, seen.azimuth), abs=0.15)
+    # the half Moon of that evening; of the Earth's centre, 1° from the place's
+    assert session.value("view.moon_phase") == pytest.approx(seen.phase_angle, abs=1.2)
+    (moon,) = session.scene.others
+    assert moon.zenith == session.value("view.second_zenith")
+    bearing = (moon.azimuth + float(session.view["view.sun_azimuth"])) % 360.0
+    assert bearing == pytest.approx(moon_of(session)[1])
+
+
+def test_moon_moved_by_hand_leaves_the_date_and_the_sun_does_not() -> None:
+    session = dated()
+    sun = sun_of(session)
+    session.set("view.second_zenith", 20.0)
+    assert session.value("view.moon_by_date") is False
+    assert session.value("view.clock") is True
+    session.set("view.hour", 21.0)
+    assert session.value("view.second_zenith") == 20.0
+    assert sun_of(session) != sun
+    session.set("view.moon_by_date", True)
+    assert session.value("view.second_zenith") != 20.0
+
+
+def test_moon_is_switched_off_by_one_choice() -> None:
+    session = dated()
+    session.set("view.second_light", "none")
+    session.set("view.hour", 21.0)
+    assert session.value("view.second_light") == "none"
+    assert session.scene.others == ()
+
+
+def test_a_moved_moon_shines_and_a_temperature_makes_a_second_sun() -> None:
+    session = Session("mars")
+    session.set("view.second_zenith", 40.0)
+    assert session.value("view.second_light") == "moon"
+    session.undo()
+    assert session.value("view.second_light") == "none"
+    session.set("view.second_temperature", 4000.0)
+    (star,) = session.scene.others
+    assert star.star.temperature == 4000.0
+    assert star.star.angular_radius_degrees == pytest.approx(0.259)
+
+
+def test_mars_has_no_moon_by_date() -> None:
+    session = dated()
+    session.open("mars")
+    assert session.value("view.clock") is True
+    assert session.value("view.second_light") == "none"
+    session.open("earth")
+    assert session.value("view.second_light") == "moon"

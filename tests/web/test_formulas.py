@@ -43,6 +43,18 @@ CASES: dict[str, tuple[Any, ...]] = {
     "spin_of": (RNG.integers(0, 3, COUNT), numbers(-20000.0, 20000.0)),
     "point_below_sun": (RNG.integers(0, 3, COUNT), numbers(-20000.0, 20000.0)),
     "sun_on_date": (RNG.integers(0, 3, COUNT), LATITUDES, BEARINGS, *DATES),
+    "turns": (numbers(-3000.0, 3000.0),),
+    "moon_place": (numbers(-20000.0, 20000.0),),
+    "moon_at": (LATITUDES, BEARINGS, numbers(-20000.0, 20000.0)),
+    "moon_on_date": (LATITUDES, BEARINGS, *DATES),
+    "dusty_sphere": (ZENITHS,),
+    "measured_phase": (ZENITHS,),
+    "moon_share": (ZENITHS,),
+    "bright_limb": (ZENITHS, BEARINGS, ZENITHS[::-1]),
+    "phase_shading": (0.9 * ZENITHS, BEARINGS, numbers(0.0, 1.0), numbers(-1.0, 1.0)),
+    "light_shown": (
+        ZENITHS, ZENITHS[::-1], numbers(0.0, 2.0), numbers(-1e-6, 2e-5), ALTITUDES, BOTTOM, 1e5
+    ),
     "direction_of": ANGLES[:2],
     "camera_frame": ANGLES,
     "ground_axes": ANGLES,

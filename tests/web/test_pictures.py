@@ -64,6 +64,19 @@ VIEWS = {
         {"view.altitude": 400e3, "view.look_zenith": 115.0, "view.sun_zenith": 60.0,
          "view.latitude": 32.0, "view.longitude": 12.0, "display.exposure": -5.0},
     ),
+    "earth, moonlight": (
+        "earth",
+        {"view.altitude": 2.0, "view.sun_zenith": 110.0, "view.look_zenith": 80.0,
+         "view.second_light": "moon", "view.second_zenith": 74.0, "view.second_azimuth": 190.0,
+         "view.moon_phase": 70.0, "view.second_radius": 5.0, "display.exposure": 8.0},
+    ),
+    "earth, two suns": (
+        "earth",
+        {"view.altitude": 2.0, "view.sun_zenith": 75.0, "view.look_zenith": 80.0,
+         "view.second_light": "second sun", "view.second_zenith": 80.0,
+         "view.second_azimuth": 190.0, "view.second_radius": 4.0,
+         "view.second_temperature": 4100.0, "display.exposure": -9.0},
+    ),
     "mars, sunset": (
         "mars",
         {"view.sun_zenith": 89.0, "view.look_zenith": 85.0, "view.projection": "fisheye",

@@ -1,4 +1,4 @@
-"""Sun of a page by date and time: the same edits as in Python's session lead to the same view."""
+"""Sun and Moon of a page by date and time: the same edits as in Python's session lead to the same view."""
 
 from __future__ import annotations
 
@@ -25,8 +25,17 @@ EDITS: list[dict[str, float | bool] | float] = [
     1.0,
     {"view.clock": True},
     {"view.altitude": 5000.0},
+    {"view.second_zenith": 40.0},
+    {"view.hour": 3.0},
+    {"view.moon_by_date": True},
+    {"view.second_light": "none"},
+    {"view.second_temperature": 5000.0},
 ]
-NAMES = ("clock", "year", "day", "hour", "sun_zenith", "sun_azimuth", "latitude", "longitude")
+NAMES = (
+    "clock", "year", "day", "hour", "sun_zenith", "sun_azimuth", "latitude", "longitude",
+    "moon_by_date", "second_zenith", "second_azimuth", "moon_phase", "second_radius",
+)  # fmt: skip
+LIGHTS = ["none", "moon", "second sun"]
 
 
 def after_each(session: Session) -> list[list[float]]:
@@ -38,7 +47,8 @@ def after_each(session: Session) -> list[list[float]]:
         else:
             for path, value in edit.items():
                 session.set(path, value)
-        seen.append([float(session.view[f"view.{name}"]) for name in NAMES])
+        values = [float(session.view[f"view.{name}"]) for name in NAMES]
+        seen.append([*values, LIGHTS.index(str(session.view["view.second_light"]))])
     return seen
 
 
@@ -52,7 +62,7 @@ def test_sun_of_the_page_is_that_of_the_session(
     values = {one["path"]: session.values[one["path"]] for one in parameters}
     page = modules({"state/state": ("State",), "ui/flight": ("Flight",)})
     seen = page.evaluate(
-        """([parameters, values, fixed, edits, names, step]) => {
+        """([parameters, values, fixed, edits, names, lights, step]) => {
           const state = new State(parameters, values, fixed);
           const flight = new Flight(state, () => {}, () => 6360000);
           flight.playing = true;
@@ -63,10 +73,11 @@ def test_sun_of_the_page_is_that_of_the_session(
             } else {
               state.set(edit);
             }
-            return names.map((name) => Number(state.get(`view.${name}`)));
+            const light = lights.indexOf(state.get("view.second_light"));
+            return [...names.map((name) => Number(state.get(`view.${name}`))), light];
           });
         }""",
-        [parameters, values, fixed, EDITS, NAMES, RATES["longest_step"]],
+        [parameters, values, fixed, EDITS, NAMES, LIGHTS, RATES["longest_step"]],
     )
     for theirs, ours in zip(seen, after_each(session), strict=True):
         assert theirs == pytest.approx(ours, abs=1e-6)

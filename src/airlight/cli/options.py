@@ -193,6 +193,17 @@ def angle(text: str, option: str) -> float:
     return quantity(text, "deg", option)
 
 
+def temperature(text: str, option: str) -> float:
+    """Parse a temperature such as ``3500K``; kelvin without a unit. [K]
+
+    Examples
+    --------
+    >>> temperature("3500K", "--second-star")
+    3500.0
+    """
+    return quantity(text, "K", option)
+
+
 def direction(text: str, option: str) -> tuple[float, float]:
     """Parse a zenith angle and an azimuth. [deg]
 

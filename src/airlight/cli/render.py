@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from airlight.cli import options, scene_file, time_and_place
+from airlight.cli import options, scene_file, second_lights, time_and_place
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
@@ -33,6 +33,9 @@ EPILOG = examples(
     "airlight render earth --at 59.33N,18.07E --time 2026-06-21T22:10+02:00 --look-at sun "
     "-o stockholm.png",
     "airlight render earth --at 46.5N,8E,2km --time '2026-12-21 civil-dusk' --look-at W -o a.png",
+    "airlight render earth --at 54.5N,11E --time '2026-10-26 moonrise' --look-at moon -o rise.png",
+    "airlight render earth --altitude 2m --sun-zenith 75 --look-at sun "
+    "--second-star 80,12,3500K,0.4deg -o two.png",
     "airlight render lunar-eclipse --size 800x600 -o moon.png",
     "airlight render mars --at 4.59S,137.44E --ls 250 --time sunset --look-at sun -o gale.png",
 )
@@ -81,6 +84,8 @@ def render(
         str | None,
         typer.Option(metavar="ANGLE", help="Zenith angle of the sun at the observer: 72deg."),
     ] = None,
+    moon: second_lights.Moon = None,
+    second_star: second_lights.SecondStar = None,
     fov: Annotated[
         str | None,
         typer.Option(
@@ -214,6 +219,7 @@ def render(
                 "--roll": roll if roll != "0deg" else None,
                 "--device": device if device == "gpu" else None,
                 "--ground": ground if ground != "detailed" else None,
+                "--moon": moon, "--second-star": second_star,
                 "--sun-distance": sun_distance if sun_distance != "true" else None,
             },
         )  # fmt: skip
@@ -254,6 +260,7 @@ def render(
         sun_azimuth=placed.sun_azimuth,
         ground=ground,
         time=placed.time,
+        others=second_lights.given(moon, second_star, placed),
     )
     if placed.time is not None:
         world = time_and_place.lit(world, placed, sun_distance)
@@ -307,7 +314,7 @@ def _target(
             sun_zenith=placed.sun_zenith,
             bottom_radius=planet.bottom_radius,
             sun_azimuth=placed.sun_azimuth,
-            moon=placed.moon,
+            moon=None if placed.moon is None else (placed.moon.zenith, placed.moon.azimuth),
         )
     except ParameterError as error:
         raise ParameterError("--look-at", error.value, error.allowed) from None

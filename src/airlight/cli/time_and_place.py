@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from datetime import datetime
 
+    from airlight.ephemeris.sky import MoonSighting
     from airlight.planets.planet import Planet
 
 At = Annotated[
@@ -78,8 +79,8 @@ class Placed:
         Zenith angle and compass bearing of the sun. [deg]
     time : datetime or None
         Instant, where one is given.
-    moon : (float, float) or None
-        Zenith angle and bearing of the moon, where they are known. [deg]
+    moon : MoonSighting or None
+        The Moon, where its place is known.
     """
 
     altitude: float
@@ -88,7 +89,7 @@ class Placed:
     sun_zenith: float
     sun_azimuth: float
     time: datetime | None = None
-    moon: tuple[float, float] | None = None
+    moon: MoonSighting | None = None
 
 
 def by_angles(
@@ -186,7 +187,7 @@ def given(
         sun_zenith=sun.zenith,
         sun_azimuth=sun.azimuth,
         time=moment,
-        moon=None if moon is None else (moon.zenith, moon.azimuth),
+        moon=moon,
     )
 
 

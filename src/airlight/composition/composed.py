@@ -160,7 +160,8 @@ def compose(
         raise ParameterError("solution", type(solution).__name__, "a solution of moments")
     view = viewpoint(camera, place, solution.medium.bottom_radius)
     pictures = [
-        _Picture(seen, lit, view, exact, disc) for seen, lit in lit_scenes(view.scene, solution)
+        _Picture(seen, lit, view, exact, disc)
+        for seen, lit, _, _ in lit_scenes(view.scene, solution)
     ]
     surface = SurfaceLight(solution, white)
     out = np.empty((camera.height, camera.width, 3), np.float32)

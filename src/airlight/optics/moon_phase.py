@@ -9,11 +9,13 @@ with the geometric albedo p and a phase function Φ(0) = 1.
 
 from __future__ import annotations
 
-from math import pi
+from math import cos, exp, log, pi, sin
 from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from airlight.kernel import kernel, vectorized
 
 FloatArray = NDArray[np.float64]
 
@@ -31,6 +33,7 @@ MOON_ALBEDO: Final = 10.0 ** (-0.4 * (FULL_MOON - SUN)) * _RADII_AWAY**2
 MOON_REDDENING: Final = 0.4 * (0.92 - 0.65) * np.log(10.0) / np.log(550.0 / 440.0)
 #: Largest phase angle of the measurements; thinner crescents keep their surface's brightness. [deg]
 _THINNEST: Final = 160.0
+_LOG10: Final = log(10.0)
 
 
 def lambert_phase(phase: ArrayLike) -> FloatArray:
@@ -54,6 +57,52 @@ def lambert_phase(phase: ArrayLike) -> FloatArray:
     return np.asarray((np.sin(a) + (pi - a) * np.cos(a)) / pi)
 
 
+@kernel
+def dusty_sphere(phase):
+    """Phase function of a sphere of dark dust; ``lommel_seeliger_phase`` of one number. [1]
+
+    Parameters
+    ----------
+    phase : float
+        Phase angle, 0 to 180. [deg]
+    """
+    half = 0.5 * min(max(phase, 1e-9), 180.0 - 1e-9) * pi / 180.0
+    dark = sin(half) / cos(half) * log(sin(0.5 * half) / cos(0.5 * half))
+    return max(1.0 + sin(half) * dark, 0.0)
+
+
+@kernel
+def measured_phase(phase):
+    """Phase function of the Moon; ``moon_phase`` of one number. [1]
+
+    Parameters
+    ----------
+    phase : float
+        Phase angle, at least 0. [deg]
+    """
+    return exp(-0.4 * _LOG10 * (0.026 * phase + 4e-9 * phase * phase * phase * phase))
+
+
+@kernel
+def moon_share(phase):
+    """Light of the Moon over that of the full Moon. [1]
+
+    Beyond the phases that are measured, 160 degrees, the crescent keeps its surface's brightness.
+
+    Parameters
+    ----------
+    phase : float
+        Phase angle, 0 to 180. [deg]
+
+    Examples
+    --------
+    >>> f"{moon_share(90.0):.3f}"
+    '0.091'
+    """
+    known = min(phase, _THINNEST)
+    return measured_phase(known) * dusty_sphere(phase) / dusty_sphere(known)
+
+
 def lommel_seeliger_phase(phase: ArrayLike) -> FloatArray:
     r"""Phase function of a sphere of dark dust, by Lommel and Seeliger's law. [1]
 
@@ -73,9 +122,7 @@ def lommel_seeliger_phase(phase: ArrayLike) -> FloatArray:
     >>> lommel_seeliger_phase([0.0, 90.0, 180.0]).round(4) + 0.0
     array([1.    , 0.3768, 0.    ])
     """
-    a = np.radians(np.clip(np.asarray(phase, float), 1e-9, 180.0 - 1e-9))
-    half = 0.5 * a
-    return np.asarray(1.0 + np.sin(half) * np.tan(half) * np.log(np.tan(0.5 * half)))
+    return np.asarray(vectorized(dusty_sphere)(np.asarray(phase, float)))
 
 
 def moon_phase(phase: ArrayLike) -> FloatArray:
@@ -98,8 +145,36 @@ def moon_phase(phase: ArrayLike) -> FloatArray:
     >>> moon_phase([0.0, 90.0]).round(4)  # half Moon: an eleventh, not a half
     array([1.   , 0.091])
     """
-    a = np.abs(np.asarray(phase, float))
-    return np.asarray(10.0 ** (-0.4 * (0.026 * a + 4e-9 * a**4)))
+    return np.asarray(vectorized(measured_phase)(np.abs(np.asarray(phase, float))))
+
+
+def moon_albedo(wavelengths: ArrayLike) -> FloatArray:
+    """Geometric albedo of the Moon, which rises with the wavelength by its colour B - V. [1]
+
+    Parameters
+    ----------
+    wavelengths : array
+        Wavelengths. [nm]
+    """
+    return np.asarray(MOON_ALBEDO * (np.asarray(wavelengths, float) / 550.0) ** MOON_REDDENING)
+
+
+def moon_brightness(wavelengths: ArrayLike, phase: float) -> FloatArray:
+    """Geometric albedo of the Moon times its phase function ``moon_share``. [1]
+
+    Parameters
+    ----------
+    wavelengths : array
+        Wavelengths. [nm]
+    phase : float
+        Phase angle, 0 to 180. [deg]
+
+    Examples
+    --------
+    >>> f"{moon_brightness(550.0, 90.0) / moon_brightness(550.0, 0.0):.3f}"
+    '0.091'
+    """
+    return np.asarray(moon_albedo(wavelengths) * moon_share(phase))
 
 
 def moon_surface_factor(phase: ArrayLike) -> FloatArray:

@@ -41,7 +41,6 @@ from airlight.system.stars import stars
 from airlight.system.surface_light import surface_factor
 
 if TYPE_CHECKING:
-    from airlight.planets.light_source import LightSource
     from airlight.solvers.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
@@ -226,7 +225,7 @@ class _Picture:
             brightest = max(brightest, float(source.irradiance.max()))
             if source.irradiance.max() <= _FAINTEST * brightest:
                 continue
-            lit = _only_lit(solution, source, number)
+            lit = solution.lit_by(source, beside=number > 0)
             scene = self._scene(body, light, up, latitude, longitude, altitude)
             layer += self._drawn(Drawing(lit, scene, disc=False), progress, cancel)
         return _Air(body, solution, altitude, _level_axes(up), layer)
@@ -534,11 +533,3 @@ def _camera_angles(axes: FloatArray) -> tuple[float, float, float]:
     azimuth = math.degrees(math.atan2(-forward[1], forward[0]))
     level, upright, _ = camera_axes(zenith, azimuth, 0.0)
     return zenith, azimuth, math.degrees(math.atan2(-right @ upright, right @ level))
-
-
-def _only_lit(solution: MomentsSolution, source: LightSource, number: int) -> MomentsSolution:
-    """Solution under one light; the lamps of towns shine once, beside the first."""
-    lit = solution.lit_by(source)
-    if number > 0 and lit.medium.ground_lights is not None:
-        lit.medium = replace(lit.medium, ground_lights=None)
-    return lit

@@ -7,19 +7,23 @@ is Lommel and Seeliger's law, of mean 1 too: either way the disc has the irradia
 
 from __future__ import annotations
 
-from math import cos, radians, sin, sqrt
+from math import cos, pi, sin, sqrt
 from typing import Final
 
 import numpy as np
 
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import load
-from airlight.optics.moon_phase import lommel_seeliger_phase
+from airlight.optics.moon_phase import dusty_sphere
 
 #: Number of powers of μ, from 0: as many as ``limb_darkening.COEFFICIENTS``.
 POWERS: Final = 6
 #: Offset of both points of Gauss's rule from the middle, in halves of the interval.
 _GAUSS: Final = 3.0**-0.5
+
+
+#: Uniforms of a moon's disc: its phase, and the direction towards its bright limb.
+SHADING: Final = ("phase_sine", "phase_cosine", "phase_share", "limb_x", "limb_y", "limb_z")
 
 
 def shading_numbers(
@@ -41,19 +45,30 @@ def shading_numbers(
     (-0.0, 1.0, 5.31)
     """
     if phase is None:
-        names = ("phased", "phase_sine", "phase_cosine", "phase_share", "limb_x", "limb_y",
-                 "limb_z")  # fmt: skip
-        return dict.fromkeys(names, 0.0)
-    turn, angle = radians(limb), radians(phase)
-    return {
-        "phased": 1.0,
-        "phase_sine": sin(angle),
-        "phase_cosine": cos(angle),
-        "phase_share": 2.0 / max(float(lommel_seeliger_phase(phase)), 1e-12),
-        "limb_x": -sun_z * cos(turn),
-        "limb_y": -sin(turn),
-        "limb_z": sun_level * cos(turn),
-    }
+        return dict.fromkeys(("phased", *SHADING), 0.0)
+    values = phase_shading(phase, limb, sun_level, sun_z)
+    return {"phased": 1.0, **dict(zip(SHADING, values, strict=True))}
+
+
+def phase_shading(
+    phase: float, limb: float, sun_level: float, sun_z: float
+) -> tuple[float, float, float, float, float, float]:
+    """Values of ``SHADING`` for a moon, as plain numbers, for hosts in any language.
+
+    Parameters
+    ----------
+    phase, limb, sun_level, sun_z : float
+        Arguments of ``shading_numbers``.
+    """
+    turn, angle = limb * pi / 180.0, phase * pi / 180.0
+    return (
+        sin(angle),
+        cos(angle),
+        2.0 / max(dusty_sphere(phase), 1e-12),
+        -sun_z * cos(turn),
+        -sin(turn),
+        sun_level * cos(turn),
+    )
 
 
 @kernel
@@ -72,7 +87,7 @@ def moon_shade(mu, toward, phase_sine, phase_cosine, phase_share):
     phase_sine, phase_cosine : float
         Of the phase angle α. [1]
     phase_share : float
-        2 / Φ(α), from ``lommel_seeliger_phase``. [1]
+        2 / Φ(α), from ``dusty_sphere``. [1]
 
     References
     ----------

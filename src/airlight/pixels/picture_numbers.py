@@ -143,6 +143,7 @@ def screen_from(
         "height": float(camera.height),
         "projection": int(numbers["projection"]),
         "draws_disc": bool(numbers["draws_disc"]),
+        "draws_air": bool(numbers["draws_air"]),
         "phased": bool(numbers["phased"]),
         "samples": int(numbers["samples"]),
         "edges": bool(numbers["edges"]),
@@ -211,7 +212,7 @@ def overlay_numbers(solution: MomentsSolution) -> dict[str, float]:
 def lamp_numbers(solution: MomentsSolution) -> dict[str, float]:
     """Uniforms of the lamps' colour: light per irradiance of the star and part of the map. [sr⁻¹]
 
-    The picture shows a lamp in its own colour whatever the star's is. A light beside the star has
+    The picture shows a lamp in its own colour whatever the star's is. A light beside the first has
     no lamps: the picture is the sum over lights.
 
     Parameters
@@ -221,7 +222,7 @@ def lamp_numbers(solution: MomentsSolution) -> dict[str, float]:
     """
     names = ("lamp_red", "lamp_green", "lamp_blue")
     star = solution.lights[0]
-    if not np.array_equal(star.irradiance, solution.medium.solar_irradiance):
+    if solution.beside:
         return dict.fromkeys(names, 0.0)
     eye = np.arange(360.0, 831.0)
     color = np.maximum(sun_color(planck_radiance(eye, LAMP_TEMPERATURE)), 0.0)

@@ -38,6 +38,7 @@ class Screen(NamedTuple):
     pixel_angle: float
     disc: float
     draws_disc: bool
+    draws_air: bool
     phased: bool
     phase_sine: float
     phase_cosine: float
@@ -338,6 +339,7 @@ def pixel_light(
         Receives the radiance. [sr⁻¹]
     """
     sine, row, through_air, to_ground = sight(x, y, z, observer, light)
+    through_air = through_air and screen.draws_air
     star_matte, star_gloss, sky_matte, sky_gloss, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
     if through_air:
         bent = seen_line(
@@ -353,7 +355,7 @@ def pixel_light(
         total = splat(0.0)
         if through_air:
             total = load(work.found, at)
-        if to_ground:
+        if to_ground and screen.draws_air:
             factor = ground_factor(
                 color, screen, star_matte, star_gloss, sky_matte, sky_gloss, mirrored,
                 light, work, at,

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -36,8 +37,9 @@ class LightSource:
     irradiance : array, shape (nl,)
         Irradiance at the planet, on a plane that faces the source. [W m⁻² nm⁻¹]
     spectrum : callable or None
-        ``spectrum(wavelengths)``, the irradiance at any wavelengths; None where only the samples
-        are known: then colours use the sun's spectral shape between them.
+        ``spectrum(wavelengths)``, the irradiance at any wavelengths, or anything proportional to
+        it; None where only the samples are known: then colours use the sun's spectral shape
+        between them.
     darkening : callable or None
         ``darkening(wavelengths)``, coefficients of the darkening towards the rim, shape (nl, 6),
         see ``spectra.limb_darkening``; None for a uniform disc.
@@ -72,5 +74,15 @@ class LightSource:
             Linear sRGB per radiance; ``picture_weights`` by default.
         """
         if weights is None:
-            weights = picture_weights(self.wavelengths, self.spectrum)
+            weights = _weights(tuple(self.wavelengths.tolist()), self.spectrum)
         return np.asarray(weights, float) * self.irradiance[:, None]
+
+
+@lru_cache(maxsize=64)
+def _weights(
+    wavelengths: tuple[float, ...], spectrum: Callable[[Any], FloatArray] | None
+) -> FloatArray:
+    """``picture_weights``, kept for live pictures."""
+    weights = picture_weights(wavelengths, spectrum)
+    weights.flags.writeable = False
+    return weights

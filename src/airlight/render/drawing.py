@@ -42,6 +42,8 @@ class Drawing:
         Samples per side of every pixel.
     edges : bool
         Whether pixels on the horizon and the limb have more.
+    air : bool
+        Whether the light of air and ground is drawn; otherwise the disc alone.
 
     Attributes
     ----------
@@ -59,16 +61,18 @@ class Drawing:
         disc: bool = True,
         samples: int = 1,
         edges: bool = True,
+        air: bool = True,
     ) -> None:
         camera, light = scene.camera, solution.light
         numbers = scene_numbers(scene, solution) | {"orders": order_number(orders)}
         numbers["draws_disc"] = float(disc and orders == "all" and numbers["disc"] > 0.0)
+        numbers["draws_air"] = float(air)
         numbers |= overlay_numbers(solution)
         numbers |= {"samples": float(checked_samples(samples)), "edges": float(edges)}
         self._numbers, self._camera = numbers, camera
         self._observer = observer_from(numbers)
         self.window = None
-        if not exact:
+        if not exact and air:
             self.window = sky_window(camera, self._observer, light.bottom, light.top)
         resolution = march_points(solution)
         self._tables = shown_solution(

@@ -70,11 +70,11 @@ def render(
             "solution", solution.report.solver, "a solution of the moments solver: a picture "
             "marches its moments",
         )  # fmt: skip
-    pairs = lit_scenes(scene, solution)
+    pictures = lit_scenes(scene, solution)
     frames = []
-    for number, (seen, lit) in enumerate(pairs):
-        drawing = Drawing(lit, seen, orders=orders, exact=exact, samples=samples)
-        share = None if progress is None else _shared(progress, number, len(pairs))
+    for number, (seen, lit, air, _) in enumerate(pictures):
+        drawing = Drawing(lit, seen, orders=orders, exact=exact, samples=samples, air=air)
+        share = None if progress is None else _shared(progress, number, len(pictures))
         frames.append(_drawn(drawing, scene.camera, share, cancel))
     rgb = frames[0] if len(frames) == 1 else np.asarray(np.sum(frames, axis=0, dtype=np.float32))
     wavelengths = ", ".join(f"{nm:g}" for nm in solution.wavelengths)

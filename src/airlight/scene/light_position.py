@@ -45,6 +45,16 @@ class LightPosition:
         """Unit vector towards the light, shape (3,). [1]"""
         return direction(self.zenith, self.azimuth)
 
+    def beside(self, star: LightPosition) -> LightPosition:
+        """Light as it is beside the first one, whose place may matter to its disc.
+
+        Parameters
+        ----------
+        star : LightPosition
+            First light of the scene.
+        """
+        return self
+
     def source(self, sources: tuple[LightSource, ...]) -> LightSource:
         """Source of the light.
 
@@ -54,3 +64,7 @@ class LightPosition:
             Sources of the planet: ``Solution.lights``.
         """
         return sources[self.index]
+
+    def metadata(self) -> str:
+        """Words for the header of a picture."""
+        return f"light, zenith {self.zenith:.10g} deg, azimuth {self.azimuth:.10g} deg"

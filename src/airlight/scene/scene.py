@@ -50,6 +50,8 @@ class Scene:
         resolution, which is decoration.
     time : datetime, optional
         Instant that the scene shows; it moves nothing, ``at`` makes a scene by it.
+    others : tuple of LightPosition
+        Lights beside the sun: a ``MoonLight``, a second star as ``StarLight``, or any other.
 
     Raises
     ------
@@ -70,12 +72,17 @@ class Scene:
     sun_azimuth: float = 180.0
     ground: str = "plain"
     time: datetime | None = None
+    others: tuple[LightPosition, ...] = ()
 
     def __post_init__(self) -> None:
         if not isinstance(self.camera, Camera):
             raise ParameterError("scene.camera", self.camera, "a Camera")
         if self.ground not in GROUNDS:
             raise ParameterError("scene.ground", self.ground, ", ".join(GROUNDS))
+        others = tuple(self.others)
+        if not all(isinstance(one, LightPosition) for one in others):
+            raise ParameterError("scene.others", others, "lights such as MoonLight")
+        object.__setattr__(self, "others", others)
         for name, low, high, unit in (
             ("altitude", 0.0, HIGHEST_ALTITUDE, "m"),
             ("sun_zenith", 0.0, 180.0, "deg"),
@@ -101,7 +108,7 @@ class Scene:
         camera: Camera | None = None,
         ground: str = "plain",
     ) -> Scene:
-        """Scene at a place and time: the sun where it stands then.
+        """Scene at a place and time: the sun where it stands then, and on Earth the Moon.
 
         Parameters
         ----------
@@ -141,6 +148,7 @@ class Scene:
         from airlight.ephemeris.instant import days_of
         from airlight.ephemeris.sky import Place, moon_after, sun_after
         from airlight.ephemeris.time_text import read_time
+        from airlight.scene.moon_light import MoonLight
 
         place = Place(
             body=planet.world.name, latitude=latitude, longitude=longitude, altitude=altitude
@@ -149,8 +157,8 @@ class Scene:
         days = days_of(moment)
         sun = sun_after(place, days)
         shown = camera if camera is not None else Camera()
+        moon = moon_after(place, days) if place.world.has_moon else None
         if look_at is not None:
-            moon = moon_after(place, days) if place.world.has_moon else None
             zenith, azimuth = angles_of(
                 look_at,
                 altitude=altitude,
@@ -169,15 +177,17 @@ class Scene:
             longitude=longitude,
             ground=ground,
             time=moment,
+            others=() if moon is None else (MoonLight.seen(moon, sun.azimuth),),
         )
 
     @property
     def lights(self) -> tuple[LightPosition, ...]:
-        """Lights, of which a picture is the sum: only the sun today, at azimuth 0."""
-        return (LightPosition(zenith=self.sun_zenith),)
+        """Lights, of which a picture is the sum: the sun, at azimuth 0, and the others."""
+        sun = LightPosition(zenith=self.sun_zenith)
+        return (sun, *(one.beside(sun) for one in self.others))
 
     def lit_by(self, light: LightPosition) -> Scene:
-        """Scene with a light at the sun's place: turned so that the light is at azimuth 0.
+        """Scene with one light, at the sun's place: turned so that the light is at azimuth 0.
 
         Parameters
         ----------
@@ -190,10 +200,11 @@ class Scene:
         >>> turned.sun_zenith, turned.camera.look_azimuth, turned.sun_azimuth
         (30.0, -90.0, -90.0)
         """
-        if light.azimuth == 0.0 and light.zenith == self.sun_zenith:
+        if light.azimuth == 0.0 and light.zenith == self.sun_zenith and not self.others:
             return self
         return replace(
             self,
+            others=(),
             sun_zenith=light.zenith,
             sun_azimuth=math.remainder(self.sun_azimuth + light.azimuth, 360.0),
             camera=replace(
@@ -222,8 +233,10 @@ class Scene:
         """
         camera = self.camera
         moment = {} if self.time is None else {"time": universal_time(self.time)}
+        others = {f"light_{k}": one.metadata() for k, one in enumerate(self.others, start=2)}
         return {
             **moment,
+            **others,
             "altitude": f"{self.altitude:.10g} m",
             "sun_zenith": f"{self.sun_zenith:.10g} deg",
             "latitude": f"{self.latitude:.10g} deg",

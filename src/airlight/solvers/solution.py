@@ -103,6 +103,8 @@ class Solution(ABC):
     report: Report
     planet: Planet | None = None
     _source: LightSource | None = None
+    #: Whether this is the light of a source beside the first one of a picture, without its lamps.
+    beside: bool = False
 
     def of(self, planet: Planet) -> Self:
         """Keep the planet with its solution, and say in the report which ground it has."""
@@ -130,7 +132,7 @@ class Solution(ABC):
             )
         )
 
-    def lit_by(self, source: LightSource) -> Self:
+    def lit_by(self, source: LightSource, *, beside: bool = False) -> Self:
         """Solution under another light source.
 
         Light scattered once and the ground's direct light have the source's own disc. Light that
@@ -140,9 +142,12 @@ class Solution(ABC):
         ----------
         source : LightSource
             Source, sampled at the solution's wavelengths.
+        beside : bool
+            Whether it shines beside another one, whose picture has the lamps of towns.
         """
         other = copy.copy(self)
         other.medium, other._source = self.medium.lit_by(source), source
+        other.beside = beside
         return other
 
     #: Largest order that can be requested separately.

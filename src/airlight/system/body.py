@@ -10,10 +10,9 @@ import numpy.typing as npt
 from airlight.ephemeris.positions import BODIES
 from airlight.errors import ParameterError
 from airlight.optics.moon_phase import (
-    MOON_ALBEDO,
-    MOON_REDDENING,
     lambert_phase,
     lommel_seeliger_phase,
+    moon_albedo,
     moon_phase,
 )
 from airlight.planets.parameters import MISSING, parameters
@@ -173,7 +172,7 @@ class Body(Record):
         if self.albedo is not None:
             return spectral_at(self.albedo, nm)
         if self.reflection == "moon":
-            return np.asarray(MOON_ALBEDO * (nm / 550.0) ** MOON_REDDENING)
+            return moon_albedo(nm)
         return np.full(nm.shape, 0.1)
 
     def brightness(self, wavelengths: npt.ArrayLike, phase: float) -> FloatArray:

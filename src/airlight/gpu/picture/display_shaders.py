@@ -6,6 +6,7 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
+from airlight.color.added_light import added_texel
 from airlight.color.displayed import Display, displayed
 from airlight.color.glare import coarser_texel, glared_texel, spread_texel
 from airlight.gpu.emit.dialect import ShaderDialect
@@ -47,6 +48,18 @@ def spread_shader(dialect: ShaderDialect = WGSL) -> Shader:
     return _level_shader(
         "spread", spread_texel, ("level", "coarser"), ("level_share", "level_more"), dialect
     )
+
+
+@cache
+def added_shader(dialect: ShaderDialect = WGSL) -> Shader:
+    """Shader of the sum of two pictures in linear light.
+
+    Parameters
+    ----------
+    dialect : ShaderDialect
+        Shading language.
+    """
+    return _level_shader("added", added_texel, ("picture", "level"), (), dialect)
 
 
 def _level_shader(
@@ -117,5 +130,6 @@ def all_shaders() -> tuple[Shader, ...]:
         picture_shader(True),
         coarser_shader(),
         spread_shader(),
+        added_shader(),
         display_shader(),
     )

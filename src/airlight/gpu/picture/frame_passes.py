@@ -27,14 +27,19 @@ class FramePasses:
     def __init__(self, device: Device) -> None:
         self._device = device
         self._passes: dict[tuple[Shader, str, tuple[str, ...]], FragmentPass] = {}
-        self._groups: dict[FragmentPass, list[Any]] = {}
-        self._textures: Mapping[str, Any] = {}
+        self._groups: dict[tuple[FragmentPass, int], list[Any]] = {}
+        self._textures: dict[int, Mapping[str, Any]] = {}
         self._places: Mapping[str, tuple[int, ...]] = {}
 
-    def read(self, textures: Mapping[str, Any], places: Mapping[str, tuple[int, ...]]) -> None:
-        """Set the textures that passes read, and the places of tables in them."""
-        self._textures, self._places = textures, places
-        self._groups.clear()
+    def read(
+        self,
+        textures: Mapping[str, Any],
+        places: Mapping[str, tuple[int, ...]],
+        light: int = 0,
+    ) -> None:
+        """Set the textures that the passes of a light read, and the places of tables in them."""
+        self._textures[light], self._places = textures, places
+        self._groups = {key: one for key, one in self._groups.items() if key[1] != light}
 
     @cached_property
     def _uniforms(self) -> Any:
@@ -58,6 +63,7 @@ class FramePasses:
         formats: tuple[str, ...],
         area: tuple[int, int, int, int] | None = None,
         keep: bool = False,
+        light: int = 0,
     ) -> None:
         """Draw into a part of some targets; the rest becomes black or is kept.
 
@@ -77,12 +83,14 @@ class FramePasses:
             First column, first row, number of columns and of rows; by default all of the target.
         keep : bool
             Whether the rest of the target is kept.
+        light : int
+            Number of the light whose textures are read.
         """
         device = self._device.device
         one = self._pass(shader, entry, formats)
         device.queue.write_buffer(self._uniforms, 0, self.packed(numbers))
         encoder = device.create_command_encoder()
-        one.run(encoder, self._bound(one), list(views), area, keep)
+        one.run(encoder, self._bound(one, light), list(views), area, keep)
         device.queue.submit([encoder.finish()])
 
     def _pass(self, shader: Shader, entry: str, targets: tuple[str, ...]) -> FragmentPass:
@@ -91,7 +99,8 @@ class FramePasses:
             self._passes[key] = FragmentPass(self._device, shader.text, entry, targets, entry)
         return self._passes[key]
 
-    def _bound(self, one: FragmentPass) -> list[Any]:
-        if one not in self._groups:
-            self._groups[one] = one.bind({"frame": self._uniforms, **self._textures})
-        return self._groups[one]
+    def _bound(self, one: FragmentPass, light: int) -> list[Any]:
+        key = one, light
+        if key not in self._groups:
+            self._groups[key] = one.bind({"frame": self._uniforms, **self._textures[light]})
+        return self._groups[key]

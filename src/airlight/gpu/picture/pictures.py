@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.four_wavelengths import picture_weights
 from airlight.color.glare import checked_amount
 from airlight.errors import Cancelled, ParameterError
 from airlight.gpu.device.device import Device
-from airlight.gpu.device.flat import empty_flat_texture, read_texture, update_flat
+from airlight.gpu.device.flat import empty_flat_texture, flat_texture, read_texture, update_flat
 from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.picture.bands import Band, bands
 from airlight.gpu.picture.display_passes import LINEAR, DisplayPasses
 from airlight.gpu.picture.frame_passes import FramePasses
+from airlight.gpu.picture.light_sum import LightSum
 from airlight.gpu.picture.shaders import (
     picture_shader,
     sky_air_shader,
@@ -27,11 +28,12 @@ from airlight.gpu.picture.solution_textures import SolutionTextures
 from airlight.gpu.picture.uniforms import FRAME, LAYERS
 from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.capacity import check_capacity
-from airlight.pixels.lit_scenes import lit_scenes
+from airlight.pixels.lit_scenes import LitScene, lit_scenes
 from airlight.pixels.march_points import FEW
 from airlight.pixels.picture_numbers import (
     checked_samples,
     display_numbers,
+    lamp_numbers,
     observer_from,
     order_number,
     scene_numbers,
@@ -46,6 +48,7 @@ from airlight.solvers.moments.march_tables import MarchTables, quadratures
 from airlight.solvers.moments.solution import MomentsSolution
 
 FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
 
 #: Shape of the table of the sky: azimuths over half a turn, and rows of each half.
 SKY_SHAPE: Final = COARSEST
@@ -58,6 +61,36 @@ QUICK_SKY_SHAPE: Final = (64, 64)
 _PIXELS_AT_ONCE: Final = (1 << 22, 1 << 20, 1 << 16)
 #: Entry point of the shaders of a picture.
 _ENTRY: Final = "linear_picture"
+
+
+@dataclass(eq=False)
+class _Sky:
+    """Table of the sky of one light.
+
+    Attributes
+    ----------
+    shape : (int, int)
+        Azimuths, and rows of each half.
+    layers : dict
+        Textures by name.
+    law : array or None
+        Darkening of the light's disc, where it is not that of the solution's star.
+    disc : wgpu.GPUTexture or None
+        The same on the device.
+    seen : tuple or None
+        Everything on which the table depends; None before it is filled.
+    """
+
+    shape: tuple[int, int]
+    layers: dict[str, Any]
+    law: Float32Array | None = None
+    disc: Any = None
+    seen: tuple[Observer, float, float] | None = None
+
+    @classmethod
+    def of(cls, device: Device, shape: tuple[int, int]) -> _Sky:
+        count = 3 * shape[0] * shape[1]
+        return cls(shape, {name: empty_flat_texture(device, count, 4, name) for name in LAYERS})
 
 
 class Pictures:
@@ -90,12 +123,12 @@ class Pictures:
         self.device = device
         self._by_processor = device.software if sky_by_processor is None else sky_by_processor
         self._passes = FramePasses(device)
+        self._sum = LightSum(device)
+        self._skies: list[_Sky] = []
         self._solution: MomentsSolution | None = None
         self._textures: SolutionTextures | None = None
         self._given: FloatArray | None = None
         self._shown_tables: MarchTables | None = None
-        self._weights: FloatArray = np.zeros((0, 3))
-        self._seen: tuple[Observer, float] | None = None
         self._display = DisplayPasses(device)
         self.sky_shape = sky_shape
 
@@ -111,17 +144,39 @@ class Pictures:
         if not whole or 3 * columns * rows > FLAT_WIDTH * 4096:
             raise ParameterError("sky_shape", shape, "columns and rows whose product fills rows")
         self._sky_shape = (columns, rows)
-        count = 3 * columns * rows
-        self._layers = {name: empty_flat_texture(self.device, count, 4, name) for name in LAYERS}
         self._forget()
 
     def _forget(self) -> None:
         """Forget what was drawn from other tables."""
-        if self._textures is not None:
-            textures = {**self._textures.textures, **self._layers}
-            self._passes.read(textures, self._textures.places)
-        self._seen = None
+        self._skies = [one for one in self._skies if one.shape == self._sky_shape]
+        for number in range(len(self._skies)):
+            self._read(number, None)
         self._display.drawn = None
+
+    def _read(self, number: int, law: Float32Array | None) -> None:
+        """Let the passes of a light read the solution's tables, and its disc's law if another."""
+        assert self._textures is not None
+        sky = self._skies[number]
+        textures = {**self._textures.textures, **sky.layers}
+        if law is not None:
+            sky.disc = textures["disc"] = flat_texture(self.device, law, "disc")
+        sky.law, sky.seen = law, None
+        self._passes.read(textures, self._textures.places, number)
+
+    def _sky(self, number: int, lit: MomentsSolution) -> _Sky:
+        """Table of the sky of a light of the picture, with the law of its disc."""
+        while len(self._skies) <= number:
+            self._skies.append(_Sky.of(self.device, self._sky_shape))
+            self._read(len(self._skies) - 1, None)
+        sky, law = self._skies[number], None
+        if lit is not self._solution:
+            law = as_texels(lit.light.darkening, lit.wavelengths.size)
+        same = law is sky.law or (
+            law is not None and sky.law is not None and np.array_equal(law, sky.law)
+        )
+        if not same:
+            self._read(number, law)
+        return sky
 
     def show(self, solution: MomentsSolution, weights: FloatArray | None = None) -> None:
         """Set the solution that is drawn from now on.
@@ -144,8 +199,8 @@ class Pictures:
         check_capacity(nm.size)
         self._given = weights
         if weights is None:
-            weights = picture_weights(nm, solution.lights[0].spectrum)
-        if np.shape(weights) != (nm.size, 3):
+            solution.lights[0].colors()  # refuses wavelengths without colours
+        elif np.shape(weights) != (nm.size, 3):
             raise ParameterError("weights", np.shape(weights), f"an array of shape ({nm.size}, 3)")
         points = None if self.device.software else FEW.points
         self._shown_tables = shown_solution(solution, points=points)
@@ -153,8 +208,6 @@ class Pictures:
             self.device, solution, self._shown_tables, self._textures
         )
         self._solution = solution
-        self._weights = np.zeros((WAVELENGTHS, 3))
-        self._weights[: nm.size] = solution.lights[0].colors(weights)
         self._forget()
 
     def frame(
@@ -199,16 +252,11 @@ class Pictures:
         Cancelled
             If ``cancel`` requested it.
         """
-        solution, weights = self._shown(), self._given
-        frames = []
-        try:
-            for seen, lit in lit_scenes(scene, solution):
-                if lit is not self._solution:
-                    self.show(lit, weights)
-                frames.append(self._frame(seen, exact, orders, disc, samples, progress, cancel))
-        finally:
-            if self._solution is not solution:
-                self.show(solution, weights)
+        checked_samples(samples)
+        frames = [
+            self._frame(number, one, exact, orders, disc, samples, progress, cancel)
+            for number, one in enumerate(lit_scenes(scene, self._shown()))
+        ]
         if len(frames) == 1:
             return frames[0]
         rgb = np.asarray(np.sum([one.rgb for one in frames], axis=0, dtype=np.float32))
@@ -216,7 +264,8 @@ class Pictures:
 
     def _frame(
         self,
-        scene: Scene,
+        number: int,
+        light: LitScene,
         exact: bool,
         orders: str,
         disc: bool,
@@ -227,12 +276,12 @@ class Pictures:
         """Draw a picture by one light; arguments of ``frame``."""
         import wgpu
 
-        solution = self._shown()
+        scene, solution = light.scene, light.solution
         width, height = scene.camera.width, scene.camera.height
         limit = self.device.device.limits["max-texture-dimension-2d"]
         if width > limit:
             raise ParameterError("camera.width", width, f"at most {limit} pixels on the GPU")
-        numbers = self._numbers(scene, (width, height), exact, orders, disc)
+        numbers = self._numbers(light, (width, height), exact, orders, disc)
         if checked_samples(samples) > 1 and not numbers["edges"]:
             raise ParameterError("samples", samples, "1 for an exact picture of a software device")
         numbers["samples"] = samples
@@ -243,8 +292,7 @@ class Pictures:
         )
         view = target.create_view()
         rgb = np.empty((height, width, 3), np.float32)
-        if not exact:
-            self._draw_sky(numbers)
+        self._fill_sky(number, light, numbers, exact)
         try:
             for first in range(0, height, rows):
                 if cancel is not None and cancel():
@@ -252,7 +300,7 @@ class Pictures:
                 count = min(rows, height - first)
                 self._passes.run(
                     picture_shader(exact), _ENTRY, {**numbers, "first_row": first}, [view],
-                    (LINEAR,), (0, 0, width, count),
+                    (LINEAR,), (0, 0, width, count), light=number,
                 )  # fmt: skip
                 rgb[first : first + count] = read_texture(self.device, target)[:count, :, :3]
                 if progress is not None:
@@ -316,23 +364,24 @@ class Pictures:
         Raises
         ------
         ParameterError
-            If the scene has other lights than the solution's star: ``frame`` adds several; or if
-            the amount of glare is not 0 to 10.
+            If the amount of glare is not 0 to 10.
         """
-        (scene, lit), *others = lit_scenes(scene, self._shown())
-        if others or lit is not self._solution:
-            raise ParameterError("scene.lights", 1 + len(others), "the star alone, drawn live")
         width, height = size or (scene.camera.width, scene.camera.height)
-        numbers = self._numbers(scene, (width, height), exact, orders, disc)
+        lights = lit_scenes(scene, self._shown())
+        numbers = [self._numbers(one, (width, height), exact, orders, disc) for one in lights]
+        parts = [
+            partial(self._draw_light, *one, exact)
+            for one in zip(range(len(lights)), lights, numbers, strict=True)
+        ]
         if exposure is None:
-            self._draw_light(scene, numbers, view, target_format, exact)
+            self._sum.draw(parts, view, (width, height), target_format)
             return
         kept = self._display
         picture = kept.picture(width, height)
-        drawn = exact, self._passes.packed(numbers).tobytes()
+        drawn = exact, tuple(self._passes.packed(one).tobytes() for one in numbers)
         if kept.drawn != drawn:
             kept.drawn = None
-            self._draw_light(scene, numbers, picture, LINEAR, exact)
+            self._sum.draw(parts, picture, (width, height), LINEAR)
             kept.drawn = drawn
         shown = {
             **display_numbers(exposure, tone_map, encoding), "glare": checked_amount(glare),
@@ -341,16 +390,21 @@ class Pictures:
         kept.show(shown, scene.camera.glare_angle, view, target_format)
 
     def _draw_light(
-        self, scene: Scene, numbers: dict[str, float], view: Any, target_format: str, exact: bool
+        self,
+        number: int,
+        light: LitScene,
+        numbers: dict[str, float],
+        exact: bool,
+        view: Any,
+        target_format: str,
     ) -> None:
-        """Draw linear light into a texture."""
+        """Draw linear light of one light into a texture."""
         width, height = int(numbers["width"]), int(numbers["height"])
-        if not exact:
-            self._draw_sky(numbers)
+        self._fill_sky(number, light, numbers, exact)
         if self.device.software and not exact:
             # Such a device evaluates both sides of every branch: each band has a shader with no
             # more branches than it needs.
-            for band in self._bands(scene, numbers):
+            for band in self._bands(light, numbers):
                 seen = {
                     **numbers,
                     "mapped": numbers["mapped"] * band.ground,
@@ -360,23 +414,25 @@ class Pictures:
                 }
                 self._passes.run(
                     picture_shader(exact, FRAME.fixed(seen)), _ENTRY, numbers, [view],
-                    (target_format,), (0, band.first, width, band.rows), band.first > 0,
+                    (target_format,), (0, band.first, width, band.rows), band.first > 0, number,
                 )  # fmt: skip
             return
         rows = self._rows_at_once(width, height, exact)
         for first in range(0, height, rows):
             self._passes.run(
                 picture_shader(exact), _ENTRY, numbers, [view], (target_format,),
-                (0, first, width, min(rows, height - first)), first > 0,
+                (0, first, width, min(rows, height - first)), first > 0, number,
             )  # fmt: skip
 
     def _numbers(
-        self, scene: Scene, size: tuple[int, int], exact: bool, orders: str, disc: bool
+        self, light: LitScene, size: tuple[int, int], exact: bool, orders: str, disc: bool
     ) -> dict[str, float]:
-        """Uniforms of a picture, except those of its display."""
-        solution = self._shown()
+        """Uniforms of a picture by one light, except those of its display."""
+        solution = light.solution
         assert self._textures is not None
-        numbers = scene_numbers(scene, solution) | self._textures.numbers
+        numbers = scene_numbers(light.scene, solution) | self._textures.numbers
+        if solution is not self._solution:
+            numbers |= lamp_numbers(solution) | {"star_radius": solution.light.star_radius}
         peaks = 0.0 if exact else float(numbers["first_peak"] >= 0)
         numbers |= {
             "width": size[0],
@@ -388,12 +444,15 @@ class Pictures:
             "sky_columns": self._sky_shape[0],
             "sky_rows": self._sky_shape[1],
             "keeps_peaks": peaks,
+            "draws_air": float(light.air),
         }
         if exact and self.device.software:  # it ends all loops of a pixel after 65 535 turns
             numbers["edges"] = 0.0
         if exact:
             numbers |= {"first_peak": -1.0, "second_peak": -1.0}
-        for channel, column in zip(("red", "green", "blue"), self._weights.T, strict=True):
+        weights = np.zeros((WAVELENGTHS, 3))
+        weights[: solution.wavelengths.size] = solution.lights[0].colors(self._given)
+        for channel, column in zip(("red", "green", "blue"), weights.T, strict=True):
             numbers |= {f"{channel}_{i}": float(value) for i, value in enumerate(column)}
         return numbers
 
@@ -402,42 +461,50 @@ class Pictures:
         pixels = _PIXELS_AT_ONCE[(2 if self.device.software else 1) if exact else 0]
         return min(max(1, pixels // width), height)
 
-    def _bands(self, scene: Scene, numbers: Mapping[str, float]) -> list[Band]:
+    def _bands(self, light: LitScene, numbers: Mapping[str, float]) -> list[Band]:
         """Rows of the target by what is visible in them."""
+        scene, solution = light.scene, light.solution
         width, height = int(numbers["width"]), int(numbers["height"])
         if (width, height) != (scene.camera.width, scene.camera.height):
             return [Band(0, height, True, True, True)]
-        solution = self._shown()
         star = (numbers["seen_x"], 0.0, numbers["seen_z"])
         reach = 2.0 * solution.lights[0].angular_radius + 3.0 * numbers["pixel_angle"]
         return bands(scene, numbers["horizon_mu"], star, reach + solution.paths.largest_bend)
 
-    def _draw_sky(self, numbers: Mapping[str, float]) -> None:
-        """Draw the table of the sky, unless it is current for this observer and star."""
-        seen = observer_from(numbers), numbers["keeps_peaks"]
-        if seen == self._seen:
+    def _fill_sky(
+        self, number: int, light: LitScene, numbers: Mapping[str, float], exact: bool
+    ) -> None:
+        """Fill the table of the sky of a light, unless it is current for observer and light."""
+        sky = self._sky(number, light.solution)
+        seen = observer_from(numbers), numbers["keeps_peaks"], numbers["star_radius"]
+        if exact or not light.air or seen == sky.seen:
             return
         if self._by_processor:
-            self._upload_sky(numbers)
-            self._seen = seen
+            self._upload_sky(sky, numbers)
+            sky.seen = seen
             return
         passes = [(sky_air_shader(), LAYERS[:2])]
         if numbers["keeps_peaks"]:
             passes.append((sky_peaks_shader(), LAYERS[2:]))
         for shader, layers in passes:
-            targets = [self._layers[name] for name in layers]
-            self._passes.run(shader, next(iter(shader.entries)), numbers, targets, (LINEAR, LINEAR))
-        self._seen = seen
+            targets = [sky.layers[name] for name in layers]
+            self._passes.run(
+                shader, next(iter(shader.entries)), numbers, targets, (LINEAR, LINEAR),
+                light=number,
+            )  # fmt: skip
+        sky.seen = seen
 
-    def _upload_sky(self, numbers: Mapping[str, float]) -> None:
+    def _upload_sky(self, sky: _Sky, numbers: Mapping[str, float]) -> None:
         """Upload the table of the sky, marched on the CPU."""
         assert self._shown_tables is not None
-        tables = self._shown_tables._replace(rules=quadratures(FEW.points), panels=FEW.panels)
+        tables = self._shown_tables._replace(
+            rules=quadratures(FEW.points), panels=FEW.panels, star_radius=numbers["star_radius"]
+        )
         layers = filled_sky(tables, observer_from(numbers), SkyWindow.whole(*self._sky_shape))
         names = LAYERS if numbers["keeps_peaks"] else LAYERS[:2]
         for name, layer in zip(names, layers, strict=False):
             if layer.size > 1:
-                update_flat(self.device, self._layers[name], 0, as_texels(layer, WAVELENGTHS))
+                update_flat(self.device, sky.layers[name], 0, as_texels(layer, WAVELENGTHS))
 
     def _shown(self) -> MomentsSolution:
         if self._solution is None:

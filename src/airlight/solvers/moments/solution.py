@@ -89,11 +89,14 @@ class MomentsSolution(Solution):
         """Quantities that the solve derived from the medium, made again when asked for."""
         return Setup(paths=self.paths, settings=self.settings)
 
-    def lit_by(self, source: LightSource) -> Self:
+    def lit_by(self, source: LightSource, *, beside: bool = False) -> Self:
         """See ``Solution``."""
-        other = super().lit_by(source)
+        tables = self.light._replace(
+            star_radius=source.angular_radius, darkening=pack(source.darkenings.T)
+        )
+        other = super().lit_by(source, beside=beside)
         other.paths = replace(self.paths, medium=self.paths.medium.lit_by(source))
-        vars(other).pop("light", None)  # it has the disc
+        vars(other)["light"] = tables  # all else is that of any light
         return other
 
     @cached_property

@@ -10,15 +10,19 @@ from typing import Any, Final
 from airlight.color.exposure import eased, exposure_of
 from airlight.color.glare import glare_levels, glare_share
 from airlight.color.xyz import luminance_of
-from airlight.ephemeris import sun_formula
+from airlight.ephemeris import moon_formula, sun_formula
 from airlight.geometry.bending import raised_star
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.javascript import JAVASCRIPT
 from airlight.gpu.emit.shader_types import F32, I32, LocalArray, Table, Value
+from airlight.optics.moon_phase import moon_share
+from airlight.pixels.disc_shading import SHADING, phase_shading
+from airlight.pixels.light_shown import light_shown
 from airlight.pixels.observer_numbers import observer_numbers
 from airlight.scene import flight, great_circle, ground_detail, sun_time
 from airlight.scene.directions import camera_frame, direction_of
 from airlight.scene.metering import left_out, metering_weight
+from airlight.scene.moon_light import bright_limb
 from airlight.scene.observer import ground_axes
 from airlight.scene.projections import PROJECTIONS
 from airlight.solvers.moments.acceleration import combine
@@ -56,6 +60,11 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     sun_time.time_of: (),
     sun_time.sun_on_date: (),
     sun_formula.date_after: (),
+    moon_formula.moon_on_date: (),
+    bright_limb: (),
+    moon_share: (),
+    phase_shading: (),
+    light_shown: (),
     change_at: (),
     count_at: (),
     rest_after: (F32, F32, I32),
@@ -99,6 +108,7 @@ def formulas_text() -> str:
         f"export const PIXEL_ANGLES = {{ {angles} }};\n"
         f"export const CONNECTED = {json.dumps(connected)};\n"
         f"export const ASPECTS = {json.dumps(aspects)};\n"
+        f"export const SHADING = {json.dumps(SHADING)};\n"
         f"export const WORLDS = {json.dumps(sun_formula.NUMBERED)};\n"
     )
     return f"{emitted_formulas().functions_text()}\n{tables}"

@@ -44,6 +44,7 @@ def _sizes_module() -> str:
     return (
         f"export const ROW = {FLAT_WIDTH};\nexport const PACKED_ROW = {PACKED_WIDTH};\n"
         f"export const PACKED_FORMAT = {json.dumps(PACKED_FORMAT)};\n"
+        f"export const DISC_FORMAT = {json.dumps(FORMATS[4])};\n"
         f"export const LANES = {WAVELENGTHS};\nexport const NOMINAL_ROWS = {NOMINAL_ROWS};\n"
         f"export const CHANNELS = {json.dumps(channels)};\n"
     )

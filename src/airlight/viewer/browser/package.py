@@ -19,6 +19,7 @@ from airlight.constants import LUMINOUS_EFFICACY
 from airlight.gpu.device.flat import FORMATS
 from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.picture.display_shaders import (
+    added_shader,
     coarser_shader,
     display_shader,
     spread_shader,
@@ -35,6 +36,7 @@ from airlight.scene.projections import PROJECTIONS
 from airlight.scene.surface_map import surface_map
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.viewer.browser.ground_map import ground_map
+from airlight.viewer.browser.second_light_data import second_light_data
 from airlight.viewer.browser.web_shaders import CORNERS, web_shaders
 from airlight.viewer.navigation.viewpoints import as_json as viewpoints
 from airlight.viewer.parameters.view_parameters import VIEW_VALUES
@@ -62,6 +64,9 @@ def plan() -> dict[str, Any]:
     def resized(name: str) -> list[dict[str, Any]]:
         return [{"name": name, "format": _FORMAT, "width": 1, "height": 1}]
 
+    def second_layer(name: str) -> dict[str, Any]:
+        return resized(f"{name}_2")[0]
+
     def one(
         name: str, shader: Shader, entry: str, targets: list[dict[str, Any]], **reads: str
     ) -> dict[str, Any]:
@@ -79,6 +84,24 @@ def plan() -> dict[str, Any]:
         }
 
     picture = picture_shader(False)
+    own = {"disc": "disc_2", **{name: f"{name}_2" for name in LAYERS}}
+
+    def summed(name: str) -> list[dict[str, Any]]:
+        """Passes of a picture by two lights."""
+        parts = [f"{name}_1", f"{name}_2"]
+        return [
+            one(parts[0], picture, "linear_picture", resized(parts[0])),
+            one(parts[1], picture, "linear_picture", resized(parts[1]), **own),
+            one(
+                f"{name}_sum",
+                added_shader(),
+                "added",
+                resized(name),
+                picture=parts[0],
+                level=parts[1],
+            ),
+        ]
+
     return {
         "layout": places,
         "size": where["floats"],
@@ -90,8 +113,12 @@ def plan() -> dict[str, Any]:
                 "sky_peaks",
                 [{**sky, "name": n} for n in LAYERS[2:]],
             ),
+            one("sky_air_2", sky_air_shader(), "sky_air", [*map(second_layer, LAYERS[:2])]),
+            one("sky_peaks_2", sky_peaks_shader(), "sky_peaks", [*map(second_layer, LAYERS[2:])]),
             one("glance", picture, "linear_picture", [glance]),
             one("picture", picture, "linear_picture", resized("picture")),
+            *summed("glance"),
+            *summed("picture"),
             *(
                 one(
                     f"coarser_{k}",
@@ -163,7 +190,7 @@ def solution_package(
     numbers : dict
         JSON values: ``uniforms`` by name, ``radius`` of the ground and ``thickness`` of the shell
         [m], ``star`` (angular radius [rad]), ``paths`` of refracted light, the ``ground`` map,
-        and ``viewpoints``.
+        the ``body`` of the planet, data of a ``second`` light, and ``viewpoints``.
     tables : dict
         Format and values of each texture.
     """
@@ -185,6 +212,8 @@ def solution_package(
         "star": float(star.angular_radius),
         "paths": light_paths(solution),
         "ground": ground_map(None if mapped is None else surface_map(mapped)),
+        "body": None if solution.planet is None else solution.planet.body,
+        "second": second_light_data(solution),
         "overlay": ground_map(
             ground_overlay(medium.ground_lights, medium.ground_clouds), lossless=True
         ),

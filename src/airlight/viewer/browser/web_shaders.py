@@ -9,6 +9,7 @@ from airlight.gpu.device.fragment_pass import declared_bindings
 from airlight.gpu.emit.glsl import GLSL
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.picture.display_shaders import (
+    added_shader,
     coarser_shader,
     display_shader,
     spread_shader,
@@ -39,6 +40,7 @@ def web_shaders() -> dict[str, dict[str, Any]]:
             picture_shader(False, (), dialect),
             coarser_shader(dialect),
             spread_shader(dialect),
+            added_shader(dialect),
             display_shader((), dialect),
         ):
             texts = found.setdefault(one.name, {})

@@ -191,13 +191,13 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
     medium = solution.medium
     zenith = math.degrees(math.atan2(math.hypot(direction[0], direction[1]), direction[2]))
     azimuth = math.degrees(math.atan2(-direction[1], direction[0]))
-    pairs = lit_scenes(scene, solution)
+    pictures = lit_scenes(scene, solution)
     sights = [
-        lit.lines_of_sight(
-            altitude=scene.altitude, sun_zenith=light.zenith, view_zenith=zenith,
-            azimuth=math.remainder(azimuth - light.azimuth, 360.0),
+        one.solution.lines_of_sight(
+            altitude=scene.altitude, sun_zenith=one.light.zenith, view_zenith=zenith,
+            azimuth=math.remainder(azimuth - one.light.azimuth, 360.0),
         )[0]
-        for light, (_, lit) in zip(scene.lights, pairs, strict=True)
+        for one in pictures
     ]  # fmt: skip
     drawn = solution.paths.sight(sights[0])
     depth = _depths(solution, drawn)
@@ -205,12 +205,15 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
     seen = _ground(solution, scene, direction, drawn)
     spectra: list[tuple[str, FloatArray]] = []
     rgb, luminances = np.zeros(3), list[FloatArray]()
-    for light, sight, (_, lit) in zip(scene.lights, sights, pairs, strict=True):
+    for sight, (_, lit, air, light) in zip(sights, pictures, strict=True):
         source = lit.lights[0]
         weights = color_weights(lit) / source.irradiance[:, None]
         star = _star(lit, scene.altitude, light, direction, through, bool(drawn.to_ground[0]))
         clouds = probed_clouds(solution, scene, direction, seen[0], light)
-        parts = _spectra(lit, sight, seen[3], clouds) + ([(STAR, star)] if star.any() else [])
+        parts = _spectra(lit, sight, seen[3], clouds) if air else []
+        parts += [(STAR, star)] if star.any() else []
+        if not parts:
+            continue
         first = not spectra
         spectra += [(name if first else f"{source.name}: {name}", values) for name, values in parts]
         luminances += [luminance(values @ weights) for _, values in parts]

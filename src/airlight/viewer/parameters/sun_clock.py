@@ -10,14 +10,28 @@ from typing import Final
 from airlight.ephemeris.sun_formula import NUMBERED, date_after
 from airlight.scene.sun_time import sun_on_date
 from airlight.viewer.parameters.parameter import Value
+from airlight.viewer.parameters.second_light import BY_DATE, with_moon
 
 #: Path of the switch, and those of date, place and sun.
 CLOCK: Final = "view.clock"
 DATE: Final = ("view.year", "view.day", "view.hour")
 PLACE: Final = ("view.latitude", "view.longitude")
 #: Paths that only a planet with a ``body`` has.
-OF_DATE: Final = (CLOCK, *DATE)
+OF_DATE: Final = (CLOCK, *DATE, BY_DATE)
 SUN: Final = ("view.sun_zenith", "view.sun_azimuth")
+
+
+def with_sky(
+    body: object, view: Mapping[str, Value], changes: Mapping[str, Value]
+) -> dict[str, Value]:
+    """Changes of a view, with the sun and the Moon that follow from them.
+
+    Parameters
+    ----------
+    body, view, changes :
+        Arguments of ``with_sun`` and ``with_moon``.
+    """
+    return with_moon(body, view, with_sun(body, view, changes))
 
 
 def with_sun(

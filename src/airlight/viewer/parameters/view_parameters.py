@@ -1,4 +1,4 @@
-"""Parameters of the view: camera, sun, display and light, declared like the planet's.
+"""Parameters of the view: camera, sun and moon, display and light, declared like the planet's.
 
 Angles on the planet are compass bearings. The scene's azimuth, measured from the sun, is the
 heading minus the sun's bearing: see ``scene_of``.
@@ -16,13 +16,15 @@ from airlight.color.tone_maps import TONE_MAPS
 from airlight.scene.camera import Camera
 from airlight.scene.flight import LOWEST_ALTITUDE
 from airlight.scene.ground_detail import GROUNDS
+from airlight.scene.moon_light import MEAN_RADIUS
 from airlight.scene.picture_size import fitting
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.scene import HIGHEST_ALTITUDE, Scene
 from airlight.viewer.parameters.parameter import Parameter, Value
+from airlight.viewer.parameters.second_light import KINDS, second_lights
 
 #: Groups of the view's parameters.
-VIEW_GROUPS: Final = ("camera", "sun", "display", "light")
+VIEW_GROUPS: Final = ("camera", "sun", "moon", "display", "light")
 #: Quality levels of the solution that follows the preview, from fast to exact.
 QUALITIES: Final = ("preview", "default", "fine")
 #: Orders of scattering that are shown.
@@ -127,6 +129,35 @@ VIEW_VALUES: Final = (
               least=0.0, most=24.0, step=0.25, default=12.0,
               help="Coordinated universal time of the day.",
               synonyms=("clock", "hour", "time of day", "utc", "gmt")),
+    _choice("view.second_light", "second light", "moon", KINDS,
+            "A light beside the sun: the Moon with its phase, or a second sun.", default="none",
+            synonyms=("moonlight", "moonshine", "second sun", "two suns", "binary", "double star",
+                      "night", "companion")),
+    ViewValue(path="view.moon_by_date", label="moon by date and time", group="moon",
+              kind="switch", default=True,
+              help="On Earth, while the sun goes by date and time, the Moon does.",
+              synonyms=("clock", "calendar", "moonrise", "moonset", "full moon", "almanac")),
+    ViewValue(path="view.second_zenith", label="moon zenith", group="moon", unit="deg", low=0.0,
+              high=180.0, least=0.0, most=180.0, step=0.5, default=60.0,
+              help="Zenith angle of the Moon or second sun; beyond 90 it has set.",
+              synonyms=("moonlight", "moon height", "moon elevation", "moonrise", "moonset",
+                        "second sun", "binary")),
+    _turning("view.second_azimuth", "moon bearing", "moon",
+             "Compass bearing of the Moon or second sun: 180 south.", **_ROUND, default=120.0,
+             synonyms=("moonlight", "moon direction", "moon azimuth", "second sun", "binary")),
+    ViewValue(path="view.moon_phase", label="moon phase", group="moon", unit="deg", low=0.0,
+              high=180.0, least=0.0, most=180.0, step=1.0, default=0.0,
+              help="Phase angle of the Moon: 0 full, 90 half, 180 new.",
+              synonyms=("full moon", "half moon", "crescent", "new moon", "moonlight")),
+    ViewValue(path="view.second_radius", label="moon radius", group="moon", unit="deg", low=0.1,
+              high=5.0, least=0.01, most=30.0, scale="log", step=1.1, default=MEAN_RADIUS,
+              help="Angular radius of the Moon or second sun, which with the temperature gives a "
+              "sun's light.",
+              synonyms=("size", "moon size", "second sun", "binary", "supermoon")),
+    ViewValue(path="view.second_temperature", label="second sun's temperature", group="moon",
+              unit="K", low=1500.0, high=40000.0, least=1500.0, most=40000.0, scale="log",
+              step=1.05, default=3500.0, help="Temperature of a second sun, a black body.",
+              synonyms=("colour", "color", "red dwarf", "binary", "star")),
     ViewValue(path="display.automatic", label="automatic exposure", group="display",
               kind="switch", help="As an eye that has adapted to the picture.", default=True,
               part="display", synonyms=("auto", "brightness", "metering")),
@@ -183,7 +214,8 @@ def view_parameters(constituents: tuple[str, ...] = ()) -> tuple[Parameter, ...]
     Examples
     --------
     >>> [one.path for one in view_parameters(("air",)) if one.kind == "switch"]
-    ['view.clock', 'display.automatic', 'display.locked', 'display.eye', 'light.constituents[0]']
+    ['view.clock', 'view.moon_by_date', 'display.automatic', 'display.locked', 'display.eye',
+     'light.constituents[0]']
     """
     switches = tuple(
         Parameter(path=switch_path(index), label=name, group="light", kind="switch",
@@ -266,4 +298,5 @@ def scene_of(view: Mapping[str, Any], width: int, height: int) -> Scene:
         longitude=float(view["view.longitude"]),
         sun_azimuth=bearing,
         ground=str(view["view.ground"]),
+        others=second_lights(view),
     )

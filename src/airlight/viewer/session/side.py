@@ -13,7 +13,7 @@ from airlight.planets.schema.section import suggestion
 from airlight.viewer.parameters.amounts import Amount
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.parameter_list import value_at
-from airlight.viewer.parameters.sun_clock import CLOCK, OF_DATE, with_sun
+from airlight.viewer.parameters.sun_clock import CLOCK, OF_DATE, with_sky
 from airlight.viewer.parameters.view_parameters import DEFAULTS, view_parameters
 from airlight.viewer.session.edited_amounts import amount_edited, amount_value, keys_of_amount
 from airlight.viewer.session.edits import edited, restored
@@ -162,12 +162,12 @@ class Side:
         return self.put(after)
 
     def followed(self, after: Change) -> Change:
-        """Change with the sun that follows from date and place, where the view asks for it."""
+        """Change with sun and Moon that follow from date and place, where the view asks for it."""
         planet = self.planet if after.planet is None else after.planet
         body = planet.tables.get("body")
         opened = after.planet is not None and bool(self.view[CLOCK]) and CLOCK not in after.view
         view = {**after.view, CLOCK: True} if opened else after.view
-        return replace(after, view=with_sun(body, self.view, view))
+        return replace(after, view=with_sky(body, self.view, view))
 
     def change(self, name: str, after: Change) -> AbstractSet[str]:
         """Apply a change as a separate undo step; no step if nothing changes."""

@@ -14,10 +14,10 @@ import { groundTexels } from "./ground.js";
 import { numbersOf } from "./package.js";
 import { Program } from "./program.js";
 import { cameraNumbers, detailNumbers, observerNumbers } from "./view_uniforms.js";
-import { cameraOf } from "./view.js";
+import { EVEN, lightsOf } from "./lights.js";
 import { Adaptation } from "../state/adaptation.js";
 import { CONNECTED, PIXEL_ANGLES, glare_levels, glare_share } from "../generated/formulas.js";
-import { PACKED_FORMAT, ROW } from "../generated/sizes.js";
+import { DISC_FORMAT, PACKED_FORMAT, ROW } from "../generated/sizes.js";
 
 /** Time limits of a sky table while the view moves, and while it rests. [ms] */
 const SMOOTH = 60;
@@ -47,7 +47,8 @@ export class Picture {
     this.fixed = description;
     this.planet = null;
     this.maps = {};
-    this.seen = "";
+    this.skies = ["", ""];
+    this.laws = "";
     this.drawn = "";
     this.spread = "";
     this.solutions = 0;
@@ -71,8 +72,16 @@ export class Picture {
       if (texture) this.program.takeTexture(name, texture);
     }
     for (const [name, value] of Object.entries(solution.uniforms)) this.program.set(name, value);
+    if (!this.laws) this.takeLaw(EVEN);
     this.planet = solution;
     this.solutions += 1;
+  }
+
+  /** Upload the darkening of the second light's disc, unless it is there already. */
+  takeLaw(law) {
+    const key = law.join();
+    if (key !== this.laws) this.program.setTable("disc_2", DISC_FORMAT, law);
+    this.laws = key;
   }
 
   /** Upload a map of the ground or its overlay, unless it is there already. */
@@ -106,19 +115,19 @@ export class Picture {
    */
   async draw(values, width, height, effort, held = false) {
     const { program, fixed } = this;
-    const camera = cameraOf(values, fixed.projections);
-    await this.drawSky(values, camera, effort);
+    const lights = this.lightsOf(values);
+    await this.drawSky(lights, effort);
     let exposure = values["display.exposure"];
     let eases = false;
     if (values["display.automatic"]) {
-      const measured = await this.found(camera, width, height);
+      const measured = await this.found(lights, width, height);
       const adapted = this.adaptation.towards(measured, held, effort === "best");
       exposure += adapted;
       eases = !held && adapted !== measured;
     }
     this.exposure = exposure;
-    this.drawLight(camera, width, height);
-    this.drawGlare(camera, width, height, values["display.glare"]);
+    this.drawLight(lights, width, height);
+    this.drawGlare(lights[0].camera, width, height, values["display.glare"]);
     program.setAll({
       ...fixed.display,
       ...this.viewNumbers(values),
@@ -129,19 +138,52 @@ export class Picture {
     return eases || this.texels(this.shapeFor("resting")) > this.texels(this.shape);
   }
 
+  /** Lights of a view, each with the uniforms of its table of the sky. */
+  lightsOf(values) {
+    const { fixed, planet } = this;
+    const orders = fixed.orders[values["light.orders"]];
+    return lightsOf(values, planet, fixed.projections).map((light) => {
+      const seen = { ...planet, star: light.star };
+      const numbers = observerNumbers(seen, values["view.altitude"], light.camera.sun);
+      return { ...light, numbers: { ...light.numbers, ...numbers, orders } };
+    });
+  }
+
   /** Draw the picture in linear light, unless only its display has changed. */
-  drawLight(camera, width, height) {
-    const { program, fixed } = this;
-    const numbers = {
-      ...cameraNumbers(camera, width, height, fixed.projections),
+  drawLight(lights, width, height) {
+    const numbers = lights.map((light) => this.numbersOf(light, width, height));
+    const drawn = JSON.stringify([this.skies, this.shape, this.laws, numbers]);
+    if (drawn === this.drawn) return;
+    this.program.set("first_row", 0);
+    this.sum("picture", numbers, width, height);
+    this.drawn = drawn;
+  }
+
+  /** Uniforms of a picture by one light. */
+  numbersOf({ camera, numbers }, width, height) {
+    return {
+      ...numbers,
+      ...cameraNumbers(camera, width, height, this.fixed.projections),
       ...detailNumbers(this.planet, camera),
     };
-    const drawn = JSON.stringify([this.seen, this.shape, numbers]);
-    if (drawn === this.drawn) return;
-    program.resize("picture", width, height);
-    program.setAll({ ...numbers, first_row: 0 });
-    program.run("picture");
-    this.drawn = drawn;
+  }
+
+  /** Draw the sum of the lights' pictures into a target, or into an area of it. */
+  sum(name, numbers, width, height, area = null) {
+    const { program } = this;
+    program.resize(name, width, height);
+    if (numbers.length === 1) {
+      program.setAll(numbers[0]);
+      program.runIn(name, area);
+      return;
+    }
+    numbers.forEach((one, i) => {
+      const part = `${name}_${i + 1}`;
+      program.resize(part, width, height);
+      program.setAll(one);
+      program.runIn(part, area);
+    });
+    program.runIn(`${name}_sum`, area);
   }
 
   /** Draw the light that glare spreads, unless it is up to date: see color/glare.py. */
@@ -168,25 +210,36 @@ export class Picture {
     this.spread = this.drawn;
   }
 
-  /** Draw the sky table of the observer, unless it is up to date. */
-  async drawSky(values, camera, effort) {
+  /** Draw the sky tables of the lights, unless they are up to date. */
+  async drawSky(lights, effort) {
     const { program, fixed, planet } = this;
-    const numbers = this.seenBy(values, camera);
-    const seen = this.key(numbers);
-    const shape = this.shapeFor(effort);
-    if (seen === this.seen && this.texels(this.shape) >= this.texels(shape)) return;
-    if (shape !== this.shape) this.reshape(shape);
     const peaks = planet.uniforms.first_peak >= 0;
+    const keys = lights.map((light) => (light.air ? this.key(light.numbers) : ""));
+    const shape = this.shapeFor(effort);
+    if (lights.length > 1) this.takeLaw(lights[1].law ?? EVEN);
+    const stale = keys.some((key, i) => key && key !== this.skies[i]);
+    if (!stale && this.texels(this.shape) >= this.texels(shape)) return;
+    if (shape !== this.shape) this.skies = ["", ""];
+    this.shape = shape;
     const [columns, rows] = fixed.sky[shape];
-    program.setAll({ ...numbers, keeps_peaks: Number(peaks) });
-    program.setAll({ sky_columns: columns, sky_rows: rows });
+    program.setAll({ keeps_peaks: Number(peaks), sky_columns: columns, sky_rows: rows });
     const began = performance.now();
-    program.run("sky_air", ...(peaks ? ["sky_peaks"] : []));
-    this.seen = seen;
+    let drawn = 0;
+    lights.forEach((light, i) => {
+      if (!keys[i] || keys[i] === this.skies[i]) return;
+      const suffix = i ? "_2" : "";
+      for (const name of fixed.layers) {
+        program.resize(name + suffix, ROW, Math.ceil((3 * columns * rows) / ROW));
+      }
+      program.setAll(light.numbers);
+      program.run(`sky_air${suffix}`, ...(peaks ? [`sky_peaks${suffix}`] : []));
+      this.skies[i] = keys[i];
+      drawn += 1;
+    });
     // The time is measured occasionally on a GPU, always on a software device.
-    if (this.drawings++ % 16 === 0 || this.texelTime > SLOW) {
+    if (drawn && (this.drawings++ % 16 === 0 || this.texelTime > SLOW)) {
       await this.device.finished();
-      const time = (performance.now() - began) / this.texels(shape);
+      const time = (performance.now() - began) / this.texels(shape) / drawn;
       // The first time includes the driver's compilation.
       this.texelTime = this.drawings > 1 ? time : SLOW;
     }
@@ -206,14 +259,6 @@ export class Picture {
     return 2 * columns * rows;
   }
 
-  /** Values on which the sky table depends. */
-  seenBy(values, camera) {
-    return {
-      ...observerNumbers(this.planet, values["view.altitude"], camera.sun),
-      orders: this.fixed.orders[values["light.orders"]],
-    };
-  }
-
   /** Uniforms that are view values, by name: `uniforms_of` in Python. */
   viewNumbers(values) {
     const numbers = {};
@@ -227,14 +272,6 @@ export class Picture {
     return JSON.stringify([this.solutions, numbers]);
   }
 
-  reshape(shape) {
-    const [columns, rows] = this.fixed.sky[shape];
-    for (const name of this.fixed.layers) {
-      this.program.resize(name, ROW, Math.ceil((3 * columns * rows) / ROW));
-    }
-    this.shape = shape;
-  }
-
   /**
    * Description of a pixel's light.
    *
@@ -245,29 +282,24 @@ export class Picture {
    */
   async probe(values, size, place) {
     const { program, fixed } = this;
-    const camera = cameraOf(values, fixed.projections);
-    if (this.seen !== this.key(this.seenBy(values, camera))) return "";
-    program.resize("glance", ...size);
-    program.setAll(cameraNumbers(camera, ...size, fixed.projections));
-    program.setAll(detailNumbers(this.planet, camera));
+    const lights = this.lightsOf(values);
+    if (lights.some((one, i) => one.air && this.skies[i] !== this.key(one.numbers))) return "";
     const area = [...place, 1, 1];
-    program.runIn("glance", area);
+    this.sum("glance", lights.map((one) => this.numbersOf(one, ...size)), ...size, area);
     const rgb = await program.read("glance", area);
     return described(rgb, fixed);
   }
 
   /** Automatic exposure of the view. [EV] */
-  async found(camera, width, height) {
+  async found(lights, width, height) {
     const { program, fixed, planet } = this;
     const share = fixed.glance / Math.max(width, height);
     const [wide, high] = [width, height].map((x) => Math.max(1, Math.round(x * share)));
-    program.resize("glance", wide, high);
-    program.setAll(cameraNumbers(camera, wide, high, fixed.projections));
-    program.setAll(detailNumbers(this.planet, camera));
-    program.run("glance");
+    this.sum("glance", lights.map((one) => this.numbersOf(one, wide, high)), wide, high);
+    const { camera, suns } = lights[0];
     const rgba = await program.read("glance");
     const number = Object.keys(fixed.projections).indexOf(camera.projection);
-    return automaticExposure(rgba, [wide, high], camera, number, planet.star);
+    return automaticExposure(rgba, [wide, high], { ...camera, suns }, number, planet.star);
   }
 }
 

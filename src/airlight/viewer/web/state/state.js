@@ -3,7 +3,7 @@ import { withFollowing } from "./amounts.js";
 import { History } from "./history.js";
 import { fragmentOf, readFragment } from "./link.js";
 import { checked } from "./parameters.js";
-import { withSun } from "./sun_clock.js";
+import { withSky } from "./sun_clock.js";
 
 /** Paths of camera and sun, which the states of a comparison can share. */
 const CAMERA = /^view\./;
@@ -115,7 +115,7 @@ export class State {
   /** Changes, with those of values that follow from them and from the values at their start. */
   following(changes, name) {
     const start = { ...this.values, ...this.history.joined(name)?.before };
-    return withSun(this.body, this.values, withFollowing(this.parameters, start, changes));
+    return withSky(this.body, this.values, withFollowing(this.parameters, start, changes));
   }
 
   record(name, before, after, held) {
@@ -210,7 +210,7 @@ export class State {
    */
   takeFragment(fragment) {
     const { values, faults } = readFragment(this, fragment);
-    this.take(withSun(this.body, this.values, values));
+    this.take(withSky(this.body, this.values, values));
     return faults;
   }
 }

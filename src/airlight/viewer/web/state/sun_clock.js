@@ -3,6 +3,7 @@
  * parameters/sun_clock.py.
  */
 import { WORLDS, date_after, sun_on_date } from "../generated/formulas.js";
+import { withMoon } from "./second_light.js";
 
 const CLOCK = "view.clock";
 const DATE = ["view.year", "view.day", "view.hour"];
@@ -35,10 +36,15 @@ export function withSun(body, values, changes) {
   return { ...changes, [CLOCK]: true, [SUN[0]]: sun[0], [SUN[1]]: (sun[1] + 360) % 360 };
 }
 
-/** Date of a view some hours later, with the sun; null where the sun does not go by a date. [h] */
+/** Changes of a view, with the sun and the Moon that follow from them; arguments of `withSun`. */
+export function withSky(body, values, changes) {
+  return withMoon(body, values, withSun(body, values, changes));
+}
+
+/** Date of a view some hours later, with sun and Moon; null where the sun does not go by a date. [h] */
 export function later(body, values, hours) {
   if (!values[CLOCK]) return null;
   const [year, day, hour] = DATE.map((path) => values[path]);
   const date = date_after(Math.floor(year), Math.floor(day), hour, hours);
-  return withSun(body, values, Object.fromEntries(DATE.map((path, i) => [path, date[i]])));
+  return withSky(body, values, Object.fromEntries(DATE.map((path, i) => [path, date[i]])));
 }

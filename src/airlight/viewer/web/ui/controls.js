@@ -4,7 +4,7 @@ import { element } from "./element.js";
 import { answers } from "./search.js";
 
 /** Groups that are shown first, expanded: amounts of the air, then the view's. */
-const FIRST = ["amounts", "camera", "sun", "display", "light"];
+const FIRST = ["amounts", "camera", "sun", "moon", "display", "light"];
 /** Suffix of the label of a list's item. */
 const ITEM = / (at \S+ \S+|\d+)$/;
 /** Number of positions of a slider. */

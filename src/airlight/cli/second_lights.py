@@ -1,0 +1,94 @@
+"""Options of lights beside the sun: ``--moon``, ``--second-star``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from airlight.cli import options
+from airlight.errors import ParameterError
+
+if TYPE_CHECKING:
+    from airlight.cli.time_and_place import Placed
+    from airlight.scene.light_position import LightPosition
+
+Moon = Annotated[
+    str | None,
+    typer.Option(
+        metavar="none|Z,AZ[,PHASE]",
+        help="The Moon as a second light: zenith angle, azimuth from the sun's side and phase "
+        "angle (0 full, 90 half). On Earth with --time it is where it stands then; none: left out.",
+    ),
+]
+SecondStar = Annotated[
+    str | None,
+    typer.Option(
+        metavar="Z,AZ,KELVIN[,RADIUS]",
+        help="A second sun, as in a binary: zenith angle, azimuth from the first one's side, "
+        "temperature, and angular radius (if left out 0.27deg): 80,12,3500K.",
+    ),
+]
+
+#: Angular radius of a second star if nobody says. [deg]
+_RADIUS = 0.27
+
+
+def given(moon: str | None, second_star: str | None, placed: Placed) -> tuple[LightPosition, ...]:
+    """Lights beside the sun, from the options' texts, or from place and time.
+
+    Parameters
+    ----------
+    moon, second_star : str or None
+        Texts of ``--moon`` and ``--second-star``.
+    placed : Placed
+        Observer and sun, with the Moon where a time is given.
+
+    Raises
+    ------
+    ParameterError
+        If a text cannot be read, or a value is out of range.
+
+    Examples
+    --------
+    >>> from airlight.cli.time_and_place import by_angles
+    >>> [one.phase for one in given("40,90,30", None, by_angles(*5 * (None,)))]
+    [30.0]
+    """
+    from airlight.scene.moon_light import MoonLight
+    from airlight.scene.star_light import StarLight
+
+    lights: list[LightPosition] = []
+    if moon is None and placed.moon is not None:
+        lights.append(MoonLight.seen(placed.moon, placed.sun_azimuth))
+    elif moon is not None and moon.strip().lower() != "none":
+        parts = moon.split(",")
+        if not 2 <= len(parts) <= 3:
+            raise ParameterError("--moon", moon, "none, or zenith,azimuth,phase such as 60,40,30")
+        angles = [options.angle(part, "--moon") for part in parts]
+        with _named("--moon"):
+            lights.append(MoonLight(zenith=angles[0], azimuth=angles[1], phase=sum(angles[2:])))
+    if second_star is not None:
+        parts = second_star.split(",")
+        if not 3 <= len(parts) <= 4:
+            allowed = "zenith,azimuth,temperature,radius such as 80,12,3500K,0.3deg"
+            raise ParameterError("--second-star", second_star, allowed)
+        zenith, azimuth = (options.angle(part, "--second-star") for part in parts[:2])
+        kelvin = options.temperature(parts[2], "--second-star")
+        radius = options.angle(parts[3], "--second-star") if len(parts) > 3 else _RADIUS
+        with _named("--second-star"):
+            star = StarLight.black_body(kelvin, radius)
+            lights.append(StarLight(zenith=zenith, azimuth=azimuth, star=star))
+    return tuple(lights)
+
+
+@contextmanager
+def _named(option: str) -> Iterator[None]:
+    """Errors with the option, and the field in the allowed values."""
+    try:
+        yield
+    except ParameterError as error:
+        field = error.field.rpartition(".")[2].replace("_", " ")
+        raise ParameterError(option, error.value, f"{field} {error.allowed}") from None

@@ -1,0 +1,100 @@
+"""Pictures by several lights on a device, and their sum."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from typing import Any
+
+from airlight.gpu.device.device import Device
+from airlight.gpu.device.fragment_pass import FragmentPass
+from airlight.gpu.picture.display_passes import LINEAR
+from airlight.gpu.picture.display_shaders import added_shader
+from airlight.gpu.picture.uniforms import FRAME
+
+
+class LightSum:
+    """Pictures in linear light, added two by two.
+
+    Parameters
+    ----------
+    device : Device
+        Device from ``open_device``.
+    """
+
+    def __init__(self, device: Device) -> None:
+        self._device = device
+        self._pictures: list[Any] = []
+        self._size = (0, 0)
+        self._passes: dict[str, FragmentPass] = {}
+
+    def draw(
+        self,
+        parts: Sequence[Callable[[Any, str], None]],
+        view: Any,
+        size: tuple[int, int],
+        target_format: str,
+    ) -> None:
+        """Draw the sum of pictures; one alone goes straight into the target.
+
+        Parameters
+        ----------
+        parts : sequence of callable
+            ``part(view, format)`` draws the picture of one light.
+        view : wgpu.GPUTextureView
+            View of the target.
+        size : (int, int)
+            Width and height of the target. [pixel]
+        target_format : str
+            Format of the target.
+        """
+        if len(parts) == 1:
+            parts[0](view, target_format)
+            return
+        one, other, spare = self._sized(size)
+        parts[0](one.create_view(), LINEAR)
+        for number, part in enumerate(parts[1:], start=2):
+            part(other.create_view(), LINEAR)
+            last = number == len(parts)
+            form = target_format if last else LINEAR
+            adding = self._pass(form)
+            encoder = self._device.device.create_command_encoder()
+            groups = adding.bind({"frame": self._frame, "picture": one, "level": other})
+            adding.run(encoder, groups, [view if last else spare.create_view()])
+            self._device.device.queue.submit([encoder.finish()])
+            one, spare = spare, one
+
+    @cached_property
+    def _frame(self) -> Any:
+        """Uniforms, of which the sum reads none."""
+        import wgpu
+
+        size = FRAME.packed({}, {}).nbytes
+        return self._device.device.create_buffer(size=size, usage=wgpu.BufferUsage.UNIFORM)
+
+    def _sized(self, size: tuple[int, int]) -> tuple[Any, Any, Any]:
+        """Three textures of a size."""
+        import wgpu
+
+        if size != self._size:
+            for texture in self._pictures:
+                texture.destroy()
+            use = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.TEXTURE_BINDING
+            self._pictures = [
+                self._device.device.create_texture(
+                    label=f"light {k}", size=(*size, 1), format=LINEAR, usage=use
+                )
+                for k in range(3)
+            ]
+            self._size = size
+        one, other, spare = self._pictures
+        return one, other, spare
+
+    def _pass(self, target_format: str) -> FragmentPass:
+        if target_format not in self._passes:
+            shader = added_shader()
+            entry = next(iter(shader.entries))
+            self._passes[target_format] = FragmentPass(
+                self._device, shader.text, entry, (target_format,), entry
+            )
+        return self._passes[target_format]

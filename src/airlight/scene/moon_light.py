@@ -1,0 +1,160 @@
+"""Moon as a light of a scene: a sphere of dust that shines by the star's light."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.ephemeris.sky import MoonSighting
+from airlight.optics.moon_phase import moon_albedo, moon_brightness
+from airlight.planets.light_source import LightSource
+from airlight.scene.light_position import LightPosition
+from airlight.scene.limits import within
+
+FloatArray = npt.NDArray[np.float64]
+
+#: A degree. [rad]
+RADIAN: Final = math.pi / 180.0
+#: Angular radius of the Moon at its mean distance, 384 400 km. [deg]
+MEAN_RADIUS: Final = 0.259
+
+
+@dataclass(frozen=True, kw_only=True)
+class MoonLight(LightPosition):
+    """Moon beside the star: its light, and its disc with its phase.
+
+    It has the Moon's albedo, colour and phase curve, whatever the planet. Its light is that of the
+    planet's star, at the planet's distance from it.
+
+    Parameters
+    ----------
+    zenith : float
+        True zenith angle, 0 to 180. [deg]
+    azimuth : float
+        Azimuth from the star's side, to the right. [deg]
+    phase : float
+        Phase angle, 0 full, 90 half, to 180 new. [deg]
+    angular_radius : float
+        Angular radius, above 0 to 30; the Moon's is 0.245 to 0.282. [deg]
+    limb : float, optional
+        Direction from its middle to its bright limb, clockwise from the zenith's. By default the
+        direction towards the star. [deg]
+
+    Raises
+    ------
+    ParameterError
+        With the field, the value and the allowed range.
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> star = load_planet("earth").lights([550.0])
+    >>> full = MoonLight(zenith=30.0, phase=0.0).source(star)
+    >>> f"{full.irradiance[0] / star[0].irradiance[0]:.2g}"  # 14 magnitudes
+    '2.5e-06'
+    """
+
+    phase: float = 0.0
+    angular_radius: float = MEAN_RADIUS
+    limb: float | None = None
+
+    def __post_init__(self) -> None:
+        within("moon.zenith", self.zenith, 0.0, 180.0, "deg")
+        within("moon.azimuth", self.azimuth, -720.0, 720.0, "deg")
+        within("moon.phase", self.phase, 0.0, 180.0, "deg")
+        within("moon.angular_radius", self.angular_radius, 1e-6, 30.0, "deg")
+
+    @classmethod
+    def seen(cls, moon: MoonSighting, sun_azimuth: float) -> MoonLight:
+        """Moon of a place and time.
+
+        Parameters
+        ----------
+        moon : MoonSighting
+            Moon in the sky of the place.
+        sun_azimuth : float
+            Compass bearing of the sun. [deg]
+        """
+        return cls(
+            zenith=moon.zenith,
+            azimuth=math.remainder(moon.azimuth - sun_azimuth, 360.0),
+            phase=moon.phase_angle,
+            angular_radius=moon.angular_radius,
+        )
+
+    def beside(self, star: LightPosition) -> MoonLight:
+        """Moon whose bright limb faces a star, unless its side is given.
+
+        Examples
+        --------
+        >>> setting = LightPosition(zenith=90.0)
+        >>> MoonLight(zenith=90.0, azimuth=-40.0).beside(setting).limb  # the sun is to its right
+        90.0
+        """
+        if self.limb is not None:
+            return self
+        around = self.azimuth - star.azimuth
+        return replace(self, limb=round(bright_limb(self.zenith, around, star.zenith), 9))
+
+    def source(self, sources: tuple[LightSource, ...]) -> LightSource:
+        """Source: the planet's first, reflected.
+
+        Parameters
+        ----------
+        sources : tuple of LightSource
+            Sources of the planet: ``Solution.lights``.
+        """
+        star = sources[self.index]
+        share = math.sin(math.radians(self.angular_radius)) ** 2
+        return LightSource(
+            name="moon",
+            angular_radius=math.radians(self.angular_radius),
+            wavelengths=star.wavelengths,
+            irradiance=star.irradiance * share * moon_brightness(star.wavelengths, self.phase),
+            spectrum=None if star.spectrum is None else _Reflected(star.spectrum),
+            phase=self.phase,
+            limb=0.0 if self.limb is None else self.limb,
+        )
+
+    def metadata(self) -> str:
+        """Words for the header of a picture."""
+        return (
+            f"moon, zenith {self.zenith:.10g} deg, azimuth {self.azimuth:.10g} deg, "
+            f"phase {self.phase:.10g} deg"
+        )
+
+
+def bright_limb(zenith: float, azimuth: float, star_zenith: float) -> float:
+    """Direction from a moon towards a star on the sky, clockwise from the zenith's. [deg]
+
+    Parameters
+    ----------
+    zenith, azimuth : float
+        Of the moon; azimuth from the star's side, to the right. [deg]
+    star_zenith : float
+        Zenith angle of the star. [deg]
+
+    Examples
+    --------
+    >>> round(bright_limb(40.0, -30.0, 90.0))  # the star is below, to the right
+    143
+    """
+    z, a, s = zenith * RADIAN, azimuth * RADIAN, star_zenith * RADIAN
+    right = -math.sin(s) * math.sin(a)
+    up = math.cos(s) * math.sin(z) - math.sin(s) * math.cos(z) * math.cos(a)
+    return math.atan2(right, up) / RADIAN
+
+
+@dataclass(frozen=True)
+class _Reflected:
+    """Spectrum of a star as the full Moon reflects it."""
+
+    star: Callable[[npt.ArrayLike], FloatArray]
+
+    def __call__(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        return np.asarray(self.star(wavelengths) * moon_albedo(wavelengths))

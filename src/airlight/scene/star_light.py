@@ -1,0 +1,94 @@
+"""Second star of a scene, as in a binary."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+from airlight.errors import ParameterError
+from airlight.planets.light_source import LightSource
+from airlight.planets.star import Star
+from airlight.scene.light_position import LightPosition
+from airlight.scene.limits import within
+
+
+@dataclass(frozen=True, kw_only=True)
+class StarLight(LightPosition):
+    """Star beside the planet's own, with its own spectrum, size and limb darkening.
+
+    Parameters
+    ----------
+    zenith : float
+        True zenith angle, 0 to 180. [deg]
+    azimuth : float
+        Azimuth from the first star's side, to the right. [deg]
+    star : Star
+        Spectrum and size, as in a planet file.
+
+    Raises
+    ------
+    ParameterError
+        If an angle is out of range, or ``star`` is none.
+
+    Examples
+    --------
+    >>> dwarf = StarLight(zenith=60.0, star=StarLight.black_body(3500.0, 0.3))
+    >>> f"{dwarf.star.angular_radius_degrees:.2f}"
+    '0.30'
+    """
+
+    star: Star
+
+    def __post_init__(self) -> None:
+        within("star.zenith", self.zenith, 0.0, 180.0, "deg")
+        within("star.azimuth", self.azimuth, -720.0, 720.0, "deg")
+        if not isinstance(self.star, Star):
+            raise ParameterError("star", self.star, "a Star")
+
+    @staticmethod
+    @lru_cache(maxsize=64)
+    def black_body(temperature: float, angular_radius: float) -> Star:
+        """Star of a temperature and a size in the sky, which give its irradiance.
+
+        Parameters
+        ----------
+        temperature : float
+            Effective temperature, 100 to 1e6. [K]
+        angular_radius : float
+            Angular radius, 1e-6 to 30. [deg]
+        """
+        angle = within("star.angular_radius", angular_radius, 1e-6, 30.0, "deg")
+        far = 1e12
+        return Star(
+            temperature=temperature, distance=far, radius=far * math.sin(math.radians(angle))
+        )
+
+    def source(self, sources: tuple[LightSource, ...]) -> LightSource:
+        """Source at the wavelengths of the planet's own.
+
+        Parameters
+        ----------
+        sources : tuple of LightSource
+            Sources of the planet: ``Solution.lights``.
+        """
+        nm = sources[self.index].wavelengths
+        return LightSource(
+            name="second star",
+            angular_radius=math.radians(self.star.angular_radius_degrees),
+            wavelengths=nm,
+            irradiance=self.star.irradiances(nm),
+            spectrum=self.star.irradiances,
+            darkening=self.star.darkening,
+        )
+
+    def metadata(self) -> str:
+        """Words for the header of a picture."""
+        star = self.star
+        kind = star.spectrum or (
+            "irradiance given" if star.temperature is None else f"{star.temperature:.6g} K"
+        )
+        return (
+            f"second star, zenith {self.zenith:.10g} deg, azimuth {self.azimuth:.10g} deg, {kind}, "
+            f"angular radius {star.angular_radius_degrees:.6g} deg"
+        )

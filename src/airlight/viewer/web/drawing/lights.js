@@ -1,0 +1,137 @@
+/**
+ * Lights of a view: the planet's star, and the Moon or a second sun beside it.
+ *
+ * A picture is the sum of those of its lights, each drawn with its light at the sun's place.
+ */
+import {
+  SHADING,
+  bright_limb,
+  direction_of,
+  light_shown,
+  moon_share,
+  phase_shading,
+} from "../generated/formulas.js";
+import { cameraOf } from "./view.js";
+
+const RADIAN = Math.PI / 180;
+const CHANNELS = ["red", "green", "blue"];
+/** Disc without darkening: coefficients of six powers of the cosine, of four wavelengths. */
+export const EVEN = Float32Array.from({ length: 24 }, (_, i) => Number(i < 4));
+const STAR_DISC = { phased: 0, ...Object.fromEntries(SHADING.map((name) => [name, 0])) };
+const LAMPS = ["lamp_red", "lamp_green", "lamp_blue"];
+
+/**
+ * Lights that are drawn.
+ *
+ * @param {Object<string, number | string | boolean>} values Values of all parameters, by path.
+ * @param {object} planet Data of the solution, see picture.js; `second` from
+ *     viewer/browser/second_light_data.py.
+ * @param {Object<string, [number, number]>} projections Limits of the field of view. [deg]
+ * @returns {object[]} One or two lights: `camera`, `star` (angular radius [rad]), `air` (whether air
+ *     and ground are lit), `numbers` (uniforms of its own), `law` (darkening of its disc; null for
+ *     that of the planet's star), and of the first `suns`, the directions of all.
+ */
+export function lightsOf(values, planet, projections) {
+  const camera = cameraOf(values, projections);
+  const second = secondOf(values, planet, projections);
+  const own = [...Object.keys(colorsOf([], [])), "star_radius", ...LAMPS];
+  const numbers = Object.fromEntries(own.map((name) => [name, planet.uniforms[name]]));
+  const suns = [camera.sun];
+  if (values["view.second_light"] !== "none") {
+    suns.push(direction_of(values["view.second_zenith"], azimuthOf(values)));
+  }
+  const first = {
+    camera,
+    star: planet.star,
+    air: true,
+    numbers: { ...numbers, ...STAR_DISC, draws_air: 1 },
+    law: null,
+    suns,
+  };
+  return second ? [first, second] : [first];
+}
+
+/** Azimuth of the second light from the sun's side, to the right. [deg] */
+function azimuthOf(values) {
+  return values["view.second_azimuth"] - values["view.sun_azimuth"];
+}
+
+function secondOf(values, planet, projections) {
+  const kind = values["view.second_light"];
+  if (kind === "none" || kind === undefined) return null;
+  const radius = values["view.second_radius"];
+  const zenith = values["view.second_zenith"];
+  const share = Math.sin(radius * RADIAN) ** 2;
+  const light = kind === "moon" ? moonOf(values, planet, share) : starOf(values, planet, share);
+  const ratio = light.irradiance.map((one, i) => one / planet.second.irradiance[i]);
+  const shown = light_shown(
+    zenith,
+    values["view.sun_zenith"],
+    radius,
+    Math.max(...ratio),
+    values["view.altitude"],
+    planet.radius,
+    planet.thickness,
+  );
+  if (shown === 0) return null;
+  const azimuth = values["view.second_azimuth"];
+  const moved = { ...values, "view.sun_zenith": zenith, "view.sun_azimuth": azimuth };
+  const camera = cameraOf(moved, projections);
+  return {
+    camera,
+    star: radius * RADIAN,
+    air: shown > 1,
+    numbers: {
+      ...colorsOf(light.irradiance, light.weights),
+      ...Object.fromEntries(LAMPS.map((name) => [name, 0])),
+      ...light.shading(Math.hypot(camera.sun[0], camera.sun[1]), camera.sun[2]),
+      star_radius: radius * RADIAN,
+      draws_air: Number(shown > 1),
+    },
+    law: light.law,
+  };
+}
+
+/** Moon: light of the planet's own star, reflected. */
+function moonOf(values, { second }, share) {
+  const phase = values["view.moon_phase"];
+  const limb = bright_limb(values["view.second_zenith"], azimuthOf(values), values["view.sun_zenith"]);
+  const part = share * moon_share(phase);
+  return {
+    irradiance: second.irradiance.map((one, i) => one * second.moon.albedo[i] * part),
+    weights: second.moon.weights,
+    law: EVEN,
+    shading(level, up) {
+      const numbers = phase_shading(phase, limb, level, up);
+      return { phased: 1, ...Object.fromEntries(SHADING.map((name, i) => [name, numbers[i]])) };
+    },
+  };
+}
+
+/** Second sun: a black body, between two temperatures of the table. */
+function starOf(values, { second: { stars } }, share) {
+  const cold = 1 / values["view.second_temperature"];
+  const after = stars.findIndex(({ temperature }) => 1 / temperature <= cold);
+  const i = Math.max(1, after < 0 ? stars.length - 1 : after);
+  const [low, high] = [stars[i - 1], stars[i]];
+  const way = (cold - 1 / low.temperature) / (1 / high.temperature - 1 / low.temperature);
+  const part = Math.min(Math.max(way, 0), 1);
+  const between = (name) => low[name].map((one, k) => one + part * (high[name][k] - one));
+  return {
+    irradiance: between("irradiance").map((one) => share * Math.exp(one)),
+    weights: between("weights"),
+    law: Float32Array.from(between("darkening")),
+    shading: () => STAR_DISC,
+  };
+}
+
+/** Uniforms of the wavelengths' colours; 0 for those that are not there. */
+function colorsOf(irradiance, weights) {
+  const numbers = {};
+  CHANNELS.forEach((channel, c) => {
+    for (let i = 0; i < 4; i++) {
+      numbers[`${channel}_${i}`] = i < irradiance.length ? irradiance[i] * weights[3 * i + c] : 0;
+    }
+  });
+  return numbers;
+}

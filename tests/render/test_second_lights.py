@@ -1,0 +1,148 @@
+"""Moon and second star in a planet's picture: sums, moonlight, lamps, what is left out."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight import Camera, MoonLight, ParameterError, Scene, StarLight, load_planet, solve
+from airlight.color.xyz import luminance
+from airlight.pixels.lit_scenes import lit_scenes
+from airlight.planets.parameters import replace as varied
+from airlight.render import render
+from airlight.scene.light_position import LightPosition
+from airlight.solvers.moments.solution import MomentsSolution
+
+NM = (680.0, 550.0, 440.0)
+CAMERA = Camera(width=64, height=36, look_zenith=78.0, look_azimuth=20.0)
+SEA = Scene(altitude=3e3, sun_zenith=75.0, latitude=20.0, longitude=-40.0, camera=CAMERA)
+RED = StarLight(zenith=60.0, azimuth=50.0, star=StarLight.black_body(3500.0, 1.0))
+
+
+@pytest.fixture(scope="module")
+def earth() -> MomentsSolution:
+    return solve(load_planet("earth"), NM, "preview")
+
+
+def test_two_suns_are_the_sum_of_their_pictures(earth: MomentsSolution) -> None:
+    # Linearity. The second alone: the same solution under its own star, turned to it.
+    both = render(earth, replace(SEA, others=(RED,))).rgb
+    second = earth.lit_by(RED.source(earth.lights))
+    alone = render(second, SEA.lit_by(RED)).rgb
+    assert_allclose(both, render(earth, SEA).rgb + alone, rtol=2e-6)
+    assert np.median(alone) > 0.03 * np.median(both)
+
+
+def test_a_second_light_in_the_same_place_doubles_the_picture(earth: MomentsSolution) -> None:
+    # Linearity again, disc and ground included; the sea there has no lamps.
+    twice = render(earth, replace(SEA, others=(LightPosition(zenith=75.0),))).rgb
+    assert_allclose(twice, 2.0 * render(earth, SEA).rgb, rtol=2e-6)
+
+
+def test_a_full_moon_s_sky_is_a_day_four_hundred_thousand_times_darker(
+    earth: MomentsSolution,
+) -> None:
+    # Krisciunas & Schaefer (1991): -12.73 mag, the sun -26.74: 14.01 mag are a factor 4.0e5 in V,
+    # by 550 nm and the eye's weights 5 %; and the Moon's B - V is 0.27 mag larger.
+    camera = Camera(width=16, height=9, look_zenith=50.0, look_azimuth=140.0)
+    day = render(earth, Scene(camera=camera, sun_zenith=45.0)).rgb
+    moon = MoonLight(zenith=45.0, azimuth=0.0)
+    night = render(earth, Scene(camera=camera, sun_zenith=140.0, others=(moon,))).rgb
+    ratio = luminance(day.astype(float)) / luminance(night.astype(float))
+    assert_allclose(ratio, 10.0 ** (0.4 * 14.01), rtol=0.05)
+    redder = (night[..., 0] / night[..., 2]) / (day[..., 0] / day[..., 2])
+    assert (redder > 1.1).all()
+
+
+def test_half_moon_lights_an_eleventh_of_full(earth: MomentsSolution) -> None:
+    # Krisciunas & Schaefer (1991), eq. 9, at 90°: 2.60 mag
+    full, half = (
+        MoonLight(zenith=40.0, phase=phase).source(earth.lights).irradiance
+        for phase in (0.0, 90.0)
+    )  # fmt: skip
+    assert_allclose(full / half, 10.0 ** (0.4 * 2.60244), rtol=1e-6)
+
+
+def test_lamps_shine_once_beside_the_moon() -> None:
+    # What the Moon adds is the same with the lamps of towns and without them.
+    planet = load_planet("earth")
+    dark = varied(planet, ground=varied(planet.ground, lights=None))
+    camera = Camera(width=48, height=27, look_zenith=150.0, field_of_view=50.0)
+    scene = Scene(camera=camera, altitude=4e5, sun_zenith=180.0, latitude=45.4, longitude=9.2)
+    moonlit = replace(scene, others=(MoonLight(zenith=60.0, azimuth=30.0),))
+    added = []
+    for one in (planet, dark):
+        solution = solve(one, NM, "preview")
+        added.append(render(solution, moonlit).rgb - render(solution, scene).rgb)
+    lamps = render(solve(planet, NM, "preview"), scene).rgb
+    assert lamps.max() > 3.0 * added[1].max()
+    # of single precision, in the sum with the lamps
+    assert_allclose(added[0], added[1], atol=3e-7 * lamps.max())
+
+
+def test_another_star_of_a_planet_keeps_its_lamps(earth: MomentsSolution) -> None:
+    # The lamps have their own light: another star in the first place leaves their luminance, to what
+    # the reflectances of red, green and blue at three wavelengths leave of a colour.
+    camera = Camera(width=48, height=27, look_zenith=150.0, field_of_view=50.0)
+    scene = Scene(camera=camera, altitude=4e5, sun_zenith=180.0, latitude=45.4, longitude=9.2)
+    other = earth.lit_by(RED.source(earth.lights))
+    wanted = luminance(render(earth, scene).rgb.astype(float))
+    seen = luminance(render(other, scene).rgb.astype(float))
+    town = wanted > 0.1 * wanted.max()
+    assert_allclose(seen[town], wanted[town], rtol=0.05)
+
+
+@pytest.mark.parametrize(
+    ("sun", "moon", "altitude", "drawn"),
+    [
+        (120.0, 60.0, 2.0, [True, True]),
+        (120.0, 100.0, 2.0, [True, True]),  # twilight by moonlight
+        (120.0, 130.0, 2.0, [True]),
+        (120.0, 130.0, 4e5, [True, True]),  # lit air in view from orbit
+        (40.0, 60.0, 2.0, [True, False]),  # by day its disc alone
+        (40.0, 95.0, 2.0, [True]),
+        (91.0, 60.0, 2.0, [True, True]),
+    ],
+)
+def test_lights_that_cannot_matter_are_left_out(
+    sun: float, moon: float, altitude: float, drawn: list[bool], earth: MomentsSolution
+) -> None:
+    # Each light in the list is a table of the sky and a pass over the pixels.
+    scene = Scene(altitude=altitude, sun_zenith=sun, others=(MoonLight(zenith=moon, azimuth=90.0),))
+    assert [one.air for one in lit_scenes(scene, earth)] == drawn
+
+
+def test_moonlight_left_out_by_day_is_invisible(earth: MomentsSolution) -> None:
+    # With the sun on the horizon, where it is left out last: below a tenth of a per cent.
+    camera = Camera(width=16, height=9, look_zenith=60.0, look_azimuth=170.0)
+    scene = Scene(camera=camera, sun_zenith=89.9)
+    moon = MoonLight(zenith=50.0, azimuth=0.0)
+    moonlight = render(earth.lit_by(moon.source(earth.lights)), scene.lit_by(moon)).rgb
+    assert (moonlight / render(earth, scene).rgb).max() < 1e-3
+
+
+def test_the_day_moon_stands_in_a_blue_sky(earth: MomentsSolution) -> None:
+    # Its disc alone is added, brighter than the sky around it, and lit on the sun's side.
+    camera = Camera(width=80, height=60, field_of_view=1.2, look_zenith=50.0, look_azimuth=70.0)
+    scene = Scene(camera=camera, altitude=2.0, sun_zenith=50.0)
+    moon = MoonLight(zenith=50.0, azimuth=70.0, phase=90.0)
+    added = render(earth, replace(scene, others=(moon,))).rgb - render(earth, scene).rgb
+    rows, columns = np.indices(added.shape[:2])
+    weight = added[..., 1].astype(float)
+    assert weight.max() > 0.1 * render(earth, scene).rgb[..., 1].max()
+    assert np.average(columns, weights=weight) < 38.0  # the sun is to the left
+    far = np.hypot(rows - 29.5, columns - 39.5) > 22.0  # of 17 pixels' radius
+    assert not added[far].any()
+
+
+def test_what_cannot_be_is_refused() -> None:
+    for wrong in ({"phase": 190.0}, {"zenith": -1.0}, {"angular_radius": 0.0}):
+        with pytest.raises(ParameterError, match=next(iter(wrong))):
+            MoonLight(**{"zenith": 30.0, **wrong})
+    with pytest.raises(ParameterError, match="temperature"):
+        StarLight.black_body(1.0, 0.3)
+    with pytest.raises(ParameterError, match="others"):
+        Scene(others=("moon",))  # type: ignore[arg-type]
