@@ -84,8 +84,8 @@ def test_lamps_shine_once_beside_the_moon() -> None:
 
 
 def test_another_star_of_a_planet_keeps_its_lamps(earth: MomentsSolution) -> None:
-    # The lamps have their own light: another star in the first place leaves their luminance, to what
-    # the reflectances of red, green and blue at three wavelengths leave of a colour.
+    # The lamps have their own light: another star in the first place leaves their luminance, to
+    # what the reflectances of red, green and blue at three wavelengths leave of a colour.
     camera = Camera(width=48, height=27, look_zenith=150.0, field_of_view=50.0)
     scene = Scene(camera=camera, altitude=4e5, sun_zenith=180.0, latitude=45.4, longitude=9.2)
     other = earth.lit_by(RED.source(earth.lights))

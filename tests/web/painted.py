@@ -15,7 +15,7 @@ from airlight.gpu.emit.glsl import GLSL
 from airlight.gpu.emit.shader_types import F32, FLAT_WIDTH, I32, VEC4, Bundle
 from airlight.gpu.emit.texture_table import TextureTable
 from airlight.gpu.emit.wgsl import WGSL
-from airlight.gpu.picture.uniforms import FRAME, LAYERS
+from airlight.gpu.picture.uniforms import CHANNELS, FRAME, LAYERS
 from airlight.kernel.lanes import LANES, load
 from airlight.pixels.pixel import Screen
 from airlight.viewer.browser.tables_text import as_text, deflated
@@ -94,6 +94,9 @@ def program() -> dict[str, Any]:
         return {"name": name, "shader": "painted", "entry": entry, "vertex": CORNERS,
                 "uniforms": "0/0", "reads": reads, "targets": made}  # fmt: skip
 
+    def second(targets: list[tuple[str, int, int]]) -> list[tuple[str, int, int]]:
+        return [(f"{name}_2", width, height) for name, width, height in targets]
+
     sky = [(name, FLAT_WIDTH, 1) for name in LAYERS[:2]]
     peaks = [(name, FLAT_WIDTH, 1) for name in LAYERS[2:]]
     return {
@@ -105,6 +108,18 @@ def program() -> dict[str, Any]:
                 one("sky_peaks", "sky_air", {"0/1": "fields"}, *peaks),
                 one("glance", "linear_picture", {"0/2": "air"}, ("glance", 64, 64)),
                 one("picture", "linear_picture", {"0/2": "air"}, ("picture", 1, 1)),
+                one("sky_air_2", "sky_air", {"0/1": "fields"}, *second(sky)),
+                one("sky_peaks_2", "sky_air", {"0/1": "fields"}, *second(peaks)),
+                # the sky of the first light stands for the sum of both
+                *(
+                    one(f"{name}_{part}", "linear_picture", {"0/2": air}, (target, 1, 1))
+                    for name in ("glance", "picture")
+                    for part, air, target in (
+                        ("1", "air", f"{name}_1"),
+                        ("2", "air_2", f"{name}_2"),
+                        ("sum", "air", name),
+                    )
+                ),
                 one("display", "shown_picture", {"0/3": "picture"}),
             ],
         },
@@ -125,7 +140,25 @@ def program() -> dict[str, Any]:
 def solution(paint: tuple[float, ...] = PAINT) -> dict[str, Any]:
     """Counterpart of ``viewer.browser.package.solution_package``, with tables as text."""
     return {
-        "uniforms": {"first_peak": -1.0, **{f"red_{i}": x for i, x in enumerate(paint)}},
+        "uniforms": {
+            "first_peak": -1.0,
+            "star_radius": 0.0,
+            **dict.fromkeys((f"lamp_{one}" for one in CHANNELS), 0.0),
+            **{f"{one}_{i}": x for one in CHANNELS for i, x in enumerate(paint)},
+        },
+        "second": {
+            "irradiance": [1.0] * 4,
+            "moon": {"albedo": [0.1] * 4, "weights": [1.0] * 12},
+            "stars": [
+                {
+                    "temperature": temperature,
+                    "irradiance": [1.0] * 4,
+                    "weights": [1.0] * 12,
+                    "darkening": [1.0] * 24,
+                }
+                for temperature in (1500.0, 40000.0)
+            ],
+        },
         "tables": {"fields": {"format": "rgba32float", "data": as_text(COLORS)}},
         "ground": None,
         "radius": 6360e3,

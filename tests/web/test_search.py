@@ -53,6 +53,11 @@ WORDS = {
     "single scattering": "light.orders",
     "accuracy": "light.quality",
     "red dwarf": "star.spectrum",
+    "moon": "view.second_light",
+    "moonlight": "view.second_light",
+    "second sun": "view.second_light",
+    "binary": "view.second_light",
+    "full moon": "view.moon_phase",
 }
 
 

@@ -1,4 +1,4 @@
-"""Sun and Moon of a page by date and time: the same edits as in Python's session lead to the same view."""
+"""Sun and Moon of a page by date and time: the same edits as in a session, the same view."""
 
 from __future__ import annotations
 
