@@ -16,8 +16,8 @@ STATIONS = (
     ("Planets", ("load_planet", "planet_names", "Planet", "Constituent", "Ground", "Star",
                  "Medium", "replace")),
     ("Light", ("solve", "Solution")),
-    ("Pictures", ("Scene", "Camera", "look_at", "local_ground", "render", "Frame",
-                  "write_picture")),
+    ("Pictures", ("Scene", "MoonLight", "StarLight", "Camera", "look_at", "local_ground",
+                  "render", "Frame", "write_picture")),
     ("Composition", ("compose", "Pinhole", "Placement")),
     ("Errors", ("AirlightError", "ParameterError", "FileError", "ConvergenceError", "Cancelled")),
 )  # fmt: skip
