@@ -1,4 +1,4 @@
-"""Write the tables of docs/planet-files.md and docs/scenes.md from the declarations of their keys.
+"""Write the tables of keys of planet files, scenes and films into their pages.
 
 python builders/planet_file_tables.py
 """
@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from airlight.film import handbook as films
 from airlight.planets.reading.handbook import filled
 from airlight.system.handbook import key_table
 
 DOCS = Path(__file__).parents[1] / "docs"
-PAGES = {"planet-files.md": None, "scenes.md": key_table}
+PAGES = {"planet-files.md": None, "scenes.md": key_table, "films.md": films.key_table}
 
 if __name__ == "__main__":
     for name, table in PAGES.items():

@@ -68,5 +68,9 @@ class ConvergenceError(AirlightError):
     """Iteration that did not reach its tolerance within the allowed number of sweeps."""
 
 
+class WorkerError(AirlightError):
+    """Process or machine that took part in a computation and was lost."""
+
+
 class Cancelled(AirlightError):
     """Long computation stopped at the caller's request."""

@@ -15,6 +15,7 @@ import typer
 
 from airlight.cli import (
     aerial,
+    animate,
     bake,
     compose,
     errata,
@@ -46,8 +47,8 @@ app = typer.Typer(
     ),
 )
 _COMMANDS = (
-    planets, show, render, compose, aerial, view, radiance, fit, plot, bake, export_page, validate,
-    errata,
+    planets, show, render, animate, compose, aerial, view, radiance, fit, plot, bake, export_page,
+    validate, errata,
 )  # fmt: skip
 for command in _COMMANDS:
     function = command.__name__.rpartition(".")[2]

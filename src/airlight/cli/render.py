@@ -202,8 +202,8 @@ def render(
 
     picture_suffix(output)
     ev = options.camera(exposure, iso, aperture, shutter)
-    _check_tone_map(tone_map)
-    _check_glare(glare)
+    check_tone_map(tone_map)
+    check_glare(glare)
     projection = options.projection(projection)
     if is_scene_file(planet):
         frame = scene_file.painted(
@@ -352,14 +352,16 @@ def _painted(
         )  # fmt: skip
 
 
-def _check_tone_map(name: str) -> None:
+def check_tone_map(name: str) -> None:
+    """Refuse a tone map that does not exist."""
     from airlight.color.tone_maps import TONE_MAPS
 
     if name not in TONE_MAPS:
         raise ParameterError("--tone-map", name, ", ".join(TONE_MAPS))
 
 
-def _check_glare(amount: float) -> None:
+def check_glare(amount: float) -> None:
+    """Refuse an amount of glare out of range."""
     from airlight.color.glare import checked_amount
 
     checked_amount(amount, "--glare")

@@ -146,3 +146,20 @@ def read_exr(path: str | Path) -> tuple[NDArray[np.float32], dict[str, str]]:
     except (RuntimeError, ValueError, TypeError, KeyError) as error:
         raise FileError(path, f"cannot be read as RGB OpenEXR: {error}") from error
     return rgb, texts
+
+
+def read_exr_header(path: str | Path) -> dict[str, str]:
+    """String attributes of a file, without its pixels.
+
+    Raises
+    ------
+    FileError
+        If the file cannot be read.
+    """
+    import OpenEXR
+
+    try:
+        with OpenEXR.File(str(path), header_only=True) as image:
+            return {k: v for k, v in image.header().items() if isinstance(v, str)}
+    except (RuntimeError, ValueError, TypeError) as error:
+        raise FileError(path, f"cannot be read as OpenEXR: {error}") from error

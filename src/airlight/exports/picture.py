@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError
-from airlight.exports.exr import write_exr
-from airlight.exports.png import write_png
+from airlight.exports.exr import read_exr_header, write_exr
+from airlight.exports.png import read_png_header, write_png
 from airlight.exports.whole_file import check_target
 
 if TYPE_CHECKING:
@@ -149,3 +149,29 @@ def write_picture(
         texts = {**metadata, **display}
         write_png(path, pixels, texts, encoding=encoding, primaries=primaries)
     return Written(path=Path(path), size=Path(path).stat().st_size, exposure=used)
+
+
+def read_picture_metadata(path: str | Path) -> dict[str, str]:
+    """Texts in the header of a picture, of a file that was written to its end.
+
+    Parameters
+    ----------
+    path : str or Path
+        Path of a PNG or EXR file.
+
+    Returns
+    -------
+    dict of str to str
+        Texts by name, with the prefix ``airlight.``.
+
+    Raises
+    ------
+    FileError
+        If the file is missing, no such picture, or cut off.
+    """
+    try:
+        if Path(path).suffix.lower() == ".exr":
+            return read_exr_header(path)
+        return read_png_header(path)
+    except (OSError, ValueError, SyntaxError) as error:
+        raise FileError(path, f"cannot be read as a picture: {error}") from error

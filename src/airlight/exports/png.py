@@ -21,6 +21,9 @@ Chunks = list[tuple[bytes, bytes]]
 #: 8.3; PNG specification, third edition (W3C 2025), section 11.3.2.6]
 _DISPLAY_P3: Final = bytes([12, 13, 0, 1])
 
+#: The last chunk, IEND. [PNG specification, section 11.2.5]
+_END: Final = b"\0\0\0\0IEND\xaeB\x60\x82"
+
 
 def colour_chunks(encoding: str, primaries: str = "srgb") -> Chunks:
     """Chunks that say what the numbers of a picture mean, the first that a reader knows first.
@@ -164,3 +167,32 @@ def read_png_metadata(path: str | Path) -> dict[str, str]:
     with Image.open(path) as image:
         image.load()  # text may stand after the pixels
         return {str(k): str(v) for k, v in image.info.items() if isinstance(v, str)}
+
+
+def read_png_header(path: str | Path) -> dict[str, str]:
+    """Text chunks in front of the pixels of a PNG, of a file that has its end.
+
+    Parameters
+    ----------
+    path : str or Path
+        Path of the file.
+
+    Returns
+    -------
+    dict of str to str
+        Texts by name, with the prefix ``airlight.``.
+
+    Raises
+    ------
+    OSError
+        If the file is missing, no PNG, or cut off.
+    """
+    from PIL import Image
+
+    with Path(path).open("rb") as stream:
+        stream.seek(-len(_END), io.SEEK_END)
+        if stream.read() != _END:
+            raise OSError("cut off")
+        stream.seek(0)
+        with Image.open(stream, formats=("PNG",)) as image:
+            return {str(k): str(v) for k, v in image.info.items() if isinstance(v, str)}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from datetime import datetime
 from functools import cache
 from importlib import resources
@@ -79,14 +80,37 @@ def load_system(name_or_path: str | Path) -> System:
     >>> [body.name for body in load_system("earth-moon").bodies]
     ['earth', 'moon']
     """
+    return read_system(*system_text(name_or_path))
+
+
+def system_text(name_or_path: str | Path) -> tuple[str, str, Path | None]:
+    """Text of a scene file, by the name of a preset or its path.
+
+    Parameters
+    ----------
+    name_or_path : str or Path
+        Name or path as for ``load_system``.
+
+    Returns
+    -------
+    (str, str, Path or None)
+        Text in TOML, name in errors, and folder of files that it names, None for a preset.
+
+    Raises
+    ------
+    FileError
+        If the file does not exist, or cannot be read.
+    ParameterError
+        If the name is unknown.
+    """
     if isinstance(name_or_path, str) and name_or_path in system_names():
         preset = resources.files("airlight.system") / "presets" / f"{name_or_path}.toml"
-        return read_system(preset.read_text(encoding="utf-8"), f"{name_or_path}.toml")
+        return preset.read_text(encoding="utf-8"), f"{name_or_path}.toml", None
     path = Path(name_or_path)
     if path.suffix != ".toml" and not path.exists():
         names = suggestion(str(name_or_path), system_names())
         raise ParameterError("scene", str(name_or_path), f"{names}; or the path to a TOML file")
-    return read_system(file_text(path), str(path), path.parent)
+    return file_text(path), str(path), path.parent
 
 
 def read_system(text: str, file: str, folder: Path | None = None) -> System:
@@ -108,16 +132,42 @@ def read_system(text: str, file: str, folder: Path | None = None) -> System:
     ParameterError
         If the file is invalid.
     """
+    return read_system_tables(nested_tables(text, file), file, folder)
+
+
+def read_system_tables(
+    tables: Mapping[str, Any],
+    file: str,
+    folder: Path | None = None,
+    changes: Mapping[str, Mapping[str, Any]] | None = None,
+) -> System:
+    """Read a scene from the nested tables of a scene file.
+
+    Parameters
+    ----------
+    tables : mapping
+        Tables from ``nested_tables``; not changed. A table ``film`` is left to films.
+    file, folder
+        See ``read_system``.
+    changes : mapping, optional
+        Changes of planet files, see ``System``.
+
+    Raises
+    ------
+    ParameterError
+        If the tables are invalid.
+    """
     try:
-        return _read(Section(nested_tables(text, file), folder=folder))
+        return _read(Section(dict(tables), folder=folder), changes or {})
     except ParameterError as error:
         if error.file is not None:
             raise
-        raise ParameterError(error.field, error.value, error.allowed, file=file) from None
+        raise error.in_file(file) from None
 
 
-def _read(file: Section) -> System:
-    values: dict[str, Any] = {"folder": file.folder}
+def _read(file: Section, changes: Mapping[str, Mapping[str, Any]]) -> System:
+    values: dict[str, Any] = {"folder": file.folder, "changes": changes}
+    file.raw("film")
     values["name"] = file.text("name", "a title, such as 'Earth and Moon'")
     values["description"] = file.text("description", "a sentence", "")
     time = _time(file)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from datetime import datetime
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -43,6 +45,9 @@ class System:
         Whether the stars of the catalogue are drawn; the frame is then that of the J2000 equator.
     time : datetime, optional
         Time for which an ephemeris placed its bodies.
+    changes : mapping
+        Keys of planet files that are changed before they are read, from path to value, by the name
+        of the body.
 
     Raises
     ------
@@ -59,6 +64,7 @@ class System:
     folder: Path | None = None
     stars: bool = False
     time: datetime | None = None
+    changes: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         names = [body.name for body in self.bodies]
@@ -102,7 +108,8 @@ class System:
             if body.planet is not None:
                 beside = None if self.folder is None else self.folder / body.planet
                 there = beside is not None and beside.suffix == ".toml" and beside.is_file()
-                found[body.name] = load_planet(beside if there and beside else body.planet)
+                named = beside if there and beside else body.planet
+                found[body.name] = load_planet(named, self.changes.get(body.name))
         return found
 
     def radius(self, body: Body) -> float:

@@ -1,0 +1,296 @@
+"""``animate``: a film becomes a folder of frames, drawn by many processes, only what is missing."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final, Literal
+
+import numpy as np
+
+from airlight.distribution import Runner, opened_runner
+from airlight.errors import WorkerError
+from airlight.film.exposure_curve import ExposureCurve
+from airlight.film.film import Film, metered_numbers
+from airlight.film.fingerprint import code_digest, digest
+from airlight.film.finish import Finish, finished
+from airlight.film.frames_folder import FINGERPRINT, FramesFolder
+from airlight.film.movie import write_movie
+from airlight.film.still import Quality, Still, distinct_solutions
+from airlight.kernel import disk
+from airlight.scene.metering import METERED
+
+if TYPE_CHECKING:
+    from airlight.kernel.threads import Progress
+
+#: Exposure of a film: a smooth curve, that of the first frame for all, or a number. [EV]
+FilmExposure = float | Literal["auto", "locked"]
+#: Frames that are prepared before another one has to be read: of a film whose planet changes, each
+#: has its own.
+_KEPT: Final = 512
+
+
+@dataclass(frozen=True, kw_only=True)
+class Animated:
+    """Film that was written.
+
+    Attributes
+    ----------
+    frames : FramesFolder
+        Folder of its frames.
+    drawn, kept : int
+        Number of frames that were drawn, and that were there already.
+    exposures : (float, float) or None
+        Lowest and highest exposure of a PNG. [EV]
+    """
+
+    frames: FramesFolder
+    drawn: int
+    kept: int
+    exposures: tuple[float, float] | None
+
+
+def animate(
+    film: Film,
+    folder: str | Path,
+    *,
+    width: int = 1280,
+    height: int = 720,
+    how: Quality | None = None,
+    finish: Finish | None = None,
+    exposure: FilmExposure = "auto",
+    movie: str | Path | None = None,
+    name: str | None = None,
+    scheduler: str | None = None,
+    workers: int | None = None,
+    told: Callable[[str], None] | None = None,
+    progress: Progress | None = None,
+) -> Animated:
+    """Draw the frames of a film that are missing or have changed.
+
+    Each frame's file names in its header the fingerprint of all that defines it. A frame is written
+    whole; a run that was interrupted, or killed, loses only the frames that were being drawn.
+
+    Parameters
+    ----------
+    film : Film
+        Film from ``load_film``.
+    folder : str or Path
+        Folder of the frames.
+    width, height : int
+        Size of the frames. [pixel]
+    how : Quality, optional
+        How their light is computed.
+    finish : Finish, optional
+        Format and display.
+    exposure : float, "auto" or "locked"
+        ``auto`` meters three frames a second and follows them smoothly; ``locked`` is the first
+        frame's, of all. [EV]
+    movie : str or Path, optional
+        Path of an MP4.
+    name : str, optional
+        Name in those of the frames; the film's by default.
+    scheduler, workers : optional
+        See ``airlight.distribution.opened_runner``.
+    told : callable, optional
+        Receives lines about the course.
+    progress : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Returns
+    -------
+    Animated
+
+    Raises
+    ------
+    ParameterError
+        If a key of the film is wrong, or an option.
+    FileError
+        If the folder cannot be written to.
+    WorkerError
+        If workers or their scheduler are lost.
+    """
+    how, finish = how or Quality(), finish or Finish()
+    job = _Job(film, width, height, how, finish, exposure, progress)
+    frames = FramesFolder(Path(folder), name or film.name, finish.suffix, film.plan.count)
+    say = told or (lambda line: None)
+    for number in {0, film.plan.count // 2, film.plan.count - 1}:
+        job.still(number)  # refuse here what a worker would refuse after some time
+    with frames.claimed(), contextlib.ExitStack() as stack:
+        runner: Runner | None = None
+
+        def opened(tasks: int) -> Runner:
+            nonlocal runner
+            if runner is None:
+                runner = stack.enter_context(
+                    opened_runner(tasks, scheduler=scheduler, workers=workers)
+                )
+                say(f"{tasks} frames to draw by {runner.description}")
+                job.prepare(runner)
+            return runner
+
+        curve = job.curve(lambda: opened(film.plan.count))
+        missing = [n for n in range(frames.count) if frames.fingerprint(n) != job.fingerprint(n)]
+        if missing:
+            say_drawn = opened(len(missing)).run(drawn_frame, job.tasks(missing))
+            for done, (number, content) in enumerate(say_drawn):
+                frames.write(number, content)
+                if progress is not None:
+                    progress(done + 1, len(missing), "frames")
+        if movie is not None:
+            write_movie(Path(movie), frames.paths, film.plan.rate, progress)
+    others = frames.others()
+    if others:
+        say(f"{others[0]} and {len(others) - 1} more are not of this film")
+    span = None
+    if curve is not None:
+        values = [curve(number) for number in range(frames.count)]
+        span = min(values), max(values)
+    return Animated(
+        frames=frames, drawn=len(missing), kept=frames.count - len(missing), exposures=span
+    )
+
+
+class _Job:
+    """One film at one size, with one finish."""
+
+    def __init__(
+        self, film: Film, width: int, height: int, how: Quality, finish: Finish,
+        exposure: FilmExposure, progress: Progress | None,
+    ) -> None:  # fmt: skip
+        self._film, self._size, self._how = film, (width, height), how
+        self._finish, self._exposure, self._progress = finish, exposure, progress
+        self._stills: dict[int, Still] = {}
+        self._digests: dict[int, str] = {}
+        self._curve: Callable[[int], float] | None = None
+
+    def still(self, number: int) -> Still:
+        if number not in self._stills:
+            if len(self._stills) >= _KEPT:
+                self._stills.clear()
+            self._stills[number] = self._film.still(number, *self._size, self._how)
+        return self._stills[number]
+
+    def _digest(self, number: int) -> str:
+        """Fingerprint of a frame's light."""
+        if number not in self._digests:
+            still = self.still(number)
+            self._digests[number] = digest((still.defined_by, code_digest()), still.files)
+        return self._digests[number]
+
+    # --- exposure -----------------------------------------------------------------------------
+
+    def curve(self, opened: Callable[[], Runner]) -> Callable[[int], float] | None:
+        """Exposure of each frame, metered where that is not known; None of linear files."""
+        if self._finish.suffix == ".exr":
+            return None
+        if isinstance(self._exposure, (int, float)):
+            fixed = float(self._exposure)
+            self._curve = lambda number: fixed
+            return self._curve
+        numbers = [0] if self._exposure == "locked" else metered_numbers(self._film.plan)
+        found = {number: self._kept_exposure(number) for number in numbers}
+        unknown = [number for number, value in found.items() if value is None]
+        if unknown:
+            tasks = ((number, (self.still(number), code_digest())) for number in unknown)
+            for done, (number, value) in enumerate(opened().run(metered_exposure, tasks)):
+                disk.save(self._key(number), {"exposure": np.array(value)})
+                found[number] = value
+                if self._progress is not None:
+                    self._progress(done + 1, len(unknown), "exposure")
+        metered = [value for value in found.values() if value is not None]
+        self._curve = ExposureCurve(numbers, metered).at
+        return self._curve
+
+    def _key(self, number: int) -> str:
+        return digest(("exposure", METERED, self._digest(number)))
+
+    def _kept_exposure(self, number: int) -> float | None:
+        kept = disk.load(self._key(number))
+        return None if kept is None else float(kept["exposure"])
+
+    # --- frames -------------------------------------------------------------------------------
+
+    def _exposure_of(self, number: int) -> float:
+        return 0.0 if self._curve is None else self._curve(number)
+
+    @property
+    def _eye(self) -> bool:
+        """Whether faint light is seen as by an eye: not where the exposure is a number."""
+        return isinstance(self._exposure, str)
+
+    def fingerprint(self, number: int) -> str:
+        """Fingerprint of a frame's file."""
+        light, value = self._digest(number), self._exposure_of(number)
+        return digest((light, self._finish, value, self._eye))
+
+    def tasks(self, numbers: Sequence[int]) -> Iterator[tuple[int, tuple[Any, ...]]]:
+        """Tasks of ``drawn_frame``."""
+        for number in numbers:
+            yield number, (
+                self.still(number), self._finish, self._exposure_of(number), self._eye,
+                self.fingerprint(number), code_digest(),
+            )  # fmt: skip
+
+    def prepare(self, runner: Runner) -> None:
+        """Solve once, here and on each other machine, what all frames share."""
+        count = self._film.plan.count
+        some = [self.still(n) for n in sorted({0, count // 3, 2 * count // 3, count - 1})]
+        if distinct_solutions(some) == 1:
+            some[0].prepare(self._progress)
+            runner.once_per_machine(prepared, some[0], code_digest())
+
+
+# --- on a worker ------------------------------------------------------------------------------
+
+
+def prepared(still: Still, code: str) -> None:
+    """Solve what a still needs, and keep it on the disk of this machine."""
+    _check_code(code)
+    still.prepare()
+
+
+def metered_exposure(still: Still, code: str) -> float:
+    """Exposure of a still by a small picture of it. [EV]"""
+    _check_code(code)
+    return float(still.frame(METERED).exposure)
+
+
+def drawn_frame(
+    still: Still, finish: Finish, exposure: float, eye: bool, fingerprint: str, code: str
+) -> bytes:
+    """Contents of a frame's file, with its fingerprint in the header.
+
+    Parameters
+    ----------
+    still : Still
+        Frame.
+    finish : Finish
+        Format and display.
+    exposure : float
+        Exposure. [EV]
+    eye : bool
+        Whether faint light is seen as by an eye in the dark.
+    fingerprint : str
+        Fingerprint of the file.
+    code : str
+        Hash of the source that the film was begun with.
+
+    Raises
+    ------
+    WorkerError
+        If the source of this machine is another.
+    """
+    _check_code(code)
+    told = {**still.metadata(), FINGERPRINT: fingerprint}
+    return finished(still.frame(), finish, exposure, eye, told)
+
+
+def _check_code(code: str) -> None:
+    if code != code_digest():
+        import socket
+
+        raise WorkerError(f"another airlight, or another Numba, is installed on"
+                          f" {socket.gethostname()}: frames would differ")  # fmt: skip

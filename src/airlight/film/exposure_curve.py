@@ -1,0 +1,69 @@
+"""Exposure over a film: metered at some frames, smoothed, and a smooth curve between them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import ParameterError
+
+FloatArray: TypeAlias = NDArray[np.float64]
+
+
+def smoothed(values: FloatArray) -> FloatArray:
+    """Means of neighbours with the weights 1, 4, 6, 4, 1, of evenly spaced values.
+
+    Straight lines stay as they are, also at the ends, beyond which they are continued.
+
+    Examples
+    --------
+    >>> smoothed(np.array([0.0, 0.0, 0.0, 16.0, 16.0, 16.0]))
+    array([ 0.,  1.,  5., 11., 15., 16.])
+    """
+    if values.size < 3:
+        return values
+    out = values
+    for _ in range(2):
+        padded = np.concatenate([[2 * out[0] - out[1]], out, [2 * out[-1] - out[-2]]])
+        out = 0.25 * padded[:-2] + 0.5 * padded[1:-1] + 0.25 * padded[2:]
+    return out
+
+
+class ExposureCurve:
+    """Exposure of every frame of a film, without a jump of its value or of its slope.
+
+    Parameters
+    ----------
+    numbers : sequence of int
+        Numbers of the metered frames, ascending and about evenly spaced.
+    metered : sequence of float
+        Exposures that were measured there. [EV]
+
+    Examples
+    --------
+    >>> curve = ExposureCurve([0, 10, 20], [0.0, 1.0, 2.0])
+    >>> float(curve.at(5))
+    0.5
+    """
+
+    def __init__(self, numbers: Sequence[int], metered: Sequence[float]) -> None:
+        found = np.asarray(metered, float)
+        if not np.isfinite(found).all():
+            raise ParameterError("exposure", "auto", "a film that has light, or a fixed exposure")
+        self._numbers, self._values = np.asarray(numbers, float), smoothed(found)
+
+    @cached_property
+    def _curve(self) -> Any:
+        from scipy.interpolate import PchipInterpolator
+
+        return PchipInterpolator(self._numbers, self._values)
+
+    def at(self, number: int) -> float:
+        """Exposure of a frame. [EV]"""
+        value = float(self._values[0] if self._numbers.size == 1 else self._curve(number))
+        # What a curve leaves in the last bit is no part of a frame's definition.
+        return float(f"{value:.6f}")

@@ -1,0 +1,209 @@
+"""``Film``: a planet or a scene with a plan, which becomes stills."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from datetime import datetime
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from airlight.errors import ParameterError
+from airlight.film.plan import FilmPlan
+from airlight.film.still import PlanetStill, Quality, Still, SystemStill
+from airlight.film.view import PlanetView
+from airlight.planets.planet import Planet
+from airlight.planets.reading.overrides import FIELD, overridden
+from airlight.planets.reading.reader import read_tables
+from airlight.planets.schema.record import fields_of
+from airlight.planets.schema.section import Section
+from airlight.system.body import Body
+from airlight.system.reading import read_system_tables
+from airlight.system.system import System
+
+Tables = Mapping[str, Any]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Film:
+    """Film of one planet, or of a scene of several bodies.
+
+    Parameters
+    ----------
+    name : str
+        Name of the film, in the names of its frames.
+    plan : FilmPlan
+        Frames, clock and key frames.
+    tables : mapping
+        Nested tables of the planet file, or of the scene file.
+    file : str
+        Name of that file, in errors.
+    folder : Path, optional
+        Folder of the files that it names.
+    view : mapping, optional
+        Table of a ``PlanetView``, for a film of one planet; None for a scene.
+    """
+
+    name: str
+    plan: FilmPlan
+    tables: Tables
+    file: str
+    folder: Path | None = None
+    view: Tables | None = field(default=None)
+
+    def still(self, number: int, width: int, height: int, how: Quality) -> Still:
+        """Frame of the film before it is drawn.
+
+        Parameters
+        ----------
+        number : int
+            Number of the frame, from 0.
+        width, height : int
+            Size of the picture. [pixel]
+        how : Quality
+            How its light is computed.
+
+        Raises
+        ------
+        ParameterError
+            If a key's path leads nowhere, or its value is out of range there.
+        """
+        changes = self.plan.changes(number)
+        if self.view is not None:
+            view, planet = self._planet_at(changes)
+            time = self._time(number, view, planet)
+            scene = view.scene(planet, time, width, height)
+            return PlanetStill(planet=planet, scene=scene, how=how)
+        system = self._system_at(changes, self._time(number))
+        system.check_distances()
+        return SystemStill(system=system, width=width, height=height, how=how)
+
+    @property
+    def projection(self) -> str:
+        """Projection of the first frame."""
+        if self.view is not None:
+            return self._planet_at(self.plan.changes(0))[0].projection
+        return self._system_at(self.plan.changes(0), self._time(0)).view.projection
+
+    @property
+    def planets(self) -> tuple[Planet, ...]:
+        """Planets with air at the first frame."""
+        if self.view is not None:
+            return (self._planet_at(self.plan.changes(0))[1],)
+        system = self._system_at(self.plan.changes(0), self._time(0))
+        return tuple(system.planets.values())
+
+    # --- a planet -----------------------------------------------------------------------------
+
+    def _planet_at(self, changes: Tables) -> tuple[PlanetView, Planet]:
+        seen = {p[5:]: value for p, value in changes.items() if p.startswith("view.")}
+        for name in seen:
+            if name not in fields_of(PlanetView):
+                allowed = f"view.{', view.'.join(fields_of(PlanetView))}, or a path of the planet"
+                raise ParameterError("film.keys", f"view.{name}", allowed)
+        view = PlanetView.read(Section({**(self.view or {}), **seen}, "view"))
+        rest = {path: value for path, value in changes.items() if not path.startswith("view.")}
+        return view, self._planet if not rest else self._read_planet(rest)
+
+    @cached_property
+    def _planet(self) -> Planet:
+        return read_tables(self.tables, self.file, self.folder)
+
+    def _read_planet(self, changes: Tables) -> Planet:
+        try:
+            return read_tables(self.tables, self.file, self.folder, changes)
+        except ParameterError as error:
+            raise _of_a_key(error) from None
+
+    # --- a scene ------------------------------------------------------------------------------
+
+    def _system_at(self, changes: Tables, time: datetime | None) -> System:
+        own, of_planets = self._sorted(changes)
+        if time is not None:
+            own = {**own, "time": time.isoformat()}
+        try:
+            tables = overridden(self.tables, own) if own else self.tables
+            return read_system_tables(tables, self.file, self.folder, of_planets)
+        except ParameterError as error:
+            raise _of_a_key(error) from None
+
+    def _sorted(self, changes: Tables) -> tuple[dict[str, Any], dict[str, dict[str, Any]]]:
+        """Changes of the scene file, and of the planet file of each body."""
+        bodies = self.tables.get("bodies", [])
+        names = [one.get("name") if isinstance(one, dict) else None for one in bodies]
+        own: dict[str, Any] = {}
+        of_planets: dict[str, dict[str, Any]] = {}
+        for path, value in changes.items():
+            first, _, rest = path.partition(".")
+            if first not in names:
+                own[path] = value
+            elif rest.partition("[")[0] in fields_of(Body):
+                own[f"bodies[{names.index(first)}].{rest}"] = value
+            else:
+                of_planets.setdefault(first, {})[rest] = value
+        for name, some in of_planets.items():
+            if "planet" not in bodies[names.index(name)]:
+                path = f"{name}.{next(iter(some))}"
+                raise ParameterError("film.keys", path, f"a key of the body {name}")
+        return own, of_planets
+
+    # --- the clock ----------------------------------------------------------------------------
+
+    def _time(
+        self, number: int, view: PlanetView | None = None, planet: Planet | None = None
+    ) -> datetime | None:
+        plan = self.plan
+        if plan.start is None or plan.end is None:
+            return None
+        if view is not None and planet is not None:
+            start, end = self._span
+        else:
+            start, end = (_instant(text, name) for text, name in
+                          ((plan.start, "start"), (plan.end, "end")))  # fmt: skip
+        return start + plan.share(number) * (end - start)
+
+    @cached_property
+    def _span(self) -> tuple[datetime, datetime]:
+        """Instants of the first and the last frame, at the places of their observers."""
+        from airlight.ephemeris.sky import Place
+        from airlight.ephemeris.time_text import read_time
+
+        plan, found = self.plan, []
+        for name, number in (("start", 0), ("end", plan.count - 1)):
+            view, planet = self._planet_at(plan.changes(number))
+            place = Place(
+                body=planet.world.name, latitude=view.latitude, longitude=view.longitude,
+                altitude=view.altitude,
+            )  # fmt: skip
+            text = getattr(plan, name)
+            found.append(read_time(text, place, zone=plan.zone, field=f"film.{name}"))
+        return found[0], found[1]
+
+
+def _instant(text: str, name: str) -> datetime:
+    allowed = "a time with a zone, such as '2017-08-21T18:25Z'"
+    try:
+        moment = datetime.fromisoformat(text)
+    except ValueError:
+        raise ParameterError(f"film.{name}", text, allowed) from None
+    if moment.tzinfo is None:
+        raise ParameterError(f"film.{name}", text, allowed)
+    return moment
+
+
+def _of_a_key(error: ParameterError) -> ParameterError:
+    """Error about a path, by the name that a film's file has for it."""
+    if error.field != FIELD:
+        return error
+    return ParameterError("film.keys", error.value, error.allowed, error.file)
+
+
+def metered_numbers(plan: FilmPlan) -> list[int]:
+    """Numbers of the frames that are metered: about three a second, the first and the last."""
+    step = max(1, round(plan.rate / 3.0))
+    count = max(2, min(plan.count, 1 + math.ceil((plan.count - 1) / step)))
+    if plan.count == 1:
+        return [0]
+    return sorted({round(k * (plan.count - 1) / (count - 1)) for k in range(count)})

@@ -1,0 +1,112 @@
+"""Fingerprints of frames: a hash of everything that defines one."""
+
+from __future__ import annotations
+
+import dataclasses
+import hashlib
+from collections.abc import Iterable, Mapping
+from datetime import datetime
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from airlight.errors import FileError
+from airlight.kernel.fingerprints import fingerprint
+
+
+def digest(value: Any, files: Iterable[Path] = ()) -> str:
+    """Hash of parameter objects, numbers, texts, lists and arrays, and of the contents of files.
+
+    Parameters
+    ----------
+    value : object
+        Value; the order of a mapping's keys does not matter, that of a list does.
+    files : iterable of Path
+        Files whose contents belong to it.
+
+    Returns
+    -------
+    str
+        Thirty-two hexadecimal digits.
+
+    Raises
+    ------
+    TypeError
+        If the value holds something else.
+    FileError
+        If a file cannot be read.
+
+    Examples
+    --------
+    >>> digest({"a": 1.0, "b": (2, None)}) == digest({"b": (2, None), "a": 1.0})
+    True
+    >>> digest([1.0, 2.0]) == digest([2.0, 1.0])
+    False
+    """
+    state = hashlib.sha256()
+    _add(state, value)
+    for file in files:
+        state.update(_content(file, *_stamp(file)))
+    return state.hexdigest()[:32]
+
+
+@cache
+def code_digest() -> str:
+    """Hash of the source that draws frames, of the package's version and of the compiler.
+
+    Machines that work on one film, and the run that resumes it, have to agree on it.
+    """
+    from airlight.exports.header import version
+
+    state = hashlib.sha256(version().encode())
+    for name in ("still.py", "finish.py"):
+        state.update(fingerprint(Path(__file__).with_name(name)).encode())
+    return state.hexdigest()[:32]
+
+
+def _stamp(file: Path) -> tuple[int, int]:
+    try:
+        status = file.stat()
+    except OSError as error:
+        raise FileError(file, (error.strerror or type(error).__name__).lower()) from None
+    return status.st_size, status.st_mtime_ns
+
+
+@cache
+def _content(file: Path, size: int, changed: int) -> bytes:
+    """Hash of a file's contents, found once for each size and time of change."""
+    try:
+        with file.open("rb") as stream:
+            return hashlib.file_digest(stream, "sha256").digest()
+    except OSError as error:
+        raise FileError(file, (error.strerror or type(error).__name__).lower()) from None
+
+
+def _add(state: Any, value: Any) -> None:
+    """Add a value, with its kind and its length, so that no two values read alike."""
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        state.update(f"{type(value).__qualname__} ".encode())
+        fields = {one.name: getattr(value, one.name) for one in dataclasses.fields(value)}
+        _add(state, {name: item for name, item in fields.items() if name != "folder"})
+    elif isinstance(value, Mapping):
+        state.update(f"map {len(value)} ".encode())
+        for key in sorted(value):
+            _add(state, key)
+            _add(state, value[key])
+    elif isinstance(value, (list, tuple)):
+        state.update(f"list {len(value)} ".encode())
+        for item in value:
+            _add(state, item)
+    elif isinstance(value, np.ndarray):
+        state.update(f"array {value.dtype.str} {value.shape} ".encode())
+        state.update(np.ascontiguousarray(value).tobytes())
+    elif isinstance(value, datetime):
+        state.update(f"time {value.isoformat()} ".encode())
+    elif value is None or isinstance(value, (str, bool, int, float, np.generic)):
+        plain = value.item() if isinstance(value, np.generic) else value
+        text = repr(plain)
+        state.update(f"{type(plain).__name__} {len(text)} {text} ".encode())
+    else:
+        raise TypeError(f"{type(value).__name__} has no fingerprint")

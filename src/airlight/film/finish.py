@@ -1,0 +1,68 @@
+"""Finish of a frame: from its light to the bytes of a file."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from airlight.exports.picture import write_picture
+from airlight.scene.frame import Frame
+
+
+@dataclass(frozen=True, kw_only=True)
+class Finish:
+    """Format and display of a film's frames.
+
+    Attributes
+    ----------
+    suffix : str
+        ``.png`` or ``.exr``.
+    tone_map, encoding, primaries : str
+        Names of ``airlight.color``.
+    bits : int
+        Bits per channel of a PNG, 8 or 16.
+    glare : float
+        Amount of glare. [1]
+    """
+
+    suffix: str = ".png"
+    tone_map: str = "natural"
+    encoding: str = "srgb"
+    primaries: str = "srgb"
+    bits: int = 8
+    glare: float = 1.0
+
+
+def finished(
+    frame: Frame, finish: Finish, exposure: float, eye: bool, metadata: Mapping[str, str]
+) -> bytes:
+    """Contents of a frame's file.
+
+    Parameters
+    ----------
+    frame : Frame
+        Light of the frame.
+    finish : Finish
+        Format and display.
+    exposure : float
+        Exposure of a PNG. [EV]
+    eye : bool
+        Whether faint light is seen as by an eye in the dark.
+    metadata : mapping
+        Facts for the header. How long a solution took is left out: equal frames are equal files.
+    """
+    told = {name: text for name, text in frame.metadata.items() if name != "solver"}
+    plain = Frame(
+        rgb=frame.rgb, pixel_angle=frame.pixel_angle, scene=frame.scene,
+        star_radius=frame.star_radius,
+    )  # fmt: skip
+    with tempfile.TemporaryDirectory(prefix="airlight-") as folder:
+        path = Path(folder) / f"frame{finish.suffix}"
+        write_picture(
+            path, plain, {**told, **metadata}, exposure=exposure, tone_map=finish.tone_map,
+            encoding=finish.encoding, primaries=finish.primaries, eye=eye, bits=finish.bits,
+            glare=finish.glare,
+        )  # fmt: skip
+        return path.read_bytes()

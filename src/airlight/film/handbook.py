@@ -1,0 +1,35 @@
+"""Tables of ``docs/films.md``: every key of a film file as it is declared."""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+from airlight.film.key_frames import KeyFrames
+from airlight.film.plan import FilmPlan
+from airlight.film.view import PlanetView
+from airlight.planets.reading.handbook import rows_of
+from airlight.planets.schema.record import Record
+
+#: Tables of a film file.
+TABLES: Final[dict[str, type[Record]]] = {
+    "film": FilmPlan,
+    "keys": KeyFrames,
+    "view": PlanetView,
+}
+
+
+def key_table(kind: str) -> str:
+    """Keys of one table of a film file, as a table in Markdown.
+
+    Parameters
+    ----------
+    kind : str
+        Name from ``TABLES``.
+
+    Examples
+    --------
+    >>> print(key_table("film").splitlines()[2])
+    | `frames` | 1 to 1e5 | 120 | Number of frames. |
+    """
+    keys: tuple[Any, ...] = TABLES[kind].declared()
+    return rows_of(keys) + "\n"

@@ -1,0 +1,101 @@
+"""The ``[film]`` table: number of frames, clock and key frames."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Final
+
+from airlight.errors import ParameterError
+from airlight.film.key_frames import KeyFrames
+from airlight.planets.parameters import MISSING, parameters
+from airlight.planets.schema.key import Key, Wavelengths
+from airlight.planets.schema.record import Record
+from airlight.planets.schema.section import Section
+
+#: Largest number of frames: five digits of their names.
+MOST_FRAMES: Final = 99_999
+
+
+def _read_keys(section: Section, name: str, wavelengths: Wavelengths) -> tuple[KeyFrames, ...]:
+    return tuple(KeyFrames.read(one) for one in section.sections(name, "[[film.keys]] tables"))
+
+
+@parameters
+class FilmPlan(Record):
+    """Course of a film.
+
+    Parameters
+    ----------
+    frames : float
+        Number of frames, whole. [1]
+    rate : float
+        Frames per second when it is shown. [1/s]
+    start, end : str, optional
+        Instants of the first and the last frame; the clock runs evenly between them.
+    zone : str, optional
+        Zone of instants without one.
+    keys : tuple of KeyFrames
+        Numbers that change.
+    """
+
+    frames: Annotated[
+        float,
+        Key(label="frames", help="Number of frames.", range=(1, MOST_FRAMES), example="120"),
+    ] = 120.0  # fmt: skip
+    rate: Annotated[
+        float,
+        Key(label="rate", help="Frames per second when it is shown.", range=(1.0, 1000.0),
+            example="30"),
+    ] = 30.0  # fmt: skip
+    start: (
+        Annotated[
+            str,
+            Key(label="start", help="Time of the first frame, as `--time` takes it; of a scene with"
+                " its zone.", kind="text", range=(1, 100), example="2026-06-21T20:00Z"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    end: (
+        Annotated[
+            str,
+            Key(label="end", help="Time of the last frame, beside `start`.", kind="text",
+                range=(1, 100), example="2026-06-21T21:30Z"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    zone: (
+        Annotated[
+            str,
+            Key(label="zone", help="Zone of times without one, for a planet: `Europe/Stockholm`,"
+                " `solar`.", kind="text", range=(1, 60), example="Europe/Stockholm"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    keys: Annotated[
+        tuple[KeyFrames, ...],
+        Key(label="keys", help="Numbers that change, below.", kind="table", table="keys",
+            read=_read_keys),
+    ] = ()  # fmt: skip
+
+    def __post_init__(self) -> None:
+        if self.frames != int(self.frames):
+            raise ParameterError("frames", self.frames, f"a whole number, 1 to {MOST_FRAMES}")
+        for name, other in (("start", "end"), ("end", "start")):
+            if getattr(self, name) is None and getattr(self, other) is not None:
+                raise ParameterError(name, MISSING, f"a time, beside {other}")
+        paths = [key.path for key in self.keys]
+        for path in paths:
+            if paths.count(path) > 1:
+                raise ParameterError("keys", path, "each path once")
+
+    @property
+    def count(self) -> int:
+        """Number of frames."""
+        return int(self.frames)
+
+    def share(self, number: int) -> float:
+        """Moment of a frame: 0 of the first, number 0, and 1 of the last. [1]"""
+        return number / max(self.count - 1, 1)
+
+    def changes(self, number: int) -> dict[str, Any]:
+        """Values of all keys at a frame, by path."""
+        return {key.path: key.value(self.share(number)) for key in self.keys}

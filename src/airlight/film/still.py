@@ -1,0 +1,259 @@
+"""Stills: everything that defines the light of one frame, and its drawing."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from pathlib import Path
+from typing import TYPE_CHECKING, Final, Protocol
+
+from airlight.film.fingerprint import digest
+from airlight.paint.paint_system import paint_system
+from airlight.paint.solve_planet import solve_planet
+from airlight.planets.picture_wavelengths import picture_wavelengths
+from airlight.planets.planet import Planet
+from airlight.render import render
+from airlight.scene import Scene
+from airlight.scene.frame import Frame
+from airlight.scene.ground_overlay import lights_file
+from airlight.scene.local_ground import local_ground
+from airlight.scene.surface_map import map_file, water_file
+from airlight.system import System
+
+if TYPE_CHECKING:
+    from airlight.kernel.threads import Progress
+    from airlight.solvers.moments.solution import MomentsSolution
+
+#: Solution of the frame drawn last, which the next one mostly shares.
+_SOLUTIONS: Final[dict[str, MomentsSolution]] = {}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Quality:
+    """How a film's light is computed.
+
+    Attributes
+    ----------
+    wavelengths : tuple of float, optional
+        Wavelengths; those of pictures by default. [nm]
+    quality : str
+        Quality of the solutions.
+    samples : int, optional
+        Samples per side of a pixel; by default 1 of a planet, 4 at the edges of a scene.
+    exact : bool
+        Whether every pixel of a planet's picture is marched.
+    """
+
+    wavelengths: tuple[float, ...] | None = None
+    quality: str = "default"
+    samples: int | None = None
+    exact: bool = False
+
+
+class Still(Protocol):
+    """One frame before it is drawn."""
+
+    def frame(self, width: int | None = None) -> Frame:
+        """Draw the frame.
+
+        Parameters
+        ----------
+        width : int, optional
+            Width of a smaller picture of the same view, for its exposure. [pixel]
+        """
+
+    def prepare(self, progress: Progress | None = None) -> None:
+        """Solve what the frame needs and keep it on disk."""
+
+    @property
+    def solved_for(self) -> object:
+        """Value that is equal for stills of one solution."""
+
+    @property
+    def defined_by(self) -> object:
+        """Parameters of everything that the frame shows."""
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """Files whose contents the frame shows."""
+
+    def metadata(self) -> dict[str, str]:
+        """Facts for the header of the frame's file."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlanetStill:
+    """Frame of one planet, as ``airlight.paint.paint_scene`` draws it.
+
+    The air is solved in the light of the planet's file, and shown in that of the scene's time.
+
+    Attributes
+    ----------
+    planet : Planet
+        Planet.
+    scene : Scene
+        Observer, sun and camera.
+    how : Quality
+        How its light is computed.
+    """
+
+    planet: Planet
+    scene: Scene
+    how: Quality
+
+    def frame(self, width: int | None = None) -> Frame:
+        """See ``Still``."""
+        solution, scene = self._solution(), self.scene
+        if scene.time is not None:
+            now = self.planet.lit_at(scene.time)
+            solution = solution.lit_by(now.lights(solution.wavelengths)[0])
+        if width is not None:
+            camera = scene.camera
+            columns, rows = _reduced(camera.projection, camera.width, camera.height, width)
+            scene = replace(scene, camera=replace(camera, width=columns, height=rows))
+        return render(solution, scene, exact=self.how.exact, samples=self.how.samples or 1)
+
+    def prepare(self, progress: Progress | None = None) -> None:
+        """See ``Still``."""
+        self._solution(progress)
+
+    def _solution(self, progress: Progress | None = None) -> MomentsSolution:
+        how, scene = self.how, self.scene
+        place = (scene.latitude, scene.longitude, scene.altitude)
+        key = digest((self.planet, place, how), self.files)
+        if key not in _SOLUTIONS:
+            nm = how.wavelengths
+            found = solve_planet(
+                self._ground(), picture_wavelengths(self.planet) if nm is None else nm,
+                how.quality, progress=progress,
+            )  # fmt: skip
+            _SOLUTIONS.clear()
+            _SOLUTIONS[key] = found
+        return _SOLUTIONS[key]
+
+    def _ground(self) -> Planet:
+        scene = self.scene
+        return local_ground(
+            self.planet, latitude=scene.latitude, longitude=scene.longitude,
+            altitude=scene.altitude,
+        )  # fmt: skip
+
+    @property
+    def solved_for(self) -> object:
+        """See ``Still``."""
+        scene = self.scene
+        place = (scene.latitude, scene.longitude, scene.altitude)
+        mapped = self.planet.ground.map is not None or self.planet.ground.clouds is not None
+        return self.planet, place if mapped else None
+
+    @property
+    def defined_by(self) -> object:
+        """See ``Still``."""
+        return self.planet, self.scene, self.how
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """See ``Still``."""
+        return _ground_files(self.planet)
+
+    def metadata(self) -> dict[str, str]:
+        """See ``Still``."""
+        return {"planet": self.planet.name, **self.scene.metadata()}
+
+
+@dataclass(frozen=True, kw_only=True)
+class SystemStill:
+    """Frame of a scene of several bodies, as ``airlight.paint.paint_system`` draws it.
+
+    Attributes
+    ----------
+    system : System
+        Bodies, lights, observer and camera.
+    width, height : int
+        Size of the picture. [pixel]
+    how : Quality
+        How its light is computed.
+    """
+
+    system: System
+    width: int
+    height: int
+    how: Quality
+
+    def frame(self, width: int | None = None) -> Frame:
+        """See ``Still``."""
+        columns, rows = self.width, self.height
+        if width is not None:
+            columns, rows = _reduced(self.system.view.projection, columns, rows, width)
+        return self._drawn(columns, rows)
+
+    def _drawn(self, width: int, height: int, progress: Progress | None = None) -> Frame:
+        how = self.how
+        return paint_system(
+            self.system, width=width, height=height, wavelengths=how.wavelengths,
+            quality=how.quality, samples=how.samples, progress=progress,
+        )  # fmt: skip
+
+    def prepare(self, progress: Progress | None = None) -> None:
+        """See ``Still``."""
+        self._drawn(*_reduced(self.system.view.projection, self.width, self.height, 16), progress)
+
+    @property
+    def solved_for(self) -> object:
+        """See ``Still``."""
+        observer, changes = self.system.observer, self.system.changes
+        moving = any(body.ground.map is not None for body in self.system.planets.values())
+        return changes, self.system.bodies if moving else None, observer if moving else None
+
+    @property
+    def defined_by(self) -> object:
+        """See ``Still``."""
+        system, size = self.system, (self.width, self.height)
+        return system, system.planets, size, self.how
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """See ``Still``."""
+        found = [file for one in self.system.planets.values() for file in _ground_files(one)]
+        maps = [body.map for body in self.system.bodies if body.map is not None]
+        beside = self.system.folder
+        for name in maps:
+            own = None if beside is None else beside / name
+            found += [own] if own is not None and own.is_file() else [map_file(name)]
+        return tuple(found)
+
+    def metadata(self) -> dict[str, str]:
+        """See ``Still``."""
+        moment = self.system.time
+        return {} if moment is None else {"time": moment.isoformat()}
+
+
+def _ground_files(planet: Planet) -> tuple[Path, ...]:
+    ground, found = planet.ground, []
+    if ground.map is not None:
+        found += [map_file(ground.map), water_file(ground.map)]
+    if ground.lights is not None:
+        found.append(lights_file(ground.lights))
+    if ground.clouds is not None:
+        found.append(Path(ground.clouds))
+    return tuple(file for file in found if file.is_file())
+
+
+def _reduced(projection: str, width: int, height: int, most: int) -> tuple[int, int]:
+    """Size of a smaller picture of the same shape, which the projection allows."""
+    if width <= most:
+        return width, height
+    from airlight.scene.projections import PROJECTIONS
+
+    if projection == "perspective":
+        return most, max(1, round(height * most / width))
+    form = PROJECTIONS[projection]
+    columns, rows = form.sized(max(1, most * form.sized(64)[1] // form.sized(64)[0]))
+    return (columns, rows) if form.fits(columns, rows) else form.sized(most)
+
+
+def distinct_solutions(stills: Sequence[Still]) -> int:
+    """Number of changes of the solution from still to still, and 1."""
+    keys = [one.solved_for for one in stills]
+    return 1 + sum(a != b for a, b in pairwise(keys))

@@ -1,0 +1,179 @@
+"""The ``[view]`` table: observer, sun and camera of a film of one planet."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from typing import Annotated
+
+from airlight.errors import ParameterError
+from airlight.planets.parameters import parameters
+from airlight.planets.planet import Planet
+from airlight.planets.schema.key import Key
+from airlight.planets.schema.record import Record
+from airlight.scene import Camera, Scene, look_at
+from airlight.scene.ground_detail import GROUNDS
+from airlight.scene.projections import PROJECTIONS
+
+
+@parameters
+class PlanetView(Record):
+    """Observer above a planet, sun and camera, as ``airlight render PLANET`` has them.
+
+    Parameters
+    ----------
+    latitude, longitude : float
+        Coordinates of the observer, north and east positive. [deg]
+    altitude : float
+        Altitude of the observer. [m]
+    sun_zenith, sun_azimuth : float, optional
+        Zenith angle and compass bearing of the sun, where no clock gives them. [deg]
+    look_at : str, optional
+        Target as for ``airlight.scene.look_at``; ``horizon`` by default.
+    look_zenith, look_azimuth : float, optional
+        Instead: zenith angle, and azimuth from the sun's side. [deg]
+    roll : float
+        Clockwise rotation of the camera. [deg]
+    projection : str
+        Name of the projection.
+    field_of_view : float, optional
+        Angle as for ``Camera``. [deg]
+    ground : str
+        ``plain`` or ``detailed``.
+    """
+
+    latitude: Annotated[
+        float,
+        Key(label="latitude", help="Latitude of the observer, north positive.", unit="deg",
+            range=(-90.0, 90.0), example="59.3 deg"),
+    ] = 25.0  # fmt: skip
+    longitude: Annotated[
+        float,
+        Key(label="longitude", help="Longitude of the observer, east positive.", unit="deg",
+            range=(-360.0, 360.0), example="18.1 deg"),
+    ] = 30.0  # fmt: skip
+    altitude: Annotated[
+        float,
+        Key(label="altitude", help="Altitude of the observer.", unit="m", range=(0.0, 1e12),
+            example="2 m"),
+    ] = 2.0  # fmt: skip
+    sun_zenith: (
+        Annotated[
+            float,
+            Key(label="sun zenith", help="Zenith angle of the sun; 72 deg without a clock.",
+                unit="deg", range=(0.0, 180.0), example="85 deg"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    sun_azimuth: (
+        Annotated[
+            float,
+            Key(label="sun azimuth", help="Compass bearing of the sun; 105 deg without a clock.",
+                unit="deg", range=(-360.0, 360.0), example="270 deg"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    look_at: (
+        Annotated[
+            str,
+            Key(label="look at", help="`horizon`, `zenith`, `nadir`, `sun`, by a clock `moon`, or a"
+                " bearing: `NE`, `315/20`; the horizon below the sun if left out.", kind="text",
+                range=(1, 40), example="W"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    look_zenith: (
+        Annotated[
+            float,
+            Key(label="zenith angle", help="Zenith angle of the line of sight.", unit="deg",
+                range=(0.0, 180.0), example="80 deg"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    look_azimuth: (
+        Annotated[
+            float,
+            Key(label="azimuth", help="Azimuth of the line of sight from the sun's side, 90 to its"
+                " right.", unit="deg", range=(-360.0, 360.0), example="30 deg"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    roll: Annotated[
+        float,
+        Key(label="roll", help="Clockwise rotation of the camera.", unit="deg",
+            range=(-360.0, 360.0), example="0 deg"),
+    ] = 0.0  # fmt: skip
+    projection: Annotated[
+        str,
+        Key(label="projection", help="Projection of the picture.", kind="choice",
+            words=lambda: tuple(PROJECTIONS)),
+    ] = "perspective"  # fmt: skip
+    field_of_view: (
+        Annotated[
+            float,
+            Key(label="field of view", help="Angle from left to right, or across a fisheye.",
+                unit="deg", range=(1e-4, 360.0), example="60 deg"),
+        ]
+        | None
+    ) = None  # fmt: skip
+    ground: Annotated[
+        str,
+        Key(label="ground", help="Ground below the map's resolution.", kind="choice",
+            words=lambda: tuple(GROUNDS)),
+    ] = "detailed"  # fmt: skip
+
+    def __post_init__(self) -> None:
+        if self.look_at is not None:
+            for name in ("look_zenith", "look_azimuth"):
+                if getattr(self, name) is not None:
+                    raise ParameterError(name, getattr(self, name), "none beside look_at")
+
+    def scene(self, planet: Planet, time: datetime | None, width: int, height: int) -> Scene:
+        """Scene of the view.
+
+        Parameters
+        ----------
+        planet : Planet
+            Planet.
+        time : datetime, optional
+            Instant that gives the sun.
+        width, height : int
+            Size of the picture. [pixel]
+
+        Raises
+        ------
+        ParameterError
+            If angles of the sun are given beside a time, or the target is unknown.
+        """
+        camera = Camera(
+            projection=self.projection, width=width, height=height, roll=self.roll,
+            field_of_view=self.field_of_view, look_zenith=self.look_zenith,
+            look_azimuth=self.look_azimuth or 0.0,
+        )  # fmt: skip
+        given = (self.look_zenith, self.look_azimuth) != (None, None)
+        target = self.look_at
+        if target is None and not given and self.projection == "perspective":
+            target = "horizon"
+        if time is not None:
+            for name in ("sun_zenith", "sun_azimuth"):
+                if getattr(self, name) is not None:
+                    raise ParameterError(name, getattr(self, name), "none beside a clock")
+            return Scene.at(
+                planet, latitude=self.latitude, longitude=self.longitude, time=time,
+                altitude=self.altitude, look_at=target, camera=camera, ground=self.ground,
+            )  # fmt: skip
+        sun_zenith = 72.0 if self.sun_zenith is None else self.sun_zenith
+        sun_azimuth = 105.0 if self.sun_azimuth is None else self.sun_azimuth
+        if target is not None:
+            zenith, azimuth = look_at(
+                target, altitude=self.altitude, sun_zenith=sun_zenith,
+                bottom_radius=planet.bottom_radius, sun_azimuth=sun_azimuth,
+            )  # fmt: skip
+            camera = Camera(
+                projection=self.projection, width=width, height=height, roll=self.roll,
+                field_of_view=self.field_of_view, look_zenith=zenith, look_azimuth=azimuth,
+            )  # fmt: skip
+        return Scene(
+            camera=camera, altitude=self.altitude, sun_zenith=sun_zenith,
+            latitude=self.latitude, longitude=self.longitude, sun_azimuth=sun_azimuth,
+            ground=self.ground,
+        )  # fmt: skip
