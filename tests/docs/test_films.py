@@ -21,7 +21,8 @@ def blocks(language: str) -> list[str]:
     return [found[2] for found in _BLOCK.finditer(PAGE) if found[1] == language]
 
 
-COMMANDS = [line for block in blocks("console") for line in block.splitlines()]
+LINES = [line for block in blocks("console") for line in block.splitlines()]
+COMMANDS = [line for line in LINES if line.startswith("$ airlight animate ")]
 
 
 @pytest.mark.slow
@@ -61,7 +62,19 @@ def test_the_first_command_and_the_film_file_are_drawn(
     assert len(list(Path("climb").glob("climb-out-of-the-haze_*.png"))) == 2
 
 
-def test_the_example_in_python_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_examples_in_python_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    exec(compile(blocks("python")[0], "films.md", "exec"), {"__name__": "__main__"})
+    for block in blocks("python"):
+        exec(compile(block, "films.md", "exec"), {"__name__": "__main__"})
     assert len(list(Path("frames").glob("*.png"))) == 3
+
+
+@pytest.mark.slow
+def test_the_sweeps_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    sweeps = [line for line in LINES if line.startswith("$ airlight sweep ")]
+    assert len(sweeps) + len(COMMANDS) == len(LINES)
+    for line in sweeps:
+        words = shlex.split(line.removeprefix("$ airlight "))
+        assert main([*words, "--quality", "preview", "--workers", "1"]) == 0
+        assert (tmp_path / words[-1] / ".zmetadata").is_file()

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from airlight.distribution.fingerprint import digest
 from airlight.errors import ParameterError
 from airlight.film import Quality, load_film
-from airlight.film.fingerprint import digest
 from airlight.film.handbook import TABLES, key_table
 from airlight.film.still import PlanetStill, SystemStill
 from airlight.planets.reading.handbook import filled

@@ -26,6 +26,7 @@ from airlight.cli import (
     radiance,
     render,
     show,
+    sweep,
     validate,
     view,
 )
@@ -47,8 +48,8 @@ app = typer.Typer(
     ),
 )
 _COMMANDS = (
-    planets, show, render, animate, compose, aerial, view, radiance, fit, plot, bake, export_page,
-    validate, errata,
+    planets, show, render, animate, compose, aerial, view, radiance, sweep, fit, plot, bake,
+    export_page, validate, errata,
 )  # fmt: skip
 for command in _COMMANDS:
     function = command.__name__.rpartition(".")[2]

@@ -11,10 +11,9 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import numpy as np
 
 from airlight.distribution import Runner, opened_runner
-from airlight.errors import WorkerError
+from airlight.distribution.fingerprint import check_code, code_digest, digest
 from airlight.film.exposure_curve import ExposureCurve
 from airlight.film.film import Film, metered_numbers
-from airlight.film.fingerprint import code_digest, digest
 from airlight.film.finish import Finish, finished
 from airlight.film.frames_folder import FINGERPRINT, FramesFolder
 from airlight.film.movie import write_movie
@@ -30,6 +29,12 @@ FilmExposure = float | Literal["auto", "locked"]
 #: Frames that are prepared before another one has to be read: of a film whose planet changes, each
 #: has its own.
 _KEPT: Final = 512
+#: Source that draws frames.
+_SOURCES: Final = tuple(Path(__file__).with_name(name) for name in ("still.py", "finish.py"))
+
+
+def _code() -> str:
+    return code_digest(*_SOURCES)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -177,7 +182,7 @@ class _Job:
         """Fingerprint of a frame's light."""
         if number not in self._digests:
             still = self.still(number)
-            self._digests[number] = digest((still.defined_by, code_digest()), still.files)
+            self._digests[number] = digest((still.defined_by, _code()), still.files)
         return self._digests[number]
 
     # --- exposure -----------------------------------------------------------------------------
@@ -194,7 +199,7 @@ class _Job:
         found = {number: self._kept_exposure(number) for number in numbers}
         unknown = [number for number, value in found.items() if value is None]
         if unknown:
-            tasks = ((number, (self.still(number), code_digest())) for number in unknown)
+            tasks = ((number, (self.still(number), _code())) for number in unknown)
             for done, (number, value) in enumerate(opened().run(metered_exposure, tasks)):
                 disk.save(self._key(number), {"exposure": np.array(value)})
                 found[number] = value
@@ -231,7 +236,7 @@ class _Job:
         for number in numbers:
             yield number, (
                 self.still(number), self._finish, self._exposure_of(number), self._eye,
-                self.fingerprint(number), code_digest(),
+                self.fingerprint(number), _code(),
             )  # fmt: skip
 
     def prepare(self, runner: Runner) -> None:
@@ -240,7 +245,7 @@ class _Job:
         some = [self.still(n) for n in sorted({0, count // 3, 2 * count // 3, count - 1})]
         if distinct_solutions(some) == 1:
             some[0].prepare(self._progress)
-            runner.once_per_machine(prepared, some[0], code_digest())
+            runner.once_per_machine(prepared, some[0], _code())
 
 
 # --- on a worker ------------------------------------------------------------------------------
@@ -248,13 +253,13 @@ class _Job:
 
 def prepared(still: Still, code: str) -> None:
     """Solve what a still needs, and keep it on the disk of this machine."""
-    _check_code(code)
+    check_code(code, *_SOURCES)
     still.prepare()
 
 
 def metered_exposure(still: Still, code: str) -> float:
     """Exposure of a still by a small picture of it. [EV]"""
-    _check_code(code)
+    check_code(code, *_SOURCES)
     return float(still.frame(METERED).exposure)
 
 
@@ -283,14 +288,6 @@ def drawn_frame(
     WorkerError
         If the source of this machine is another.
     """
-    _check_code(code)
+    check_code(code, *_SOURCES)
     told = {**still.metadata(), FINGERPRINT: fingerprint}
     return finished(still.frame(), finish, exposure, eye, told)
-
-
-def _check_code(code: str) -> None:
-    if code != code_digest():
-        import socket
-
-        raise WorkerError(f"another airlight, or another Numba, is installed on"
-                          f" {socket.gethostname()}: frames would differ")  # fmt: skip

@@ -8,7 +8,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, Protocol
 
-from airlight.film.fingerprint import digest
+from airlight.distribution.fingerprint import digest
 from airlight.paint.paint_system import paint_system
 from airlight.paint.solve_planet import solve_planet
 from airlight.planets.picture_wavelengths import picture_wavelengths

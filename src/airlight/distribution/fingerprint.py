@@ -1,9 +1,10 @@
-"""Fingerprints of frames: a hash of everything that defines one."""
+"""Fingerprints of tasks: a hash of everything that defines a result."""
 
 from __future__ import annotations
 
 import dataclasses
 import hashlib
+import socket
 from collections.abc import Iterable, Mapping
 from datetime import datetime
 from functools import cache
@@ -12,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from airlight.errors import FileError
+from airlight.errors import FileError, WorkerError
 from airlight.kernel.fingerprints import fingerprint
 
 
@@ -53,17 +54,38 @@ def digest(value: Any, files: Iterable[Path] = ()) -> str:
 
 
 @cache
-def code_digest() -> str:
-    """Hash of the source that draws frames, of the package's version and of the compiler.
+def code_digest(*files: Path) -> str:
+    """Hash of source files, of all files of the package that they import, and of the compiler.
 
-    Machines that work on one film, and the run that resumes it, have to agree on it.
+    Machines that work on one result, and the run that resumes it, have to agree on it.
+
+    Parameters
+    ----------
+    *files : Path
+        Source files.
     """
-    from airlight.exports.header import version
+    return digest([fingerprint(file) for file in files])
 
-    state = hashlib.sha256(version().encode())
-    for name in ("still.py", "finish.py"):
-        state.update(fingerprint(Path(__file__).with_name(name)).encode())
-    return state.hexdigest()[:32]
+
+def check_code(code: str, *files: Path) -> None:
+    """Refuse, on a worker, source that is not that of the process which sent the task.
+
+    Parameters
+    ----------
+    code : str
+        Hash that was sent.
+    *files : Path
+        Source files.
+
+    Raises
+    ------
+    WorkerError
+        If the hash here is another.
+    """
+    if code != code_digest(*files):
+        raise WorkerError(
+            f"another airlight, or another Numba, is installed on {socket.gethostname()}"
+        )
 
 
 def _stamp(file: Path) -> tuple[int, int]:

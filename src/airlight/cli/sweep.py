@@ -1,0 +1,140 @@
+"""``airlight sweep``: radiances on a grid of planets, suns and views, as Zarr."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from airlight.cli import distribution_options, options
+from airlight.cli.examples import examples
+from airlight.cli.progress import shown_progress
+from airlight.errors import ParameterError
+
+EPILOG = examples(
+    "airlight sweep earth --sun-zenith 0:90:5 --view-zenith 0:85:5 --azimuth 0:180:30 -o sky.zarr",
+    "airlight sweep earth mars --altitude 0m,10km,400km --sun-zenith 0:100:10 "
+    "--view-zenith 0:180:10 -o two.zarr",
+    "airlight sweep mars --vary dust.particles.optical_depth=0.1,0.3,1,3 --sun-zenith 0:80:20 "
+    "--view-zenith 0:80:20 --wavelengths 440,550,680 -o dust.zarr",
+)
+
+#: Largest number of values that a range may have.
+_MOST = 100_000
+
+
+def sweep(
+    planets: Annotated[
+        list[str], typer.Argument(metavar="PLANET…", help="Presets, or paths of TOML files.")
+    ],
+    sun_zenith: Annotated[
+        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Zenith angles of the sun: 0:90:5.")
+    ],
+    view_zenith: Annotated[
+        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Zenith angles of the view.")
+    ],
+    output: Annotated[
+        Path,
+        typer.Option(
+            "--output", "-o", metavar="DIR", help="Zarr: new, or the sweep to go on with."
+        ),
+    ],
+    altitude: Annotated[
+        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Of the observer: 0m,2km.")
+    ] = "0m",
+    azimuth: Annotated[
+        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Between view and sun.")
+    ] = "0deg",
+    vary: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="PATH=A,B,C",
+            help="Values of a key of the planets' files: an axis of its own. May be given several "
+            "times.",
+        ),
+    ] = None,
+    wavelengths: Annotated[
+        str | None, typer.Option(metavar="LIST", help="In nm; the first planet's own if left out.")
+    ] = None,
+    quality: options.Quality = "default",
+    scheduler: distribution_options.Scheduler = None,
+    workers: distribution_options.Workers = None,
+) -> None:
+    """Compute radiances on a grid, in W m⁻² sr⁻¹ nm⁻¹: only the blocks that are missing or changed.
+
+    Axes are planet, what varies, altitude, sun, view, azimuth and wavelength.
+    """
+    started = time.perf_counter()
+    from airlight.planets.reading.overrides import FIELD
+    from airlight.sweep import Grid
+    from airlight.sweep import sweep as computed
+    from airlight.sweep.store import check_store
+
+    check_store(output, "--output")
+    first = options.planet(planets[0])
+    try:
+        grid = Grid(
+            planets=planets,
+            vary=dict(_varied(text) for text in vary or []),
+            altitude=_values(altitude, "m", "--altitude"),
+            sun_zenith=_values(sun_zenith, "deg", "--sun-zenith"),
+            view_zenith=_values(view_zenith, "deg", "--view-zenith"),
+            azimuth=_values(azimuth, "deg", "--azimuth"),
+            wavelengths=None if wavelengths is None else options.wavelengths(wavelengths, first),
+        )
+    except ParameterError as error:
+        name = error.field.partition("[")[0]
+        if name == FIELD:
+            raise ParameterError("--vary", error.value, error.allowed, error.file) from None
+        if name not in ("altitude", "sun_zenith", "view_zenith", "azimuth"):
+            raise
+        option = "--" + error.field.replace("_", "-")
+        raise ParameterError(option, error.value, error.allowed) from None
+    with shown_progress() as report, distribution_options.named():
+        done = computed(
+            grid, output, quality=quality, scheduler=scheduler, workers=workers, progress=report
+        )
+    size = " x ".join(f"{n} {name}" for n, name in zip(grid.shape, grid.dims, strict=True))
+    print(f"{done.path}  {size}  {done.computed} blocks computed, {done.kept} kept  "
+          f"{time.perf_counter() - started:.1f} s")  # fmt: skip
+
+
+def _values(text: str, unit: str, option: str) -> list[float]:
+    """Values of a list, or of a range with its end.
+
+    Examples
+    --------
+    >>> _values("0:60:20deg", "deg", "--sun-zenith"), _values("0m, 2km", "m", "--altitude")
+    ([0.0, 20.0, 40.0, 60.0], [0.0, 2000.0])
+    """
+    from airlight.units import quantities
+
+    if ":" not in text:
+        return list(quantities(text, unit, option))
+    form = "a list, or FROM:TO:STEP such as 0:90:5"
+    try:
+        start, end, step = quantities(text.replace(":", ","), unit, option)
+    except ValueError:
+        raise ParameterError(option, text, form) from None
+    if not step > 0.0 or end < start or (end - start) / step > _MOST:
+        raise ParameterError(option, text, f"{form}, with at most {_MOST} values")
+    count = int((end - start) / step + 1e-9)
+    return [float(f"{start + k * step:.12g}") for k in range(count + 1)]
+
+
+def _varied(text: str) -> tuple[str, list[Any]]:
+    """Path and values of ``--vary``."""
+    path, sign, values = text.partition("=")
+    items = [item.strip() for item in values.split(",")]
+    if not sign or not path.strip() or not all(items):
+        raise ParameterError("--vary", text, "PATH=A,B,C, such as ground.albedo=0.1,0.3")
+    return path.strip(), [_plain(item) for item in items]
+
+
+def _plain(item: str) -> Any:
+    try:
+        return float(item)
+    except ValueError:
+        return item

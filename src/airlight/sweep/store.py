@@ -1,0 +1,130 @@
+"""A sweep on disk: a Zarr group that xarray opens, with the fingerprint of each block."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from importlib import util
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import FileError, ParameterError
+from airlight.sweep.grid import AXES, Grid
+
+#: Attribute that holds the axes, by which a later run knows its own grid.
+_AXES: Final = "airlight_axes"
+#: Name of the array of fingerprints; 0 is a block that is missing.
+_BLOCKS: Final = "block_fingerprint"
+
+
+def check_store(path: Path, field: str) -> None:
+    """Refuse, before anything is solved, a place where a sweep cannot be written.
+
+    Raises
+    ------
+    ParameterError
+        If zarr is not installed.
+    FileError
+        If there is something else.
+    """
+    if util.find_spec("zarr") is None:
+        allowed = "a sweep beside zarr: pip install airlight[sweep]"
+        raise ParameterError(field, str(path), allowed)
+    if not path.resolve().parent.is_dir():
+        raise FileError(path, f"there is no folder {path.resolve().parent}")
+    if path.exists() and not (path / ".zgroup").is_file() and any(_inside(path)):
+        raise FileError(path, "is no sweep; allowed: a new folder, or the sweep to go on with")
+
+
+def _inside(path: Path) -> list[Path]:
+    return list(path.iterdir()) if path.is_dir() else [path]
+
+
+class SweepStore:
+    """Radiances of a grid on disk.
+
+    Parameters
+    ----------
+    path : Path
+        Folder of the Zarr group; made if it is new.
+    grid : Grid
+        Grid.
+    title : str
+        Words about the sweep, kept as an attribute.
+
+    Raises
+    ------
+    FileError
+        If the folder holds a sweep of another grid.
+    """
+
+    def __init__(self, path: Path, grid: Grid, title: str) -> None:
+        import zarr
+
+        self.path = path
+        axes = json.dumps(_axes(grid), sort_keys=True)
+        part = path.with_name(f".{path.name}.part")
+        shutil.rmtree(part, ignore_errors=True)
+        if not (path / ".zgroup").is_file():
+            _made(part, grid, axes, title)
+            part.replace(path)
+        group: Any = zarr.open_group(str(path), mode="r+", zarr_format=2)
+        if group.attrs.get(_AXES) != axes:
+            raise FileError(path, "holds the sweep of another grid; name another folder")
+        self._radiance, self._blocks = group["radiance"], group[_BLOCKS]
+        self._known: NDArray[np.uint64] = np.asarray(self._blocks[...])
+
+    def has(self, block: tuple[int, ...], fingerprint: int) -> bool:
+        """Whether a block is there with this fingerprint."""
+        return int(self._known[block]) == fingerprint
+
+    def write(
+        self, region: tuple[Any, ...], block: tuple[int, ...], values: NDArray[np.float32],
+        fingerprint: int,
+    ) -> None:  # fmt: skip
+        """Write the radiances of a block, and then its fingerprint."""
+        self._radiance[region] = values
+        self._known[block] = fingerprint
+        self._blocks[block] = np.uint64(fingerprint)
+
+
+def _axes(grid: Grid) -> dict[str, Any]:
+    vary = {path: [str(value) for value in values] for path, values in grid.vary.items()}
+    angles = {name: list(getattr(grid, name)) for name in AXES}
+    return {"planet": list(grid.planets), "vary": vary, **angles, "wavelength": list(grid.nm)}
+
+
+def _made(path: Path, grid: Grid, axes: str, title: str) -> None:
+    """Make the group: coordinates by xarray, and arrays to be filled."""
+    import xarray
+    import zarr
+
+    coordinates: dict[str, Any] = {"planet": ("planet", np.array(grid.planets))}
+    for name, values in grid.vary.items():
+        plain = all(isinstance(value, (int, float)) for value in values)
+        coordinates[name] = (name, np.array(values if plain else [str(v) for v in values]))
+    for name, (_, _, unit) in AXES.items():
+        coordinates[name] = (name, np.array(getattr(grid, name)), {"units": unit})
+    coordinates["wavelength"] = ("wavelength", np.array(grid.nm), {"units": "nm"})
+    xarray.Dataset(coords=coordinates, attrs={"title": title, _AXES: axes}).to_zarr(
+        path, mode="w", zarr_format=2, consolidated=False
+    )
+    group: Any = zarr.open_group(str(path), mode="r+", zarr_format=2)
+    suns, views = grid.steps
+    inner = (1, suns, views, len(grid.azimuth), len(grid.nm))
+    group.create_array(
+        "radiance", shape=grid.shape, chunks=(*(1 for _ in grid.variants), *inner),
+        dtype="float32", fill_value=np.nan,
+        attributes={"_ARRAY_DIMENSIONS": list(grid.dims), "units": "W m-2 sr-1 nm-1",
+                    "long_name": "spectral radiance of air and ground"},
+    )  # fmt: skip
+    names = [*grid.dims[: len(grid.variants)], "altitude", "sun_block", "view_block"]
+    group.create_array(
+        _BLOCKS, shape=grid.blocks, chunks=(*(1 for _ in grid.variants), *grid.blocks[-3:]),
+        dtype="uint64", fill_value=0,
+        attributes={"_ARRAY_DIMENSIONS": names, "long_name": "fingerprint of each block, 0 none"},
+    )  # fmt: skip
+    zarr.consolidate_metadata(str(path), zarr_format=2)

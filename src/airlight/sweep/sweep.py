@@ -1,0 +1,205 @@
+"""``sweep``: the blocks of a grid that are missing, by many processes, into Zarr."""
+
+from __future__ import annotations
+
+import contextlib
+import itertools
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.distribution import Runner, opened_runner
+from airlight.distribution.fingerprint import check_code, code_digest, digest
+from airlight.planets.planet import Planet
+from airlight.solvers import solve
+from airlight.sweep.grid import Grid
+from airlight.sweep.store import SweepStore
+
+if TYPE_CHECKING:
+    from airlight.kernel.threads import Progress
+    from airlight.solvers.moments.solution import MomentsSolution
+
+#: Source that computes radiances: this file's imports.
+_SOURCE: Final = Path(__file__)
+#: Solution of the block computed last, which the next one mostly shares.
+_SOLUTIONS: Final[dict[str, MomentsSolution]] = {}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Swept:
+    """Sweep that was written.
+
+    Attributes
+    ----------
+    path : Path
+        Folder of the Zarr group.
+    computed, kept : int
+        Number of blocks that were computed, and that were there already.
+    radiances : int
+        Number of radiances in all.
+    """
+
+    path: Path
+    computed: int
+    kept: int
+    radiances: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class Block:
+    """Lines of sight of one block.
+
+    Attributes
+    ----------
+    planet : Planet
+        Planet.
+    quality : str
+        Quality of its solution.
+    altitude : float
+        Altitude of the observer. [m]
+    sun_zenith, view_zenith, azimuth : tuple of float
+        Angles. [deg]
+    wavelengths : tuple of float
+        Wavelengths. [nm]
+    """
+
+    planet: Planet
+    quality: str
+    altitude: float
+    sun_zenith: tuple[float, ...]
+    view_zenith: tuple[float, ...]
+    azimuth: tuple[float, ...]
+    wavelengths: tuple[float, ...]
+
+
+def sweep(
+    grid: Grid,
+    path: str | Path,
+    *,
+    quality: str = "default",
+    scheduler: str | None = None,
+    workers: int | None = None,
+    progress: Progress | None = None,
+) -> Swept:
+    """Compute the radiances of a grid that are missing or have changed.
+
+    Parameters
+    ----------
+    grid : Grid
+        Planets, what varies, observers, suns, views and wavelengths.
+    path : str or Path
+        Folder of the Zarr group: new, or that of the same grid.
+    quality : str
+        Quality as for ``airlight.solve``.
+    scheduler, workers : optional
+        See ``airlight.distribution.opened_runner``.
+    progress : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Returns
+    -------
+    Swept
+        The store's ``radiance`` is in W m⁻² sr⁻¹ nm⁻¹, float32; ``xarray.open_zarr`` opens it.
+
+    Raises
+    ------
+    ParameterError
+        If a planet cannot be read, or is not known at a wavelength.
+    FileError
+        If the folder holds another grid.
+    WorkerError
+        If workers or their scheduler are lost.
+    """
+    store = SweepStore(Path(path), grid, f"radiance, quality {quality}")
+    code = code_digest(_SOURCE)
+    missing: list[tuple[int, ...]] = []
+    marks: dict[tuple[int, ...], int] = {}
+    for block in _indices(grid.blocks):
+        # Sixty-three bits of the hash, never 0.
+        marks[block] = 1 + int(digest((_block(grid, block, quality), code))[:15], 16)
+        if not store.has(block, marks[block]):
+            missing.append(block)
+    if missing:
+        variants = list(dict.fromkeys(block[: len(grid.variants)] for block in missing))
+        with contextlib.ExitStack() as stack:
+            runner: Runner = stack.enter_context(
+                opened_runner(len(missing), scheduler=scheduler, workers=workers)
+            )
+            first = {one: next(b for b in missing if b[: len(one)] == one) for one in variants}
+            tasks = ((one, (_block(grid, first[one], quality), code)) for one in variants)
+            for done, _ in enumerate(runner.run(solved, tasks)):
+                if progress is not None:
+                    progress(done + 1, len(variants), "solving")
+            blocks = ((block, (_block(grid, block, quality), code)) for block in missing)
+            for done, (block, values) in enumerate(runner.run(radiances, blocks)):
+                store.write(grid.region(block), block, values, marks[block])
+                if progress is not None:
+                    progress(done + 1, len(missing), "radiances")
+    count = len(marks)
+    return Swept(
+        path=Path(path), computed=len(missing), kept=count - len(missing),
+        radiances=int(np.prod(grid.shape)),
+    )  # fmt: skip
+
+
+def _indices(shape: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
+    return itertools.product(*(range(count) for count in shape))
+
+
+_PLANETS: Final[dict[tuple[Any, ...], Planet]] = {}
+
+
+def _block(grid: Grid, block: tuple[int, ...], quality: str) -> Block:
+    *variant, altitude, _, _ = block
+    suns, views = grid.region(block)[-4:-2]
+    key = (id(grid), *variant)
+    if key not in _PLANETS:
+        _PLANETS.clear()
+        _PLANETS[key] = grid.planet(tuple(variant))
+    return Block(
+        planet=_PLANETS[key], quality=quality, altitude=grid.altitude[altitude],
+        sun_zenith=tuple(grid.sun_zenith[suns]), view_zenith=tuple(grid.view_zenith[views]),
+        azimuth=tuple(grid.azimuth), wavelengths=grid.nm,
+    )  # fmt: skip
+
+
+# --- on a worker ------------------------------------------------------------------------------
+
+
+def solved(block: Block, code: str) -> None:
+    """Solve a block's planet, and keep the solution on the disk of this machine."""
+    check_code(code, _SOURCE)
+    _solution(block)
+
+
+def radiances(block: Block, code: str) -> NDArray[np.float32]:
+    """Radiances of a block, shape (suns, views, azimuths, wavelengths). [W m⁻² sr⁻¹ nm⁻¹]
+
+    Parameters
+    ----------
+    block : Block
+        Lines of sight.
+    code : str
+        Hash of the source of the process that sent it.
+    """
+    check_code(code, _SOURCE)
+    found = _solution(block).radiance(
+        altitude=block.altitude,
+        sun_zenith=np.array(block.sun_zenith)[:, None, None],
+        view_zenith=np.array(block.view_zenith)[:, None],
+        azimuth=np.array(block.azimuth),
+    )
+    return np.asarray(found, np.float32)
+
+
+def _solution(block: Block) -> MomentsSolution:
+    key = digest((block.planet, block.quality, block.wavelengths))
+    if key not in _SOLUTIONS:
+        found = solve(block.planet, wavelengths=block.wavelengths, quality=block.quality)
+        _SOLUTIONS.clear()
+        _SOLUTIONS[key] = found
+    return _SOLUTIONS[key]
