@@ -10,6 +10,7 @@ from numpy.testing import assert_allclose
 
 from airlight.scene import Camera, Scene
 from airlight.scene.metering import metering_weights, scene_exposure
+from airlight.scene.moon_light import MoonLight
 from airlight.scene.projections import PROJECTIONS
 
 RADIUS = 0.00465
@@ -75,3 +76,15 @@ def test_other_sampling_measures_the_same_pixels():
     scene = Scene(camera=dataclasses.replace(Camera(), width=40, height=30))
     whole = metering_weights(scene, 0.0)
     assert_allclose(metering_weights(scene, 0.0, 3)[2, 5], whole[6, 15], rtol=1e-12)
+
+
+def test_the_disc_of_a_second_light_does_not_count_by_its_own_size() -> None:
+    # Pixels within the moon's own radius and the margin of 0.75° have no weight, those beyond do.
+    camera = Camera(width=200, height=100, field_of_view=40.0, look_zenith=70.0)
+    moon = MoonLight(zenith=70.0, azimuth=5.0, angular_radius=3.0)
+    scene = Scene(camera=camera, sun_zenith=120.0, others=(moon,))
+    weights = metering_weights(scene, 0.005)
+    apart = np.degrees(np.arccos(np.clip(camera.directions() @ moon.direction, -1.0, 1.0)))
+    margin = np.degrees(camera.pixel_angle)
+    assert not weights[apart < 3.75].any()
+    assert (weights[apart > 3.75 + 1.01 * margin] > 0.0).all()

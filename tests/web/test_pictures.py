@@ -68,7 +68,7 @@ VIEWS = {
         "earth",
         {"view.altitude": 2.0, "view.sun_zenith": 110.0, "view.look_zenith": 80.0,
          "view.second_light": "moon", "view.second_zenith": 74.0, "view.second_azimuth": 190.0,
-         "view.moon_phase": 70.0, "view.second_radius": 5.0, "display.exposure": 8.0},
+         "view.moon_phase": 70.0, "view.second_radius": 5.0, "display.exposure": 3.0},
     ),
     "earth, two suns": (
         "earth",

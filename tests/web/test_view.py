@@ -12,6 +12,7 @@ from airlight.color.exposure import automatic_exposure
 from airlight.scene import Camera, Scene
 from airlight.scene.flight import FOOTING, RATE
 from airlight.scene.metering import scene_exposure
+from airlight.scene.moon_light import MoonLight
 from airlight.viewer.navigation.flight import flown
 
 #: Generic view, without special angles.
@@ -63,6 +64,30 @@ def test_automatic_exposure_is_that_of_the_scene(modules: Callable[..., Any]) ->
     wanted = scene_exposure(rgb, scene, 0.005)
     assert_allclose(got, wanted, rtol=1e-12)
     assert abs(wanted - automatic_exposure(rgb)) > 1.0  # the weights count
+
+
+def test_automatic_exposure_leaves_out_every_light(modules: Callable[..., Any]) -> None:
+    # a second method: scene/metering.py; the moon's own, larger disc covers a part of the picture
+    rgb = np.random.default_rng(3).lognormal(0.0, 2.0, (9, 16, 3)).astype(np.float32)
+    camera = Camera(width=16, height=9, look_zenith=70.0, field_of_view=55.0)
+    moon = MoonLight(zenith=66.0, azimuth=6.0, angular_radius=8.0)
+    scene = Scene(camera=camera, sun_zenith=110.0, others=(moon,))
+    rgb[camera.directions() @ moon.direction > np.cos(np.radians(8.0))] = 1e5
+    rgba = np.concatenate([rgb, np.ones((9, 16, 1), np.float32)], axis=2)
+    page = modules({"drawing/exposure": ("automaticExposure",), "drawing/view": ("cameraOf",)})
+    view = {**VIEW, "view.look_zenith": 70.0, "view.heading": VIEW["view.sun_azimuth"],
+            "view.roll": 0.0}  # fmt: skip
+    suns = [[one.direction.tolist(), one.radius(0.005)] for one in scene.lights]
+    got = page.evaluate(
+        """([rgba, view, suns]) => automaticExposure(
+          new Float32Array(rgba), [16, 9],
+          { ...cameraOf(view, { perspective: [1e-3, 170] }), suns }, 0, 0.005
+        )""",
+        [rgba.ravel().tolist(), view, suns],
+    )
+    wanted = scene_exposure(rgb, scene, 0.005)
+    assert_allclose(got, wanted, rtol=1e-12)
+    assert abs(wanted - automatic_exposure(rgb)) > 0.3
 
 
 def test_flight_round_the_planet_ends_where_it_began(modules: Callable[..., Any]) -> None:

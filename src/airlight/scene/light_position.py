@@ -45,6 +45,16 @@ class LightPosition:
         """Unit vector towards the light, shape (3,). [1]"""
         return direction(self.zenith, self.azimuth)
 
+    def radius(self, star: float) -> float:
+        """Angular radius of its disc. [rad]
+
+        Parameters
+        ----------
+        star : float
+            Angular radius of the planet's star. [rad]
+        """
+        return star
+
     def beside(self, star: LightPosition) -> LightPosition:
         """Light as it is beside the first one, whose place may matter to its disc.
 

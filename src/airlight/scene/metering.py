@@ -87,14 +87,14 @@ def metering_weight(
 
 
 @compiled_loop
-def _fill(projection, x, y, width, height, field_of_view, suns, cosine, out):
+def _fill(projection, x, y, width, height, field_of_view, suns, cosines, out):
     for row in range(y.size):
         for column in range(x.size):
             least = math.inf
             for sun in range(suns.shape[0]):
                 weight = metering_weight(
                     projection, x[column], y[row], width, height, field_of_view,
-                    suns[sun, 0], suns[sun, 1], suns[sun, 2], cosine,
+                    suns[sun, 0], suns[sun, 1], suns[sun, 2], cosines[sun],
                 )  # fmt: skip
                 least = min(least, weight)
             out[row, column] = least
@@ -129,11 +129,12 @@ def metering_weights(scene: Scene, angular_radius: float, step: int = 1) -> Floa
     x = np.arange(0, camera.width, step) + 0.5
     y = np.arange(0, camera.height, step) + 0.5
     suns = np.array([one.direction for one in scene.lights]) @ camera.axes.T
+    pixel = step * camera.pixel_angle
+    cosines = np.array([left_out(one.radius(angular_radius), pixel) for one in scene.lights])
     out = np.empty((y.size, x.size))
     _fill(
         list(PROJECTIONS).index(camera.projection), x, y, float(camera.width),
-        float(camera.height), math.radians(camera.field_of_view), suns,
-        left_out(angular_radius, step * camera.pixel_angle), out,
+        float(camera.height), math.radians(camera.field_of_view), suns, cosines, out,
     )  # fmt: skip
     return out
 

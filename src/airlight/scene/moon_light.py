@@ -87,6 +87,10 @@ class MoonLight(LightPosition):
             angular_radius=moon.angular_radius,
         )
 
+    def radius(self, star: float) -> float:
+        """Angular radius of its disc; see ``LightPosition.radius``. [rad]"""
+        return math.radians(self.angular_radius)
+
     def beside(self, star: LightPosition) -> MoonLight:
         """Moon whose bright limb faces a star, unless its side is given.
 

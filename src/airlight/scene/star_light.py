@@ -64,6 +64,10 @@ class StarLight(LightPosition):
             temperature=temperature, distance=far, radius=far * math.sin(math.radians(angle))
         )
 
+    def radius(self, star: float) -> float:
+        """Angular radius of its disc; see ``LightPosition.radius``. [rad]"""
+        return math.radians(self.star.angular_radius_degrees)
+
     def source(self, sources: tuple[LightSource, ...]) -> LightSource:
         """Source at the wavelengths of the planet's own.
 

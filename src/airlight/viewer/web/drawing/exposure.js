@@ -12,26 +12,26 @@ import {
  *
  * @param {Float32Array} rgba Linear sRGB, four values per pixel, from the top row. [W m⁻² sr⁻¹]
  * @param {[number, number]} size Width and height. [pixel]
- * @param {object} camera See view.js; `suns` are the directions of all its lights.
+ * @param {object} camera See view.js; `suns` are directions and angular radii [rad] of all lights.
  * @param {number} projection Number of its projection.
  * @param {number} star Angular radius of the star. [rad]
  * @returns {number} Exposure, -100 to 100. [EV]
  */
 export function automaticExposure(rgba, [width, height], camera, projection, star) {
-  const { axes, sun, suns = [sun], fieldOfView } = camera;
-  const towards = suns.map((one) =>
+  const { axes, sun, suns = [[sun, star]], fieldOfView } = camera;
+  const towards = suns.map(([one]) =>
     axes.map((axis) => axis[0] * one[0] + axis[1] * one[1] + axis[2] * one[2]),
   );
   const angle = PIXEL_ANGLES[camera.projection](width, height, fieldOfView);
-  const cosine = left_out(star, angle);
+  const cosines = suns.map(([, radius]) => left_out(radius, angle));
   const pixels = [];
   let black = 0;
   for (let i = 0; i < width * height; i++) {
     const bright = luminance_of(...rgba.subarray(4 * i, 4 * i + 3));
     const [x, y] = [(i % width) + 0.5, Math.floor(i / width) + 0.5];
     if (!Number.isFinite(bright)) continue;
-    const weights = towards.map((seen) =>
-      metering_weight(projection, x, y, width, height, fieldOfView, ...seen, cosine),
+    const weights = towards.map((seen, i) =>
+      metering_weight(projection, x, y, width, height, fieldOfView, ...seen, cosines[i]),
     );
     const weight = Math.min(...weights);
     if (bright > 0 && weight > 0) pixels.push([bright, weight]);

@@ -29,16 +29,17 @@ const LAMPS = ["lamp_red", "lamp_green", "lamp_blue"];
  * @param {Object<string, [number, number]>} projections Limits of the field of view. [deg]
  * @returns {object[]} One or two lights: `camera`, `star` (angular radius [rad]), `air` (whether air
  *     and ground are lit), `numbers` (uniforms of its own), `law` (darkening of its disc; null for
- *     that of the planet's star), and of the first `suns`, the directions of all.
+ *     that of the planet's star), and of the first `suns`, directions and angular radii of all.
  */
 export function lightsOf(values, planet, projections) {
   const camera = cameraOf(values, projections);
   const second = secondOf(values, planet, projections);
   const own = [...Object.keys(colorsOf([], [])), "star_radius", ...LAMPS];
   const numbers = Object.fromEntries(own.map((name) => [name, planet.uniforms[name]]));
-  const suns = [camera.sun];
+  const suns = [[camera.sun, planet.star]];
   if (values["view.second_light"] !== "none") {
-    suns.push(direction_of(values["view.second_zenith"], azimuthOf(values)));
+    const towards = direction_of(values["view.second_zenith"], azimuthOf(values));
+    suns.push([towards, values["view.second_radius"] * RADIAN]);
   }
   const first = {
     camera,
