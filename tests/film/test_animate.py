@@ -153,6 +153,32 @@ def test_a_killed_film_is_finished_by_a_second_start(rock: Path, tmp_path: Path)
     }
 
 
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows sends no SIGINT to a group")
+def test_ctrl_c_ends_all_processes_in_two_lines(rock: Path, tmp_path: Path) -> None:
+    # a terminal sends the signal to the whole group, workers too
+    folder = tmp_path / "frames"
+    words = ["animate", str(rock), "--size", "32x18", "--exposure", "0", "--workers", "2",
+             "--set", "film.frames=3000", "-o", str(folder)]  # fmt: skip
+    code = "import sys; from airlight.cli import main; sys.exit(main(sys.argv[1:]))"
+    process = subprocess.Popen(
+        [sys.executable, "-c", code, *words], stderr=subprocess.PIPE, start_new_session=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+    )  # fmt: skip
+    try:
+        wait_for(process, folder, 10)
+        os.killpg(process.pid, signal.SIGINT)
+        _, said = process.communicate(timeout=60)
+    finally:
+        process.kill()
+    assert process.returncode == 130
+    lines = said.decode().splitlines()
+    assert lines[0].endswith("2 processes")
+    assert lines[1].endswith("the same command draws the rest")
+    assert lines[2:] == ["airlight: cancelled"]
+    assert all(name.endswith(".png") for name in contents(folder))
+
+
 def frames_in(folder: Path) -> int:
     return len(list(folder.glob("*.png"))) if folder.is_dir() else 0
 

@@ -8,14 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from airlight.cli import options
-from airlight.cli.cases import (
-    Cases,
-    error_columns,
-    radiance_columns,
-    read_cases,
-    write_cases,
-)
+from airlight.cli import distribution_options, options
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
@@ -25,6 +18,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from airlight.cli.progress import Report
+    from airlight.planets.planet import Planet
+    from airlight.sweep.cases import Cases
 
 EPILOG = examples(
     "airlight radiance earth --altitude 0m --sun-zenith 60 --view-zenith 30 --azimuth 90",
@@ -76,7 +71,7 @@ def radiance(
             "-o",
             metavar="FILE",
             help="With --input: the same CSV with radiance_<nm>nm appended; - is the standard "
-            "output.",
+            "output. A file that was stopped is gone on with.",
         ),
     ] = "-",
     wavelengths: Annotated[
@@ -110,6 +105,8 @@ def radiance(
     ground_albedo: options.GroundAlbedo = None,
     set_: options.Set = None,
     no_cache: options.NoCache = False,
+    scheduler: distribution_options.Scheduler = None,
+    workers: distribution_options.Workers = None,
 ) -> None:
     """Compute spectral radiance along a line of sight, in W m⁻² sr⁻¹ nm⁻¹.
 
@@ -122,6 +119,18 @@ def radiance(
         "--view-zenith": view_zenith,
         "--azimuth": azimuth,
     }
+    long = input_ not in (None, "-") and solver == "moments"
+    if not long and (scheduler is not None or workers is not None):
+        option = "--workers" if scheduler is None else "--scheduler"
+        raise ParameterError(option, workers or scheduler, "beside --input FILE, of moments")
+    if long:
+        assert input_ is not None
+        _check_many({**single, "--latitude": latitude, "--longitude": longitude}, output)
+        world = options.planet(planet, set_)
+        world = options.with_solved_ground(world, ground_albedo, None, None)
+        nm = world.wavelengths if wavelengths is None else options.wavelengths(wavelengths, world)
+        _long_table(world, input_, output, nm, quality, not no_cache, scheduler, workers)
+        return
     if input_ is None:
         cases = _one_case(single, output)
     else:
@@ -135,9 +144,11 @@ def radiance(
         world = options.with_solved_ground(world, ground_albedo, None, None)
     nm = world.wavelengths if wavelengths is None else options.wavelengths(wavelengths, world)
     sampled = solver == "montecarlo"
-    _warn_of_repeated(radiance_columns(nm) + (error_columns(nm) if sampled else []), cases)
-
     from airlight.solvers import solve
+    from airlight.sweep.cases import error_columns, radiance_columns, write_cases
+
+    columns = radiance_columns(nm) + (error_columns(nm) if sampled else [])
+    _warn_of_repeated(columns, cases.header)
 
     errors: NDArray[np.float64] | None = None
     histories: NDArray[np.int64] | None = None
@@ -179,8 +190,42 @@ def _print(
             print(f"{text} ± {errors[0, k]:.1e} W m⁻² sr⁻¹ nm⁻¹  ({histories[0, k]} histories)")
 
 
+def _long_table(
+    planet: Planet,
+    source: str,
+    target: str,
+    nm: Sequence[float],
+    quality: str,
+    cache: bool,
+    scheduler: str | None,
+    workers: int | None,
+) -> None:
+    """Answer the rows of a file block by block."""
+    from airlight.sweep.cases import case_blocks, radiance_columns
+    from airlight.sweep.rows import answer_rows
+
+    with case_blocks(source, 1) as (head, _):
+        _warn_of_repeated(radiance_columns(nm), head.header)
+    alone = 1 if workers is None and scheduler is None else workers
+    with shown_progress() as report, distribution_options.named():
+        kept = answer_rows(
+            planet, source, target, wavelengths=nm, quality=quality, cache=cache,
+            scheduler=scheduler, workers=alone, progress=report,
+        )  # fmt: skip
+    if kept:
+        print(f"airlight: {kept} rows had been computed before", file=sys.stderr)
+
+
 def _many_cases(path: str, single: dict[str, str | None], output: str) -> Cases:
     """Read the observers of a file, after checking that no other is given."""
+    from airlight.sweep.cases import read_cases
+
+    _check_many(single, output)
+    return read_cases(path)
+
+
+def _check_many(single: dict[str, str | None], output: str) -> None:
+    """Refuse options of one observer beside a file of them, and a target that cannot be written."""
     from airlight.exports.whole_file import check_target
 
     for option, text in single.items():
@@ -188,12 +233,11 @@ def _many_cases(path: str, single: dict[str, str | None], output: str) -> Cases:
             raise ParameterError(option, text, "not together with --input")
     if output != "-":
         check_target(output)
-    return read_cases(path)
 
 
-def _warn_of_repeated(columns: Sequence[str], cases: Cases) -> None:
+def _warn_of_repeated(columns: Sequence[str], header: Sequence[str]) -> None:
     """Warn of columns that the input has already."""
-    repeated = [column for column in columns if column in cases.header]
+    repeated = [column for column in columns if column in header]
     if repeated:
         note = f"{', '.join(repeated)} stood in the input already; ours are the last columns"
         print(f"airlight: {note}", file=sys.stderr)
@@ -225,8 +269,8 @@ def _one_case(texts: dict[str, str | None], output: str) -> Cases:
     """Parse the observer of the options, after checking that no file is to be written."""
     import numpy as np
 
-    from airlight.cli.cases import COLUMNS
     from airlight.scene.limits import within
+    from airlight.sweep.cases import COLUMNS, Cases
 
     if output != "-":
         raise ParameterError("--output", output, "only together with --input")

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from airlight.distribution import Runner, opened_runner
 from airlight.distribution.fingerprint import check_code, code_digest, digest
 from airlight.planets.planet import Planet
-from airlight.solvers import solve
 from airlight.sweep.grid import Grid
+from airlight.sweep.shared_solution import shared_solution
 from airlight.sweep.store import SweepStore
 
 if TYPE_CHECKING:
@@ -25,8 +25,6 @@ if TYPE_CHECKING:
 
 #: Source that computes radiances: this file's imports.
 _SOURCE: Final = Path(__file__)
-#: Solution of the block computed last, which the next one mostly shares.
-_SOLUTIONS: Final[dict[str, MomentsSolution]] = {}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -197,9 +195,4 @@ def radiances(block: Block, code: str) -> NDArray[np.float32]:
 
 
 def _solution(block: Block) -> MomentsSolution:
-    key = digest((block.planet, block.quality, block.wavelengths))
-    if key not in _SOLUTIONS:
-        found = solve(block.planet, wavelengths=block.wavelengths, quality=block.quality)
-        _SOLUTIONS.clear()
-        _SOLUTIONS[key] = found
-    return _SOLUTIONS[key]
+    return shared_solution(block.planet, block.wavelengths, block.quality)

@@ -12,8 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_array_equal
 
-from airlight.cli.cases import COLUMNS, Cases, read_cases, write_cases
 from airlight.errors import AirlightError
+from airlight.sweep.cases import COLUMNS, Cases, read_cases, write_cases
 
 HEADER = "altitude_m,sun_zenith_deg,view_zenith_deg,azimuth_deg"
 

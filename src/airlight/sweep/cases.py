@@ -6,7 +6,7 @@ import contextlib
 import csv
 import math
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TextIO
@@ -68,10 +68,56 @@ def read_cases(path: str) -> Cases:
     ParameterError
         For the first cell that is not a number in its range, with line and column.
     """
+    with case_blocks(path, None) as (head, blocks):
+        some = list(blocks)
+    rows = [row for one in some for row in one.rows]
+    values = np.concatenate([one.values for one in some]) if some else head.values
+    return Cases(comments=head.comments, header=head.header, rows=rows, values=values)
+
+
+@contextlib.contextmanager
+def case_blocks(path: str, size: int | None) -> Iterator[tuple[Cases, Iterator[Cases]]]:
+    """Read observers from a CSV file block by block, so that a long one needs no memory.
+
+    Parameters
+    ----------
+    path : str
+        Path as for ``read_cases``.
+    size : int, optional
+        Number of rows in a block; all if left out.
+
+    Yields
+    ------
+    (Cases, iterator of Cases)
+        Comments and header, without rows; and the blocks, as they are read.
+
+    Raises
+    ------
+    FileError, ParameterError
+        As for ``read_cases``, from the blocks too.
+    """
     name = "standard input" if path == "-" else path
+    with contextlib.ExitStack() as stack:
+        with _explained(name):
+            lines = _without_nulls(stack.enter_context(_opened(path)), name)
+            head, positions = _head(lines, name)
+        yield head, _guarded(_rows(lines, head, positions, name, size), name)
+
+
+def _guarded(blocks: Iterator[Cases], name: str) -> Iterator[Cases]:
+    """Blocks, with errors of reading explained, and none of what is done with them."""
+    while True:
+        with _explained(name):
+            block = next(blocks, None)
+        if block is None:
+            return
+        yield block
+
+
+@contextlib.contextmanager
+def _explained(name: str) -> Iterator[None]:
     try:
-        with _opened(path) as stream:
-            return _parse(stream, name)
+        yield
     except UnicodeDecodeError as error:
         raise FileError(name, "is no text in UTF-8") from error
     except (OSError, csv.Error) as error:
@@ -88,8 +134,8 @@ def _opened(path: str) -> Iterator[TextIO]:
         yield stream
 
 
-def _parse(stream: Iterable[str], name: str) -> Cases:
-    lines = _without_nulls(stream, name)
+def _head(lines: Iterator[str], name: str) -> tuple[Cases, list[int]]:
+    """Comments and header, and the positions of ``COLUMNS``."""
     comments: list[str] = []
     first = ""
     for first in lines:
@@ -106,16 +152,28 @@ def _parse(stream: Iterable[str], name: str) -> Cases:
         if header.count(column) > 1:
             raise FileError(name, f"has the column {column} more than once")
         positions.append(header.index(column))
+    empty = np.empty((0, len(COLUMNS)))
+    return Cases(comments=comments, header=header, rows=[], values=empty), positions
+
+
+def _rows(
+    lines: Iterator[str], head: Cases, positions: list[int], name: str, size: int | None
+) -> Iterator[Cases]:
     rows: list[list[str]] = []
     values: list[list[float]] = []
+
+    def block() -> Cases:
+        table = np.array(values, dtype=np.float64).reshape(-1, len(COLUMNS))
+        return Cases(comments=head.comments, header=head.header, rows=list(rows), values=table)
+
     reader = csv.reader(lines)
     for row in reader:
-        line = reader.line_num + len(comments) + 1
+        line = reader.line_num + len(head.comments) + 1
         if not any(cell.strip() for cell in row):
             continue
-        if len(row) != len(header):
-            found = f"{len(row)} cells"
-            raise ParameterError(f"line {line}", found, f"{len(header)}, as in the header", name)
+        if len(row) != len(head.header):
+            found, allowed = f"{len(row)} cells", f"{len(head.header)}, as in the header"
+            raise ParameterError(f"line {line}", found, allowed, name)
         values.append(
             [
                 _number(row[position], line, column, limits, name)
@@ -123,11 +181,14 @@ def _parse(stream: Iterable[str], name: str) -> Cases:
             ]
         )
         rows.append(row)
-    table = np.array(values, dtype=np.float64).reshape(-1, len(COLUMNS))
-    return Cases(comments=comments, header=header, rows=rows, values=table)
+        if size is not None and len(rows) == size:
+            yield block()
+            rows, values = [], []
+    if rows:
+        yield block()
 
 
-def _without_nulls(stream: Iterable[str], name: str) -> Iterator[str]:
+def _without_nulls(stream: TextIO, name: str) -> Iterator[str]:
     for line in stream:
         if "\0" in line:
             raise FileError(name, "is no text")
@@ -211,14 +272,30 @@ def _write(
     radiance: NDArray[np.float64],
     standard_error: NDArray[np.float64] | None,
 ) -> None:
-    stream.writelines(f"{comment}\n" for comment in cases.comments)
-    writer = csv.writer(stream, lineterminator="\n")
     columns = radiance_columns(wavelengths)
-    answers = [[f"{value:.8e}" for value in row] for row in radiance]
     if standard_error is not None:
         columns += error_columns(wavelengths)
+    write_head(stream, cases, columns)
+    write_rows(stream, cases, radiance, standard_error)
+
+
+def write_head(stream: TextIO, cases: Cases, columns: Sequence[str]) -> None:
+    """Write the comments and the header of a table, with columns appended."""
+    stream.writelines(f"{comment}\n" for comment in cases.comments)
+    csv.writer(stream, lineterminator="\n").writerow([*cases.header, *columns])
+
+
+def write_rows(
+    stream: TextIO,
+    cases: Cases,
+    radiance: NDArray[np.float64],
+    standard_error: NDArray[np.float64] | None = None,
+) -> None:
+    """Write rows with the radiances appended; arguments as for ``write_cases``."""
+    writer = csv.writer(stream, lineterminator="\n")
+    answers = [[f"{value:.8e}" for value in row] for row in radiance]
+    if standard_error is not None:
         for row, errors in zip(answers, standard_error, strict=True):
             row += [f"{value:.1e}" for value in errors]
-    writer.writerow([*cases.header, *columns])
     for cells, answer in zip(cases.rows, answers, strict=True):
         writer.writerow([*cells, *answer])

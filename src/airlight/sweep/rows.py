@@ -1,0 +1,228 @@
+"""Radiances of a long table of observers, block by block: bounded memory, resumed after a kill."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final, TextIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.distribution import opened_runner
+from airlight.distribution.fingerprint import check_code, code_digest, digest
+from airlight.errors import FileError
+from airlight.exports.whole_file import check_target
+from airlight.planets.planet import Planet
+from airlight.sweep.cases import Cases, case_blocks, radiance_columns, write_head, write_rows
+from airlight.sweep.shared_solution import shared_solution
+
+if TYPE_CHECKING:
+    from airlight.kernel.threads import Progress
+
+FloatArray = NDArray[np.float64]
+
+#: Rows of a block.
+BLOCK: Final = 1 << 13
+_SOURCE: Final = Path(__file__)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Lines:
+    """Lines of sight of one block.
+
+    Attributes
+    ----------
+    planet : Planet
+        Planet.
+    wavelengths : tuple of float
+        Wavelengths. [nm]
+    quality : str
+        Quality of its solution.
+    cache : bool
+        Whether the solution is kept on disk.
+    values : array, shape (n, 4)
+        Altitude, zenith angles of sun and view, azimuth. [m, deg, deg, deg]
+    """
+
+    planet: Planet
+    wavelengths: tuple[float, ...]
+    quality: str
+    cache: bool
+    values: FloatArray
+
+
+def answer_rows(
+    planet: Planet,
+    source: str,
+    target: str,
+    *,
+    wavelengths: Sequence[float],
+    quality: str = "default",
+    cache: bool = True,
+    scheduler: str | None = None,
+    workers: int | None = 1,
+    progress: Progress | None = None,
+) -> int:
+    """Write a table of observers with their radiances appended.
+
+    What is computed is kept beside the target in hidden files, and a second start with the same
+    table, planet, wavelengths and quality goes on from there; the target appears when it is whole.
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet.
+    source : str
+        Path of a CSV as ``case_blocks`` reads it. It is read twice: first every cell is checked.
+    target : str
+        Path of the new CSV; ``-`` is the standard output, which keeps nothing.
+    wavelengths : sequence of float
+        Wavelengths. [nm]
+    quality : str
+        Quality as for ``airlight.solve``.
+    cache : bool
+        Whether the solution is looked for on disk, and kept there.
+    scheduler, workers : optional
+        See ``airlight.distribution.opened_runner``; one process, with all its threads, by default.
+    progress : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Returns
+    -------
+    int
+        Number of rows that an earlier start had computed.
+
+    Raises
+    ------
+    FileError
+        If a file cannot be read or written.
+    ParameterError
+        For the first cell that is not a number in its range.
+    WorkerError
+        If workers or their scheduler are lost.
+    """
+    with case_blocks(source, BLOCK) as (head, blocks):
+        total = sum(len(block.rows) for block in blocks)
+    nm = tuple(float(one) for one in wavelengths)
+    shared_solution(planet, nm, quality, cache=cache, progress=progress)
+    code = code_digest(_SOURCE)
+    mark = digest((planet, nm, quality, code), (Path(source),))
+    with _Table.opened(target, mark) as table, case_blocks(source, BLOCK) as (head, blocks):
+        if not table.blocks:
+            write_head(table.stream, head, radiance_columns(nm))
+        waiting: dict[int, Cases] = {}
+
+        def tasks() -> Iterator[tuple[int, tuple[Lines, str]]]:
+            for number, block in enumerate(blocks):
+                if number >= table.kept:
+                    waiting[number] = block
+                    yield number, (Lines(planet=planet, wavelengths=nm, quality=quality,
+                                         cache=cache, values=block.values), code)  # fmt: skip
+
+        found: dict[int, FloatArray] = {}
+        count = -(-total // BLOCK) - table.kept
+        with opened_runner(count, scheduler=scheduler, workers=workers) as runner:
+            for number, values in runner.run(radiances_of_lines, tasks()):
+                found[number] = values
+                while table.blocks in found:  # blocks end in any order, and are written in theirs
+                    at = table.blocks
+                    write_rows(table.stream, waiting.pop(at), found.pop(at))
+                    table.end_block()
+                if progress is not None:
+                    progress(min(table.blocks * BLOCK, total), total, "radiance")
+        return min(table.kept * BLOCK, total)
+
+
+def radiances_of_lines(lines: Lines, code: str) -> FloatArray:
+    """Radiances of a block, shape (n, wavelengths). [W m⁻² sr⁻¹ nm⁻¹]
+
+    Parameters
+    ----------
+    lines : Lines
+        Lines of sight.
+    code : str
+        Hash of the source of the process that sent them.
+    """
+    check_code(code, _SOURCE)
+    solution = shared_solution(lines.planet, lines.wavelengths, lines.quality, cache=lines.cache)
+    altitude, sun, view, azimuth = lines.values.T
+    found = solution.radiance(altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth)
+    return np.asarray(found, float)
+
+
+class _Table:
+    """Table that grows block by block: its stream, and how many blocks it has.
+
+    Attributes
+    ----------
+    stream : text stream
+        Stream that rows are written to.
+    kept, blocks : int
+        Number of blocks that were there, and that are there now.
+    """
+
+    def __init__(self, stream: TextIO, index: TextIO | None, kept: int) -> None:
+        self.stream, self._index, self.kept, self.blocks = stream, index, kept, kept
+
+    def end_block(self) -> None:
+        """Note that a block is whole, after it has left this process."""
+        self.blocks += 1
+        self.stream.flush()
+        if self._index is not None:
+            self._index.write(f"{self.blocks} {os.fstat(self.stream.fileno()).st_size}\n")
+            self._index.flush()
+
+    @classmethod
+    @contextlib.contextmanager
+    def opened(cls, target: str, mark: str) -> Iterator[_Table]:
+        """Open the table of a target, with what an earlier start of the same mark has left."""
+        if target == "-":
+            yield cls(sys.stdout, None, 0)
+            return
+        path = check_target(target)
+        part = path.with_name(f".{path.name}.{mark}.rows")
+        index = path.with_name(f".{path.name}.{mark}.index")
+        try:
+            for old in path.parent.glob(f".{_literal(path.name)}.*"):
+                if old.suffix in (".rows", ".index") and old not in (part, index):
+                    old.unlink(missing_ok=True)  # of another planet, or of another input
+            kept, size = _noted(index, part)
+            with part.open("a", encoding="utf-8", newline="") as stream:
+                stream.truncate(size)
+                with index.open("a", encoding="ascii") as notes:
+                    yield cls(stream, notes, kept)
+            part.replace(path)
+            index.unlink(missing_ok=True)
+        except OSError as error:
+            raise FileError(target, f"cannot be written: {error.strerror or error}") from error
+        except BaseException:
+            if _noted(index, part)[0] == 0:  # nothing to go on from
+                part.unlink(missing_ok=True)
+                index.unlink(missing_ok=True)
+            raise
+
+
+def _literal(name: str) -> str:
+    """Name without a meaning of its letters for ``glob``."""
+    return "".join(f"[{letter}]" if letter in "*?[" else letter for letter in name)
+
+
+def _noted(index: Path, part: Path) -> tuple[int, int]:
+    """Number of whole blocks, and the size of the file with them. [byte]"""
+    try:
+        size, text = part.stat().st_size, index.read_text(encoding="ascii")
+    except OSError:
+        return 0, 0
+    whole: tuple[int, int] = (0, 0)
+    for line in text[: text.rfind("\n") + 1].splitlines():
+        numbers: Any = line.split()
+        if len(numbers) == 2 and all(one.isdecimal() for one in numbers):
+            blocks, end = int(numbers[0]), int(numbers[1])
+            if end <= size:
+                whole = blocks, end
+    return whole

@@ -1,0 +1,50 @@
+"""The solution that the tasks of a process share: solved, or read from disk, once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+from airlight.distribution.fingerprint import digest
+from airlight.planets.planet import Planet
+from airlight.solvers import solve
+
+if TYPE_CHECKING:
+    from airlight.kernel.threads import Progress
+    from airlight.solvers.moments.solution import MomentsSolution
+
+#: Solution of the last task, which the next one mostly shares.
+_KEPT: Final[dict[str, MomentsSolution]] = {}
+
+
+def shared_solution(
+    planet: Planet,
+    wavelengths: Sequence[float],
+    quality: str,
+    *,
+    cache: bool = True,
+    progress: Progress | None = None,
+) -> MomentsSolution:
+    """Solution of a planet; the last one is kept in memory.
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet.
+    wavelengths : sequence of float
+        Wavelengths. [nm]
+    quality : str
+        Quality as for ``airlight.solve``.
+    cache : bool
+        Whether it is looked for on disk, and kept there.
+    progress : callable, optional
+        See ``airlight.kernel.threads``.
+    """
+    key = digest((planet, tuple(wavelengths), quality))
+    if key not in _KEPT:
+        found = solve(
+            planet, wavelengths=wavelengths, quality=quality, cache=cache, progress=progress
+        )
+        _KEPT.clear()
+        _KEPT[key] = found
+    return _KEPT[key]
