@@ -86,6 +86,7 @@ def render(
     ] = None,
     moon: second_lights.Moon = None,
     second_star: second_lights.SecondStar = None,
+    stars: second_lights.Stars = False,
     fov: Annotated[
         str | None,
         typer.Option(
@@ -220,6 +221,7 @@ def render(
                 "--device": device if device == "gpu" else None,
                 "--ground": ground if ground != "detailed" else None,
                 "--moon": moon, "--second-star": second_star,
+                "--stars": True if stars else None,
                 "--sun-distance": sun_distance if sun_distance != "true" else None,
             },
         )  # fmt: skip
@@ -237,6 +239,8 @@ def render(
         {"--sun-zenith": sun_zenith, "--sun-azimuth": sun_azimuth, "--latitude": latitude,
          "--longitude": longitude}, altitude,
     )  # fmt: skip
+    if stars and (placed is None or world.body != "earth"):
+        raise ParameterError("--stars", True, "beside --at and --time, on Earth")
     if placed is None:
         placed = time_and_place.by_angles(sun_zenith, sun_azimuth, latitude, longitude, altitude)
     columns, rows = options.picture_size(size, projection)
@@ -265,7 +269,7 @@ def render(
     if placed.time is not None:
         world = time_and_place.lit(world, placed, sun_distance)
     frame = _painted(
-        world, scene, wavelengths, quality, device, exact=exact, samples=samples,
+        world, scene, wavelengths, quality, device, exact=exact, samples=samples, stars=stars,
         cache=not no_cache, local=ground_albedo is None,
     )  # fmt: skip
     changes = {"changes": "; ".join(set_)} if set_ else {}
@@ -330,6 +334,7 @@ def _painted(
     *,
     exact: bool,
     samples: int,
+    stars: bool,
     cache: bool,
     local: bool,
 ) -> Frame:
@@ -347,7 +352,7 @@ def _painted(
     with shown_progress() as report:
         return paint_scene(
             planet, scene, wavelengths=nm, quality=quality, device=device, exact=exact,
-            samples=samples, cache=cache, local=local, refused=refused,
+            samples=samples, cache=cache, local=local, stars=stars, refused=refused,
             progress=report,
         )  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""Options of lights beside the sun: ``--moon``, ``--second-star``."""
+"""Options of lights beside the sun: ``--moon``, ``--second-star``, ``--stars``."""
 
 from __future__ import annotations
 
@@ -29,6 +29,13 @@ SecondStar = Annotated[
         metavar="Z,AZ,KELVIN[,RADIUS]",
         help="A second sun, as in a binary: zenith angle, azimuth from the first one's side, "
         "temperature, and angular radius (if left out 0.27deg): 80,12,3500K.",
+    ),
+]
+
+Stars = Annotated[
+    bool,
+    typer.Option(
+        "--stars", help="Stars to magnitude 6.5, on Earth with --at and --time; by day outshone."
     ),
 ]
 

@@ -193,6 +193,41 @@ def moon_after(place: Place, days: float) -> MoonSighting:
     )
 
 
+def horizon_axes(place: Place, days: float) -> NDArray[np.float64]:
+    """Axes of a place on Earth in the frame of the J2000 equator: east, north, up, shape (3, 3).
+
+    Parameters
+    ----------
+    place : Place
+        Place on Earth.
+    days : float
+        Days since 2000-01-01 12:00 UTC.
+
+    Returns
+    -------
+    array, shape (3, 3)
+        Unit vectors as rows, with precession and nutation; aberration, up to 0.006°, is left out.
+
+    Raises
+    ------
+    ParameterError
+        If the place is not on Earth.
+
+    Examples
+    --------
+    >>> axes = horizon_axes(Place(latitude=90.0, longitude=0.0), 0.0)  # J2000 itself
+    >>> f"{axes[2, 2]:.6f}"  # the pole is in the zenith
+    '1.000000'
+    """
+    if not place.world.has_moon:
+        raise ParameterError("body", place.body, "earth")
+    from astronomy import Observer, Rotation_EQJ_HOR
+
+    observer = Observer(place.latitude, place.longitude, place.altitude)
+    north, west, up = np.array(Rotation_EQJ_HOR(ephemeris_time(days), observer).rot).T
+    return np.stack([-west, north, up])
+
+
 def sub_solar_point(body: str, time: datetime) -> SolarPoint:
     """Point of a world with the sun in its zenith, the sun's distance, and the season Ls.
 

@@ -39,6 +39,7 @@ def paint_scene(
     samples: int = 1,
     cache: bool = True,
     local: bool = True,
+    stars: bool = False,
     refused: Callable[[str], None] | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -70,6 +71,8 @@ def paint_scene(
     local : bool
         Whether a planet with a map of the ground is solved for the ground around the observer
         (``airlight.local_ground``), instead of for the mean of its planet.
+    stars : bool
+        Whether the stars of the catalogue are added: of a scene of Earth with a time.
     refused : callable, optional
         Receives the reason, one line, where ``gpu`` has to leave the work to the CPU.
     progress, cancel : callable, optional
@@ -84,7 +87,7 @@ def paint_scene(
     ------
     ParameterError
         If there are fewer than three wavelengths, or one is outside the planet's range; if the
-        quality or the orders are unknown.
+        quality or the orders are unknown, or stars are wanted without a place and time on Earth.
     ConvergenceError
         If the orders of scattering do not converge.
     Cancelled
@@ -125,6 +128,11 @@ def paint_scene(
         solution, scene, exact=exact, orders=orders, samples=samples, weights=weights,
         progress=progress, cancel=cancel,
     )  # fmt: skip
+    if stars:
+        from airlight.paint.star_points import add_catalogue
+
+        add_catalogue(frame.rgb, scene, solution, planet.body)
+        told["stars"] = "to magnitude 6.5"
     if solution.report.ground:
         told["solved_ground"] = solution.report.ground
     return replace(frame, metadata={**frame.metadata, **told})

@@ -20,10 +20,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.geometry.bending import raised_star
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.paint.scene_lights import SceneLights
 from airlight.paint.solve_planet import solve_planet
+from airlight.paint.star_points import add_points, raised_points
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.render.drawing import Drawing
 from airlight.render.through_air import through_air
@@ -128,18 +128,8 @@ class _Air:
 
     def raised(self, true: FloatArray) -> FloatArray:
         """Directions in which far points are seen from inside the air, shape (n, 3). [1]"""
-        paths = self.solution.paths
-        if paths.shell is None:
-            return true
-        local = true @ self.axes.T
-        r = np.array(self.solution.medium.bottom_radius + self.altitude)
-        place = float(paths.optical_radius(r)), paths.shell.bottom, paths.shell.top
-        seen = np.array([raised_star(place[0], z, *place[1:], paths.lift) for z in local[:, 2]])
-        flat = np.hypot(local[:, 0], local[:, 1])
-        level = np.sqrt(np.maximum((1.0 - seen) * (1.0 + seen), 0.0))
-        scale = np.divide(level, flat, out=np.ones_like(flat), where=flat > 0.0)
-        lifted = np.stack([local[:, 0] * scale, local[:, 1] * scale, seen], axis=-1)
-        return np.asarray(lifted @ self.axes)
+        local = raised_points(self.solution, self.altitude, true @ self.axes.T)
+        return np.asarray(local @ self.axes)
 
 
 class _Picture:
@@ -395,13 +385,8 @@ class _Picture:
         source = self.lights.source(self.lights.stars[0], self.eye)
         weights = source.colors() / source.irradiance[:, None]
         light = (through * catalogue.irradiances(self.wavelengths)[shown]) @ weights
-        for k in np.flatnonzero(np.isfinite(x) & (through.max(axis=1) > 0.0)):
-            column, row = math.floor(x[k] - 0.5), math.floor(y[k] - 0.5)
-            right, down = x[k] - 0.5 - column, y[k] - 0.5 - row
-            for i, j, share in ((0, 0, (1 - right) * (1 - down)), (0, 1, right * (1 - down)),
-                                (1, 0, (1 - right) * down), (1, 1, right * down)):  # fmt: skip
-                if 0 <= row + i < rgb.shape[0] and 0 <= column + j < rgb.shape[1]:
-                    rgb[row + i, column + j] += share * light[k] / solid[k]
+        seen = np.isfinite(x) & (through.max(axis=1) > 0.0)
+        add_points(rgb, x[seen], y[seen], light[seen] / solid[seen, None])
 
     def _apparent(self, true: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Directions in which far points are seen, and the transmittance towards them.

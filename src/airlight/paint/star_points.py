@@ -1,0 +1,164 @@
+"""Stars of the catalogue as points in a picture: lifted, dimmed and reddened by the air."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.ephemeris.instant import days_of
+from airlight.ephemeris.sky import Place, horizon_axes
+from airlight.errors import ParameterError
+from airlight.geometry.bending import raised_star
+from airlight.render.through_air import through_air
+from airlight.scene import Scene
+from airlight.scene.pixel_position import pixel_positions
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.system.stars import stars
+
+FloatArray = NDArray[np.float64]
+
+#: Steps towards the direction in which a star is seen through air.
+_BENDS: Final = 4
+
+
+def add_catalogue(
+    rgb: NDArray[np.float32], scene: Scene, solution: MomentsSolution, body: str | None
+) -> None:
+    """Add the stars that a scene of Earth shows at its time to a picture.
+
+    Parameters
+    ----------
+    rgb : array, shape (height, width, 3)
+        Linear sRGB, to which the stars are added. [W m⁻² sr⁻¹]
+    scene : Scene
+        Scene with a ``time``; its lights hide what is behind their discs.
+    solution : MomentsSolution
+        Solution of the planet, whose air dims the stars.
+    body : str or None
+        World of the planet.
+
+    Raises
+    ------
+    ParameterError
+        If the scene has no time, or the planet is not Earth.
+    """
+    if scene.time is None or body != "earth":
+        raise ParameterError("stars", True, "a place and time on Earth")
+    place = Place(latitude=scene.latitude, longitude=scene.longitude, altitude=scene.altitude)
+    axes = horizon_axes(place, days_of(scene.time))
+    catalogue = stars()
+    east, north, up = axes @ catalogue.directions.T
+    turn = math.radians(scene.sun_azimuth)
+    ahead = north * math.cos(turn) + east * math.sin(turn)
+    true = np.stack([ahead, north * math.sin(turn) - east * math.cos(turn), up], axis=-1)
+    free = np.ones(len(true), bool)
+    for light in scene.lights:
+        radius = light.radius(solution.lights[0].angular_radius)
+        free &= true @ light.direction < math.cos(radius)
+    # only those that the picture may show, refracted by less than 2°
+    camera = scene.camera
+    ahead_of = true @ camera.axes.T
+    x, _, _ = pixel_positions(camera, ahead_of)
+    near = np.isfinite(x) | (np.abs(true[:, 2]) < math.sin(math.radians(2.0)))
+    shown = np.flatnonzero(free & near)
+    if shown.size == 0:
+        return
+    rays, through = apparent_points(solution, scene.altitude, true[shown])
+    source = solution.lights[0]
+    weights = source.colors() / source.irradiance[:, None]
+    light_of = (through * catalogue.irradiances(solution.wavelengths)[shown]) @ weights
+    x, y, solid = pixel_positions(camera, rays @ camera.axes.T)
+    seen = np.isfinite(x) & (through.max(axis=1) > 0.0)
+    add_points(rgb, x[seen], y[seen], light_of[seen] / solid[seen, None])
+
+
+def apparent_points(
+    solution: MomentsSolution, altitude: float, true: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Directions in which far points are seen through the air, and transmittance towards them.
+
+    Found by steps against the difference to where the line leads behind the air, from the direction
+    that the table of the apparent star gives inside it.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Solution of the planet.
+    altitude : float
+        Altitude of the observer. [m]
+    true : array, shape (n, 3)
+        Unit vectors in the observer's local frame, with z to the zenith.
+
+    Returns
+    -------
+    rays : array, shape (n, 3)
+        Unit vectors.
+    transmittance : array, shape (n, nl)
+        Transmittance; 0 where the line ends on the ground. [1]
+    """
+    rays = true
+    if altitude < solution.medium.thickness:
+        rays = raised_points(solution, altitude, true)
+    for _ in range(_BENDS):
+        through, behind = through_air(solution, altitude, rays)
+        open_ = through.max(axis=1) > 0.0
+        moved = np.where(open_[:, None], rays + true - behind, rays)
+        rays = moved / np.linalg.norm(moved, axis=-1, keepdims=True)
+    return rays, through_air(solution, altitude, rays)[0]
+
+
+def raised_points(solution: MomentsSolution, altitude: float, true: FloatArray) -> FloatArray:
+    """Directions in which far points are seen from inside the air, by the apparent star's table.
+
+    Parameters
+    ----------
+    solution, altitude, true :
+        Arguments of ``apparent_points``.
+
+    Returns
+    -------
+    array, shape (n, 3)
+        Unit vectors in the observer's local frame.
+    """
+    paths = solution.paths
+    if paths.shell is None:
+        return true
+    r = np.array(solution.medium.bottom_radius + altitude)
+    place = float(paths.optical_radius(r)), paths.shell.bottom, paths.shell.top
+    seen = np.array([raised_star(place[0], z, *place[1:], paths.lift) for z in true[:, 2]])
+    flat = np.hypot(true[:, 0], true[:, 1])
+    level = np.sqrt(np.maximum((1.0 - seen) * (1.0 + seen), 0.0))
+    scale = np.divide(level, flat, out=np.ones_like(flat), where=flat > 0.0)
+    return np.stack([true[:, 0] * scale, true[:, 1] * scale, seen], axis=-1)
+
+
+def add_points(rgb: NDArray[np.floating], x: FloatArray, y: FloatArray, light: FloatArray) -> None:
+    """Add points of light to a picture, each shared out between the four pixels around it.
+
+    Parameters
+    ----------
+    rgb : array, shape (height, width, 3)
+        Linear sRGB. [W m⁻² sr⁻¹]
+    x, y : array, shape (n,)
+        Positions from the left and the top edge. [pixel]
+    light : array, shape (n, 3)
+        Irradiance over the solid angle of a pixel there, as linear sRGB. [W m⁻² sr⁻¹]
+
+    Examples
+    --------
+    >>> picture = np.zeros((2, 2, 3))
+    >>> add_points(picture, np.array([0.75]), np.array([0.5]), np.array([[1.0, 1.0, 1.0]]))
+    >>> picture[..., 0]
+    array([[0.75, 0.25],
+           [0.  , 0.  ]])
+    """
+    column, row = np.floor(x - 0.5).astype(int), np.floor(y - 0.5).astype(int)
+    right, down = x - 0.5 - column, y - 0.5 - row
+    for i, j, share in ((0, 0, (1.0 - right) * (1.0 - down)), (0, 1, right * (1.0 - down)),
+                        (1, 0, (1.0 - right) * down), (1, 1, right * down)):  # fmt: skip
+        inside = (row + i >= 0) & (row + i < rgb.shape[0])
+        inside &= (column + j >= 0) & (column + j < rgb.shape[1])
+        np.add.at(rgb, (row[inside] + i, column[inside] + j), (share[:, None] * light)[inside])
