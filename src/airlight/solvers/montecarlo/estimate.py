@@ -16,6 +16,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.geometry.occulted_star import OccultedStar
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solvers.montecarlo.histories import follow
 from airlight.solvers.montecarlo.history_optics import HistoryOptics
@@ -81,6 +82,9 @@ class Question:
         First order, if it need not be sampled.
     order : int or None
         Order whose error decides; None is all orders together.
+    occulted : sequence of OccultedStar, optional
+        Moon in front of the star for each start, in its own frame (``events.start_vectors``), with
+        all wavelengths.
     """
 
     starts: FloatArray
@@ -88,6 +92,7 @@ class Question:
     hemisphere: bool
     known: FloatArray | None
     order: int | None
+    occulted: Sequence[OccultedStar] | None = None
 
 
 def estimate(
@@ -142,7 +147,7 @@ def estimate(
             task, block = units[index]
             line, at = divmod(task, count)
             nm = float(wavelengths[at])
-            _run_block(question, line, airs[at], nm, block, settings, out[index])
+            _run_block(question, line, at, airs[at], nm, block, settings, out[index])
 
         def shown(done: int, total: int, message: str, before: int = done_before) -> None:
             if progress is not None:
@@ -176,8 +181,8 @@ def estimate(
 
 
 def _run_block(
-    question: Question, line: int, air: HistoryOptics, nm: float, block: int, settings: Settings,
-    out: FloatArray,
+    question: Question, line: int, at: int, air: HistoryOptics, nm: float, block: int,
+    settings: Settings, out: FloatArray,
 ) -> None:  # fmt: skip
     """Run one block of histories of one task."""
     start = question.starts[line]
@@ -193,9 +198,12 @@ def _run_block(
     end_mu_s = (r * mu_s + question.lengths[line] * nu) / end_r
     lowest = mu_s if question.hemisphere else min(mu_s, end_mu_s)
     lit_share = _LIT_SHARE if lowest < _LOW_STAR else 0.0
+    occulted = OccultedStar.whole()
+    if question.occulted is not None:
+        occulted = question.occulted[line].lane(at)
     follow(
-        BLOCK, (r, mu, mu_s, nu), question.hemisphere, first_order, lit_share, air, state, paths,
-        workspace, out,
+        BLOCK, (r, mu, mu_s, nu), question.hemisphere, first_order, lit_share, air, occulted,
+        state, paths, workspace, out,
     )  # fmt: skip
 
 

@@ -12,6 +12,8 @@ first event, a history goes on with probability weight/KEEP, and with a weight r
 from event ``LONG`` on at most with probability 0.95. The expectation is that of the infinite
 series; no order is cut off.
 
+A moon in front of the star dims each share of its light by the part that it hides from the event.
+
 Geometry: straight rays between spheres, positions and directions as vectors; the star is at
 infinity. Every angle is the local one; nothing is expanded or looked up but the air's extinction
 over altitude (see ``rays``). Where light is bent, radii are optical ones, and point and direction
@@ -22,6 +24,7 @@ from __future__ import annotations
 
 from math import exp, expm1, pi, sin, sqrt
 
+from airlight.geometry.occulted_star import seen_part
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop, inlined
 from airlight.optics.reflection import leaving_cosine, sky_factor, star_factor
@@ -67,7 +70,7 @@ def _add_history(brought, reached, sums):
 
 @compiled_loop
 def follow(
-    count, start, hemisphere, first_order, lit_share, air, state, paths, workspace, sums
+    count, start, hemisphere, first_order, lit_share, air, occulted, state, paths, workspace, sums
 ):  # fmt: skip
     """Follow histories and add their contributions, and the squares, to the sums of each order.
 
@@ -85,6 +88,8 @@ def follow(
     lit_share : float
         Share of the points that is drawn where the star shines; see ``lit_air``. [1]
     air : HistoryOptics
+    occulted : OccultedStar
+        Moon in front of the star, in the frame of ``start_vectors``; without lanes if there is none.
     state : array, shape (1,)
         State of the stream of random numbers.
     paths : tuple
@@ -183,6 +188,8 @@ def follow(
                     share = reflected_share(sun_mu, leaving, turn, returned, air)
                 else:
                     share = scattered_share(turn, air, shares)
+                if occulted.lanes > 0:
+                    share *= seen_part(x, y, z, occulted)
                 if share > 0.0:
                     light = _from_star(r, sun_mu, air, star_path)
                     brought[min(event, orders) - 1] += weight * share * brightness * squeeze * light

@@ -122,9 +122,10 @@ class MonteCarloSolution(Solution):
         if order == 1 and known is not None:
             lengths = np.zeros_like(lengths)
         starts = np.stack([sight.r, sight.mu, sight.mu_s, sight.nu], axis=1)
-        return self._answer(Question(starts, lengths, False, known, order), started)
+        return self.answer(Question(starts, lengths, False, known, order), started)
 
-    def _answer(self, question: Question, started: float) -> Estimate:
+    def answer(self, question: Question, started: float) -> Estimate:
+        """Answer a question; ``started`` is the time at which it was asked, of ``perf_counter``. [s]"""
         got = estimate(
             question,
             self.airs,
@@ -169,7 +170,7 @@ class MonteCarloSolution(Solution):
         r = self.paths.optical_radius(r)
         lengths = vectorized(distance_to_top)(r, up, self.paths.medium.top_radius)
         question = Question(np.stack([r, up, mu_s, mu_s], axis=1), lengths, True, None, None)
-        return self._answer(question, perf_counter()).total
+        return self.answer(question, perf_counter()).total
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``; by quadrature."""

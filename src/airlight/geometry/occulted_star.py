@@ -1,0 +1,278 @@
+r"""Star behind a sphere without air, seen from points near a planet: the light that an eclipse leaves.
+
+The fraction is that of ``disc_overlap``, in a table over the apparent radius of the occluder and the
+separation of the discs. Both change from point to point: the occluder is near, and so may be the
+star. Separations δ run through two stretches, each even in its own coordinate: from 0 to the inner
+contact |R - α|, and from there to the outer contact R + α as
+
+.. math:: \delta = |R - \alpha| + \min(R, \alpha) (1 - \cos \pi t)
+
+which removes the powers 3/2 with which light begins and ends at the contacts. The table holds cube
+roots, so that the last crescent keeps its relative accuracy.
+"""
+
+from __future__ import annotations
+
+from math import acos, asin, pi, sqrt
+from typing import Final, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.errors import ParameterError
+from airlight.geometry.disc_overlap import visible_discs
+from airlight.geometry.quadrature import gauss_legendre
+from airlight.kernel import inlined
+from airlight.kernel.lanes import LANES, load
+
+FloatArray = npt.NDArray[np.float64]
+Float32Array = npt.NDArray[np.float32]
+
+#: Nodes of the table: apparent radii, separations up to the inner contact, and beyond it.
+_SIZES: Final = 9
+_INNER: Final = 24
+_OUTER: Final = 193
+#: Points of the integral over the star's disc between two kinks.
+_POINTS: Final = 24
+
+
+class OccultedStar(NamedTuple):
+    """Star and the sphere in front of it, in a frame around the centre of a planet.
+
+    Attributes
+    ----------
+    x, y, z : float
+        Centre of the occluder. [m]
+    radius : float
+        Its radius. [m]
+    star_x, star_y, star_z : float
+        Direction of the star from the centre of the planet. [1]
+    nearness : float
+        Inverse distance of the star from there; 0 for a star at infinity. [m⁻¹]
+    star_radius : float
+        Angular radius of the star. [rad]
+    scale : float
+        True length over that of the coordinates in which points are given. [1]
+    smallest, step : float
+        First apparent radius of the table, and its step. [rad]
+    lanes : int
+        Number of lanes w.
+    roots : array, shape (sizes·(inner + outer)·w,)
+        Cube roots of the fraction. [1]
+    """
+
+    x: float
+    y: float
+    z: float
+    radius: float
+    star_x: float
+    star_y: float
+    star_z: float
+    nearness: float
+    star_radius: float
+    scale: float
+    smallest: float
+    step: float
+    lanes: int
+    roots: Float32Array
+
+    def moved(self, axes: FloatArray, scale: float = 1.0) -> OccultedStar:
+        """Star in another frame.
+
+        Parameters
+        ----------
+        axes : array, shape (3, 3)
+            Axes of that frame, as rows. [1]
+        scale : float
+            True length over that of the coordinates in which points are given. [1]
+        """
+        x, y, z = (float(one) for one in axes @ [self.x, self.y, self.z])
+        a, b, c = (float(one) for one in axes @ [self.star_x, self.star_y, self.star_z])
+        return self._replace(x=x, y=y, z=z, star_x=a, star_y=b, star_z=c, scale=scale)
+
+    @classmethod
+    def whole(cls) -> OccultedStar:
+        """Star with nothing in front of it: it has no lanes."""
+        return cls(*(0.0,) * 12, 0, np.zeros(1, np.float32))
+
+    def lane(self, index: int) -> OccultedStar:
+        """Star at one wavelength, for ``seen_part``."""
+        roots = np.ascontiguousarray(self.roots.reshape(-1, self.lanes)[:, index])
+        return self._replace(lanes=1, roots=roots)
+
+
+def occulted_star(
+    occluder: npt.ArrayLike,
+    radius: float,
+    star: npt.ArrayLike,
+    star_radius: float,
+    *,
+    darkening: FloatArray,
+    reach: float,
+    distance: float = np.inf,
+) -> OccultedStar:
+    """Star behind a sphere, for points around a planet's centre.
+
+    Parameters
+    ----------
+    occluder : array, shape (3,)
+        Centre of the sphere, from the centre of the planet. [m]
+    radius : float
+        Its radius. [m]
+    star : array, shape (3,)
+        Direction of the star from the centre of the planet. [1]
+    star_radius : float
+        Angular radius of the star there, above 0. [rad]
+    darkening : array, shape (nl, 6)
+        Law of darkening, see ``spectra.limb_darkening``. [1]
+    reach : float
+        Distance from the centre of the planet within which points lie. [m]
+    distance : float
+        Distance of the star; at infinity by default. [m]
+
+    Raises
+    ------
+    ParameterError
+        If points can lie inside the sphere, or the star is a point.
+    """
+    centre = np.asarray(occluder, float)
+    away = float(np.linalg.norm(centre))
+    if not away > reach + radius:
+        raise ParameterError("occluder", f"{away:.6g} m away", f"beyond {reach + radius:.6g} m")
+    if not 0.0 < star_radius < 0.5 * pi:
+        raise ParameterError("star_radius", star_radius, "above 0, below a quarter turn [rad]")
+    sizes = np.linspace(*np.arcsin(radius / np.array([away + reach, away - reach])), _SIZES)
+    rule = gauss_legendre(_POINTS)
+    law = np.ascontiguousarray(np.atleast_2d(np.asarray(darkening, float)))
+    lanes = -(-len(law) // LANES) * LANES
+    roots = np.zeros((_SIZES, _INNER + _OUTER, lanes), np.float32)
+    for row, size in enumerate(sizes):
+        separations = _separations(float(size), star_radius)
+        occluders = np.zeros((separations.size, 1, 3))
+        occluders[:, 0, 0], occluders[:, 0, 2] = separations, size
+        out = np.empty((separations.size, len(law)))
+        visible_discs(
+            np.full(separations.size, star_radius), occluders, law, rule.nodes, rule.weights, out
+        )
+        roots[row, :, : len(law)] = np.cbrt(np.clip(out, 0.0, 1.0))
+        roots[row, -1] = 1.0
+        if size >= star_radius:
+            roots[row, : _INNER + 1] = 0.0
+    towards = np.asarray(star, float) / np.linalg.norm(star)
+    return OccultedStar(
+        *(float(one) for one in centre), float(radius), *(float(one) for one in towards),
+        1.0 / distance, float(star_radius), 1.0, float(sizes[0]), float(sizes[1] - sizes[0]),
+        lanes, roots.reshape(-1),
+    )  # fmt: skip
+
+
+def _separations(size: float, star_radius: float) -> FloatArray:
+    """Separations of the table's nodes for one apparent radius. [rad]"""
+    inner = abs(size - star_radius)
+    t = np.linspace(0.0, 1.0, _OUTER)
+    outer = inner + min(size, star_radius) * (1.0 - np.cos(np.pi * t))
+    return np.concatenate([np.linspace(0.0, inner, _INNER, endpoint=False), outer])
+
+
+@inlined
+def apparent_discs(x, y, z, star):
+    """Separation of the discs from a point, and apparent radius of the occluder. [rad]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Point, in the frame and by the scale of ``star``. [m]
+    star : OccultedStar
+    """
+    px, py, pz = star.scale * x, star.scale * y, star.scale * z
+    a = star.star_x - px * star.nearness
+    b = star.star_y - py * star.nearness
+    c = star.star_z - pz * star.nearness
+    u, v, w = star.x - px, star.y - py, star.z - pz
+    square = u * u + v * v + w * w
+    p, q, s = v * c - w * b, w * a - u * c, u * b - v * a
+    sine = sqrt((p * p + q * q + s * s) / (square * (a * a + b * b + c * c)))
+    separation = asin(min(sine, 1.0))
+    if u * a + v * b + w * c < 0.0:
+        separation = pi - separation
+    return separation, asin(min(star.radius / sqrt(square), 1.0))
+
+
+@inlined
+def table_place(separation, size, star):
+    """Position in the table of fractions.
+
+    Parameters
+    ----------
+    separation, size : float
+        Results of ``apparent_discs``. [rad]
+    star : OccultedStar
+
+    Returns
+    -------
+    near : int
+        Index of the first lane of the node before; -1 for all of the star's light, -2 for none.
+    e, f : float
+        Fractions of the steps to the next separation and to the next apparent radius. [1]
+    """
+    alpha = star.star_radius
+    if separation >= size + alpha:
+        return -1, 0.0, 0.0
+    inner = abs(size - alpha)
+    if separation <= inner:
+        if size >= alpha:
+            return -2, 0.0, 0.0
+        at = _INNER * separation / inner if inner > 0.0 else float(_INNER)
+    else:
+        half = 0.5 * (separation - inner) / min(size, alpha)
+        at = _INNER + acos(min(max(1.0 - 2.0 * half, -1.0), 1.0)) / pi * (_OUTER - 1)
+    node = min(int(at), _INNER + _OUTER - 2)
+    line = min(max((size - star.smallest) / star.step, 0.0), _SIZES - 1.0)
+    row = min(int(line), _SIZES - 2)
+    return star.lanes * (row * (_INNER + _OUTER) + node), at - node, line - row
+
+
+@inlined
+def seen_lanes(near, e, f, star, at):
+    """Part of the star's light that the occluder leaves, of eight wavelengths. [1]
+
+    Parameters
+    ----------
+    near, e, f : int, float, float
+        Results of ``table_place``, ``near`` not negative.
+    star : OccultedStar
+    at : int
+        Index of the first lane.
+    """
+    g, h = np.float32(e), np.float32(f)
+    low, lower = np.float32(1.0) - g, np.float32(1.0) - h
+    first = near + at
+    second = first + star.lanes * (_INNER + _OUTER)
+    root = (
+        load(star.roots, first) * (lower * low)
+        + load(star.roots, first + star.lanes) * (lower * g)
+        + load(star.roots, second) * (h * low)
+        + load(star.roots, second + star.lanes) * (h * g)
+    )
+    return root * root * root
+
+
+@inlined
+def seen_part(x, y, z, star):
+    """Part of the light of a star of one wavelength that the occluder leaves at a point. [1]
+
+    Parameters
+    ----------
+    x, y, z, star :
+        Arguments of ``apparent_discs``; the star has one lane, see ``OccultedStar.lane``.
+    """
+    separation, size = apparent_discs(x, y, z, star)
+    near, e, f = table_place(separation, size, star)
+    if near == -1:
+        return 1.0
+    if near == -2:
+        return 0.0
+    second = near + _INNER + _OUTER
+    root = (1.0 - f) * ((1.0 - e) * star.roots[near] + e * star.roots[near + 1])
+    root += f * ((1.0 - e) * star.roots[second] + e * star.roots[second + 1])
+    return root * root * root

@@ -1,0 +1,391 @@
+"""Iteration for the field around a moon's shadow, order by order.
+
+Every node of the grid gathers the light of a sphere of directions, dense at its horizon, where the
+light comes from while the sky above is dark. The first sweep gathers local light less the same with
+the node's own part of the star's: the source of the deviation. Each further sweep gathers the last
+one's deviation, until nothing changes. No order of scattering is left out, and where nothing is in
+shadow the source is 0, whatever the grid.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from math import cos, pi, sin, sqrt
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import ConvergenceError
+from airlight.geometry.occulted_star import OccultedStar
+from airlight.geometry.quadrature import gauss_legendre
+from airlight.geometry.shell import distance_to_bottom, distance_to_top, horizon_cosine
+from airlight.kernel import compiled_loop, disk
+from airlight.kernel.borrowing import borrowed
+from airlight.kernel.fingerprints import fingerprint
+from airlight.kernel.lanes import LANES, load, splat, store
+from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.solvers.eclipsed.eclipsed_march import DEVIATION, LOCAL, line_eclipsed, seen_star_part
+from airlight.solvers.eclipsed.shadow_tables import (
+    ShadowTables,
+    direction_functions,
+    grid_spacing,
+    new_shadow_workspace,
+    node_point,
+    shadow_axes,
+)
+from airlight.solvers.moments.harmonics import harmonics
+from airlight.solvers.moments.irradiance import ground_light
+from airlight.solvers.moments.march import field_place
+from airlight.solvers.moments.march_tables import MarchTables, new_workspace, quadratures
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solvers.moments.source import between, read_phase
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+#: Numbers of altitudes, of distances from the axis, and of position angles of a turn.
+_RADII: Final = 13
+_DISTANCES: Final = 25
+_ANGLES: Final = 16
+#: Highest degree of the harmonics.
+_DEGREE: Final = 4
+#: Directions above and below a node's horizon, and azimuths of a turn.
+_UP: Final = 10
+_DOWN: Final = 6
+_AZIMUTHS: Final = 16
+#: Points of a panel in a sweep, as in ``quadratures``.
+_POINTS: Final = (8, 10, 14)
+#: Distance of the grid's end behind the umbra, in distances to the horizon of the air's scale.
+_REACH: Final = 3.0
+#: Part of the grid's coordinate behind which the field is let fade to 0.
+_FADE: Final = 0.8
+#: Largest change of the light of a node in the last sweep, and largest number of sweeps.
+_TOLERANCE: Final = 2e-3
+_MOST_SWEEPS: Final = 60
+#: Nodes of the stored field between those of the iteration, in distance and in angle.
+_FINER: Final = 3
+_FINER_ANGLES: Final = 2
+
+
+def eclipsed_field(
+    solution: MomentsSolution,
+    star: OccultedStar,
+    *,
+    cache: bool = True,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> ShadowTables:
+    """Find the light around a moon's shadow.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+        Unshadowed solution, lit by the same star.
+    star : OccultedStar
+        Star and moon, in the shadow's frame (``shadow_axes``), points by optical radius.
+    cache : bool
+        Whether the field is looked for on disk first, and stored there.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Returns
+    -------
+    ShadowTables
+
+    Raises
+    ------
+    ConvergenceError
+        If the orders do not converge.
+    Cancelled
+        If ``cancel`` returned True.
+    """
+    coarse = _empty(solution, star)
+    key = _key(solution, star)
+    stored = disk.load(key) if cache else None
+    if stored is None or stored["field"].size != coarse.field.size:
+        stored = _iterate(solution, coarse, progress, cancel)
+        if cache:
+            disk.save(key, stored)
+    return _refined(coarse, stored["field"], stored["sky"])
+
+
+def _key(solution: MomentsSolution, star: OccultedStar) -> str:
+    digest = hashlib.sha256(f"eclipsed {fingerprint(Path(__file__))}".encode())
+    digest.update(solution.settings.as_text().encode())
+    digest.update(solution.medium.fingerprint().encode())
+    digest.update(np.array([star.x, star.y, star.z, star.radius, star.star_x, star.star_y,
+                            star.star_z, star.nearness, star.scale]).tobytes())  # fmt: skip
+    digest.update(star.roots.tobytes())
+    return digest.hexdigest()[:40]
+
+
+def _empty(solution: MomentsSolution, star: OccultedStar) -> ShadowTables:
+    """Tables of the right size around the shadow, without deviations."""
+    light, degree = solution.light, min(_DEGREE, solution.moments.degree)
+    terms = harmonics(degree)
+    apart = np.array([star.x, star.y, star.z])
+    distance = float(np.linalg.norm(apart))
+    umbra = abs(star.radius - distance * np.sin(star.star_radius))
+    reach = umbra + _REACH * sqrt(2.0 * light.bottom * _scale_height(solution))
+    middle, width = grid_spacing(umbra, reach)
+    nodes = _RADII * _DISTANCES * (_ANGLES + 1)
+    return ShadowTables(
+        star=star,
+        axis=_axis_offset(star),
+        umbra=umbra,
+        middle=middle,
+        width=width,
+        degree=degree,
+        start=terms.start,
+        ahead=terms.ahead,
+        back=terms.back,
+        radii=_RADII,
+        distances=_DISTANCES,
+        angles=_ANGLES + 1,
+        field=np.zeros(nodes * (degree + 1) ** 2 * star.lanes, np.float32),
+        sky=np.zeros(nodes // _RADII * star.lanes, np.float32),
+    )
+
+
+def _axis_offset(star: OccultedStar) -> float:
+    """Distance of the shadow's axis from the planet's centre, at the planet. [m]"""
+    moon = np.array([star.x, star.y, star.z])
+    across = moon @ shadow_axes(star)[0]
+    return float(across)
+
+
+def _scale_height(solution: MomentsSolution) -> float:
+    """Mean altitude of what scatters, by the vertical scattering optical depth. [m]"""
+    medium = solution.paths.medium
+    altitude = np.linspace(0.0, medium.thickness, 2000)
+    weight = medium.scattering.max(axis=1) @ medium.density.at(altitude)
+    return float(np.trapezoid(weight * altitude, altitude) / np.trapezoid(weight, altitude))
+
+
+def _iterate(
+    solution: MomentsSolution, empty: ShadowTables, progress: Progress | None, cancel: Cancel | None
+) -> dict[str, NDArray[Any]]:
+    """Sweep until the field does not change: arrays by node, wavelengths last."""
+    light = solution.light._replace(rules=quadratures(_POINTS), panels=1)
+    half, lanes = _ANGLES // 2 + 1, empty.star.lanes
+    terms = (empty.degree + 1) ** 2
+    shape = (_RADII, _DISTANCES, _ANGLES + 1, terms, lanes)
+    signs = _mirror_signs(empty.degree)
+    directions = _directions()
+
+    def sweep(shadow: ShadowTables, kind: int, order: int) -> tuple[Float32Array, Float32Array]:
+        field = np.zeros((_RADII, _DISTANCES, half, terms, lanes), np.float32)
+        sky = np.zeros((_DISTANCES, half, lanes), np.float32)
+
+        def run(index: int) -> None:
+            row, column = divmod(index, _DISTANCES)
+            if column == _DISTANCES - 1:
+                return
+            _gather(
+                row, column, 1 if column == 0 else half, kind, light, shadow,
+                new_workspace(light), new_shadow_workspace(shadow), directions,
+                field[row, column], sky[column],
+            )  # fmt: skip
+
+        run_blocks(
+            run, _RADII * _DISTANCES, cancel=cancel, progress=progress,
+            message=f"light in the shadow, order {order}",
+        )  # fmt: skip
+        field[:, 0, 1:], sky[0, 1:] = field[:, 0, :1], sky[0, :1]
+        field = np.concatenate(
+            [field, field[:, :, -2::-1] * signs[:, None]], axis=2, dtype=np.float32
+        )
+        sky = np.concatenate([sky, sky[:, -2::-1]], axis=1, dtype=np.float32)
+        fade = _fade()
+        return field * fade[:, None, None, None], sky * fade[:, None, None]
+
+    source, sky_source = sweep(empty, LOCAL, 1)
+    field, sky = source, sky_source
+    part = _local_part(empty, light)
+    mean = 1.0 / sqrt(4.0 * pi)
+    for order in range(2, _MOST_SWEEPS + 2):
+        shadow = empty._replace(field=field.reshape(-1), sky=sky.reshape(-1))
+        more, more_sky = sweep(shadow, DEVIATION, order)
+        before = field
+        field, sky = source + more, sky_source + more_sky
+        change = np.abs(field - before)[..., 0, :] * mean
+        whole = np.maximum(part + field[..., 0, :] * mean, 1e-9)
+        if float((change / whole)[..., : solution.wavelengths.size].max()) < _TOLERANCE:
+            assert field.shape == shape
+            return {"field": field, "sky": sky}
+    raise ConvergenceError(f"light in the shadow still changes after {_MOST_SWEEPS} sweeps")
+
+
+def _fade() -> FloatArray:
+    x = np.clip((np.linspace(0.0, 1.0, _DISTANCES) - _FADE) / (1.0 - _FADE), 0.0, 1.0)
+    return np.asarray((1.0 - x * x * (3.0 - 2.0 * x)).astype(np.float32))
+
+
+def _mirror_signs(degree: int) -> Float32Array:
+    """Signs by which harmonics change on the other side of the plane of axis and centre."""
+    return np.array(
+        [-1.0 if m < 0 else 1.0 for l in range(degree + 1) for m in range(-l, l + 1)], np.float32
+    )
+
+
+def _directions() -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Nodes and weights on either side of the horizon, dense next to it, in [0, 1]."""
+    up, down = gauss_legendre(_UP), gauss_legendre(_DOWN)
+    return up.nodes, up.weights, down.nodes, down.weights
+
+
+def _local_part(shadow: ShadowTables, light: MarchTables) -> Float32Array:
+    """Part of the star's light at every node, shape (radii, distances, angles, w). [1]"""
+    out = np.empty((_RADII, _DISTANCES, _ANGLES + 1, shadow.star.lanes), np.float32)
+    _fill_local(light.bottom, light.top, shadow, new_shadow_workspace(shadow), out)
+    return out
+
+
+@compiled_loop
+def _fill_local(bottom, top, shadow, spare, out):
+    for row in range(out.shape[0]):
+        for column in range(out.shape[1]):
+            for angle in range(out.shape[2]):
+                x, y, z = node_point(row, column, angle, bottom, top, shadow)
+                seen_star_part(x, y, z, shadow, spare)
+                out[row, column, angle] = spare.seen
+
+
+@compiled_loop
+def _gather(row, column, count, kind, light, shadow, work, spare, directions, field, sky):
+    """Gather the light of all directions at the nodes of a distance, into field and sky.
+
+    Parameters
+    ----------
+    row, column, count : int
+        Indices of altitude and distance, and number of position angles.
+    kind : int
+        ``LOCAL`` or ``DEVIATION``.
+    light, shadow, work, spare :
+        Arguments of ``march_eclipsed``.
+    directions : tuple of arrays
+        Result of ``_directions``.
+    field : array, shape (angles, K, w)
+        Receives the deviation d.
+    sky : array, shape (angles, w)
+        Receives that of the sky's irradiance, at the lowest nodes.
+    """
+    light, shadow, work, spare = borrowed((light, shadow, work, spare))
+    lanes, star = light.lanes, shadow.star
+    up_nodes, up_weights, down_nodes, down_weights = directions
+    result = np.empty(2 * lanes, np.float32)
+    scale = np.empty(lanes, np.float32)
+    terms = (shadow.degree + 1) * (shadow.degree + 1)
+    for angle in range(count):
+        x, y, z = node_point(row, column, angle, light.bottom, light.top, shadow)
+        q = min(max(sqrt(x * x + y * y + z * z), light.bottom), light.top)
+        for at in range(lanes):
+            spare.offset[at] = 0.0
+        seen_star_part(x, y, z, shadow, spare)
+        for at in range(lanes):
+            spare.offset[at] = spare.seen[at]
+        a, b, c = x / q, y / q, z / q
+        mu_s = min(max(a * star.star_x + b * star.star_y + c * star.star_z, -1.0), 1.0)
+        # Horizontal directions: any, if the quadrature is even in azimuth.
+        flat = sqrt(a * a + c * c)
+        d, e, f = (c / flat, 0.0, -a / flat) if flat > 1e-3 else (1.0, 0.0, 0.0)
+        g, h, i = b * f - c * e, c * d - a * f, a * e - b * d
+        near, block, first, second = field_place(q, 1.0, mu_s, mu_s, light, work)
+        p, s = np.float32(first), np.float32(second)
+        p0, s0 = np.float32(1.0) - p, np.float32(1.0) - s
+        far = near + light.suns * block
+        for at in range(0, lanes, LANES):
+            low = between(light.field, near + at, far + at, block, p0 * s0, p0 * s, p * s0, p * s)
+            here = lanes + at
+            mean = between(
+                light.field, near + here, far + here, block, p0 * s0, p0 * s, p * s0, p * s
+            )
+            store(scale, at, mean / low * work.functions[0])
+        horizon = horizon_cosine(q, light.bottom)
+        for side in range(2):
+            nodes, weights = (up_nodes, up_weights) if side == 0 else (down_nodes, down_weights)
+            for k in range(nodes.size):
+                t = nodes[k]
+                span = 1.0 - horizon if side == 0 else -1.0 - horizon
+                mu = horizon + span * t * t
+                solid = abs(span) * 2.0 * t * weights[k] * 2.0 * pi / _AZIMUTHS
+                sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
+                length = distance_to_top(q, mu, light.top)
+                if side == 1:
+                    length = distance_to_bottom(q, mu, light.bottom)
+                if length <= 0.0 and side == 0:
+                    continue
+                for turn in range(_AZIMUTHS):
+                    phi = 2.0 * pi * (turn + 0.5 * ((k + 1) % 2)) / _AZIMUTHS
+                    r, o = sine * cos(phi), sine * sin(phi)
+                    u, v, w = mu * a + r * d + o * g, mu * b + r * e + o * h, mu * c + r * f + o * i
+                    nu = u * star.star_x + v * star.star_y + w * star.star_z
+                    half = sqrt(max(0.5 * (1.0 - nu), 0.0))
+                    read_phase(
+                        half, light.phase, light.phase_nodes, lanes * light.constituents, work.phase
+                    )
+                    line_eclipsed(
+                        x, y, z, u, v, w, length, side == 1, kind, work.phase, light, shadow, work,
+                        spare, result,
+                    )  # fmt: skip
+                    direction_functions(u, v, w, shadow, spare)
+                    for at in range(0, lanes, LANES):
+                        value = load(result, at) * np.float32(solid)
+                        for index in range(terms):
+                            store(
+                                field[angle, index], at,
+                                load(field[angle, index], at) + value * spare.functions[index],
+                            )  # fmt: skip
+                        if row == 0 and side == 0:
+                            store(sky[angle], at, load(sky[angle], at) + value * np.float32(mu))
+        for at in range(lanes):
+            for index in range(terms):
+                over = scale[at]
+                field[angle, index, at] = field[angle, index, at] / over if over > 0.0 else 0.0
+        if row == 0:
+            ground_light(mu_s, 2, light, work)
+            for at in range(lanes):
+                over = work.received[lanes + at]
+                sky[angle, at] = sky[angle, at] / over if over > 0.0 else 0.0
+
+
+def _refined(shadow: ShadowTables, field: Float32Array, sky: Float32Array) -> ShadowTables:
+    """Tables with nodes between those of the iteration, by smooth curves through these."""
+    distances = (_DISTANCES - 1) * _FINER + 1
+    angles = _ANGLES * _FINER_ANGLES + 1
+    finer = _finer(field.reshape(_RADII, _DISTANCES, _ANGLES + 1, -1), distances, angles)
+    finer_sky = _finer(sky.reshape(1, _DISTANCES, _ANGLES + 1, -1), distances, angles)
+    return shadow._replace(
+        distances=distances, angles=angles, field=finer.reshape(-1), sky=finer_sky.reshape(-1)
+    )
+
+
+def _finer(values: Float32Array, distances: int, angles: int) -> Float32Array:
+    """Values on a finer grid, shape (rows, distances, angles, n).
+
+    In distance by cubic splines through the axis, on whose other side the position angle is half a
+    turn farther; in angle by the trigonometric polynomial.
+    """
+    from scipy.interpolate import CubicSpline
+
+    rows, columns, turns, n = values.shape
+    half = (turns - 1) // 2
+    there = values[:, :, : half + 1]
+    opposite = values[:, 1:, half:][:, ::-1]
+    at = np.arange(1 - columns, columns) / (columns - 1.0)
+    through = np.concatenate([opposite, there], axis=1)
+    fine = CubicSpline(at, through, axis=1)(
+        np.arange(1 - distances, distances) / (distances - 1.0)
+    )  # fmt: skip
+    around = np.concatenate(
+        [fine[:, distances - 1 :], fine[:, distances - 1 :: -1][:, :, 1:]], axis=2
+    )
+    spectrum = np.fft.rfft(around[:, :, : turns - 1], axis=2)
+    padded = np.zeros((rows, distances, (angles - 1) // 2 + 1, n), complex)
+    padded[:, :, : spectrum.shape[2]] = spectrum
+    if spectrum.shape[2] < padded.shape[2]:
+        padded[:, :, spectrum.shape[2] - 1] *= 0.5
+    out = np.fft.irfft(padded, n=angles - 1, axis=2) * ((angles - 1) / (turns - 1))
+    return np.asarray(np.concatenate([out, out[:, :, :1]], axis=2), np.float32)

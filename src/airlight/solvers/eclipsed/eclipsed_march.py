@@ -1,0 +1,338 @@
+"""Radiance along a line of sight through a moon's shadow on the air.
+
+The march is that of ``moments.march`` with three differences: every point has its place in space,
+at which the star's light is that part which the moon leaves; light scattered before is that of the
+unshadowed solution times the same part, and the deviation of ``ShadowTables``; and panels end where
+the line meets the umbra. Nothing is symmetric about the star's vertical plane.
+"""
+
+from __future__ import annotations
+
+from math import cos, sin, sqrt
+from typing import Final
+
+import numpy as np
+
+from airlight.geometry.bending import bend_angle
+from airlight.geometry.occulted_star import apparent_discs, seen_lanes, table_place
+from airlight.geometry.path import insert_edge
+from airlight.kernel import inlined
+from airlight.kernel.lanes import INVERSE_PI, LANES, load, maximum, splat, store
+from airlight.optics.reflection import sky_factor, star_factor
+from airlight.solvers.eclipsed.shadow_tables import (
+    deviation,
+    direction_functions,
+    place_in_shadow,
+    sky_deviation,
+)
+from airlight.solvers.moments.irradiance import ground_light
+from airlight.solvers.moments.march import field_place, gathered_at, star_columns
+from airlight.solvers.moments.march_panels import panel_columns, place_panel, place_panels
+from airlight.solvers.moments.source import (
+    between,
+    scattered_star,
+    star_at,
+    through_columns,
+)
+
+#: Parts of a solution's light that a march finds: that of local shadowing, the deviation from it,
+#: and both.
+LOCAL: Final = 0
+DEVIATION: Final = 1
+WHOLE: Final = 2
+#: Distances from the axis, in widths of the grid's middle, at which panels end.
+_CUTS: Final = (1.0, 2.0, 5.0)
+
+
+@inlined
+def cut_at_umbra(x, y, u, v, length, shadow, edges, count):
+    """Add panel edges where a line crosses cylinders around the shadow's axis.
+
+    Parameters
+    ----------
+    x, y, u, v : float
+        Components across the axis of the line's start, optical [m], and direction [1].
+    length : float
+        Length of the line. [m]
+    shadow : ShadowTables
+    edges, count :
+        Arguments of ``insert_edge``.
+
+    Returns
+    -------
+    int
+        Number of edges.
+    """
+    across = u * u + v * v
+    if across < 1e-12:
+        return count
+    a, b = x - shadow.axis / shadow.star.scale, y
+    nearest = -(a * u + b * v) / across
+    least = max(a * a + b * b - nearest * nearest * across, 0.0)
+    for k in range(len(_CUTS) + 1):
+        radius = shadow.umbra if k == 0 else _CUTS[k - 1] * shadow.middle
+        if k == 1 and shadow.umbra > 0.5 * shadow.middle:
+            continue
+        radius /= shadow.star.scale
+        if radius * radius > least:
+            half = sqrt((radius * radius - least) / across)
+            count = insert_edge(edges, count, nearest - half)
+            count = insert_edge(edges, count, nearest + half)
+    return count
+
+
+@inlined
+def seen_star_part(x, y, z, shadow, spare):
+    """Part of the star's light at a point, less the offset, into ``spare.seen``. [1]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Point in the frame of the shadow, optical. [m]
+    shadow, spare : ShadowTables, ShadowWorkspace
+    """
+    separation, size = apparent_discs(x, y, z, shadow.star)
+    near, e, f = table_place(separation, size, shadow.star)
+    for at in range(0, shadow.star.lanes, LANES):
+        part = splat(1.0)
+        if near == -2:
+            part = splat(0.0)
+        elif near >= 0:
+            part = seen_lanes(near, e, f, shadow.star, at)
+        store(spare.seen, at, part - load(spare.offset, at))
+
+
+@inlined
+def turned_point(x, y, z, u, v, w, q, mu, angle):
+    """Point of a bent line, from that of the straight one. [m]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Point as drawn. [m]
+    u, v, w : float
+        Direction of the line as drawn. [1]
+    q, mu : float
+        Radius of the point [m], and cosine of the line's zenith angle there [1].
+    angle : float
+        Angle by which the line has been bent. [rad]
+    """
+    sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
+    if angle == 0.0 or sine < 1e-9:
+        return x, y, z
+    keep, turn = cos(angle), sin(angle) * q / sine
+    keep -= turn * mu / q
+    return keep * x + turn * u, keep * y + turn * v, keep * z + turn * w
+
+
+@inlined
+def march_eclipsed(x, y, z, u, v, w, length, kind, phase, light, shadow, work, spare, result):
+    """Light of a stretch of air towards its start, per irradiance of the unshadowed star.
+
+    Parameters
+    ----------
+    x, y, z : float
+        Start in the frame of the shadow, by optical radius. [m]
+    u, v, w : float
+        Direction. [1]
+    length : float
+        Length, to the ground or to the top. [m]
+    kind : int
+        ``LOCAL``, ``DEVIATION`` or ``WHOLE``. Local light takes ``spare.offset`` from the star's.
+    phase : array, shape (nc·w,)
+        Phase functions. [sr⁻¹]
+    light, work : MarchTables, MarchWorkspace
+        Tables of the unshadowed solution; workspace, whose totals receive the columns of the
+        stretch [m].
+    shadow, spare : ShadowTables, ShadowWorkspace
+        Shadow, and its workspace.
+    result : array, shape (2·w,)
+        Receives the air's radiance [sr⁻¹] and its transmittance [1].
+    """
+    r = sqrt(x * x + y * y + z * z)
+    star = shadow.star
+    mu = min(max((x * u + y * v + z * w) / r, -1.0), 1.0)
+    mu_s = min(max((x * star.star_x + y * star.star_y + z * star.star_z) / r, -1.0), 1.0)
+    nu = min(max(u * star.star_x + v * star.star_y + w * star.star_z, -1.0), 1.0)
+    count, rule, _ = place_panels(r, mu, mu_s, nu, length, light, work)
+    count = cut_at_umbra(x, y, u, v, length, shadow, work.edges, count)
+    n = int(light.rules[rule])
+    if kind != LOCAL:
+        direction_functions(u, v, w, shadow, spare)
+    for c in range(light.constituents):
+        work.before[c] = 0.0
+    for at in range(0, light.lanes, LANES):
+        store(result, at, splat(0.0))
+    for panel in range(count - 1):
+        place_panel(r, mu, panel, count, rule, light, work)
+        panel_columns(rule, light, work)
+        for k in range(n):
+            _add_point(
+                x, y, z, u, v, w, r, mu, mu_s, nu, k, n, kind, phase, light, shadow, work, spare,
+                result,
+            )  # fmt: skip
+    for c in range(light.constituents):
+        work.totals[c] = work.before[c]
+    for at in range(0, light.lanes, LANES):
+        through = through_columns(
+            work.totals, light.extinction, light.constituents, light.lanes, at
+        )
+        store(result, light.lanes + at, through)
+
+
+@inlined
+def _add_point(
+    x, y, z, u, v, w, r, mu, mu_s, nu, k, n, kind, phase, light, shadow, work, spare, result
+):  # fmt: skip
+    """Add the light of one point of a panel; arguments as in ``march_eclipsed``."""
+    q = min(max(work.radius[k], light.bottom), light.top)
+    t = work.distance[k]
+    star = shadow.star
+    mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
+    for c in range(light.constituents):
+        work.rho[c] = work.density[c * n + k]
+        work.depths[c] = work.columns[c * n + k]
+    angle = 0.0
+    if light.bend > 0.0:
+        angle = bend_angle(r, mu, light.bend, work.columns[(light.constituents - 1) * n + k])
+    px, py, pz = turned_point(x + t * u, y + t * v, z + t * w, u, v, w, q, mu_q, angle)
+    mu_sq = min(max((px * star.star_x + py * star.star_y + pz * star.star_z) / q, -1.0), 1.0)
+    # The line is turned with its point: the cosine to the star, as ``bending.turned`` has it.
+    nu_q = nu
+    if angle != 0.0:
+        sine = sqrt(max((1.0 - mu_q) * (1.0 + mu_q), 1e-18))
+        straight = min(max((r * mu_s + t * nu) / q, -1.0), 1.0)
+        across = (nu - mu_q * straight) / sine
+        nu_q = mu_q * mu_sq + sine * (cos(angle) * across - sin(angle) * straight)
+    inside = kind != LOCAL and place_in_shadow(
+        px, py, pz, q, light.bottom, light.top, shadow, spare
+    )
+    seen, spread = 0.0, False
+    if kind != DEVIATION:
+        seen_star_part(px, py, pz, shadow, spare)
+        seen, spread = star_columns(q, mu_sq, light, work)
+    if kind == DEVIATION and not inside:
+        return
+    near, block, f, e = field_place(q, mu_q, mu_sq, nu_q, light, work)
+    f, e = np.float32(f), np.float32(e)
+    g, h = np.float32(1.0) - f, np.float32(1.0) - e
+    far = near + light.suns * block
+    for at in range(0, light.lanes, LANES):
+        through = through_columns(
+            work.depths, light.extinction, light.constituents, light.lanes, at
+        ) * np.float32(work.weight[k])
+        gathered = splat(0.0)
+        total = load(result, at)
+        if kind != DEVIATION:
+            part = load(spare.seen, at)
+            gathered = gathered_at(near, block, f, e, light, work, at) * part
+            if seen > 0.0:
+                arriving = star_at(
+                    seen, work.here, work.there, spread, light.extinction, light.constituents,
+                    light.lanes, at,
+                )  # fmt: skip
+                total = total + through * part * arriving * scattered_star(
+                    work.rho, light.scattering, phase, light.constituents, light.lanes, at
+                )
+        if inside:
+            here = light.lanes + at
+            scale = between(light.field, near + at, far + at, block, g * h, g * e, f * h, f * e)
+            mean = between(light.field, near + here, far + here, block, g * h, g * e, f * h, f * e)
+            mean = maximum(mean / scale * work.functions[0], splat(0.0))
+            gathered = gathered + mean * deviation(
+                work.rho, light.moments, light.constituents, light.degree + 1, shadow, spare,
+                light.lanes, at,
+            )  # fmt: skip
+            if kind == WHOLE:
+                gathered = maximum(gathered, splat(0.0))
+        store(result, at, total + through * gathered)
+
+
+@inlined
+def eclipsed_ground_light(x, y, z, kind, light, shadow, work, spare):
+    """Irradiance of level ground per irradiance of the unshadowed star, in ``work.received``. [1]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Point of the ground in the frame of the shadow, optical. [m]
+    kind, light, shadow, work, spare :
+        Arguments of ``march_eclipsed``; the workspace receives the irradiances by the star and by
+        the sky.
+    """
+    star = shadow.star
+    q = sqrt(x * x + y * y + z * z)
+    mu_s = min(max((x * star.star_x + y * star.star_y + z * star.star_z) / q, -1.0), 1.0)
+    ground_light(mu_s, 2, light, work)
+    seen_star_part(x, y, z, shadow, spare)
+    inside = kind != LOCAL and place_in_shadow(
+        x, y, z, light.bottom, light.bottom, light.top, shadow, spare
+    )
+    for at in range(0, light.lanes, LANES):
+        part = splat(0.0)
+        if kind != DEVIATION:
+            part = load(spare.seen, at)
+        store(work.received, at, load(work.received, at) * part)
+        if inside:
+            part = part + sky_deviation(shadow, spare, light.lanes, at)
+            if kind == WHOLE:
+                part = maximum(part, splat(0.0))
+        sky = load(work.received, light.lanes + at) * part
+        store(work.received, light.lanes + at, sky)
+
+
+@inlined
+def end_on_ground(x, y, z, u, v, w, length, light, work):
+    """Point of the ground at the end of a line, and cosine of the zenith angle of the way back.
+
+    Parameters
+    ----------
+    x, y, z, u, v, w, length, light, work :
+        Arguments of ``march_eclipsed``, after it: ``work.totals`` has the columns of the line.
+
+    Returns
+    -------
+    px, py, pz : float
+        Point in the frame of the shadow, optical. [m]
+    leaving : float
+        Cosine. [1]
+    """
+    r = sqrt(x * x + y * y + z * z)
+    mu = min(max((x * u + y * v + z * w) / r, -1.0), 1.0)
+    slant = min(max((r * mu + length) / light.bottom, -1.0), 1.0)
+    angle = 0.0
+    if light.bend > 0.0:
+        angle = bend_angle(r, mu, light.bend, work.totals[light.constituents - 1])
+    px, py, pz = turned_point(
+        x + length * u, y + length * v, z + length * w, u, v, w, light.bottom, slant, angle
+    )
+    return px, py, pz, max(-slant, 0.0)
+
+
+@inlined
+def line_eclipsed(
+    x, y, z, u, v, w, length, to_ground, kind, phase, light, shadow, work, spare, result
+):  # fmt: skip
+    """Radiance of a whole line of sight, the ground at its end included.
+
+    Parameters
+    ----------
+    x, y, z, u, v, w, length, kind, phase, light, shadow, work, spare, result :
+        Arguments of ``march_eclipsed``.
+    to_ground : bool
+        Whether the line ends on the ground.
+    """
+    march_eclipsed(x, y, z, u, v, w, length, kind, phase, light, shadow, work, spare, result)
+    if to_ground:
+        px, py, pz, leaving = end_on_ground(x, y, z, u, v, w, length, light, work)
+        eclipsed_ground_light(px, py, pz, kind, light, shadow, work, spare)
+        star = shadow.star
+        mu_s = (px * star.star_x + py * star.star_y + pz * star.star_z) / light.bottom
+        nu = u * star.star_x + v * star.star_y + w * star.star_z
+        for at in range(0, light.lanes, LANES):
+            direct = load(work.received, at) * star_factor(
+                light.ground, at, max(mu_s, 0.0), leaving, nu
+            )
+            sky = load(work.received, light.lanes + at) * sky_factor(light.ground, at, leaving)
+            behind = load(result, light.lanes + at) * (direct + sky) * INVERSE_PI
+            store(result, at, load(result, at) + behind)
