@@ -1,9 +1,9 @@
-r"""Star behind a sphere without air, seen from points near a planet: the light that an eclipse leaves.
+r"""Star behind a sphere without air, from points near a planet: the light that an eclipse leaves.
 
-The fraction is that of ``disc_overlap``, in a table over the apparent radius of the occluder and the
-separation of the discs. Both change from point to point: the occluder is near, and so may be the
-star. Separations δ run through two stretches, each even in its own coordinate: from 0 to the inner
-contact |R - α|, and from there to the outer contact R + α as
+The fraction is that of ``disc_overlap``, in a table over the apparent radius of the occluder and
+the separation of the discs. Both change from point to point: the occluder is near, and so may be
+the star. Separations δ run through two stretches, each even in its own coordinate: from 0 to the
+inner contact |R - α|, and from there to the outer contact R + α as
 
 .. math:: \delta = |R - \alpha| + \min(R, \alpha) (1 - \cos \pi t)
 
@@ -93,7 +93,9 @@ class OccultedStar(NamedTuple):
     @classmethod
     def whole(cls) -> OccultedStar:
         """Star with nothing in front of it: it has no lanes."""
-        return cls(*(0.0,) * 12, 0, np.zeros(1, np.float32))
+        return cls(
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0, np.zeros(1, np.float32)
+        )
 
     def lane(self, index: int) -> OccultedStar:
         """Star at one wavelength, for ``seen_part``."""
@@ -141,7 +143,7 @@ def occulted_star(
         raise ParameterError("occluder", f"{away:.6g} m away", f"beyond {reach + radius:.6g} m")
     if not 0.0 < star_radius < 0.5 * pi:
         raise ParameterError("star_radius", star_radius, "above 0, below a quarter turn [rad]")
-    sizes = np.linspace(*np.arcsin(radius / np.array([away + reach, away - reach])), _SIZES)
+    sizes = np.linspace(asin(radius / (away + reach)), asin(radius / (away - reach)), _SIZES)
     rule = gauss_legendre(_POINTS)
     law = np.ascontiguousarray(np.atleast_2d(np.asarray(darkening, float)))
     lanes = -(-len(law) // LANES) * LANES
@@ -159,10 +161,13 @@ def occulted_star(
         if size >= star_radius:
             roots[row, : _INNER + 1] = 0.0
     towards = np.asarray(star, float) / np.linalg.norm(star)
+    x, y, z = (float(one) for one in centre)
+    a, b, c = (float(one) for one in towards)
     return OccultedStar(
-        *(float(one) for one in centre), float(radius), *(float(one) for one in towards),
-        1.0 / distance, float(star_radius), 1.0, float(sizes[0]), float(sizes[1] - sizes[0]),
-        lanes, roots.reshape(-1),
+        x=x, y=y, z=z, radius=float(radius), star_x=a, star_y=b, star_z=c,
+        nearness=1.0 / distance, star_radius=float(star_radius), scale=1.0,
+        smallest=float(sizes[0]), step=float(sizes[1] - sizes[0]), lanes=lanes,
+        roots=roots.reshape(-1),
     )  # fmt: skip
 
 

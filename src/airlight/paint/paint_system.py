@@ -21,6 +21,8 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.paint.corona import OUTERMOST, corona
+from airlight.paint.eclipsed_air import planet_drawing
 from airlight.paint.scene_lights import SceneLights
 from airlight.paint.solve_planet import solve_planet
 from airlight.paint.star_points import add_points, raised_points
@@ -146,7 +148,7 @@ class _Picture:
         progress: Progress | None,
         cancel: Cancel | None,
     ) -> None:
-        self.system, self.samples = system, samples
+        self.system, self.samples, self.cache = system, samples, cache
         view = system.view
         self.camera = Camera(
             projection=view.projection, width=width, height=height,
@@ -216,17 +218,21 @@ class _Picture:
             if source.irradiance.max() <= _FAINTEST * brightest:
                 continue
             lit = solution.lit_by(source, beside=number > 0)
-            scene = self._scene(body, light, up, latitude, longitude, altitude)
-            layer += self._drawn(Drawing(lit, scene, disc=False), progress, cancel)
+            local = _level_axes(up, self.lights.towards(light, body.centre[None])[0])
+            scene = self._scene(body, light, up, local, latitude, longitude, altitude)
+            drawing = planet_drawing(
+                self.lights, light, body, lit, scene, local, cache=self.cache, progress=progress,
+                cancel=cancel,
+            )  # fmt: skip
+            layer += self._drawn(drawing, progress, cancel)
         return _Air(body, solution, altitude, _level_axes(up), layer)
 
     def _scene(
-        self, body: Body, light: Light, up: FloatArray, latitude: float, longitude: float,
-        altitude: float,
+        self, body: Body, light: Light, up: FloatArray, local: FloatArray, latitude: float,
+        longitude: float, altitude: float,
     ) -> Scene:  # fmt: skip
         """Scene of a planet alone under one light, in the frame of that light."""
         towards = self.lights.towards(light, body.centre[None])[0]
-        local = _level_axes(up, towards)
         north = self.system.axes(body)[2]
         east = np.cross(north, up)
         flat = np.linalg.norm(east)
@@ -350,6 +356,8 @@ class _Picture:
             source = self.lights.source(light, self.eye)
             angle = _angle_between(rays, light.towards(self.eye))
             edge |= shown & (angle < source.angular_radius + margin + bend)
+            if light.corona:
+                inside |= shown & (angle < OUTERMOST * source.angular_radius + margin + bend)
         return inside, edge
 
     def _followed(self, rays: FloatArray, layers: list[Float32Array | None]) -> FloatArray:
@@ -479,10 +487,15 @@ class _Picture:
         if alpha <= 0.0:
             return
         angle = _angle_between(rays, light.towards(self.eye))
-        met = np.flatnonzero((angle < alpha) & (through.max(axis=1) > 0.0))
+        open_ = through.max(axis=1) > 0.0
+        coefficients = source.darkenings
+        if light.corona:
+            around = np.flatnonzero((angle < OUTERMOST * alpha) & open_)
+            radiance = corona(angle[around], alpha, coefficients)
+            out[around] += (through[around] * radiance) @ source.colors()
+        met = np.flatnonzero((angle < alpha) & open_)
         if met.size == 0:
             return
-        coefficients = source.darkenings
         mu = np.sqrt(np.maximum(1.0 - (np.sin(angle[met]) / math.sin(alpha)) ** 2, 0.0))
         shape = (mu[:, None] ** np.arange(coefficients.shape[1])) @ coefficients.T
         radiance = shape / (math.pi * math.sin(alpha) ** 2)

@@ -43,6 +43,8 @@ class Light(Record):
         ``sun``, instead of a direction or a position: the sun's at the time of the scene file.
     body : str, optional
         Name of a body that shines by reflected light: a moon, a planet.
+    corona : str, optional
+        ``baumbach``: the sun's corona is drawn around the disc of the star.
     """
 
     name: Annotated[
@@ -83,13 +85,22 @@ class Light(Record):
         | None
     ) = None  # fmt: skip
 
+    corona: (
+        Annotated[
+            str,
+            Key(label="corona", help="Corona around the star: the sun's, as the mean of eclipses.",
+                kind="choice", words=lambda: ("baumbach",)),
+        ]
+        | None
+    ) = None  # fmt: skip
+
     def __post_init__(self) -> None:
         if (self.star is None) == (self.body is None):
             given = MISSING if self.star is None else "star and body"
             raise ParameterError("star", given, "one of star and body")
         if self.body is not None:
-            for name in ("direction", "position", "ephemeris"):
-                if getattr(self, name) is not None:
+            for name in ("direction", "position", "ephemeris", "corona"):
+                if getattr(self, name):
                     raise ParameterError(name, getattr(self, name), "none beside a body")
             return
         ways = [name for name in ("direction", "position", "ephemeris") if getattr(self, name)]

@@ -2,9 +2,9 @@
 
 Every node of the grid gathers the light of a sphere of directions, dense at its horizon, where the
 light comes from while the sky above is dark. The first sweep gathers local light less the same with
-the node's own part of the star's: the source of the deviation. Each further sweep gathers the last
-one's deviation, until nothing changes. No order of scattering is left out, and where nothing is in
-shadow the source is 0, whatever the grid.
+the node's own part of the star's: the source of the deviation. Each further sweep gathers the light
+of the last one, the next order; the orders after the last are summed as a geometric series. Where
+nothing is in shadow the source is 0, whatever the grid.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from __future__ import annotations
 import hashlib
 from math import cos, pi, sin, sqrt
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,7 +24,7 @@ from airlight.geometry.shell import distance_to_bottom, distance_to_top, horizon
 from airlight.kernel import compiled_loop, disk
 from airlight.kernel.borrowing import borrowed
 from airlight.kernel.fingerprints import fingerprint
-from airlight.kernel.lanes import LANES, load, splat, store
+from airlight.kernel.lanes import LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solvers.eclipsed.eclipsed_march import DEVIATION, LOCAL, line_eclipsed, seen_star_part
 from airlight.solvers.eclipsed.shadow_tables import (
@@ -45,24 +45,48 @@ from airlight.solvers.moments.source import between, read_phase
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Numbers of altitudes, of distances from the axis, and of position angles of a turn.
-_RADII: Final = 13
-_DISTANCES: Final = 25
-_ANGLES: Final = 16
-#: Highest degree of the harmonics.
-_DEGREE: Final = 4
-#: Directions above and below a node's horizon, and azimuths of a turn.
-_UP: Final = 10
-_DOWN: Final = 6
-_AZIMUTHS: Final = 16
-#: Points of a panel in a sweep, as in ``quadratures``.
-_POINTS: Final = (8, 10, 14)
+
+class ShadowGrid(NamedTuple):
+    """Resolution of the field around a shadow.
+
+    Attributes
+    ----------
+    radii, distances, turns : int
+        Numbers of altitudes, of distances from the axis, and of position angles of a turn, even.
+    degree : int
+        Highest degree of the harmonics.
+    up, down, azimuths : int
+        Directions above and below a node's horizon, and azimuths of a turn.
+    points : tuple of int
+        Points of a panel in a sweep, as in ``quadratures``.
+    tolerance : float
+        Largest part of the light of a node that the last sweep adds. [1]
+    """
+
+    radii: int
+    distances: int
+    turns: int
+    degree: int
+    up: int
+    down: int
+    azimuths: int
+    points: tuple[int, int, int]
+    tolerance: float
+
+
+#: Resolutions by the panels per leg of the solution's own march: preview, default, fine.
+GRIDS: Final = {
+    1: ShadowGrid(8, 13, 8, 4, 6, 4, 8, (8, 8, 10), 5e-2),
+    2: ShadowGrid(13, 21, 12, 7, 9, 5, 12, (8, 10, 14), 2e-2),
+    4: ShadowGrid(19, 29, 16, 10, 14, 8, 16, (12, 16, 20), 1e-2),
+}
 #: Distance of the grid's end behind the umbra, in distances to the horizon of the air's scale.
 _REACH: Final = 3.0
 #: Part of the grid's coordinate behind which the field is let fade to 0.
 _FADE: Final = 0.8
-#: Largest change of the light of a node in the last sweep, and largest number of sweeps.
-_TOLERANCE: Final = 2e-3
+#: Largest ratio of an order to the one before by which further ones are summed, and largest number
+#: of sweeps.
+_LARGEST_RATIO: Final = 0.8
 _MOST_SWEEPS: Final = 60
 #: Nodes of the stored field between those of the iteration, in distance and in angle.
 _FINER: Final = 3
@@ -123,14 +147,15 @@ def _key(solution: MomentsSolution, star: OccultedStar) -> str:
 
 def _empty(solution: MomentsSolution, star: OccultedStar) -> ShadowTables:
     """Tables of the right size around the shadow, without deviations."""
-    light, degree = solution.light, min(_DEGREE, solution.moments.degree)
+    light, grid = solution.light, _grid(solution)
+    degree = min(grid.degree, solution.moments.degree)
     terms = harmonics(degree)
     apart = np.array([star.x, star.y, star.z])
     distance = float(np.linalg.norm(apart))
     umbra = abs(star.radius - distance * np.sin(star.star_radius))
     reach = umbra + _REACH * sqrt(2.0 * light.bottom * _scale_height(solution))
     middle, width = grid_spacing(umbra, reach)
-    nodes = _RADII * _DISTANCES * (_ANGLES + 1)
+    nodes = grid.radii * grid.distances * (grid.turns + 1)
     return ShadowTables(
         star=star,
         axis=_axis_offset(star),
@@ -141,12 +166,16 @@ def _empty(solution: MomentsSolution, star: OccultedStar) -> ShadowTables:
         start=terms.start,
         ahead=terms.ahead,
         back=terms.back,
-        radii=_RADII,
-        distances=_DISTANCES,
-        angles=_ANGLES + 1,
+        radii=grid.radii,
+        distances=grid.distances,
+        angles=grid.turns + 1,
         field=np.zeros(nodes * (degree + 1) ** 2 * star.lanes, np.float32),
-        sky=np.zeros(nodes // _RADII * star.lanes, np.float32),
+        sky=np.zeros(nodes // grid.radii * star.lanes, np.float32),
     )
+
+
+def _grid(solution: MomentsSolution) -> ShadowGrid:
+    return GRIDS[min(GRIDS, key=lambda panels: abs(panels - solution.settings.march_panels))]
 
 
 def _axis_offset(star: OccultedStar) -> float:
@@ -168,20 +197,20 @@ def _iterate(
     solution: MomentsSolution, empty: ShadowTables, progress: Progress | None, cancel: Cancel | None
 ) -> dict[str, NDArray[Any]]:
     """Sweep until the field does not change: arrays by node, wavelengths last."""
-    light = solution.light._replace(rules=quadratures(_POINTS), panels=1)
-    half, lanes = _ANGLES // 2 + 1, empty.star.lanes
+    grid = _grid(solution)
+    light = solution.light._replace(rules=quadratures(grid.points), panels=1)
+    half, lanes = grid.turns // 2 + 1, empty.star.lanes
     terms = (empty.degree + 1) ** 2
-    shape = (_RADII, _DISTANCES, _ANGLES + 1, terms, lanes)
     signs = _mirror_signs(empty.degree)
-    directions = _directions()
+    directions, fade = _directions(grid), _fade(grid.distances)
 
     def sweep(shadow: ShadowTables, kind: int, order: int) -> tuple[Float32Array, Float32Array]:
-        field = np.zeros((_RADII, _DISTANCES, half, terms, lanes), np.float32)
-        sky = np.zeros((_DISTANCES, half, lanes), np.float32)
+        field = np.zeros((grid.radii, grid.distances, half, terms, lanes), np.float32)
+        sky = np.zeros((grid.distances, half, lanes), np.float32)
 
         def run(index: int) -> None:
-            row, column = divmod(index, _DISTANCES)
-            if column == _DISTANCES - 1:
+            row, column = divmod(index, grid.distances)
+            if column == grid.distances - 1:
                 return
             _gather(
                 row, column, 1 if column == 0 else half, kind, light, shadow,
@@ -190,7 +219,7 @@ def _iterate(
             )  # fmt: skip
 
         run_blocks(
-            run, _RADII * _DISTANCES, cancel=cancel, progress=progress,
+            run, grid.radii * grid.distances, cancel=cancel, progress=progress,
             message=f"light in the shadow, order {order}",
         )  # fmt: skip
         field[:, 0, 1:], sky[0, 1:] = field[:, 0, :1], sky[0, :1]
@@ -198,29 +227,38 @@ def _iterate(
             [field, field[:, :, -2::-1] * signs[:, None]], axis=2, dtype=np.float32
         )
         sky = np.concatenate([sky, sky[:, -2::-1]], axis=1, dtype=np.float32)
-        fade = _fade()
-        return field * fade[:, None, None, None], sky * fade[:, None, None]
+        field *= fade[:, None, None, None]
+        sky *= fade[:, None, None]
+        return field, sky
 
     source, sky_source = sweep(empty, LOCAL, 1)
-    field, sky = source, sky_source
+    used = solution.wavelengths.size
+    field, sky, last, last_sky = source, sky_source, source, sky_source
     part = _local_part(empty, light)
     mean = 1.0 / sqrt(4.0 * pi)
     for order in range(2, _MOST_SWEEPS + 2):
-        shadow = empty._replace(field=field.reshape(-1), sky=sky.reshape(-1))
+        shadow = empty._replace(field=last.reshape(-1), sky=last_sky.reshape(-1))
         more, more_sky = sweep(shadow, DEVIATION, order)
-        before = field
-        field, sky = source + more, sky_source + more_sky
-        change = np.abs(field - before)[..., 0, :] * mean
+        field, sky = field + more, sky + more_sky
         whole = np.maximum(part + field[..., 0, :] * mean, 1e-9)
-        if float((change / whole)[..., : solution.wavelengths.size].max()) < _TOLERANCE:
-            assert field.shape == shape
-            return {"field": field, "sky": sky}
+        change = np.abs(more[..., 0, :]) * mean / whole
+        if float(change[..., :used].max()) < grid.tolerance:
+            tail, sky_tail = _tail(more[..., 0, :], last[..., 0, :]), _tail(more_sky, last_sky)
+            return {"field": field + more * tail[..., None, :], "sky": sky + more_sky * sky_tail}
+        last, last_sky = more, more_sky
     raise ConvergenceError(f"light in the shadow still changes after {_MOST_SWEEPS} sweeps")
 
 
-def _fade() -> FloatArray:
-    x = np.clip((np.linspace(0.0, 1.0, _DISTANCES) - _FADE) / (1.0 - _FADE), 0.0, 1.0)
-    return np.asarray((1.0 - x * x * (3.0 - 2.0 * x)).astype(np.float32))
+def _tail(last: Float32Array, before: Float32Array) -> Float32Array:
+    """Sum of all further orders over the last one, as a geometric series. [1]"""
+    ratio = np.divide(last, before, out=np.zeros_like(last), where=np.abs(before) > 1e-12)
+    ratio = np.clip(ratio, 0.0, _LARGEST_RATIO)
+    return np.asarray(ratio / (1.0 - ratio), np.float32)
+
+
+def _fade(distances: int) -> Float32Array:
+    x = np.clip((np.linspace(0.0, 1.0, distances) - _FADE) / (1.0 - _FADE), 0.0, 1.0)
+    return np.asarray(1.0 - x * x * (3.0 - 2.0 * x), np.float32)
 
 
 def _mirror_signs(degree: int) -> Float32Array:
@@ -230,15 +268,15 @@ def _mirror_signs(degree: int) -> Float32Array:
     )
 
 
-def _directions() -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-    """Nodes and weights on either side of the horizon, dense next to it, in [0, 1]."""
-    up, down = gauss_legendre(_UP), gauss_legendre(_DOWN)
-    return up.nodes, up.weights, down.nodes, down.weights
+def _directions(grid: ShadowGrid) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, int]:
+    """Nodes and weights on either side of the horizon, in [0, 1], and number of azimuths."""
+    up, down = gauss_legendre(grid.up), gauss_legendre(grid.down)
+    return up.nodes, up.weights, down.nodes, down.weights, grid.azimuths
 
 
 def _local_part(shadow: ShadowTables, light: MarchTables) -> Float32Array:
     """Part of the star's light at every node, shape (radii, distances, angles, w). [1]"""
-    out = np.empty((_RADII, _DISTANCES, _ANGLES + 1, shadow.star.lanes), np.float32)
+    out = np.empty((shadow.radii, shadow.distances, shadow.angles, shadow.star.lanes), np.float32)
     _fill_local(light.bottom, light.top, shadow, new_shadow_workspace(shadow), out)
     return out
 
@@ -274,7 +312,7 @@ def _gather(row, column, count, kind, light, shadow, work, spare, directions, fi
     """
     light, shadow, work, spare = borrowed((light, shadow, work, spare))
     lanes, star = light.lanes, shadow.star
-    up_nodes, up_weights, down_nodes, down_weights = directions
+    up_nodes, up_weights, down_nodes, down_weights, azimuths = directions
     result = np.empty(2 * lanes, np.float32)
     scale = np.empty(lanes, np.float32)
     terms = (shadow.degree + 1) * (shadow.degree + 1)
@@ -310,15 +348,15 @@ def _gather(row, column, count, kind, light, shadow, work, spare, directions, fi
                 t = nodes[k]
                 span = 1.0 - horizon if side == 0 else -1.0 - horizon
                 mu = horizon + span * t * t
-                solid = abs(span) * 2.0 * t * weights[k] * 2.0 * pi / _AZIMUTHS
+                solid = abs(span) * 2.0 * t * weights[k] * 2.0 * pi / azimuths
                 sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
                 length = distance_to_top(q, mu, light.top)
                 if side == 1:
                     length = distance_to_bottom(q, mu, light.bottom)
                 if length <= 0.0 and side == 0:
                     continue
-                for turn in range(_AZIMUTHS):
-                    phi = 2.0 * pi * (turn + 0.5 * ((k + 1) % 2)) / _AZIMUTHS
+                for turn in range(azimuths):
+                    phi = 2.0 * pi * (turn + 0.5 * ((k + 1) % 2)) / azimuths
                     r, o = sine * cos(phi), sine * sin(phi)
                     u, v, w = mu * a + r * d + o * g, mu * b + r * e + o * h, mu * c + r * f + o * i
                     nu = u * star.star_x + v * star.star_y + w * star.star_z
@@ -353,10 +391,11 @@ def _gather(row, column, count, kind, light, shadow, work, spare, directions, fi
 
 def _refined(shadow: ShadowTables, field: Float32Array, sky: Float32Array) -> ShadowTables:
     """Tables with nodes between those of the iteration, by smooth curves through these."""
-    distances = (_DISTANCES - 1) * _FINER + 1
-    angles = _ANGLES * _FINER_ANGLES + 1
-    finer = _finer(field.reshape(_RADII, _DISTANCES, _ANGLES + 1, -1), distances, angles)
-    finer_sky = _finer(sky.reshape(1, _DISTANCES, _ANGLES + 1, -1), distances, angles)
+    distances = (shadow.distances - 1) * _FINER + 1
+    angles = (shadow.angles - 1) * _FINER_ANGLES + 1
+    shape = (shadow.distances, shadow.angles, -1)
+    finer = _finer(field.reshape(shadow.radii, *shape), distances, angles)
+    finer_sky = _finer(sky.reshape(1, *shape), distances, angles)
     return shadow._replace(
         distances=distances, angles=angles, field=finer.reshape(-1), sky=finer_sky.reshape(-1)
     )

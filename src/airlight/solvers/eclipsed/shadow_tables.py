@@ -158,9 +158,7 @@ def direction_functions(u, v, w, shadow, spare):
     shadow, spare : ShadowTables, ShadowWorkspace
         The workspace receives the functions.
     """
-    legendre_functions(
-        w, (shadow.degree, shadow.start, shadow.ahead, shadow.back), spare.legendre
-    )
+    legendre_functions(w, (shadow.degree, shadow.start, shadow.ahead, shadow.back), spare.legendre)
     level = sqrt(u * u + v * v)
     cosine, sine = 1.0, 0.0
     if level > 1e-12:
@@ -211,9 +209,7 @@ def place_in_shadow(x, y, z, q, bottom, top, shadow, spare):
         up, out, on = k // 4, (k // 2) % 2, k % 2
         part = (f if up else 1.0 - f) * (g if out else 1.0 - g) * (h if on else 1.0 - h)
         spare.parts[k] = part
-        spare.nodes[k] = (
-            (row + up) * shadow.distances + column + out
-        ) * shadow.angles + angle + on
+        spare.nodes[k] = ((row + up) * shadow.distances + column + out) * shadow.angles + angle + on
     return True
 
 

@@ -19,8 +19,8 @@ from airlight.solvers.eclipsed.shadow_tables import (
     shadow_axes,
 )
 from airlight.solvers.moments.march_tables import new_workspace
-from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.moments.packing import pack
+from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.sight import enter_shell
 
 FloatArray = NDArray[np.float64]

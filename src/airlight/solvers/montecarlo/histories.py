@@ -89,7 +89,7 @@ def follow(
         Share of the points that is drawn where the star shines; see ``lit_air``. [1]
     air : HistoryOptics
     occulted : OccultedStar
-        Moon in front of the star, in the frame of ``start_vectors``; without lanes if there is none.
+        Moon in front of the star, in the frame of ``start_vectors``; without lanes if none is.
     state : array, shape (1,)
         State of the stream of random numbers.
     paths : tuple

@@ -125,7 +125,7 @@ class MonteCarloSolution(Solution):
         return self.answer(Question(starts, lengths, False, known, order), started)
 
     def answer(self, question: Question, started: float) -> Estimate:
-        """Answer a question; ``started`` is the time at which it was asked, of ``perf_counter``. [s]"""
+        """Answer a question that was asked at ``started``, a time of ``perf_counter``. [s]"""
         got = estimate(
             question,
             self.airs,

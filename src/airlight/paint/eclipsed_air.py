@@ -1,0 +1,111 @@
+"""Moons in front of a star, as a planet's air sees them: who draws the planet then."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.occulted_star import OccultedStar, occulted_star
+from airlight.kernel.threads import Cancel, Progress
+from airlight.paint.scene_lights import SceneLights
+from airlight.planets.light_source import LightSource
+from airlight.render.drawing import Drawing
+from airlight.render.eclipsed_drawing import EclipsedDrawing
+from airlight.scene import Scene
+from airlight.solvers.eclipsed.solution import EclipsedSolution
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.system.body import Body
+from airlight.system.light import Light
+
+FloatArray = NDArray[np.float64]
+
+
+def planet_drawing(
+    lights: SceneLights,
+    light: Light,
+    body: Body,
+    lit: MomentsSolution,
+    scene: Scene,
+    local: FloatArray,
+    *,
+    cache: bool = True,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Drawing:
+    """Picture of a planet by one light, in the shadow of a moon if one falls on its air.
+
+    Parameters
+    ----------
+    lights : SceneLights
+        Lights of the scene.
+    light, body : Light, Body
+        Light, and planet with air.
+    lit : MomentsSolution
+        Solution of the planet under the light.
+    scene : Scene
+        Observer and camera in the frame of the light.
+    local : array, shape (3, 3)
+        Axes of that frame in the scene's, as rows. [1]
+    cache, progress, cancel :
+        See ``paint_system``.
+    """
+    source = lights.seen_from(light, body)
+    star = None if light.star is None else moon_before(lights, light, body, source)
+    if star is None:
+        return Drawing(lit, scene, disc=False)
+    eclipsed = EclipsedSolution(lit, star, cache=cache, progress=progress, cancel=cancel)
+    return EclipsedDrawing(eclipsed, scene, local)
+
+
+def moon_before(
+    lights: SceneLights, star: Light, body: Body, source: LightSource
+) -> OccultedStar | None:
+    """Body without air that hides a part of a star from the air of a planet; None if there is none.
+
+    Of several the one whose shadow passes nearest to the planet's centre is taken.
+
+    Parameters
+    ----------
+    lights : SceneLights
+        Lights of the scene.
+    star, body : Light, Body
+        Star, and planet with air.
+    source : LightSource
+        Star as seen from the planet.
+
+    Returns
+    -------
+    OccultedStar or None
+        In the frame of the scene, around the planet's centre.
+    """
+    system, alpha = lights.system, source.angular_radius
+    if alpha <= 0.0:
+        return None
+    reach = system.outer_radius(body)
+    towards = star.towards(body.centre)
+    nearest, found = math.inf, None
+    for other in system.bodies:
+        if other.name == body.name or other.planet is not None:
+            continue
+        apart = other.centre - body.centre
+        distance, radius = float(np.linalg.norm(apart)), system.radius(other)
+        if apart @ towards <= 0.0 or (
+            star.position is not None
+            and distance > float(np.linalg.norm(np.asarray(star.position) - body.centre))
+        ):
+            continue
+        miss = float(np.linalg.norm(np.cross(apart, towards)))
+        # The penumbra's edge; the star's parallax over the planet is far less than its radius.
+        if miss - reach < radius + (distance + reach) * math.tan(alpha) and miss < nearest:
+            nearest, found = miss, other
+    if found is None:
+        return None
+    far = math.inf
+    if star.position is not None:
+        far = float(np.linalg.norm(np.asarray(star.position) - body.centre))
+    return occulted_star(
+        found.centre - body.centre, system.radius(found), towards, alpha,
+        darkening=source.darkenings, reach=reach, distance=far,
+    )  # fmt: skip

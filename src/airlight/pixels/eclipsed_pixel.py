@@ -1,0 +1,176 @@
+"""Pixels of a planet in the shadow of a moon, each by its own march, on the processor.
+
+A table of the sky is symmetric about the star's vertical plane and the light of an eclipse is not;
+neither is it smooth over the table's texels. Ground, water, clouds and lamps are as in ``pixel``.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+import numpy as np
+
+from airlight.geometry.bending import bend_angle
+from airlight.geometry.shell import distance_to_bottom, distance_to_top
+from airlight.kernel import compiled_loop, inlined
+from airlight.kernel.borrowing import borrowed
+from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
+from airlight.optics.cox_munk import mean_square_slope, mirrored_cosine
+from airlight.pixels.ground import GROUND_VALUES, ground_factor, ground_shares, lamp_light
+from airlight.pixels.ground_angles import columns_to_ground
+from airlight.pixels.pixel import sight
+from airlight.pixels.samples import samples_per_side
+from airlight.pixels.sky_table import half_sine_between
+from airlight.pixels.star_disc import camera_direction
+from airlight.solvers.eclipsed.eclipsed_march import (
+    WHOLE,
+    eclipsed_ground_light,
+    end_on_ground,
+    march_eclipsed,
+)
+from airlight.solvers.moments.source import read_phase
+
+
+@inlined
+def eclipsed_light(
+    x, y, z, turn, observer, screen, light, shadow, work, spare, color, found, result
+):  # fmt: skip
+    """Spectral light of a line of sight, per irradiance of the unshadowed star. [sr⁻¹]
+
+    Parameters
+    ----------
+    x, y, z : float
+        Its direction in the observer's frame. [1]
+    turn : array, shape (3, 3)
+        Axes of the shadow's frame in the observer's, as rows. [1]
+    observer, screen, light, work, color :
+        Arguments of ``pixel_light``.
+    shadow, spare : ShadowTables, ShadowWorkspace
+        Shadow, and its workspace.
+    found : array, shape (2·w,)
+        Workspace.
+    result : array, shape (w,)
+        Receives the radiance. [sr⁻¹]
+    """
+    lanes = light.lanes
+    sine, _, through_air, to_ground = sight(x, y, z, observer, light)
+    for at in range(0, lanes, LANES):
+        store(result, at, splat(0.0))
+    if not through_air:
+        return
+    u = turn[0, 0] * x + turn[0, 1] * y + turn[0, 2] * z
+    v = turn[1, 0] * x + turn[1, 1] * y + turn[1, 2] * z
+    w = turn[2, 0] * x + turn[2, 1] * y + turn[2, 2] * z
+    r, mu, way = observer.r, z, 0.0
+    if observer.outside:
+        impact = observer.r * sine
+        half = sqrt(max((light.top - impact) * (light.top + impact), 0.0))
+        way = -observer.r * z - half
+        r, mu = light.top, -half / light.top
+    a = turn[0, 2] * observer.r + way * u
+    b = turn[1, 2] * observer.r + way * v
+    c = turn[2, 2] * observer.r + way * w
+    length = distance_to_top(r, mu, light.top)
+    if to_ground:
+        length = distance_to_bottom(r, mu, light.bottom)
+    half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
+    read_phase(half_sine, light.phase, light.phase_nodes, lanes * light.constituents, work.phase)
+    march_eclipsed(a, b, c, u, v, w, length, WHOLE, work.phase, light, shadow, work, spare, found)
+    for at in range(0, lanes, LANES):
+        store(result, at, load(found, at))
+    if not to_ground:
+        return
+    p, q, s, leaving = end_on_ground(a, b, c, u, v, w, length, light, work)
+    bent = 0.0
+    if light.bend > 0.0:
+        bent = bend_angle(r, mu, light.bend, work.totals[light.constituents - 1])
+    for at in range(0, lanes, LANES):
+        store(work.found, lanes + at, load(found, lanes + at))
+    if light.ground.wet:
+        _mirrored_sky(p, q, s, u, v, w, leaving, light, shadow, work, spare, found)
+        for at in range(0, lanes, LANES):
+            store(work.found, 4 * lanes + at, load(found, at))
+    star_matte, star_gloss, sky_matte, sky_gloss, mirrored = ground_shares(
+        x, y, z, sine, bent, observer, screen, light, work, color
+    )
+    eclipsed_ground_light(p, q, s, WHOLE, light, shadow, work, spare)
+    if screen.overlaid:
+        columns_to_ground(z, sine, observer, light, work.totals, work.before)
+    for at in range(0, lanes, LANES):
+        received = load(work.received, at) + load(work.received, lanes + at)
+        factor = ground_factor(
+            color, screen, star_matte, star_gloss, sky_matte, sky_gloss, mirrored, light, work, at
+        )
+        behind = received * INVERSE_PI * load(work.found, lanes + at)
+        total = load(result, at) + behind * factor
+        if screen.overlaid:
+            total = total + lamp_light(color, screen, light, work.totals, at)
+        store(result, at, total)
+
+
+@inlined
+def _mirrored_sky(p, q, s, u, v, w, leaving, light, shadow, work, spare, found):
+    """Light of the sky that water at the end of a line mirrors, into ``found``. [sr⁻¹]
+
+    Parameters
+    ----------
+    p, q, s, u, v, w, leaving : float
+        Point and cosine from ``end_on_ground``, and direction of the line. [m], [1]
+    light, shadow, work, spare, found :
+        Arguments of ``eclipsed_light``.
+    """
+    a, b, c = p / light.bottom, q / light.bottom, s / light.bottom
+    mu = mirrored_cosine(leaving, light.ground.wind)
+    level = sqrt(max((1.0 - leaving) * (1.0 + leaving), 1e-12))
+    side = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0)) / level
+    # The line without its vertical part, at its new zenith angle.
+    u, v, w = (
+        mu * a + side * (u + leaving * a),
+        mu * b + side * (v + leaving * b),
+        mu * c + side * (w + leaving * c),
+    )
+    star = shadow.star
+    nu = min(max(u * star.star_x + v * star.star_y + w * star.star_z, -1.0), 1.0)
+    # Spread as the facets are: a peaked phase function is read no closer to the star than that.
+    spread = 0.25 * mean_square_slope(light.ground.wind)
+    half_sine = sqrt(min(0.5 * (1.0 - nu) + spread, 1.0))
+    read_phase(
+        half_sine, light.phase, light.phase_nodes, light.lanes * light.constituents, work.phase
+    )
+    length = distance_to_top(light.bottom, mu, light.top)
+    march_eclipsed(p, q, s, u, v, w, length, WHOLE, work.phase, light, shadow, work, spare, found)
+
+
+@compiled_loop
+def draw_eclipsed(px, py, turn, observer, screen, light, shadow, work, spare, out):
+    """Draw pixels of a planet in the shadow of a moon.
+
+    Parameters
+    ----------
+    px, py : array, shape (n,)
+        Centres of the pixels, from the picture's left and top edge. [pixel]
+    turn, observer, screen, light, shadow, work, spare :
+        Arguments of ``eclipsed_light``.
+    out : array, shape (n, w)
+        Receives the radiance per irradiance of the unshadowed star. [sr⁻¹]
+    """
+    screen, light, shadow, work, spare = borrowed((screen, light, shadow, work, spare))
+    lanes = light.lanes
+    found, result = np.empty(2 * lanes, np.float32), np.empty(lanes, np.float32)
+    color = np.zeros(GROUND_VALUES)
+    for k in range(px.size):
+        x, y, z = camera_direction(px[k], py[k], screen)
+        side = samples_per_side(x, y, z, observer, screen)
+        for at in range(lanes):
+            out[k, at] = 0.0
+        for sample in range(side * side):
+            if side > 1:
+                row, column = sample // side, sample % side
+                x, y, z = camera_direction(
+                    px[k] + (column + 0.5) / side - 0.5, py[k] + (row + 0.5) / side - 0.5, screen
+                )
+            eclipsed_light(
+                x, y, z, turn, observer, screen, light, shadow, work, spare, color, found, result
+            )
+            for at in range(lanes):
+                out[k, at] += result[at] / (side * side)

@@ -1,0 +1,50 @@
+"""Picture of a planet in the shadow of a moon, drawn on the CPU."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.kernel.threads import Cancel, Progress
+from airlight.pixels.eclipsed_pixel import draw_eclipsed
+from airlight.render.drawing import Drawing, color_weights
+from airlight.scene import Scene
+from airlight.solvers.eclipsed.shadow_tables import new_shadow_workspace
+from airlight.solvers.eclipsed.solution import EclipsedSolution
+from airlight.solvers.moments.march_tables import new_workspace
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+
+class EclipsedDrawing(Drawing):
+    """Picture by a star that a moon hides in part; each pixel is marched.
+
+    Parameters
+    ----------
+    eclipsed : EclipsedSolution
+        Solution of the planet and of the shadow.
+    scene : Scene
+        Observer and camera, in the frame of the star.
+    local : array, shape (3, 3)
+        Axes of the observer's frame in that of the eclipse, as rows: x to the side of the star, z
+        to the zenith. [1]
+    """
+
+    def __init__(self, eclipsed: EclipsedSolution, scene: Scene, local: FloatArray) -> None:
+        super().__init__(eclipsed.solution, scene, exact=True, disc=False)
+        self._shadow = eclipsed.shadow
+        self._turn = np.ascontiguousarray(eclipsed.axes @ local.T)
+        self._colors = color_weights(eclipsed.solution)
+
+    def fill_sky(self, *, cancel: Cancel | None = None, progress: Progress | None = None) -> None:
+        """Do nothing: there is no table of the sky."""
+
+    def draw_pixels(self, px: FloatArray, py: FloatArray, rgb: Float32Array) -> None:
+        """See ``Drawing``."""
+        out = np.empty((px.size, self._tables.lanes), np.float32)
+        draw_eclipsed(
+            px, py, self._turn, self._observer, self._screen, self._tables, self._shadow,
+            new_workspace(self._tables), new_shadow_workspace(self._shadow), out,
+        )  # fmt: skip
+        rgb[:] = out[:, : len(self._colors)] @ self._colors
