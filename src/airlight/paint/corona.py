@@ -49,7 +49,7 @@ def corona(angle: npt.ArrayLike, star_radius: float, darkening: FloatArray) -> F
     >>> sun, law = 0.00465, np.array([[1.0, 0.0, 0.0, 0.0, 0.0, 0.0]])
     >>> bright = corona([0.00466, 2 * 0.00465], sun, law)[:, 0]
     >>> (bright * np.pi * sun**2).round(8)  # a millionth of the disc, a fiftieth of that
-    array([3.93e-06, 2.00e-08])
+    array([3.92e-06, 2.00e-08])
     """
     distance = np.atleast_1d(np.asarray(angle, float)) / star_radius
     outside = (distance > 1.0) & (distance < OUTERMOST)

@@ -19,7 +19,7 @@ from airlight.optics.cox_munk import mean_square_slope, mirrored_cosine
 from airlight.pixels.ground import GROUND_VALUES, ground_factor, ground_shares, lamp_light
 from airlight.pixels.ground_angles import columns_to_ground
 from airlight.pixels.pixel import sight
-from airlight.pixels.samples import samples_per_side
+from airlight.pixels.samples import sample_place, samples_per_side
 from airlight.pixels.sky_table import half_sine_between
 from airlight.pixels.star_disc import camera_direction
 from airlight.solvers.eclipsed.eclipsed_march import (
@@ -165,10 +165,8 @@ def draw_eclipsed(px, py, turn, observer, screen, light, shadow, work, spare, ou
             out[k, at] = 0.0
         for sample in range(side * side):
             if side > 1:
-                row, column = sample // side, sample % side
-                x, y, z = camera_direction(
-                    px[k] + (column + 0.5) / side - 0.5, py[k] + (row + 0.5) / side - 0.5, screen
-                )
+                sx, sy = sample_place(px[k], py[k], sample, side, screen)
+                x, y, z = camera_direction(sx, sy, screen)
             eclipsed_light(
                 x, y, z, turn, observer, screen, light, shadow, work, spare, color, found, result
             )

@@ -48,6 +48,33 @@ def samples_per_side(x, y, z, observer, screen):
 
 
 @inlined
+def sample_place(px, py, sample, side, screen):
+    """Place of a sample of a pixel, from the picture's left and top edge. [pixel]
+
+    The grid is turned by atan(1 / side): no two samples share a row or a column, so a level horizon
+    is smooth in side² steps. It is turned the other way in the picture's other half, which keeps
+    symmetric skies symmetric, and not in a panorama, which has no halves.
+
+    Parameters
+    ----------
+    px, py : float
+        Centre of the pixel. [pixel]
+    sample, side : int
+        Index of the sample, and samples per side.
+    screen : Screen
+        Camera.
+    """
+    hand = 1.0 if px < 0.5 * screen.width else -1.0
+    if screen.projection == _PANORAMA:
+        hand = 0.0
+    step = 1.0 / side
+    down = sample // side
+    across = sample - side * down
+    row, column = (down + 0.5) * step - 0.5, (across + 0.5) * step - 0.5
+    return px + column - hand * row * step, py + row + hand * column * step
+
+
+@inlined
 def light_of_centre(
     px, py, exact, reach, window, observer, screen, light, work, color, result
 ):  # fmt: skip
@@ -79,17 +106,7 @@ def sampled_light(
     for sample in range(side * side):
         sx, sy = px, py
         if side > 1:
-            # a grid turned by atan(1 / side): no two samples share a row or a column, so a level
-            # horizon is smooth in side² steps; turned the other way in the picture's other half,
-            # which keeps symmetric skies symmetric, and not in a panorama, which has no halves
-            hand = 1.0 if px < 0.5 * screen.width else -1.0
-            if screen.projection == _PANORAMA:
-                hand = 0.0
-            down = sample // side
-            across = sample - side * down
-            row, column = (down + 0.5) * step - 0.5, (across + 0.5) * step - 0.5
-            sx = px + column - hand * row * step
-            sy = py + row + hand * column * step
+            sx, sy = sample_place(px, py, sample, side, screen)
             x, y, z = camera_direction(sx, sy, screen)
         pixel_light(
             sx, sy, x, y, z, exact, reach, window, observer, screen, light, work, color, result
