@@ -126,6 +126,9 @@ def eclipsed_field(
         If ``cancel`` returned True.
     """
     coarse = _empty(solution, star)
+    end = float(coarse.middle * np.sinh(coarse.width))
+    if coarse.axis > solution.medium.top_radius + end:
+        return coarse  # penumbra alone, in which there is no deviation
     key = _key(solution, star)
     stored = disk.load(key) if cache else None
     if stored is None or stored["field"].size != coarse.field.size:
