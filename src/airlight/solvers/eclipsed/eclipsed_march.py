@@ -16,7 +16,7 @@ import numpy as np
 from airlight.geometry.bending import bend_angle
 from airlight.geometry.occulted_star import apparent_discs, seen_lanes, table_place
 from airlight.geometry.path import insert_edge
-from airlight.kernel import inlined
+from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, maximum, splat, store
 from airlight.optics.reflection import sky_factor, star_factor
 from airlight.solvers.eclipsed.shadow_tables import (
@@ -125,7 +125,7 @@ def turned_point(x, y, z, u, v, w, q, mu, angle):
     return keep * x + turn * u, keep * y + turn * v, keep * z + turn * w
 
 
-@inlined
+@compiled_loop
 def march_eclipsed(x, y, z, u, v, w, length, kind, phase, light, shadow, work, spare, result):
     """Light of a stretch of air towards its start, per irradiance of the unshadowed star.
 
@@ -248,7 +248,7 @@ def _add_point(
         store(result, at, total + through * gathered)
 
 
-@inlined
+@compiled_loop
 def eclipsed_ground_light(x, y, z, kind, light, shadow, work, spare):
     """Irradiance of level ground per irradiance of the unshadowed star, in ``work.received``. [1]
 
