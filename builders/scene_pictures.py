@@ -48,8 +48,8 @@ VIEWS: dict[str, tuple[EclipseView, ...]] = {
                                        "look_at": "moon", "field_of_view": 3.5}),
     ),
     "scenes-5": (
-        EclipseView(None, WIDTH, {"altitude": 400e3},
-                    {"look_zenith": 143.0, "look_bearing": 30.0, "field_of_view": 95.0}),
+        EclipseView(None, WIDTH, {"altitude": 400e3, "latitude": 40.5},
+                    {"look_zenith": 124.0, "look_bearing": 0.0, "field_of_view": 80.0}),
         EclipseView(None, HEIGHT, {"altitude": 2e7, "latitude": 20.0, "longitude": -105.0},
                     {"look_zenith": 180.0, "look_bearing": 0.0, "field_of_view": 29.0}),
     ),
