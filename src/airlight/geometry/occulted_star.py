@@ -3,7 +3,7 @@ r"""Star behind a sphere without air, from points near a planet: the light that 
 The fraction is that of ``disc_overlap``, in a table over the apparent radius of the occluder and
 the separation of the discs. Both change from point to point: the occluder is near, and so may be
 the star. Separations δ run through two stretches, each even in its own coordinate: from 0 to the
-inner contact |R - α|, and from there to the outer contact R + α as
+inner contact ``|R - α|``, and from there to the outer contact R + α as
 
 .. math:: \delta = |R - \alpha| + \min(R, \alpha) (1 - \cos \pi t)
 
