@@ -7,8 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
-from airlight.film.exposure_curve import ExposureCurve
-from airlight.film.film import metered_numbers
+from airlight.film.exposure_curve import ExposureCurve, metered_numbers
 from airlight.film.plan import FilmPlan
 
 

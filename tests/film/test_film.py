@@ -85,6 +85,18 @@ def test_the_clock_runs_evenly_and_moves_the_sun() -> None:
     assert bearings == {315.0}
 
 
+def test_a_dome_keeps_its_front_while_the_sun_moves() -> None:
+    # the camera's azimuth is at the bottom, the front of a dome master
+    film = load_film("earth", {
+        "film.frames": 3, "film.start": "2026-06-21T06:00Z", "film.end": "2026-06-21T14:00Z",
+        "view.projection": "fisheye", "view.look_at": "S/90",
+    })  # fmt: skip
+    for number in range(3):
+        scene = film.still(number, 16, 16, HOW).scene
+        assert abs(scene.camera.look_zenith) < 1e-9
+        assert abs((scene.camera.look_azimuth + scene.sun_azimuth) % 360.0 - 180.0) < 1e-6
+
+
 def test_words_of_the_day_are_times_of_a_planets_film() -> None:
     film = load_film("earth", {"film.frames": 2, "film.start": "2026-03-20 sunset",
                                "film.end": "2026-03-20 civil-dusk"})  # fmt: skip

@@ -126,8 +126,13 @@ def animate(
     folder, movie = _outputs(output)
     if bits not in (8, 16):
         raise ParameterError("--bits", bits, "8 or 16")
-    if movie is not None and format_ == "exr":
-        raise ParameterError("--output", str(movie), "no MP4 beside --format exr")
+    if movie is not None:
+        display = {"--format": format_, "--bits": bits, "--encoding": encoding,
+                   "--primaries": primaries}  # fmt: skip
+        plain = {"--format": "png", "--bits": 8, "--encoding": "srgb", "--primaries": "srgb"}
+        for option, value in display.items():
+            if value != plain[option]:
+                raise ParameterError(option, value, f"{plain[option]} beside an MP4")
     level = _exposure(exposure)
     changes: dict[str, Any] = _changes(set_)
     plan = {"frames": frames, "rate": rate, "start": start, "end": end, "zone": zone}

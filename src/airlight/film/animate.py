@@ -12,8 +12,8 @@ import numpy as np
 
 from airlight.distribution import Runner, opened_runner
 from airlight.distribution.fingerprint import check_code, code_digest, digest
-from airlight.film.exposure_curve import ExposureCurve
-from airlight.film.film import Film, metered_numbers
+from airlight.film.exposure_curve import ExposureCurve, metered_numbers
+from airlight.film.film import Film
 from airlight.film.finish import Finish, finished
 from airlight.film.frames_folder import FINGERPRINT, FramesFolder
 from airlight.film.movie import write_movie

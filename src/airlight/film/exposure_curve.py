@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from functools import cached_property
 from typing import Any, TypeAlias
@@ -10,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
+from airlight.film.plan import FilmPlan
 
 FloatArray: TypeAlias = NDArray[np.float64]
 
@@ -67,3 +69,12 @@ class ExposureCurve:
         value = float(self._values[0] if self._numbers.size == 1 else self._curve(number))
         # What a curve leaves in the last bit is no part of a frame's definition.
         return float(f"{value:.6f}")
+
+
+def metered_numbers(plan: FilmPlan) -> list[int]:
+    """Numbers of the frames that are metered: about three a second, the first and the last."""
+    step = max(1, round(plan.rate / 3.0))
+    count = max(2, min(plan.count, 1 + math.ceil((plan.count - 1) / step)))
+    if plan.count == 1:
+        return [0]
+    return sorted({round(k * (plan.count - 1) / (count - 1)) for k in range(count)})

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -198,12 +197,3 @@ def _of_a_key(error: ParameterError) -> ParameterError:
     if error.field != FIELD:
         return error
     return ParameterError("film.keys", error.value, error.allowed, error.file)
-
-
-def metered_numbers(plan: FilmPlan) -> list[int]:
-    """Numbers of the frames that are metered: about three a second, the first and the last."""
-    step = max(1, round(plan.rate / 3.0))
-    count = max(2, min(plan.count, 1 + math.ceil((plan.count - 1) / step)))
-    if plan.count == 1:
-        return [0]
-    return sorted({round(k * (plan.count - 1) / (count - 1)) for k in range(count)})
