@@ -25,7 +25,7 @@ from airlight.gpu.emit.shader_types import Bundle, Constant, Table
 from airlight.mappings import sky_view, transmittance
 from airlight.optics import clouds, cox_munk, fresnel, phase_functions, reflection, water
 from airlight.optics.reflection import LAWS, NUMBERS, Reflection
-from airlight.pixels import ground_angles, sky_table, star_disc
+from airlight.pixels import disc_shading, ground_angles, sky_table, star_disc
 from airlight.scene import ground_place
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.projections.cubemap import cube_ray
@@ -314,6 +314,19 @@ STEPS = [
         atol=ANGLE,
     ),
     # An angle less a radius, divided by the pixel.
+    # a quotient of two cosines of which one may vanish: the shade is at most 2.65, its slope 300
+    Case(disc_shading.moon_shade, (0.01 + 0.99 * UNIT, 0.9 * MU, 0.8, 0.6, 2.65), atol=300 * EPS),
+    # without a phase, and with one where the shade is smooth; μ loses half its digits at the rim
+    Case(
+        disc_shading.disc_powers,
+        (1.0, 0.0045 * UNIT, 0.00465, 1e-4, MU, False, 0.0, 1.0, 2.0),
+        atol=300 * EPS,
+    ),
+    Case(
+        disc_shading.disc_powers,
+        (1.0, 0.0045 * UNIT, 0.00465, 1e-4, UNIT, True, 0.8, 0.6, 2.65),
+        atol=1000 * EPS,
+    ),
     Case(star_disc.covered, (0.01 * UNIT, 0.00465, 1e-3), atol=16 * EPS),
     Case(star_disc.covered, (0.01 * UNIT, 0.00465, 1e-2), atol=16 * EPS),
     Case(
