@@ -1,4 +1,4 @@
-"""Light sources of a scene: the star today; a second star or a moon has the same interface.
+"""Light sources of a scene: the star, a second star, a moon.
 
 A solution holds the light of one source of irradiance 1 at all its elevations, so no further source
 costs another solve: the radiance at a point is the sum over lights of irradiance times the solution
