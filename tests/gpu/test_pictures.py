@@ -323,7 +323,7 @@ def test_the_shader_fills_the_table_as_the_processor_does(device: Device, lit: L
         pictures = Pictures(device, (64, 32), sky_by_processor=by_processor)
         pictures.show(lit())
         pictures.frame(scene_of(PLANETS["earth, with a map"](), "aloft"))
-        layers.append([read_texture(device, one) for one in pictures._layers.values()])
+        layers.append([read_texture(device, one) for one in pictures._skies[0].layers.values()])
     for processor, shader in zip(*layers, strict=True):
         atol = 1e-3 * processor.max(axis=(0, 1))
         assert_array_equal(np.abs(shader - processor) <= 2.5e-3 * processor + atol, True)
@@ -415,7 +415,9 @@ def test_another_display_draws_no_light_again(
     draw_light = Pictures._draw_light
     monkeypatch.setattr(
         Pictures, "_draw_light",
-        lambda self, scene, *others: (drawn.append(scene), draw_light(self, scene, *others)),
+        lambda self, number, light, *others: (
+            drawn.append(light.scene), draw_light(self, number, light, *others)
+        ),
     )  # fmt: skip
     kept, other = (Pictures(device, (64, 64)) for _ in range(2))
     kept.show(lit())

@@ -52,7 +52,7 @@ def test_the_shader_fills_the_table_as_the_processor_does(
         pictures = Pictures(device, (64, 32), sky_by_processor=by_processor)
         pictures.show(solution)
         pictures.frame(Scene(altitude=200.0, sun_zenith=66.0, camera=CAMERA))
-        layers.append([read_texture(device, one) for one in pictures._layers.values()])
+        layers.append([read_texture(device, one) for one in pictures._skies[0].layers.values()])
     for processor, shader in zip(*layers, strict=True):
         scale = processor.max()
         error = np.abs(shader - processor) / np.maximum(processor, 1e-3 * scale)

@@ -51,7 +51,8 @@ class LightSum:
         if len(parts) == 1:
             parts[0](view, target_format)
             return
-        one, other, spare = self._sized(size)
+        # of two pictures the sum is the target, and needs no texture of its own
+        one, other, *spare = self._sized(size, min(len(parts), 3))
         parts[0](one.create_view(), LINEAR)
         for number, part in enumerate(parts[1:], start=2):
             part(other.create_view(), LINEAR)
@@ -60,9 +61,10 @@ class LightSum:
             adding = self._pass(form)
             encoder = self._device.device.create_command_encoder()
             groups = adding.bind({"frame": self._frame, "picture": one, "level": other})
-            adding.run(encoder, groups, [view if last else spare.create_view()])
+            adding.run(encoder, groups, [view if last else spare[0].create_view()])
             self._device.device.queue.submit([encoder.finish()])
-            one, spare = spare, one
+            if not last:
+                one, spare = spare[0], [one]
 
     @cached_property
     def _frame(self) -> Any:
@@ -72,11 +74,11 @@ class LightSum:
         size = FRAME.packed({}, {}).nbytes
         return self._device.device.create_buffer(size=size, usage=wgpu.BufferUsage.UNIFORM)
 
-    def _sized(self, size: tuple[int, int]) -> tuple[Any, Any, Any]:
-        """Three textures of a size."""
+    def _sized(self, size: tuple[int, int], count: int) -> list[Any]:
+        """Textures of a size, at least as many as are asked for."""
         import wgpu
 
-        if size != self._size:
+        if size != self._size or count > len(self._pictures):
             for texture in self._pictures:
                 texture.destroy()
             use = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.TEXTURE_BINDING
@@ -84,11 +86,10 @@ class LightSum:
                 self._device.device.create_texture(
                     label=f"light {k}", size=(*size, 1), format=LINEAR, usage=use
                 )
-                for k in range(3)
+                for k in range(count)
             ]
             self._size = size
-        one, other, spare = self._pictures
-        return one, other, spare
+        return self._pictures
 
     def _pass(self, target_format: str) -> FragmentPass:
         if target_format not in self._passes:

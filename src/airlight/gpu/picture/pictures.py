@@ -149,6 +149,8 @@ class Pictures:
     def _forget(self) -> None:
         """Forget what was drawn from other tables."""
         self._skies = [one for one in self._skies if one.shape == self._sky_shape]
+        if self._textures is not None and not self._skies:
+            self._skies.append(_Sky.of(self.device, self._sky_shape))
         for number in range(len(self._skies)):
             self._read(number, None)
         self._display.drawn = None
