@@ -395,15 +395,16 @@ WHOLE = {
         "columns_along", "columns_between", "meets_ground", "ground_light", "camera_direction",
     ),
     "test_pictures.py::test_a_picture_from_the_table_is_shown_as_the_processor_s": (
-        "samples_per_side", "sampled_light", "phase_of", "air_between", "bent_to_ground",
-        "place_in_sky", "seen_line",
+        "samples_per_side", "sample_place", "sampled_light", "phase_of", "air_between",
+        "bent_to_ground", "place_in_sky", "seen_line",
     ),
     "test_pictures.py::test_the_shader_fills_the_table_as_the_processor_does": (
         "sky_texel", "direction_of_texel",
     ),
     "test_pictures.py::test_the_disc_s_light_does_not_depend_on_how_it_is_shared_out": (
-        "star_disc", "leaving_air", "_point_like",
+        "star_disc", "leaving_air", "_point_like", "darkened", "whole_powers",
     ),
+    "test_lights.py::test_several_lights_are_shown_as_by_the_processor": ("added_texel",),
     "test_pictures.py::test_what_is_drawn_is_exposed_and_tone_mapped": (
         "displayed", "dithered", "within_gamut",
     ),
