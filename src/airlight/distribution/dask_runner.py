@@ -214,7 +214,11 @@ def _closed(client: Any, cluster: Any) -> None:
 @contextlib.contextmanager
 def _quiet() -> Iterator[None]:
     """Leave out what Dask logs: an error of a task is raised, and a lost worker replaced."""
-    loggers = [logging.getLogger(name) for name in ("distributed", "asyncio", "tornado")]
+    import distributed  # noqa: F401 - it gives loggers below its own their levels
+
+    own = ("distributed", "asyncio", "tornado")
+    known = [name for name in logging.root.manager.loggerDict if name.partition(".")[0] in own]
+    loggers = [logging.getLogger(name) for name in {*own, *known}]
     levels = [logger.level for logger in loggers]
     for logger in loggers:
         logger.setLevel(logging.CRITICAL + 1)
