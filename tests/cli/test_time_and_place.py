@@ -35,6 +35,20 @@ def test_picture_of_a_place_and_time_says_both(
     assert texts["look"].split(",")[1] == "0 deg"
 
 
+def test_an_eclipse_that_is_not_drawn_is_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    # totality over Oregon, and two hours later, when the Moon has left the sun
+    oregon = ["--at", "44.507N,121.12W", "--time"]
+    rendered(tmp_path / "a.png", *oregon, "2017-08-21T17:20:35Z")
+    said = capsys.readouterr().out
+    apart = float(said.partition("in front of the sun, ")[2].partition("°")[0])
+    assert apart < 0.02
+    assert "this picture has no shadow of it" in said
+    rendered(tmp_path / "b.png", *oregon, "2017-08-21T19:20:35Z")
+    assert "in front of the sun" not in capsys.readouterr().out
+
+
 def test_sun_distance_of_the_file_is_said(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -43,6 +43,8 @@ def test_metered_frames_hold_both_ends_and_are_three_a_second() -> None:
     assert numbers == list(range(0, 91, 10))
     assert metered_numbers(FilmPlan(frames=1)) == [0]
     assert metered_numbers(FilmPlan(frames=2)) == [0, 1]
+    assert metered_numbers(FilmPlan(frames=4)) == [0, 1, 2, 3]
+    assert metered_numbers(FilmPlan(frames=13, rate=30.0)) == list(range(0, 13, 2))
     uneven = metered_numbers(FilmPlan(frames=37, rate=24.0))
     assert (uneven[0], uneven[-1]) == (0, 36)
     assert max(np.diff(uneven)) - min(np.diff(uneven)) <= 1

@@ -66,7 +66,7 @@ def aerial(
     with their error. The camera may turn, and move as far as the air is the same.
     """
     started = time.perf_counter()
-    from airlight.composition.aerial_perspective import AerialPerspective
+    from airlight.composition.aerial_perspective import AerialPerspective, check_request
     from airlight.exports.aerial_files import FORMAT, write_aerial
     from airlight.exports.whole_folder import check_folder
     from airlight.paint.solve_planet import solve_planet
@@ -94,6 +94,7 @@ def aerial(
         altitude=placed.altitude, sun_zenith=placed.sun_zenith,
         latitude=placed.latitude, longitude=placed.longitude,
     )  # fmt: skip
+    check_request(world.thickness, scene, *between)
     with shown_progress() as report:
         solution = solve_planet(world, nm, quality, cache=not no_cache, progress=report)
         made = AerialPerspective.fill(

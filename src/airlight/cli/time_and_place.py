@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from datetime import datetime
 
-    from airlight.ephemeris.sky import MoonSighting
+    from airlight.ephemeris.sky import MoonSighting, Place
     from airlight.planets.planet import Planet
 
 At = Annotated[
@@ -213,8 +214,24 @@ def line(planet: Planet, placed: Placed, sun_distance: str) -> str:
     )
     seen = apparent_altitude(planet, placed.altitude, placed.sun_zenith)
     text = sky_line(place, placed.time, seen=seen)
+    if placed.moon is not None:
+        text += _eclipse(place, placed.time, placed.moon)
     if sun_distance == "file":
         return f"{text}  lit as in the planet's file"
     if planet.star.irradiance is not None:
         return f"{text}  lit as in the planet's file, which gives the irradiance"
     return text
+
+
+def _eclipse(place: Place, time: datetime, moon: MoonSighting) -> str:
+    """Words about a Moon in front of the sun, which a picture of the planet alone has not."""
+    from airlight.ephemeris.sky import sun_seen
+
+    sun = sun_seen(place, time)
+    apart = math.degrees(2.0 * math.asin(0.5 * math.dist(sun.direction, moon.direction)))
+    if sun.altitude < -1.0 or apart >= sun.angular_radius + moon.angular_radius:
+        return ""
+    return (
+        f"  in front of the sun, {apart:.2f}° from its middle: this picture has no shadow of it, a "
+        "scene of both has (solar-eclipse-2017, docs/scenes.md)"
+    )

@@ -137,13 +137,17 @@ class AerialPerspective:
         Cancelled
             If ``cancel`` requested it.
         """
-        _check(solution, scene, nearest, farthest, (*size, *sky_size))
+        if not isinstance(solution, MomentsSolution):
+            raise ParameterError("solution", type(solution).__name__, "a solution of moments")
+        check_request(
+            solution.medium.thickness, scene, nearest, farthest, size=size, sky_size=sky_size
+        )
         march = _March(solution, scene)
         steps = int(np.ceil(size[2] * np.log10(farthest / nearest))) + 1
         # one node before the nearest and one beyond the farthest, which the cubic needs
         distance = nearest * (farthest / nearest) ** (np.arange(-1, steps + 1) / (steps - 1))
         directions = march.nodes(*size[:2])
-        count = 2 * directions.shape[0] * distance.size + 2 * sky_size[0] * sky_size[1] * 2
+        count = directions.shape[0] * distance.size + 2 * sky_size[0] * sky_size[1]
         light = np.zeros((directions.shape[0], distance.size, LANES), np.float32)
         extinction = np.zeros_like(light)
         done, block = 0, max(_BLOCK // distance.size, 1)
@@ -153,11 +157,12 @@ class AerialPerspective:
             part = directions[first : first + block]
             away = np.tile(distance, part.shape[0])
             shape = (part.shape[0], distance.size, 3)
-            radiance, through = march.air(np.repeat(part, distance.size, axis=0), away, below=True)
+            every = np.repeat(part, distance.size, axis=0)
+            radiance, through, _ = march.air(every, away, below=True)
             amount = -np.log(np.maximum(through, _DARKEST))
             light[first : first + block, :, :3] = (radiance / away[:, None]).reshape(shape)
             extinction[first : first + block, :, :3] = (amount / away[:, None]).reshape(shape)
-            done += 2 * away.size
+            done += away.size
             if progress is not None:
                 progress(done, count, "air")
         sky, star = march.sky(march.nodes(*sky_size))
@@ -177,8 +182,7 @@ class AerialPerspective:
             air_light=_stored(light / scales[0]), air_extinction=_stored(extinction / scales[1]),
             air_sky=_stored(sky**0.25), air_star=_stored(star**0.25),
         )  # fmt: skip
-        made = cls(tables, scene, march.scale, AerialErrors(*(0.0,) * 6))
-        return cls(tables, scene, march.scale, _errors(made, march))
+        return cls(tables, scene, march.scale, _errors(tables, march))
 
     def air(self, directions: ArrayLike, distances: ArrayLike) -> tuple[Float32Array, Float32Array]:
         """Air before points: as the shader has it.
@@ -195,10 +199,7 @@ class AerialPerspective:
         radiance, transmittance : array, shape (n, 3)
             Linear sRGB, and the transmittance of white. [1]
         """
-        unit = np.ascontiguousarray(directions, np.float64)
-        out = np.zeros((unit.shape[0], 2 * LANES), np.float32)
-        _read_air(unit, np.asarray(distances, np.float64), self.tables, out)
-        return out[:, :3], out[:, LANES : LANES + 3]
+        return _air_of(self.tables, directions, distances)
 
     def sky(self, directions: ArrayLike, pixel: float = 1e-3) -> Float32Array:
         """Sky, or ground, behind everything, with the star's disc: as the shader has it.
@@ -215,10 +216,7 @@ class AerialPerspective:
         array, shape (n, 3)
             Linear sRGB. [1]
         """
-        unit = np.ascontiguousarray(directions, np.float64)
-        out = np.zeros((unit.shape[0], LANES), np.float32)
-        _read_sky(unit, pixel, self.tables, out)
-        return out[:, :3]
+        return _sky_of(self.tables, directions, pixel)
 
 
 class _March:
@@ -255,10 +253,10 @@ class _March:
 
     def air(
         self, directions: FloatArray, distances: FloatArray, *, below: bool = False
-    ) -> tuple[FloatArray, FloatArray]:
-        """Radiance and transmittance of the air, each (n, 3). [1]"""
-        light, through, _ = self._air.before(directions, distances, below=below)
-        return light @ self._radiance, through @ self._white
+    ) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
+        """Radiance and transmittance of the air, each (n, 3), and whether its end is met. [1]"""
+        light, through, whole = self._air.before(directions, distances, below=below)
+        return light @ self._radiance, through @ self._white, whole
 
     def sky(self, directions: FloatArray) -> tuple[Float32Array, Float32Array]:
         """Radiance of sky or ground, and of the star's disc behind the air, each (n, LANES). [1]"""
@@ -275,16 +273,30 @@ class _March:
         return sky, star
 
 
-def _check(
-    solution: MomentsSolution,
+def check_request(
+    thickness: float,
     scene: Scene,
     nearest: float,
     farthest: float,
-    sizes: tuple[int, ...],
+    *,
+    size: tuple[int, int, int] = SIZE,
+    sky_size: tuple[int, int] = SKY_SIZE,
 ) -> None:
-    if not isinstance(solution, MomentsSolution):
-        raise ParameterError("solution", type(solution).__name__, "a solution of moments")
-    thickness = solution.medium.thickness
+    """Refuse what no table can be filled for, before long work.
+
+    Parameters
+    ----------
+    thickness : float
+        Thickness of the air. [m]
+    scene, nearest, farthest, size, sky_size :
+        Arguments of ``AerialPerspective.fill``.
+
+    Raises
+    ------
+    ParameterError
+        If the observer is outside the air, there is more than one light, or a value is out of its
+        range.
+    """
     if scene.altitude >= thickness:
         allowed = f"below the top of the air, {thickness:g} m"
         raise ParameterError("scene.altitude", scene.altitude, allowed)
@@ -294,7 +306,7 @@ def _check(
         raise ParameterError("nearest", nearest, "above 0 m")
     if not 2.0 * nearest <= farthest <= 1e9:
         raise ParameterError("farthest", farthest, "twice the nearest distance to 1e9 m")
-    for one in sizes:
+    for one in (*size, *sky_size):
         if not _LEAST <= one <= _MOST:
             raise ParameterError("size", one, f"{_LEAST} to {_MOST}")
 
@@ -304,7 +316,7 @@ def _stored(values: FloatArray | Float32Array) -> Float32Array:
     return np.ascontiguousarray(values, np.float16).astype(np.float32).ravel()
 
 
-def _errors(made: AerialPerspective, march: _March) -> AerialErrors:
+def _errors(tables: AerialTables, march: _March) -> AerialErrors:
     """Errors at random distances, even in the logarithm, and random directions.
 
     A third of these are even over the sphere, a third within 10° of the star, a third within 3° of
@@ -314,29 +326,38 @@ def _errors(made: AerialPerspective, march: _March) -> AerialErrors:
     unit = rng.normal(size=(ERROR_POINTS, 3))
     third = ERROR_POINTS // 3
     unit /= np.linalg.norm(unit, axis=1, keepdims=True)
-    star = np.array([made.tables.star_x, 0.0, made.tables.star_z])
+    star = np.array([tables.star_x, 0.0, tables.star_z])
     unit[:third] = star + 0.17 * rng.random((third, 1)) * unit[:third]
-    dip = np.arccos(made.tables.horizon_mu) + np.radians(rng.uniform(-3.0, 3.0, third))
+    dip = np.arccos(tables.horizon_mu) + np.radians(rng.uniform(-3.0, 3.0, third))
     flat = unit[-third:, :2] / np.linalg.norm(unit[-third:, :2], axis=1, keepdims=True)
     unit[-third:] = np.column_stack([flat * np.sin(dip)[:, None], np.cos(dip)])
     unit /= np.linalg.norm(unit, axis=1, keepdims=True)
-    tables = made.tables
     away = tables.nearest * (tables.farthest / tables.nearest) ** rng.random(ERROR_POINTS)
-    light, through, whole = march._air.before(unit, away)
-    air = light @ march._radiance + march.grey * (through @ march._white)
-    radiance, transmittance = made.air(unit, away)
+    light, through, whole = march.air(unit, away)
+    air = light + march.grey * through
+    radiance, transmittance = _air_of(tables, unit, away)
     wrong = np.abs(radiance + march.grey * transmittance - air) / np.maximum(air, 1e-30)
     free = ~whole
     behind = march.sky(unit)[0][:, :3]
-    off = np.abs(_without_disc(made, unit) - behind) / np.maximum(behind, 1e-30)
+    discless = tables._replace(air_star=np.zeros_like(tables.air_star))
+    off = np.abs(_sky_of(discless, unit, 1e-3) - behind) / np.maximum(behind, 1e-30)
     bright = behind > 1e-6 * behind.max()
     return AerialErrors(*_statistics(wrong[free]), *_statistics(off[bright]))
 
 
-def _without_disc(made: AerialPerspective, unit: FloatArray) -> Float32Array:
-    dark = made.tables._replace(air_star=np.zeros_like(made.tables.air_star))
+def _air_of(
+    tables: AerialTables, directions: ArrayLike, distances: ArrayLike
+) -> tuple[Float32Array, Float32Array]:
+    unit = np.ascontiguousarray(directions, np.float64)
+    out = np.zeros((unit.shape[0], 2 * LANES), np.float32)
+    _read_air(unit, np.asarray(distances, np.float64), tables, out)
+    return out[:, :3], out[:, LANES : LANES + 3]
+
+
+def _sky_of(tables: AerialTables, directions: ArrayLike, pixel: float) -> Float32Array:
+    unit = np.ascontiguousarray(directions, np.float64)
     out = np.zeros((unit.shape[0], LANES), np.float32)
-    _read_sky(np.ascontiguousarray(unit), 1e-3, dark, out)
+    _read_sky(unit, pixel, tables, out)
     return out[:, :3]
 
 

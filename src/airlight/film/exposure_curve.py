@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from functools import cached_property
-from typing import Any, TypeAlias
+from typing import Any, Final, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,9 @@ from airlight.errors import ParameterError
 from airlight.film.plan import FilmPlan
 
 FloatArray: TypeAlias = NDArray[np.float64]
+
+#: Fewest frames that are metered.
+_FEWEST: Final = 7
 
 
 def smoothed(values: FloatArray) -> FloatArray:
@@ -72,9 +75,12 @@ class ExposureCurve:
 
 
 def metered_numbers(plan: FilmPlan) -> list[int]:
-    """Numbers of the frames that are metered: about three a second, the first and the last."""
+    """Numbers of the frames that are metered: about three a second, the first and the last.
+
+    A film has seven at least, or all of its frames: a short one may hold a whole sunset.
+    """
     step = max(1, round(plan.rate / 3.0))
-    count = max(2, min(plan.count, 1 + math.ceil((plan.count - 1) / step)))
+    count = min(plan.count, max(_FEWEST, 1 + math.ceil((plan.count - 1) / step)))
     if plan.count == 1:
         return [0]
     return sorted({round(k * (plan.count - 1) / (count - 1)) for k in range(count)})

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import datetime
 from typing import Annotated
 
@@ -12,7 +13,7 @@ from airlight.planets.schema.key import Key
 from airlight.planets.schema.record import Record
 from airlight.scene import Camera, Scene, look_at
 from airlight.scene.ground_detail import GROUNDS
-from airlight.scene.projections import PROJECTIONS
+from airlight.system.viewpoint import FIELD_OF_VIEW, LOOK_ZENITH, PROJECTION, ROLL
 
 
 @parameters
@@ -81,14 +82,7 @@ class PlanetView(Record):
         ]
         | None
     ) = None  # fmt: skip
-    look_zenith: (
-        Annotated[
-            float,
-            Key(label="zenith angle", help="Zenith angle of the line of sight.", unit="deg",
-                range=(0.0, 180.0), example="80 deg"),
-        ]
-        | None
-    ) = None  # fmt: skip
+    look_zenith: Annotated[float, LOOK_ZENITH] | None = None
     look_azimuth: (
         Annotated[
             float,
@@ -97,24 +91,9 @@ class PlanetView(Record):
         ]
         | None
     ) = None  # fmt: skip
-    roll: Annotated[
-        float,
-        Key(label="roll", help="Clockwise rotation of the camera.", unit="deg",
-            range=(-360.0, 360.0), example="0 deg"),
-    ] = 0.0  # fmt: skip
-    projection: Annotated[
-        str,
-        Key(label="projection", help="Projection of the picture.", kind="choice",
-            words=lambda: tuple(PROJECTIONS)),
-    ] = "perspective"  # fmt: skip
-    field_of_view: (
-        Annotated[
-            float,
-            Key(label="field of view", help="Angle from left to right, or across a fisheye.",
-                unit="deg", range=(1e-4, 360.0), example="60 deg"),
-        ]
-        | None
-    ) = None  # fmt: skip
+    roll: Annotated[float, ROLL] = 0.0
+    projection: Annotated[str, PROJECTION] = "perspective"
+    field_of_view: Annotated[float, FIELD_OF_VIEW] | None = None
     ground: Annotated[
         str,
         Key(label="ground", help="Ground below the map's resolution.", kind="choice",
@@ -168,10 +147,7 @@ class PlanetView(Record):
                 target, altitude=self.altitude, sun_zenith=sun_zenith,
                 bottom_radius=planet.bottom_radius, sun_azimuth=sun_azimuth,
             )  # fmt: skip
-            camera = Camera(
-                projection=self.projection, width=width, height=height, roll=self.roll,
-                field_of_view=self.field_of_view, look_zenith=zenith, look_azimuth=azimuth,
-            )  # fmt: skip
+            camera = replace(camera, look_zenith=zenith, look_azimuth=azimuth)
         return Scene(
             camera=camera, altitude=self.altitude, sun_zenith=sun_zenith,
             latitude=self.latitude, longitude=self.longitude, sun_azimuth=sun_azimuth,

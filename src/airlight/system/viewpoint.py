@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Final
 
 from airlight.errors import ParameterError
 from airlight.planets.parameters import MISSING, parameters
@@ -10,6 +10,24 @@ from airlight.planets.schema.key import Key
 from airlight.planets.schema.record import Record
 from airlight.scene.projections import PROJECTIONS
 from airlight.system.vectors import POSITION, unit
+
+#: Keys of a camera, in the views of films too.
+LOOK_ZENITH: Final = Key(
+    label="zenith angle", help="Zenith angle of the line of sight.", unit="deg",
+    range=(0.0, 180.0), example="80 deg",
+)  # fmt: skip
+ROLL: Final = Key(
+    label="roll", help="Clockwise rotation of the camera.", unit="deg", range=(-360.0, 360.0),
+    example="0 deg",
+)  # fmt: skip
+PROJECTION: Final = Key(
+    label="projection", help="Projection of the picture.", kind="choice",
+    words=lambda: tuple(PROJECTIONS),
+)  # fmt: skip
+FIELD_OF_VIEW: Final = Key(
+    label="field of view", help="Angle from left to right, or across a fisheye.", unit="deg",
+    range=(1e-4, 360.0), example="40 deg",
+)  # fmt: skip
 
 
 @parameters
@@ -91,14 +109,7 @@ class View(Record):
         ]
         | None
     ) = None  # fmt: skip
-    look_zenith: (
-        Annotated[
-            float,
-            Key(label="zenith angle", help="Zenith angle of the line of sight.", unit="deg",
-                range=(0.0, 180.0), example="80 deg"),
-        ]
-        | None
-    ) = None  # fmt: skip
+    look_zenith: Annotated[float, LOOK_ZENITH] | None = None
     look_bearing: (
         Annotated[
             float,
@@ -123,24 +134,9 @@ class View(Record):
         ]
         | None
     ) = None  # fmt: skip
-    roll: Annotated[
-        float,
-        Key(label="roll", help="Clockwise rotation of the camera.", unit="deg",
-            range=(-360.0, 360.0), example="0 deg"),
-    ] = 0.0  # fmt: skip
-    projection: Annotated[
-        str,
-        Key(label="projection", help="Projection of the picture.", kind="choice",
-            words=lambda: tuple(PROJECTIONS)),
-    ] = "perspective"  # fmt: skip
-    field_of_view: (
-        Annotated[
-            float,
-            Key(label="field of view", help="Angle from left to right, or across a fisheye.",
-                unit="deg", range=(1e-4, 360.0), example="40 deg"),
-        ]
-        | None
-    ) = None  # fmt: skip
+    roll: Annotated[float, ROLL] = 0.0
+    projection: Annotated[str, PROJECTION] = "perspective"
+    field_of_view: Annotated[float, FIELD_OF_VIEW] | None = None
 
     def __post_init__(self) -> None:
         ways = {
