@@ -66,6 +66,9 @@ def test_choices_reach_the_manifest(
         (["--layout", "bruneton", "--order", "0"], "--order is '0'; allowed: all, or 1, 2, 3"),
         (["--layout", "bruneton", "--order", "2"], "order is 2; allowed: 1, or nothing"),
         (["--layout", "bruneton", "--cumulative"], "only with --order K"),
+        (["--layout", "bruneton", "--lowest-sun", "80deg"], "--lowest-sun is '80deg'; allowed: 90"),
+        (["--layout", "bruneton", "--lowest-sun", "low"], "--lowest-sun is 'low'"),
+        (["--layout", "atmosphere-plus", "--lowest-sun", "99"], "only with --layout bruneton"),
         (["--layout", "cube"], "cube"),
     ],
 )

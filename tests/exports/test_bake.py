@@ -16,6 +16,7 @@ from airlight.exports.bake import Baked, bake
 from airlight.exports.table_errors import random_positions
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import vectorized
+from airlight.mappings.scattering import lowest_sun_cosine
 from airlight.optics.reflection import LAWS, leaving_cosine, sky_factors
 from airlight.planets import Constituent, Ground, Planet, Star, load_planet
 from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
@@ -99,6 +100,28 @@ def test_texels_give_the_solver_s_own_light(
     assert (exact > 1e-9).mean() > 0.4
     assert_allclose(made, exact, rtol=2e-4, atol=1e-9)
     assert np.median(np.abs(made - exact)[exact > 1e-9] / exact[exact > 1e-9]) < 1e-6
+
+
+def test_a_table_ends_at_the_lowest_sun_asked_for(earth: Any) -> None:
+    # The first texel along mu_s is the limit itself, and cos 120° is lower than the planet's own.
+    size = (4, 8, 6, 4)
+    own = bake(earth, size=size, points=20).tables["scattering"].layout
+    asked = bake(earth, size=size, points=20, mu_s_min=-0.5).tables["scattering"].layout
+    for layout, lowest in ((own, lowest_sun_cosine(6360e3, 6460e3)), (asked, -0.5)):
+        suns = layout.positions().mu_s
+        assert_allclose([suns.min(), suns.max()], [lowest, 1.0], rtol=1e-9)
+        assert_allclose(layout.axes[2].parameters["lowest_mu_s"], lowest, rtol=1e-12)
+
+
+@pytest.mark.parametrize("packing", ["separate", "combined"])
+def test_higher_orders_are_the_light_less_the_first_order(earth: Any, packing: str) -> None:
+    # A law: all light is the first order and the others, by the solver itself, at the texels.
+    baked = bake(earth, size=(6, 12, 8, 5), points=20, higher_orders=True, packing=packing)
+    positions = texels(baked)
+    every, first = AirLight(earth).with_first(lines_of_sight(positions, earth.medium))
+    higher = baked.tables["higher-order"].at(positions)
+    by_rayleigh = 3.0 / (16.0 * np.pi) * (1.0 + positions.nu**2)
+    assert_allclose(higher * by_rayleigh[:, None], every - first, rtol=2e-4, atol=1e-9)
 
 
 def test_first_order_agrees_with_quadrature(earth: Any) -> None:
@@ -380,6 +403,9 @@ def test_a_table_of_one_order_says_so_and_any_solver_can_fill_it(
         ({"layout": "atmosphere-plus", "mapping": "log"}, "mapping is 'log'"),
         ({"size": (4, 4)}, "size is .*4 numbers of texels: r, mu, mu_s, nu"),
         ({"precision": "quarter"}, "precision is 'quarter'"),
+        ({"mu_s_min": 0.3}, "mu_s_min is 0.3; allowed: -1 to 0"),
+        ({"layout": "atmosphere-plus", "mu_s_min": -0.3}, "only with layout bruneton"),
+        ({"layout": "atmosphere-plus", "higher_orders": True}, "only with layout bruneton"),
         ({"points": 0}, "points is 0"),
     ],
 )

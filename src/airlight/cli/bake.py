@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import sys
 import time
@@ -70,6 +71,15 @@ def bake(
             "(32x256x32).",
         ),
     ] = None,
+    lowest_sun: Annotated[
+        str | None,
+        typer.Option(
+            "--lowest-sun",
+            metavar="ANGLE",
+            help="Of bruneton: largest zenith angle of the sun in the tables, 90deg to 180deg (the "
+            "end of twilight).",
+        ),
+    ] = None,
     precision: Annotated[
         Literal["half", "single"], typer.Option(help="Of the numbers stored; half is scaled.")
     ] = "single",
@@ -110,6 +120,7 @@ def bake(
         raise ParameterError("--mapping", mapping, "only with --layout atmosphere-plus")
     if azimuth is not None and chosen != "phase-included":
         raise ParameterError("--azimuth", azimuth, "only with --packing phase-included")
+    mu_s_min = _lowest(lowest_sun, layout)
     texels = None if size is None else _size(size, layout)
     number = _order(order, cumulative)
     check_folder(output, FORMAT)
@@ -140,6 +151,7 @@ def bake(
             precision=precision,
             order=number,
             cumulative=cumulative,
+            mu_s_min=mu_s_min,
             progress=report,
         )
         manifest = write_tables(output, baked)
@@ -155,6 +167,17 @@ def _packing(layout: str, packing: str | None, mie: str | None) -> str:
     if mie is not None:
         raise ParameterError("--mie", mie, "only with --layout bruneton")
     return packing or "rgba"
+
+
+def _lowest(text: str | None, layout: str) -> float | None:
+    if text is None:
+        return None
+    if layout != "bruneton":
+        raise ParameterError("--lowest-sun", text, "only with --layout bruneton")
+    zenith = options.angle(text, "--lowest-sun")
+    if not 90.0 <= zenith <= 180.0:
+        raise ParameterError("--lowest-sun", text, "90deg to 180deg")
+    return min(math.cos(math.radians(zenith)), 0.0)
 
 
 def _size(text: str, layout: str) -> tuple[int, ...]:

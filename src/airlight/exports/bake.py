@@ -16,6 +16,7 @@ from airlight.exports.labelled_tables import Labels, facts, transmittance, unsca
 from airlight.exports.packing import (
     FIT_AZIMUTHS,
     Parts,
+    Split,
     colours_of,
     combine,
     fit_azimuths,
@@ -23,7 +24,9 @@ from airlight.exports.packing import (
     split_once,
 )
 from airlight.exports.table_errors import ERROR_POINTS, SEED, Errors
+from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress
+from airlight.optics.phase_functions import rayleigh
 from airlight.solvers.light_paths import only_straight
 from airlight.solvers.solution import Solution
 from airlight.tables.atmosphere_plus import AtmospherePlusLayout
@@ -53,7 +56,8 @@ class Baked:
     light : ScatteredLight
         Radiance of the air from ``tables``.
     tables : dict of str to Table
-        ``transmittance``, ``irradiance``, ``scattering``, and ``single-<name>`` or ``particles``.
+        ``transmittance``, ``irradiance``, ``scattering``, and ``single-<name>`` or ``particles``;
+        ``higher-order`` if asked for.
     about : dict
         Planet, fingerprint, solver, orders, wavelengths, irradiance of the star.
     errors : dict of str to Errors
@@ -77,6 +81,8 @@ def bake(
     precision: str = "single",
     order: int | None = None,
     cumulative: bool = False,
+    mu_s_min: float | None = None,
+    higher_orders: bool = False,
     points: int = ERROR_POINTS,
     seed: int = SEED,
     progress: Progress | None = None,
@@ -106,6 +112,13 @@ def bake(
         Number of scatterings or reflections to include alone.
     cumulative : bool
         Whether all orders up to ``order`` are included.
+    mu_s_min : float, optional
+        Lowest cosine of the sun's zenith angle in a ``bruneton`` table, -1 to 0; if left out, the
+        end of twilight on this planet. [1]
+    higher_orders : bool
+        Whether a ``bruneton`` bake has the table ``higher-order`` too: the light scattered or
+        reflected more than once, which ``scattering`` holds as well, divided by Rayleigh's phase
+        function, so that it can be looked up alone.
     points, seed : int
         Number and seed of the random points at which errors are measured.
     progress, cancel : callable, optional
@@ -124,7 +137,9 @@ def bake(
         If ``cancel`` returned True.
     """
     only_straight(solution.medium, "tables, whose look-ups draw straight lines")
-    where = _layout(solution, layout, mapping, azimuth, size)
+    where = _layout(solution, layout, mapping, azimuth, size, mu_s_min)
+    if higher_orders and layout != "bruneton":
+        raise ParameterError("higher_orders", True, "only with layout bruneton")
     packing = _packing(layout, packing)
     if precision not in ("single", "half"):
         raise ParameterError("precision", precision, "single, half")
@@ -143,7 +158,7 @@ def bake(
     label = Labels(medium, {"solver": str(solution.report), "orders": orders})
     tables = unscattered(solution, label, precision)
     for name, values, quantity, unit in _scattering(
-        air, where, parts, packing, (colours, reference), step
+        air, where, parts, packing, (colours, reference), step, higher_orders=higher_orders
     ):
         tables[name] = label.table(name, quantity, unit, where, values, precision)
     light = ScatteredLight(
@@ -155,7 +170,12 @@ def bake(
 
 
 def _layout(
-    solution: Solution, layout: str, mapping: str, azimuth: float, size: tuple[int, ...] | None
+    solution: Solution,
+    layout: str,
+    mapping: str,
+    azimuth: float,
+    size: tuple[int, ...] | None,
+    mu_s_min: float | None,
 ) -> Layout:
     if layout not in LAYOUT_NAMES:
         raise ParameterError("layout", layout, ", ".join(LAYOUT_NAMES))
@@ -169,7 +189,9 @@ def _layout(
     }
     if layout == "bruneton":
         sizes = dict(zip(("radii", "views", "suns", "angles"), size or (), strict=False))
-        return BrunetonLayout(**shell, **sizes)
+        return BrunetonLayout(**shell, **sizes, mu_s_min=mu_s_min)
+    if mu_s_min is not None:
+        raise ParameterError("mu_s_min", mu_s_min, "only with layout bruneton")
     sizes = dict(zip(("altitudes", "views", "suns"), size or (), strict=False))
     return AtmospherePlusLayout(**shell, **sizes, mapping=mapping, azimuth=azimuth)
 
@@ -218,6 +240,8 @@ def _scattering(
     packing: str,
     colours: tuple[FloatArray, int],
     step: _Steps,
+    *,
+    higher_orders: bool,
 ) -> list[tuple[str, FloatArray, str, str]]:
     """Name, values, quantity and unit of each table of scattered light."""
     medium = air.solution.medium
@@ -244,16 +268,22 @@ def _scattering(
         return out
 
     def apart(block: Positions) -> list[FloatArray]:
-        gas, rest, dust = split_once(air, block, parts, each=packing == "separate")
-        return [gas, rest, *(dust[:, k] for k in range(dust.shape[1]))]
+        split: Split = split_once(air, block, parts, each=packing == "separate")
+        dust = split.particles
+        return [split.gas, split.rest, split.higher, *(dust[:, k] for k in range(dust.shape[1]))]
 
-    gas, rest, *dust = step.run(positions, apart, "scattering")
+    gas, rest, higher, *dust = step.run(positions, apart, "scattering")
     # A texel whose angle no view and sun can have holds the light at the nearest possible angle.
     # Light scattered more than once does not follow the phase function, by which the texel's
     # own angle will multiply it.
     angles = np.linspace(-1.0, 1.0, where.shape[-1])
     of_axis = np.tile(parts.phases.at("gas", angles), (len(positions) // angles.size, 1))
     smooth = gas + rest / of_axis
+    apart_too = []
+    if higher_orders:
+        by_rayleigh = np.tile(vectorized(rayleigh)(angles, 0.0), len(positions) // angles.size)
+        quantity = f"{_AIR}: orders from the second on, divided by Rayleigh's phase function"
+        apart_too.append(("higher-order", higher / by_rayleigh[:, None], quantity, "1"))
     if packing == "combined":
         if not dust:
             dust = [np.zeros_like(smooth)]
@@ -263,13 +293,13 @@ def _scattering(
         values = combine(light, dust[0], p_gas, p_dust, *colours)
         nm = medium.wavelengths[colours[1]]
         quantity = f"{smooth_is}; {dust_is}, scattered once, at {nm:g} nm"
-        return [("scattering", values, quantity, "1")]
+        return [("scattering", values, quantity, "1"), *apart_too]
     out = [("scattering", smooth, smooth_is, "1")]
     out += [
         (name, values, f"{dust_is}, scattered once", "1")
         for name, values in zip(parts.phases.names[1:], dust, strict=True)
     ]
-    return out
+    return out + apart_too
 
 
 def _air_and_all(air: AirLight, positions: Positions) -> list[FloatArray]:

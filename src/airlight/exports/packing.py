@@ -9,7 +9,7 @@ smooth part and is exact at its texels; a table without one gets the best fit ov
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -99,17 +99,11 @@ def slug(name: str) -> str:
     return "-".join(words) or "particles"
 
 
-def split_once(
-    air: AirLight, positions: Positions, parts: Parts, *, each: bool
-) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Split light into gas, particles and higher orders at points whose ν is known.
+class Split(NamedTuple):
+    """Light at points whose ν is known, in parts.
 
-    The particles' light is their single scattering by quadrature, scaled to the solution's own
-    first order where that is mostly theirs (a solver may remove forward peaks from the phase
-    functions).
-
-    Returns
-    -------
+    Attributes
+    ----------
     gas : array, shape (n, nl)
         Light scattered once by the gas, to be multiplied by its phase function. [1]
     rest : array, shape (n, nl)
@@ -117,13 +111,30 @@ def split_once(
     particles : array, shape (n, kinds, nl)
         Light scattered once by particles, to be multiplied by each kind's phase function, or by
         their mean (kinds = 1). [1]
+    higher : array, shape (n, nl)
+        Radiance of the orders from the second on, which the other parts hold as well. [sr⁻¹]
+    """
+
+    gas: FloatArray
+    rest: FloatArray
+    particles: FloatArray
+    higher: FloatArray
+
+
+def split_once(air: AirLight, positions: Positions, parts: Parts, *, each: bool) -> Split:
+    """Split light into gas, particles and higher orders at points whose ν is known.
+
+    The particles' light is their single scattering by quadrature, scaled to the solution's own
+    first order where that is mostly theirs (a solver may remove forward peaks from the phase
+    functions).
     """
     medium = air.solution.medium
     sight = lines_of_sight(positions, medium)
     kinds = len(parts.phases.names) - 1
     if not air.has_first:
         light = air(sight)
-        return np.zeros_like(light), light, np.zeros((len(positions), kinds, light.shape[-1]))
+        nothing = np.zeros((len(positions), kinds, light.shape[-1]))
+        return Split(np.zeros_like(light), light, nothing, light)
     light, first = air.with_first(sight)
     own = medium.phase_function(positions.nu)
     once = scattered_once(medium, sight)
@@ -148,7 +159,7 @@ def split_once(
         dust = (factor * from_particles / parts.phases.at("particles", positions.nu))[:, None]
     else:
         dust = np.zeros((len(positions), 0, light.shape[-1]))
-    return smooth, left - of_gas, dust
+    return Split(smooth, left - of_gas, dust, np.maximum(light - first, 0.0))
 
 
 def combine(

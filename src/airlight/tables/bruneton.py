@@ -148,6 +148,9 @@ class BrunetonLayout(Layout):
         Radii of the ground and of the top of the shell. [m]
     radii, views, suns, angles : int
         Texels along each axis; ``views`` is even and at least 4.
+    mu_s_min : float, optional
+        Lowest cosine of the sun's zenith angle in the table, -1 to 0; if left out, that at which
+        twilight ends on this planet (``mappings.scattering.lowest_sun_cosine``). [1]
     """
 
     kind: ClassVar[str] = "bruneton-scattering"
@@ -157,8 +160,11 @@ class BrunetonLayout(Layout):
     views: int = 128
     suns: int = 32
     angles: int = 8
+    mu_s_min: float | None = None
 
     def __post_init__(self) -> None:
+        if self.mu_s_min is not None and not -1.0 <= self.mu_s_min <= 0.0:
+            raise ParameterError("mu_s_min", self.mu_s_min, "-1 to 0")
         self._check_shell()
         if self.views % 2 or self.views < 4:
             raise ParameterError("size of axis mu", self.views, "an even number from 4")
@@ -166,10 +172,13 @@ class BrunetonLayout(Layout):
     @cached_property
     def grid(self) -> BrunetonGrid:
         """Parameters of the layout, for compiled loops."""
+        lowest = self.mu_s_min
+        if lowest is None:
+            lowest = lowest_sun_cosine(self.bottom_radius, self.top_radius)
         return BrunetonGrid(
             self.bottom_radius,
             self.top_radius,
-            lowest_sun_cosine(self.bottom_radius, self.top_radius),
+            float(lowest),
             self.radii,
             self.views,
             self.suns,
@@ -248,4 +257,5 @@ class BrunetonLayout(Layout):
             "views": self.views,
             "suns": self.suns,
             "angles": self.angles,
+            "mu_s_min": self.mu_s_min,
         }
