@@ -12,13 +12,17 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from airlight.cli import options
+from airlight.cli.bake_target import bake_target
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
+from airlight.targets import MODULES
 
 if TYPE_CHECKING:
     from airlight.exports.bake import Baked
 
+#: Layouts of tables, and programs.
+LAYOUTS = ("bruneton", "atmosphere-plus", *MODULES)
 EPILOG = examples(
     "airlight bake earth --layout bruneton -o earth-tables",
     "airlight bake mars --layout bruneton --mie combined --precision half -o mars-tables",
@@ -31,10 +35,11 @@ EPILOG = examples(
 def bake(
     planet: options.Planet_,
     layout: Annotated[
-        Literal["bruneton", "atmosphere-plus"],
+        str,
         typer.Option(
+            metavar="|".join(LAYOUTS),
             help="bruneton: height, view, sun and the angle between them; atmosphere-plus: "
-            "without that angle."
+            "without that angle; or a program, whose files are written as it loads them.",
         ),
     ],
     output: Annotated[
@@ -109,6 +114,32 @@ def bake(
     The tables hold scattered light, transmittance and skylight; the manifest describes the look-ups
     and states the tables' error.
     """
+    if layout not in LAYOUTS:
+        raise ParameterError("--layout", layout, ", ".join(LAYOUTS))
+    if layout in MODULES:
+        given = {
+            "mapping": mapping,
+            "packing": packing,
+            "azimuth": azimuth,
+            "mie": mie,
+            "size": None if size is None else _size(size, "bruneton"),
+            "lowest_sun": None if lowest_sun is None else options.angle(lowest_sun, "--lowest-sun"),
+            "precision": None if precision == "single" else precision,
+            "order": None if order == "all" else order,
+            "cumulative": cumulative or None,
+        }
+        bake_target(
+            layout,
+            planet,
+            output,
+            chosen={name: value for name, value in given.items() if value is not None},
+            wavelengths=None if wavelengths == "rgb" else wavelengths,
+            solver=solver,
+            quality=quality,
+            set_=set_,
+            cache=not no_cache,
+        )
+        return
     started = time.perf_counter()
     from airlight.exports.bake import bake as fill
     from airlight.exports.table_files import FORMAT, write_tables

@@ -1,0 +1,106 @@
+"""``airlight bake --layout PROGRAM``: files that a program loads as they are."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from airlight.cli import options
+from airlight.cli.progress import shown_progress
+from airlight.errors import ParameterError
+
+if TYPE_CHECKING:
+    from airlight.targets.target import ErrorRow, Export, Target
+
+
+def bake_target(
+    name: str,
+    planet: str,
+    output: Path,
+    *,
+    chosen: Mapping[str, Any],
+    wavelengths: str | None,
+    solver: str,
+    quality: str,
+    set_: list[str] | None,
+    cache: bool,
+) -> None:
+    """Solve a planet and write it for a program.
+
+    Parameters
+    ----------
+    name : str
+        Name of the layout.
+    planet, output, solver, quality, set_
+        Arguments of the command.
+    chosen : mapping
+        Options of tables that were given, by their names in Python: ``size`` as numbers of texels,
+        ``lowest_sun`` in degrees, others as texts; what was not given is left out.
+    wavelengths : str, optional
+        Text of ``--wavelengths``, if it was given.
+    cache : bool
+        Whether solutions are read from disk and kept there.
+
+    Raises
+    ------
+    ParameterError
+        For an option that the program does not have.
+    """
+    started = time.perf_counter()
+    from airlight.exports.whole_folder import check_folder
+    from airlight.planets import replace
+    from airlight.targets import target_of
+
+    program = target_of(name)
+    program.check_options(chosen)
+    if wavelengths is not None and program.wavelengths is not None:
+        fixed = ", ".join(f"{one:g}" for one in program.wavelengths)
+        raise ParameterError("--wavelengths", wavelengths, f"{program.program} fixes {fixed} nm")
+    check_folder(output, program.form)
+    world = options.planet(planet, set_)
+    if world.refraction != "none" and not program.bends_light:
+        print(f"airlight: {program.program} draws light straight", file=sys.stderr)
+        world = replace(world, refraction="none")
+    nm = program.wavelengths or options.wavelengths(wavelengths or "rgb", world)
+
+    from airlight.solvers import solve
+
+    with shown_progress() as report:
+        solution = solve(
+            world, wavelengths=nm, quality=quality, solver=solver, cache=cache, progress=report
+        )
+        export = program.write(solution, output, progress=report, **chosen)
+    print_export(program, export)
+    print(f"\n{export.folder}  {time.perf_counter() - started:.1f} s")
+
+
+def print_export(program: Target, export: Export) -> None:
+    """Print the files of a folder, their errors, what was fitted, and what is left out."""
+    print(f"for {program.program} {program.version}")
+    for name, size in export.files.items():
+        print(f"  {name:<32} {_bytes(size):>10}")
+    if export.errors:
+        print(f"\n{'error against the solver':<40} {'median':>9} {'95 %':>9} {'largest':>9}")
+        for row in export.errors:
+            print(f"  {row.name:<38} {_statistics(row)}  {row.measure}; {row.where}")
+    for fit in export.fitted:
+        numbers = ", ".join(f"{name} = {value:.4g}" for name, value in fit.parameters.items())
+        print(f"\nfitted: {fit.name}: {fit.form}, {numbers}; {fit.where}")
+        for name, value in fit.errors.items():
+            print(f"  {name:<38} {value:>9.1e}")
+    if export.notes:
+        print()
+    for note in export.notes:
+        print(f"note: {note}")
+
+
+def _statistics(row: ErrorRow) -> str:
+    values = (row.median, row.percentile_95, row.largest)
+    return " ".join(f"{value:>9.1e}" for value in values)
+
+
+def _bytes(size: int) -> str:
+    return f"{size} B" if size < 1000 else f"{size / 1e3:.0f} kB"
