@@ -92,6 +92,32 @@ class AirLight:
         ]
         return np.asarray(sum(rest)), first
 
+    def once_and_rest(self, sight: Sight) -> tuple[FloatArray, FloatArray]:
+        """Air's light in the solution's own parts, if it is a moments solution.
+
+        Where forward peaks count as unscattered, at a low sun in dusty air, the light scattered
+        once is many times that of single scattering proper, and follows the phase functions all
+        the same.
+
+        Returns
+        -------
+        once : array, shape (n, nc, nl)
+            Light scattered once by each constituent, to be multiplied by its phase function. [1]
+        rest : array, shape (n, nl)
+            Radiance of all other orders that are included. [sr⁻¹]
+        """
+        solution = self.solution
+        assert isinstance(solution, MomentsSolution)
+        medium = solution.medium
+        own = medium.phase_function(solution.paths.seen_nu(sight))
+        once = np.zeros_like(own)
+        for index in np.flatnonzero((medium.scattering > 0.0).any(axis=1)):
+            light = solution.marched(sight, 1, scatterers=[index], ground=False)
+            np.divide(light, own[:, index], out=once[:, index], where=own[:, index] > 0.0)
+        if None in self.orders:
+            return once, solution.marched(sight, 0, ground=False)
+        return once, np.zeros_like(once[:, 0])
+
     def __call__(self, sight: Sight) -> FloatArray:
         """Air's light of all the orders together, shape (n, nl). [sr⁻¹]"""
         through = self._through(sight)

@@ -124,9 +124,9 @@ class Split(NamedTuple):
 def split_once(air: AirLight, positions: Positions, parts: Parts, *, each: bool) -> Split:
     """Split light into gas, particles and higher orders at points whose ν is known.
 
-    The particles' light is their single scattering by quadrature, scaled to the solution's own
-    first order where that is mostly theirs (a solver may remove forward peaks from the phase
-    functions).
+    The light scattered once is the solution's own by each constituent, where it keeps that apart
+    (``AirLight.once_and_rest``). Otherwise it is found by quadrature, and the particles' is scaled
+    to the solution's first order where that is mostly theirs.
     """
     medium = air.solution.medium
     sight = lines_of_sight(positions, medium)
@@ -135,10 +135,18 @@ def split_once(air: AirLight, positions: Positions, parts: Parts, *, each: bool)
         light = air(sight)
         nothing = np.zeros((len(positions), kinds, light.shape[-1]))
         return Split(np.zeros_like(light), light, nothing, light)
-    light, first = air.with_first(sight)
     own = medium.phase_function(positions.nu)
-    once = scattered_once(medium, sight)
     gas, particles = list(parts.gas), list(parts.particles)
+    if air.apart:
+        once, rest = air.once_and_rest(sight)
+        from_gas = (own[:, gas] * once[:, gas]).sum(axis=1)
+        dust = once[:, particles]
+        if kinds and not each:
+            from_particles = (own[:, particles] * dust).sum(axis=1)
+            dust = (from_particles / parts.phases.at("particles", positions.nu))[:, None]
+        return Split(from_gas / parts.phases.at("gas", positions.nu), rest, dust, rest)
+    light, first = air.with_first(sight)
+    once = scattered_once(medium, sight)
     if each:  # as in the look-up
         for kind, index in zip(parts.phases.names[1:], particles, strict=True):
             own[:, index] = parts.phases.at(kind, positions.nu)
