@@ -87,8 +87,8 @@ def print_export(program: Target, export: Export) -> None:
         for row in export.errors:
             print(f"  {row.name:<38} {_statistics(row)}  {row.measure}; {row.where}")
     for fit in export.fitted:
-        numbers = ", ".join(f"{name} = {value:.4g}" for name, value in fit.parameters.items())
-        print(f"\nfitted: {fit.name}: {fit.form}, {numbers}; {fit.where}")
+        numbers = (f"{name} = {value:.4g}" for name, value in fit.parameters.items())
+        print(f"\nfitted: {fit.name}: {', '.join((fit.form, *numbers))}; {fit.where}")
         for name, value in fit.errors.items():
             print(f"  {name:<38} {value:>9.1e}")
     if export.notes:

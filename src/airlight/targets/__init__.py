@@ -11,7 +11,11 @@ if TYPE_CHECKING:
     from airlight.targets.target import Target
 
 #: Modules of the programs by the names of their layouts; each has a ``TARGET``.
-MODULES: Final[dict[str, str]] = {}
+MODULES: Final[dict[str, str]] = {
+    "openspace": "openspace",
+    "unreal": "unreal",
+    "celestia": "celestia",
+}
 
 
 def target_of(name: str) -> Target:

@@ -19,6 +19,7 @@ from airlight.errors import ParameterError
 from airlight.exports.air_light import groups
 from airlight.kernel import vectorized
 from airlight.optics.phase_functions import cornette_shanks, henyey_greenstein
+from airlight.planets.matter.phases import CornetteShanks, HenyeyGreenstein, PhaseFunction
 from airlight.planets.medium import Medium
 
 FloatArray = NDArray[np.float64]
@@ -70,15 +71,22 @@ class LobeForm:
         Kernel of nu and g. [sr⁻¹]
     g_of : callable
         Parameter g of a mean cosine.
+    phase_function : callable
+        Phase function of a planet by its parameter g.
     """
 
     name: str
     formula: Callable[[float, float], float]
     g_of: Callable[[float], float]
+    phase_function: Callable[[float], PhaseFunction]
 
 
-CORNETTE_SHANKS: Final = LobeForm("Cornette-Shanks", cornette_shanks, g_of_cornette_shanks)
-HENYEY_GREENSTEIN: Final = LobeForm("Henyey-Greenstein", henyey_greenstein, float)
+CORNETTE_SHANKS: Final = LobeForm(
+    "Cornette-Shanks", cornette_shanks, g_of_cornette_shanks, lambda g: CornetteShanks(asymmetry=g)
+)
+HENYEY_GREENSTEIN: Final = LobeForm(
+    "Henyey-Greenstein", henyey_greenstein, float, lambda g: HenyeyGreenstein(asymmetry=g)
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -139,7 +147,7 @@ def fit_lobe(
     mean_cosines : array, shape (nl,)
         Its mean cosine at each wavelength. [1]
     form : LobeForm
-        ``CORNETTE_SHANKS`` or ``HENYEY_GREENSTEIN``.
+        Formula, such as ``CORNETTE_SHANKS`` or ``HENYEY_GREENSTEIN``.
     weights : array, shape (nl,), optional
         Weights of the wavelengths, such as scattering optical depths; even if left out.
 

@@ -1,0 +1,60 @@
+"""Numbers of planets by formulas in km and km⁻¹, as programs for real time take them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Final
+
+from airlight.planets.constituent import Constituent
+from airlight.planets.matter.profiles import Exponential
+from airlight.planets.planet import RED_GREEN_BLUE
+from airlight.planets.spectral import PerWavelength
+
+#: Digits of a number: more than single precision has.
+_DIGITS: Final = 8
+#: Scale height written for a constituent that the planet does not have. [km]
+NO_HEIGHT: Final = 8.0
+
+
+def rounded(value: float) -> float:
+    """Number of eight digits.
+
+    Examples
+    --------
+    >>> rounded(0.123456789012)
+    0.12345679
+    """
+    return float(f"{value:.{_DIGITS}g}")
+
+
+def per_km(values: Any) -> list[float]:
+    """Coefficients at red, green and blue. [km⁻¹]
+
+    Parameters
+    ----------
+    values : float or PerWavelength
+        Coefficient of a constituent of ``formula_planet``. [m⁻¹]
+    """
+    if isinstance(values, PerWavelength):
+        return [rounded(1e3 * value) for value in values.values]
+    return [rounded(1e3 * float(values))] * len(RED_GREEN_BLUE)
+
+
+def per_metre(values: Sequence[float]) -> PerWavelength:
+    """Coefficients at red, green and blue as a parameter of a planet. [m⁻¹]
+
+    Parameters
+    ----------
+    values : sequence of three floats
+        Coefficients. [km⁻¹]
+    """
+    listed = tuple(1e-3 * float(one) for one in values)
+    return PerWavelength(wavelengths=RED_GREEN_BLUE, values=listed)
+
+
+def scale_height_km(part: Constituent | None) -> float:
+    """Scale height of a constituent, ``NO_HEIGHT`` if there is none. [km]"""
+    if part is None:
+        return NO_HEIGHT
+    assert isinstance(part.profile, Exponential)
+    return rounded(part.profile.scale_height / 1e3)
