@@ -1,0 +1,45 @@
+"""Commands of the page about engines, run where the program is not needed."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+from airlight.cli import main
+from airlight.targets import MODULES
+
+PAGE = (Path(__file__).parents[2] / "docs" / "engines.md").read_text(encoding="utf-8")
+_BLOCK = re.compile(r"^```console\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+LINES = [line for found in _BLOCK.finditer(PAGE) for line in found[1].splitlines()]
+BAKES = [line.removeprefix("$ airlight ") for line in LINES if line.startswith("$ airlight bake ")]
+#: What makes an export of tables small.
+SMALL = {"cosmoscout": ["--size", "4x8x4x4"]}
+
+
+def test_each_program_has_a_row_and_three_commands():
+    for name in MODULES:
+        assert f"| `{name}` |" in PAGE
+        assert sum(f"--layout {name} " in line for line in BAKES) == 1
+    for block in _BLOCK.finditer(PAGE):
+        assert block[1].count("$ ") == 3
+
+
+@pytest.mark.parametrize("command", BAKES, ids=lambda line: line.split()[3])
+def test_the_command_writes_the_files_that_the_next_ones_take(
+    command: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    words = shlex.split(command)
+    layout = words[words.index("--layout") + 1]
+    assert main([*words, "--quality", "preview", *SMALL.get(layout, [])]) == 0
+    folder = words[words.index("-o") + 1]
+    assert f"{folder}  " in capsys.readouterr().out
+    for line in LINES:
+        for path in re.findall(rf"(?<![\w/]){re.escape(folder)}/[\w.-]+", line):
+            assert Path(path).is_file(), path
