@@ -25,7 +25,10 @@ if TYPE_CHECKING:
 #: Fixtures that bring a browser, and those that bring a GPU or a window.
 _BROWSER, _GPU = {"chromium"}, {"device", "gpu", "lacking"}
 #: Folders whose files stay on one worker: they share solutions that take long, or a browser.
-_TOGETHER = ("color", "exports", "mappings", "optics", "planets", "plots", "render", "scene", "web")
+_TOGETHER = (
+    "color", "environment", "exports", "mappings", "optics", "planets", "plots", "render", "scene",
+    "web",
+)  # fmt: skip
 #: Its tests share nothing, and take longest.
 _APART = "tests/against/test_solvers_agree.py"
 

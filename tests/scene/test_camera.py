@@ -21,6 +21,7 @@ ROUNDING = 1e-14
 WHOLE_SPHERE = [
     Camera(projection="equirectangular", width=256, height=128),
     Camera(projection="cubemap", width=6 * 64, height=64),
+    Camera(projection="octahedral", width=96, height=96),
 ]
 EVERY_PROJECTION = [
     Camera(projection="perspective", width=64, height=36),
@@ -161,7 +162,9 @@ def test_whole_sphere_projections_show_all_directions_once(camera: Camera) -> No
     # over the sphere the mean of v is 0 and the mean of v v^T is a third of the unit matrix;
     # weights: a pixel's solid angle at its centre, whose sum is off by O(pixel angle squared)
     view = camera.directions()
-    if camera.projection == "cubemap":
+    if camera.projection == "octahedral":
+        weight = np.full(view.shape[:2], 4.0 * math.pi / (camera.width * camera.height))
+    elif camera.projection == "cubemap":
         weight = np.max(np.abs(view), axis=-1) ** 3 * camera.pixel_angle**2
     else:
         weight = np.hypot(view[..., 0], view[..., 1]) * camera.pixel_angle**2

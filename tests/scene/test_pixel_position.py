@@ -17,6 +17,7 @@ from airlight.scene.pixel_position import pixel_positions
         ("fisheye", 60, 60),
         ("equirectangular", 80, 40),
         ("cubemap", 96, 16),
+        ("octahedral", 48, 48),
     ],
 )
 def test_positions_invert_the_projection(projection: str, width: int, height: int) -> None:

@@ -16,7 +16,8 @@ from airlight.scene.projections.projected import projected_ray, projected_rays
 def test_a_projection_s_number_is_its_place(which: int) -> None:
     # The projection's own formula, uncompiled, and the grid of pixels: to rounding.
     projection = list(PROJECTIONS.values())[which]
-    width, height = {"equirectangular": (8, 4), "cubemap": (24, 4)}.get(projection.name, (7, 5))
+    shaped = {"equirectangular": (8, 4), "cubemap": (24, 4), "octahedral": (6, 6)}
+    width, height = shaped.get(projection.name, (7, 5))
     fov = math.radians(projection.field_of_view)
     x, y = np.arange(width) + 0.5, np.arange(height) + 0.5
     wanted = projected_rays(projection.name, x, y, width, height, fov)

@@ -26,6 +26,7 @@ from airlight.cli import (
     radiance,
     render,
     show,
+    sky,
     sweep,
     validate,
     view,
@@ -48,7 +49,7 @@ app = typer.Typer(
     ),
 )
 _COMMANDS = (
-    planets, show, render, animate, compose, aerial, view, radiance, sweep, fit, plot, bake,
+    planets, show, render, animate, sky, compose, aerial, view, radiance, sweep, fit, plot, bake,
     export_page, validate, errata,
 )  # fmt: skip
 for command in _COMMANDS:

@@ -55,6 +55,49 @@ Latitude = Annotated[
 Longitude = Annotated[
     str | None, typer.Option(metavar="ANGLE", help="Of the observer, with --latitude; east is +.")
 ]
+SunZenith = Annotated[
+    str | None,
+    typer.Option(metavar="ANGLE", help="Zenith angle of the sun at the observer: 72deg."),
+]
+SunAzimuth = Annotated[
+    str | None,
+    typer.Option(metavar="ANGLE", help="Compass bearing of the sun, for map and bearings: 105deg."),
+]
+Wavelengths = Annotated[
+    str | None,
+    typer.Option(
+        metavar="rgb|N|LIST",
+        help="680, 550, 440 nm; or how many over the visible; or a list in nm. If left out: "
+        "16, on a GPU the four that show colours best, with a matrix fitted to the star.",
+    ),
+]
+Device = Annotated[
+    Literal["auto", "cpu", "gpu"],
+    typer.Option(
+        metavar="NAME",
+        help="Who draws: cpu; gpu, at most four wavelengths, and where it cannot the processor "
+        "with a line that says why; auto, gpu where there is a real one.",
+    ),
+]
+Exact = Annotated[
+    bool,
+    typer.Option(
+        "--exact",
+        help="March through the air pixel by pixel. Without it the air's light is read from a "
+        "table of what the observer sees around himself, to a few parts in 10000.",
+    ),
+]
+Exposure = Annotated[
+    str | None,
+    typer.Option(
+        metavar="EV|auto",
+        help="Brightens by 2 to this power. If left out, auto: as an eye that has adapted.",
+    ),
+]
+ToneMap = Annotated[str, typer.Option(metavar="NAME", help="Tone map: natural, hable, aces, agx …")]
+Encoding = Annotated[Literal["srgb", "gamma"], typer.Option(help="The picture's transfer curve.")]
+Primaries = Annotated[Literal["srgb", "display-p3"], typer.Option(help="The picture's primaries.")]
+Bits = Annotated[int, typer.Option(metavar="8|16", help="Bits per channel of a PNG.")]
 NoCache = Annotated[
     bool, typer.Option("--no-cache", help="Neither read nor keep solutions on disk.")
 ]
@@ -268,6 +311,45 @@ def projection(text: str) -> str:
     if text not in PROJECTIONS:
         raise ParameterError("--projection", text, ", ".join(PROJECTIONS))
     return text
+
+
+def only_for_png(
+    suffix: str,
+    exposure: str | None,
+    iso: float | None,
+    aperture: str | None,
+    shutter: str | None,
+    tone_map: str,
+    encoding: str,
+    primaries: str,
+    bits: int,
+    glare: float,
+) -> None:
+    """Refuse options of the display for a linear file, which has none of them.
+
+    Parameters
+    ----------
+    suffix : str
+        Suffix of the picture.
+    exposure, iso, aperture, shutter, tone_map, encoding, primaries, bits, glare :
+        Values of the options of that name.
+
+    Raises
+    ------
+    ParameterError
+        If the file is an ``.exr`` and an option is not as it is if left out.
+    """
+    if suffix != ".exr":
+        return
+    given = {
+        "--exposure": (exposure, None), "--iso": (iso, None), "--aperture": (aperture, None),
+        "--shutter": (shutter, None), "--tone-map": (tone_map, "natural"),
+        "--encoding": (encoding, "srgb"), "--primaries": (primaries, "srgb"), "--bits": (bits, 8),
+        "--glare": (glare, 1.0),
+    }  # fmt: skip
+    for option, (value, left_out) in given.items():
+        if value != left_out:
+            raise ParameterError(option, value, "left out for an .exr, which is linear radiance")
 
 
 def camera(

@@ -80,10 +80,7 @@ def render(
     roll: Annotated[
         str, typer.Option(metavar="ANGLE", help="Turns the camera clockwise about its line.")
     ] = "0deg",
-    sun_zenith: Annotated[
-        str | None,
-        typer.Option(metavar="ANGLE", help="Zenith angle of the sun at the observer: 72deg."),
-    ] = None,
+    sun_zenith: options.SunZenith = None,
     moon: second_lights.Moon = None,
     second_star: second_lights.SecondStar = None,
     stars: second_lights.Stars = False,
@@ -98,7 +95,8 @@ def render(
         str,
         typer.Option(
             metavar="NAME",
-            help="perspective, fisheye (dome master), equirectangular (panorama) or cubemap.",
+            help="perspective, fisheye (dome master), equirectangular (panorama), cubemap or "
+            "octahedral (a square of equal solid angles).",
         ),
     ] = "perspective",
     size: Annotated[
@@ -108,13 +106,7 @@ def render(
             help="1280x720; one number: a square's, a panorama's or a cube face's width.",
         ),
     ] = None,
-    exposure: Annotated[
-        str | None,
-        typer.Option(
-            metavar="EV|auto",
-            help="Brightens by 2 to this power. If left out, auto: as an eye that has adapted.",
-        ),
-    ] = None,
+    exposure: options.Exposure = None,
     iso: Annotated[
         float | None, typer.Option(metavar="ISO", help="Instead, a camera's sensitivity: 100,")
     ] = None,
@@ -124,43 +116,15 @@ def render(
     shutter: Annotated[
         str | None, typer.Option(metavar="TIME", help="its shutter time, 1/250 s.")
     ] = None,
-    tone_map: Annotated[
-        str,
-        typer.Option(metavar="NAME", help="Tone map: natural, hable, aces, agx …"),
-    ] = "natural",
-    encoding: Annotated[
-        Literal["srgb", "gamma"], typer.Option(help="The picture's transfer curve.")
-    ] = "srgb",
-    primaries: Annotated[
-        Literal["srgb", "display-p3"], typer.Option(help="The picture's primaries.")
-    ] = "srgb",
-    bits: Annotated[int, typer.Option(metavar="8|16", help="Bits per channel of a PNG.")] = 8,
+    tone_map: options.ToneMap = "natural",
+    encoding: options.Encoding = "srgb",
+    primaries: options.Primaries = "srgb",
+    bits: options.Bits = 8,
     glare: options.Glare = 1.0,
-    wavelengths: Annotated[
-        str | None,
-        typer.Option(
-            metavar="rgb|N|LIST",
-            help="680, 550, 440 nm; or how many over the visible; or a list in nm. If left out: "
-            "16, on a GPU the four that show colours best, with a matrix fitted to the star.",
-        ),
-    ] = None,
+    wavelengths: options.Wavelengths = None,
     quality: options.Quality = "default",
-    device: Annotated[
-        Literal["auto", "cpu", "gpu"],
-        typer.Option(
-            metavar="NAME",
-            help="Who draws: cpu; gpu, at most four wavelengths, and where it cannot the processor "
-            "with a line that says why; auto, gpu where there is a real one.",
-        ),
-    ] = "cpu",
-    exact: Annotated[
-        bool,
-        typer.Option(
-            "--exact",
-            help="March through the air pixel by pixel. Without it the air's light is read from a "
-            "table of what the observer sees around himself, to a few parts in 10000.",
-        ),
-    ] = False,
+    device: options.Device = "cpu",
+    exact: options.Exact = False,
     samples: Annotated[
         int,
         typer.Option(
@@ -175,12 +139,7 @@ def render(
         str | None,
         typer.Option(metavar="ANGLE", help="Of the ground below, by its map; east is +: 30deg."),
     ] = None,
-    sun_azimuth: Annotated[
-        str | None,
-        typer.Option(
-            metavar="ANGLE", help="Compass bearing of the sun, for map and bearings: 105deg."
-        ),
-    ] = None,
+    sun_azimuth: options.SunAzimuth = None,
     ground: Annotated[
         Literal["plain", "detailed"],
         typer.Option(
@@ -201,7 +160,10 @@ def render(
     from airlight.exports.picture import picture_suffix, write_picture
     from airlight.system import is_scene_file
 
-    picture_suffix(output)
+    options.only_for_png(
+        picture_suffix(output), exposure, iso, aperture, shutter, tone_map, encoding, primaries,
+        bits, glare,
+    )  # fmt: skip
     ev = options.camera(exposure, iso, aperture, shutter)
     check_tone_map(tone_map)
     check_glare(glare)

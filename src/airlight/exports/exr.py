@@ -1,10 +1,10 @@
-"""OpenEXR: linear float32, with all digits of the renderer."""
+"""OpenEXR: linear float32, with all digits of the renderer, or halves."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,10 +16,22 @@ from airlight.exports.whole_file import whole_file
 
 #: Chromaticities of red, green, blue and white. [ITU-R BT.709-6, item 1.3 and 1.4]
 REC_709 = (0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290)
+#: Types of the channels by name.
+PRECISIONS: Final[dict[str, type[np.floating[Any]]]] = {"float": np.float32, "half": np.float16}
+#: Compressions by name, with their name in OpenEXR; ``dwa`` loses what the eye does not see.
+COMPRESSIONS: Final = {
+    "zip": "ZIP_COMPRESSION", "dwa": "DWAA_COMPRESSION", "none": "NO_COMPRESSION",
+}  # fmt: skip
 
 
 def write_exr(
-    path: str | Path, rgb: NDArray[np.float32], metadata: Mapping[str, str] | None = None
+    path: str | Path,
+    rgb: NDArray[np.float32],
+    metadata: Mapping[str, str] | None = None,
+    *,
+    precision: str = "float",
+    compression: str = "zip",
+    attributes: Mapping[str, Any] | None = None,
 ) -> None:
     """Write linear radiance.
 
@@ -32,11 +44,17 @@ def write_exr(
         [W m⁻² sr⁻¹; 683 times its luminance is cd m⁻², recorded in the file as ``whiteLuminance``]
     metadata : mapping of str to str, optional
         String attributes to add, each name prefixed with ``airlight.``.
+    precision : str
+        Name from ``PRECISIONS``.
+    compression : str
+        Name from ``COMPRESSIONS``.
+    attributes : mapping, optional
+        OpenEXR's own attributes, which replace those that are written otherwise.
 
     Raises
     ------
     ParameterError
-        If the shape or type is not that.
+        If the shape or type is not that, a name is unknown, or a half would be infinite.
     FileError
         If the file cannot be written; an existing file is then unchanged.
     """
@@ -44,17 +62,27 @@ def write_exr(
 
     if rgb.dtype != np.float32 or rgb.ndim != 3 or rgb.shape[2] != 3:
         raise ParameterError("rgb", f"{rgb.dtype} {rgb.shape}", "float32, shape (h, w, 3)")
-    attributes: dict[str, Any] = {
-        "compression": OpenEXR.ZIP_COMPRESSION,
+    if precision not in PRECISIONS:
+        raise ParameterError("precision", precision, ", ".join(PRECISIONS))
+    if compression not in COMPRESSIONS:
+        raise ParameterError("compression", compression, ", ".join(COMPRESSIONS))
+    with np.errstate(over="ignore"):
+        pixels = np.ascontiguousarray(rgb.astype(PRECISIONS[precision], copy=False))
+    if precision == "half" and np.isinf(pixels).any() and np.isfinite(rgb).all():
+        largest = float(np.abs(rgb).max())
+        raise ParameterError("rgb", f"{largest:.4g}", "at most 65504 in half floats: scale it")
+    written: dict[str, Any] = {
+        "compression": getattr(OpenEXR, COMPRESSIONS[compression]),
         "type": OpenEXR.scanlineimage,
         # Scene-referred and unclipped: channels are negative for light beyond these primaries.
         "chromaticities": REC_709,
         "whiteLuminance": LUMINOUS_EFFICACY,
         **header(metadata or {}),
+        **(attributes or {}),
     }
     with whole_file(path) as part:
         try:
-            image = OpenEXR.File(attributes, {"RGB": np.ascontiguousarray(rgb)})
+            image = OpenEXR.File(written, {"RGB": pixels})
             image.write(str(part))
         except (RuntimeError, ValueError, TypeError) as error:
             raise FileError(path, f"cannot be written: {error}") from error

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 from airlight.errors import ParameterError
 from airlight.paint.drawing_device import Choice, drawing_device
@@ -22,9 +22,25 @@ if TYPE_CHECKING:
     from airlight.kernel.threads import Cancel, Progress
     from airlight.planets.planet import Planet
     from airlight.scene import Scene
+    from airlight.solvers.moments.solution import MomentsSolution
 
 #: Smallest number of wavelengths that gives colours.
 FEWEST: Final = 3
+
+
+class PaintedScene(NamedTuple):
+    """Picture of a scene, and the solution that it shows.
+
+    Attributes
+    ----------
+    frame : Frame
+        Linear sRGB radiance. [W m⁻² sr⁻¹]
+    solution : MomentsSolution
+        Light of the planet's air.
+    """
+
+    frame: Frame
+    solution: MomentsSolution
 
 
 def paint_scene(
@@ -102,6 +118,52 @@ def paint_scene(
     >>> frame.rgb.shape, frame.metadata["device"]
     ((6, 8, 3), 'processor')
     """
+    painted = paint_solved(
+        planet, scene, wavelengths=wavelengths, quality=quality, device=device, exact=exact,
+        orders=orders, samples=samples, cache=cache, local=local, stars=stars, refused=refused,
+        progress=progress, cancel=cancel,
+    )  # fmt: skip
+    return painted.frame
+
+
+def paint_solved(
+    planet: Planet,
+    scene: Scene,
+    *,
+    wavelengths: Sequence[float] | None = None,
+    quality: str = "default",
+    device: Choice = "cpu",
+    exact: bool = False,
+    orders: str = "all",
+    disc: bool = True,
+    samples: int = 1,
+    cache: bool = True,
+    local: bool = True,
+    stars: bool = False,
+    refused: Callable[[str], None] | None = None,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> PaintedScene:
+    """Draw a scene as ``paint_scene`` does, and keep the solution.
+
+    Parameters
+    ----------
+    planet, scene, wavelengths, quality, device, exact, orders, samples, cache, local, stars :
+        Arguments of ``paint_scene``.
+    disc : bool
+        Whether the discs of the lights are drawn.
+    refused, progress, cancel :
+        Arguments of ``paint_scene``.
+
+    Returns
+    -------
+    PaintedScene
+
+    Raises
+    ------
+    ParameterError, ConvergenceError, Cancelled
+        As ``paint_scene``.
+    """
     if wavelengths is not None and len(wavelengths) < FEWEST:
         raise ParameterError("wavelengths", list(wavelengths), f"{FEWEST} or more, or none given")
     count = LIVE if wavelengths is None else len(wavelengths)
@@ -125,7 +187,7 @@ def paint_scene(
         )
     solution = solve_planet(planet, nm, quality, cache=cache, progress=progress, cancel=cancel)
     frame = ScenePainter(chosen).frame(
-        solution, scene, exact=exact, orders=orders, samples=samples, weights=weights,
+        solution, scene, exact=exact, orders=orders, disc=disc, samples=samples, weights=weights,
         progress=progress, cancel=cancel,
     )  # fmt: skip
     if stars:
@@ -135,4 +197,4 @@ def paint_scene(
         told["stars"] = "to magnitude 6.5"
     if solution.report.ground:
         told["solved_ground"] = solution.report.ground
-    return replace(frame, metadata={**frame.metadata, **told})
+    return PaintedScene(replace(frame, metadata={**frame.metadata, **told}), solution)

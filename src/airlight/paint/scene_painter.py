@@ -159,6 +159,7 @@ class ScenePainter:
         *,
         exact: bool = False,
         orders: str = "all",
+        disc: bool = True,
         samples: int = 1,
         weights: NDArray[np.float64] | None = None,
         progress: Progress | None = None,
@@ -176,6 +177,8 @@ class ScenePainter:
             Whether each pixel is marched, instead of read from a table of the sky.
         orders : str
             Orders as for ``airlight.render``.
+        disc : bool
+            Whether the discs of the lights are drawn.
         samples : int
             Samples per side of every pixel, as for ``airlight.render``.
         weights : array, shape (nl, 3), optional
@@ -199,15 +202,15 @@ class ScenePainter:
             if not self._has(DRAWING, cancel or (lambda: False)):
                 raise Cancelled("the picture")
             frame = render(
-                solution, scene, exact=exact, orders=orders, samples=samples, progress=progress,
-                cancel=cancel,
+                solution, scene, exact=exact, orders=orders, disc=disc, samples=samples,
+                progress=progress, cancel=cancel,
             )  # fmt: skip
         else:
             pictures = self._renderer(live=False)
             pictures.show(solution, weights)
             self._shown = None
             frame = pictures.frame(
-                scene, exact=exact, orders=orders, samples=samples, progress=progress,
+                scene, exact=exact, orders=orders, disc=disc, samples=samples, progress=progress,
                 cancel=cancel,
             )  # fmt: skip
         return replace(frame, metadata={"device": PROCESSOR, **frame.metadata})

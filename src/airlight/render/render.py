@@ -27,6 +27,7 @@ def render(
     *,
     orders: str = "all",
     exact: bool = False,
+    disc: bool = True,
     samples: int = 1,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -46,6 +47,8 @@ def render(
         Whether the air is marched for each pixel. Otherwise the light of the air is read from a
         table of the sky around the observer, filled by the same march: see docs/pictures.md for
         its errors. Pictures of few pixels are always marched.
+    disc : bool
+        Whether the discs of the lights are drawn.
     samples : int
         Samples per side of every pixel, 1 to 16. One suffices: pixels on the horizon and on the
         limb have a grid of samples of their own.
@@ -73,7 +76,9 @@ def render(
     pictures = lit_scenes(scene, solution)
     frames = []
     for number, (seen, lit, air, _) in enumerate(pictures):
-        drawing = Drawing(lit, seen, orders=orders, exact=exact, samples=samples, air=air)
+        drawing = Drawing(
+            lit, seen, orders=orders, exact=exact, disc=disc, samples=samples, air=air
+        )
         share = None if progress is None else _shared(progress, number, len(pictures))
         frames.append(_drawn(drawing, scene.camera, share, cancel))
     rgb = frames[0] if len(frames) == 1 else np.asarray(np.sum(frames, axis=0, dtype=np.float32))

@@ -33,13 +33,14 @@ class Camera:
     projection : str
         Name of the projection: ``perspective``, ``fisheye`` (equidistant, a dome master),
         ``equirectangular`` (a panorama
-        of the whole sphere) or ``cubemap`` (a strip of six faces: right, left, up, down, ahead,
-        behind).
+        of the whole sphere), ``cubemap`` (a strip of six faces: right, left, up, down, ahead,
+        behind) or ``octahedral`` (the whole sphere on a square of equal solid angles).
     width, height : int
-        Size of the picture: a panorama is twice as wide as high, a cube strip six times. [pixel]
+        Size of the picture: a panorama is twice as wide as high, a cube strip six times, an
+        octahedral one square. [pixel]
     field_of_view : float, optional
         Angle between the left and the right edge for perspective, default 60; across the circle for
-        a fisheye, default 180. The other two show all directions. [deg]
+        a fisheye, default 180. The others show all directions. [deg]
     look_zenith : float, optional
         Zenith angle of the line of sight, default 90 (fisheye: 0). [deg]
     look_azimuth : float

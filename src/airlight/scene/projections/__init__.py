@@ -5,12 +5,14 @@ from __future__ import annotations
 from airlight.scene.projections.cubemap import CUBEMAP
 from airlight.scene.projections.equirectangular import EQUIRECTANGULAR
 from airlight.scene.projections.fisheye import FISHEYE
+from airlight.scene.projections.octahedral import OCTAHEDRAL
 from airlight.scene.projections.perspective import PERSPECTIVE
 from airlight.scene.projections.projection import Projection
 
 #: Every projection under its name.
 PROJECTIONS: dict[str, Projection] = {
-    projection.name: projection for projection in (PERSPECTIVE, FISHEYE, EQUIRECTANGULAR, CUBEMAP)
+    projection.name: projection
+    for projection in (PERSPECTIVE, FISHEYE, EQUIRECTANGULAR, CUBEMAP, OCTAHEDRAL)
 }
 
 __all__ = ["PROJECTIONS", "Projection"]

@@ -1,0 +1,1 @@
+"""Environment maps for other renderers: the sky as they expect it, and its sun as a light."""

@@ -1,0 +1,157 @@
+"""Programs that read environment maps: where each looks for the east, the north and the zenith.
+
+The sky is one map in the frame x east, y north, z up (ENU). A program has axes of its own, on which
+that frame is laid, and a formula by which it looks a direction up in the picture. For latitude and
+longitude all of these formulas show the sky as seen from inside; they differ in the bearing in the
+middle of the picture alone.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import ParameterError
+
+FloatArray = NDArray[np.float64]
+
+_EAST: Final = (1.0, 0.0, 0.0)
+_NORTH: Final = (0.0, 1.0, 0.0)
+_UP: Final = (0.0, 0.0, 1.0)
+_SOUTH: Final = (0.0, -1.0, 0.0)
+
+Axes = tuple[tuple[float, float, float], ...]
+#: z up: x east, y north.
+Z_UP: Final[Axes] = (_EAST, _NORTH, _UP)
+#: y up, right-handed: x east, z south, so that a camera of such programs, which looks to -z, looks
+#: to the north.
+Y_UP: Final[Axes] = (_EAST, _UP, _SOUTH)
+#: y up, left-handed: x east, z north.
+Y_UP_LEFT_HANDED: Final[Axes] = (_EAST, _UP, _NORTH)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Consumer:
+    """Program that reads an environment map.
+
+    Attributes
+    ----------
+    name : str
+        Word of the command line.
+    title : str
+        Name of the program and of the part of it that reads the map.
+    projection : str
+        Projection of the picture: a name in ``PROJECTIONS``.
+    axes : tuple of three vectors
+        The program's x, y and z in ENU. [1]
+    centre : float
+        Bearing to which the middle of the picture looks, or, where the middle is overhead, that of
+        the bottom edge's middle. [deg]
+    tilt : float
+        Zenith angle of the middle, of a dome. [deg]
+    keeps_halves : bool
+        Whether it stores maps in half floats, of whichever file.
+    """
+
+    name: str
+    title: str
+    projection: str = "equirectangular"
+    axes: Axes
+    centre: float
+    tilt: float | None = None
+    keeps_halves: bool = False
+
+    def direction(self, enu: FloatArray) -> FloatArray:
+        """Directions in the program's axes, of directions in ENU, shape (..., 3). [1]"""
+        return np.asarray(enu @ np.array(self.axes).T)
+
+    @property
+    def handedness(self) -> str:
+        """Handedness of its axes: ``right`` or ``left``."""
+        return "right" if np.linalg.det(np.array(self.axes)) > 0.0 else "left"
+
+    @property
+    def look_zenith(self) -> float:
+        """Zenith angle of the camera that draws its map. [deg]"""
+        return 90.0 if self.tilt is None else self.tilt
+
+    def facing(self, front: float, tilt: float) -> Consumer:
+        """Dome with another front.
+
+        Parameters
+        ----------
+        front : float
+            Bearing at the bottom edge, -360 to 360. [deg]
+        tilt : float
+            Tilt of the dome towards its front, 0 to 90. [deg]
+
+        Raises
+        ------
+        ParameterError
+            If it is no dome, or a value is out of range.
+        """
+        if self.tilt is None:
+            raise ParameterError("front", front, "for a dome")
+        for name, value, low in (("front", front, -360.0), ("tilt", tilt, 0.0)):
+            high = 360.0 if name == "front" else 90.0
+            if not low <= value <= high:
+                raise ParameterError(name, value, f"{low:g} to {high:g} deg")
+        return replace(self, centre=math.fmod(front, 360.0), tilt=tilt)
+
+
+#: Programs by their word. Unity's formula is that of its shader Skybox/Panoramic, Godot's that of
+#: PanoramaSkyMaterial, three.js's that of equirectUv, USD's that of OpenEXR's latitude-longitude
+#: maps (Technical Introduction to OpenEXR, "Environment Maps"); Blender's and Mitsuba's were run.
+CONSUMERS: Final[dict[str, Consumer]] = {
+    one.name: one
+    for one in (
+        Consumer(
+            name="blender", title="Blender, environment texture of the world", axes=Z_UP,
+            centre=90.0,
+        ),
+        Consumer(name="mitsuba", title="Mitsuba 3, envmap", axes=Y_UP, centre=180.0),
+        Consumer(name="usd", title="USD, DomeLight", axes=Y_UP, centre=180.0),
+        Consumer(
+            name="godot", title="Godot 4, PanoramaSkyMaterial", axes=Y_UP, centre=180.0,
+            keeps_halves=True,
+        ),
+        Consumer(
+            name="three", title="three.js, EquirectangularReflectionMapping", axes=Y_UP,
+            centre=90.0, keeps_halves=True,
+        ),
+        Consumer(
+            name="unity", title="Unity, Skybox/Panoramic", axes=Y_UP_LEFT_HANDED, centre=90.0,
+            keeps_halves=True,
+        ),
+        Consumer(
+            name="pbrt", title="PBRT 4, infinite light", projection="octahedral", axes=Z_UP,
+            centre=0.0,
+        ),
+        Consumer(
+            name="dome", title="fulldome, dome master", projection="fisheye", axes=Z_UP,
+            centre=180.0, tilt=0.0,
+        ),
+    )
+}  # fmt: skip
+
+
+def consumer_named(name: str) -> Consumer:
+    """Consumer by its word.
+
+    Raises
+    ------
+    ParameterError
+        If there is none.
+
+    Examples
+    --------
+    >>> consumer_named("mitsuba").direction(np.array([0.0, 1.0, 0.0])) + 0.0  # north
+    array([ 0.,  0., -1.])
+    """
+    if name not in CONSUMERS:
+        raise ParameterError("for", name, ", ".join(CONSUMERS))
+    return CONSUMERS[name]

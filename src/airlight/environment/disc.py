@@ -1,0 +1,191 @@
+"""Disc of a light: drawn by itself, finely, as a light of its own or as texels of a map.
+
+A map's texel is often larger than the sun. The disc is therefore drawn through the air by the
+renderer, in a small picture of its own with many pixels across it, whose every pixel is put into
+the texel in which it lies: what a texel covers of the disc counts by its area, and the irradiance
+is that of the small picture however few texels there are.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.constants import LUMINOUS_EFFICACY
+from airlight.environment.gamut import grey_of, without_negatives
+from airlight.environment.ground import horizon_cosine
+from airlight.environment.texels import texel_solid_angles, texels_of
+from airlight.pixels.lit_scenes import LitScene
+from airlight.render.drawing import Drawing
+from airlight.scene.apparent_sun import apparent_altitude
+from airlight.scene.camera import Camera
+
+FloatArray = NDArray[np.float64]
+
+#: Pixels across the small picture: fewest, and most.
+_FEWEST: Final = 160
+_MOST: Final = 2048
+#: Its pixels across a texel of the map, at least.
+_PER_TEXEL: Final = 8
+#: Half of its width over the radius of the disc, and of one whose centre may be behind the horizon.
+_HALF_WIDTH: Final = 1.25
+_HALF_WIDTH_LOW: Final = 2.5
+#: Smallest half of its width. [rad]
+_SMALLEST: Final = math.radians(1e-3)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Disc:
+    """Disc of a light, as it is seen through the air.
+
+    Attributes
+    ----------
+    name : str
+        Name of the light's source.
+    directions : array, shape (n, 3)
+        Directions of the pixels of its small picture in ENU: x east, y north, z up. [1]
+    light : array, shape (n, 3)
+        Irradiance by each of them on a plane that faces it: linear sRGB, not negative. [W m⁻²]
+    angular_diameter : float
+        Angular diameter outside the air. [deg]
+    darkening : array, shape (3, 6)
+        Coefficients of the radiance over its mean by powers of the cosine of emergence, of red,
+        green and blue light at the ground. [1]
+    moved : array, shape (3,)
+        Change of the irradiance by the mapping into the gamut. [W m⁻²]
+    """
+
+    name: str
+    directions: FloatArray
+    light: FloatArray
+    angular_diameter: float
+    darkening: FloatArray
+    moved: FloatArray
+
+    @property
+    def direction(self) -> FloatArray:
+        """Unit vector to the middle of its light in ENU, shape (3,). [1]"""
+        total = grey_of(self.light) @ self.directions
+        return np.asarray(total / np.linalg.norm(total))
+
+    @property
+    def irradiance(self) -> FloatArray:
+        """Irradiance on a plane that faces it: linear sRGB, shape (3,). [W m⁻²]"""
+        return np.asarray(self.light.sum(axis=0))
+
+    @property
+    def illuminance(self) -> float:
+        """Illuminance on that plane. [lx]"""
+        return LUMINOUS_EFFICACY * float(grey_of(self.irradiance))
+
+    def put_into(self, rgb: FloatArray, camera: Camera, to_local: FloatArray) -> None:
+        """Add its radiance to a map.
+
+        Parameters
+        ----------
+        rgb : array, shape (height, width, 3)
+            Linear sRGB radiance, which receives it. [W m⁻² sr⁻¹]
+        camera : Camera
+            Camera of the map.
+        to_local : array, shape (3, 3)
+            Rotation from ENU to the frame of the camera's angles.
+        """
+        row, column = texels_of(camera, self.directions @ to_local.T)
+        shown = row >= 0
+        solid = np.broadcast_to(texel_solid_angles(camera), rgb.shape[:2])
+        radiance = self.light[shown] / solid[row[shown], column[shown]][:, None]
+        np.add.at(rgb, (row[shown], column[shown]), radiance)
+
+
+def enu_from_local(sun_azimuth: float) -> FloatArray:
+    """Rotation from the frame whose x is on the sun's side to ENU, shape (3, 3). [1]
+
+    Parameters
+    ----------
+    sun_azimuth : float
+        Compass bearing of the sun. [deg]
+
+    Examples
+    --------
+    >>> enu_from_local(90.0).round(12) @ [1.0, 0.0, 0.0] + 0.0  # a sun in the east
+    array([1., 0., 0.])
+    """
+    turn = math.radians(sun_azimuth)
+    east, north = math.sin(turn), math.cos(turn)
+    return np.array([[east, -north, 0.0], [north, east, 0.0], [0.0, 0.0, 1.0]])
+
+
+def seen_disc(lit: LitScene) -> Disc | None:
+    """Disc of a light through the air; None where nothing of it is seen.
+
+    Parameters
+    ----------
+    lit : LitScene
+        Scene by this light, with the camera of the map.
+    """
+    scene, solution = lit.scene, lit.solution
+    source = solution.lights[0]
+    camera = _close_camera(lit)
+    if camera is None:
+        return None
+    drawing = Drawing(solution, replace(scene, camera=camera), exact=True, air=False)
+    rgb = np.zeros((camera.height, camera.width, 3), np.float32)
+    drawing.draw(0, camera.height, rgb)
+    lit_pixels = np.any(rgb != 0.0, axis=-1)
+    if not np.any(grey_of(rgb[lit_pixels]) > 0.0):
+        return None
+    local = camera.directions()[lit_pixels]
+    forward = camera.axes[2]
+    # dΩ = p² cos³ of the angle off the axis for a flat picture
+    solid = camera.pixel_angle**2 * (local @ forward) ** 3
+    raw = rgb[lit_pixels].astype(np.float64) * solid[:, None]
+    light, _ = without_negatives(raw)
+    through = solution.transmittance(
+        altitude=min(scene.altitude, solution.medium.thickness),
+        view_zenith=math.degrees(math.acos(float(np.clip(local[:, 2].mean(), -1.0, 1.0)))),
+    ).values
+    weights = np.maximum(source.colors() * through[:, None], 0.0)
+    darkening = weights.T @ source.darkenings / np.maximum(weights.sum(axis=0), 1e-300)[:, None]
+    return Disc(
+        name=source.name,
+        directions=local @ enu_from_local(scene.sun_azimuth).T,
+        light=light,
+        angular_diameter=math.degrees(2.0 * source.angular_radius),
+        darkening=darkening,
+        moved=light.sum(axis=0) - raw.sum(axis=0),
+    )
+
+
+def _close_camera(lit: LitScene) -> Camera | None:
+    """Camera of the small picture; None where the light is below the horizon."""
+    scene, solution = lit.scene, lit.solution
+    radius = solution.lights[0].angular_radius
+    zenith, width = scene.sun_zenith, _HALF_WIDTH
+    planet = solution.planet
+    lift = solution.paths.largest_bend
+    outside = scene.altitude >= solution.medium.thickness
+    horizon = math.degrees(math.acos(horizon_cosine(solution, scene.altitude)))
+    reach = width * radius
+    if lift > 0.0 and outside:
+        reach += lift
+    elif lift > 0.0 and planet is not None:
+        seen = apparent_altitude(planet, scene.altitude, scene.sun_zenith)
+        if seen is None:
+            zenith, reach = min(zenith, horizon), _HALF_WIDTH_LOW * radius
+        else:
+            zenith = 90.0 - seen
+    if math.radians(zenith - horizon) > reach + lift:
+        return None
+    half = max(reach, _SMALLEST)
+    texel = scene.camera.pixel_angle
+    count = min(max(_FEWEST, math.ceil(2.0 * half / texel * _PER_TEXEL)), _MOST)
+    return Camera(
+        width=count,
+        height=count,
+        field_of_view=math.degrees(2.0 * math.atan(math.tan(half))),
+        look_zenith=zenith,
+    )

@@ -1,0 +1,204 @@
+"""Environment map: a planet's sky as another renderer reads it, with its lights apart."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.environment.consumers import Consumer
+from airlight.environment.disc import Disc, enu_from_local, seen_disc
+from airlight.environment.gamut import GamutChange, without_negatives
+from airlight.environment.ground import GROUNDS, grey_ground, sky_share
+from airlight.environment.texels import texel_solid_angles
+from airlight.errors import ParameterError
+from airlight.paint.paint_scene import paint_solved
+from airlight.pixels.lit_scenes import lit_scenes
+from airlight.scene.camera import Camera
+from airlight.scene.frame import Frame
+from airlight.scene.local_ground import local_ground
+
+if TYPE_CHECKING:
+    from airlight.kernel.threads import Cancel, Progress
+    from airlight.paint.drawing_device import Choice
+    from airlight.planets.planet import Planet
+    from airlight.scene import Scene
+
+FloatArray = NDArray[np.float64]
+
+#: Where the discs of sun and moon are: in the map, nowhere, or lights of their own.
+SUNS: Final = ("include", "exclude", "light")
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class EnvironmentMap:
+    """Map of the light around an observer.
+
+    Attributes
+    ----------
+    consumer : Consumer
+        Program that it is for.
+    frame : Frame
+        Linear sRGB radiance, not negative, and what its metadata say. [W m⁻² sr⁻¹]
+    scene : Scene
+        Observer, lights, and the camera that draws the map.
+    sun : str
+        Name from ``SUNS``.
+    ground : str
+        Name from ``GROUNDS``.
+    discs : tuple of Disc
+        Discs of the lights that are seen, in the map or not.
+    gamut : GamutChange
+        Difference that the mapping into the gamut of sRGB made to the map.
+    placed : bool
+        Whether latitude and longitude of the scene are a place that somebody named.
+    planet : str
+        Name of the planet.
+    """
+
+    consumer: Consumer
+    frame: Frame
+    scene: Scene
+    sun: str
+    ground: str
+    discs: tuple[Disc, ...]
+    gamut: GamutChange
+    placed: bool
+    planet: str
+
+    @property
+    def rgb(self) -> NDArray[np.float32]:
+        """Linear sRGB radiance, shape (height, width, 3). [W m⁻² sr⁻¹]"""
+        return self.frame.rgb
+
+    def irradiance(self, normal: FloatArray) -> FloatArray:
+        """Irradiance by the map of a plane: linear sRGB, shape (3,). [W m⁻²]
+
+        Parameters
+        ----------
+        normal : array, shape (3,)
+            Unit vector that the plane faces, in ENU. [1]
+        """
+        camera = self.scene.camera
+        facing = normal @ enu_from_local(self.scene.sun_azimuth)
+        solid = np.broadcast_to(texel_solid_angles(camera), self.rgb.shape[:2])
+        total = np.zeros(3)
+        for row in range(camera.height):
+            cosine = np.maximum(camera.directions(slice(row, row + 1))[0] @ facing, 0.0)
+            total += (cosine * solid[row]) @ self.rgb[row].astype(np.float64)
+        return total
+
+
+def map_camera(consumer: Consumer, width: int, height: int, sun_azimuth: float) -> Camera:
+    """Camera that draws the map of a program.
+
+    Parameters
+    ----------
+    consumer : Consumer
+        Program.
+    width, height : int
+        Size of the map. [pixel]
+    sun_azimuth : float
+        Compass bearing of the sun, from which the camera's azimuth counts. [deg]
+    """
+    return Camera(
+        projection=consumer.projection,
+        width=width,
+        height=height,
+        look_zenith=consumer.look_zenith,
+        look_azimuth=math.remainder(consumer.centre - sun_azimuth, 360.0),
+    )
+
+
+def environment_map(
+    planet: Planet,
+    scene: Scene,
+    consumer: Consumer,
+    *,
+    sun: str = "include",
+    ground: str = "neutral",
+    placed: bool = True,
+    local: bool = True,
+    wavelengths: Sequence[float] | None = None,
+    quality: str = "default",
+    device: Choice = "cpu",
+    exact: bool = False,
+    stars: bool = False,
+    cache: bool = True,
+    refused: Callable[[str], None] | None = None,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> EnvironmentMap:
+    """Solve a planet and draw the map of an observer's sky.
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet to solve.
+    scene : Scene
+        Observer and lights; of its camera only the size counts.
+    consumer : Consumer
+        Program that the map is for.
+    sun : str
+        ``include``: the discs of sun and moon are in the map; ``exclude``: they are not; ``light``:
+        they are not, and are lights of their own.
+    ground : str
+        Lower half: ``neutral``, an even grey of the ground's albedo; ``map``, the planet's own;
+        ``black``, nothing.
+    placed : bool
+        Whether the scene's latitude and longitude are meant: otherwise the air is lit by the mean
+        of the planet's ground.
+    local : bool
+        Whether the planet is solved for the ground around a meant place, as by ``paint_scene``.
+    wavelengths, quality, device, exact, stars, cache, refused, progress, cancel :
+        Arguments of ``paint_scene``.
+
+    Returns
+    -------
+    EnvironmentMap
+
+    Raises
+    ------
+    ParameterError, ConvergenceError, Cancelled
+        As ``paint_scene``; and for an unknown ``sun`` or ``ground``.
+    """
+    for name, value, allowed in (("sun", sun, SUNS), ("ground", ground, GROUNDS)):
+        if value not in allowed:
+            raise ParameterError(name, value, ", ".join(allowed))
+    camera = map_camera(consumer, scene.camera.width, scene.camera.height, scene.sun_azimuth)
+    scene = replace(scene, camera=camera)
+    if placed and local:
+        planet = local_ground(
+            planet, latitude=scene.latitude, longitude=scene.longitude, altitude=scene.altitude
+        )
+    if ground == "neutral":
+        planet = grey_ground(planet)
+    frame, solution = paint_solved(
+        planet, scene, wavelengths=wavelengths, quality=quality, device=device, exact=exact,
+        disc=False, cache=cache, local=False, stars=stars, refused=refused, progress=progress,
+        cancel=cancel,
+    )  # fmt: skip
+    light = frame.rgb.astype(np.float64)
+    if ground == "black":
+        light *= sky_share(solution, scene)[..., None]
+    found = (seen_disc(one) for one in lit_scenes(scene, solution))
+    discs = tuple(one for one in found if one is not None)
+    light, gamut = without_negatives(light)
+    if sun == "include":
+        for one in discs:
+            one.put_into(light, camera, enu_from_local(scene.sun_azimuth).T)
+    return EnvironmentMap(
+        consumer=consumer,
+        frame=replace(frame, rgb=light.astype(np.float32)),
+        scene=scene,
+        sun=sun,
+        ground=ground,
+        discs=discs,
+        gamut=gamut,
+        placed=placed,
+        planet=planet.name,
+    )

@@ -1,0 +1,161 @@
+"""Files of an environment map: the picture, its JSON, and a scene for programs that have one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from airlight.environment.half_floats import LARGEST, half_scale
+from airlight.environment.header import standard_attributes
+from airlight.environment.mitsuba_scene import mitsuba_scene
+from airlight.environment.sidecar import as_json, described
+from airlight.environment.usd_scene import usd_scene
+from airlight.errors import FileError, ParameterError
+from airlight.exports.exr import write_exr
+from airlight.exports.picture import picture_suffix, write_picture
+from airlight.exports.whole_file import check_target, whole_file
+
+if TYPE_CHECKING:
+    from airlight.environment.consumers import Consumer
+    from airlight.environment.environment_map import EnvironmentMap
+
+#: Scene of a program: suffix, and the function that writes it.
+SCENES: Final[dict[str, tuple[str, Callable[[EnvironmentMap, str, float], str]]]] = {
+    "usd": (".usda", usd_scene),
+    "mitsuba": (".xml", mitsuba_scene),
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class WrittenMap:
+    """Files that were written.
+
+    Attributes
+    ----------
+    path : Path
+        Map.
+    beside : tuple of Path
+        JSON, and the scene if there is one.
+    scale : float
+        Factor of the map's numbers over radiances. [1]
+    exposure : float or None
+        Exposure of a PNG. [EV]
+    """
+
+    path: Path
+    beside: tuple[Path, ...]
+    scale: float
+    exposure: float | None
+
+
+def beside(path: Path, consumer: Consumer) -> tuple[Path, ...]:
+    """Paths of the files beside a map, after checking that all can be written.
+
+    Raises
+    ------
+    FileError
+        If the suffix is unknown, the map would replace a file beside it, or nothing can be written
+        there.
+    """
+    suffix = picture_suffix(path)
+    suffixes = [".json"]
+    if consumer.name in SCENES and suffix == ".exr":
+        suffixes.append(SCENES[consumer.name][0])
+    return tuple(check_target(path.with_suffix(one)) and path.with_suffix(one) for one in suffixes)
+
+
+def write_map(
+    path: Path,
+    made: EnvironmentMap,
+    *,
+    precision: str = "float",
+    compression: str = "zip",
+    scale: float | None = None,
+    metadata: Mapping[str, str] | None = None,
+    display: Mapping[str, Any] | None = None,
+) -> WrittenMap:
+    """Write a map and what belongs to it.
+
+    Parameters
+    ----------
+    path : Path
+        Path ending in ``.exr``, or ``.png`` for a picture to look at.
+    made : EnvironmentMap
+        Map.
+    precision, compression : str
+        Names for ``write_exr``.
+    scale : float, optional
+        Factor of the numbers of an EXR, above 0. By default 1, and where halves hold them (in the
+        file, or in the program that reads it) the power of two at which they can. [1]
+    metadata : mapping of str to str, optional
+        Further facts of how it was made.
+    display : mapping, optional
+        Arguments of ``write_picture`` for a PNG.
+
+    Returns
+    -------
+    WrittenMap
+
+    Raises
+    ------
+    ParameterError
+        If a name is unknown, or a half would be infinite at the scale.
+    FileError
+        If a file cannot be written.
+    """
+    others = beside(path, made.consumer)
+    facts = {"planet": made.planet, **(metadata or {}), **_facts(made)}
+    halves = precision == "half" or made.consumer.keeps_halves
+    factor, exposure = 1.0, None
+    if path.suffix.lower() == ".exr":
+        factor = scale if scale is not None else half_scale(made.rgb) if halves else 1.0
+        if not 0.0 < factor < np.inf:
+            raise ParameterError("scale", factor, "above 0")
+        peak = float(made.rgb.max()) * factor
+        if halves and peak > LARGEST:
+            words = f"at most {LARGEST / float(made.rgb.max()):.3g}: half floats end at 65504"
+            raise ParameterError("scale", factor, words)
+        facts["scale"] = f"{factor:.10g}"
+        texts = {**made.frame.metadata, **facts}
+        write_exr(
+            path, made.rgb * np.float32(factor), texts, precision=precision,
+            compression=compression, attributes=standard_attributes(made, factor),
+        )  # fmt: skip
+    else:
+        written = write_picture(path, replace(made.frame), facts, **(display or {}))
+        exposure = written.exposure
+    _write_text(others[0], as_json(described(made, path.name, factor)) + "\n")
+    for other in others[1:]:
+        _write_text(other, SCENES[made.consumer.name][1](made, path.name, factor))
+    return WrittenMap(path=path, beside=others, scale=factor, exposure=exposure)
+
+
+def _facts(made: EnvironmentMap) -> dict[str, str]:
+    """Texts for the header: what the numbers and the directions mean."""
+    consumer, bearing = made.consumer, f"{made.consumer.centre % 360.0:.10g} deg"
+    where = "middle" if consumer.projection == "equirectangular" else "bottom"
+    axes = {
+        word: ", ".join(f"{value:g}" for value in consumer.direction(np.array(unit)) + 0.0)
+        for word, unit in (("east", (1, 0, 0)), ("north", (0, 1, 0)), ("up", (0, 0, 1)))
+    }
+    return {
+        "for": consumer.title,
+        f"bearing_of_{where}": bearing,
+        "axes": "; ".join(f"{word} ({text})" for word, text in axes.items()),
+        "sun_disc": made.sun,
+        "lower_half": made.ground,
+        "gamut": f"sRGB: {100.0 * made.gamut.share:.3g} % of the texels changed, by at most "
+        f"{made.gamut.largest:.3g} of their luminance",
+    }
+
+
+def _write_text(path: Path, text: str) -> None:
+    try:
+        with whole_file(path) as part:
+            part.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise FileError(path, f"cannot be written: {error}") from error

@@ -1,0 +1,73 @@
+"""Colours without negative channels, for renderers that take light to be positive.
+
+A spectral colour may lie outside the triangle of sRGB: the disc of a setting sun has negative blue.
+In linear light the nearest colour of the same luminance on the way to grey has the lowest channel
+at 0. Luminance, and so every sum of luminances, stays; the display's gamut (``color.gamut``) keeps
+the lightness of a perceptual space instead, which light has no use for.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.color.xyz import RGB_TO_XYZ
+
+
+@dataclass(frozen=True, kw_only=True)
+class GamutChange:
+    """Difference that the mapping into the gamut made.
+
+    Attributes
+    ----------
+    share : float
+        Share of the texels that had a negative channel. [1]
+    largest : float
+        Largest change of a channel over the luminance of its texel. [1]
+    """
+
+    share: float
+    largest: float
+
+
+def grey_of(rgb: NDArray[np.floating]) -> NDArray[np.float64]:
+    """Luminance of linear sRGB as grey: the value of three equal channels, shape (...,)."""
+    return np.asarray(np.asarray(rgb, np.float64) @ RGB_TO_XYZ[1])
+
+
+def without_negatives(
+    rgb: NDArray[np.floating],
+) -> tuple[NDArray[np.float64], GamutChange]:
+    """Bring colours into the gamut of linear sRGB at their luminance.
+
+    Parameters
+    ----------
+    rgb : array, shape (..., 3)
+        Linear sRGB.
+
+    Returns
+    -------
+    (array, GamutChange)
+        Colours of the same luminance without negative channels; black where that is not positive.
+
+    Examples
+    --------
+    >>> colour, change = without_negatives(np.array([[1.0, 0.3, -0.1], [0.1, 0.2, 0.3]]))
+    >>> colour.round(3)
+    array([[0.888, 0.323, 0.   ],
+           [0.1  , 0.2  , 0.3  ]])
+    >>> change.share
+    0.5
+    """
+    light = np.asarray(rgb, np.float64)
+    grey = grey_of(light)[..., None]
+    lowest = light.min(axis=-1, keepdims=True)
+    outside = lowest < 0.0
+    share = np.divide(grey, grey - lowest, out=np.ones_like(grey), where=outside & (grey > 0.0))
+    moved = np.maximum(grey + share * (light - grey), 0.0)
+    out = np.where(outside, np.where(grey > 0.0, moved, 0.0), light)
+    relative = np.abs(out - light) / np.maximum(grey, 1e-300)
+    largest = float(relative[(outside & (grey > 0.0))[..., 0]].max(initial=0.0))
+    return out, GamutChange(share=float(np.mean(outside)), largest=largest)

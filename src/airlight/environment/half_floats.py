@@ -1,0 +1,50 @@
+"""Scale at which a map fits into half floats."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.environment.gamut import grey_of
+
+#: Largest half float. [IEEE 754-2019, binary16]
+LARGEST: Final = 65504.0
+#: Luminance below which halves begin to lose digits, with a margin of four bits over the smallest
+#: normal one, 2⁻¹⁴.
+_DIM: Final = 2.0**-10
+#: Share of the lit texels that may be dimmer than that.
+_DIM_SHARE: Final = 0.05
+
+
+def half_scale(rgb: NDArray[np.floating]) -> float:
+    """Power of two by which a map is multiplied so that halves hold it.
+
+    Below 1 where a texel, such as one with the sun's disc, would be infinite; above 1 where more
+    than a twentieth of the lit texels would lose digits, as at night, and the brightest has room.
+
+    Parameters
+    ----------
+    rgb : array, shape (h, w, 3)
+        Linear sRGB, not negative.
+
+    Returns
+    -------
+    float
+        Scale. [1]
+
+    Examples
+    --------
+    >>> half_scale(np.full((1, 1, 3), 2.4e6)), half_scale(np.full((1, 1, 3), 10.0))
+    (0.015625, 1.0)
+    """
+    peak = float(np.max(rgb, initial=0.0))
+    if not peak > 0.0:
+        return 1.0
+    most = math.floor(math.log2(LARGEST / peak))
+    grey = grey_of(rgb)
+    dim = float(np.quantile(grey[grey > 0.0], _DIM_SHARE)) if np.any(grey > 0.0) else 1.0
+    least = max(math.ceil(math.log2(_DIM / dim)), 0)
+    return 2.0 ** min(most, least)

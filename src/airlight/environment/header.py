@@ -1,0 +1,45 @@
+"""OpenEXR's own attributes of an environment map."""
+
+from __future__ import annotations
+
+from datetime import UTC
+from typing import TYPE_CHECKING, Any
+
+from airlight.constants import LUMINOUS_EFFICACY
+
+if TYPE_CHECKING:
+    from airlight.environment.environment_map import EnvironmentMap
+
+
+def standard_attributes(made: EnvironmentMap, scale: float) -> dict[str, Any]:
+    """Standard attributes: the map's form, where and when it is, and the unit of its numbers.
+
+    Place and time are written where they are known: ``latitude`` and ``longitude`` north and east
+    positive [deg], ``altitude`` [m], ``capDate`` in universal time with ``utcOffset`` 0 [s].
+
+    Parameters
+    ----------
+    made : EnvironmentMap
+        Map.
+    scale : float
+        Factor of its numbers; ``whiteLuminance``, the luminance of three ones, has its reciprocal.
+        [1]
+
+    References
+    ----------
+    OpenEXR, "Standard Attributes"; "Technical Introduction to OpenEXR", environment maps.
+    """
+    import OpenEXR
+
+    scene = made.scene
+    known: dict[str, Any] = {
+        "whiteLuminance": LUMINOUS_EFFICACY / scale, "altitude": scene.altitude,
+    }  # fmt: skip
+    if made.consumer.projection == "equirectangular":
+        known["envmap"] = OpenEXR.ENVMAP_LATLONG
+    if made.placed:
+        known |= {"latitude": scene.latitude, "longitude": scene.longitude}
+    if scene.time is not None:
+        moment = scene.time.astimezone(UTC)
+        known |= {"capDate": f"{moment:%Y:%m:%d %H:%M:%S}", "utcOffset": 0.0}
+    return known

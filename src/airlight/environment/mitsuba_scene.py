@@ -1,0 +1,47 @@
+"""Mitsuba scene with the map and each light beside it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+from xml.sax.saxutils import quoteattr
+
+if TYPE_CHECKING:
+    from airlight.environment.environment_map import EnvironmentMap
+
+_MAP: Final = """<scene version="3.0.0">
+    <!-- x east, y up, z south. Radiance in W m-2 sr-1, linear sRGB weighted by CIE 1931. -->
+    <emitter type="envmap">
+        <string name="filename" value={name}/>
+        <float name="scale" value="{scale:.9g}"/>
+    </emitter>
+{lights}</scene>
+"""
+_LIGHT: Final = """    <emitter type="directional">
+        <vector name="direction" value="{direction}"/>
+        <rgb name="irradiance" value="{irradiance}"/>
+    </emitter>
+"""
+
+
+def mitsuba_scene(made: EnvironmentMap, name: str, scale: float) -> str:
+    """Text of an ``.xml`` to be loaded, or included in a scene: y up, x east, z south.
+
+    Parameters
+    ----------
+    made : EnvironmentMap
+        Map for ``mitsuba``.
+    name : str
+        Name of its file, beside the scene.
+    scale : float
+        Factor of the file's numbers, which the emitter undoes. [1]
+    """
+    lights = "".join(
+        _LIGHT.format(
+            direction=", ".join(
+                f"{v:.9g}" for v in (-made.consumer.direction(one.direction)).round(12) + 0.0
+            ),
+            irradiance=", ".join(f"{v:.9g}" for v in one.irradiance.round(12)),
+        )
+        for one in (made.discs if made.sun == "light" else ())
+    )
+    return _MAP.format(name=quoteattr(name), scale=1.0 / scale, lights=lights)

@@ -1,0 +1,98 @@
+"""Texels of a map: the solid angle of each, and the one in which a direction lies."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.scene.camera import Camera
+
+FloatArray = NDArray[np.float64]
+
+
+def texel_solid_angles(camera: Camera) -> FloatArray:
+    """Solid angles of the texels of a panorama, an octahedral map or a fisheye.
+
+    Exact for the first two; of a fisheye by the radius of each texel's centre, which errs by less
+    than the square of a texel's angle, and 0 outside its circle.
+
+    Parameters
+    ----------
+    camera : Camera
+        Camera that draws the map.
+
+    Returns
+    -------
+    array, shape (height, width) or (height, 1)
+        Solid angles. [sr]
+
+    Examples
+    --------
+    >>> camera = Camera(projection="octahedral", width=8, height=8)
+    >>> f"{texel_solid_angles(camera).sum() / math.pi:.12g}"
+    '4'
+    """
+    height, width = camera.height, camera.width
+    if camera.projection == "octahedral":
+        return np.full((height, width), 4.0 * math.pi / (width * height))
+    if camera.projection == "equirectangular":
+        edges = np.sin(np.pi * (0.5 - np.arange(height + 1) / height))
+        return np.asarray(2.0 * np.pi / width * (edges[:-1] - edges[1:])[:, None])
+    pixel = camera.pixel_angle
+    x = np.arange(width) + 0.5 - 0.5 * width
+    y = np.arange(height) + 0.5 - 0.5 * height
+    radius = np.hypot(x, y[:, None])
+    inside = radius <= 0.5 * min(width, height)
+    return np.where(inside, pixel * pixel * np.sinc(radius * pixel / np.pi), 0.0)
+
+
+def texel_positions(camera: Camera, directions: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Places of directions in the picture: the inverse of the camera's projection.
+
+    Parameters
+    ----------
+    camera : Camera
+        Camera that draws the map: a panorama, an octahedral map or a fisheye.
+    directions : array, shape (n, 3)
+        Unit vectors in the observer's local frame.
+
+    Returns
+    -------
+    x, y : array, shape (n,)
+        Distances from the left and the top edge; not a number where a fisheye does not reach.
+        [pixel]
+
+    Examples
+    --------
+    >>> camera = Camera(projection="equirectangular", width=8, height=4)
+    >>> texel_positions(camera, np.array([[0.0, -1.0, 0.0]]))  # on the right of straight ahead
+    (array([6.]), array([2.]))
+    """
+    right, up, forward = (directions @ camera.axes.T).T
+    width, height = camera.width, camera.height
+    if camera.projection == "equirectangular":
+        x = width * (0.5 + np.arctan2(right, forward) / (2.0 * np.pi))
+        return x, height * (0.5 - np.arctan2(up, np.hypot(right, forward)) / np.pi)
+    if camera.projection == "octahedral":
+        r = np.sqrt(np.maximum(1.0 - np.abs(up), 0.0))
+        b = r * np.arctan2(np.abs(forward), np.abs(right)) / (0.5 * np.pi)
+        a = r - b
+        a, b = np.where(up < 0.0, 1.0 - b, a), np.where(up < 0.0, 1.0 - a, b)
+        x = 0.5 * width * (1.0 + np.copysign(a, right))
+        return x, 0.5 * height * (1.0 + np.copysign(b, forward))
+    level = np.hypot(right, up)
+    radius = np.arctan2(level, forward) / camera.pixel_angle
+    radius = np.where(radius <= 0.5 * min(width, height), radius, np.nan)
+    scale = np.divide(radius, level, out=np.zeros_like(level), where=level > 0.0)
+    return 0.5 * width + scale * right, 0.5 * height - scale * up
+
+
+def texels_of(camera: Camera, directions: FloatArray) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Row and column of the texel in which each direction lies, -1 outside the picture."""
+    x, y = texel_positions(camera, directions)
+    shown = np.isfinite(x)
+    column = np.where(shown, np.clip(np.floor(np.where(shown, x, 0.0)), 0, camera.width - 1), -1)
+    row = np.where(shown, np.clip(np.floor(np.where(shown, y, 0.0)), 0, camera.height - 1), -1)
+    return row.astype(np.intp), column.astype(np.intp)

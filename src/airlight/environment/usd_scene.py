@@ -1,0 +1,122 @@
+"""USD layer with the map on a dome and each light beside it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from airlight.environment.environment_map import EnvironmentMap
+
+_HEAD: Final = """#usda 1.0
+(
+    defaultPrim = "Sky"
+    doc = "{doc}"
+    metersPerUnit = 1
+    upAxis = "Y"
+)
+
+def Xform "Sky" (
+    prepend variantSets = "dome"
+    variants = {{
+        string dome = "DomeLight"
+    }}
+)
+{{
+    variantSet "dome" = {{
+        "DomeLight" {{
+            def DomeLight "Dome"
+            {{
+{dome}
+            }}
+        }}
+        "DomeLight_1" {{
+            def DomeLight_1 "Dome"
+            {{
+{dome}
+                uniform token poleAxis = "Y"
+            }}
+        }}
+    }}
+{lights}}}
+"""
+_DOME: Final = """                float inputs:intensity = {intensity:.9g}
+                asset inputs:texture:file = @./{name}@
+                token inputs:texture:format = "latlong\""""
+_LIGHT: Final = """
+    def DistantLight "{name}"
+    {{
+        float inputs:angle = {angle:.9g}
+        color3f inputs:color = ({color})
+        float inputs:intensity = {intensity:.9g}
+        bool inputs:normalize = 1
+        matrix4d xformOp:transform = ( {rows}, (0, 0, 0, 1) )
+        uniform token[] xformOpOrder = ["xformOp:transform"]
+    }}
+"""
+
+
+def usd_scene(made: EnvironmentMap, name: str, scale: float) -> str:
+    """Text of a ``.usda`` layer: y up, x east, z south.
+
+    The dome's intensity undoes the scale, so that its radiances, and the irradiances of the
+    normalised distant lights, are in the units of the map (W m⁻² sr⁻¹; times 683 in nits). The
+    variant ``DomeLight_1`` says its pole by itself, which older programs do not know.
+
+    Parameters
+    ----------
+    made : EnvironmentMap
+        Map for ``usd``.
+    name : str
+        Name of its file, beside the layer.
+    scale : float
+        Factor of the file's numbers. [1]
+
+    References
+    ----------
+    OpenUSD, UsdLux: DomeLight, DomeLight_1, DistantLight, and "Quantities".
+    """
+    lights = ""
+    for number, one in enumerate(made.discs if made.sun == "light" else ()):
+        peak = float(one.irradiance.max())
+        lights += _LIGHT.format(
+            name="Sun" if number == 0 else f"Light{number + 1}",
+            angle=one.angular_diameter,
+            color=", ".join(f"{value:.9g}" for value in (one.irradiance / peak).round(9)),
+            intensity=peak,
+            rows=", ".join(
+                "(" + ", ".join(f"{value:.9g}" for value in (*(row.round(12) + 0.0), 0.0)) + ")"
+                for row in axes_towards(made.consumer.direction(one.direction))
+            ),
+        )
+    doc = (
+        f"Sky of {made.frame.metadata.get('planet', 'a planet')}: x east, y up, z south. Radiance "
+    )
+    doc += "in W m-2 sr-1, linear sRGB weighted by CIE 1931; times 683 in nits."
+    dome = _DOME.format(intensity=1.0 / scale, name=name)
+    return _HEAD.format(doc=doc, dome=dome, lights=lights)
+
+
+def axes_towards(direction: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Right-handed axes as rows, of which the third has a direction, shape (3, 3). [1]
+
+    A light that shines along its -z then comes from there.
+
+    Parameters
+    ----------
+    direction : array, shape (3,)
+        Unit vector.
+
+    Examples
+    --------
+    >>> axes_towards(np.array([0.0, 0.0, 1.0]))
+    array([[1., 0., 0.],
+           [0., 1., 0.],
+           [0., 0., 1.]])
+    """
+    beside = np.array([0.0, 1.0, 0.0]) if abs(direction[1]) < 0.9 else np.array([0.0, 0.0, -1.0])
+    x = np.cross(beside, direction)
+    x /= np.linalg.norm(x)
+    return np.stack([x, np.cross(direction, x), direction])

@@ -1,0 +1,150 @@
+"""Files of a map: what their headers say, what halves hold, and the scenes beside them."""
+
+from __future__ import annotations
+
+import json
+import struct
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Callable
+from dataclasses import replace
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import OpenEXR
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+from airlight.environment.environment_map import EnvironmentMap
+from airlight.environment.files import write_map
+from airlight.environment.texels import texel_solid_angles
+from airlight.errors import FileError, ParameterError
+from airlight.exports.exr import read_exr
+
+Made = Callable[..., EnvironmentMap]
+
+
+def header(path: Path) -> dict[str, Any]:
+    with OpenEXR.File(str(path), header_only=True) as image:
+        return dict(image.header())
+
+
+def test_a_float_map_is_read_back_as_it_was_made(made: Made, tmp_path: Path) -> None:
+    written = write_map(tmp_path / "sky.exr", made())
+    rgb, texts = read_exr(tmp_path / "sky.exr")
+    assert_array_equal(rgb, made().rgb)
+    assert (written.scale, texts["airlight.scale"]) == (1.0, "1")
+    assert texts["airlight.bearing_of_middle"] == "90 deg"
+    assert texts["airlight.axes"] == "east (1, 0, 0); north (0, 1, 0); up (0, 0, 1)"
+    assert texts["airlight.sun_disc"] == "include"
+
+
+@pytest.mark.parametrize("consumer", ["blender", "godot"])
+def test_halves_are_finite_and_their_scale_is_undone_by_the_header(
+    made: Made, tmp_path: Path, consumer: str
+) -> None:
+    # Godot stores halves of a float file too: the same scale
+    precision = "half" if consumer == "blender" else "float"
+    shown = made(consumer, width=512)
+    assert shown.rgb.max() > 65504.0
+    path = tmp_path / "sky.exr"
+    written = write_map(path, shown, precision=precision)
+    assert written.scale < 1.0
+    rgb = read_exr(path)[0].astype(np.float32)
+    assert np.isfinite(rgb.astype(np.float16)).all()
+    unit = header(path)["whiteLuminance"] / 683.0
+    assert_allclose(rgb * unit, shown.rgb, rtol=2.0**-11 if precision == "half" else 1e-6)
+    solid = texel_solid_angles(shown.scene.camera)[..., None]
+    # the sun survives: the sum over the map is that of the radiances
+    assert_allclose((rgb * unit * solid).sum(), (shown.rgb * solid).sum(), rtol=1e-3)
+    described = json.loads((tmp_path / "sky.json").read_text(encoding="utf-8"))
+    assert described["scale"] == written.scale
+    assert_allclose(described["white_luminance_cd_m2"], header(path)["whiteLuminance"], rtol=1e-6)
+
+
+def test_a_scale_that_halves_do_not_hold_is_refused(made: Made, tmp_path: Path) -> None:
+    with pytest.raises(ParameterError, match="half floats end at 65504"):
+        write_map(tmp_path / "sky.exr", made(width=512), precision="half", scale=10.0)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_dwa_is_small_and_keeps_the_light(made: Made, tmp_path: Path) -> None:
+    # lossy: a sky's light by a per cent, measured 0.02 %
+    shown = made(sun="exclude", width=256)
+    for name in ("zip", "dwa"):
+        write_map(tmp_path / f"{name}.exr", shown, precision="half", compression=name)
+    rgb = read_exr(tmp_path / "dwa.exr")[0].astype(np.float64)
+    solid = texel_solid_angles(shown.scene.camera)[..., None]
+    assert_allclose((rgb * solid).sum(axis=(0, 1)), (shown.rgb * solid).sum(axis=(0, 1)), rtol=0.01)
+    assert (tmp_path / "dwa.exr").stat().st_size < 0.5 * (tmp_path / "zip.exr").stat().st_size
+
+
+def test_standard_attributes(made: Made, tmp_path: Path) -> None:
+    shown = made()
+    moment = datetime(2026, 6, 21, 18, 10, 30, tzinfo=UTC)
+    scene = replace(shown.scene, latitude=59.33, longitude=18.07, altitude=30.0, time=moment)
+    write_map(tmp_path / "a.exr", replace(shown, scene=scene, placed=True))
+    write_map(tmp_path / "b.exr", shown)
+    known, unknown = header(tmp_path / "a.exr"), header(tmp_path / "b.exr")
+    assert known["envmap"] == OpenEXR.ENVMAP_LATLONG
+    assert_allclose([known["latitude"], known["longitude"], known["altitude"]],
+                    [59.33, 18.07, 30.0], rtol=1e-6)  # fmt: skip
+    assert (known["capDate"], known["utcOffset"]) == ("2026:06:21 18:10:30", 0.0)
+    assert "chromaticities" in known
+    assert not {"latitude", "longitude", "capDate", "utcOffset"} & set(unknown)
+    write_map(tmp_path / "c.exr", made("pbrt"))
+    assert "envmap" not in header(tmp_path / "c.exr")
+
+
+def test_the_json_says_where_the_sun_stands_in_the_program_s_axes(
+    made: Made, tmp_path: Path
+) -> None:
+    for consumer in ("blender", "mitsuba", "unity"):
+        write_map(tmp_path / "sky.exr", made(consumer, "light"))
+        told = json.loads((tmp_path / "sky.json").read_text(encoding="utf-8"))
+        (light,) = told["lights"]
+        frame = {name: np.array(told["frame"][name]) for name in ("east", "north", "up")}
+        turn, high = np.radians(215.0), np.radians(light["elevation_deg"])
+        wanted = np.cos(high) * (np.sin(turn) * frame["east"] + np.cos(turn) * frame["north"])
+        assert_allclose(light["direction"], wanted + np.sin(high) * frame["up"], atol=1e-4)
+        assert_allclose(light["bearing_deg"], 215.0, atol=0.01)
+        assert_allclose(light["illuminance_lx"], 683.0 * np.array(light["irradiance_W_m2"])
+                        @ [0.2126729, 0.7151522, 0.072175], rtol=1e-5)  # fmt: skip
+        # darkened to a mean of 1 over the disc, darker and redder at the rim
+        law = np.array(light["limb_darkening"])
+        assert_allclose(law @ (2.0 / (np.arange(6) + 2.0)), 1.0, rtol=1e-6)
+        assert np.all(np.diff(law[:, 0]) < 0.0)
+        assert told["sun_bearing_deg"] == 215.0
+
+
+def test_a_scene_for_mitsuba_has_the_map_and_the_sun(made: Made, tmp_path: Path) -> None:
+    shown = made("mitsuba", "light")
+    write_map(tmp_path / "sky.exr", shown, scale=0.25)
+    scene = ElementTree.parse(tmp_path / "sky.xml").getroot()
+    dome, sun = scene.findall("emitter")
+    assert dome.find("string").attrib == {"name": "filename", "value": "sky.exr"}  # type: ignore[union-attr]
+    assert float(dome.find("float").attrib["value"]) == 4.0  # type: ignore[union-attr]
+    shining = [float(v) for v in sun.find("vector").attrib["value"].split(",")]  # type: ignore[union-attr]
+    assert_allclose(shining, -shown.consumer.direction(shown.discs[0].direction), atol=1e-8)
+    write_map(tmp_path / "sky.exr", made("mitsuba", "include"))
+    assert len(ElementTree.parse(tmp_path / "sky.xml").getroot().findall("emitter")) == 1
+
+
+def test_a_png_is_a_picture_to_look_at(made: Made, tmp_path: Path) -> None:
+    display = {"bits": 16, "exposure": -4.0}
+    written = write_map(tmp_path / "sky.png", made(), display=display)
+    assert written.exposure == -4.0
+    width, height, depth = struct.unpack(">IIB", (tmp_path / "sky.png").read_bytes()[16:25])
+    assert (width, height, depth) == (128, 64, 16)
+    assert json.loads((tmp_path / "sky.json").read_text(encoding="utf-8"))["map"] == "sky.png"
+
+
+def test_files_that_cannot_be_written_are_refused(made: Made, tmp_path: Path) -> None:
+    with pytest.raises(FileError, match=r"\.png or \.exr"):
+        write_map(tmp_path / "sky.hdr", made())
+    (tmp_path / "sky.json").mkdir()
+    with pytest.raises(FileError, match="is a folder"):
+        write_map(tmp_path / "sky.exr", made())
+    with pytest.raises(ParameterError, match="zip, dwa, none"):
+        write_map(tmp_path / "other.exr", made(), compression="rle")

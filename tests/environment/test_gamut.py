@@ -1,0 +1,34 @@
+"""Colours without negatives keep their luminance."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.testing import assert_allclose, assert_array_equal
+
+from airlight.environment.gamut import grey_of, without_negatives
+
+
+def test_luminance_stays_and_no_channel_is_negative() -> None:
+    generator = np.random.default_rng(2)
+    rgb = generator.normal(0.5, 0.6, (2000, 3))
+    moved, change = without_negatives(rgb)
+    lit = grey_of(rgb) > 0.0
+    # three ones have luminance 1 to the seven decimals of the matrix
+    assert_allclose(grey_of(moved)[lit], grey_of(rgb)[lit], rtol=1e-6)
+    assert moved.min() >= 0.0
+    assert_array_equal(moved[~lit & (rgb.min(axis=1) < 0.0)], 0.0)
+    assert change.share == np.mean(rgb.min(axis=1) < 0.0)
+
+
+def test_colours_inside_are_untouched() -> None:
+    rgb = np.random.default_rng(3).uniform(0.0, 2.0, (4, 5, 3))
+    moved, change = without_negatives(rgb)
+    assert_array_equal(moved, rgb)
+    assert (change.share, change.largest) == (0.0, 0.0)
+
+
+def test_the_largest_change_is_of_a_channel_over_luminance() -> None:
+    rgb = np.array([[1.0, 1.0, 1.0], [1.0, 1.0, -0.5]])
+    moved, change = without_negatives(rgb)
+    grey = grey_of(rgb[1])
+    assert_allclose(change.largest, np.abs(moved[1] - rgb[1]).max() / grey, rtol=1e-12)
