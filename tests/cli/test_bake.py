@@ -69,6 +69,7 @@ def test_choices_reach_the_manifest(
         (["--layout", "bruneton", "--lowest-sun", "80deg"], "--lowest-sun is '80deg'; allowed: 90"),
         (["--layout", "bruneton", "--lowest-sun", "low"], "--lowest-sun is 'low'"),
         (["--layout", "atmosphere-plus", "--lowest-sun", "99"], "only with --layout bruneton"),
+        (["--layout", "atmosphere-plus", "--smooth-phase", "own"], "only with --layout bruneton"),
         (["--layout", "cube"], "cube"),
     ],
 )

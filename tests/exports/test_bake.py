@@ -102,6 +102,40 @@ def test_texels_give_the_solver_s_own_light(
     assert np.median(np.abs(made - exact)[exact > 1e-9] / exact[exact > 1e-9]) < 1e-6
 
 
+def test_forward_light_of_dust_at_a_low_sun_is_between_texels_of_nu(
+    mars: Any, tell: Callable[[str], None]
+) -> None:
+    # The sun at 85°, the view 0.2° above it and around: the place at which tables were wrong by
+    # up to 16 times, since light of a wide forward peak lay between texels 44° apart.
+    baked = bake(mars, size=(3, 128, 32, 8), points=20)
+    mu, mu_s = np.cos(np.radians([84.8, 85.0]))
+    around = np.cos(np.radians(np.linspace(0.0, 180.0, 91)))
+    nu = mu * mu_s + np.sqrt((1.0 - mu**2) * (1.0 - mu_s**2)) * around
+    positions = Positions.of(
+        mars.medium.bottom_radius, mu, mu_s, nu, bottom_radius=mars.medium.bottom_radius
+    )
+    exact = AirLight(mars)(lines_of_sight(positions, mars.medium))
+    error = np.abs(baked.light.relative_radiance(positions) / exact - 1.0)
+    tell(
+        f"Mars, sun 85°, view 84.8°: largest error {error.max():.1%}, median {np.median(error):.1%}"
+    )
+    assert error.max() < 0.2
+    assert np.median(error) < 0.03
+
+
+def test_a_table_by_rayleigh_s_phase_function_is_for_bruneton_s_look_up(earth: Any) -> None:
+    # His shader multiplies by 3/16π (1 + ν²) alone: at texels it is the solver's light.
+    baked = bake(earth, size=(6, 12, 8, 5), points=20, smooth_phase="rayleigh")
+    positions = texels(baked)
+    assert baked.light.phases.names[0] == "rayleigh"
+    light = baked.tables["scattering"].at(positions)
+    light *= (3.0 / (16.0 * np.pi) * (1.0 + positions.nu**2))[:, None]
+    for name in baked.light.phases.names[1:]:
+        light += baked.tables[name].at(positions) * baked.light.phases.at(name, positions.nu)
+    exact = AirLight(earth)(lines_of_sight(positions, earth.medium))
+    assert_allclose(light, exact, rtol=2e-4, atol=1e-9)
+
+
 def test_a_table_ends_at_the_lowest_sun_asked_for(earth: Any) -> None:
     # The first texel along mu_s is the limit itself, and cos 120° is lower than the planet's own.
     size = (4, 8, 6, 4)
@@ -404,6 +438,8 @@ def test_a_table_of_one_order_says_so_and_any_solver_can_fill_it(
         ({"size": (4, 4)}, "size is .*4 numbers of texels: r, mu, mu_s, nu"),
         ({"precision": "quarter"}, "precision is 'quarter'"),
         ({"mu_s_min": 0.3}, "mu_s_min is 0.3; allowed: -1 to 0"),
+        ({"smooth_phase": "gas"}, "smooth_phase is 'gas'; allowed: own, rayleigh"),
+        ({"layout": "atmosphere-plus", "smooth_phase": "rayleigh"}, "only with layout bruneton"),
         ({"layout": "atmosphere-plus", "mu_s_min": -0.3}, "only with layout bruneton"),
         ({"layout": "atmosphere-plus", "higher_orders": True}, "only with layout bruneton"),
         ({"points": 0}, "points is 0"),

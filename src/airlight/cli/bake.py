@@ -85,6 +85,14 @@ def bake(
             "end of twilight).",
         ),
     ] = None,
+    smooth_phase: Annotated[
+        Literal["own", "rayleigh"] | None,
+        typer.Option(
+            help="Of bruneton: divisor of the light that is not the particles' single light. own: "
+            "its own shape, in phase-functions.npz; rayleigh: for shaders with Bruneton's own "
+            "look-up, worse in dusty air (own)."
+        ),
+    ] = None,
     precision: Annotated[
         Literal["half", "single"], typer.Option(help="Of the numbers stored; half is scaled.")
     ] = "single",
@@ -149,6 +157,8 @@ def bake(
     chosen = _packing(layout, packing, mie)
     if mapping is not None and layout == "bruneton":
         raise ParameterError("--mapping", mapping, "only with --layout atmosphere-plus")
+    if smooth_phase is not None and layout != "bruneton":
+        raise ParameterError("--smooth-phase", smooth_phase, "only with --layout bruneton")
     if azimuth is not None and chosen != "phase-included":
         raise ParameterError("--azimuth", azimuth, "only with --packing phase-included")
     mu_s_min = _lowest(lowest_sun, layout)
@@ -183,6 +193,7 @@ def bake(
             order=number,
             cumulative=cumulative,
             mu_s_min=mu_s_min,
+            smooth_phase=smooth_phase or "own",
             progress=report,
         )
         manifest = write_tables(output, baked)

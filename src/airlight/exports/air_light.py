@@ -112,7 +112,7 @@ class AirLight:
         own = medium.phase_function(solution.paths.seen_nu(sight))
         once = np.zeros_like(own)
         for index in np.flatnonzero((medium.scattering > 0.0).any(axis=1)):
-            light = solution.marched(sight, 1, scatterers=[index], ground=False)
+            light = solution.marched(sight, 1, scatterers=[int(index)], ground=False)
             np.divide(light, own[:, index], out=once[:, index], where=own[:, index] > 0.0)
         if None in self.orders:
             return once, solution.marched(sight, 0, ground=False)

@@ -23,6 +23,7 @@ from airlight.exports.packing import (
     parts_of,
     split_once,
 )
+from airlight.exports.smooth_light import smooth_phases
 from airlight.exports.table_errors import ERROR_POINTS, SEED, Errors
 from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress
@@ -43,6 +44,12 @@ LAYOUT_NAMES: Final = ("bruneton", "atmosphere-plus")
 _BLOCK: Final = 1 << 15
 #: Largest number of points at which the sky's irradiance is compared.
 _SKIES: Final = 256
+#: Divisors of the smooth light, by the name of the phase function.
+_DIVISORS: Final = {
+    "smooth": "the phase function smooth",
+    "rayleigh": "Rayleigh's phase function",
+    "gas": "the gas's phase function",
+}
 #: Quantity of the tables of scattered light.
 _AIR: Final = "radiance of the air alone, without the ground's, per irradiance of the star"
 
@@ -83,6 +90,7 @@ def bake(
     cumulative: bool = False,
     mu_s_min: float | None = None,
     higher_orders: bool = False,
+    smooth_phase: str = "own",
     points: int = ERROR_POINTS,
     seed: int = SEED,
     progress: Progress | None = None,
@@ -119,6 +127,11 @@ def bake(
         Whether a ``bruneton`` bake has the table ``higher-order`` too: the light scattered or
         reflected more than once, which ``scattering`` holds as well, divided by Rayleigh's phase
         function, so that it can be looked up alone.
+    smooth_phase : str
+        Divisor of the table ``scattering`` of a ``bruneton`` bake, by which a look-up multiplies:
+        ``own``, the shape of this light itself (``exports.smooth_light``), or ``rayleigh``, by
+        which shaders with Bruneton's own look-up multiply, and which loses the wide forward peak of
+        light scattered more than once in dusty air.
     points, seed : int
         Number and seed of the random points at which errors are measured.
     progress, cancel : callable, optional
@@ -141,6 +154,10 @@ def bake(
     if higher_orders and layout != "bruneton":
         raise ParameterError("higher_orders", True, "only with layout bruneton")
     packing = _packing(layout, packing)
+    if smooth_phase not in ("own", "rayleigh"):
+        raise ParameterError("smooth_phase", smooth_phase, "own, rayleigh")
+    if smooth_phase != "own" and layout != "bruneton":
+        raise ParameterError("smooth_phase", smooth_phase, "only with layout bruneton")
     if precision not in ("single", "half"):
         raise ParameterError("precision", precision, "single, half")
     if points < 1:
@@ -154,15 +171,28 @@ def bake(
         parts = Parts((), parts.gas, gas)
     reference = int(np.argmax(medium.wavelengths))
     colours = colours_of(medium, parts, reference)
+    phases, rest_shape = parts.phases, np.ones_like(parts.phases.values[0])
+    if layout == "bruneton":
+        phases, rest_shape = smooth_phases(
+            air, parts, each=packing == "separate", rayleigh=smooth_phase == "rayleigh"
+        )
     orders = described_orders(order, cumulative)
     label = Labels(medium, {"solver": str(solution.report), "orders": orders})
     tables = unscattered(solution, label, precision)
     for name, values, quantity, unit in _scattering(
-        air, where, parts, packing, (colours, reference), step, higher_orders=higher_orders
+        air,
+        where,
+        parts,
+        phases,
+        rest_shape,
+        packing,
+        (colours, reference),
+        step,
+        higher_orders=higher_orders,
     ):
         tables[name] = label.table(name, quantity, unit, where, values, precision)
     light = ScatteredLight(
-        packing=packing, tables=tables, phases=parts.phases, colours=colours, reference=reference
+        packing=packing, tables=tables, phases=phases, colours=colours, reference=reference
     )
     azimuth_of = azimuth if packing == "phase-included" else None
     errors = _errors(air, light, azimuth_of, points, seed, step)
@@ -237,6 +267,8 @@ def _scattering(
     air: AirLight,
     where: Layout,
     parts: Parts,
+    phases: PhaseFunctions,
+    rest_shape: FloatArray,
     packing: str,
     colours: tuple[FloatArray, int],
     step: _Steps,
@@ -246,7 +278,7 @@ def _scattering(
     """Name, values, quantity and unit of each table of scattered light."""
     medium = air.solution.medium
     positions = where.positions()
-    smooth_is = f"{_AIR}, divided by the gas's phase function"
+    smooth_is = f"{_AIR}, divided by {_DIVISORS[phases.names[0]]}"
     dust_is = f"{_AIR}: the particles' part, divided by their phase function"
     if packing == "phase-included":
         values = step.run(positions, lambda p: [air(lines_of_sight(p, medium))], "scattering")[0]
@@ -273,12 +305,22 @@ def _scattering(
         return [split.gas, split.rest, split.higher, *(dust[:, k] for k in range(dust.shape[1]))]
 
     gas, rest, higher, *dust = step.run(positions, apart, "scattering")
-    # A texel whose angle no view and sun can have holds the light at the nearest possible angle.
-    # Light scattered more than once does not follow the phase function, by which the texel's
-    # own angle will multiply it.
+    shapes = PhaseFunctions(
+        (*phases.names, "gas", "rest"),
+        np.stack([*phases.values, parts.phases.values[0], rest_shape]),
+    )
+    # A texel whose angle no view and sun can have holds the light at the nearest possible angle,
+    # brought to its own by the shape of the light.
     angles = np.linspace(-1.0, 1.0, where.shape[-1])
-    of_axis = np.tile(parts.phases.at("gas", angles), (len(positions) // angles.size, 1))
-    smooth = gas + rest / of_axis
+
+    def on_axis(shape: str) -> FloatArray:
+        values = shapes.at(shape, angles)
+        return np.broadcast_to(values, (len(positions) // angles.size, *values.shape)).reshape(
+            len(positions), -1
+        )
+
+    rest = rest * on_axis("rest") / shapes.at("rest", positions.nu)
+    smooth = (gas * on_axis("gas") + rest) / on_axis(phases.names[0])
     apart_too = []
     if higher_orders:
         by_rayleigh = np.tile(vectorized(rayleigh)(angles, 0.0), len(positions) // angles.size)
@@ -287,10 +329,9 @@ def _scattering(
     if packing == "combined":
         if not dust:
             dust = [np.zeros_like(smooth)]
-        p_gas = parts.phases.at("gas", positions.nu)
-        p_dust = parts.phases.at(parts.phases.names[-1], positions.nu)
-        light = smooth * p_gas + dust[0] * p_dust
-        values = combine(light, dust[0], p_gas, p_dust, *colours)
+        p_smooth, p_dust = on_axis(phases.names[0]), on_axis(phases.names[-1])
+        light = smooth * p_smooth + dust[0] * p_dust
+        values = combine(light, dust[0], p_smooth, p_dust, *colours)
         nm = medium.wavelengths[colours[1]]
         quantity = f"{smooth_is}; {dust_is}, scattered once, at {nm:g} nm"
         return [("scattering", values, quantity, "1"), *apart_too]

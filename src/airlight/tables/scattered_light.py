@@ -57,7 +57,7 @@ class ScatteredLight:
     ----------
     packing : str
         One of ``PACKINGS``. ``phase-included``: the table ``scattering`` alone. ``separate``: it is
-        multiplied by the phase function ``gas``, and each kind of particles has a further table and
+        multiplied by the first phase function, and each kind of particles has a further table and
         phase function. ``combined`` and ``rgba``: the last channel of ``scattering`` holds the
         particles' light, to be multiplied by the phase function ``particles``, if there is one.
     tables : mapping of str to Table
@@ -87,13 +87,12 @@ class ScatteredLight:
         if self.packing == "phase-included":
             return main
         if self.packing == "separate":
-            total = main * self.phases.at("gas", positions.nu)
-            for name in self.phases.names:
-                if name != "gas":
-                    total += self.tables[name].at(positions) * self.phases.at(name, positions.nu)
+            total = main * self.phases.at(self.phases.names[0], positions.nu)
+            for name in self.phases.names[1:]:
+                total += self.tables[name].at(positions) * self.phases.at(name, positions.nu)
             return total
         smooth, alpha = main[:, :-1], main[:, -1:]
-        light = smooth * self.phases.at("gas", positions.nu)
+        light = smooth * self.phases.at(self.phases.names[0], positions.nu)
         if "particles" not in self.phases.names:
             return light
         particles = self.phases.at("particles", positions.nu) * alpha
