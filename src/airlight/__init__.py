@@ -21,6 +21,8 @@ if TYPE_CHECKING:
         ParameterError,
     )
     from airlight.exports import write_picture
+    from airlight.exports.bake import bake
+    from airlight.exports.table_files import load_tables
     from airlight.planets import (
         Constituent,
         Ground,
@@ -59,6 +61,8 @@ _HOMES = {
     "render": "airlight.render",
     "Frame": "airlight.render",
     "write_picture": "airlight.exports",
+    "bake": "airlight.exports.bake",
+    "load_tables": "airlight.exports.table_files",
     "compose": "airlight.composition",
     "Pinhole": "airlight.composition",
     "Placement": "airlight.composition",
@@ -89,6 +93,8 @@ __all__ = [
     "render",
     "Frame",
     "write_picture",
+    "bake",
+    "load_tables",
     "compose",
     "Pinhole",
     "Placement",
@@ -114,4 +120,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+    return sorted(__all__)

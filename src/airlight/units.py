@@ -104,6 +104,30 @@ def quantity(text: str | float, unit: str, field: str = "value") -> float:
     return number
 
 
+def measured(text: str, unit: str, field: str = "value") -> float:
+    """Convert a text to a float in the given unit; the text must name a unit.
+
+    Raises
+    ------
+    ParameterError
+        As ``quantity``, and if the text is a bare number.
+
+    Examples
+    --------
+    >>> measured("400 km", "m")
+    400000.0
+    >>> measured("400", "m", "altitude")
+    Traceback (most recent call last):
+    ...
+    airlight.errors.ParameterError: altitude is '400'; allowed: a number, or text such as '400 m'
+    """
+    match = _FORM.fullmatch(text) if len(text) < 100 else None
+    if match is not None and match["unit"] is None and unit != "1":
+        example = f"{match['number']} {unit}"
+        raise ParameterError(field, text, f"a number, or text such as {example!r}")
+    return quantity(text, unit, field)
+
+
 _NAME = r"[A-Za-zµμ°%Å]+(?:(?:\^|\*\*)?-?[1-9])?"
 #: A number, then at most one unit: names with a one-digit power, joined by ``*``, ``/`` or a space.
 #: Anything wider would let pint evaluate an expression.

@@ -27,7 +27,7 @@ def test_arrays_broadcast_and_carry_their_labels(solution: MomentsSolution) -> N
         altitude=[[0.0], [1e3]], sun_zenith=60.0, view_zenith=[10.0, 50.0, 85.0], azimuth=20.0
     )
     assert sky.shape == (2, 3, 3)
-    assert sky.dims == ("dim_0", "dim_1", "wavelength")
+    assert sky.dims == ("altitude", "view_zenith", "wavelength")
     assert_array_equal(sky.coords["wavelength"].values, [680.0, 550.0, 440.0])
     assert sky.coords["wavelength"].attrs["units"] == "nm"
     assert sky.coords["view_zenith"].attrs["units"] == "degree"

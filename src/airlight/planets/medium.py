@@ -117,6 +117,11 @@ class Medium:
     cloud_altitude: float = 0.0
     reflection: Reflection = WHITE
 
+    def __repr__(self) -> str:
+        nm = self.wavelengths
+        span = f"{nm.min():g} to {nm.max():g} nm" if nm.size > 1 else f"{nm[0]:g} nm"
+        return f"<Medium of {', '.join(self.names)} at {span}, {nm.size} wavelengths>"
+
     @property
     def lights(self) -> tuple[LightSource, ...]:
         """Light sources, sampled at the wavelengths: that for which the medium is solved."""

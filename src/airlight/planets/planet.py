@@ -188,6 +188,14 @@ class Planet(Record):
         ),
     ]
 
+    def __repr__(self) -> str:
+        air = ", ".join(one.name for one in self.constituents)
+        bent = "; light is bent" if self.refraction != "none" else ""
+        return (
+            f"<Planet {self.name}: radius {self.bottom_radius * 1e-3:.7g} km under "
+            f"{self.thickness * 1e-3:.4g} km of {air}{bent}>"
+        )
+
     def __post_init__(self) -> None:
         least, most = self.bottom_radius * (1.0 + 1e-7), self.bottom_radius * 10.0
         if not least <= self.top_radius <= most:

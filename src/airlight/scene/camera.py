@@ -26,7 +26,7 @@ class Camera:
 
     Angles are in the observer's local frame: the azimuth is 0 on the sun's side and increases
     clockwise seen from above, so that a camera directed at the sun's azimuth has azimuth +90° on
-    the right half of its picture.
+    the right half of its picture. They are numbers, or text with a unit.
 
     Parameters
     ----------

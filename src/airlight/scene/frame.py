@@ -39,6 +39,11 @@ class Frame:
     scene: Scene | None = None
     star_radius: float = 0.0
 
+    def __repr__(self) -> str:
+        height, width = self.rgb.shape[:2]
+        of = f" of {self.metadata['planet']}" if "planet" in self.metadata else ""
+        return f"<Frame{of}: {width} x {height} pixels of linear sRGB, W m⁻² sr⁻¹>"
+
     @cached_property
     def exposure(self) -> float:
         """Automatic exposure: by solid angles and without the star, where the scene is known. [EV]

@@ -1,10 +1,16 @@
-"""Range check of the scene's values: a finite number between two limits."""
+"""Range check of the scene's values: a finite number between two limits, or text with a unit."""
 
 from __future__ import annotations
+
+from typing import Final
 
 import numpy as np
 
 from airlight.errors import ParameterError
+from airlight.units import measured
+
+#: Units in which a text is read.
+_READ: Final = ("m", "deg")
 
 
 def within(field: str, value: object, low: float, high: float, unit: str) -> float:
@@ -15,7 +21,7 @@ def within(field: str, value: object, low: float, high: float, unit: str) -> flo
     field : str
         Field named in the error.
     value : object
-        Value to check; a bool or a text is not a number.
+        Value to check, or text with a unit, such as ``"400 km"``; a bool is not a number.
     low, high : float
         Allowed range, both ends included. [unit]
     unit : str
@@ -37,8 +43,16 @@ def within(field: str, value: object, low: float, high: float, unit: str) -> flo
     Traceback (most recent call last):
     ...
     airlight.errors.ParameterError: scene.sun_zenith is 200.0; allowed: 0 to 180 deg
+    >>> within("scene.altitude", "400 km", 0.0, 1e12, "m")
+    400000.0
     """
     allowed = f"{low:g} to {high:g} {unit}" if low < high else f"{low:g} {unit}"
+    if isinstance(value, str) and unit in _READ:
+        try:
+            value = measured(value, unit, field)
+        except ParameterError:
+            expected = f"{allowed}, as a number or as text with a unit"
+            raise ParameterError(field, value, expected) from None
     if isinstance(value, bool) or not isinstance(value, (int, float, np.integer, np.floating)):
         raise ParameterError(field, value, allowed)
     if not low <= value <= high:

@@ -30,6 +30,8 @@ HIGHEST_ALTITUDE = 1e12
 class Scene:
     """Observer, camera and direction of the sun; the planet comes with the solution.
 
+    Lengths and angles are numbers, or text with a unit: ``altitude="400 km"``.
+
     Parameters
     ----------
     camera : Camera

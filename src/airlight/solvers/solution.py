@@ -1,7 +1,8 @@
 """Common interface of every solver's result: radiance, transmittance, irradiance, residual.
 
-Public arguments are degrees and metres, as arrays that broadcast; observers outside the shell are
-moved to where their line of sight enters it; results are labelled arrays.
+Public arguments are degrees and metres, or text with a unit, as arrays that broadcast, see
+``named_axes``; observers outside the shell are moved to where their line of sight enters it;
+results are labelled arrays.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.named_axes import Argument, NamedAxes
 from airlight.solvers.sight import Sight, enter_shell
 from airlight.tables.columns import columns
 
@@ -68,18 +70,6 @@ class Report:
         )
 
 
-def _checked(field: str, value: ArrayLike, low: float, high: float, unit: str) -> FloatArray:
-    try:
-        array = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
-        raise ParameterError(field, value, f"numbers from {low:g} to {high:g} {unit}") from None
-    wrong = ~((array >= low) & (array <= high))
-    if wrong.any():
-        worst = array[wrong].flat[0]
-        raise ParameterError(field, float(worst), f"{low:g} to {high:g} {unit}")
-    return array
-
-
 #: Largest altitude of an observer. [m]
 HIGHEST = 1e15
 #: Wavelength next to which a report gives albedos. [nm]
@@ -105,6 +95,16 @@ class Solution(ABC):
     _source: LightSource | None = None
     #: Whether this is the light of a source beside the first one of a picture, without its lamps.
     beside: bool = False
+
+    def __repr__(self) -> str:
+        name = "a medium" if self.planet is None else self.planet.name
+        nm = self.wavelengths
+        span = f"{nm.min():g} to {nm.max():g} nm" if nm.size > 1 else f"{nm[0]:g} nm"
+        count = f"{nm.size} wavelengths, " if nm.size > 1 else ""
+        return (
+            f"<{type(self).__name__} of {name}: {count}{span}; {self.report.sweeps} sweeps, "
+            f"last change {max(self.report.residual, default=0.0):.1e}>"
+        )
 
     def of(self, planet: Planet) -> Self:
         """Keep the planet with its solution, and say in the report which ground it has."""
@@ -184,6 +184,11 @@ class Solution(ABC):
     ) -> xarray.DataArray:
         """Radiance of air and ground for an observer, without the star's own disc.
 
+        Each argument is a number, text with a unit such as ``"400 km"``, or an array of numbers.
+        Arrays broadcast by the rules of NumPy, and an axis of the result has the name of the
+        argument that varies along it; ``xarray.DataArray`` broadcast by the names of their
+        dimensions.
+
         Parameters
         ----------
         altitude : array
@@ -208,21 +213,12 @@ class Solution(ABC):
         ParameterError
             If a value is out of its range, or the shapes do not broadcast.
         """
-        sight, shape = self.lines_of_sight(
+        sight, axes = self.lines_of_sight(
             altitude=altitude, sun_zenith=sun_zenith, view_zenith=view_zenith, azimuth=azimuth
         )
         self.check_order(order)
         values = self.relative_radiance(sight, order=order) * self.lights[0].irradiance
-        return self._labelled(
-            values,
-            shape,
-            "radiance",
-            "W m-2 sr-1 nm-1",
-            altitude=altitude,
-            sun_zenith=sun_zenith,
-            view_zenith=view_zenith,
-            azimuth=azimuth,
-        )
+        return self._labelled(values, axes, "radiance", "W m-2 sr-1 nm-1")
 
     def check_order(self, order: int | None) -> None:
         """Refuse an order that the solver has not kept apart."""
@@ -237,8 +233,8 @@ class Solution(ABC):
         sun_zenith: ArrayLike,
         view_zenith: ArrayLike,
         azimuth: ArrayLike = 0.0,
-    ) -> tuple[Sight, tuple[int, ...]]:
-        """Lines of sight inside the shell as flat arrays, and the broadcast shape of the inputs.
+    ) -> tuple[Sight, NamedAxes]:
+        """Lines of sight inside the shell as flat arrays, and the axes of the inputs.
 
         Parameters
         ----------
@@ -250,17 +246,17 @@ class Solution(ABC):
         ParameterError
             If a value is out of its range, or the shapes do not broadcast.
         """
-        arrays, shape = _broadcast(
-            altitude=_checked("altitude", altitude, 0.0, HIGHEST, "m"),
-            sun_zenith=_checked("sun_zenith", sun_zenith, 0.0, 180.0, "deg"),
-            view_zenith=_checked("view_zenith", view_zenith, 0.0, 180.0, "deg"),
-            azimuth=_checked("azimuth", azimuth, -360.0, 360.0, "deg"),
+        arrays, axes = NamedAxes.of(
+            altitude=Argument(altitude, 0.0, HIGHEST, "m"),
+            sun_zenith=Argument(sun_zenith, 0.0, 180.0, "deg"),
+            view_zenith=Argument(view_zenith, 0.0, 180.0, "deg"),
+            azimuth=Argument(azimuth, -360.0, 360.0, "deg"),
         )
         sun, view, around = (np.radians(one) for one in arrays[1:])
         mu, mu_s = np.cos(view), np.cos(sun)
         nu = np.clip(mu * mu_s + np.sin(view) * np.sin(sun) * np.cos(around), -1.0, 1.0)
         bottom, top = self.medium.bottom_radius, self.medium.top_radius
-        return enter_shell(bottom + arrays[0], mu, np.sin(view), mu_s, nu, bottom, top), shape
+        return enter_shell(bottom + arrays[0], mu, np.sin(view), mu_s, nu, bottom, top), axes
 
     def transmittance(
         self,
@@ -271,6 +267,8 @@ class Solution(ABC):
         air_mass: str | None = None,
     ) -> xarray.DataArray:
         """Transmittance of the air from an observer along lines of sight, bent if refraction is on.
+
+        Arguments broadcast as those of ``radiance``.
 
         Parameters
         ----------
@@ -291,12 +289,13 @@ class Solution(ABC):
         xarray.DataArray, shape (..., wavelength)
             Transmittance. [1]
         """
-        high = _checked("altitude", altitude, 0.0, HIGHEST, "m")
-        angle = _checked("view_zenith", view_zenith, 0.0, 180.0, "deg")
-        named: dict[str, FloatArray] = {"altitude": high, "view_zenith": angle}
+        named = {
+            "altitude": Argument(altitude, 0.0, HIGHEST, "m"),
+            "view_zenith": Argument(view_zenith, 0.0, 180.0, "deg"),
+        }
         if distance is not None:
-            named["distance"] = _checked("distance", distance, 0.0, HIGHEST, "m")
-        arrays, shape = _broadcast(**named)
+            named["distance"] = Argument(distance, 0.0, HIGHEST, "m")
+        arrays, axes = NamedAxes.of(**named)
         bottom, top = self.medium.bottom_radius, self.medium.top_radius
         r, view = bottom + arrays[0], np.radians(arrays[1])
         mu, sine, zero = np.cos(view), np.sin(view), np.zeros_like(view)
@@ -317,10 +316,7 @@ class Solution(ABC):
             self._replace_air_mass(depth, air_mass, arrays[0], arrays[1], distance)
         values = np.exp(-(depth @ drawn.extinction))
         values[blocked] = 0.0
-        labels: dict[str, ArrayLike] = {"altitude": altitude, "view_zenith": view_zenith}
-        if distance is not None:
-            labels["distance"] = distance
-        return self._labelled(values, shape, "transmittance", "1", **labels)
+        return self._labelled(values, axes, "transmittance", "1")
 
     def _replace_air_mass(
         self,
@@ -351,6 +347,8 @@ class Solution(ABC):
     def irradiance(self, *, altitude: ArrayLike, sun_zenith: ArrayLike) -> xarray.Dataset:
         """Downward irradiance of a level surface by the star and by the sky.
 
+        Arguments broadcast as those of ``radiance``.
+
         Parameters
         ----------
         altitude : array
@@ -365,9 +363,9 @@ class Solution(ABC):
             of forward peaks counts as direct. [W m⁻² nm⁻¹]
         """
         thickness = self.medium.thickness
-        arrays, shape = _broadcast(
-            altitude=_checked("altitude", altitude, 0.0, thickness, "m"),
-            sun_zenith=_checked("sun_zenith", sun_zenith, 0.0, 180.0, "deg"),
+        arrays, axes = NamedAxes.of(
+            altitude=Argument(altitude, 0.0, thickness, "m"),
+            sun_zenith=Argument(sun_zenith, 0.0, 180.0, "deg"),
         )
         r = np.minimum(self.medium.bottom_radius + arrays[0], self.medium.top_radius)
         mu_s = np.cos(np.radians(arrays[1]))
@@ -380,45 +378,16 @@ class Solution(ABC):
         return xarray.Dataset(
             {
                 name: self._labelled(
-                    values * self.lights[0].irradiance,
-                    shape,
-                    f"{name} irradiance",
-                    "W m-2 nm-1",
-                    altitude=altitude,
-                    sun_zenith=sun_zenith,
+                    values * self.lights[0].irradiance, axes, f"{name} irradiance", "W m-2 nm-1"
                 )
                 for name, values in parts.items()
             }
         )
 
     def _labelled(
-        self, values: FloatArray, shape: tuple[int, ...], name: str, unit: str, **inputs: ArrayLike
+        self, values: NDArray[Any], axes: NamedAxes, name: str, unit: str
     ) -> xarray.DataArray:
-        import xarray
-
-        dimensions = tuple(f"dim_{k}" for k in range(len(shape)))
-        coordinates: dict[str, Any] = {
-            "wavelength": ("wavelength", self.wavelengths, {"units": "nm"})
-        }
-        for label, given in inputs.items():
-            array = np.asarray(given, dtype=float)
-            used = dimensions[len(shape) - array.ndim :]
-            if array.shape == tuple(shape[len(shape) - array.ndim :]):
-                unit_of = "m" if label in ("altitude", "distance") else "degree"
-                coordinates[label] = (used, array, {"units": unit_of})
-        return xarray.DataArray(
-            values.reshape(*shape, values.shape[-1]),
-            dims=(*dimensions, "wavelength"),
-            coords=coordinates,
-            name=name.replace(" ", "_"),
-            attrs={"units": unit, "long_name": name, "solver": str(self.report)},
+        labelled: xarray.DataArray = axes.labelled(
+            values, self.wavelengths, name, unit, solver=str(self.report)
         )
-
-
-def _broadcast(**named: FloatArray) -> tuple[list[FloatArray], tuple[int, ...]]:
-    try:
-        arrays = np.broadcast_arrays(*named.values())
-    except ValueError:
-        shapes = ", ".join(f"{name} {array.shape}" for name, array in named.items())
-        raise ParameterError("shapes", shapes, "shapes that broadcast together") from None
-    return [np.ascontiguousarray(array).ravel() for array in arrays], arrays[0].shape
+        return labelled

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from importlib import import_module
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Literal, overload
 
 from numpy.typing import ArrayLike
@@ -11,6 +12,7 @@ from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
+from airlight.planets.reading.reader import load_planet
 from airlight.solvers.solution import Solution
 
 if TYPE_CHECKING:
@@ -32,7 +34,7 @@ SOLVERS: Final = {
 
 @overload
 def solve(
-    planet: Planet,
+    planet: Planet | str | Path,
     wavelengths: ArrayLike | None = None,
     quality: str | MomentsSettings = "default",
     *,
@@ -45,7 +47,7 @@ def solve(
 
 @overload
 def solve(
-    planet: Planet,
+    planet: Planet | str | Path,
     wavelengths: ArrayLike | None = None,
     quality: str | DirectSettings = "default",
     *,
@@ -58,7 +60,7 @@ def solve(
 
 @overload
 def solve(
-    planet: Planet,
+    planet: Planet | str | Path,
     wavelengths: ArrayLike | None = None,
     quality: str | MonteCarloSettings = "default",
     *,
@@ -71,7 +73,7 @@ def solve(
 
 @overload
 def solve(
-    planet: Planet,
+    planet: Planet | str | Path,
     wavelengths: ArrayLike | None = None,
     quality: Any = "default",
     *,
@@ -83,7 +85,7 @@ def solve(
 
 
 def solve(
-    planet: Planet,
+    planet: Planet | str | Path,
     wavelengths: ArrayLike | None = None,
     quality: Any = "default",
     *,
@@ -96,8 +98,9 @@ def solve(
 
     Parameters
     ----------
-    planet : Planet
-        Planet from ``load_planet``, or made in Python.
+    planet : Planet, str or Path
+        Planet from ``load_planet``, or made in Python; or what ``load_planet`` takes, the name of a
+        preset or the path of a planet file.
     wavelengths : array, shape (nl,), optional
         Wavelengths, any number; the planet's own if left out. [nm]
     quality : str or Settings
@@ -120,21 +123,25 @@ def solve(
     Raises
     ------
     ParameterError
-        If a wavelength is outside the range of the planet's file, or the solver or quality is
-        unknown.
+        If a wavelength is outside the range of the planet's file, or the planet, solver or quality
+        is unknown.
     ConvergenceError
         If the orders of scattering do not converge within the settings' limit.
 
     Examples
     --------
-    >>> from airlight import load_planet, solve
-    >>> solution = solve(load_planet("earth-atmosphere-plus"), quality="preview", cache=False)
-    >>> sky = solution.radiance(altitude=0, sun_zenith=60, view_zenith=[0, 60], azimuth=90)
+    >>> import airlight
+    >>> solution = airlight.solve("earth-atmosphere-plus", quality="preview", cache=False)
+    >>> sky = solution.radiance(altitude="2 km", sun_zenith=60, view_zenith=[0, 60], azimuth=90)
     >>> sky.dims, bool((sky.sel(wavelength=440) > sky.sel(wavelength=680)).all())
-    (('dim_0', 'wavelength'), True)
+    (('view_zenith', 'wavelength'), True)
     """
     if solver not in SOLVERS:
         raise ParameterError("solver", solver, ", ".join(SOLVERS))
+    if isinstance(planet, (str, Path)):
+        planet = load_planet(planet)
+    if not isinstance(planet, Planet):
+        raise ParameterError("planet", planet, "a Planet, the name of a preset, or a path")
     package = SOLVERS[solver]
     settings = import_module(f"{package}.settings").settings_for(quality)
     nm = planet.wavelengths if wavelengths is None else wavelengths

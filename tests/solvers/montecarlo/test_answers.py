@@ -97,7 +97,7 @@ def test_orders_add_up_to_the_radiance(earth: Planet) -> None:
     solution = solve(earth, [440.0], settings, solver="montecarlo")
     data = solution.estimate(**WHERE)
     orders = data["order_radiance"]
-    assert orders.dims == ("dim_0", "order", "wavelength")
+    assert orders.dims == ("case", "order", "wavelength")
     assert_array_equal(orders["order"].values, [1, 2, 3])
     assert (data["higher_radiance"].values > 0.0).all()
     total = orders.sum("order") + data["higher_radiance"]

@@ -209,20 +209,16 @@ class MonteCarloSolution(Solution):
         Cancelled
             If ``cancel`` returned True.
         """
-        inputs = {
-            "altitude": altitude,
-            "sun_zenith": sun_zenith,
-            "view_zenith": view_zenith,
-            "azimuth": azimuth,
-        }
-        sight, shape = self.lines_of_sight(**inputs)
+        sight, axes = self.lines_of_sight(
+            altitude=altitude, sun_zenith=sun_zenith, view_zenith=view_zenith, azimuth=azimuth
+        )
         got = self.trace(sight)
         sun = self.lights[0].irradiance
         unit = "W m-2 sr-1 nm-1"
         kept = self.settings.kept_orders
 
         def labelled(values: NDArray[Any], name: str, unit: str) -> xarray.DataArray:
-            return self._labelled(values, shape, name, unit, **inputs)
+            return self._labelled(values, axes, name, unit)
 
         import xarray
 

@@ -1,0 +1,233 @@
+"""Arguments of a solution's questions: numbers or text with a unit, as arrays with named axes.
+
+Arrays broadcast by the rules of NumPy, and each axis of the result is named for the argument that
+varies along it. Labelled arrays broadcast by the names of their dimensions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Final, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from airlight.errors import ParameterError
+from airlight.units import measured, quantity
+
+FloatArray = NDArray[np.float64]
+
+#: Name of an axis along which several arguments vary together.
+TOGETHER: Final = "case"
+#: Last dimension of every result, which no argument has.
+LAST: Final = "wavelength"
+
+
+@dataclass(frozen=True)
+class Argument:
+    """Argument of a question, with its range.
+
+    Attributes
+    ----------
+    value : array or str
+        Numbers in ``unit``, text with a unit such as ``"400 km"``, a list of them, or a labelled
+        array; one whose attribute ``units`` names another unit is converted.
+    low, high : float
+        Allowed range. [unit]
+    unit : str
+        ``"m"`` or ``"deg"``.
+    """
+
+    value: ArrayLike
+    low: float
+    high: float
+    unit: str
+
+    def numbers(self, field: str) -> FloatArray:
+        """Values as numbers within their range, shape (...). [unit]
+
+        Raises
+        ------
+        ParameterError
+            If a value is no number, has a unit of another kind, or is out of its range.
+        """
+        allowed = f"{self.low:g} to {self.high:g} {self.unit}"
+        array = self._converted(field, f"numbers from {allowed}")
+        wrong = ~((array >= self.low) & (array <= self.high))
+        if wrong.any():
+            raise ParameterError(field, float(array[wrong].flat[0]), allowed)
+        return array
+
+    def _converted(self, field: str, allowed: str) -> FloatArray:
+        value: Any = self.value
+        many = value if isinstance(value, (list, tuple)) else [value]
+        if any(isinstance(one, str) for one in many):
+            try:
+                read = [measured(one if isinstance(one, str) else f"{one} {self.unit}", self.unit)
+                        for one in many]  # fmt: skip
+            except ParameterError:
+                raise ParameterError(field, value, f"{allowed}, or text with a unit") from None
+            return np.asarray(read[0] if isinstance(value, str) else read)
+        try:
+            array = np.asarray(value, dtype=float)
+        except (TypeError, ValueError):
+            raise ParameterError(field, value, allowed) from None
+        given = value.attrs.get("units") if is_labelled(value) else None
+        same = {self.unit, "degree", "degrees"} if self.unit == "deg" else {self.unit}
+        if given is None or given in same:
+            return array
+        return array * quantity(f"1 {given}", self.unit, f"units of {field}")
+
+    @property
+    def long_unit(self) -> str:
+        """Unit as the attribute of a coordinate."""
+        return "degree" if self.unit == "deg" else self.unit
+
+
+def is_labelled(value: object) -> bool:
+    """Whether a value is an xarray.DataArray, without importing xarray for others."""
+    return hasattr(value, "dims") and hasattr(value, "coords")
+
+
+@dataclass(frozen=True)
+class NamedAxes:
+    """Shape of a result, the names of its axes, and its coordinates.
+
+    Attributes
+    ----------
+    dims : tuple of str
+        Names of the axes before the wavelength.
+    shape : tuple of int
+        Their lengths.
+    coordinates : dict
+        Dimensions, values and attributes of each coordinate, as ``xarray.DataArray`` takes them.
+    """
+
+    dims: tuple[str, ...]
+    shape: tuple[int, ...]
+    coordinates: Mapping[str, Any]
+
+    @classmethod
+    def of(cls, **arguments: Argument) -> tuple[list[FloatArray], Self]:
+        """Broadcast arguments against each other.
+
+        Returns
+        -------
+        arrays : list of array, shape (n,)
+            Values of each argument, raveled. [unit]
+        axes : NamedAxes
+
+        Raises
+        ------
+        ParameterError
+            If a value is refused, or the shapes do not broadcast.
+
+        Examples
+        --------
+        >>> view = Argument([0.0, 30.0, 60.0], 0.0, 180.0, "deg")
+        >>> arrays, axes = NamedAxes.of(altitude=Argument("2 km", 0.0, 1e6, "m"), view_zenith=view)
+        >>> arrays[0].tolist(), axes.dims, axes.shape
+        ([2000.0, 2000.0, 2000.0], ('view_zenith',), (3,))
+        """
+        numbers = {name: one.numbers(name) for name, one in arguments.items()}
+        attributes = {name: {"units": one.long_unit} for name, one in arguments.items()}
+        if any(is_labelled(one.value) for one in arguments.values()):
+            return cls._by_name(arguments, numbers, attributes)
+        shape = _common_shape(numbers)
+        dims = tuple(_axis_names(numbers, len(shape)))
+        coordinates = {}
+        for name, array in numbers.items():
+            own = dims[len(shape) - array.ndim :]
+            kept = [k for k in range(array.ndim) if array.shape[k] != 1 or own[k] == name]
+            coordinates[name] = (
+                tuple(own[k] for k in kept),
+                array.reshape([array.shape[k] for k in kept]),
+                attributes[name],
+            )
+        arrays = [
+            np.ascontiguousarray(np.broadcast_to(array, shape)).ravel()
+            for array in numbers.values()
+        ]
+        return arrays, cls(dims, shape, coordinates)
+
+    @classmethod
+    def _by_name(
+        cls,
+        arguments: Mapping[str, Argument],
+        numbers: Mapping[str, FloatArray],
+        attributes: Mapping[str, Mapping[str, str]],
+    ) -> tuple[list[FloatArray], Self]:
+        import xarray
+
+        labelled = {}
+        for name, argument in arguments.items():
+            value: Any = argument.value
+            if is_labelled(value):
+                if LAST in value.dims:
+                    raise ParameterError(name, value.dims, f"dimensions other than {LAST}")
+                labelled[name] = value.copy(data=numbers[name])
+            elif numbers[name].ndim > 1:
+                raise ParameterError(
+                    name, f"an array of {numbers[name].ndim} dimensions without names",
+                    "a labelled array, beside labelled arrays",
+                )  # fmt: skip
+            else:
+                dims = (name,) * numbers[name].ndim
+                labelled[name] = xarray.DataArray(
+                    numbers[name], dims=dims, coords=dict.fromkeys(dims, numbers[name])
+                )
+        try:
+            whole = xarray.broadcast(*xarray.align(*labelled.values(), join="exact"))
+        except ValueError:
+            raise _no_shape({name: one.shape for name, one in labelled.items()}) from None
+        coordinates: dict[str, Any] = {}
+        for one in labelled.values():
+            for label, found in one.coords.items():
+                coordinates[str(label)] = (found.dims, found.values, found.attrs)
+        for name, one in labelled.items():
+            coordinates[name] = (one.dims, one.values, attributes[name])
+        dims = tuple(str(name) for name in whole[0].dims)
+        arrays = [np.ascontiguousarray(one.values).ravel() for one in whole]
+        return arrays, cls(dims, whole[0].shape, coordinates)
+
+    def labelled(
+        self, values: NDArray[Any], wavelengths: FloatArray, name: str, unit: str, **attributes: str
+    ) -> Any:
+        """Values of shape (n, wavelength) as an xarray.DataArray, shape (..., wavelength)."""
+        import xarray
+
+        return xarray.DataArray(
+            values.reshape(*self.shape, wavelengths.size),
+            dims=(*self.dims, LAST),
+            coords={**self.coordinates, LAST: (LAST, wavelengths, {"units": "nm"})},
+            name=name.replace(" ", "_"),
+            attrs={"units": unit, "long_name": name, **attributes},
+        )
+
+
+def _common_shape(numbers: Mapping[str, FloatArray]) -> tuple[int, ...]:
+    try:
+        return np.broadcast_shapes(*(array.shape for array in numbers.values()))
+    except ValueError:
+        raise _no_shape({name: array.shape for name, array in numbers.items()}) from None
+
+
+def _no_shape(shapes: Mapping[str, tuple[int, ...]]) -> ParameterError:
+    shown = ", ".join(f"{name} {shape}" for name, shape in shapes.items())
+    return ParameterError("shapes", shown, "shapes that broadcast together")
+
+
+def _axis_names(numbers: Mapping[str, FloatArray], count: int) -> list[str]:
+    """Names of the axes: that of the one argument that varies along it and along no other."""
+    names: list[str] = []
+    for back in range(count, 0, -1):
+        has = [name for name, array in numbers.items() if array.ndim >= back]
+        along = [name for name in has if numbers[name].shape[-back] != 1] or has
+        alone = len(along) == 1 and numbers[along[0]].size == numbers[along[0]].shape[-back]
+        names.append(along[0] if alone else TOGETHER)
+    if names.count(TOGETHER) > 1:
+        places = [k for k, name in enumerate(names) if name == TOGETHER]
+        for number, k in enumerate(places, start=1):
+            names[k] = f"{TOGETHER}_{number}"
+    return names
