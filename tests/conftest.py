@@ -199,7 +199,7 @@ def solved() -> Callable[..., MomentsSolution]:
     def solution(
         planet: Planet, wavelengths: tuple[float, ...] | None = None, quality: str = "default"
     ) -> MomentsSolution:
-        key = (repr(planet), wavelengths, quality)
+        key = (planet, wavelengths, quality)
         if key not in kept:
             kept[key] = solve(planet, wavelengths, quality, cache=False)
         return kept[key]

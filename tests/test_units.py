@@ -60,3 +60,18 @@ def test_other_units_are_read_by_pint(text: str, metres: float) -> None:
 def test_what_pint_refuses_as_a_length_is_refused(text: str) -> None:
     with pytest.raises(ParameterError):
         units.quantity(text, "m")
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("1.5 R_earth", "the unit 'R_earth' is not known"),
+        ("1.5 parsnip", "the unit 'parsnip' is not known"),
+        ("5 kg", "'kg' is a unit of something else"),
+    ],
+)
+def test_a_unit_that_is_not_known_or_of_something_else_is_named(text: str, words: str) -> None:
+    with pytest.raises(ParameterError) as caught:
+        units.quantity(text, "m", "radius")
+    assert words in str(caught.value)
+    assert "with a unit such as 'm'" in str(caught.value)

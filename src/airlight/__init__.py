@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from airlight.exports import write_picture
     from airlight.exports.bake import bake
     from airlight.exports.table_files import load_tables
+    from airlight.observables import observe
     from airlight.planets import (
         Constituent,
         Ground,
@@ -61,6 +62,7 @@ _HOMES = {
     "render": "airlight.render",
     "Frame": "airlight.render",
     "write_picture": "airlight.exports",
+    "observe": "airlight.observables",
     "bake": "airlight.exports.bake",
     "load_tables": "airlight.exports.table_files",
     "compose": "airlight.composition",
@@ -93,6 +95,7 @@ __all__ = [
     "render",
     "Frame",
     "write_picture",
+    "observe",
     "bake",
     "load_tables",
     "compose",

@@ -137,9 +137,16 @@ _FORM = re.compile(
 )
 
 
+#: A number and what follows it, of a text that ``_FORM`` does not read.
+_BEGUN: Final = re.compile(r"\s*[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\s*(?P<rest>\D.*?)\s*")
+
+
 def _parse(text: str, unit: str, field: str, allowed: str) -> float:
     match = _FORM.fullmatch(text) if len(text) < 100 else None
     if match is None:
+        begun = _BEGUN.fullmatch(text) if len(text) < 100 else None
+        if begun is not None and begun["rest"][0].isalpha():
+            allowed = f"{allowed}; the unit {begun['rest']!r} is not known"
         raise ParameterError(field, text, allowed)
     number = float(match["number"])
     given = match["unit"]
@@ -148,6 +155,11 @@ def _parse(text: str, unit: str, field: str, allowed: str) -> float:
     try:
         return number * _factor(given, unit)
     except Exception as error:  # pint raises many kinds, its tokenizer's own among them
+        kind = type(error).__name__
+        if kind == "UndefinedUnitError":
+            allowed = f"{allowed}; the unit {given!r} is not known"
+        elif kind == "DimensionalityError":
+            allowed = f"{allowed}; {given!r} is a unit of something else"
         raise ParameterError(field, text, allowed) from error
 
 

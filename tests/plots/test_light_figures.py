@@ -12,11 +12,12 @@ from numpy.testing import assert_allclose
 
 from airlight.color.spectral import rgb_weights, sun_color
 from airlight.errors import ParameterError
+from airlight.observables.limb import limb_radiance
 from airlight.planets import Constituent, Ground, Planet, replace
 from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Exponential
 from airlight.plots.chromaticity import cie, sky_chromaticities
-from airlight.plots.limb import limb, limb_radiance
+from airlight.plots.limb import limb
 from airlight.plots.mapping_comparison import atlas, mapping_comparison, table_rgb, table_sights
 from airlight.plots.order_convergence import convergence, order_convergence
 from airlight.plots.sky_profile import sky_profile

@@ -27,6 +27,7 @@ from airlight.cli import (
     render,
     show,
     sky,
+    spectrum,
     sweep,
     validate,
     view,
@@ -49,8 +50,8 @@ app = typer.Typer(
     ),
 )
 _COMMANDS = (
-    planets, show, render, animate, sky, compose, aerial, view, radiance, sweep, fit, plot, bake,
-    export_page, validate, errata,
+    planets, show, render, animate, sky, compose, aerial, view, radiance, spectrum, sweep, fit,
+    plot, bake, export_page, validate, errata,
 )  # fmt: skip
 for command in _COMMANDS:
     function = command.__name__.rpartition(".")[2]

@@ -102,6 +102,8 @@ NoCache = Annotated[
     bool, typer.Option("--no-cache", help="Neither read nor keep solutions on disk.")
 ]
 
+#: Largest number of values that a range may have.
+MOST_VALUES = 100_000
 #: Wavelengths of the three-wavelength mode. [nm]
 RGB = (680.0, 550.0, 440.0)
 #: A whole number below this is a number of wavelengths; from here on it is a wavelength. [nm]
@@ -223,6 +225,41 @@ def length(text: str, option: str) -> float:
     400000.0
     """
     return quantity(text, "m", option)
+
+
+def values(text: str, unit: str, option: str) -> list[float]:
+    """Parse a list of numbers, or a range ``FROM:TO:STEP`` with its end.
+
+    Parameters
+    ----------
+    text : str
+        Numbers with commas between them, or a range; the last one's unit is that of all.
+    unit : str
+        Unit of the result, and of numbers without one.
+    option : str
+        Name of the option, for errors.
+
+    Raises
+    ------
+    ParameterError
+        If the text is neither, or the range has more than 100 000 values.
+
+    Examples
+    --------
+    >>> values("0:60:20deg", "deg", "--sun-zenith"), values("0m, 2km", "m", "--altitude")
+    ([0.0, 20.0, 40.0, 60.0], [0.0, 2000.0])
+    """
+    if ":" not in text:
+        return list(quantities(text, unit, option))
+    form = "a list, or FROM:TO:STEP such as 0:90:5"
+    try:
+        start, end, step = quantities(text.replace(":", ","), unit, option)
+    except ValueError:
+        raise ParameterError(option, text, form) from None
+    if not step > 0.0 or end < start or (end - start) / step > MOST_VALUES:
+        raise ParameterError(option, text, f"{form}, with at most {MOST_VALUES} values")
+    count = int((end - start) / step + 1e-9)
+    return [float(f"{start + k * step:.12g}") for k in range(count + 1)]
 
 
 def angle(text: str, option: str) -> float:
@@ -406,7 +443,7 @@ def wavelengths(text: str, planet: Planet) -> tuple[float, ...]:
     text : str
         ``rgb``: 680, 550 and 440 nm. A whole number below 100: that many, over the visible part of
         the range where the planet's constituents are known. Otherwise wavelengths, such as
-        ``680,550,440`` or ``"0.55 um"``.
+        ``680,550,440``, ``"0.55 um"`` or ``400:900:10``.
     planet : Planet
         Planet that gives the limits.
 
@@ -431,9 +468,9 @@ def wavelengths(text: str, planet: Planet) -> tuple[float, ...]:
         if count < 1:
             raise ParameterError(option, text, "rgb, 1 to 99, or wavelengths in nm")
         return tuple(float(w) for w in picture_wavelengths(planet, count))
-    values = quantities(text, "nm", option)
-    if len(set(values)) < len(values):
+    nm = values(text, "nm", option)
+    if len(set(nm)) < len(nm):
         raise ParameterError(option, text, "each wavelength once")
-    if min(values) <= 0.0:
+    if min(nm) <= 0.0:
         raise ParameterError(option, text, "wavelengths above 0 nm")
-    return tuple(values)
+    return tuple(nm)

@@ -144,9 +144,12 @@ def radiance(
         world = options.with_solved_ground(world, ground_albedo, None, None)
     nm = world.wavelengths if wavelengths is None else options.wavelengths(wavelengths, world)
     sampled = solver == "montecarlo"
+    from airlight.planets.missing_bands import missing_bands
     from airlight.solvers import solve
     from airlight.sweep.cases import error_columns, radiance_columns, write_cases
 
+    for line in missing_bands(world, nm):
+        print(f"airlight: {line}", file=sys.stderr)
     columns = radiance_columns(nm) + (error_columns(nm) if sampled else [])
     _warn_of_repeated(columns, cases.header)
 
@@ -169,6 +172,10 @@ def radiance(
         write_cases(output, cases, nm, values, errors)
     else:
         _print(nm, values, errors, histories)
+    missed = _missed(solution, cases)
+    if missed:
+        note = f"lines of sight that miss the planet's air, with 0: {missed} of {len(cases.values)}"
+        print(f"airlight: {note}", file=sys.stderr)
     if solution.report.ground:
         print(f"airlight: {solution.report.ground}", file=sys.stderr)
     if sampled and solution.report.unreached:
@@ -300,6 +307,15 @@ def _answers(solution: Any, cases: Cases, count: int, report: Report) -> NDArray
         )
         report(min(start + BLOCK, total), total, "radiance")
     return out
+
+
+def _missed(solution: Any, cases: Cases) -> int:
+    """Number of lines of sight that pass the planet by."""
+    altitude, sun, view, azimuth = cases.values.T
+    sight, _ = solution.lines_of_sight(
+        altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth
+    )
+    return int(((sight.length <= 0.0) & ~sight.to_ground).sum())
 
 
 def _estimates(

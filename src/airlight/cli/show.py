@@ -26,6 +26,9 @@ EPILOG = examples(
     "airlight show earth --set 'ozone.absorption.ozone=200 DU' --compare earth",
 )
 
+#: Wavelengths between which missing bands are named. [nm]
+_SHORTEST, _LONGEST = 780.0, 20_000.0
+
 
 def show(
     planet: options.Planet_,
@@ -80,7 +83,10 @@ def _spectral(values: Any) -> str:
 
 
 def _overview(planet: Planet, medium: Medium, *, given: bool) -> Table:
+    import numpy as np
+
     from airlight.planets.gas_bands import bands_left_out
+    from airlight.planets.missing_bands import missing_bands
 
     table = _table(planet.name, "")
     if planet.description:
@@ -90,6 +96,8 @@ def _overview(planet: Planet, medium: Medium, *, given: bool) -> Table:
     table.add_row("top of the air", f"{planet.top_radius / 1e3:.8g} km ({height:.6g} km up)")
     low, high = planet.wavelength_limits
     table.add_row("known from", f"{low:.5g} to {high:.5g} nm")
+    for line in missing_bands(planet, np.arange(max(low, _SHORTEST), min(high, _LONGEST), 10.0)):
+        table.add_row("but", line)
     table.add_row("wavelengths", f"{_spectral(medium.wavelengths)} nm")
     table.add_row("ground albedo", _spectral(medium.ground_albedo))
     if medium.ground_map is not None:

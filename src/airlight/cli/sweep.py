@@ -21,9 +21,6 @@ EPILOG = examples(
     "--view-zenith 0:80:20 --wavelengths 440,550,680 -o dust.zarr",
 )
 
-#: Largest number of values that a range may have.
-_MOST = 100_000
-
 
 def sweep(
     planets: Annotated[
@@ -78,10 +75,10 @@ def sweep(
         grid = Grid(
             planets=planets,
             vary=dict(_varied(text) for text in vary or []),
-            altitude=_values(altitude, "m", "--altitude"),
-            sun_zenith=_values(sun_zenith, "deg", "--sun-zenith"),
-            view_zenith=_values(view_zenith, "deg", "--view-zenith"),
-            azimuth=_values(azimuth, "deg", "--azimuth"),
+            altitude=options.values(altitude, "m", "--altitude"),
+            sun_zenith=options.values(sun_zenith, "deg", "--sun-zenith"),
+            view_zenith=options.values(view_zenith, "deg", "--view-zenith"),
+            azimuth=options.values(azimuth, "deg", "--azimuth"),
             wavelengths=None if wavelengths is None else options.wavelengths(wavelengths, first),
         )
     except ParameterError as error:
@@ -99,29 +96,6 @@ def sweep(
     size = " x ".join(f"{n} {name}" for n, name in zip(grid.shape, grid.dims, strict=True))
     print(f"{done.path}  {size}  {done.computed} blocks computed, {done.kept} kept  "
           f"{time.perf_counter() - started:.1f} s")  # fmt: skip
-
-
-def _values(text: str, unit: str, option: str) -> list[float]:
-    """Values of a list, or of a range with its end.
-
-    Examples
-    --------
-    >>> _values("0:60:20deg", "deg", "--sun-zenith"), _values("0m, 2km", "m", "--altitude")
-    ([0.0, 20.0, 40.0, 60.0], [0.0, 2000.0])
-    """
-    from airlight.units import quantities
-
-    if ":" not in text:
-        return list(quantities(text, unit, option))
-    form = "a list, or FROM:TO:STEP such as 0:90:5"
-    try:
-        start, end, step = quantities(text.replace(":", ","), unit, option)
-    except ValueError:
-        raise ParameterError(option, text, form) from None
-    if not step > 0.0 or end < start or (end - start) / step > _MOST:
-        raise ParameterError(option, text, f"{form}, with at most {_MOST} values")
-    count = int((end - start) / step + 1e-9)
-    return [float(f"{start + k * step:.12g}") for k in range(count + 1)]
 
 
 def _varied(text: str) -> tuple[str, list[Any]]:

@@ -109,17 +109,12 @@ def bands_left_out(planet: Planet, wavelengths: npt.ArrayLike) -> tuple[LeftOut,
         if isinstance(one.absorption, CrossSectionAbsorption)
         and isinstance(one.absorption.cross_section, str)
     }
-    columns: dict[str, float] = {}
-    pairs = 0.0
+    columns, pairs = gas_columns(planet), 0.0
     for one in planet.constituents:
-        if not isinstance(one.matter, GasMixture):
-            continue
-        for formula, fraction in one.matter.composition:
-            density = one.amount * fraction * one.matter.number_density
-            column = density * one.profile.column(planet.thickness)
-            columns[formula] = columns.get(formula, 0.0) + column
-            if formula == "O2":
-                pairs += density**2 / PAIR_DENSITY * _squared_column(one, planet.thickness)
+        if isinstance(one.matter, GasMixture):
+            oxygen = dict(one.matter.composition).get("O2", 0.0)
+            density = one.amount * oxygen * one.matter.number_density
+            pairs += density**2 / PAIR_DENSITY * _squared_column(one, planet.thickness)
     found = []
     for formula, tables in TABLES.items():
         if columns.get(formula, 0.0) > 0.0:
@@ -131,6 +126,19 @@ def bands_left_out(planet: Planet, wavelengths: npt.ArrayLike) -> tuple[LeftOut,
     if pairs > 0.0 and PAIRS not in used:
         found.append(_left_out("O2-O2", PAIRS, pairs, wavelengths))
     return tuple(one for one in found if not one.strongest < LEAST)
+
+
+def gas_columns(planet: Planet) -> dict[str, float]:
+    """Vertical columns of the gases of a planet's mixtures, by formula. [m⁻²]"""
+    columns: dict[str, float] = {}
+    for one in planet.constituents:
+        if not isinstance(one.matter, GasMixture):
+            continue
+        for formula, fraction in one.matter.composition:
+            density = one.amount * fraction * one.matter.number_density
+            column = density * one.profile.column(planet.thickness)
+            columns[formula] = columns.get(formula, 0.0) + column
+    return columns
 
 
 def _squared_column(constituent: Constituent, thickness: float) -> float:

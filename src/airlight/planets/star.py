@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import re
 from collections.abc import Callable
 from functools import partial
-from typing import Annotated, Final
+from typing import Annotated, Any, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -16,15 +17,17 @@ from airlight.errors import ParameterError
 from airlight.planets.parameters import MISSING, parameters
 from airlight.planets.schema.key import Key, Wavelengths
 from airlight.planets.schema.record import Record
-from airlight.planets.schema.section import Section
+from airlight.planets.schema.section import Section, spectral_of
 from airlight.planets.spectral import (
     EVERYWHERE,
     Limits,
+    PerWavelength,
     Spectral,
     spectral_at,
     spectral_limits,
     table_limits,
 )
+from airlight.units import quantity
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -32,10 +35,53 @@ FloatArray = npt.NDArray[np.float64]
 SUN: Final = "astm-g173"
 #: Name in an editor of a star that is given by its temperature.
 BLACK_BODY: Final = "black body"
+#: Unit of irradiances.
+IRRADIANCE: Final = "W/m^2/nm"
 
 
 def _read_spectrum(section: Section, name: str, wavelengths: Wavelengths) -> str:
     return section.text(name, "the name of a spectrum, 'astm-g173'")
+
+
+def _read_irradiance(section: Section, name: str, wavelengths: Wavelengths) -> Any:
+    """Read one number, a list, or the spectrum of a file at the planet's distance. [W m⁻² nm⁻¹]"""
+    if name not in section:
+        return None
+    value, field = section.raw(name), section.name_of(name)
+    if isinstance(value, str) and value.endswith(".csv"):
+        return _spectrum_of_file(section, value, field)
+    return spectral_of(value, IRRADIANCE, field, wavelengths)
+
+
+def _spectrum_of_file(section: Section, name: str, field: str) -> PerWavelength:
+    from airlight.spectra.tables import read_spectrum_file
+
+    file = section.beside(name)
+    spectrum = read_spectrum_file(file)
+    if spectrum.values.ndim != 1:
+        raise ParameterError(field, spectrum.columns, "a table with one column of values")
+    factor = quantity(f"1 {_with_powers(spectrum.unit)}", IRRADIANCE, f"unit of {file.name}")
+    if spectrum.distance:
+        there = quantity(spectrum.distance, "m", f"distance of {file.name}")
+        here = section.optional_number("distance", "m")
+        if here is None:
+            raise ParameterError(
+                section.name_of("distance"), MISSING,
+                f"a length, beside a spectrum that is given at {spectrum.distance}",
+            )  # fmt: skip
+        if not (there > 0.0 and here > 0.0):
+            raise ParameterError(f"distance of {file.name}", spectrum.distance, "a length above 0")
+        factor *= (there / here) ** 2
+    with section.blamed():
+        return PerWavelength(
+            wavelengths=tuple(spectrum.wavelengths.tolist()),
+            values=tuple((factor * spectrum.values).tolist()),
+        )
+
+
+def _with_powers(unit: str) -> str:
+    """Unit with its powers marked: ``W m-2 nm-1`` is ``W m^-2 nm^-1``."""
+    return re.sub(r"([A-Za-zµμÅ])(-?[1-9])", r"\1^\2", unit)
 
 
 @parameters
@@ -91,7 +137,9 @@ class Star(Record):
             Key(
                 label="irradiance",
                 help="Spectral irradiance at the planet, on a plane facing the star.",
-                unit="W/m^2/nm",
+                note="One value or a list, or the path to a CSV file.",
+                unit=IRRADIANCE,
+                read=_read_irradiance,
                 range=(0.0, 1e9),
                 spectral=True,
                 example="1 W/m^2/nm",
@@ -188,20 +236,22 @@ class Star(Record):
                     raise ParameterError(name, MISSING, "a length, beside a temperature")
         if self.irradiance is not None and self.distance is not None and self.radius is None:
             raise ParameterError("distance", self.distance, "none beside an irradiance")
-        if self._radius is not None and self._distance is not None:
-            if self._radius > 0.5 * self._distance:
-                raise ParameterError("radius", self._radius, "at most half the distance")
+        if self.known_radius is not None and self.known_distance is not None:
+            if self.known_radius > 0.5 * self.known_distance:
+                raise ParameterError("radius", self.known_radius, "at most half the distance")
         elif self.angular_radius is None:
             raise ParameterError("angular_radius", MISSING, "an angle such as '0.2678 deg'")
 
     @property
-    def _distance(self) -> float | None:
+    def known_distance(self) -> float | None:
+        """Distance to the planet: 1 au for the solar spectrum by default; None if unknown. [m]"""
         if self.distance is None and self.spectrum is not None:
             return ASTRONOMICAL_UNIT
         return self.distance
 
     @property
-    def _radius(self) -> float | None:
+    def known_radius(self) -> float | None:
+        """Radius: the sun's for the solar spectrum by default; None if unknown. [m]"""
         return SOLAR_RADIUS if self.radius is None and self.spectrum is not None else self.radius
 
     @property
@@ -209,9 +259,9 @@ class Star(Record):
         """Half the angle that the star subtends at the planet. [deg]"""
         if self.angular_radius is not None:
             return self.angular_radius
-        assert self._radius is not None
-        assert self._distance is not None
-        return math.degrees(math.asin(self._radius / self._distance))
+        assert self.known_radius is not None
+        assert self.known_distance is not None
+        return math.degrees(math.asin(self.known_radius / self.known_distance))
 
     def at_distance(self, distance: float) -> Star:
         """Star at another distance, and of the size that it has there.
@@ -233,9 +283,9 @@ class Star(Record):
         >>> far.angular_radius_degrees
         0.133
         """
-        if self._distance is None or self._radius is None or self.irradiance is not None:
+        if self.known_distance is None or self.known_radius is None or self.irradiance is not None:
             return self
-        angle = math.degrees(math.asin(self._radius / distance))
+        angle = math.degrees(math.asin(self.known_radius / distance))
         return dataclasses.replace(self, distance=distance, angular_radius=float(f"{angle:.3g}"))
 
     @property
@@ -254,16 +304,16 @@ class Star(Record):
         """
         if self.irradiance is not None:
             return spectral_at(self.irradiance, wavelengths)
-        assert self._distance is not None
+        assert self.known_distance is not None
         if self.spectrum is not None:
             from airlight.spectra.sun import solar_irradiance
 
-            return solar_irradiance(wavelengths) * (ASTRONOMICAL_UNIT / self._distance) ** 2
+            return solar_irradiance(wavelengths) * (ASTRONOMICAL_UNIT / self.known_distance) ** 2
         from airlight.spectra.blackbody import star_irradiance
 
         assert self.temperature is not None
         assert self.radius is not None
-        return star_irradiance(wavelengths, self.temperature, self.radius, self._distance)
+        return star_irradiance(wavelengths, self.temperature, self.radius, self.known_distance)
 
     @property
     def darkening(self) -> Callable[[npt.ArrayLike], FloatArray] | None:

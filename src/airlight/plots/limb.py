@@ -6,15 +6,13 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
+from airlight.observables.limb import limb_radiance
 from airlight.plots.figure import LINE_STYLES, chosen, grid, new_figure
 from airlight.solvers.solution import Solution
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-FloatArray = NDArray[np.float64]
 
 #: Zenith angles of the sun at the tangent point. [deg]
 SUN_ZENITHS: Final = (0.0, 30.0, 60.0, 80.0, 90.0, 96.0)
@@ -22,46 +20,6 @@ SUN_ZENITHS: Final = (0.0, 30.0, 60.0, 80.0, 90.0, 96.0)
 _LOWEST, _COUNT = -0.15, 231
 #: Radiances below this fraction of a panel's largest are off it.
 _FAINTEST: Final = 1e-8
-
-
-def limb_radiance(
-    solution: Solution, tangent_height: ArrayLike, sun_zenith: ArrayLike
-) -> FloatArray:
-    """Radiance along lines of sight from space, by tangent height.
-
-    Parameters
-    ----------
-    solution : Solution
-    tangent_height : array, shape (...)
-        Tangent height, up to the top of the shell; below 0 the line meets the ground. [m]
-    sun_zenith : array, shape (...)
-        Zenith angle at the tangent point, the sun standing across the line of sight. [deg]
-
-    Returns
-    -------
-    array, shape (..., nl)
-        [W m⁻² sr⁻¹ nm⁻¹]
-    """
-    bottom, top = solution.medium.bottom_radius, solution.medium.top_radius
-    height, sun = np.broadcast_arrays(
-        np.asarray(tangent_height, dtype=np.float64), np.asarray(sun_zenith, dtype=np.float64)
-    )
-    # The observer is at the top of the shell; its zenith is rotated from the tangent point's,
-    # away from the line of sight, which is at right angles to the sun.
-    sine = np.minimum((bottom + height) / top, 1.0)
-    mu = -np.sqrt((1.0 - sine) * (1.0 + sine))
-    mu_s = np.cos(np.radians(sun)) * sine
-    across = sine * np.sqrt(1.0 - mu_s**2)
-    cosine = np.divide(-mu * mu_s, across, out=np.zeros_like(mu), where=across > 0.0)
-    azimuth = np.arccos(np.clip(cosine, -1.0, 1.0))
-    return np.asarray(
-        solution.radiance(
-            altitude=top - bottom,
-            sun_zenith=np.degrees(np.arccos(mu_s)),
-            view_zenith=180.0 - np.degrees(np.arcsin(sine)),
-            azimuth=np.degrees(azimuth),
-        )
-    )
 
 
 def limb(solution: Solution, sun_zeniths: Sequence[float] = SUN_ZENITHS) -> Figure:

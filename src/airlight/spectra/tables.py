@@ -39,6 +39,9 @@ class Spectrum:
         Names of the columns; one name if ``values`` has one axis.
     licence : str
         Terms of the source.
+    distance : str
+        Distance from the star at which an irradiance is given, with its unit; empty if there is no
+        such line.
     """
 
     name: str
@@ -48,6 +51,7 @@ class Spectrum:
     source: str
     columns: tuple[str, ...]
     licence: str = ""
+    distance: str = ""
 
     def at(self, wavelengths: ArrayLike, *, field: str = "wavelengths") -> NDArray[np.float64]:
         """Values at any wavelengths, linear between rows.
@@ -136,8 +140,8 @@ def read_spectrum(name: str) -> Spectrum:
 def read_spectrum_file(path: Path) -> Spectrum:
     """Read a table from a file in the form of the package's.
 
-    Lines ``# unit: …`` and ``# source: …`` first, then the names of the columns, then rows of a
-    wavelength in nm and its values, ascending.
+    Lines ``# unit: …`` and ``# source: …`` first, for a star also ``# distance: …``, then the names
+    of the columns, then rows of a wavelength in nm and its values, ascending.
 
     Parameters
     ----------
@@ -200,4 +204,5 @@ def _spectrum(text: str, name: str) -> Spectrum:
         source=header["source"],
         columns=tuple(body[0].split(",")[1:]),
         licence=header.get("licence", ""),
+        distance=header.get("distance", ""),
     )

@@ -23,6 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.quadrature import gauss_legendre
+from airlight.observables.disc import disc_reflectance
 from airlight.planets import Constituent, Ground, Planet, Star
 from airlight.planets.matter.phases import Rayleigh
 from airlight.planets.matter.profiles import Exponential
@@ -40,8 +41,6 @@ DEPTH: Final = 8.0
 _SCALE_HEIGHT: Final = 8e3
 _WAVELENGTH: Final = 550.0
 _POINTS: Final = 60
-#: Points of the disc's radius.
-_RINGS: Final = 24
 _STEPS: Final = 2000
 
 
@@ -116,19 +115,8 @@ def exact_albedo() -> float:
 
 def geometric_albedo(solution: Solution) -> FloatArray:
     """Brightness at full phase over that of a white Lambert disc as large as the ground, (nl,)."""
-    bottom, top = solution.medium.bottom_radius, solution.medium.top_radius
-    far = 1e4 * top
-    rule = gauss_legendre(_RINGS)
-    b = top * rule.nodes  # distance from the disc's centre
-    sky = solution.radiance(
-        altitude=far - bottom,
-        sun_zenith=0.0,
-        view_zenith=180.0 - np.degrees(np.arcsin(b / far)),
-        azimuth=0.0,
-    ).values
-    rings = top * rule.weights * 2.0 * np.pi * b
-    received = (rings[:, None] * sky / solution.medium.solar_irradiance).sum(axis=0)
-    return np.asarray(received / bottom**2)
+    values, _ = disc_reflectance(solution, np.zeros(1), solution.medium.bottom_radius)
+    return np.asarray(values[0])
 
 
 def rayleigh_planet() -> Planet:

@@ -1,0 +1,205 @@
+"""``airlight spectrum``: what a telescope measures of a planet, over wavelengths."""
+
+from __future__ import annotations
+
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Final, Literal
+
+import typer
+
+from airlight.cli import options
+from airlight.cli.examples import examples
+from airlight.cli.progress import shown_progress
+from airlight.errors import FileError, ParameterError
+
+if TYPE_CHECKING:
+    import xarray
+
+    from airlight.planets.planet import Planet
+
+EPILOG = examples(
+    "airlight spectrum earth --of geometric-albedo --wavelengths 380:780:20",
+    "airlight spectrum exoplanet --of transmission --wavelengths 400:900:10 -o transit.csv "
+    "-o transit.png",
+    "airlight spectrum mars --of phase-curve --wavelengths rgb -o mars.nc",
+    "airlight spectrum titan --of limb --tangent-heights 0:500:10km --sun-zenith 80 -o limb.csv",
+    "airlight spectrum exoplanet --of disc --phase-angles 90 --wavelengths 680,550,440",
+)
+
+#: Figures, beside the files of numbers.
+_FIGURES: Final = (".png", ".svg", ".pdf")
+#: Wavelengths by default, those at which the planet is known. [nm]
+_FIRST, _LAST, _STEP = 360, 830, 10
+#: Rows of a table that are printed.
+_ROWS: Final = 24
+
+
+def spectrum(
+    planet: options.Planet_,
+    of: Annotated[
+        Literal["geometric-albedo", "bond-albedo", "phase-curve", "transmission", "limb", "disc"],
+        typer.Option(
+            help="geometric-albedo: brightness at full phase; bond-albedo: share of the light that "
+            "leaves again; phase-curve: brightness over the phase angle; transmission: effective "
+            "radius in transit; limb: radiance over the tangent height; disc: light of the whole "
+            "disc, and against the star."
+        ),
+    ],
+    wavelengths: Annotated[
+        str | None,
+        typer.Option(
+            metavar="rgb|N|LIST|FROM:TO:STEP",
+            help="In nm: 400:900:10; every 10 nm from 360 to 830 if left out.",
+        ),
+    ] = None,
+    phase_angles: Annotated[
+        str | None,
+        typer.Option(
+            metavar="LIST|FROM:TO:STEP",
+            help="Of disc (0) and phase-curve (0:180:5): between star and observer, seen from the "
+            "planet.",
+        ),
+    ] = None,
+    tangent_heights: Annotated[
+        str | None,
+        typer.Option(
+            metavar="LIST|FROM:TO:STEP", help="Of limb: 0:100:5km; 60 heights if left out."
+        ),
+    ] = None,
+    sun_zenith: Annotated[
+        str | None,
+        typer.Option(metavar="ANGLE", help="Of limb: the sun's at the tangent point (60deg)."),
+    ] = None,
+    azimuth: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ANGLE",
+            help="Of limb: between the line of sight and the sun, 0 towards it (90deg).",
+        ),
+    ] = None,
+    radius: Annotated[
+        str | None,
+        typer.Option(
+            metavar="LENGTH", help="Of the reference disc of albedos (that of the ground)."
+        ),
+    ] = None,
+    output: Annotated[
+        list[Path] | None,
+        typer.Option(
+            "--output",
+            "-o",
+            metavar="FILE",
+            help="A .csv, a .nc (netCDF), or a figure as .png, .svg or .pdf; may be given several "
+            "times. Without it the numbers are printed.",
+        ),
+    ] = None,
+    quality: options.Quality = "default",
+    set_: options.Set = None,
+    no_cache: options.NoCache = False,
+) -> None:
+    """Compute what a telescope measures of a planet: albedos, phase curve, transit, limb, disc.
+
+    Each integral comes with the error of its quadrature.
+    """
+    started = time.perf_counter()
+    from airlight.observables import observe
+    from airlight.planets.missing_bands import missing_bands
+
+    files = _checked(output or [])
+    given: dict[str, Any] = {
+        "phase_angles": phase_angles and options.values(phase_angles, "deg", "--phase-angles"),
+        "tangent_heights": tangent_heights
+        and options.values(tangent_heights, "m", "--tangent-heights"),
+        "sun_zenith": sun_zenith and options.angle(sun_zenith, "--sun-zenith"),
+        "azimuth": azimuth and options.angle(azimuth, "--azimuth"),
+        "radius": radius and options.length(radius, "--radius"),
+    }
+    world = options.planet(planet, set_)
+    nm = options.wavelengths(wavelengths, world) if wavelengths else _known(world)
+    for line in missing_bands(world, nm):
+        print(f"airlight: {line}", file=sys.stderr)
+
+    from airlight.solvers import solve
+
+    with shown_progress() as report:
+        solution = solve(
+            world, wavelengths=nm, quality=quality, cache=not no_cache, progress=report
+        )
+        try:
+            data = observe(
+                solution, of, progress=report,
+                **{name: value for name, value in given.items() if value is not None},
+            )  # fmt: skip
+        except ParameterError as error:
+            if error.field not in given:
+                raise
+            option = "--" + error.field.replace("_", "-")
+            raise ParameterError(option, error.value, error.allowed) from None
+    for path in files:
+        _write(path, data)
+        print(f"{path}  {of} of {world.name}  {time.perf_counter() - started:.1f} s")
+    if not files:
+        _print(data)
+    print(f"airlight: {data.attrs['notes']}", file=sys.stderr)
+
+
+def _checked(files: list[Path]) -> list[Path]:
+    """Refuse files that cannot be written, before the work."""
+    from airlight.exports.spectrum_files import SUFFIXES
+    from airlight.exports.whole_file import check_target
+
+    for path in files:
+        if path.suffix.lower() not in (*SUFFIXES, *_FIGURES):
+            allowed = ", ".join((*SUFFIXES, *_FIGURES))
+            raise FileError(path, f"the name of a spectrum ends in {allowed}")
+        check_target(path)
+    if any(path.suffix.lower() in _FIGURES for path in files):
+        from airlight.plots.figure import require_matplotlib
+
+        require_matplotlib()
+    return files
+
+
+def _known(planet: Planet) -> tuple[float, ...]:
+    """Default wavelengths, those at which the planet is known; its own if there are none. [nm]"""
+    low, high = planet.wavelength_limits
+    inside = tuple(float(nm) for nm in range(_FIRST, _LAST + 1, _STEP) if low <= nm <= high)
+    return inside or tuple(planet.wavelengths)
+
+
+def _write(path: Path, data: xarray.Dataset) -> None:
+    suffix = path.suffix.lower()
+    if suffix not in _FIGURES:
+        from airlight.exports.spectrum_files import write_spectrum
+
+        write_spectrum(path, data)
+        return
+    from airlight.exports.whole_file import whole_file
+    from airlight.plots.figure import write_figure
+    from airlight.plots.spectrum import spectrum as drawn
+
+    with whole_file(path) as part, part.open("wb") as file:
+        write_figure(drawn(data), file, suffix.removeprefix("."), 150.0)
+
+
+def _print(data: xarray.Dataset) -> None:
+    """Print the first rows, those of the first angles or heights."""
+    dims = [*(str(name) for name in data.sizes if name != "wavelength"), "wavelength"]
+    columns = [str(name) for name in data.data_vars if data[name].ndim]
+    whole = data[columns].stack(row=dims)
+    shown = range(min(whole.sizes["row"], _ROWS))
+    texts = {name: [f"{whole[name].values[k]:.6g}" for k in shown] for name in dims}
+    texts |= {name: [f"{whole[name].values[k]:.4e}" for k in shown] for name in columns}
+    units = {name: f"[{data[name].attrs['units']}]" for name in texts}
+    wide = {name: max(map(len, (name, units[name], *rows))) for name, rows in texts.items()}
+    for cells in ({name: name for name in texts}, units):
+        print("  ".join(f"{cells[name]:>{wide[name]}}" for name in texts))
+    for k in shown:
+        print("  ".join(f"{rows[k]:>{wide[name]}}" for name, rows in texts.items()))
+    if whole.sizes["row"] > _ROWS:
+        print(f"… {whole.sizes['row'] - _ROWS} rows more: -o FILE.csv has all")
+    for label, one in data.data_vars.items():
+        if not one.ndim:
+            print(f"{label} {one.item():.4f}: {one.attrs['long_name']}")

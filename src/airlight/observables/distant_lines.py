@@ -1,0 +1,65 @@
+"""Lines of sight of an observer infinitely far away: parallel, and told by where they pass."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.path import ray_length
+from airlight.geometry.shell import meets_ground
+from airlight.kernel import vectorized
+from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.sight import Sight
+
+FloatArray = NDArray[np.float64]
+
+
+def lines_into_shell(
+    impact: FloatArray, mu_s: FloatArray, nu: FloatArray, bottom: float, top: float
+) -> Sight:
+    """Lines of sight from the points where they enter the shell.
+
+    Parameters
+    ----------
+    impact : array, shape (n,)
+        Distance of each line from the planet's centre, 0 to ``top``. [m]
+    mu_s, nu : array, shape (n,)
+        Cosines of the sun's zenith angle at the point of entry, and of the angle between the line's
+        direction and the sun. [1]
+    bottom, top : float
+        Radii of the ground and of the shell's top. [m]
+    """
+    sine = np.minimum(impact / top, 1.0)
+    mu = -np.sqrt((1.0 - sine) * (1.0 + sine))
+    r = np.full(mu.shape, top)
+    return Sight(
+        r, mu, np.clip(mu_s, -1.0, 1.0), np.clip(nu, -1.0, 1.0),
+        vectorized(ray_length)(r, mu, bottom, top), vectorized(meets_ground)(r, mu, bottom),
+    )  # fmt: skip
+
+
+def disc_lines(
+    impact: FloatArray, position: FloatArray, phase: float, bottom: float, top: float
+) -> Sight:
+    """Lines of sight over the disc of a planet at a phase angle.
+
+    With z towards the observer and x towards the sun's side of the disc, the sun is at
+    (sin α, 0, cos α), a line enters at (b cos ψ, b sin ψ, √(top² - b²)) and runs along -z.
+
+    Parameters
+    ----------
+    impact, position : array, shape (n,)
+        Distance b from the disc's centre [m], and position angle ψ from the sun's side. [rad]
+    phase : float
+        Phase angle α: that between star and observer, seen from the planet. [rad]
+    bottom, top : float
+        Radii of the ground and of the shell's top. [m]
+    """
+    height = np.sqrt(np.maximum(top * top - impact * impact, 0.0))
+    mu_s = (impact * np.cos(position) * np.sin(phase) + height * np.cos(phase)) / top
+    return lines_into_shell(impact, mu_s, np.full(mu_s.shape, -np.cos(phase)), bottom, top)
+
+
+def ground_edge(paths: LightPaths) -> float:
+    """Radius of the ground's disc as seen from afar, enlarged by refraction. [m]"""
+    return paths.medium.bottom_radius if paths.shell is None else float(paths.shell.bottom)

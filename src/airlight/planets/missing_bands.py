@@ -1,0 +1,91 @@
+"""Warnings of gas bands that a planet's gases have and its spectrum will not show."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.planets.gas_bands import AIRMASS, bands_left_out, gas_columns
+from airlight.planets.planet import Planet
+
+#: Bands beyond the tables that come with airlight, by formula: where a gas absorbs strongly enough
+#: to be seen in a spectrum of a planet with some thousandths of it in its air. Goody & Yung (1989),
+#: Atmospheric Radiation, chapter 3; CH4: Karkoschka (1998), Icarus 133, 134, and Irwin et al.
+#: (2006), Icarus 181, 309. Edges are rounded to 10 nm. [nm]
+BANDS: Final[dict[str, tuple[tuple[float, float], ...]]] = {
+    "H2O": (
+        (1080.0, 1200.0), (1300.0, 1500.0), (1750.0, 2000.0), (2500.0, 3600.0), (4800.0, 8500.0),
+    ),
+    "CO2": (
+        (1040.0, 1060.0), (1200.0, 1220.0), (1420.0, 1460.0), (1520.0, 1660.0), (1930.0, 2090.0),
+        (2650.0, 2870.0), (4150.0, 4500.0), (9100.0, 11_000.0), (12_000.0, 18_000.0),
+    ),
+    "CH4": (
+        (830.0, 930.0), (970.0, 1030.0), (1100.0, 1240.0), (1300.0, 1520.0), (1620.0, 1860.0),
+        (2150.0, 2600.0), (3100.0, 3900.0), (7000.0, 8500.0),
+    ),
+    "NH3": (
+        (540.0, 560.0), (640.0, 660.0), (780.0, 800.0), (880.0, 930.0), (1000.0, 1080.0),
+        (1200.0, 1300.0), (1440.0, 1570.0), (1900.0, 2100.0), (2200.0, 2400.0), (2800.0, 3200.0),
+        (9000.0, 12_000.0),
+    ),
+    "O2": ((1240.0, 1300.0),),
+    "O3": ((4700.0, 4800.0), (9300.0, 10_000.0)),
+    "N2O": ((2850.0, 2900.0), (3850.0, 4120.0), (4430.0, 4600.0), (7600.0, 8000.0)),
+    "CO": ((2300.0, 2420.0), (4450.0, 4900.0)),
+    "SO2": ((3950.0, 4050.0), (7100.0, 7600.0), (8300.0, 9100.0)),
+}  # fmt: skip
+#: Smallest column whose bands are named, a third of a centimetre of the gas at 0 °C and 101 325 Pa.
+#: [m⁻²]
+LEAST: Final = 1e23
+#: Share of direct light from which a band of a known table is named. [1]
+WEAKEST: Final = 0.02
+
+
+def missing_bands(planet: Planet, wavelengths: npt.ArrayLike) -> list[str]:
+    """Name the bands of a planet's gases that are left out at some of the wavelengths.
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet; the gases of its mixtures are known by their formulas. One whose gases are
+        coefficients only has none that could be named.
+    wavelengths : array, shape (nl,)
+        Wavelengths of the spectrum. [nm]
+
+    Returns
+    -------
+    list of str
+        One line for the bands whose size is known, one for those that no table describes; empty if
+        nothing is missing.
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> for line in missing_bands(load_planet("earth"), [550.0, 764.0]):
+    ...     print(line)
+    bands of O2 are left out: up to 41 % of direct light at airmass 1.5, at 764 nm
+    """
+    nm = np.asarray(wavelengths, dtype=np.float64)
+    lines = []
+    for one in bands_left_out(planet, nm):
+        loss = np.nan_to_num(one.loss)
+        if loss.size and loss.max() >= WEAKEST:
+            lines.append(
+                f"bands of {one.name} are left out: up to {100.0 * loss.max():.0f} % of direct "
+                f"light at airmass {AIRMASS:g}, at {nm[loss.argmax()]:g} nm"
+            )
+    columns = gas_columns(planet)
+    met: dict[str, list[str]] = {}
+    for formula, bands in BANDS.items():
+        if columns.get(formula, 0.0) < LEAST:
+            continue
+        for low, high in bands:
+            if ((nm >= low) & (nm <= high)).any():
+                met.setdefault(formula, []).append(f"{low:g} to {high:g}")
+    if met:
+        named = "; ".join(f"{formula} {', '.join(spans)} nm" for formula, spans in met.items())
+        lines.append(f"bands without a table are missing, so that it is too bright there: {named}")
+    return lines
