@@ -18,6 +18,8 @@ STATIONS = (
     ("Light", ("solve", "Solution")),
     ("Pictures", ("Scene", "MoonLight", "StarLight", "Camera", "look_at", "local_ground",
                   "render", "Frame", "write_picture")),
+    ("Observables", ("observe",)),
+    ("Tables", ("bake", "load_tables")),
     ("Composition", ("compose", "Pinhole", "Placement")),
     ("Errors", ("AirlightError", "ParameterError", "FileError", "ConvergenceError", "Cancelled")),
 )  # fmt: skip

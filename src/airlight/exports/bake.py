@@ -76,6 +76,9 @@ class Baked:
     about: dict[str, Any]
     errors: dict[str, Errors]
 
+    def __repr__(self) -> str:
+        return f"<Baked tables of {self.about['planet']}: {', '.join(self.tables)}>"
+
 
 def bake(
     solution: Solution,

@@ -69,6 +69,10 @@ class Table:
     scale: float = 1.0
     provenance: Mapping[str, str] = field(default_factory=dict)
 
+    def __repr__(self) -> str:
+        axes = " x ".join(f"{axis.name} {axis.size}" for axis in self.layout.axes)
+        return f"<Table {self.name}: {axes}; {len(self.channels)} channels, {self.precision}>"
+
     def __post_init__(self) -> None:
         shape = (*self.layout.shape, len(self.channels))
         if self.values.shape != shape:

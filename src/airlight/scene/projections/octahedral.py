@@ -3,8 +3,8 @@ r"""Whole sphere on a square whose texels all have the same solid angle.
 Each quarter of the upper hemisphere is a triangle beside the middle of the square, and the quarter
 below it the triangle between that and the corner. In the unit triangle with
 :math:`r = a + b \le 1`, a ring of radius r has the length's share of area 2r dr; with
-:math:`z = 1 - r^2` a ring on the sphere has 2π |dz| = 4π r dr: the same share of all. Along a ring
-the azimuth is proportional to b, which keeps areas too.
+:math:`z = 1 - r^2` a ring on the sphere has 2π times dz, or 4π r dr: the same share of all. Along a
+ring the azimuth is proportional to b, which keeps areas too.
 """
 
 from __future__ import annotations
