@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from airlight.cli import main
 from airlight.color.encoding import srgb_encode
 from airlight.composition.aerial_perspective import AerialPerspective
 from airlight.exports.aerial_files import write_aerial
@@ -124,3 +125,54 @@ def test_a_wall_and_the_sky_behind(
 def test_the_example_draws(opened_page: Callable[[str], Any]) -> None:
     page = opened_page("index.html")
     page.wait_for_function("document.title.includes('drawn')", timeout=120e3)
+
+
+#: A map of ``airlight sky`` as the background of a camera, and what its middle shows.
+SKY_PAGE = """<!doctype html><link rel="icon" href="data:,"><script type="importmap">
+{ "imports": { "three": "./node_modules/three/build/three.module.js",
+  "three/addons/": "./node_modules/three/examples/jsm/" } }
+</script><script type="module">
+  import * as THREE from "three";
+  import { EXRLoader } from "three/addons/loaders/EXRLoader.js";
+  const renderer = new THREE.WebGLRenderer();
+  renderer.setSize(64, 64);
+  renderer.toneMapping = THREE.LinearToneMapping;
+  renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
+  const sky = await new EXRLoader().loadAsync("sky.exr");
+  const { scale, lights } = await (await fetch("sky.json")).json();
+  sky.mapping = THREE.EquirectangularReflectionMapping;
+  const scene = new THREE.Scene();
+  scene.background = sky;
+  scene.backgroundIntensity = 1 / scale;
+  const camera = new THREE.PerspectiveCamera(20, 1, 0.1, 10);
+  const towards = new THREE.Vector3(...lights[0].direction);
+  const pixels = new Uint8Array(4 * 64 * 64);
+  const gl = renderer.getContext();
+  window.seen = [[0, 1e-6], [0, 0.01], [120, 0.01]].map(([turn, exposure]) => {
+    camera.lookAt(towards.clone().applyAxisAngle(new THREE.Vector3(0, 1, 0), turn * Math.PI / 180));
+    renderer.toneMappingExposure = exposure;
+    renderer.render(scene, camera);
+    gl.readPixels(0, 0, 64, 64, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    return Array.from(pixels);
+  });
+</script>"""
+
+
+def test_three_js_shows_the_sun_of_a_map_where_the_json_says(
+    folder: Path, opened_page: Callable[[str], Any]
+) -> None:
+    words = ["--for", "three", "--size", "512", "--sun-zenith", "55", "--sun-azimuth", "160"]
+    quick = ["--wavelengths", "rgb", "--quality", "preview", "--sun", "include"]
+    assert main(["sky", "earth", "-o", str(folder / "sky.exr"), *words, *quick]) == 0
+    (folder / "sky.html").write_text(SKY_PAGE, encoding="utf-8")
+    page = opened_page("sky.html")
+    page.wait_for_function("window.seen !== undefined", timeout=120e3)
+    seen = np.array(page.evaluate("window.seen"), float).reshape(3, 64, 64, 4)[..., :3]
+    # at an exposure that shows the disc alone: it is in the middle, and nowhere else
+    row, column = np.nonzero(seen[0].max(axis=-1) > 0.0)
+    texel = 64 * (360.0 / 512) / 20.0
+    assert_allclose([row.mean(), column.mean()], 31.5, atol=texel)
+    assert row.size < 40.0 * texel
+    # and the sky to its left is dimmer than the glow around it, but not dark
+    glow, away = seen[1].mean(), seen[2].mean()
+    assert 3.0 < away < 0.7 * glow
