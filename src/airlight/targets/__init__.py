@@ -15,6 +15,7 @@ MODULES: Final[dict[str, str]] = {
     "openspace": "openspace",
     "unreal": "unreal",
     "celestia": "celestia",
+    "cosmoscout": "cosmoscout",
 }
 
 
