@@ -208,6 +208,28 @@ def solved() -> Callable[..., MomentsSolution]:
 
 
 @pytest.fixture(scope="session")
+def takram_folder(
+    once: Callable[[str, Callable[[], Any]], Any], tmp_path_factory: pytest.TempPathFactory
+) -> Callable[[str], Path]:
+    """Folder of ``--layout takram`` of a preset, of full size, made once in a run."""
+    from airlight import load_planet, solve
+    from airlight.planets import replace
+    from airlight.targets.takram import TARGET
+
+    def folder(name: str) -> Path:
+        def make() -> str:
+            planet = replace(load_planet(name), refraction="none")
+            solution = solve(planet, TARGET.wavelengths, "preview", cache=False)
+            made = tmp_path_factory.mktemp("takram") / name
+            TARGET.write(solution, made)
+            return str(made)
+
+        return Path(once(f"takram-{name}", make))
+
+    return folder
+
+
+@pytest.fixture(scope="session")
 def aerial(once: Callable[[str, Callable[[], Any]], Any]) -> AerialPerspective:
     """Small tables of the air over Earth, sun at 75°, observer at 500 m."""
     from airlight import Scene, load_planet, solve

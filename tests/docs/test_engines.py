@@ -16,7 +16,9 @@ _BLOCK = re.compile(r"^```console\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 LINES = [line for found in _BLOCK.finditer(PAGE) for line in found[1].splitlines()]
 BAKES = [line.removeprefix("$ airlight ") for line in LINES if line.startswith("$ airlight bake ")]
 #: What makes an export of tables small.
-SMALL = {"cosmoscout": ["--size", "4x8x4x4", "--wavelengths", "rgb"]}
+SMALL = {"cosmoscout": ["--size", "4x8x4x4"]}
+#: Programs that fix the sizes of their tables.
+LARGE = ("takram", "bruneton-demo")
 
 
 def test_each_program_has_a_row_and_three_commands():
@@ -27,7 +29,15 @@ def test_each_program_has_a_row_and_three_commands():
         assert block[1].count("$ ") == 3
 
 
-@pytest.mark.parametrize("command", BAKES, ids=lambda line: line.split()[3])
+@pytest.mark.parametrize(
+    "command",
+    [
+        pytest.param(
+            line, id=line.split()[3], marks=[pytest.mark.slow] if line.split()[3] in LARGE else []
+        )
+        for line in BAKES
+    ],
+)
 def test_the_command_writes_the_files_that_the_next_ones_take(
     command: str,
     tmp_path: Path,

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import functools
+import http.server
 import os
 import shutil
+import subprocess
+import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import pytest
 
@@ -96,6 +100,56 @@ def kept_wide(chromium: Any) -> Iterator[Callable[..., Any]]:
     """As ``opened``, for a page that all tests of a file use in turn."""
     with offline_pages(chromium) as open_file:
         yield open_file
+
+
+class _Quiet(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *arguments: Any) -> None:
+        pass
+
+
+@pytest.fixture(scope="session")
+def served_pages(chromium: Any) -> Callable[[Path], AbstractContextManager[Callable[[str], Any]]]:
+    """Pages of a folder by HTTP: ``with served_pages(folder) as open_page: open_page(name)``.
+
+    Fails at the end on any error in a page.
+    """
+
+    @contextmanager
+    def serve(folder: Path) -> Iterator[Callable[[str], Any]]:
+        handler = functools.partial(_Quiet, directory=str(folder))
+        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        context = chromium.new_context(viewport={"width": 320, "height": 180})
+        context.set_default_timeout(PATIENCE)
+        faults: list[str] = []
+
+        def open_page(name: str) -> Any:
+            page = context.new_page()
+            page.on("pageerror", lambda error: faults.append(str(error)))
+            page.on("console", lambda m: faults.append(m.text) if m.type == "error" else None)
+            page.goto(f"http://127.0.0.1:{server.server_port}/{name}")
+            return page
+
+        yield open_page
+        context.close()
+        server.shutdown()
+        server.server_close()
+        assert faults == []
+
+    return serve
+
+
+@pytest.fixture(scope="session")
+def npm_install(lacking: Callable[[str], NoReturn]) -> Callable[[Path], None]:
+    """``npm_install(folder)``: what its package.json asks for, without optional peers."""
+    if shutil.which("npm") is None:
+        lacking("no npm (on Debian: apt-get install npm)")
+
+    def install(folder: Path) -> None:
+        asked = ["npm", "install", "--silent", "--no-audit", "--no-fund", "--legacy-peer-deps"]
+        subprocess.run(asked, cwd=folder, check=True, timeout=300)
+
+    return install
 
 
 @pytest.fixture

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import functools
-import http.server
 import shutil
-import subprocess
-import threading
 from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
 import numpy as np
 import pytest
@@ -57,47 +54,25 @@ PAGE = f"""<!doctype html><link rel="icon" href="data:,"><script type="importmap
 def folder(
     aerial: AerialPerspective,
     tmp_path_factory: pytest.TempPathFactory,
-    lacking: Callable[[str], NoReturn],
+    npm_install: Callable[[Path], None],
 ) -> Path:
     """The example with its tables, and three.js by npm."""
-    if shutil.which("npm") is None:
-        lacking("no npm (on Debian: apt-get install npm)")
     place = tmp_path_factory.mktemp("three")
     for name in ("air_pass.js", "index.html", "package.json"):
         shutil.copy(EXAMPLE / name, place / name)
-    asked = ["npm", "install", "--silent", "--no-audit", "--no-fund"]
-    subprocess.run(asked, cwd=place, check=True, timeout=300)
+    npm_install(place)
     write_aerial(place / "air", aerial)
     (place / "wall.html").write_text(PAGE, encoding="utf-8")
     return place
 
 
-class _Quiet(http.server.SimpleHTTPRequestHandler):
-    def log_message(self, *arguments: Any) -> None:
-        pass
-
-
 @pytest.fixture(scope="module")
-def opened_page(folder: Path, chromium: Any) -> Iterator[Callable[[str], Any]]:
-    """Open a page of the folder by HTTP; fails at the end on any error in a page."""
-    handler = functools.partial(_Quiet, directory=str(folder))
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    context = chromium.new_context(viewport={"width": 320, "height": 180})
-    faults: list[str] = []
-
-    def opened(name: str) -> Any:
-        page = context.new_page()
-        page.on("pageerror", lambda error: faults.append(str(error)))
-        page.on("console", lambda m: faults.append(m.text) if m.type == "error" else None)
-        page.goto(f"http://127.0.0.1:{server.server_port}/{name}")
-        return page
-
-    yield opened
-    context.close()
-    server.shutdown()
-    server.server_close()
-    assert faults == []
+def opened_page(
+    folder: Path, served_pages: Callable[[Path], AbstractContextManager[Any]]
+) -> Iterator[Callable[[str], Any]]:
+    """Open a page of the folder by HTTP."""
+    with served_pages(folder) as open_page:
+        yield open_page
 
 
 def test_a_wall_and_the_sky_behind(

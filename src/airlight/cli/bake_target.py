@@ -64,8 +64,7 @@ def bake_target(
     if world.refraction != "none" and not program.bends_light:
         print(f"airlight: {program.program} draws light straight", file=sys.stderr)
         world = replace(world, refraction="none")
-    text = wavelengths or program.default_wavelengths
-    nm = program.wavelengths or options.wavelengths(text, world)
+    nm = program.wavelengths or options.wavelengths(wavelengths or "rgb", world)
 
     from airlight.solvers import solve
 

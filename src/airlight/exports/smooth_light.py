@@ -79,6 +79,9 @@ def smooth_phases(
     if rayleigh:
         even = vectorized(rayleigh_phase)(1.0 - 2.0 * nodes**2, 0.0)
         first, whole = "rayleigh", np.broadcast_to(even, whole.shape)
+        # The light at the nearest possible angle: by the shape along the reference line, skies of
+        # Earth under a high sun err by 1.6 % in place of 0.3 % (median).
+        rest = np.ones_like(rest)
     else:
         first, whole = "smooth", whole / norm[:, None]
     names = (first, *parts.phases.names[1:])

@@ -12,10 +12,10 @@ if TYPE_CHECKING:
 
 #: Modules of the programs by the names of their layouts; each has a ``TARGET``.
 MODULES: Final[dict[str, str]] = {
+    "takram": "takram",
     "openspace": "openspace",
     "unreal": "unreal",
     "celestia": "celestia",
-    "cosmoscout": "cosmoscout",
 }
 
 

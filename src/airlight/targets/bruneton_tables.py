@@ -1,0 +1,248 @@
+"""Bruneton's tables as his shaders read them: one lobe for all particles, look-ups of that form.
+
+The light is ``S p_R(nu) + M p_CS(nu; g)``: S, "scattering", times Rayleigh's phase function; M,
+"single Mie", times one Cornette-Shanks lobe, from a table of its own, or its red alone in the
+alpha of S, from which its colours are restored by two coefficients of the planet. ``fill_tables``
+brings a solution to this form; ``SkyTables`` is the look-up of a folder's numbers, as stored.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.exports.air_light import groups
+from airlight.exports.bake import Baked, bake
+from airlight.exports.packing import combine
+from airlight.kernel import vectorized
+from airlight.kernel.threads import Progress
+from airlight.optics.phase_functions import cornette_shanks, rayleigh
+from airlight.planets.medium import Medium
+from airlight.solvers.solution import Solution
+from airlight.tables.bruneton import BrunetonLayout
+from airlight.tables.irradiance import IrradianceLayout
+from airlight.tables.layout import Positions
+from airlight.tables.transmittance import TransmittanceLayout
+from airlight.targets.fits.weighted_lobe import WeightedLobe, fit_weighted_lobe
+
+FloatArray = NDArray[np.float64]
+Stored = NDArray[Any]
+
+#: Wavelengths of red, green and blue. [nm]
+WAVELENGTHS: Final = (680.0, 550.0, 440.0)
+#: Points at which the bake itself is compared, whose errors are not reported: the fewest.
+_FEW: Final = 64
+#: Altitudes among which that of the densest air is sought.
+_HEIGHTS: Final = 1001
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SkyTables:
+    """Numbers of a folder and the look-up of the program, in double precision.
+
+    Attributes
+    ----------
+    layout : BrunetonLayout
+        Positions of the texels.
+    scattering : array, shape (radii, views, suns, angles, 4)
+        S, and red of M. [W m⁻² nm⁻¹]
+    single_mie : array, shape (radii, views, suns, angles, 3), or None
+        M, where the program reads a table of its own. [W m⁻² nm⁻¹]
+    transmittance : array, shape (radii, views, 3)
+        Transmittance to the top. [1]
+    irradiance : array, shape (radii, suns, 3)
+        Irradiance of level ground by the sky. [W m⁻² nm⁻¹]
+    g : float
+        Parameter of the lobe. [1]
+    mie_colours : array, shape (3,)
+        Particles' scattering per molecules', relative to red's. [1]
+    darkest : float
+        Red of S from which on the colours of M are restored. [W m⁻² nm⁻¹]
+    """
+
+    layout: BrunetonLayout
+    scattering: Stored
+    single_mie: Stored | None
+    transmittance: Stored
+    irradiance: Stored
+    g: float
+    mie_colours: FloatArray
+    darkest: float = 0.0
+
+    def radiance(self, positions: Positions) -> FloatArray:
+        """Radiance of the air alone, shape (n, 3). [W m⁻² sr⁻¹ nm⁻¹]"""
+        even: Any = vectorized(rayleigh)
+        lobe: Any = vectorized(cornette_shanks)
+        found = self.layout.interpolate(self.scattering, positions)
+        smooth = found[:, :3]
+        if self.single_mie is not None:
+            mie = self.layout.interpolate(self.single_mie, positions)
+        else:
+            red = smooth[:, :1]
+            bright = red > self.darkest
+            ratio = np.divide(found[:, 3:], red, out=np.zeros_like(red), where=bright)
+            mie = smooth * ratio * self.mie_colours
+        return np.asarray(
+            smooth * even(positions.nu, 0.0)[:, None] + mie * lobe(positions.nu, self.g)[:, None]
+        )
+
+    def transmittance_at(self, positions: Positions) -> FloatArray:
+        """Transmittance to the top, shape (n, 3). [1]"""
+        radii, views, _ = self.transmittance.shape
+        layout = TransmittanceLayout(**self._shell, radii=radii, views=views)
+        return layout.interpolate(self.transmittance, positions)
+
+    def irradiance_at(self, positions: Positions) -> FloatArray:
+        """Irradiance of level ground by the sky, shape (n, 3). [W m⁻² nm⁻¹]"""
+        radii, suns, _ = self.irradiance.shape
+        layout = IrradianceLayout(**self._shell, radii=radii, suns=suns)
+        return layout.interpolate(self.irradiance, positions)
+
+    @property
+    def _shell(self) -> dict[str, Any]:
+        return {"bottom_radius": self.layout.bottom_radius, "top_radius": self.layout.top_radius}
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Filled:
+    """Tables of a solution in Bruneton's form.
+
+    Attributes
+    ----------
+    tables : SkyTables
+        Tables with M, whose red stands in alpha too, or in alpha alone.
+    higher : array, shape (radii, views, suns, angles, 3)
+        Orders from the second on, part of S: divided by Rayleigh's phase function. [W m⁻² nm⁻¹]
+    lobe : WeightedLobe
+        Fit of the particles' phase functions.
+    """
+
+    tables: SkyTables
+    higher: FloatArray
+    lobe: WeightedLobe
+
+
+def fill_tables(
+    solution: Solution,
+    *,
+    combined: bool = False,
+    lowest_sun: float | None = None,
+    darkest: float = 0.0,
+    progress: Progress | None = None,
+) -> Filled:
+    """Bring a solution to Bruneton's form, in the sizes that his programs fix.
+
+    Parameters
+    ----------
+    solution : Solution
+        Solution at ``WAVELENGTHS``.
+    combined : bool
+        Whether there is no table of M: S is then chosen so that the look-up, which restores the
+        colours of M, gives the same light at the texels.
+    lowest_sun : float, optional
+        Largest zenith angle of the sun in the tables; if left out, the end of twilight. [deg]
+    darkest : float
+        See ``SkyTables``.
+    progress : callable, optional
+        See ``airlight.kernel.threads``.
+    """
+    baked = bake(
+        solution,
+        "bruneton",
+        packing="separate",
+        mu_s_min=None if lowest_sun is None else float(min(np.cos(np.radians(lowest_sun)), 0.0)),
+        higher_orders=True,
+        smooth_phase="rayleigh",
+        points=_FEW,
+        progress=progress,
+    )
+    medium = solution.medium
+    light = medium.lights[0].irradiance
+    layout = baked.tables["scattering"].layout
+    assert isinstance(layout, BrunetonLayout)
+    lobe, smooth, mie = _smooth_and_mie(medium, baked, layout)
+    smooth, mie, colours = smooth * light, mie * light, mie_colours(medium)
+    packed = np.concatenate([smooth, mie[..., :1]], axis=-1)
+    if combined:
+        packed = _combined(layout, smooth, mie, lobe.g, colours)
+    tables = SkyTables(
+        layout=layout,
+        scattering=packed,
+        single_mie=None if combined else mie,
+        transmittance=baked.tables["transmittance"].physical,
+        irradiance=baked.tables["irradiance"].physical * light,
+        g=lobe.g,
+        mie_colours=colours,
+        darkest=darkest,
+    )
+    higher = baked.tables["higher-order"].physical * light
+    return Filled(tables=tables, higher=higher, lobe=lobe)
+
+
+def mie_colours(medium: Medium) -> FloatArray:
+    """Scattering of particles per molecules', relative to red's, shape (3,). [1]"""
+    molecules, particles, _ = coefficients(medium)
+    ratio = particles / molecules
+    return np.asarray(ratio / ratio[0])
+
+
+def coefficients(medium: Medium) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Scattering of molecules, and scattering and extinction of particles, each (3,). [m⁻¹]
+
+    Each group's where it scatters most. Programs restore the colours of M by the ratio of the first
+    two: without molecules or without particles it is 1.
+    """
+    heights = np.linspace(0.0, medium.thickness, _HEIGHTS)
+    density = medium.density.at(heights)
+    gas, dust = groups(medium)
+
+    def densest(group: list[int], values: FloatArray) -> FloatArray:
+        scattering = density[:, group] @ medium.scattering[group]
+        row = int(scattering.sum(axis=-1).argmax())
+        return np.asarray(density[row, group] @ values[group])
+
+    extinction = densest(dust, medium.extinction)
+    molecules, particles = (densest(group, medium.scattering) for group in (gas, dust))
+    if not (particles > 0.0).all():
+        return molecules, molecules, molecules
+    if not (molecules > 0.0).all():
+        return particles, particles, extinction
+    return molecules, particles, extinction
+
+
+def _smooth_and_mie(
+    medium: Medium, baked: Baked, layout: BrunetonLayout
+) -> tuple[WeightedLobe, FloatArray, FloatArray]:
+    """Fit of the phase functions, and S and M per irradiance of the star."""
+    phases = baked.light.phases
+    kinds = phases.names[1:]
+    _, dust = groups(medium)
+    depth = (medium.scattering * medium.columns[:, None])[dust][: len(kinds)]
+    names = tuple(medium.names[index] for index in dust)[: len(kinds)]
+    lobe = fit_weighted_lobe(names, lambda k, nu: phases.at(kinds[k], nu), depth, layout.angles)
+    smooth = np.array(baked.tables["scattering"].physical)
+    mie = np.zeros_like(smooth)
+    for k, kind in enumerate(kinds):
+        once = baked.tables[kind].physical
+        smooth += once * lobe.smooth[k].T
+        mie += once * lobe.lobe[k].T
+    return lobe, smooth, mie
+
+
+def _combined(
+    layout: BrunetonLayout, smooth: FloatArray, mie: FloatArray, g: float, colours: FloatArray
+) -> FloatArray:
+    """Texture with M in alpha, (…, 4): the look-up gives the same light at the texels' own nu."""
+    nu = np.linspace(-1.0, 1.0, layout.angles)
+    even: Any = vectorized(rayleigh)
+    narrow: Any = vectorized(cornette_shanks)
+    p_smooth, p_mie = even(nu, 0.0)[:, None], narrow(nu, g)[:, None]
+    flat = (-1, smooth.shape[-1])
+    per_texel = np.broadcast_to(p_smooth, smooth.shape).reshape(flat)
+    per_mie = np.broadcast_to(p_mie, smooth.shape).reshape(flat)
+    light = smooth * p_smooth + mie * p_mie
+    made = combine(light.reshape(flat), mie.reshape(flat), per_texel, per_mie, colours, 0)
+    return made.reshape(*smooth.shape[:-1], 4)

@@ -1,0 +1,235 @@
+"""``--layout takram``: folder for ``PrecomputedTexturesLoader`` of npm @takram/three-atmosphere.
+
+Files ``.bin`` are RGBA half floats, row 0 at texture coordinate 0; ``.exr`` hold the same texels
+with the whole picture upside down, since three.js turns it when it loads. There is no scale: the
+solar irradiance is multiplied in, and radiance is in W m⁻² sr⁻¹ nm⁻¹. The loader reads no
+parameters: they stand in ``atmosphere.json``, and ``planet.js`` sets them.
+
+Source: @takram/three-atmosphere 0.19.1, PrecomputedTexturesLoader.ts, AtmosphereParameters.ts,
+shaders/bruneton/runtime.glsl.
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+from importlib import resources
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.constants import LUMINOUS_EFFICACY
+from airlight.errors import FileError, ParameterError
+from airlight.exports.exr import write_exr_channels
+from airlight.kernel.threads import Progress
+from airlight.solvers.solution import Solution
+from airlight.tables.bruneton import BrunetonLayout
+from airlight.targets.bruneton_tables import (
+    WAVELENGTHS,
+    Filled,
+    SkyTables,
+    coefficients,
+    fill_tables,
+)
+from airlight.targets.fits.sky_colour import SkyColour, fit_sky_colour
+from airlight.targets.sky_errors import half_losses, level_errors, sky_errors
+from airlight.targets.target import Findings, Target
+
+#: Red of S below which the shader drops the particles of the combined texture.
+_DARKEST: Final = 1e-5
+#: Largest half float.
+_LARGEST: Final = 65504.0
+_ATMOSPHERE: Final = "atmosphere.json"
+_SCRIPT: Final = "planet.js"
+
+
+def fill(
+    solution: Solution,
+    folder: Path,
+    *,
+    progress: Progress | None = None,
+    mie: str = "separate",
+    lowest_sun: float | None = None,
+) -> Findings:
+    """Write the files.
+
+    Parameters
+    ----------
+    solution : Solution
+        Solution at 680, 550 and 440 nm.
+    folder : Path
+        Empty folder.
+    progress : callable, optional
+        See ``airlight.kernel.threads``.
+    mie : str
+        ``separate``: particles' light in a file of its own, for ``combinedScattering: false``;
+        ``combined``: in alpha alone, for the loader's default.
+    lowest_sun : float, optional
+        Largest zenith angle of the sun in the tables; if left out, the end of twilight. [deg]
+
+    Raises
+    ------
+    ParameterError
+        If ``mie`` is another word, or light does not fit into half floats.
+    """
+    if mie not in ("separate", "combined"):
+        raise ParameterError("--mie", mie, "separate, combined")
+    if lowest_sun is not None and not 90.0 <= lowest_sun <= 180.0:
+        raise ParameterError("--lowest-sun", lowest_sun, "90 to 180 deg")
+    filled = fill_tables(
+        solution,
+        combined=mie == "combined",
+        lowest_sun=lowest_sun,
+        darkest=_DARKEST,
+        progress=progress,
+    )
+    textures = _textures(filled)
+    for name, values in textures.items():
+        _write(folder, name, values)
+    colour = fit_sky_colour(solution)
+    about = _parameters(solution, filled.tables, colour)
+    text = json.dumps(about, indent=2, allow_nan=False) + "\n"
+    (folder / _ATMOSPHERE).write_text(text, encoding="utf-8")
+    script = resources.files("airlight.targets").joinpath("takram.js")
+    with resources.as_file(script) as source:
+        shutil.copyfile(source, folder / _SCRIPT)
+    tables = read_tables(folder)
+    errors = sky_errors(solution, tables.radiance)
+    errors += level_errors(solution, tables.irradiance_at, tables.transmittance_at)
+    return Findings(
+        fitted=(*filled.lobe.fitted, *colour.fitted),
+        errors=tuple(errors),
+        notes=(*half_losses(textures), *_notes(mie)),
+        about={"mie": mie, "atmosphere": about},
+    )
+
+
+def _notes(mie: str) -> tuple[str, ...]:
+    loaded = "false" if mie == "separate" else "true"
+    script = (
+        f"load with combinedScattering: {loaded}; {_SCRIPT} does, and sets what SkyMaterial does "
+        "not take: the planet, its luminance factors and the sun's size"
+    )
+    return (
+        script,
+        "density profiles are left at the Earth's: only the program's own generator reads them",
+    )
+
+
+def _textures(filled: Filled) -> dict[str, NDArray[Any]]:
+    """Values of each file, shape (rows, width, 4), rows of all slices one after another."""
+    tables = filled.tables
+    out = {
+        "transmittance": _opaque(tables.transmittance),
+        "irradiance": _opaque(tables.irradiance),
+        "scattering": _sliced(tables.scattering),
+    }
+    if tables.single_mie is not None:
+        out["single_mie_scattering"] = _sliced(_opaque(tables.single_mie))
+    higher = np.zeros((*filled.higher.shape[:-1], 4))
+    higher[..., :3] = filled.higher
+    out["higher_order_scattering"] = _sliced(higher)
+    for name, values in out.items():
+        largest = float(np.abs(values).max())
+        if not largest <= _LARGEST:
+            raise ParameterError(name, largest, f"at most {_LARGEST:g}, the largest half float")
+    return out
+
+
+def _opaque(values: NDArray[Any]) -> NDArray[Any]:
+    return np.concatenate([values, np.ones((*values.shape[:-1], 1))], axis=-1)
+
+
+def _sliced(values: NDArray[Any]) -> NDArray[Any]:
+    """Texture with nu and mu_s along the width, from (r, mu, mu_s, nu, 4)."""
+    radii, views, suns, angles, channels = values.shape
+    turned = values.transpose(0, 1, 3, 2, 4)
+    return turned.reshape(radii * views, angles * suns, channels)
+
+
+def _write(folder: Path, name: str, values: NDArray[Any]) -> None:
+    halves = np.ascontiguousarray(values.astype("<f2"))
+    (folder / f"{name}.bin").write_bytes(halves.tobytes())
+    flipped = halves[::-1].astype(np.float16)
+    channels = {letter: flipped[..., k] for k, letter in enumerate("RGBA")}
+    write_exr_channels(folder / f"{name}.exr", channels)
+
+
+def _parameters(solution: Solution, tables: SkyTables, colour: SkyColour) -> dict[str, Any]:
+    """Arguments of ``AtmosphereParameters``, and how the files are to be loaded."""
+    medium = solution.medium
+    molecules, particles, extinction = (1e3 * one for one in coefficients(medium))
+    return {
+        "solarIrradiance": medium.lights[0].irradiance.tolist(),
+        "sunAngularRadius": medium.lights[0].angular_radius,
+        "bottomRadius": medium.bottom_radius,
+        "topRadius": medium.top_radius,
+        "rayleighScattering": molecules.tolist(),
+        "mieScattering": particles.tolist(),
+        "mieExtinction": extinction.tolist(),
+        "miePhaseFunctionG": tables.g,
+        "groundAlbedo": np.clip(medium.ground_albedo, 0.0, 1.0).tolist(),
+        "muSMin": tables.layout.grid.lowest,
+        "skyRadianceToLuminance": (LUMINOUS_EFFICACY * colour.sky).tolist(),
+        "sunRadianceToLuminance": (LUMINOUS_EFFICACY * colour.sun).tolist(),
+        "combinedScattering": tables.single_mie is None,
+    }
+
+
+def read_tables(folder: str | Path) -> SkyTables:
+    """Read a folder as the program does.
+
+    Parameters
+    ----------
+    folder : str or Path
+        Folder written by ``--layout takram``.
+
+    Raises
+    ------
+    FileError
+        If a file is missing or has another size.
+    """
+    path = Path(folder)
+    try:
+        about = json.loads((path / _ATMOSPHERE).read_text(encoding="utf-8"))
+        layout = BrunetonLayout(
+            bottom_radius=about["bottomRadius"],
+            top_radius=about["topRadius"],
+            mu_s_min=about["muSMin"],
+        )
+        combined = about["combinedScattering"]
+        ratio = np.array(about["mieScattering"]) / np.array(about["rayleighScattering"])
+        single = None if combined else _read_sliced(path, "single_mie_scattering", layout)[..., :3]
+        return SkyTables(
+            layout=layout,
+            scattering=_read_sliced(path, "scattering", layout),
+            single_mie=single if single is None else np.ascontiguousarray(single),
+            transmittance=_read(path, "transmittance").reshape(64, 256, 4)[..., :3].copy(),
+            irradiance=_read(path, "irradiance").reshape(16, 64, 4)[..., :3].copy(),
+            g=about["miePhaseFunctionG"],
+            mie_colours=ratio / ratio[0],
+            darkest=_DARKEST,
+        )
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise FileError(path, f"is no folder of --layout takram: {error}") from error
+
+
+def _read(folder: Path, name: str) -> NDArray[Any]:
+    return np.frombuffer((folder / f"{name}.bin").read_bytes(), "<f2").astype(np.float32)
+
+
+def _read_sliced(folder: Path, name: str, layout: BrunetonLayout) -> NDArray[Any]:
+    shape = (layout.radii, layout.views, layout.angles, layout.suns, 4)
+    return np.ascontiguousarray(_read(folder, name).reshape(shape).transpose(0, 1, 3, 2, 4))
+
+
+TARGET: Final = Target(
+    name="takram",
+    program="@takram/three-atmosphere",
+    version="0.19.1",
+    fill=fill,
+    wavelengths=WAVELENGTHS,
+    options=("mie", "lowest_sun"),
+)
