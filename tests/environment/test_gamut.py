@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.testing import assert_allclose, assert_array_equal
 
-from airlight.environment.gamut import grey_of, without_negatives
+from airlight.environment.gamut import bring_into_gamut, grey_of, without_negatives
 
 
 def test_luminance_stays_and_no_channel_is_negative() -> None:
@@ -32,3 +32,11 @@ def test_the_largest_change_is_of_a_channel_over_luminance() -> None:
     moved, change = without_negatives(rgb)
     grey = grey_of(rgb[1])
     assert_allclose(change.largest, np.abs(moved[1] - rgb[1]).max() / grey, rtol=1e-12)
+
+
+def test_a_picture_is_mapped_where_it_stands_as_all_at_once() -> None:
+    rgb = np.random.default_rng(4).normal(0.5, 0.6, (700, 600, 3)).astype(np.float32)
+    wanted, change = without_negatives(rgb)
+    found = bring_into_gamut(rgb)
+    assert_allclose(rgb, wanted.astype(np.float32), rtol=0.0)
+    assert_allclose([found.share, found.largest], [change.share, change.largest], rtol=1e-9)

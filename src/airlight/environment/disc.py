@@ -34,8 +34,13 @@ _PER_TEXEL: Final = 8
 #: Half of its width over the radius of the disc, and of one whose centre may be behind the horizon.
 _HALF_WIDTH: Final = 1.25
 _HALF_WIDTH_LOW: Final = 2.5
-#: Smallest half of its width. [rad]
+#: Share of the light outside the air below which a disc is not seen, as on the ground of Venus. [1]
+_UNSEEN: Final = 1e-12
+#: Pixels across the disc, at least. [pixel]
+_ACROSS: Final = 60
+#: Smallest and largest half of its width. [rad]
 _SMALLEST: Final = math.radians(1e-3)
+_WIDEST: Final = math.radians(30.0)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -82,7 +87,7 @@ class Disc:
         """Illuminance on that plane. [lx]"""
         return LUMINOUS_EFFICACY * float(grey_of(self.irradiance))
 
-    def put_into(self, rgb: FloatArray, camera: Camera, to_local: FloatArray) -> None:
+    def put_into(self, rgb: NDArray[np.float32], camera: Camera, to_local: FloatArray) -> None:
         """Add its radiance to a map.
 
         Parameters
@@ -96,9 +101,13 @@ class Disc:
         """
         row, column = texels_of(camera, self.directions @ to_local.T)
         shown = row >= 0
-        solid = np.broadcast_to(texel_solid_angles(camera), rgb.shape[:2])
-        radiance = self.light[shown] / solid[row[shown], column[shown]][:, None]
-        np.add.at(rgb, (row[shown], column[shown]), radiance)
+        texel, place = np.unique(row[shown] * camera.width + column[shown], return_inverse=True)
+        light = np.zeros((texel.size, 3))
+        np.add.at(light, place, self.light[shown])
+        for one, sent in zip(texel, light, strict=True):
+            y, x = divmod(int(one), camera.width)
+            solid = texel_solid_angles(camera, slice(y, y + 1))[0]
+            rgb[y, x] += (sent / solid[x if solid.size > 1 else 0]).astype(np.float32)
 
 
 def enu_from_local(sun_azimuth: float) -> FloatArray:
@@ -136,14 +145,17 @@ def seen_disc(lit: LitScene) -> Disc | None:
     rgb = np.zeros((camera.height, camera.width, 3), np.float32)
     drawing.draw(0, camera.height, rgb)
     lit_pixels = np.any(rgb != 0.0, axis=-1)
-    if not np.any(grey_of(rgb[lit_pixels]) > 0.0):
+    if not lit_pixels.any():
         return None
+    outside = float(grey_of(source.colors().sum(axis=0)))
     local = camera.directions()[lit_pixels]
     forward = camera.axes[2]
     # dΩ = p² cos³ of the angle off the axis for a flat picture
     solid = camera.pixel_angle**2 * (local @ forward) ** 3
     raw = rgb[lit_pixels].astype(np.float64) * solid[:, None]
     light, _ = without_negatives(raw)
+    if not float(grey_of(light.sum(axis=0))) > _UNSEEN * outside:
+        return None
     through = solution.transmittance(
         altitude=min(scene.altitude, solution.medium.thickness),
         view_zenith=math.degrees(math.acos(float(np.clip(local[:, 2].mean(), -1.0, 1.0)))),
@@ -167,11 +179,14 @@ def _close_camera(lit: LitScene) -> Camera | None:
     zenith, width = scene.sun_zenith, _HALF_WIDTH
     planet = solution.planet
     lift = solution.paths.largest_bend
-    outside = scene.altitude >= solution.medium.thickness
+    medium = solution.medium
+    outside = scene.altitude >= medium.thickness
     horizon = math.degrees(math.acos(horizon_cosine(solution, scene.altitude)))
     reach = width * radius
-    if lift > 0.0 and outside:
-        reach += lift
+    if outside:
+        passing = (medium.bottom_radius + scene.altitude) * math.sin(math.radians(zenith))
+        if zenith > 90.0 and passing < medium.top_radius * (1.0 + reach):
+            reach = min(reach + lift, _WIDEST)
     elif lift > 0.0 and planet is not None:
         seen = apparent_altitude(planet, scene.altitude, scene.sun_zenith)
         if seen is None:
@@ -182,10 +197,11 @@ def _close_camera(lit: LitScene) -> Camera | None:
         return None
     half = max(reach, _SMALLEST)
     texel = scene.camera.pixel_angle
-    count = min(max(_FEWEST, math.ceil(2.0 * half / texel * _PER_TEXEL)), _MOST)
+    count = math.ceil(max(2.0 * half / texel * _PER_TEXEL, _ACROSS * half / max(radius, 1e-9)))
+    count = min(max(count, _FEWEST), _MOST)
     return Camera(
         width=count,
         height=count,
-        field_of_view=math.degrees(2.0 * math.atan(math.tan(half))),
+        field_of_view=math.degrees(2.0 * half),
         look_zenith=zenith,
     )

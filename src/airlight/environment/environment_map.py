@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from airlight.environment.consumers import Consumer
 from airlight.environment.disc import Disc, enu_from_local, seen_disc
-from airlight.environment.gamut import GamutChange, without_negatives
-from airlight.environment.ground import GROUNDS, grey_ground, sky_share
+from airlight.environment.gamut import GamutChange, bring_into_gamut
+from airlight.environment.ground import GROUNDS, blacken_ground, grey_ground
 from airlight.environment.texels import texel_solid_angles
 from airlight.errors import ParameterError
 from airlight.paint.paint_scene import paint_solved
@@ -85,11 +85,12 @@ class EnvironmentMap:
         """
         camera = self.scene.camera
         facing = normal @ enu_from_local(self.scene.sun_azimuth)
-        solid = np.broadcast_to(texel_solid_angles(camera), self.rgb.shape[:2])
         total = np.zeros(3)
         for row in range(camera.height):
-            cosine = np.maximum(camera.directions(slice(row, row + 1))[0] @ facing, 0.0)
-            total += (cosine * solid[row]) @ self.rgb[row].astype(np.float64)
+            block = slice(row, row + 1)
+            cosine = np.maximum(camera.directions(block)[0] @ facing, 0.0)
+            weight = cosine * texel_solid_angles(camera, block)[0]
+            total += weight @ self.rgb[row].astype(np.float64)
         return total
 
 
@@ -182,18 +183,18 @@ def environment_map(
         disc=False, cache=cache, local=False, stars=stars, refused=refused, progress=progress,
         cancel=cancel,
     )  # fmt: skip
-    light = frame.rgb.astype(np.float64)
+    light = frame.rgb
     if ground == "black":
-        light *= sky_share(solution, scene)[..., None]
+        blacken_ground(light, solution, scene)
     found = (seen_disc(one) for one in lit_scenes(scene, solution))
     discs = tuple(one for one in found if one is not None)
-    light, gamut = without_negatives(light)
+    gamut = bring_into_gamut(light)
     if sun == "include":
         for one in discs:
             one.put_into(light, camera, enu_from_local(scene.sun_azimuth).T)
     return EnvironmentMap(
         consumer=consumer,
-        frame=replace(frame, rgb=light.astype(np.float32)),
+        frame=frame,
         scene=scene,
         sun=sun,
         ground=ground,

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from airlight.environment.half_floats import LARGEST, half_scale
+from airlight.environment.half_floats import half_scale
 from airlight.environment.header import standard_attributes
 from airlight.environment.mitsuba_scene import mitsuba_scene
 from airlight.environment.sidecar import as_json, described
 from airlight.environment.usd_scene import usd_scene
 from airlight.errors import FileError, ParameterError
-from airlight.exports.exr import write_exr
+from airlight.exports.exr import LARGEST_HALF, write_exr
 from airlight.exports.picture import picture_suffix, write_picture
 from airlight.exports.whole_file import check_target, whole_file
 
@@ -90,7 +90,8 @@ def write_map(
         Names for ``write_exr``.
     scale : float, optional
         Factor of the numbers of an EXR, above 0. By default 1, and where halves hold them (in the
-        file, or in the program that reads it) the power of two at which they can. [1]
+        file, which ``dwa`` makes one of halves, or in the program that reads it) the power of two at
+        which they can. [1]
     metadata : mapping of str to str, optional
         Further facts of how it was made.
     display : mapping, optional
@@ -109,15 +110,15 @@ def write_map(
     """
     others = beside(path, made.consumer)
     facts = {"planet": made.planet, **(metadata or {}), **_facts(made)}
-    halves = precision == "half" or made.consumer.keeps_halves
+    halves = precision == "half" or compression == "dwa" or made.consumer.keeps_halves
     factor, exposure = 1.0, None
     if path.suffix.lower() == ".exr":
         factor = scale if scale is not None else half_scale(made.rgb) if halves else 1.0
         if not 0.0 < factor < np.inf:
             raise ParameterError("scale", factor, "above 0")
         peak = float(made.rgb.max()) * factor
-        if halves and peak > LARGEST:
-            words = f"at most {LARGEST / float(made.rgb.max()):.3g}: half floats end at 65504"
+        if halves and peak > LARGEST_HALF:
+            words = f"at most {LARGEST_HALF / float(made.rgb.max()):.3g}: half floats end at 65504"
             raise ParameterError("scale", factor, words)
         facts["scale"] = f"{factor:.10g}"
         texts = {**made.frame.metadata, **facts}

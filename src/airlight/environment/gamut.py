@@ -9,11 +9,15 @@ the lightness of a perceptual space instead, which light has no use for.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.color.xyz import RGB_TO_XYZ
+
+#: Texels of a block.
+_BLOCK: Final = 1 << 18
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,3 +75,22 @@ def without_negatives(
     relative = np.abs(out - light) / np.maximum(grey, 1e-300)
     largest = float(relative[(outside & (grey > 0.0))[..., 0]].max(initial=0.0))
     return out, GamutChange(share=float(np.mean(outside)), largest=largest)
+
+
+def bring_into_gamut(rgb: NDArray[np.float32]) -> GamutChange:
+    """Map a picture into the gamut where it stands, block by block; see ``without_negatives``.
+
+    Parameters
+    ----------
+    rgb : array, shape (height, width, 3)
+        Linear sRGB, which is changed.
+    """
+    share, largest = 0.0, 0.0
+    step = max(1, _BLOCK // max(rgb.shape[1], 1))
+    for first in range(0, rgb.shape[0], step):
+        block = rgb[first : first + step]
+        moved, change = without_negatives(block)
+        block[...] = moved
+        share += change.share * block.shape[0] / rgb.shape[0]
+        largest = max(largest, change.largest)
+    return GamutChange(share=share, largest=largest)

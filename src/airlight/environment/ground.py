@@ -43,9 +43,9 @@ def grey_ground(planet: Planet) -> Planet:
     Examples
     --------
     >>> from airlight.planets import load_planet
-    >>> ground = grey_ground(load_planet("mars")).ground
+    >>> ground = grey_ground(load_planet("earth")).ground
     >>> f"{ground.albedo:.2f}", ground.map
-    ('0.18', None)
+    ('0.11', None)
     """
     low, high = planet.wavelength_limits
     nm = np.arange(max(low, 400.0), min(high, 700.0) + 1.0, 5.0)
@@ -60,31 +60,32 @@ def grey_ground(planet: Planet) -> Planet:
     return replace(planet, ground=even)
 
 
-def sky_share(solution: MomentsSolution, scene: Scene) -> FloatArray:
-    """Share of each texel that lies above the ground, shape (height, width). [1]
+def blacken_ground(rgb: NDArray[np.float32], solution: MomentsSolution, scene: Scene) -> None:
+    """Leave of each texel the share that lies above the ground.
 
     Parameters
     ----------
+    rgb : array, shape (height, width, 3)
+        Map, which is changed.
     solution : MomentsSolution
         Solution of the planet, which bends lines of sight or does not.
     scene : Scene
         Observer and camera.
     """
     camera, horizon = scene.camera, horizon_cosine(solution, scene.altitude)
-    share = np.zeros((camera.height, camera.width))
     offsets = (np.arange(_PLACES) + 0.5) / _PLACES - 0.5
     for row in range(camera.height):
         block = slice(row, row + 1)
         above = camera.directions(block)[0, :, 2] - horizon
-        share[row] = above > 0.0
+        share = np.asarray(above > 0.0, np.float32)
         if np.any(np.abs(above) < 2.0 * camera.pixel_angle):
             free = [
                 camera.directions(block, offset=(across, down))[0, :, 2] > horizon
                 for across in offsets
                 for down in offsets
             ]
-            share[row] = np.mean(free, axis=0)
-    return share
+            share = np.mean(free, axis=0, dtype=np.float32)
+        rgb[row] *= share[:, None]
 
 
 def horizon_cosine(solution: MomentsSolution, altitude: float) -> float:

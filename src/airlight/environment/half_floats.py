@@ -9,14 +9,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.environment.gamut import grey_of
+from airlight.exports.exr import LARGEST_HALF
 
-#: Largest half float. [IEEE 754-2019, binary16]
-LARGEST: Final = 65504.0
 #: Luminance below which halves begin to lose digits, with a margin of four bits over the smallest
 #: normal one, 2⁻¹⁴.
 _DIM: Final = 2.0**-10
 #: Share of the lit texels that may be dimmer than that.
 _DIM_SHARE: Final = 0.05
+#: Exponent of the largest scale: a night darker than starlight may lose its digits.
+_HIGHEST: Final = 24
+#: Number of texels by which that share is judged.
+_SAMPLED: Final = 1 << 20
 
 
 def half_scale(rgb: NDArray[np.floating]) -> float:
@@ -43,8 +46,9 @@ def half_scale(rgb: NDArray[np.floating]) -> float:
     peak = float(np.max(rgb, initial=0.0))
     if not peak > 0.0:
         return 1.0
-    most = math.floor(math.log2(LARGEST / peak))
-    grey = grey_of(rgb)
+    most = math.floor(math.log2(LARGEST_HALF / peak))
+    step = max(1, round((rgb.shape[0] * rgb.shape[1] / _SAMPLED) ** 0.5))
+    grey = grey_of(rgb[::step, ::step])
     dim = float(np.quantile(grey[grey > 0.0], _DIM_SHARE)) if np.any(grey > 0.0) else 1.0
-    least = max(math.ceil(math.log2(_DIM / dim)), 0)
+    least = min(max(math.ceil(math.log2(_DIM / dim)), 0), _HIGHEST)
     return 2.0 ** min(most, least)

@@ -12,7 +12,7 @@ from airlight.scene.camera import Camera
 FloatArray = NDArray[np.float64]
 
 
-def texel_solid_angles(camera: Camera) -> FloatArray:
+def texel_solid_angles(camera: Camera, rows: slice | None = None) -> FloatArray:
     """Solid angles of the texels of a panorama, an octahedral map or a fisheye.
 
     Exact for the first two; of a fisheye by the radius of each texel's centre, which errs by less
@@ -22,28 +22,30 @@ def texel_solid_angles(camera: Camera) -> FloatArray:
     ----------
     camera : Camera
         Camera that draws the map.
+    rows : slice, optional
+        Rows from the top; all if left out.
 
     Returns
     -------
-    array, shape (height, width) or (height, 1)
+    array, shape (rows, width), or (rows, 1) where a row has one
         Solid angles. [sr]
 
     Examples
     --------
     >>> camera = Camera(projection="octahedral", width=8, height=8)
-    >>> f"{texel_solid_angles(camera).sum() / math.pi:.12g}"
+    >>> f"{8 * texel_solid_angles(camera).sum() / math.pi:.12g}"
     '4'
     """
     height, width = camera.height, camera.width
+    row = np.arange(height, dtype=np.float64)[slice(None) if rows is None else rows][:, None]
     if camera.projection == "octahedral":
-        return np.full((height, width), 4.0 * math.pi / (width * height))
+        return np.full_like(row, 4.0 * math.pi / (width * height))
     if camera.projection == "equirectangular":
-        edges = np.sin(np.pi * (0.5 - np.arange(height + 1) / height))
-        return np.asarray(2.0 * np.pi / width * (edges[:-1] - edges[1:])[:, None])
+        above = np.sin(np.pi * (0.5 - row / height))
+        below = np.sin(np.pi * (0.5 - (row + 1.0) / height))
+        return np.asarray(2.0 * np.pi / width * (above - below))
     pixel = camera.pixel_angle
-    x = np.arange(width) + 0.5 - 0.5 * width
-    y = np.arange(height) + 0.5 - 0.5 * height
-    radius = np.hypot(x, y[:, None])
+    radius = np.hypot(np.arange(width) + 0.5 - 0.5 * width, row + 0.5 - 0.5 * height)
     inside = radius <= 0.5 * min(width, height)
     return np.where(inside, pixel * pixel * np.sinc(radius * pixel / np.pi), 0.0)
 

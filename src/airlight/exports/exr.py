@@ -23,6 +23,11 @@ COMPRESSIONS: Final = {
     "zip": "ZIP_COMPRESSION", "dwa": "DWAA_COMPRESSION", "none": "NO_COMPRESSION",
 }  # fmt: skip
 
+#: Precision that a compression keeps, whatever the channels' is.
+_KEPT: Final = {"dwa": "half"}
+#: Largest half float. [IEEE 754-2019, binary16]
+LARGEST_HALF: Final = 65504.0
+
 
 def write_exr(
     path: str | Path,
@@ -68,9 +73,10 @@ def write_exr(
         raise ParameterError("compression", compression, ", ".join(COMPRESSIONS))
     with np.errstate(over="ignore"):
         pixels = np.ascontiguousarray(rgb.astype(PRECISIONS[precision], copy=False))
-    if precision == "half" and np.isinf(pixels).any() and np.isfinite(rgb).all():
-        largest = float(np.abs(rgb).max())
-        raise ParameterError("rgb", f"{largest:.4g}", "at most 65504 in half floats: scale it")
+    largest = float(np.abs(rgb).max(initial=0.0))
+    if LARGEST_HALF < largest < np.inf and "half" in (precision, _KEPT.get(compression)):
+        words = f"at most {LARGEST_HALF:g} in half floats: scale it"
+        raise ParameterError("rgb", f"{largest:.4g}", words)
     written: dict[str, Any] = {
         "compression": getattr(OpenEXR, COMPRESSIONS[compression]),
         "type": OpenEXR.scanlineimage,
