@@ -25,6 +25,7 @@ from airlight.exports.packing import (
 )
 from airlight.exports.smooth_light import smooth_phases
 from airlight.exports.table_errors import ERROR_POINTS, SEED, Errors
+from airlight.exports.texel_values import balanced, fill_angles
 from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress
 from airlight.optics.phase_functions import rayleigh
@@ -94,6 +95,7 @@ def bake(
     mu_s_min: float | None = None,
     higher_orders: bool = False,
     smooth_phase: str = "own",
+    balance: bool = True,
     points: int = ERROR_POINTS,
     seed: int = SEED,
     progress: Progress | None = None,
@@ -135,6 +137,10 @@ def bake(
         ``own``, the shape of this light itself (``exports.smooth_light``), or ``rayleigh``, by
         which shaders with Bruneton's own look-up multiply, and which loses the wide forward peak of
         light scattered more than once in dusty air.
+    balance : bool
+        Whether values of a ``bruneton`` bake are such that errors along r and mu_s average to
+        nothing (``exports.texel_values``); otherwise texels are exact, and places between them,
+        almost all of them too bright, err by twice as much.
     points, seed : int
         Number and seed of the random points at which errors are measured.
     progress, cancel : callable, optional
@@ -192,6 +198,7 @@ def bake(
         (colours, reference),
         step,
         higher_orders=higher_orders,
+        balance=balance,
     ):
         tables[name] = label.table(name, quantity, unit, where, values, precision)
     light = ScatteredLight(
@@ -277,6 +284,7 @@ def _scattering(
     step: _Steps,
     *,
     higher_orders: bool,
+    balance: bool,
 ) -> list[tuple[str, FloatArray, str, str]]:
     """Name, values, quantity and unit of each table of scattered light."""
     medium = air.solution.medium
@@ -313,7 +321,7 @@ def _scattering(
         np.stack([*phases.values, parts.phases.values[0], rest_shape]),
     )
     # A texel whose angle no view and sun can have holds the light at the nearest possible angle,
-    # brought to its own by the shape of the light.
+    # brought to its own by the light's shape.
     angles = np.linspace(-1.0, 1.0, where.shape[-1])
 
     def on_axis(shape: str) -> FloatArray:
@@ -322,13 +330,25 @@ def _scattering(
             len(positions), -1
         )
 
-    rest = rest * on_axis("rest") / shapes.at("rest", positions.nu)
+    shape = where.shape
+    near = (rest / shapes.at("rest", positions.nu)).reshape(*shape, -1)
+    there = fill_angles(near, positions.nu.reshape(shape))
+    turned = np.divide(there, near, out=np.ones_like(near), where=near > 0.0)
+    turned = turned.reshape(rest.shape) * on_axis("rest") / shapes.at("rest", positions.nu)
+    rest, higher = rest * turned, higher * turned
+
+    def kept(values: FloatArray) -> FloatArray:
+        if not balance:
+            return values
+        return balanced(values.reshape(*shape, -1)).reshape(values.shape)
+
     smooth = (gas * on_axis("gas") + rest) / on_axis(phases.names[0])
+    smooth, dust = kept(smooth), [kept(values) for values in dust]
     apart_too = []
     if higher_orders:
         by_rayleigh = np.tile(vectorized(rayleigh)(angles, 0.0), len(positions) // angles.size)
         quantity = f"{_AIR}: orders from the second on, divided by Rayleigh's phase function"
-        apart_too.append(("higher-order", higher / by_rayleigh[:, None], quantity, "1"))
+        apart_too.append(("higher-order", kept(higher / by_rayleigh[:, None]), quantity, "1"))
     if packing == "combined":
         if not dust:
             dust = [np.zeros_like(smooth)]
