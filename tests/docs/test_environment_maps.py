@@ -62,6 +62,24 @@ def test_each_command_writes_its_map(
 
 
 @pytest.mark.slow
+def test_the_command_of_a_sequence_draws_frames_of_a_dome(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (command,) = (
+        line.removeprefix("$ airlight ")
+        for block in blocks("console")
+        for line in block.splitlines()
+        if line.startswith("$ airlight animate ")
+    )
+    words = shlex.split(command)
+    words[words.index("--size") + 1] = "32"
+    assert main([*words, *SMALL, "--frames", "2", "--workers", "1"]) == 0
+    names = sorted(one.name for one in Path("dome").glob("*.png"))
+    assert names == ["earth_00001.png", "earth_00002.png"]
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize(("program", "written"), [("mitsuba", "ball.exr"), ("usd", "shot.usda")])
 def test_the_script_of_a_program_runs_on_its_map(
     program: str,

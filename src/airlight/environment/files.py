@@ -90,8 +90,8 @@ def write_map(
         Names for ``write_exr``.
     scale : float, optional
         Factor of the numbers of an EXR, above 0. By default 1, and where halves hold them (in the
-        file, which ``dwa`` makes one of halves, or in the program that reads it) the power of two at
-        which they can. [1]
+        file, which ``dwa`` makes one of halves, or in the program that reads it) the power of two
+        at which they can. [1]
     metadata : mapping of str to str, optional
         Further facts of how it was made.
     display : mapping, optional
