@@ -5,6 +5,9 @@ In an environment with ``bpy`` (PyPI, 374 MB; Python 3.11), which is no dependen
     airlight sky earth --for blender --sun-zenith 60 --sun-azimuth 230 --size 2048 -o sky.exr
     python builders/blender_sky.py sky.exr docs/images/blender-sky.jpg
 
+A layer of ``airlight sky --for usd`` (``sky.usda``) is read by Blender's importer instead, and not
+drawn if no picture is named.
+
 It checks the radiance of a grey plate against the irradiance that the JSON beside the map says, and
 that the shadow of a pole falls where the JSON's direction of the sun throws it; and prints both.
 """
@@ -41,18 +44,23 @@ def give(made: bpy.types.Material) -> None:
 
 
 def scene_with(map_: Path, told: dict) -> bpy.types.Scene:
-    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.ops.wm.read_factory_settings()
+    for one in list(bpy.data.objects):
+        bpy.data.objects.remove(one)
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
     scene.cycles.device, scene.cycles.seed = "CPU", 1
     scene.cycles.sample_clamp_indirect = scene.cycles.sample_clamp_direct = 0.0
-    world = scene.world = bpy.data.worlds.new("sky")
-    world.use_nodes = True
-    tree = world.node_tree
-    texture = tree.nodes.new("ShaderNodeTexEnvironment")
-    texture.image = bpy.data.images.load(str(map_))
-    tree.links.new(texture.outputs["Color"], tree.nodes["Background"].inputs["Color"])
-    tree.nodes["Background"].inputs["Strength"].default_value = 1.0 / told["scale"]
+    world = scene.world
+    if map_.suffix == ".usda":
+        bpy.ops.wm.usd_import(filepath=str(map_))
+    else:
+        world.use_nodes = True
+        tree = world.node_tree
+        texture = tree.nodes.new("ShaderNodeTexEnvironment")
+        texture.image = bpy.data.images.load(str(map_))
+        tree.links.new(texture.outputs["Color"], tree.nodes["Background"].inputs["Color"])
+        tree.nodes["Background"].inputs["Strength"].default_value = 1.0 / told["scale"]
     world.cycles.sampling_method, world.cycles.sample_map_resolution = "MANUAL", 4096
     bpy.ops.mesh.primitive_plane_add(size=20e3)
     give(material("grey", (ALBEDO,) * 3, roughness=1.0))
@@ -95,7 +103,8 @@ def checked(scene: bpy.types.Scene, told: dict) -> None:
     error = plate / wanted - 1.0
     print("plate", plate.round(3), "by the JSON", wanted.round(3), "error", error.round(4))
     assert np.abs(error).max() < PLATE_BAR, error
-    east, north, up = told["lights"][0]["direction"]
+    direction = np.array(told["lights"][0]["direction"])
+    east, north, up = (direction @ told["frame"][axis] for axis in ("east", "north", "up"))
     width, side = 10.0, 200
     light = drawn(scene, looking_down(width, 0.0, 0.0), (side, side), 64).mean(axis=-1)
     at = (np.arange(side) + 0.5) / side * width - 0.5 * width
@@ -142,12 +151,13 @@ def pictured(scene: bpy.types.Scene, told: dict, output: Path) -> None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("map", type=Path)
-    parser.add_argument("picture", type=Path)
+    parser.add_argument("picture", type=Path, nargs="?")
     words = parser.parse_args()
     told = json.loads(words.map.with_suffix(".json").read_text(encoding="utf-8"))
     scene = scene_with(words.map.resolve(), told)
     checked(scene, told)
-    pictured(scene, told, words.picture)
+    if words.picture is not None:
+        pictured(scene, told, words.picture)
 
 
 if __name__ == "__main__":

@@ -63,6 +63,7 @@ def test_the_picture_says_how_it_was_made(tmp_path: Path) -> None:
         ("fisheye", "32", (32, 32)),
         ("equirectangular", "64", (32, 64)),
         ("cubemap", "16", (16, 96)),
+        ("octahedral", "24", (24, 24)),
     ],
 )
 @pytest.mark.parametrize("altitude", ["0m", "400km", "1e8m"])
