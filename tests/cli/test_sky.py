@@ -34,6 +34,21 @@ def test_a_map_its_json_and_its_lines(tmp_path: Path, capsys: pytest.CaptureFixt
     assert (told["planet"], told["observer"]) == ("Earth", {"altitude_m": 2.0})
 
 
+def test_a_setting_sun_beyond_srgb_is_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = ["--for", "blender", "--sun-zenith", "89.3", "--quality", "preview", "--size", "64"]
+    words += ["--wavelengths", "440,500,560,620"]
+    assert main(["sky", "earth", "-o", str(tmp_path / "sky.exr"), *words]) == 0
+    line = capsys.readouterr().out.splitlines()[1]
+    found = re.search(r"moved into sRGB: a channel by ([\d.]+) of its luminance", line)
+    told = json.loads((tmp_path / "sky.json").read_text(encoding="utf-8"))["lights"][0]
+    change = np.abs(told["gamut_change_W_m2"]).max() * 683.0 / told["illuminance_lx"]
+    assert found is not None
+    assert float(found[1]) == pytest.approx(change, rel=0.05)
+    assert change > 0.01
+
+
 def test_a_place_and_a_time_are_in_the_json(tmp_path: Path) -> None:
     path = tmp_path / "sky.exr"
     words = ["--at", "59.33N,18.07E", "--time", "2026-06-21T18:10+02:00", "--for", "three"]
@@ -52,9 +67,7 @@ def test_a_place_and_a_time_are_in_the_json(tmp_path: Path) -> None:
 
 def test_a_dome_master_for_a_theatre(tmp_path: Path) -> None:
     path = tmp_path / "dome.png"
-    words = ["--for", "dome", "--front", "E", "--tilt", "15"]
-    assert main(["sky", "earth", "-o", str(path), *QUICK, *words]) == 2
-    words = ["--for", "dome", "--front", "90", "--tilt", "15", "--sun-azimuth", "90"]
+    words = ["--for", "dome", "--front", "E", "--tilt", "15", "--sun-azimuth", "90"]
     words += ["--sun-zenith", "70", "--glare", "0"]
     assert main(["sky", "earth", "-o", str(path), *QUICK, *words]) == 0
     with Image.open(path) as image:
@@ -75,6 +88,8 @@ def test_a_dome_master_for_a_theatre(tmp_path: Path) -> None:
         (["--for", "usd", "-o", "a.tif"], r"ends in .png or .exr"),
         (["--for", "usd", "-o", "no/a.exr"], "there is no folder"),
         (["--for", "usd", "-o", "a.exr", "--front", "90"], "--front is '90'"),
+        (["--for", "dome", "-o", "a.exr", "--front", "up"], "--front is 'up'"),
+        (["--for", "dome", "-o", "a.exr", "--front", "S/30"], "--front is 'S/30'"),
         (["--for", "dome", "-o", "a.exr", "--tilt", "120"], "--tilt is 120.0; allowed: 0 to 90"),
         (["--for", "usd", "-o", "a.exr", "--exposure", "1"], "--exposure is '1'; allowed: left"),
         (["--for", "usd", "-o", "a.exr", "--tone-map", "aces"], "--tone-map is 'aces'; allowed"),

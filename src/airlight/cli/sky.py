@@ -17,6 +17,7 @@ from airlight.errors import ParameterError
 
 if TYPE_CHECKING:
     from airlight.environment.consumers import Consumer
+    from airlight.environment.disc import Disc
     from airlight.environment.environment_map import EnvironmentMap
     from airlight.environment.files import WrittenMap
 
@@ -60,7 +61,7 @@ def sky(
         str | None, typer.Option(metavar="N", help="Width; of a square map its side. 2048, 1024.")
     ] = None,
     front: Annotated[
-        str | None, typer.Option(metavar="BEARING", help="Of a dome, at its bottom: 180deg.")
+        str | None, typer.Option(metavar="BEARING", help="Of a dome, at its bottom: S or 180.")
     ] = None,
     tilt: Annotated[
         str | None, typer.Option(metavar="ANGLE", help="Of a dome towards its front: 0deg.")
@@ -111,7 +112,8 @@ def sky(
     """Write an observer's sky as an environment map, with a JSON that says where its sun stands.
 
     The map shows east, north and zenith where the program looks for them: x east, y north, z up, or
-    where y is up, x east and -z north (Unity: z north).
+    where y is up, x east and -z north (Unity: z north). Unless said otherwise the observer stands
+    2 m above the ground, and the sun in the south, 45deg from the zenith.
     """
     started = time.perf_counter()
     from airlight.cli.render import check_glare, check_tone_map
@@ -215,7 +217,15 @@ def _consumer(name: str, front: str | None, tilt: str | None) -> Consumer:
             if text is not None:
                 raise ParameterError(option, text, "beside --for dome")
         return consumer
-    bearing = consumer.centre if front is None else options.angle(front, "--front")
+    bearing = consumer.centre
+    if front is not None:
+        from airlight.scene.compass import compass_bearing
+
+        found = compass_bearing(front)
+        if found is None or found[1] is not None:
+            allowed = "a bearing such as S or 180, -360 to 360 deg"
+            raise ParameterError("--front", front, allowed)
+        bearing = found[0]
     try:
         return consumer.facing(bearing, 0.0 if tilt is None else options.angle(tilt, "--tilt"))
     except ParameterError as error:
@@ -249,13 +259,20 @@ def _report(made: EnvironmentMap, written: WrittenMap, precision: str, seconds: 
         print(
             f"{one.name}: bearing {bearing:.2f}°, elevation {math.degrees(math.asin(up)):.2f}°, "
             f"{one.angular_diameter:.3g}° wide, {one.illuminance:.4g} lx, {words[made.sun]}"
+            + _moved(one)
         )
     if not made.discs:
         print("no disc of sun or moon is seen")
     if made.gamut.share > 0.0:
         print(
-            f"outside sRGB: {100.0 * made.gamut.share:.3g} % of the texels, moved to it at their "
-            f"luminance, a channel by at most {made.gamut.largest:.3g} of that"
+            f"outside sRGB: {100.0 * made.gamut.share:.3g} % of the sky's texels, moved to it at "
+            f"their luminance, a channel by at most {made.gamut.largest:.3g} of that"
         )
     for path in written.beside:
         print(path)
+
+
+def _moved(disc: Disc) -> str:
+    """Words about a disc whose colour was beyond sRGB."""
+    share = disc.gamut_change
+    return "" if share == 0.0 else f", moved into sRGB: a channel by {share:.2g} of its luminance"

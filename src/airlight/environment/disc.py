@@ -87,6 +87,11 @@ class Disc:
         """Illuminance on that plane. [lx]"""
         return LUMINOUS_EFFICACY * float(grey_of(self.irradiance))
 
+    @property
+    def gamut_change(self) -> float:
+        """Largest change of a channel by the mapping into the gamut, over the luminance. [1]"""
+        return float(np.abs(self.moved).max() / grey_of(self.irradiance))
+
     def put_into(self, rgb: NDArray[np.float32], camera: Camera, to_local: FloatArray) -> None:
         """Add its radiance to a map.
 
