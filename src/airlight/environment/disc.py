@@ -162,7 +162,7 @@ def seen_disc(lit: LitScene) -> Disc | None:
     if not float(grey_of(light.sum(axis=0))) > _UNSEEN * outside:
         return None
     through = solution.transmittance(
-        altitude=min(scene.altitude, solution.medium.thickness),
+        altitude=scene.altitude,
         view_zenith=math.degrees(math.acos(float(np.clip(local[:, 2].mean(), -1.0, 1.0)))),
     ).values
     weights = np.maximum(source.colors() * through[:, None], 0.0)
