@@ -31,6 +31,7 @@ from airlight.scene.projections import PROJECTIONS
 from airlight.scene.projections.cubemap import cube_ray
 from airlight.scene.projections.equirectangular import panorama_ray
 from airlight.scene.projections.fisheye import fisheye_ray
+from airlight.scene.projections.octahedral import octahedral_ray
 from airlight.scene.projections.perspective import perspective_ray
 from airlight.scene.projections.projected import projected_ray, projected_rays
 from airlight.solvers.moments import convergence, harmonics, levels, packing, sweep
@@ -247,6 +248,7 @@ RAYS = [
     Case(fisheye_ray, (X, Y, 1280.0, 640.0, math.pi), atol=DIRECTION),
     Case(panorama_ray, (X, Y, 1280.0, 640.0, SPHERE), atol=DIRECTION),
     Case(cube_ray, (X, Y / 3.0, 1280.0, 1280.0 / 6.0, SPHERE), atol=DIRECTION),
+    Case(octahedral_ray, (X, 2.0 * Y, 1280.0, 1280.0, SPHERE), atol=DIRECTION),
 ]
 
 GROUND = [
@@ -378,7 +380,9 @@ def test_the_leg_of_a_panel_is_the_processor_s(on_gpu: Callable[..., Any]) -> No
 def test_a_projection_s_number_is_its_place(on_gpu: Callable[..., Any], which: int) -> None:
     # The array functions by name, in double precision.
     name, form = list(PROJECTIONS.items())[which]
-    width, height = {"equirectangular": (64, 32), "cubemap": (96, 16)}.get(name, (60, 40))
+    width, height = {"equirectangular": (64, 32), "cubemap": (96, 16), "octahedral": (48, 48)}.get(
+        name, (60, 40)
+    )
     fov = math.radians(form.field_of_view)
     x, y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
     wanted = projected_rays(name, x[0], y[:, 0], width, height, fov)
