@@ -115,7 +115,7 @@ def test_default_quality_meets_its_accuracy_bar(
     judge("default", scene, albedo, solution, cases(reference_data, scene, albedo), tell)
 
 
-@pytest.mark.slow
+@pytest.mark.validation
 @pytest.mark.parametrize(("scene", "albedo"), [SCENES[1], SCENES[6]])
 def test_fine_quality_meets_its_accuracy_bar(
     scene: str, albedo: float, planet_of: Callable[[str, float], Planet], reference_data: Path,

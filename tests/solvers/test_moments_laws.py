@@ -300,13 +300,9 @@ def test_dusk_falls_smoothly(
     assert np.abs(np.diff(fall, axis=0)).max() < 0.05
 
 
-@pytest.mark.slow
+@pytest.mark.validation
 @pytest.mark.parametrize(
-    ("name", "largest", "bearable"),
-    [
-        ("mars-standard", 0.05, 0.05),
-        pytest.param("mars", 0.25, 0.05, marks=pytest.mark.validation),
-    ],
+    ("name", "largest", "bearable"), [("mars-standard", 0.05, 0.05), ("mars", 0.25, 0.05)]
 )
 def test_default_agrees_with_fine_on_dusty_mars(
     name: str,

@@ -24,7 +24,7 @@ WIDTH, HEIGHT = 160, 90
 PHONE = {"width": 390, "height": 844}
 SLIDER = "[data-path='view.look_zenith'] input[type=range]"
 #: Number of gestures: a few in every check, as many as are asked for in that of minutes.
-COUNTS = (40, pytest.param(200, marks=pytest.mark.validation))
+COUNTS = (25, pytest.param(200, marks=pytest.mark.validation))
 
 
 @pytest.fixture(scope="module")
