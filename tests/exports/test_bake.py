@@ -13,7 +13,7 @@ from numpy.testing import assert_allclose
 from airlight.errors import Cancelled, ParameterError
 from airlight.exports.air_light import AirLight, lines_of_sight
 from airlight.exports.bake import Baked, bake
-from airlight.exports.table_errors import random_positions
+from airlight.exports.table_errors import DIM, peaked_positions, random_positions, regions
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import vectorized
 from airlight.mappings.scattering import lowest_sun_cosine
@@ -356,6 +356,28 @@ def test_errors_are_those_of_the_tables(bruneton: Baked, earth: Any) -> None:
     assert_allclose(error.median, np.median(np.abs(off)), rtol=1e-9)
     worst = error.worst
     assert_allclose(abs(worst["table"] / worst["solver"] - 1.0), error.maximum, rtol=1e-9)
+
+
+def test_no_scan_finds_much_worse_than_the_errors_that_are_written(
+    bruneton: Baked, earth: Any
+) -> None:
+    # Another sample, of thirty times as many points as the search started from, in every region.
+    medium = earth.medium
+    shell = (medium.bottom_radius, medium.top_radius)
+    positions = peaked_positions(*shell, 60_000, 99)
+    sight = lines_of_sight(positions, medium)
+    exact = AirLight(earth)(sight)
+    whole = np.maximum(AirLight(earth).with_ground(sight), exact)
+    off = np.abs(bruneton.light.relative_radiance(positions) - exact) / np.maximum(whole, DIM)
+    off = np.where(whole > DIM, off, 0.0).max(axis=-1)
+    found = regions(positions, shell[0])
+    assert set(found) <= set(bruneton.errors)
+    for name, rows in found.items():
+        error = bruneton.errors[name]
+        assert rows.sum() > 2000
+        assert off[rows].max() < 1.25 * error.maximum, name
+        assert error.percentile_95 < error.maximum
+        assert error.worst["table"] > 0.0
 
 
 @pytest.mark.parametrize(

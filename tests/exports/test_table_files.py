@@ -110,13 +110,16 @@ def test_manifest_says_what_an_engine_needs(written: Path, earth: Any) -> None:
     assert table["unit"] == "1"
     assert table["texture"]["width"] == 4 * 6
     listed = {"manifest.json"}
-    for one in (*said["tables"].values(), said["light"]):
+    for one in (*said["tables"].values(), said["light"], said["look_up"]):
         for name, of in one["files"].items():
             data = (written.parent / name).read_bytes()
             assert hashlib.sha256(data).hexdigest() == of["sha256"]
             assert len(data) == of["bytes"]
             listed.add(name)
     assert {file.name for file in written.parent.iterdir()} == listed
+    assert said["reading"]["value"].startswith("scale * stored")
+    assert {"look_up.glsl", "look_up.wgsl", "look_up.hlsl", "test_vectors.json"} <= listed
+    assert said["light"]["phase_functions"][0] == "smooth"
 
 
 @pytest.mark.parametrize("file", ["scattering.npz", "transmittance.npz", "phase-functions.npz"])

@@ -373,6 +373,48 @@ def _air_and_all(air: AirLight, positions: Positions) -> list[FloatArray]:
     return [own, np.maximum(air.with_ground(sight), own)]
 
 
+def _peaked(
+    air: AirLight, light: ScatteredLight, points: int, seed: int, step: _Steps
+) -> dict[str, Errors]:
+    """Errors where light is peaked, by region, with a search for the largest of each."""
+    medium = air.solution.medium
+    shell = (medium.bottom_radius, medium.top_radius)
+
+    def compared(where: Positions) -> list[FloatArray]:
+        own, whole = _air_and_all(air, where)
+        return [light.relative_radiance(where), own, whole]
+
+    def size(made: FloatArray, exact: FloatArray, whole: FloatArray) -> FloatArray:
+        off = np.abs(made - exact) / np.maximum(whole, table_errors.DIM)
+        return np.asarray(np.where(whole > table_errors.DIM, off, 0.0).max(axis=-1))
+
+    positions = table_errors.peaked_positions(*shell, table_errors.PEAKED * points, seed)
+    sample = step.run(positions, compared, "errors")
+    errors = {}
+    for name, rows in table_errors.regions(positions, shell[0]).items():
+        if not rows.any():
+            continue
+
+        def belongs(where: Positions, name: str = name) -> NDArray[np.bool_]:
+            return table_errors.regions(where, shell[0])[name]
+
+        own = [values[rows] for values in sample]
+        worse = table_errors.search_worst(
+            positions[rows], size(*own), belongs, lambda where: size(*compared(where)), *shell, seed
+        )
+        made, exact, whole = (
+            np.concatenate(both) for both in zip(own, compared(worse), strict=True)
+        )
+        errors[name] = table_errors.judge(
+            made, exact, positions[rows].joined(worse), medium, seed=seed,
+            quantity="radiance of the air; relative to all light", floor=table_errors.DIM,
+            per=whole, sampled=int(rows.sum()),
+            where="views dense about the sun and the horizon, half of the suns from 75 to "
+            f"{table_errors.LOWEST_SUN:g} deg; the largest error by a search about the worst",
+        )  # fmt: skip
+    return errors
+
+
 def _errors(
     air: AirLight,
     light: ScatteredLight,
@@ -407,6 +449,8 @@ def _errors(
                 made[rows], exact[rows], seen, medium, quantity=quantity, seed=seed,
                 floor=table_errors.DARK, per=whole[rows], where=f"{drawn}; azimuth {turned}",
             )  # fmt: skip
+    if azimuth is None:
+        errors |= _peaked(air, light, points, seed, step)
     # Some solvers integrate the sky for each sun.
     positions = table_errors.random_positions(medium, min(points, _SKIES), seed)
     for name, r in (

@@ -12,6 +12,7 @@ A folder of tables appears whole: files are written beside it first, and the man
 from __future__ import annotations
 
 import hashlib
+import json
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Final
@@ -23,6 +24,16 @@ from airlight.errors import FileError, ParameterError
 from airlight.exports.bake import Baked
 from airlight.exports.exr import write_exr_channels
 from airlight.exports.header import version
+from airlight.exports.look_up_code import (
+    DIALECTS,
+    NOT_READ,
+    PHASES,
+    has_look_up,
+    look_up_code,
+    phase_texture,
+    texture_name,
+    vectors_of,
+)
 from airlight.exports.table_errors import Errors
 from airlight.exports.whole_folder import (
     MANIFEST,
@@ -37,13 +48,24 @@ from airlight.tables.table import Table, layout_of
 #: Format named in the manifest.
 FORMAT: Final = "airlight tables 1"
 _PHASES: Final = "phase-functions.npz"
+_PHASE_TEXTURE: Final = "phase-functions.exr"
+_VECTORS: Final = "test_vectors.json"
+_READING: Final = {
+    "value": "scale * stored, in the table's unit",
+    "npz": "array values, axes from slow to fast as in axes, then channels",
+    "texture": "axes of width, height and depth; of two axes that share one the second runs "
+    "fastest; first row and first slice hold the first values of their axes, of r the ground",
+    "exr": "slices of the depth one above the other, the first on top, its first row the topmost "
+    "line of the picture; a loader that flips pictures, as three.js's does, turns it upside down",
+    "texel_centres": "texel k of n is at x = k / (n - 1): texture coordinate 0.5/n + x (1 - 1/n)",
+}
 _FORMULAS: Final = {
     "phase-included": "radiance = scattering",
-    "separate": "radiance = scattering * p_gas(nu) + sum over the other phase functions of "
-    "table(name) * p_name(nu)",
-    "combined": "radiance_l = scattering_l * p_gas(nu) + alpha * c_l * scattering_l / "
+    "separate": "radiance = scattering * p_0(nu) + sum over the other phase functions of "
+    "table(name) * p_name(nu); p_0: the first of phase_functions",
+    "combined": "radiance_l = scattering_l * p_0(nu) + alpha * c_l * scattering_l / "
     "scattering_ref * p_particles(nu); alpha: the last channel; c: colours; ref: reference",
-    "rgba": "radiance_l = scattering_l * p_gas(nu) + alpha * p_particles(nu); alpha: the last "
+    "rgba": "radiance_l = scattering_l * p_0(nu) + alpha * p_particles(nu); alpha: the last "
     "channel",
 }
 
@@ -79,15 +101,37 @@ def write_tables(folder: str | Path, baked: Baked) -> Path:
             manifest["tables"][name]["files"] = {
                 file: fingerprint(path) for file, path in arrays.items()
             }
+        manifest["light"]["files"] = {}
+        if has_look_up(baked):
+            _write_look_up(part, baked, manifest)
         with (part / _PHASES).open("wb") as stream:
             np.savez_compressed(
                 stream,
                 names=np.array(baked.light.phases.names),
                 values=baked.light.phases.values,
             )
-        manifest["light"]["files"] = {_PHASES: fingerprint(part / _PHASES)}
+        manifest["light"]["files"][_PHASES] = fingerprint(part / _PHASES)
         write_manifest(part, manifest)
     return Path(folder) / MANIFEST
+
+
+def _write_look_up(part: Path, baked: Baked, manifest: dict[str, Any]) -> None:
+    """Write look-up code, its test vectors, and the phase functions as a texture."""
+    texels = phase_texture(baked)
+    channels = {name: texels[..., k] for k, name in enumerate("RGB")}
+    about = {"planet": baked.about["planet"], "rows": " ".join(baked.light.phases.names)}
+    write_exr_channels(part / _PHASE_TEXTURE, channels, about)
+    manifest["light"]["files"][_PHASE_TEXTURE] = fingerprint(part / _PHASE_TEXTURE)
+    for name, dialect in DIALECTS.items():
+        (part / name).write_text(look_up_code(baked, dialect), encoding="utf-8")
+    (part / _VECTORS).write_text(json.dumps(vectors_of(baked)), encoding="utf-8")
+    manifest["look_up"] = {
+        "textures": {
+            **{name: texture_name(name) for name in baked.tables if name not in NOT_READ},
+            "phase functions": PHASES,
+        },
+        "files": {name: fingerprint(part / name) for name in (*DIALECTS, _VECTORS)},
+    }
 
 
 def _manifest(baked: Baked) -> dict[str, Any]:
@@ -96,6 +140,7 @@ def _manifest(baked: Baked) -> dict[str, Any]:
         "format": FORMAT,
         "airlight": version(),
         **baked.about,
+        "reading": _READING,
         "light": {
             "packing": light.packing,
             "formula": _FORMULAS[light.packing],
@@ -203,7 +248,7 @@ def load_tables(manifest: str | Path) -> Baked:
             reference=int(content["light"]["reference"]),
         )
         errors = {name: Errors(**fields) for name, fields in content["errors"].items()}
-        own = {"format", "airlight", "light", "tables", "errors"}
+        own = {"format", "airlight", "reading", "light", "look_up", "tables", "errors"}
         about = {name: value for name, value in content.items() if name not in own}
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise FileError(path, f"is no manifest of tables: {error}") from error

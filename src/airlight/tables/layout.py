@@ -103,6 +103,15 @@ class Positions:
             self.r[rows], self.mu[rows], self.mu_s[rows], self.nu[rows], self.to_ground[rows]
         )
 
+    def joined(self, other: Positions) -> Positions:
+        """These points, then others."""
+        return Positions(
+            *(
+                np.concatenate([getattr(self, one), getattr(other, one)])
+                for one in ("r", "mu", "mu_s", "nu", "to_ground")
+            )
+        )
+
 
 class Layout(ABC):
     """Positions of a table's texels and interpolation between them.

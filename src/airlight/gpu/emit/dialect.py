@@ -169,6 +169,10 @@ class ShaderDialect(Dialect):
         """Texel of a picture; row and column are names or numbers."""
 
     @abstractmethod
+    def volume_fetched(self, texture: str, x: str, y: str, z: str) -> str:
+        """Texel of a texture of three dimensions; the places are names or numbers."""
+
+    @abstractmethod
     def image_length(self, texture: str, axis: str) -> str:
         """Number of rows, axis 0, or columns of a picture."""
 
@@ -179,6 +183,10 @@ class ShaderDialect(Dialect):
     @abstractmethod
     def texture(self, name: str, group: int, binding: int) -> str:
         """Declare a texture."""
+
+    @abstractmethod
+    def volume(self, name: str, group: int, binding: int) -> str:
+        """Declare a texture of three dimensions."""
 
     @abstractmethod
     def uniforms(

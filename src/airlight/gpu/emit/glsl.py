@@ -106,6 +106,9 @@ void main() {
     def image_fetched(self, texture: str, row: str, column: str) -> str:
         return f"texelFetch({texture}, ivec2({column}, {row}), 0)"
 
+    def volume_fetched(self, texture: str, x: str, y: str, z: str) -> str:
+        return f"texelFetch({texture}, ivec3({x}, {y}, {z}), 0)"
+
     def image_length(self, texture: str, axis: str) -> str:
         return f"textureSize({texture}, 0)[1 - {axis}]"
 
@@ -114,6 +117,9 @@ void main() {
 
     def texture(self, name: str, group: int, binding: int) -> str:
         return f"uniform highp sampler2D {self.texture_name(name, group, binding)};\n"
+
+    def volume(self, name: str, group: int, binding: int) -> str:
+        return f"uniform highp sampler3D {self.texture_name(name, group, binding)};\n"
 
     def uniforms(
         self, name: str, fields: Sequence[str | tuple[str, int]], group: int, binding: int

@@ -110,6 +110,9 @@ fn full_screen_triangle(@builtin(vertex_index) index: u32) -> @builtin(position)
     def image_fetched(self, texture: str, row: str, column: str) -> str:
         return f"textureLoad({texture}, vec2i({column}, {row}), 0)"
 
+    def volume_fetched(self, texture: str, x: str, y: str, z: str) -> str:
+        return f"textureLoad({texture}, vec3i({x}, {y}, {z}), 0)"
+
     def image_length(self, texture: str, axis: str) -> str:
         return f"i32(textureDimensions({texture}, 0)[1 - {axis}])"
 
@@ -118,6 +121,9 @@ fn full_screen_triangle(@builtin(vertex_index) index: u32) -> @builtin(position)
 
     def texture(self, name: str, group: int, binding: int) -> str:
         return f"@group({group}) @binding({binding}) var {name}: texture_2d<f32>;\n"
+
+    def volume(self, name: str, group: int, binding: int) -> str:
+        return f"@group({group}) @binding({binding}) var {name}: texture_3d<f32>;\n"
 
     def uniforms(
         self, name: str, fields: Sequence[str | tuple[str, int]], group: int, binding: int
