@@ -16,7 +16,7 @@ _BLOCK = re.compile(r"^```console\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 LINES = [line for found in _BLOCK.finditer(PAGE) for line in found[1].splitlines()]
 BAKES = [line.removeprefix("$ airlight ") for line in LINES if line.startswith("$ airlight bake ")]
 #: What makes an export of tables small.
-SMALL = {"cosmoscout": ["--size", "4x8x4x4"]}
+SMALL = {"cosmoscout": ["--size", "4x8x4x4", "--wavelengths", "rgb"]}
 #: Programs that fix the sizes of their tables.
 LARGE = ("takram", "bruneton-demo")
 

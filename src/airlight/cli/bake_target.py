@@ -64,7 +64,8 @@ def bake_target(
     if world.refraction != "none" and not program.bends_light:
         print(f"airlight: {program.program} draws light straight", file=sys.stderr)
         world = replace(world, refraction="none")
-    nm = program.wavelengths or options.wavelengths(wavelengths or "rgb", world)
+    text = wavelengths or program.default_wavelengths
+    nm = program.wavelengths or options.wavelengths(text, world)
 
     from airlight.solvers import solve
 

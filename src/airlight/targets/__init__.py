@@ -16,6 +16,7 @@ MODULES: Final[dict[str, str]] = {
     "openspace": "openspace",
     "unreal": "unreal",
     "celestia": "celestia",
+    "cosmoscout": "cosmoscout",
 }
 
 

@@ -168,6 +168,8 @@ class Target:
         Names of the options that ``fill`` takes: ``size``, ``files``.
     bends_light : bool
         Whether the program draws refraction.
+    default_wavelengths : str
+        Value of ``--wavelengths`` if it is not given and the program fixes none.
     """
 
     name: str
@@ -177,6 +179,7 @@ class Target:
     wavelengths: tuple[float, ...] | None = None
     options: tuple[str, ...] = ()
     bends_light: bool = False
+    default_wavelengths: str = "rgb"
 
     @property
     def form(self) -> str:
