@@ -27,7 +27,7 @@ from airlight.exports.table_files import texture_size
 from airlight.kernel.threads import Progress
 from airlight.planets import replace
 from airlight.planets.medium import Medium
-from airlight.planets.planet import RED_GREEN_BLUE, Planet
+from airlight.planets.planet import Planet
 from airlight.solvers import solve
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.solution import Solution
@@ -108,7 +108,7 @@ def fill(
         write_texture(folder / name, values)
     table = baked.light.tables["irradiance"]
     write_texture(folder / ILLUMINANCE, (_values(table) @ weights)[0])
-    _write_paths(solution, planet, folder)
+    _write_paths(solution, weights, folder)
     bends = bool(solution.medium.refractivity.any())
     scattering = baked.light.tables["scattering"]
     lowest = float(scattering.layout.axes[2].parameters["lowest_mu_s"])
@@ -124,9 +124,7 @@ def fill(
     write_inputs(folder, Medium.from_planet(planet, wavelengths_for(planet)))
     notes = [
         f"the body's radius in the scene has to be {planet.bottom_radius:.10g} m",
-        "sunlight through the air has the transmittance of three wavelengths, "
-        + ", ".join(f"{nm:g}" for nm in _three(planet))
-        + " nm",
+        "the transmittance of sunlight is one number for each of red, green and blue",
     ]
     if bends:
         notes.append(
@@ -195,14 +193,12 @@ def _values(table: Table) -> FloatArray:
     return _texture(table, np.asarray(table.values, np.float64) * table.scale)
 
 
-def _three(planet: Planet) -> FloatArray:
-    """Wavelengths of the transmittance of red, green and blue, within the planet's limits. [nm]"""
-    low, high = planet.wavelength_limits
-    return np.clip(np.array(RED_GREEN_BLUE), low, high)
+def _write_paths(solution: Solution, weights: FloatArray, folder: Path) -> None:
+    """Transmittance to space and, where light is bent, how far and how low.
 
-
-def _write_paths(solution: Solution, planet: Planet, folder: Path) -> None:
-    """Transmittance to space and, where light is bent, how far and how low."""
+    The transmittance of a channel is the mean over wavelengths by their share in the star's colour,
+    those that the channel counts as negative left out: between 0 and 1, as ratios need it.
+    """
     medium, paths = solution.medium, solution.paths
     layout = TransmittanceLayout(bottom_radius=medium.bottom_radius, top_radius=medium.top_radius)
     at = layout.positions()
@@ -228,8 +224,8 @@ def _write_paths(solution: Solution, planet: Planet, folder: Path) -> None:
         texels = np.stack([angle, altitude, np.zeros_like(angle)], axis=-1)
         write_texture(folder / DEVIATION, texels.reshape(*layout.shape, 3))
     depth = columns(x, mu, length, drawn.bottom_radius, drawn.density)
-    three = Medium.from_planet(planet, _three(planet))
-    through = np.exp(-(depth[:, : len(three.names)] @ three.extinction))
+    share = np.maximum(weights, 0.0)
+    through = np.exp(-(depth @ drawn.extinction)) @ (share / share.sum(axis=0))
     write_texture(folder / TRANSMITTANCE, np.maximum(through, _LEAST).reshape(*layout.shape, 3))
 
 
