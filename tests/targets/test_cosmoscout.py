@@ -1,7 +1,10 @@
 """The folder for CosmoScout: its files as its loader reads them, and the light that comes out."""
 
+import ctypes
+import ctypes.util
 import json
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,7 +18,12 @@ from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.targets import target_of
 from airlight.targets.cosmoscout_inputs import planet_from_inputs, wavelengths_for
-from airlight.targets.cosmoscout_tables import CosmoScoutTables, texel_angles, write_texture
+from airlight.targets.cosmoscout_tables import (
+    CosmoScoutTables,
+    read_texture,
+    texel_angles,
+    write_texture,
+)
 
 tifffile = pytest.importorskip("tifffile")
 
@@ -67,6 +75,48 @@ def test_textures_are_scanlines_of_three_floats(written, name, width, height, de
             assert page.planarconfig == tifffile.PLANARCONFIG.CONTIG
             assert page.compression == tifffile.COMPRESSION.NONE
             assert page.photometric == tifffile.PHOTOMETRIC.RGB
+
+
+@pytest.fixture(scope="module")
+def libtiff():
+    """The library by which CosmoScout reads textures: the system's, or that in Pillow's wheel."""
+    import PIL
+
+    bundled = sorted(Path(PIL.__file__).parents[1].glob("[pP]illow.libs/libtiff*"))
+    named = ctypes.util.find_library("tiff") or (str(bundled[0]) if bundled else None)
+    if named is None:
+        pytest.skip("no libtiff")
+    try:
+        library = ctypes.CDLL(named)
+    except OSError as reason:
+        pytest.skip(str(reason))
+    library.TIFFOpen.restype = ctypes.c_void_p
+    return library
+
+
+@pytest.mark.parametrize("name", ["multiple_scattering.tif", "phase.tif", "theta_deviation.tif"])
+def test_libtiff_reads_the_same_scanlines(written, libtiff, name):
+    # What CosmoScout does: count directories, read the sizes, then scanline by scanline.
+    ours = read_texture(written[1] / name)
+    file = ctypes.c_void_p(libtiff.TIFFOpen(str(written[1] / name).encode(), b"r"))
+    assert file.value
+    try:
+        width, height = ctypes.c_uint32(), ctypes.c_uint32()
+        libtiff.TIFFGetField(file, 256, ctypes.byref(width))
+        libtiff.TIFFGetField(file, 257, ctypes.byref(height))
+        depth = 1
+        while libtiff.TIFFReadDirectory(file):
+            depth += 1
+        assert (depth, height.value, width.value) == ours.shape[:3]
+        assert libtiff.TIFFScanlineSize(file) == 12 * width.value
+        row = (ctypes.c_float * (3 * width.value))()
+        for page in {0, depth - 1}:
+            assert libtiff.TIFFSetDirectory(file, page)
+            for y in range(height.value):
+                assert libtiff.TIFFReadScanline(file, row, y, 0) == 1
+                assert_allclose(np.ctypeslib.as_array(row).reshape(-1, 3), ours[page, y], rtol=0)
+    finally:
+        libtiff.TIFFClose(file)
 
 
 def test_light_looked_up_as_the_shaders_do_is_the_solutions(written, solved):
@@ -187,8 +237,6 @@ def test_phase_texels_are_where_the_shader_reads_them():
 
 
 def test_texture_read_back_is_what_was_written(tmp_path):
-    from airlight.targets.cosmoscout_tables import read_texture
-
     values = np.random.default_rng(1).random((3, 4, 5, 3)).astype(np.float32)
     write_texture(tmp_path / "a.tif", values)
     assert_allclose(read_texture(tmp_path / "a.tif"), values, rtol=0)

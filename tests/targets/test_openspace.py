@@ -93,7 +93,7 @@ def test_asset_read_by_lua_gives_the_planet_again(solved, tmp_path):
 
 def test_extinction_is_that_of_red_for_all(solved, tmp_path):
     # OpenSpace divides the scattering by one albedo, so what is written is what it uses.
-    _, export, text = written(solved, tmp_path, "mars")
+    _, export, text = written(solved, tmp_path, "mars-openspace")
     mie = run(text)[0]["Renderable"]["Mie"]["Coefficients"]
     ratio = [s / e for s, e in zip(mie["Scattering"], mie["Extinction"], strict=True)]
     assert_allclose(ratio, ratio[0], rtol=1e-7)
@@ -125,6 +125,9 @@ def test_reader_knows_ozone_that_is_on(solved):
     }  # fmt: skip
     made = planet_from_openspace(renderable, planet.star, "x")
     assert_allclose(made.constituents[2].absorption.values, [6e-7, 1.8e-6, 6e-8])
+    renderable["Mie"]["Coefficients"]["Extinction"][0] = 0.001
+    with pytest.raises(ParameterError, match="at most the extinction"):
+        planet_from_openspace(renderable, planet.star, "x")
     del renderable["Mie"]
     with pytest.raises(ParameterError, match="Mie is 'missing'"):
         planet_from_openspace(renderable, planet.star, "x")

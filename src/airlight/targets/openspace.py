@@ -138,6 +138,9 @@ def planet_from_openspace(renderable: Mapping[str, Any], star: Star, name: str) 
     if any(scattering.values):
         share = float(renderable.get("MieScatteringExtinctionPropCoefficient", 1.0))
         if share == 1.0:
+            if not extinction.values[0] >= scattering.values[0] > 0.0:
+                red = (scattering.values[0], extinction.values[0])
+                raise ParameterError("Mie, red", red, "scattering above 0, at most the extinction")
             share = scattering.values[0] / extinction.values[0]
         absorbed = tuple(value * (1.0 / share - 1.0) for value in scattering.values)
         constituents.append(

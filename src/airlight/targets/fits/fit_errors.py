@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from airlight.color.color_difference import color_difference
 from airlight.color.spectral import rgb_weights
+from airlight.color.xyz import luminance
 from airlight.kernel.threads import Progress
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
@@ -123,12 +124,15 @@ def _colors(solution: Solution, fit: Solution) -> list[ErrorRow]:
             one.radiance(altitude=ALTITUDE, sun_zenith=sun, view_zenith=view, azimuth=azimuth)
             for one in (solution, fit)
         )
-        rows.append(
-            ErrorRow.of(
-                f"colour of the sky, sun at {sun:g} deg",
-                color_difference(made.values @ weights, true.values @ weights),
-                where=f"{len(VIEWS)} views from the ground, zenith to 10 deg up",
-                measure="delta E 2000",
+        sky, shown = true.values @ weights, made.values @ weights
+        lit = np.asarray(luminance(sky)) > 0.0
+        if lit.any():
+            rows.append(
+                ErrorRow.of(
+                    f"colour of the sky, sun at {sun:g} deg",
+                    color_difference(shown[lit], sky[lit]),
+                    where=f"{len(VIEWS)} views from the ground, zenith to 10 deg up",
+                    measure="delta E 2000",
+                )
             )
-        )
     return rows
