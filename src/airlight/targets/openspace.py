@@ -44,6 +44,8 @@ OZONE_UNIT: Final = 6e-7
 SUN_INTENSITY: Final = 6.9
 #: Factor of the ground's colour: that of OpenSpace's own Earth. [1]
 GROUND_RADIANCE: Final = 0.6
+#: Albedos that differ by no more are one number. [1]
+_EVEN: Final = 0.01
 #: Asset that brings the body, and identifier of its node, by ``Planet.body``.
 _BODIES: Final = {
     "earth": ("scene/solarsystem/planets/earth/earth", "Earth"),
@@ -230,6 +232,10 @@ def fill(solution: Solution, folder: Path, *, progress: Progress | None = None) 
     renderable = renderable_of(fit)
     (folder / FILE).write_text(asset_of(renderable, solution.planet), encoding="utf-8")
     notes = ["light is scattered four times at most, and SunIntensity is the Earth's 6.9"]
+    albedo = fit.planet.ground.albedos(RED_GREEN_BLUE)
+    if albedo.max() - albedo.min() > _EVEN:
+        low, high = albedo.min(), albedo.max()
+        notes.append(f"the ground's albedo is one number: {low:.2g} to {high:.2g} in the planet")
     if "Ozone" in renderable:
         whole = solution.medium.vertical_optical_depth.sum(axis=0)
         share = float((_depth(fit.planet, ABSORBER) / whole).max())
