@@ -53,7 +53,11 @@ def columns(planet: Planet) -> dict[str, Planet]:
             openspace.renderable_of(fits["openspace"]), star, name
         ),
         "celestia": celestia.planet_from_celestia(
-            celestia.atmosphere_of(made), star, planet.bottom_radius, made.planet.ground.albedo, name
+            celestia.atmosphere_of(made),
+            star,
+            planet.bottom_radius,
+            made.planet.ground.albedo,
+            name,
         ),
     }
 
