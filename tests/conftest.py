@@ -208,25 +208,38 @@ def solved() -> Callable[..., MomentsSolution]:
 
 
 @pytest.fixture(scope="session")
-def takram_folder(
+def target_folder(
     once: Callable[[str, Callable[[], Any]], Any], tmp_path_factory: pytest.TempPathFactory
-) -> Callable[[str], Path]:
-    """Folder of ``--layout takram`` of a preset, of full size, made once in a run."""
+) -> Callable[[str, str], Path]:
+    """Folder of a ``--layout`` of a preset, of full size, made once in a run."""
     from airlight import load_planet, solve
     from airlight.planets import replace
-    from airlight.targets.takram import TARGET
+    from airlight.targets import target_of
 
-    def folder(name: str) -> Path:
+    def folder(layout: str, name: str) -> Path:
         def make() -> str:
+            program = target_of(layout)
             planet = replace(load_planet(name), refraction="none")
-            solution = solve(planet, TARGET.wavelengths, "preview", cache=False)
-            made = tmp_path_factory.mktemp("takram") / name
-            TARGET.write(solution, made)
+            solution = solve(planet, program.wavelengths, "preview", cache=False)
+            made = tmp_path_factory.mktemp(layout) / name
+            program.write(solution, made)
             return str(made)
 
-        return Path(once(f"takram-{name}", make))
+        return Path(once(f"{layout}-{name}", make))
 
     return folder
+
+
+@pytest.fixture(scope="session")
+def takram_folder(target_folder: Callable[[str, str], Path]) -> Callable[[str], Path]:
+    """``target_folder`` of ``--layout takram``."""
+    return lambda name: target_folder("takram", name)
+
+
+@pytest.fixture(scope="session")
+def demo_folder(target_folder: Callable[[str, str], Path]) -> Callable[[str], Path]:
+    """``target_folder`` of ``--layout bruneton-demo``."""
+    return lambda name: target_folder("bruneton-demo", name)
 
 
 @pytest.fixture(scope="session")

@@ -49,6 +49,18 @@ def test_two_kinds_keep_their_phase_functions_under_one_lobe() -> None:
         assert_allclose(made, phases(k, nu)[:, 0], rtol=0.1)
 
 
+def test_one_row_of_weights_serves_wavelengths_that_differ_by_a_factor() -> None:
+    # What a texture of red alone can hold: the same row, brighter or dimmer.
+    def phases(k: int, nu: np.ndarray) -> np.ndarray:
+        return np.stack([double(nu, 0.8, -0.3, w) for w in (0.95, 0.9, 0.8)], axis=-1)
+
+    fit = fit_weighted_lobe(("dust",), phases, np.ones((1, 3)), 8, one_row=True)
+    row = fit.lobe[0] / fit.lobe[0][:, -1:]
+    assert_allclose(row, np.broadcast_to(row[0], row.shape), atol=1e-9)
+    assert (np.diff(fit.lobe[0][:, -1]) < 0.0).all()  # less forward, dimmer
+    assert fit.fitted[0].errors["root mean square, relative"] < 0.05
+
+
 def test_air_without_particles_has_no_lobe() -> None:
     fit = fit_weighted_lobe((), lambda k, nu: nu, np.zeros((0, 3)), 8)
     assert (fit.g, fit.lobe.shape, fit.fitted) == (0.0, (0, 3, 8), ())

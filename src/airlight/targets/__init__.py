@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 #: Modules of the programs by the names of their layouts; each has a ``TARGET``.
 MODULES: Final[dict[str, str]] = {
     "takram": "takram",
+    "bruneton-demo": "bruneton_demo",
     "openspace": "openspace",
     "unreal": "unreal",
     "celestia": "celestia",

@@ -14,6 +14,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.errors import ParameterError
 from airlight.exports.air_light import groups
 from airlight.exports.bake import Baked, bake
 from airlight.exports.packing import combine
@@ -35,6 +36,8 @@ Stored = NDArray[Any]
 WAVELENGTHS: Final = (680.0, 550.0, 440.0)
 #: Points at which the bake itself is compared, whose errors are not reported: the fewest.
 _FEW: Final = 64
+#: Light below this share of the brightest does not tell the colours of M.
+_DIM: Final = 1e-5
 #: Altitudes among which that of the densest air is sought.
 _HEIGHTS: Final = 1001
 
@@ -163,10 +166,11 @@ def fill_tables(
     light = medium.lights[0].irradiance
     layout = baked.tables["scattering"].layout
     assert isinstance(layout, BrunetonLayout)
-    lobe, smooth, mie = _smooth_and_mie(medium, baked, layout)
+    lobe, smooth, mie = _smooth_and_mie(medium, baked, layout, one_row=combined)
     smooth, mie, colours = smooth * light, mie * light, mie_colours(medium)
     packed = np.concatenate([smooth, mie[..., :1]], axis=-1)
     if combined:
+        colours = _colours_ahead(layout, smooth, mie, colours)
         packed = _combined(layout, smooth, mie, lobe.g, colours)
     tables = SkyTables(
         layout=layout,
@@ -180,6 +184,30 @@ def fill_tables(
     )
     higher = baked.tables["higher-order"].physical * light
     return Filled(tables=tables, higher=higher, lobe=lobe)
+
+
+def check_lowest_sun(lowest_sun: float | None) -> None:
+    """Refuse a lowest sun that is no zenith angle from 90 to 180 deg, or ``ParameterError``."""
+    if lowest_sun is not None and not 90.0 <= lowest_sun <= 180.0:
+        raise ParameterError("--lowest-sun", lowest_sun, "90 to 180 deg")
+
+
+def opaque(values: Stored) -> Stored:
+    """The same with a channel of 1."""
+    return np.concatenate([values, np.ones((*values.shape[:-1], 1))], axis=-1)
+
+
+def sliced(values: Stored) -> Stored:
+    """Texture (r mu, nu mu_s, channels) of values (r, mu, mu_s, nu, channels)."""
+    radii, views, suns, angles, channels = values.shape
+    turned = values.transpose(0, 1, 3, 2, 4)
+    return turned.reshape(radii * views, angles * suns, channels)
+
+
+def unsliced(flat: Stored, layout: BrunetonLayout) -> Stored:
+    """Inverse of ``sliced`` for four channels, from numbers in the order of a file."""
+    shape = (layout.radii, layout.views, layout.angles, layout.suns, 4)
+    return np.ascontiguousarray(flat.reshape(shape).transpose(0, 1, 3, 2, 4))
 
 
 def mie_colours(medium: Medium) -> FloatArray:
@@ -214,7 +242,7 @@ def coefficients(medium: Medium) -> tuple[FloatArray, FloatArray, FloatArray]:
 
 
 def _smooth_and_mie(
-    medium: Medium, baked: Baked, layout: BrunetonLayout
+    medium: Medium, baked: Baked, layout: BrunetonLayout, *, one_row: bool
 ) -> tuple[WeightedLobe, FloatArray, FloatArray]:
     """Fit of the phase functions, and S and M per irradiance of the star."""
     phases = baked.light.phases
@@ -222,7 +250,9 @@ def _smooth_and_mie(
     _, dust = groups(medium)
     depth = (medium.scattering * medium.columns[:, None])[dust][: len(kinds)]
     names = tuple(medium.names[index] for index in dust)[: len(kinds)]
-    lobe = fit_weighted_lobe(names, lambda k, nu: phases.at(kinds[k], nu), depth, layout.angles)
+    lobe = fit_weighted_lobe(
+        names, lambda k, nu: phases.at(kinds[k], nu), depth, layout.angles, one_row=one_row
+    )
     smooth = np.array(baked.tables["scattering"].physical)
     mie = np.zeros_like(smooth)
     for k, kind in enumerate(kinds):
@@ -230,6 +260,24 @@ def _smooth_and_mie(
         smooth += once * lobe.smooth[k].T
         mie += once * lobe.lobe[k].T
     return lobe, smooth, mie
+
+
+def _colours_ahead(
+    layout: BrunetonLayout, smooth: FloatArray, mie: FloatArray, coefficients: FloatArray
+) -> FloatArray:
+    """Factors that restore the colours of M from S and its red best, where the view meets the sun.
+
+    Least squares by day; the planet's coefficients where nothing is lit. In dusty air S is not the
+    molecules' light, so coefficients of molecules do not tell its colour.
+    """
+    mu_s = layout.positions().mu_s.reshape(layout.shape)[..., -1]
+    ahead, even = mie[..., -1, :], smooth[..., -1, :]
+    lit = (mu_s > 0.0) & (ahead[..., 0] > 0.0) & (even[..., 0] > _DIM * even[..., 0].max())
+    proportional = even[lit] * (ahead[lit][:, :1] / even[lit][:, :1])
+    below = (proportional**2).sum(axis=0)
+    if not (below > 0.0).all():
+        return coefficients
+    return np.asarray((ahead[lit] * proportional).sum(axis=0) / below)
 
 
 def _combined(

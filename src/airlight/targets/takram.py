@@ -30,8 +30,12 @@ from airlight.targets.bruneton_tables import (
     WAVELENGTHS,
     Filled,
     SkyTables,
+    check_lowest_sun,
     coefficients,
     fill_tables,
+    opaque,
+    sliced,
+    unsliced,
 )
 from airlight.targets.fits.sky_colour import SkyColour, fit_sky_colour
 from airlight.targets.sky_errors import half_losses, level_errors, sky_errors
@@ -76,8 +80,7 @@ def fill(
     """
     if mie not in ("separate", "combined"):
         raise ParameterError("--mie", mie, "separate, combined")
-    if lowest_sun is not None and not 90.0 <= lowest_sun <= 180.0:
-        raise ParameterError("--lowest-sun", lowest_sun, "90 to 180 deg")
+    check_lowest_sun(lowest_sun)
     filled = fill_tables(
         solution,
         combined=mie == "combined",
@@ -122,31 +125,20 @@ def _textures(filled: Filled) -> dict[str, NDArray[Any]]:
     """Values of each file, shape (rows, width, 4), rows of all slices one after another."""
     tables = filled.tables
     out = {
-        "transmittance": _opaque(tables.transmittance),
-        "irradiance": _opaque(tables.irradiance),
-        "scattering": _sliced(tables.scattering),
+        "transmittance": opaque(tables.transmittance),
+        "irradiance": opaque(tables.irradiance),
+        "scattering": sliced(tables.scattering),
     }
     if tables.single_mie is not None:
-        out["single_mie_scattering"] = _sliced(_opaque(tables.single_mie))
+        out["single_mie_scattering"] = sliced(opaque(tables.single_mie))
     higher = np.zeros((*filled.higher.shape[:-1], 4))
     higher[..., :3] = filled.higher
-    out["higher_order_scattering"] = _sliced(higher)
+    out["higher_order_scattering"] = sliced(higher)
     for name, values in out.items():
         largest = float(np.abs(values).max())
         if not largest <= _LARGEST:
             raise ParameterError(name, largest, f"at most {_LARGEST:g}, the largest half float")
     return out
-
-
-def _opaque(values: NDArray[Any]) -> NDArray[Any]:
-    return np.concatenate([values, np.ones((*values.shape[:-1], 1))], axis=-1)
-
-
-def _sliced(values: NDArray[Any]) -> NDArray[Any]:
-    """Texture with nu and mu_s along the width, from (r, mu, mu_s, nu, 4)."""
-    radii, views, suns, angles, channels = values.shape
-    turned = values.transpose(0, 1, 3, 2, 4)
-    return turned.reshape(radii * views, angles * suns, channels)
 
 
 def _write(folder: Path, name: str, values: NDArray[Any]) -> None:
@@ -167,7 +159,8 @@ def _parameters(solution: Solution, tables: SkyTables, colour: SkyColour) -> dic
         "bottomRadius": medium.bottom_radius,
         "topRadius": medium.top_radius,
         "rayleighScattering": molecules.tolist(),
-        "mieScattering": particles.tolist(),
+        # Its ratio to the molecules' restores the colours of the combined texture.
+        "mieScattering": (tables.mie_colours * molecules * particles[0] / molecules[0]).tolist(),
         "mieExtinction": extinction.tolist(),
         "miePhaseFunctionG": tables.g,
         "groundAlbedo": np.clip(medium.ground_albedo, 0.0, 1.0).tolist(),
@@ -201,11 +194,13 @@ def read_tables(folder: str | Path) -> SkyTables:
         )
         combined = about["combinedScattering"]
         ratio = np.array(about["mieScattering"]) / np.array(about["rayleighScattering"])
-        single = None if combined else _read_sliced(path, "single_mie_scattering", layout)[..., :3]
+        single = None
+        if not combined:
+            single = unsliced(_read(path, "single_mie_scattering"), layout)[..., :3].copy()
         return SkyTables(
             layout=layout,
-            scattering=_read_sliced(path, "scattering", layout),
-            single_mie=single if single is None else np.ascontiguousarray(single),
+            scattering=unsliced(_read(path, "scattering"), layout),
+            single_mie=single,
             transmittance=_read(path, "transmittance").reshape(64, 256, 4)[..., :3].copy(),
             irradiance=_read(path, "irradiance").reshape(16, 64, 4)[..., :3].copy(),
             g=about["miePhaseFunctionG"],
@@ -218,11 +213,6 @@ def read_tables(folder: str | Path) -> SkyTables:
 
 def _read(folder: Path, name: str) -> NDArray[Any]:
     return np.frombuffer((folder / f"{name}.bin").read_bytes(), "<f2").astype(np.float32)
-
-
-def _read_sliced(folder: Path, name: str, layout: BrunetonLayout) -> NDArray[Any]:
-    shape = (layout.radii, layout.views, layout.angles, layout.suns, 4)
-    return np.ascontiguousarray(_read(folder, name).reshape(shape).transpose(0, 1, 3, 2, 4))
 
 
 TARGET: Final = Target(

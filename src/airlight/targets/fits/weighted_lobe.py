@@ -6,7 +6,9 @@ row for the lobe's table and one for the table that Rayleigh's function multipli
 
     p(nu) ~ sum_j hat_j(nu) (w_j p_CS(nu; g) + v_j p_R(nu)),   w_j, v_j >= 0
 
-Only g is common to all. Particles of several kinds do not become one kind by this.
+Only g is common to all. Particles of several kinds do not become one kind by this. Where the lobe's
+table holds red alone and its colours are restored by one factor for each wavelength, the weights w
+of a kind are one row times a factor of each wavelength.
 """
 
 from __future__ import annotations
@@ -31,6 +33,9 @@ _NODES: Final = 240
 #: Range of the lobe's g, and steps of the first search.
 _G: Final = (0.2, 0.98)
 _STEPS: Final = 14
+#: Passes over the row of weights and its factors, in turn, and limits of a factor.
+_TURNS: Final = 3
+_FACTORS: Final = (0.05, 20.0)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -56,7 +61,12 @@ class WeightedLobe:
 
 
 def fit_weighted_lobe(
-    names: tuple[str, ...], phases: Any, shares: FloatArray, angles: int
+    names: tuple[str, ...],
+    phases: Any,
+    shares: FloatArray,
+    angles: int,
+    *,
+    one_row: bool = False,
 ) -> WeightedLobe:
     """Fit the least squares of relative errors, weighted by the particles' scattering.
 
@@ -70,6 +80,8 @@ def fit_weighted_lobe(
         Weights of kinds and wavelengths: their scattering optical depths.
     angles : int
         Texels along nu, evenly from -1 to 1.
+    one_row : bool
+        Whether the weights of the lobe's table are one row times a factor of each wavelength.
 
     Returns
     -------
@@ -92,6 +104,8 @@ def fit_weighted_lobe(
 
     g = _smallest(cost)
     weights, error = _solve(g, nu, hats, goal)
+    if one_row:
+        weights, error = _in_one_row(g, nu, hats, goal, weights)
     plain = np.ones((nu.size, 1))
     g_alone = _smallest(lambda one: float(
         (importance * (_solve(one, nu, plain, goal, smooth=False)[1] ** 2).mean(axis=-1)).sum()
@@ -148,6 +162,36 @@ def _solve(
         relative = functions / goal[k, l][:, None]
         weights[k, l] = nnls(relative, np.ones(nu.size))[0]
         error[k, l] = relative @ weights[k, l] - 1.0
+    return weights, error
+
+
+def _in_one_row(
+    g: float, nu: FloatArray, hats: FloatArray, goal: FloatArray, start: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Weights and errors as ``_solve``, those of the lobe one row times factors, from a start."""
+    kinds, count, n = goal.shape
+    angles = hats.shape[1]
+    narrow: Any = vectorized(cornette_shanks)
+    even: Any = vectorized(rayleigh)
+    lobe, smooth = hats * narrow(nu, g)[:, None], hats * even(nu, 0.0)[:, None]
+    weights, error = np.empty_like(start), np.empty_like(goal)
+    for k in range(kinds):
+        ahead = start[k, :, angles - 1]
+        factors = np.clip(ahead / max(ahead[0], 1e-9), *_FACTORS)
+        for _ in range(_TURNS):
+            joint = np.zeros((count * n, angles * (1 + count)))
+            for l in range(count):
+                rows = slice(l * n, (l + 1) * n)
+                joint[rows, :angles] = factors[l] * lobe / goal[k, l][:, None]
+                joint[rows, angles * (l + 1) : angles * (l + 2)] = smooth / goal[k, l][:, None]
+            row = nnls(joint, np.ones(count * n), maxiter=100 * joint.shape[1])[0][:angles]
+            for l in range(count):
+                functions = np.column_stack([lobe @ row, smooth]) / goal[k, l][:, None]
+                found = nnls(functions, np.ones(n))[0]
+                factors[l] = max(found[0], 1e-3)
+                weights[k, l, :angles] = found[0] * row
+                weights[k, l, angles:] = found[1:]
+                error[k, l] = functions @ found - 1.0
     return weights, error
 
 
