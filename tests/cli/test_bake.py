@@ -70,6 +70,7 @@ def test_choices_reach_the_manifest(
         (["--layout", "bruneton", "--lowest-sun", "low"], "--lowest-sun is 'low'"),
         (["--layout", "atmosphere-plus", "--lowest-sun", "99"], "only with --layout bruneton"),
         (["--layout", "atmosphere-plus", "--smooth-phase", "own"], "only with --layout bruneton"),
+        (["--layout", "takram", "--smooth-phase", "own"], "left out with --layout takram"),
         (["--layout", "cube"], "cube"),
     ],
 )

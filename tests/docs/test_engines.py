@@ -11,7 +11,9 @@ import pytest
 from airlight.cli import main
 from airlight.targets import MODULES
 
-PAGE = (Path(__file__).parents[2] / "docs" / "engines.md").read_text(encoding="utf-8")
+ROOT = Path(__file__).parents[2]
+PAGE = (ROOT / "docs" / "engines.md").read_text(encoding="utf-8")
+README = (ROOT / "README.md").read_text(encoding="utf-8")
 _BLOCK = re.compile(r"^```console\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 LINES = [line for found in _BLOCK.finditer(PAGE) for line in found[1].splitlines()]
 BAKES = [line.removeprefix("$ airlight ") for line in LINES if line.startswith("$ airlight bake ")]
@@ -23,6 +25,7 @@ LARGE = ("takram", "bruneton-demo")
 
 def test_each_program_has_a_row_and_three_commands():
     for name in MODULES:
+        assert f"`{name}`" in README
         assert f"| `{name}` |" in PAGE
         assert sum(f"--layout {name} " in line for line in BAKES) == 1
     for block in _BLOCK.finditer(PAGE):

@@ -132,6 +132,7 @@ def bake(
             "mie": mie,
             "size": None if size is None else _size(size, "bruneton"),
             "lowest_sun": None if lowest_sun is None else options.angle(lowest_sun, "--lowest-sun"),
+            "smooth_phase": smooth_phase,
             "precision": None if precision == "single" else precision,
             "order": None if order == "all" else order,
             "cumulative": cumulative or None,

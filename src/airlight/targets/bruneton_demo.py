@@ -27,6 +27,7 @@ from airlight.tables.bruneton import BrunetonLayout
 from airlight.targets.bruneton_tables import (
     WAVELENGTHS,
     SkyTables,
+    check_halves,
     check_lowest_sun,
     fill_tables,
     opaque,
@@ -64,15 +65,22 @@ def fill(
         See ``airlight.kernel.threads``.
     lowest_sun : float, optional
         Largest zenith angle of the sun in the tables; if left out, the end of twilight. [deg]
+
+    Raises
+    ------
+    ParameterError
+        If the lowest sun is above the horizon, or light does not fit into half floats.
     """
     check_lowest_sun(lowest_sun)
     filled = fill_tables(solution, combined=True, lowest_sun=lowest_sun, progress=progress)
     tables = filled.tables
-    for name, values in (
-        ("transmittance", opaque(tables.transmittance)),
-        ("irradiance", opaque(tables.irradiance)),
-        ("scattering", sliced(tables.scattering)),
-    ):
+    textures = {
+        "transmittance": opaque(tables.transmittance),
+        "irradiance": opaque(tables.irradiance),
+        "scattering": sliced(tables.scattering),
+    }
+    check_halves(textures)
+    for name, values in textures.items():
         (folder / f"{name}.dat").write_bytes(np.ascontiguousarray(values, "<f4").tobytes())
     colour = fit_sky_colour(solution)
     constants = _constants(solution, tables, colour)

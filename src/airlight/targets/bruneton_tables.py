@@ -38,6 +38,8 @@ WAVELENGTHS: Final = (680.0, 550.0, 440.0)
 _FEW: Final = 64
 #: Light below this share of the brightest does not tell the colours of M.
 _DIM: Final = 1e-5
+#: Largest half float.
+_LARGEST: Final = 65504.0
 #: Altitudes among which that of the densest air is sought.
 _HEIGHTS: Final = 1001
 
@@ -190,6 +192,14 @@ def check_lowest_sun(lowest_sun: float | None) -> None:
     """Refuse a lowest sun that is no zenith angle from 90 to 180 deg, or ``ParameterError``."""
     if lowest_sun is not None and not 90.0 <= lowest_sun <= 180.0:
         raise ParameterError("--lowest-sun", lowest_sun, "90 to 180 deg")
+
+
+def check_halves(textures: dict[str, Stored]) -> None:
+    """Refuse light that half floats cannot hold, or ``ParameterError``."""
+    for name, values in textures.items():
+        largest = float(np.abs(values).max())
+        if not largest <= _LARGEST:
+            raise ParameterError(name, largest, f"at most {_LARGEST:g}, the largest half float")
 
 
 def opaque(values: Stored) -> Stored:

@@ -30,6 +30,7 @@ from airlight.targets.bruneton_tables import (
     WAVELENGTHS,
     Filled,
     SkyTables,
+    check_halves,
     check_lowest_sun,
     coefficients,
     fill_tables,
@@ -43,8 +44,6 @@ from airlight.targets.target import Findings, Target
 
 #: Red of S below which the shader drops the particles of the combined texture.
 _DARKEST: Final = 1e-5
-#: Largest half float.
-_LARGEST: Final = 65504.0
 _ATMOSPHERE: Final = "atmosphere.json"
 _SCRIPT: Final = "planet.js"
 
@@ -134,10 +133,7 @@ def _textures(filled: Filled) -> dict[str, NDArray[Any]]:
     higher = np.zeros((*filled.higher.shape[:-1], 4))
     higher[..., :3] = filled.higher
     out["higher_order_scattering"] = sliced(higher)
-    for name, values in out.items():
-        largest = float(np.abs(values).max())
-        if not largest <= _LARGEST:
-            raise ParameterError(name, largest, f"at most {_LARGEST:g}, the largest half float")
+    check_halves(out)
     return out
 
 
