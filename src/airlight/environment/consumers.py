@@ -55,6 +55,9 @@ class Consumer:
         Zenith angle of the middle, of a dome. [deg]
     keeps_halves : bool
         Whether it stores maps in half floats, of whichever file.
+    rows_reach_poles : bool
+        Whether it takes the first and the last row for the poles themselves, not for half a texel
+        from them.
     """
 
     name: str
@@ -64,6 +67,7 @@ class Consumer:
     centre: float
     tilt: float | None = None
     keeps_halves: bool = False
+    rows_reach_poles: bool = False
 
     def direction(self, enu: FloatArray) -> FloatArray:
         """Directions in the program's axes, of directions in ENU, shape (..., 3). [1]"""
@@ -113,7 +117,10 @@ CONSUMERS: Final[dict[str, Consumer]] = {
             name="blender", title="Blender, environment texture of the world", axes=Z_UP,
             centre=90.0,
         ),
-        Consumer(name="mitsuba", title="Mitsuba 3, envmap", axes=Y_UP, centre=180.0),
+        Consumer(
+            name="mitsuba", title="Mitsuba 3, envmap", axes=Y_UP, centre=180.0,
+            rows_reach_poles=True,
+        ),
         Consumer(name="usd", title="USD, DomeLight", axes=Y_UP, centre=180.0),
         Consumer(
             name="godot", title="Godot 4, PanoramaSkyMaterial", axes=Y_UP, centre=180.0,

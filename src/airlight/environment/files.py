@@ -13,6 +13,7 @@ from airlight.environment.half_floats import half_scale
 from airlight.environment.header import standard_attributes
 from airlight.environment.mitsuba_scene import mitsuba_scene
 from airlight.environment.sidecar import as_json, described
+from airlight.environment.texels import reaching_poles
 from airlight.environment.usd_scene import usd_scene
 from airlight.errors import FileError, ParameterError
 from airlight.exports.exr import LARGEST_HALF, write_exr
@@ -121,9 +122,12 @@ def write_map(
             words = f"at most {LARGEST_HALF / float(made.rgb.max()):.3g}: half floats end at 65504"
             raise ParameterError("scale", factor, words)
         facts["scale"] = f"{factor:.10g}"
+        if made.consumer.rows_reach_poles:
+            facts["rows"] = "zenith angles even from 0 deg, the first, to 180 deg, the last"
         texts = {**made.frame.metadata, **facts}
+        rgb = reaching_poles(made.rgb) if made.consumer.rows_reach_poles else made.rgb
         write_exr(
-            path, made.rgb * np.float32(factor), texts, precision=precision,
+            path, rgb * np.float32(factor), texts, precision=precision,
             compression=compression, attributes=standard_attributes(made, factor),
         )  # fmt: skip
     else:

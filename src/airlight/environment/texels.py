@@ -98,3 +98,34 @@ def texels_of(camera: Camera, directions: FloatArray) -> tuple[NDArray[np.intp],
     column = np.where(shown, np.clip(np.floor(np.where(shown, x, 0.0)), 0, camera.width - 1), -1)
     row = np.where(shown, np.clip(np.floor(np.where(shown, y, 0.0)), 0, camera.height - 1), -1)
     return row.astype(np.intp), column.astype(np.intp)
+
+
+def reaching_poles(rgb: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Rows of a panorama for a program that takes the first and the last for the poles themselves.
+
+    Such a program looks a zenith angle up at (height - 1)/180° of it, not at height/180° less
+    half a row: by a half row too near to the pole, at the poles. Rows are interpolated linearly,
+    which keeps the light of each to second order in its height, and leaves those beside the
+    horizon as they are to 0.5/height of a row.
+
+    Parameters
+    ----------
+    rgb : array, shape (height, width, 3)
+        Radiance at the middles of the rows; ``height`` is 2 or more.
+
+    Returns
+    -------
+    array, shape (height, width, 3)
+        Radiance at zenith angles even from 0 to 180°.
+
+    Examples
+    --------
+    >>> rows = np.array([22.5, 67.5, 112.5, 157.5], np.float32)[:, None, None]
+    >>> reaching_poles(rows).ravel()  # the middles of rows at the poles are the first and last
+    array([ 22.5,  60. , 120. , 157.5], dtype=float32)
+    """
+    height = len(rgb)
+    place = np.clip(np.arange(height) * height / (height - 1.0) - 0.5, 0.0, height - 1.0)
+    lower = np.minimum(place.astype(np.intp), height - 2)
+    share = (place - lower)[:, None, None].astype(np.float32)
+    return np.asarray(rgb[lower] * (1.0 - share) + rgb[lower + 1] * share)
