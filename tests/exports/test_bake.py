@@ -161,6 +161,23 @@ def test_higher_orders_are_the_light_less_the_first_order(earth: Any, packing: s
     assert_allclose(higher * by_rayleigh[:, None], every - first, rtol=2e-4, atol=1e-9)
 
 
+@pytest.mark.parametrize("smooth_phase", ["own", "rayleigh"])
+def test_higher_orders_are_no_more_than_the_smooth_light(earth: Any, smooth_phase: str) -> None:
+    # A part is no more than the whole, though both are shifted to be right between texels, and
+    # where the sun sets on the first order the whole is shifted by more.
+    size = (6, 12, 16, 5)
+    baked = bake(earth, size=size, points=20, higher_orders=True, smooth_phase=smooth_phase)
+    angles = np.linspace(-1.0, 1.0, size[3])
+    whole = baked.tables["scattering"].physical
+    whole = whole * baked.light.phases.at(baked.light.phases.names[0], angles)
+    part = baked.tables["higher-order"].physical
+    part = part * (3.0 / (16.0 * np.pi) * (1.0 + angles**2))[:, None]
+    assert (part <= whole * (1.0 + 1e-5)).all()
+    mu_s = baked.tables["scattering"].layout.positions().mu_s.reshape(size)
+    twilight = (mu_s < -0.05) & (whole[..., 0] > 1e-6)
+    assert np.median(part[twilight] / whole[twilight]) > 0.1
+
+
 def test_first_order_agrees_with_quadrature(earth: Any) -> None:
     # Second method: S¹ = Σ p_i S_i by adaptive quadrature, at the table's texels. The moments
     # solver marches with 16 points in preview quality: a few thousandths by day.

@@ -347,8 +347,12 @@ def _scattering(
     apart_too = []
     if higher_orders:
         by_rayleigh = np.tile(vectorized(rayleigh)(angles, 0.0), len(positions) // angles.size)
+        by_rayleigh = by_rayleigh[:, None]
+        # Where the first order ends, the smooth light is shifted by more than the higher orders in
+        # it, which are no more than all of it.
+        part = np.minimum(kept(higher / by_rayleigh), smooth * on_axis(phases.names[0]) / by_rayleigh)
         quantity = f"{_AIR}: orders from the second on, divided by Rayleigh's phase function"
-        apart_too.append(("higher-order", kept(higher / by_rayleigh[:, None]), quantity, "1"))
+        apart_too.append(("higher-order", part, quantity, "1"))
     if packing == "combined":
         if not dust:
             dust = [np.zeros_like(smooth)]

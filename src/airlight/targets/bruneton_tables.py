@@ -120,7 +120,8 @@ class Filled:
     tables : SkyTables
         Tables with M, whose red stands in alpha too, or in alpha alone.
     higher : array, shape (radii, views, suns, angles, 3)
-        Orders from the second on, part of S: divided by Rayleigh's phase function. [W m⁻² nm⁻¹]
+        Orders from the second on, part of S and nowhere more: divided by Rayleigh's phase function.
+        [W m⁻² nm⁻¹]
     lobe : WeightedLobe
         Fit of the particles' phase functions.
     """
@@ -184,7 +185,8 @@ def fill_tables(
         mie_colours=colours,
         darkest=darkest,
     )
-    higher = baked.tables["higher-order"].physical * light
+    # In alpha's company S is what gives the right sum with restored colours, which may be less.
+    higher = np.minimum(baked.tables["higher-order"].physical * light, packed[..., :3])
     return Filled(tables=tables, higher=higher, lobe=lobe)
 
 
