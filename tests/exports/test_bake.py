@@ -13,6 +13,7 @@ from numpy.testing import assert_allclose
 from airlight.errors import Cancelled, ParameterError
 from airlight.exports.air_light import AirLight, lines_of_sight
 from airlight.exports.bake import Baked, bake
+from airlight.exports.look_up_code import texture_name
 from airlight.exports.table_errors import DIM, peaked_positions, random_positions, regions
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import vectorized
@@ -59,6 +60,25 @@ def pebble(solved: Solve) -> Any:
         ),
     )  # fmt: skip
     return solved(planet, (550.0,), quality="preview")
+
+
+@pytest.fixture(scope="module")
+def hazes(solved: Solve) -> Any:
+    """Two hazes whose names differ by signs alone, one bright ahead and low, one even and high."""
+    planet = Planet(
+        name="Hazes",
+        bottom_radius=500e3,
+        top_radius=520e3,
+        ground=Ground(albedo=0.2),
+        star=Star(irradiance=1.0, angular_radius=0.3),
+        constituents=(
+            Constituent(name="haze 1", profile=Exponential(scale_height=600.0), scattering=3e-5,
+                        phase_function=HenyeyGreenstein(asymmetry=0.7)),
+            Constituent(name="haze (1)", profile=Exponential(scale_height=3e3), scattering=1e-5,
+                        phase_function=HenyeyGreenstein(asymmetry=0.1)),
+        ),
+    )  # fmt: skip
+    return solved(planet, (680.0, 550.0, 440.0), quality="preview")
 
 
 @pytest.fixture(scope="module")
@@ -135,6 +155,39 @@ def test_a_table_by_rayleigh_s_phase_function_is_for_bruneton_s_look_up(earth: A
         light += baked.tables[name].at(positions) * baked.light.phases.at(name, positions.nu)
     exact = AirLight(earth)(lines_of_sight(positions, earth.medium))
     assert_allclose(light, exact, rtol=2e-4, atol=1e-9)
+
+
+def test_two_hazes_of_one_word_have_two_tables(hazes: Any) -> None:
+    # One would stand for both: the sum over constituents is the solver's light at texels.
+    baked = bake(hazes, size=(6, 12, 8, 5), points=20, balance=False)
+    singles = [name for name in baked.tables if name.startswith("single-")]
+    assert singles == ["single-haze-1", "single-haze-1-2"]
+    assert len(set(baked.light.phases.names)) == 3
+    positions = texels(baked)
+    exact = AirLight(hazes)(lines_of_sight(positions, hazes.medium))
+    assert_allclose(baked.light.relative_radiance(positions), exact, rtol=2e-4, atol=1e-9)
+    assert len(set(shader_names(baked))) == len(baked.tables) + 1
+
+
+def shader_names(baked: Baked) -> list[str]:
+    """Names of the textures, of GLSL's letters and without its reserved pairs of underscores."""
+    names = [texture_name(name) for name in (*baked.tables, "phase-functions")]
+    assert all(name.isascii() and name.isidentifier() and "__" not in name for name in names)
+    return names
+
+
+@pytest.mark.parametrize("points", [1, 2, 3])
+@pytest.mark.parametrize("layout", ["bruneton", "atmosphere-plus"])
+def test_errors_at_a_single_point_are_of_where_it_looks(
+    earth: Any, layout: str, points: int
+) -> None:
+    # A point looks to the sky or to the ground; of what no point saw nothing is said.
+    size = (3, 8, 5, 4)[: 4 if layout == "bruneton" else 3]
+    for seed in (1, 2):
+        found = bake(earth, layout, size=size, points=points, seed=seed).errors
+        views = [name for name in ("sky", "air before the ground") if name in found]
+        assert 1 <= len(views) <= min(points, 2)
+        assert found["transmittance"].points == points * earth.wavelengths.size
 
 
 def test_a_table_ends_at_the_lowest_sun_asked_for(earth: Any) -> None:

@@ -142,7 +142,8 @@ def bake(
         nothing (``exports.texel_values``); otherwise texels are exact, and places between them,
         almost all of them too bright, err by twice as much.
     points, seed : int
-        Number and seed of the random points at which errors are measured.
+        Number and seed of the random points at which errors are measured; of few points, none may
+        look to the sky, or to the ground, and there is then no error of that name.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -350,7 +351,8 @@ def _scattering(
         by_rayleigh = by_rayleigh[:, None]
         # Where the first order ends, the smooth light is shifted by more than the higher orders in
         # it, which are no more than all of it.
-        part = np.minimum(kept(higher / by_rayleigh), smooth * on_axis(phases.names[0]) / by_rayleigh)
+        whole = smooth * on_axis(phases.names[0]) / by_rayleigh
+        part = np.minimum(kept(higher / by_rayleigh), whole)
         quantity = f"{_AIR}: orders from the second on, divided by Rayleigh's phase function"
         apart_too.append(("higher-order", part, quantity, "1"))
     if packing == "combined":
@@ -449,6 +451,8 @@ def _errors(
             ),
         ):
             seen = positions[rows]
+            if not len(seen):  # of a few points none may look that way
+                continue
             errors[name.replace("sky", "air") + of if of else name] = table_errors.judge(
                 made[rows], exact[rows], seen, medium, quantity=quantity, seed=seed,
                 floor=table_errors.DARK, per=whole[rows], where=f"{drawn}; azimuth {turned}",

@@ -58,14 +58,14 @@ def has_look_up(baked: Baked) -> bool:
 
 
 def texture_name(table: str) -> str:
-    """Name of a table's texture in shaders: letters and digits of ASCII.
+    """Name of a table's texture in shaders.
 
     Examples
     --------
-    >>> texture_name("single-fine-dust-1-6-µm")
-    'single_fine_dust_1_6__m'
+    >>> texture_name("single-fine-dust-1-6-um")
+    'single_fine_dust_1_6_um'
     """
-    return "".join(x if x.isascii() and x.isalnum() else "_" for x in table)
+    return table.replace("-", "_")
 
 
 def phase_texture(baked: Baked) -> NDArray[np.float32]:

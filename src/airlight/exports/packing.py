@@ -8,6 +8,8 @@ smooth part and is exact at its texels; a table without one gets the best fit ov
 
 from __future__ import annotations
 
+import unicodedata
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Final, NamedTuple
 
@@ -79,7 +81,8 @@ def parts_of(medium: Medium, *, each: bool) -> Parts:
     smooth = np.broadcast_to(vectorized(rayleigh)(nu, 0.0), medium.phase_table.shape[1:])
     names, values = ["gas"], [mean(gas) if gas else np.array(smooth)]
     if each:
-        names += [f"single-{slug(medium.names[index])}" for index in particles]
+        words = slugs(medium.names[index] for index in particles)
+        names += [f"single-{word}" for word in words]
         values += [mean([index]) for index in particles]
     elif particles:
         names.append("particles")
@@ -87,16 +90,29 @@ def parts_of(medium: Medium, *, each: bool) -> Parts:
     return Parts(tuple(particles), tuple(gas), PhaseFunctions(tuple(names), np.stack(values)))
 
 
-def slug(name: str) -> str:
-    """Convert a constituent's name to a part of a file's name.
+def slugs(names: Iterable[str]) -> tuple[str, ...]:
+    """Convert constituents' names to parts of files' names, in ASCII, no two alike.
+
+    Names of other scripts, or of signs alone, become ``particles``; what would stand twice is
+    numbered.
 
     Examples
     --------
-    >>> slug("Fine dust (1.6 µm)")
-    'fine-dust-1-6-µm'
+    >>> slugs(["Fine dust (1.6 µm)", "haze 1", "Haze (1)", "雲"])
+    ('fine-dust-1-6-um', 'haze-1', 'haze-1-2', 'particles')
     """
-    words = "".join(letter if letter.isalnum() else " " for letter in name.lower()).split()
-    return "-".join(words) or "particles"
+    made: list[str] = []
+    for name in names:
+        plain = unicodedata.normalize("NFKD", name).replace("\N{GREEK SMALL LETTER MU}", "u")
+        known = plain.lower().encode("ascii", "ignore").decode()
+        words = "".join(letter if letter.isalnum() else " " for letter in known).split()
+        first = word = "-".join(words) or "particles"
+        number = 1
+        while word in made:
+            number += 1
+            word = f"{first}-{number}"
+        made.append(word)
+    return tuple(made)
 
 
 class Split(NamedTuple):
