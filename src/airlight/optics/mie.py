@@ -40,12 +40,15 @@ class Scattering:
         Mean cosine of the scattering angle. [1]
     phase : array, shape (na,)
         Phase function at the given angles; its integral over the sphere is 1. [sr⁻¹]
+    ratios : array, shape (3, na)
+        F₁₂, F₃₃ and F₃₄ of the phase matrix over the phase function, see ``phase_matrix``. [1]
     """
 
     extinction: float
     scattering: float
     asymmetry: float
     phase: FloatArray
+    ratios: FloatArray
 
 
 def efficiencies(size_parameter: float, index: complex) -> tuple[float, float, float]:
@@ -84,7 +87,7 @@ def efficiencies(size_parameter: float, index: complex) -> tuple[float, float, f
 def scattering(
     sizes: Sizes, wavelength: float, index: complex, angles: npt.ArrayLike
 ) -> Scattering:
-    """Cross-sections and phase function of the mean particle.
+    """Cross-sections and phase matrix of the mean particle.
 
     Parameters
     ----------
@@ -114,14 +117,14 @@ def scattering(
     wavenumber = 2.0 * np.pi / (1e-9 * wavelength)
     check_sizes(sizes, wavelength)
     mu = np.cos(np.radians(np.asarray(angles, dtype=np.float64)))
-    totals, phase = np.zeros(3), np.zeros_like(mu)
+    totals, matrix = np.zeros(3), np.zeros((4, mu.size))
     longest = _terms(wavenumber * float(sizes.radii.max()))
     plus, minus = _angular_functions(mu, longest)
     for part in _blocks(len(sizes.radii)):
         a, b = _coefficients(wavenumber * sizes.radii[part], index)
         weights = sizes.weights[part]
         totals += _sums(a, b, index) @ weights
-        phase += weights @ _intensities(a, b, plus, minus)
+        matrix += _matrices(a, b, plus, minus, weights)
     # C = 2π/k² Σ …, dC/dΩ = (|S₁|² + |S₂|²)/(2k²)
     extinction, scattered, forward = totals
     area = 2.0 * np.pi / wavenumber**2
@@ -129,7 +132,8 @@ def scattering(
         extinction=float(area * extinction),
         scattering=float(area * scattered),
         asymmetry=float(forward / scattered),
-        phase=phase / (4.0 * np.pi * scattered),
+        phase=matrix[0] / (4.0 * np.pi * scattered),
+        ratios=matrix[1:] / matrix[0],
     )
 
 
@@ -231,12 +235,25 @@ def _angular_functions(mu: FloatArray, terms: int) -> tuple[FloatArray, FloatArr
     return plus, minus
 
 
-def _intensities(
-    a: ComplexArray, b: ComplexArray, plus: FloatArray, minus: FloatArray
+def _matrices(
+    a: ComplexArray, b: ComplexArray, plus: FloatArray, minus: FloatArray, weights: FloatArray
 ) -> FloatArray:
-    """Intensities |S₁|² + |S₂|², shape (nr, na), as (|S₁ + S₂|² + |S₁ - S₂|²)/2."""
+    """Elements 2S₁₁, 2S₁₂, 2S₃₃ and 2S₃₄ of spheres, summed with weights, shape (4, na).
+
+    From P = S₁ + S₂ and M = S₁ - S₂ (Bohren & Huffman 1983, eq. 4.77): 2S₁₁ = (|P|² + |M|²)/2,
+    2S₁₂ = -Re P M*, 2S₃₃ = (|P|² - |M|²)/2, 2S₃₄ = Im P M*.
+    """
     terms = a.shape[1]
-    total = np.zeros((a.shape[0], plus.shape[1]))
-    for amplitude, function in ((a + b, plus[:terms]), (a - b, minus[:terms])):
-        total += (amplitude.real @ function) ** 2 + (amplitude.imag @ function) ** 2
-    return 0.5 * total
+    p, m = (
+        (amplitude.real @ function[:terms], amplitude.imag @ function[:terms])
+        for amplitude, function in ((a + b, plus), (a - b, minus))
+    )
+    sums, differences = p[0] ** 2 + p[1] ** 2, m[0] ** 2 + m[1] ** 2
+    return np.stack(
+        [
+            0.5 * (weights @ (sums + differences)),
+            -(weights @ (p[0] * m[0] + p[1] * m[1])),
+            0.5 * (weights @ (sums - differences)),
+            weights @ (p[1] * m[0] - p[0] * m[1]),
+        ]
+    )

@@ -255,6 +255,16 @@ class Constituent(Record):
             return np.zeros((*np.shape(nu), len(nm)))
         return self.phase_function_at(nm).values(nu, nm)
 
+    def polarising_values(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
+        """Element F₁₂ of its phase matrix, shape of nu (...) and (nl,) to (..., nl). [sr⁻¹]
+
+        Zero where it does not scatter, or polarises nothing.
+        """
+        nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+        if not self.scatters:
+            return np.zeros((*np.shape(nu), len(nm)))
+        return self.phase_function_at(nm).polarising(nu, nm)
+
     def phase_moments(self, wavelengths: npt.ArrayLike, degree: int) -> FloatArray:
         """Legendre moments of the phase function, shape (nl, degree + 1). [1]
 

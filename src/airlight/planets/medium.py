@@ -309,6 +309,23 @@ class Medium:
             [one.phase_values(nu, self.wavelengths) for one in self.constituents], axis=-2
         )
 
+    def polarising(self, nu: npt.ArrayLike) -> FloatArray:
+        """Elements F₁₂ of the phase matrices.
+
+        Parameters
+        ----------
+        nu : array, shape (...)
+            Cosine of the scattering angle. [1]
+
+        Returns
+        -------
+        array, shape (..., nc, nl)
+            Negative where light swings across the scattering plane. [sr⁻¹]
+        """
+        return np.stack(
+            [one.polarising_values(nu, self.wavelengths) for one in self.constituents], axis=-2
+        )
+
     def phase_moments(self, degree: int) -> FloatArray:
         """Legendre moments g_l of the phase functions; see ``optics.legendre``.
 

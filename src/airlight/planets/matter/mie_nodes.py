@@ -11,6 +11,7 @@ import hashlib
 import itertools
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cache
 from importlib import metadata
 from pathlib import Path
@@ -184,7 +185,7 @@ def _computed(sizes: ParticleSizes, index: complex, wavelength: float) -> Scatte
             f"1 within {_INTEGRAL_TOLERANCE:g}: smaller particles, or fewer of one size",
         )
     # Divided so that interpolation between the angles of the table conserves energy.
-    return Scattering(found.extinction, found.scattering, found.asymmetry, found.phase / integral)
+    return replace(found, phase=found.phase / integral)
 
 
 @cache
@@ -205,17 +206,19 @@ def _load(key: str) -> bool:
     if key in _kept:
         return True
     arrays = disk.load(key)
-    if arrays is None or "phase" not in arrays or arrays.get("numbers", np.empty(0)).shape != (3,):
+    if arrays is None or not {"phase", "ratios"} <= set(arrays):
         return False
-    extinction, scattering, asymmetry = arrays["numbers"].tolist()
-    _remember(key, Scattering(extinction, scattering, asymmetry, arrays["phase"]))
+    if arrays.get("numbers", np.empty(0)).shape != (3,):
+        return False
+    numbers = arrays["numbers"].tolist()
+    _remember(key, Scattering(*numbers, phase=arrays["phase"], ratios=arrays["ratios"]))
     return True
 
 
 def _keep(key: str, found: Scattering) -> None:
     _remember(key, found)
     numbers = np.array([found.extinction, found.scattering, found.asymmetry])
-    disk.save(key, {"numbers": numbers, "phase": found.phase})
+    disk.save(key, {"numbers": numbers, "phase": found.phase, "ratios": found.ratios})
 
 
 def _remember(key: str, found: Scattering) -> None:

@@ -304,5 +304,6 @@ def _phase(index: ParticleIndex, sizes: ParticleSizes, nodes: tuple[float, ...])
     return TabulatedPhase(
         angles=tuple(phase_angles(sizes).tolist()),
         rows=tuple(tuple(one.phase.tolist()) for one in found),
+        ratios=tuple(tuple(map(tuple, one.ratios.tolist())) for one in found),
         wavelengths=nodes,
     )

@@ -56,6 +56,9 @@ class Estimate:
         Number of histories followed.
     reached : array of bool, shape (n, nl)
         Whether the error is as small as requested.
+    polarised, polarised_error : array, shape (n, 2, nl)
+        Q and U of all orders in the frame of ``stokes``, and their standard errors; 0 without
+        polarisation. [sr⁻¹]
     """
 
     total: FloatArray
@@ -64,6 +67,8 @@ class Estimate:
     part_errors: FloatArray
     histories: NDArray[np.int64]
     reached: NDArray[np.bool_]
+    polarised: FloatArray
+    polarised_error: FloatArray
 
 
 @dataclass(frozen=True)
@@ -78,8 +83,8 @@ class Question:
         Lengths of the lines of sight; no histories where it is 0. [m]
     hemisphere : bool
         Whether to estimate the light from the upper hemisphere, rather than along a view.
-    known : array, shape (n, nl), or None
-        First order, if it need not be sampled.
+    known : array, shape (n, 3, nl), or None
+        I, Q and U of the first order, if it need not be sampled.
     order : int or None
         Order whose error decides; None is all orders together.
     occulted : sequence of OccultedStar, optional
@@ -124,10 +129,11 @@ def estimate(
     """
     n, count = question.starts.shape[0], len(airs)
     bins = settings.kept_orders + 1
-    sums = np.zeros((n * count, 2, bins + 1))
+    sums = np.zeros((n * count, 2, bins + 3))
     blocks = np.zeros(n * count, np.int64)
     most = max(1, settings.most_histories // BLOCK)
-    known = np.zeros((n, count)) if question.known is None else question.known
+    all_known = np.zeros((n, 3, count)) if question.known is None else question.known
+    known = all_known[:, 0]
     open_ = np.repeat(question.lengths > 0.0, count)
     wanted = np.where(open_, min(_FIRST_ROUND, most), 0)
     done_before = 0
@@ -139,7 +145,7 @@ def estimate(
         ]
         if not units:
             break
-        results = np.zeros((len(units), 2, bins + 1))
+        results = np.zeros((len(units), 2, bins + 3))
 
         def run(
             index: int, units: list[tuple[int, int]] = units, out: FloatArray = results
@@ -165,6 +171,9 @@ def estimate(
     part_errors = np.moveaxis(errors[:, :bins].reshape(n, count, bins), 1, 2)
     if question.known is not None:
         parts[:, 0] = known
+    stokes, stokes_errors = (
+        np.moveaxis(rows[:, bins + 1 :].reshape(n, count, 2), 1, 2) for rows in (means, errors)
+    )
     total = means[:, bins].reshape(n, count) + known
     total_error = errors[:, bins].reshape(n, count)
     judged, judged_error = _judged(question, means, errors, known)
@@ -177,6 +186,8 @@ def estimate(
         part_errors=np.ascontiguousarray(part_errors),
         histories=histories,
         reached=reached.reshape(n, count),
+        polarised=stokes + all_known[:, 1:],
+        polarised_error=np.ascontiguousarray(stokes_errors),
     )
 
 
@@ -192,7 +203,10 @@ def _run_block(
     state = stream(settings.seed, *names, int(question.hemisphere), block)
     along = air.extinction
     paths = (new_trace(along), new_trace(along), new_trace(along), new_lit(along), new_lit(along))
-    workspace = np.zeros(air.scattering.size), np.zeros(settings.kept_orders + 1)
+    workspace = (
+        np.zeros(air.scattering.size), np.zeros(settings.kept_orders + 1), np.zeros(2),
+        np.zeros((3, 4)),
+    )  # fmt: skip
     first_order = 1 if question.known is None else 2
     end_r = np.sqrt(max(r * r + question.lengths[line] * (question.lengths[line] + 2 * r * mu), 1))
     end_mu_s = (r * mu_s + question.lengths[line] * nu) / end_r
@@ -220,7 +234,7 @@ def _judged(
 ) -> tuple[FloatArray, FloatArray]:
     """Value and error of each task that decide when it is done, shape (tasks,)."""
     if question.order is None:
-        return means[:, -1] + known.ravel(), errors[:, -1]
+        return means[:, -3] + known.ravel(), errors[:, -3]
     if question.order == 1 and question.known is not None:
         return known.ravel(), np.zeros(known.size)
     return means[:, question.order - 1], errors[:, question.order - 1]

@@ -12,6 +12,9 @@ first event, a history goes on with probability weight/KEEP, and with a weight r
 from event ``LONG`` on at most with probability 0.95. The expectation is that of the infinite
 series; no order is cut off.
 
+Polarised light has, beside the weight, the product of the phase matrices over the phase functions
+so far (see ``stokes``); events and directions are drawn as for unpolarised light.
+
 A moon in front of the star dims each share of its light by the part that it hides from the event.
 
 Geometry: straight rays between spheres, positions and directions as vectors; the star is at
@@ -42,6 +45,17 @@ from airlight.solvers.montecarlo.events import (
 )
 from airlight.solvers.montecarlo.lit_air import weigh
 from airlight.solvers.montecarlo.rays import trace
+from airlight.solvers.montecarlo.stokes import (
+    arriving,
+    begin,
+    carried_axis,
+    crossed,
+    depolarise,
+    mixed_matrix,
+    plane_turn,
+    scatter,
+    start_axis,
+)
 from airlight.solvers.montecarlo.streams import uniform
 
 
@@ -55,9 +69,14 @@ def _from_star(r, mu, air, path):
 
 
 @inlined
-def _add_history(brought, reached, sums):
+def _add_history(brought, polarised, reached, sums):
     """Add what a history brought of each order, and its square, to the sums; empty it."""
     whole = 0.0
+    for k in range(2):
+        value = polarised[k]
+        sums[0, brought.size + 1 + k] += value
+        sums[1, brought.size + 1 + k] += value * value
+        polarised[k] = 0.0
     for k in range(reached):
         value = brought[k]
         whole += value
@@ -96,15 +115,15 @@ def follow(
         Workspaces of the rays from the observer, between events and to the star, each a
         ``Trace``, and ``Lit`` for the first and the second.
     workspace : tuple of arrays
-        Scattering by each constituent, shape (nc,), and contributions of a history to each order,
-        shape (k,).
-    sums : array, shape (2, k + 1)
-        Sums and sums of squares of each order, the last order gathering all further ones, and
-        then of all orders together.
+        Scattering by each constituent, shape (nc,); contributions of a history to each order,
+        shape (k,), and to Q and U of all, shape (2,); the product of ``stokes``, shape (3, 4).
+    sums : array, shape (2, k + 3)
+        Sums and sums of squares of each order, the last order gathering all further ones, then of
+        all orders together, and of their Q and U.
     """
     start_r, start_mu, mu_s, nu = start
     first_path, next_path, star_path, first_lit, next_lit = paths
-    shares, brought = workspace
+    shares, brought, polarised, importance = workspace
     bottom, top = air.extinction.bottom, air.extinction.top
     bending = air.bending
     orders = brought.size
@@ -130,6 +149,10 @@ def follow(
             mu = sqrt(uniform(state))
             u, v, w = turned(0.0, 0.0, 1.0, mu, 2.0 * pi * uniform(state))
             weight = pi
+        a1, a2, a3 = 0.0, 0.0, 0.0
+        if air.polarised:
+            begin(importance, hemisphere)
+            a1, a2, a3 = start_axis(u, v, w)
         reference = 0.0
         event = 0
         while True:
@@ -179,20 +202,36 @@ def follow(
                 weight *= scattering / strength
             if bending.bend > 0.0:
                 angle = bent_on_way(from_r, from_mu, along, bottom, top - bottom, bending)
+                p, q, s = u, v, w
                 x, y, z, u, v, w = turned_together(x, y, z, u, v, w, angle)
+                a1, a2, a3 = carried_axis(a1, a2, a3, p, q, s, u, v, w)
+            if on_ground and air.polarised:
+                depolarise(importance)
             if event >= first_order:
                 a, b, c = towards_star(sun_x, mu_s, disc, state)
                 a, b, c, sun_mu, squeeze = seen_direction(x, y, z, r, a, b, c, bottom, top, bending)
                 turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
+                first, second, third = 1.0, 0.0, 0.0
                 if on_ground:
                     share = reflected_share(sun_mu, leaving, turn, returned, air)
-                else:
+                elif not air.polarised:
                     share = scattered_share(turn, air, shares)
+                else:
+                    share, f12, _, _, _, _ = mixed_matrix(turn, air, shares)
+                    cosine, sine, _, _, _ = plane_turn(u, v, w, a, b, c, a1, a2, a3)
+                    first = arriving(importance, 0, cosine, sine, f12)
+                    second = arriving(importance, 1, cosine, sine, f12)
+                    third = arriving(importance, 2, cosine, sine, f12)
+                if on_ground and air.polarised:
+                    first, second, third = importance[0, 0], importance[1, 0], importance[2, 0]
                 if occulted.lanes > 0:
                     share *= seen_part(x, y, z, occulted)
                 if share > 0.0:
                     light = _from_star(r, sun_mu, air, star_path)
-                    brought[min(event, orders) - 1] += weight * share * brightness * squeeze * light
+                    value = weight * share * brightness * squeeze * light
+                    brought[min(event, orders) - 1] += value * first
+                    polarised[0] += value * second
+                    polarised[1] += value * third
             if event == 1:
                 reference = weight
             weight = roulette(weight, reference, event, state)
@@ -205,7 +244,15 @@ def follow(
                 # Drawn by Lambert's law; any other reflection weights the direction.
                 weight *= star_factor(air.ground, 0, cosine, leaving, turn) / returned
                 u, v, w = a, b, c
+                a1, a2, a3 = start_axis(u, v, w)
             else:
-                u, v, w = scattered_direction(u, v, w, air, shares, state)
+                a, b, c = scattered_direction(u, v, w, air, shares, state)
+                if air.polarised:
+                    turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
+                    _, f12, f22, f33, f34, f44 = mixed_matrix(turn, air, shares)
+                    cosine, sine, p, q, s = plane_turn(u, v, w, a, b, c, a1, a2, a3)
+                    scatter(importance, cosine, sine, f12, f22, f33, f34, f44)
+                    a1, a2, a3 = crossed(p, q, s, a, b, c)
+                u, v, w = a, b, c
             mu = min(max((x * u + y * v + z * w) / r, -1.0), 1.0)
-        _add_history(brought, min(event, orders), sums)
+        _add_history(brought, polarised, min(event, orders), sums)

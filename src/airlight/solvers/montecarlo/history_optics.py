@@ -69,6 +69,8 @@ class HistoryOptics(NamedTuple):
         Coarse table of the star's light.
     bending : Bending
         How light is bent.
+    polarised : bool
+        Whether histories carry polarisation.
     """
 
     extinction: Extinction
@@ -80,9 +82,10 @@ class HistoryOptics(NamedTuple):
     star_radius: float
     light: Starlight
     bending: Bending
+    polarised: bool
 
 
-def history_optics(paths: LightPaths, wavelength: int) -> HistoryOptics:
+def history_optics(paths: LightPaths, wavelength: int, *, polarised: bool) -> HistoryOptics:
     """Prepare a medium at one of its wavelengths.
 
     Parameters
@@ -91,6 +94,8 @@ def history_optics(paths: LightPaths, wavelength: int) -> HistoryOptics:
         Paths of light in the medium.
     wavelength : int
         Index of the wavelength.
+    polarised : bool
+        Whether histories carry polarisation.
     """
     medium = paths.medium
     density = medium.density
@@ -134,6 +139,7 @@ def history_optics(paths: LightPaths, wavelength: int) -> HistoryOptics:
         star_radius=medium.lights[0].angular_radius,
         light=make_starlight(chosen),
         bending=bending_of(paths, TABLE_NODES),
+        polarised=polarised,
     )
 
 

@@ -8,13 +8,14 @@ their own (``EXACT``); any other phase function is given by the rows of its ``sa
 from __future__ import annotations
 
 from math import acos, cos, exp, log, pi, sqrt
-from typing import Final, NamedTuple
+from typing import Final, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import compiled_loop, inlined, kernel
+from airlight.kernel import compiled_loop, inlined, kernel, vectorized
 from airlight.optics.phase_functions import cornette_shanks, henyey_greenstein, rayleigh
+from airlight.optics.phase_matrix import rayleigh_ratios, unpolarising_ratio
 from airlight.optics.phase_table import SMALLEST_LOGARITHMIC
 from airlight.planets.matter.phases import FormulaPhase, PhaseRow
 from airlight.planets.medium import Medium
@@ -39,6 +40,10 @@ EXACT: Final = {
 _LEAST: Final = float(SMALLEST_LOGARITHMIC)
 
 
+#: Angles [rad], values [sr⁻¹], cumulative light [1] and ratios (3, m) [1] of a table.
+_Row: TypeAlias = tuple[FloatArray, FloatArray, FloatArray, FloatArray]
+
+
 class Lobes(NamedTuple):
     """Phase functions of all constituents at one wavelength.
 
@@ -55,6 +60,8 @@ class Lobes(NamedTuple):
         Values of tables, normalised to 1. [sr⁻¹]
     cumulative : array, shape (rows, m)
         Fraction of the light that is scattered by less than the angle. [1]
+    ratios : array, shape (rows, 3, m)
+        F₁₂, F₃₃ and F₃₄ over the phase function of tables. [1]
     """
 
     kinds: NDArray[np.int64]
@@ -62,6 +69,7 @@ class Lobes(NamedTuple):
     angles: FloatArray
     values: FloatArray
     cumulative: FloatArray
+    ratios: FloatArray
 
 
 def lobes(medium: Medium, wavelength: int) -> Lobes:
@@ -77,7 +85,7 @@ def lobes(medium: Medium, wavelength: int) -> Lobes:
     """
     count = len(medium.names)
     kinds, parameters = np.zeros(count, np.int64), np.zeros((count, 3))
-    rows: list[tuple[FloatArray, FloatArray, FloatArray]] = []
+    rows: list[_Row] = []
     nm = medium.wavelengths[wavelength : wavelength + 1]
     for i, one in enumerate(medium.constituents):
         if not (one.scatters and medium.scattering[i, wavelength] > 0.0):
@@ -93,15 +101,15 @@ def lobes(medium: Medium, wavelength: int) -> Lobes:
     longest = max((row[0].size for row in rows), default=2)
     arrays = np.zeros((3, max(len(rows), 1), longest))
     arrays[0], arrays[2] = pi, 1.0
-    for at, row in enumerate(rows):
+    ratios = np.zeros((max(len(rows), 1), 3, longest))
+    for at, (*row, matrix) in enumerate(rows):
         for array, part in zip(arrays, row, strict=True):
             array[at, : part.size] = part
-    return Lobes(kinds, parameters, arrays[0], arrays[1], arrays[2])
+        ratios[at, :, : matrix.shape[1]] = matrix
+    return Lobes(kinds, parameters, arrays[0], arrays[1], arrays[2], ratios)
 
 
-def _add_rows(
-    sampled: tuple[PhaseRow, ...], rows: list[tuple[FloatArray, FloatArray, FloatArray]]
-) -> tuple[float, float, float]:
+def _add_rows(sampled: tuple[PhaseRow, ...], rows: list[_Row]) -> tuple[float, float, float]:
     """Append the one or two rows that apply at a wavelength; return parameters of their mixture."""
     first = len(rows)
     light = []
@@ -110,7 +118,11 @@ def _add_rows(
         angles[-1] = pi
         within = np.concatenate([[0.0], np.cumsum(cell_light(angles, row.values))])
         light.append(row.share * within[-1])
-        rows.append((angles, row.values / within[-1], within / within[-1]))
+        ratios = row.ratios
+        if ratios is None:
+            across = vectorized(unpolarising_ratio)(np.cos(angles))
+            ratios = np.stack([np.zeros(angles.size), across, np.zeros(angles.size)])
+        rows.append((angles, row.values / within[-1], within / within[-1], ratios))
     share = light[0] / sum(light)
     return float(first), float(len(sampled)), float(share)
 
@@ -207,8 +219,8 @@ def henyey_greenstein_cosine(u, g):
 
 
 @inlined
-def _table_value(angles, values, angle):
-    """Phase function of a table: its logarithm is linear in the angle between two values."""
+def _table_place(angles, angle):
+    """Index of the angle of a table before the one given, and share of the way to the next."""
     low, high = 0, angles.size - 1
     while high - low > 1:
         middle = (low + high) // 2
@@ -217,7 +229,13 @@ def _table_value(angles, values, angle):
         else:
             high = middle
     width = angles[low + 1] - angles[low]
-    share = (angle - angles[low]) / width if width > 0.0 else 0.0
+    return low, (angle - angles[low]) / width if width > 0.0 else 0.0
+
+
+@inlined
+def _table_value(angles, values, angle):
+    """Phase function of a table: its logarithm is linear in the angle between two values."""
+    low, share = _table_place(angles, angle)
     before, after = values[low], values[low + 1]
     if before > _LEAST and after > _LEAST:
         return before * exp(share * log(after / before))
@@ -323,3 +341,38 @@ def lobe_value(lobes, i, nu):
             value = share * value + (1.0 - share) * other
         return value
     return 0.0
+
+
+@compiled_loop
+def lobe_ratios(lobes, i, nu):
+    """Elements F₁₂, F₂₂, F₃₃, F₃₄, F₄₄ of constituent i's phase matrix over its phase function. [1]
+
+    Parameters
+    ----------
+    lobes : Lobes
+    i : int
+    nu : float
+        Cosine of the scattering angle. [1]
+    """
+    if lobes.kinds[i] == RAYLEIGH:
+        across, along, turned, circular = rayleigh_ratios(nu, lobes.parameters[i, 0])
+        return across, along, turned, 0.0, circular
+    if lobes.kinds[i] != TABLE:
+        turned = unpolarising_ratio(nu)
+        return 0.0, 1.0, turned, 0.0, turned
+    first = int(lobes.parameters[i, 0])
+    angle = acos(min(max(nu, -1.0), 1.0))
+    whole, across, turned, skew = 0.0, 0.0, 0.0, 0.0
+    for k in range(int(lobes.parameters[i, 1])):
+        row = first + k
+        share = lobes.parameters[i, 2] if k == 0 else 1.0 - lobes.parameters[i, 2]
+        weight = share * _table_value(lobes.angles[row], lobes.values[row], angle)
+        low, part = _table_place(lobes.angles[row], angle)
+        ratios = lobes.ratios[row]
+        whole += weight
+        across += weight * (ratios[0, low] + part * (ratios[0, low + 1] - ratios[0, low]))
+        turned += weight * (ratios[1, low] + part * (ratios[1, low + 1] - ratios[1, low]))
+        skew += weight * (ratios[2, low] + part * (ratios[2, low + 1] - ratios[2, low]))
+    if not whole > 0.0:
+        return 0.0, 1.0, 0.0, 0.0, 0.0
+    return across / whole, 1.0, turned / whole, skew / whole, turned / whole

@@ -27,6 +27,9 @@ class Settings:
         Orders of scattering whose parts are kept apart, 1 to 64; all further ones are summed.
     exact_first_order : bool
         Whether the light scattered or reflected once is integrated rather than sampled.
+    polarisation : bool
+        Whether histories carry polarisation; without, Q and U are 0 and I is that of scalar
+        transfer.
     """
 
     relative_error: float = 0.005
@@ -34,6 +37,7 @@ class Settings:
     seed: int = 1
     kept_orders: int = 8
     exact_first_order: bool = True
+    polarisation: bool = True
 
     def __post_init__(self) -> None:
         limits = {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
@@ -22,6 +23,7 @@ from airlight.solvers.sight import Sight
 from airlight.solvers.single_scattering import reflected_once, single_scattering
 from airlight.solvers.solution import Report, Solution
 from airlight.solvers.star_light import direct_irradiance
+from airlight.solvers.stokes_frame import star_plane
 
 if TYPE_CHECKING:
     import xarray
@@ -96,7 +98,10 @@ class MonteCarloSolution(Solution):
         self.progress = progress
         self.cancel = cancel
         self.highest_order = settings.kept_orders
-        self.airs = [history_optics(self.paths, k) for k in range(medium.wavelengths.size)]
+        self.airs = [
+            history_optics(self.paths, k, polarised=settings.polarisation)
+            for k in range(medium.wavelengths.size)
+        ]
         self.report: MonteCarloReport = MonteCarloReport(
             solver="montecarlo",
             settings=settings.as_text(),
@@ -149,15 +154,23 @@ class MonteCarloSolution(Solution):
         return got
 
     def first_order(self, sight: Sight) -> FloatArray:
-        """Light scattered or reflected once, by quadrature, relative to the star's, (n, nl). [sr⁻¹]
+        """I, Q and U scattered or reflected once, by quadrature, per the star's, (n, 3, nl). [sr⁻¹]
 
         The star's light and the phase function are averaged over its disc separately: within the
         aureole of a sun on the horizon the mean of their product differs by up to some parts in
         1000.
         """
         once = single_scattering(self.medium, sight, progress=self.progress, cancel=self.cancel)
-        phases = disc_mean_phase(self.medium, sight.nu)
-        return np.asarray((once * phases).sum(axis=1) + reflected_once(self.medium, sight))
+        found = np.zeros((sight.r.size, 3, self.wavelengths.size))
+        phases = disc_mean(self.medium, self.medium.phase_function, sight.nu)
+        found[:, 0] = (once * phases).sum(axis=1) + reflected_once(self.medium, sight)
+        if self.settings.polarisation:
+            across = disc_mean(self.medium, self.medium.polarising, sight.nu)
+            cosine, sine = star_plane(sight.mu, sight.mu_s, sight.nu)
+            polarised = (once * across).sum(axis=1)
+            found[:, 1] = polarised * cosine[:, None]
+            found[:, 2] = polarised * sine[:, None]
+        return found
 
     def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
         """See ``Solution``; orders up to ``highest_order`` can be requested."""
@@ -247,23 +260,27 @@ class MonteCarloSolution(Solution):
         return data
 
 
-def disc_mean_phase(medium: Medium, nu: FloatArray) -> FloatArray:
-    """Phase functions averaged over the star's disc.
+def disc_mean(
+    medium: Medium, element: Callable[[FloatArray], FloatArray], nu: FloatArray
+) -> FloatArray:
+    """Element of the phase matrices averaged over the star's disc.
 
     Parameters
     ----------
     medium : Medium
+    element : callable
+        Function of cosines of scattering angles: ``medium.phase_function`` or ``.polarising``.
     nu : array, shape (n,)
         Cosine between the view and the centre of the disc. [1]
 
     Returns
     -------
     array, shape (n, nc, nl)
-        Mean phase functions. [sr⁻¹]
+        Mean element. [sr⁻¹]
     """
     radius = medium.lights[0].angular_radius
     if radius <= 0.0:
-        return medium.phase_function(nu)
+        return element(nu)
     rule = gauss_legendre(4)
     around = np.cos(np.pi * (np.arange(6) + 0.5) / 6)
     total = np.zeros((nu.size, *medium.scattering.shape))
@@ -272,7 +289,7 @@ def disc_mean_phase(medium: Medium, nu: FloatArray) -> FloatArray:
         away = radius * np.sqrt(share)  # equal areas: uniform in the square of the radius
         for side in around:
             turned = np.clip(nu * np.cos(away) + sine * np.sin(away) * side, -1.0, 1.0)
-            total += (weight / around.size) * medium.phase_function(turned)
+            total += (weight / around.size) * element(turned)
     return total
 
 

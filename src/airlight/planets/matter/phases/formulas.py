@@ -4,11 +4,19 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Final
 
+import numpy as np
+import numpy.typing as npt
+
+from airlight.kernel import vectorized
 from airlight.optics import phase_functions
+from airlight.optics.phase_functions import INV_4PI
+from airlight.optics.phase_matrix import anisotropy
 from airlight.planets.matter.phases.phase_function import FormulaPhase
 from airlight.planets.parameters import parameters
 from airlight.planets.schema.key import Key, always
 from airlight.planets.spectral import Spectral
+
+FloatArray = npt.NDArray[np.float64]
 
 #: Largest ``|g|``: beyond it the forward lobe is narrower than the sun's disc.
 LARGEST_ASYMMETRY: Final = 0.999
@@ -49,6 +57,12 @@ class Rayleigh(FormulaPhase):
             offered=always,
         ),
     ] = 0.0
+
+    def polarising(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
+        """Element F₁₂ of the phase matrix, shape of nu (...) and (nl,) to (..., nl). [sr⁻¹]"""
+        cosines = np.asarray(nu, dtype=np.float64)[..., None]
+        part = vectorized(anisotropy)(self.parameters_at(wavelengths)[0])
+        return np.asarray(-0.75 * INV_4PI * part * (1.0 - cosines**2))
 
 
 @parameters

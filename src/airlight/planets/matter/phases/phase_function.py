@@ -38,11 +38,15 @@ class PhaseRow(NamedTuple):
         Angles, ascending from 0 to 180; the logarithm is linear between them. [deg]
     values : array, shape (m,)
         Phase function. [sr⁻¹]
+    ratios : array, shape (3, m), or None
+        F₁₂, F₃₃ and F₃₄ of the phase matrix over the phase function, linear between the angles;
+        None where only the phase function is known. [1]
     """
 
     share: float
     angles: FloatArray
     values: FloatArray
+    ratios: FloatArray | None = None
 
 
 class PhaseFunction(Record, ABC):
@@ -64,6 +68,13 @@ class PhaseFunction(Record, ABC):
     @abstractmethod
     def values(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
         """Phase function, shape of nu (...) and wavelengths (nl,) to (..., nl). [sr⁻¹]"""
+
+    def polarising(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
+        """Element F₁₂ of the phase matrix, shape of nu (...) and (nl,) to (..., nl). [sr⁻¹]
+
+        Zero where only the phase function is known.
+        """
+        return np.zeros((*np.shape(nu), np.size(wavelengths)))
 
     @abstractmethod
     def sampled(self, wavelength: float) -> tuple[PhaseRow, ...]:

@@ -41,6 +41,17 @@ def _rows(value: Any) -> tuple[tuple[float, ...], ...]:
     return tuple(numbers(row, f"values[{i}]", 0.0, 1e12, "/sr") for i, row in enumerate(value))
 
 
+def _matrices(value: Any) -> tuple[tuple[tuple[float, ...], ...], ...]:
+    if not isinstance(value, (list, tuple)) or not all(
+        isinstance(row, (list, tuple)) for row in value
+    ):
+        raise ParameterError("ratios", value, "for each row three lists of numbers")
+    return tuple(
+        tuple(numbers(one, f"ratios[{i}][{k}]", -1.0, 1.0) for k, one in enumerate(row))
+        for i, row in enumerate(value)
+    )
+
+
 def _values(section: Section, name: str, wavelengths: Wavelengths) -> tuple[tuple[float, ...], ...]:
     """Read one list, or one for each wavelength. [sr⁻¹]"""
     values = section.required(name, "a list of numbers in /sr, or one list per wavelength")
@@ -65,6 +76,9 @@ class TabulatedPhase(PhaseFunction):
         wavelength. [sr⁻¹]
     wavelengths : tuple of float
         Wavelengths, one per row; empty for a single row. Linear between them. [nm]
+    ratios : tuple, optional
+        For each row F₁₂, F₃₃ and F₃₄ of the phase matrix over the phase function, each as long as
+        ``angles``, -1 to 1; linear between angles. [1]
 
     Raises
     ------
@@ -110,6 +124,7 @@ class TabulatedPhase(PhaseFunction):
         ),
     ]
     wavelengths: Annotated[tuple[float, ...], all_between(SHORTEST, LONGEST, "nm")] = ()
+    ratios: Annotated[tuple[tuple[tuple[float, ...], ...], ...], BeforeValidator(_matrices)] = ()
 
     def __post_init__(self) -> None:
         if not 3 <= len(self.angles) <= 10_000 or self.angles[0] != 0.0 or self.angles[-1] != 180.0:
@@ -125,6 +140,11 @@ class TabulatedPhase(PhaseFunction):
                 raise ParameterError(
                     f"values[{index}]", len(row), f"as many numbers as angles, {len(self.angles)}"
                 )
+        sizes = {(len(row), *{len(one) for one in row}) for row in self.ratios}
+        if self.ratios and (len(self.ratios) != rows or sizes != {(3, len(self.angles))}):
+            raise ParameterError(
+                "ratios", len(self.ratios), f"F12, F33 and F34 at {len(self.angles)} angles a row"
+            )
         integrals = self._row_moments(0)[:, 0]
         for index in range(rows):
             if not abs(integrals[index] - 1.0) <= INTEGRAL_TOLERANCE:
@@ -159,6 +179,14 @@ class TabulatedPhase(PhaseFunction):
         angle = np.degrees(np.arccos(np.clip(nu, -1.0, 1.0)))
         return np.asarray(interpolated(*self._table, angle) @ self._weights(wavelengths))
 
+    def polarising(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
+        """Element F₁₂ of the phase matrix, shape of nu (...) and (nl,) to (..., nl). [sr⁻¹]"""
+        if not self.ratios:
+            return super().polarising(nu, wavelengths)
+        angle = np.degrees(np.arccos(np.clip(nu, -1.0, 1.0)))
+        across = np.stack([np.interp(angle, self.angles, one[0]) for one in self.ratios], axis=-1)
+        return np.asarray((interpolated(*self._table, angle) * across) @ self._weights(wavelengths))
+
     def moments(self, wavelengths: npt.ArrayLike, degree: int) -> FloatArray:
         """Legendre moments as ``optics.legendre`` defines them, shape (nl, degree + 1). [1]
 
@@ -180,7 +208,10 @@ class TabulatedPhase(PhaseFunction):
         """Rows between which a wavelength [nm] lies, one or two."""
         shares = self._weights([wavelength])[:, 0]
         angles, rows = self._table
-        return tuple(PhaseRow(float(shares[i]), angles, rows[i]) for i in np.flatnonzero(shares))
+        ratios = [np.array(one) for one in self.ratios] or [None] * len(rows)
+        return tuple(
+            PhaseRow(float(shares[i]), angles, rows[i], ratios[i]) for i in np.flatnonzero(shares)
+        )
 
     def _weights(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """Share of each row in the values at each wavelength, shape (nr, nl). [1]"""
