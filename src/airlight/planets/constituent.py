@@ -265,6 +265,13 @@ class Constituent(Record):
             return np.zeros((*np.shape(nu), len(nm)))
         return self.phase_function_at(nm).polarising(nu, nm)
 
+    def polarising_moments(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """Elements of degree 2 that polarise, see ``PhaseFunction``, shape (nl, 2). [1]"""
+        nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+        if not self.scatters:
+            return np.zeros((len(nm), 2))
+        return self.phase_function_at(nm).polarising_moments(nm)
+
     def phase_moments(self, wavelengths: npt.ArrayLike, degree: int) -> FloatArray:
         """Legendre moments of the phase function, shape (nl, degree + 1). [1]
 

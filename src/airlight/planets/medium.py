@@ -326,6 +326,10 @@ class Medium:
             [one.polarising_values(nu, self.wavelengths) for one in self.constituents], axis=-2
         )
 
+    def polarising_moments(self) -> FloatArray:
+        """Elements of degree 2 that polarise, see ``PhaseFunction``, shape (nc, nl, 2). [1]"""
+        return np.stack([one.polarising_moments(self.wavelengths) for one in self.constituents])
+
     def phase_moments(self, degree: int) -> FloatArray:
         """Legendre moments g_l of the phase functions; see ``optics.legendre``.
 

@@ -12,11 +12,13 @@ from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
 from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate
 from airlight.optics.reflection import star_factor
-from airlight.solvers.moments.harmonics import legendre_functions
+from airlight.solvers.moments.harmonics import POLARISED, legendre_functions
 from airlight.solvers.moments.sweep import (
+    add_polarised,
     leaving_at_end,
     optical_depth,
     project,
+    project_polarised,
     star_at_end,
     star_from_point,
     star_from_ray,
@@ -25,6 +27,8 @@ from airlight.solvers.moments.sweep import (
 
 #: Phase function of isotropic scattering. [sr⁻¹]
 ISOTROPIC: Final = 0.25 / pi
+#: F₁₂ of degree 2 per (1 - ν²): 5/(4π) d²₀₂. [sr⁻¹]
+_SECOND: Final = 5.0 * ISOTROPIC * sqrt(6.0) / 4.0
 
 
 @inlined
@@ -105,11 +109,21 @@ def fill_phases(moments, nu, degree, constituents, phases):
 
 
 @inlined
+def fill_polarising(polarising, nu, constituents, phases):
+    """Compute F₁₂ of degree 2 times scattering coefficient of each constituent. [m⁻¹ sr⁻¹]"""
+    part = np.float32(_SECOND * (1.0 - nu) * (1.0 + nu))
+    for c in range(constituents):
+        store(phases, LANES * c, load(polarising, LANES * 2 * c) * part)
+
+
+@inlined
 def scattered_once(
-    turn, radii, first, points, strong, strengths, phases, constituents, deep, depths, directions,
-    mu_s, nu, bottom, top, star_radius, lift,
+    turn, radii, first, points, strong, strengths, phases, across, constituents, deep, depths,
+    directions, mu_s, nu, bottom, top, star_radius, lift,
 ):  # fmt: skip
-    """Radiance sent along a ray by its points, from the star's own light. [sr⁻¹]
+    """Light sent along a ray by its points, from the star's own. [sr⁻¹]
+
+    Results are I, and Q in the frame of the plane through ray and star.
 
     Parameters
     ----------
@@ -121,8 +135,8 @@ def scattered_once(
         Index of the first of them in ``strengths`` and ``depths``.
     strengths : array, shape (points·nc·8,)
         Amount of each constituent at a point times the transmittance on the way from it. [m]
-    phases : array, shape (nc·8,)
-        Array from ``fill_phases``. [m⁻¹ sr⁻¹]
+    phases, across : array, shape (nc·8,)
+        Arrays from ``fill_phases`` and ``fill_polarising``. [m⁻¹ sr⁻¹]
     constituents : int
     depths : array, shape (points·directions·8,)
         Depths from ``depth_in_row``. [1]
@@ -132,7 +146,7 @@ def scattered_once(
     bottom, top, star_radius, lift :
         As in ``star_points``.
     """
-    radiance = splat(0.0)
+    radiance, polarised = splat(0.0), splat(0.0)
     for k in range(points):
         q = radii[first + k]
         mu_sk, _ = star_from_point(turn, first + k, mu_s, nu)
@@ -145,13 +159,30 @@ def scattered_once(
             x = direction_coordinate(q, high, bottom, top) * (directions - 1)
             light = light + through_row(depths, deep + k, x, directions)
             light = light * np.float32(0.5)
-        source = splat(0.0)
+        source, turned = splat(0.0), splat(0.0)
         for c in range(constituents):
-            source = source + load(phases, LANES * c) * load(
-                strengths, LANES * ((strong + k) * constituents + c)
-            )
-        radiance = radiance + np.float32(seen) * light * source
-    return radiance
+            amount = load(strengths, LANES * ((strong + k) * constituents + c))
+            source = source + load(phases, LANES * c) * amount
+            turned = turned + load(across, LANES * c) * amount
+        light = np.float32(seen) * light
+        radiance = radiance + light * source
+        polarised = polarised + light * turned
+    return radiance, polarised
+
+
+@inlined
+def star_plane_turn(mu, mu_s, nu):
+    """Cosine and sine of twice the angle from a ray's meridian to its plane with the star. [1]
+
+    See ``stokes_frame.star_plane``.
+    """
+    along = mu * nu - mu_s
+    square = 1.0 - mu * mu - mu_s * mu_s - nu * nu + 2.0 * mu * mu_s * nu
+    across = 0.0 - sqrt(max(square, 0.0))
+    whole = along * along + across * across
+    if whole < 1e-24:
+        return 1.0, 0.0
+    return (along * along - across * across) / whole, 2.0 * along * across / whole
 
 
 @compiled_loop
@@ -183,11 +214,12 @@ def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, 
         amounts,
         depths,
     ) = rays
-    cosines, multiples = azimuths
-    extinction, moments, surface, star_radius = air
+    cosines, multiples, sines = azimuths
+    extinction, moments, surface, star_radius, polarising = air
     suns = sun_cosines.size
     degree = multiples.shape[0] - 1
-    terms = (degree + 1) * (degree + 2) // 2
+    harmonics = (degree + 1) * (degree + 2) // 2
+    terms = harmonics + POLARISED
     constituents = totals.shape[2]
     angles = all_mu.shape[1]
     most = 0
@@ -204,8 +236,10 @@ def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, 
         )
     strength = np.empty(max(most, 1) * constituents * LANES, np.float32)
     phase = np.empty(constituents * LANES, np.float32)
-    functions = np.empty(terms)
+    across = np.empty(constituents * LANES, np.float32)
+    functions = np.empty(harmonics)
     azimuthal = np.empty((degree + 1) * LANES, np.float32)
+    polarised = np.empty(5 * LANES, np.float32)
     out[:] = 0.0
     sky_out[:] = 0.0
     for a in range(angles):
@@ -240,12 +274,20 @@ def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, 
         for j in range(suns):
             mu_s = sun_cosines[j]
             azimuthal[:] = 0.0
+            polarised[:] = 0.0
             for b in range(cosines.size):
                 nu = star_from_ray(mu, mu_s, cosines[b])
                 fill_phases(moments, nu, degree, constituents, phase)
-                radiance = exact * scattered_once(
-                    turns_along, ray_radii, first, points, 0, strength, phase, constituents,
+                fill_polarising(polarising, nu, constituents, across)
+                radiance, plane = scattered_once(
+                    turns_along, ray_radii, first, points, 0, strength, phase, across, constituents,
                     0, sun_depths, directions, mu_s, nu, bottom, top, star_radius, lift,
+                )  # fmt: skip
+                radiance, plane = exact * radiance, exact * plane
+                cosine, sine = star_plane_turn(mu, mu_s, nu)
+                add_polarised(
+                    polarised, multiples, sines, b, np.float32(cosine) * plane,
+                    np.float32(sine) * plane,
                 )  # fmt: skip
                 if below:
                     mu_sg = star_at_end(ends, i, a, mu_s, nu)
@@ -256,7 +298,10 @@ def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, 
                 for m in range(degree + 1):
                     at = LANES * m
                     store(azimuthal, at, load(azimuthal, at) + multiples[m, b] * radiance)
-            project(azimuthal, functions, all_weights[i, a], degree, j * terms * LANES, out)
+            base = j * terms * LANES
+            project(azimuthal, functions, all_weights[i, a], degree, base, out)
+            base = base + harmonics * LANES
+            project_polarised(polarised, mu, all_weights[i, a], base, out)
             if not below:
                 at = LANES * j
                 flux = np.float32(all_flux[i, a])

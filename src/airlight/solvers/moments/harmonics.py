@@ -8,7 +8,7 @@ terms vanish and degree N has (N + 1)(N + 2)/2 coefficients; (l, m) has index l(
 from __future__ import annotations
 
 from math import factorial, pi, sqrt
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,10 +17,23 @@ from airlight.kernel import inlined, kernel
 
 FloatArray = NDArray[np.float64]
 
+#: Norms of the harmonics of spin 2: of m = 0, and of m = 1 and 2. [1]
+_ZEROTH: Final = sqrt(15.0 / (32.0 * pi))
+_FIRST: Final = sqrt(5.0 / (8.0 * pi))
+
+
+#: Number of moments of polarised light: E_20, E_21 and E_22, after those of the radiance.
+POLARISED: Final = 3
+
 
 def coefficient_count(degree: int) -> int:
     """Number of coefficients of an expansion to a degree: (N + 1)(N + 2)/2."""
     return (degree + 1) * (degree + 2) // 2
+
+
+def moment_count(degree: int) -> int:
+    """Number of moments of a node: those of the radiance, and ``POLARISED``."""
+    return coefficient_count(degree) + POLARISED
 
 
 def normalisation(degree: int) -> NDArray[np.float64]:
@@ -184,3 +197,35 @@ def directed_functions(mu, cosine, terms, out):
             out[index] = value
         power *= sine
         earlier, multiple = multiple, 2.0 * cosine * multiple - earlier
+
+
+@inlined
+def polarised_functions(mu):
+    r"""Even harmonics of spin 2 and degree 2, for Q and U of a line of sight.
+
+    With moments E_2m of polarised light
+
+    .. math:: Q = \sum_m E_{2m} A_m(\mu) \cos m\phi, \quad
+              U = \sum_m E_{2m} B_m(\mu) \sin m\phi, \quad
+              E_{2m} = \int (Q A_m \cos m\phi + U B_m \sin m\phi)\, d\omega .
+
+    Parameters
+    ----------
+    mu : float
+        Cosine of the line's zenith angle. [1]
+
+    Returns
+    -------
+    a0, a1, a2, b1, b2 : float
+        A_0, A_1, A_2, B_1, B_2; B_0 is 0. [1]
+
+    References
+    ----------
+    Hu & White (1997), New Astronomy 2, 323, table 1, as real functions in the frame of
+    ``solvers.stokes_frame``.
+    """
+    sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
+    return (
+        _ZEROTH * sine * sine, 0.0 - _FIRST * sine * mu, 0.5 * _FIRST * (1.0 + mu * mu),
+        _FIRST * sine, 0.0 - _FIRST * mu,
+    )  # fmt: skip

@@ -19,7 +19,7 @@ from airlight.geometry.bending import bend_angle, star_points, turned
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.solvers.moments.grid import radius_index
-from airlight.solvers.moments.harmonics import directed_functions
+from airlight.solvers.moments.harmonics import POLARISED, directed_functions
 from airlight.solvers.moments.march_panels import panel_columns, place_panel, place_panels
 from airlight.solvers.moments.source import (
     gathered_light,
@@ -227,7 +227,7 @@ def field_place(q, mu, mu_s, nu, light, work):
     y = sun_index(mu_s, light.place)
     sun = min(int(y), light.suns - 2)
     # A node holds a factor and the harmonics.
-    block = light.lanes * (1 + (light.degree + 1) * (light.degree + 2) // 2)
+    block = light.lanes * (1 + (light.degree + 1) * (light.degree + 2) // 2 + POLARISED)
     return (row * light.suns + sun) * block, block, x - row, y - sun
 
 
@@ -246,6 +246,6 @@ def gathered_at(near, block, f, e, light, work, at):
     """
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
     return gathered_light(
-        work.rho, light.moments, light.field, work.functions, near, near + light.suns * block,
-        block, g * h, g * e, f * h, f * e, light.degree, light.constituents, light.lanes, at,
+        work.rho, light.moments, light.polarising, light.field, work.functions, near,
+        near + light.suns * block, block, g * h, g * e, f * h, f * e, light.degree, light.constituents, light.lanes, at,
     )  # fmt: skip

@@ -64,6 +64,8 @@ class MarchTables(NamedTuple):
         True scattering coefficients. [m⁻¹]
     moments : array, shape (nc·(N + 1)·w,)
         Scattering coefficient times Legendre moment, both after that removal. [m⁻¹]
+    polarising : array, shape (nc·2·w,)
+        Elements of degree 2 that polarise, times scattering, from ``Air``. [m⁻¹]
     phase : array, shape (phase_nodes·nc·w,)
         Phase functions on even steps of sin(θ/2). [sr⁻¹]
     darkening : array, shape (6·w,)
@@ -108,6 +110,7 @@ class MarchTables(NamedTuple):
     true_extinction: Annotated[Float32Array, SPECTRA]
     scattering: Annotated[Float32Array, SPECTRA]
     moments: Annotated[Float32Array, SPECTRA]
+    polarising: Annotated[Float32Array, SPECTRA]
     phase: Annotated[Float32Array, SPECTRA]
     darkening: Annotated[Float32Array, DISC]
     basis: Annotated[Float32Array, SPECTRA]

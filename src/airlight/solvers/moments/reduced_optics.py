@@ -125,6 +125,29 @@ def reduce_optics(scattering, absorption, phases, columns, degree, extinction, m
         depths[2 * wavelengths + w] = transport
 
 
+def polarising_strengths(
+    medium: Medium, beyond: FloatArray, weight: FloatArray, polarised: bool
+) -> FloatArray:
+    """Scattering coefficient times the elements of degree 2 that polarise, (nc, 2, nl). [m⁻¹]
+
+    Parameters
+    ----------
+    medium : Medium
+    beyond : array, shape (nc, nl)
+        First Legendre moments above the degree. [1]
+    weight : array, shape (nl,)
+        Weights from ``cut_weight``; light in a removed forward peak keeps its polarisation. [1]
+    polarised : bool
+        Whether light is polarised at all; if not, all are 0.
+    """
+    if not polarised:
+        return np.zeros((medium.scattering.shape[0], 2, medium.wavelengths.size))
+    coupling, keeping = np.moveaxis(medium.polarising_moments(), 2, 0)
+    cut = vectorized(cut_part)(beyond, weight)
+    return np.asarray(np.stack([medium.scattering * coupling,
+                                medium.scattering * (keeping - cut)], axis=1))  # fmt: skip
+
+
 @dataclass(frozen=True, eq=False)
 class Optics:
     """Optics of a medium for harmonics of a degree; each part is made at its first use.
@@ -135,6 +158,8 @@ class Optics:
         Medium with any number of wavelengths.
     degree : int
         Degree of the harmonics.
+    polarised : bool
+        Whether light is polarised.
 
     Examples
     --------
@@ -146,6 +171,7 @@ class Optics:
 
     medium: Medium
     degree: int
+    polarised: bool = True
 
     @classmethod
     def chosen(cls, medium: Medium, settings: Settings) -> Optics:
@@ -160,10 +186,12 @@ class Optics:
         """
         highest = settings.thick_degree
         moments = medium.phase_moments(highest)
+        polarised = settings.polarisation
         strong = np.abs(moments).max(axis=(0, 1)) > NEGLIGIBLE
         needed = int(np.flatnonzero(strong).max()) if strong.any() else 0
-        thick = bool((cls(medium, settings.degree).peak_weight > 0.9).any())
-        return cls(medium, max(2, min(needed, highest if thick else settings.degree)))
+        thick = bool((cls(medium, settings.degree, polarised).peak_weight > 0.9).any())
+        degree = max(2, min(needed, highest if thick else settings.degree))
+        return cls(medium, degree, polarised)
 
     @cached_property
     def phases(self) -> FloatArray:
@@ -183,6 +211,12 @@ class Optics:
             moments.reshape(-1), depths.reshape(-1),
         )  # fmt: skip
         return extinction, moments, depths
+
+    @cached_property
+    def polarising(self) -> FloatArray:
+        """Elements that polarise, times scattering, from ``polarising_strengths``. [m⁻¹]"""
+        beyond = self.phases[..., self.degree + 1]
+        return polarising_strengths(self.medium, beyond, self.peak_weight, self.polarised)
 
     @property
     def peak_weight(self) -> FloatArray:
@@ -224,6 +258,7 @@ class Optics:
             moments=pack(moments[..., block]),
             ground=medium.ground._replace(albedo=pack(medium.ground.albedo[block])),
             star_radius=medium.lights[0].angular_radius,
+            polarising=pack(self.polarising[..., block]),
         )
 
 

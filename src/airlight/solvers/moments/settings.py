@@ -37,6 +37,8 @@ class Settings:
         Shape of the table of columns towards the star.
     march_nodes, march_panels : int
         Points a panel and panels a leg when radiance is computed.
+    polarisation : bool
+        Whether light is polarised; without, it is that of scalar transfer.
     """
 
     degree: int
@@ -54,6 +56,7 @@ class Settings:
     column_directions: int
     march_nodes: int
     march_panels: int
+    polarisation: bool = True
 
     def as_text(self) -> str:
         """All settings on one line, for reports and fingerprints."""

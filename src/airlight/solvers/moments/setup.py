@@ -21,7 +21,7 @@ from airlight.optics.density_profile import DensitySegments
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.grid import Grid, make_grid
-from airlight.solvers.moments.harmonics import Harmonics, coefficient_count, harmonics
+from airlight.solvers.moments.harmonics import Harmonics, harmonics, moment_count
 from airlight.solvers.moments.levels import FEW_NODES
 from airlight.solvers.moments.packing import daylight, filled, level_weights, thickness
 from airlight.solvers.moments.rays import Rays, trace_rays
@@ -79,7 +79,7 @@ class Setup:
     @property
     def terms(self) -> int:
         """Number of moments of a node."""
-        return coefficient_count(self.degree)
+        return moment_count(self.degree)
 
     @cached_property
     def _nodes(self) -> tuple[Grid, int]:
@@ -265,7 +265,8 @@ def even_azimuths(degree: int, count: int) -> Azimuths:
     """Midpoints of ``count`` even steps over half a turn."""
     phi = (np.arange(count) + 0.5) * (pi / count)
     multiples = np.cos(np.arange(degree + 1)[:, None] * phi) * (2.0 * pi / count)
-    return Azimuths(np.cos(phi), multiples.astype(np.float32))
+    sines = np.sin(np.arange(3)[:, None] * phi) * (2.0 * pi / count)
+    return Azimuths(np.cos(phi), multiples.astype(np.float32), sines.astype(np.float32))
 
 
 def _columns(

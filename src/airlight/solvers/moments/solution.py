@@ -22,7 +22,7 @@ from airlight.optics.reflection import leaving_cosine
 from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
-from airlight.solvers.moments.harmonics import coefficient_count
+from airlight.solvers.moments.harmonics import moment_count
 from airlight.solvers.moments.irradiance import (
     direct_irradiance,
     facing_irradiance,
@@ -137,6 +137,7 @@ class MomentsSolution(Solution):
             true_extinction=pack(medium.extinction),
             scattering=pack(medium.scattering),
             moments=air.moments,
+            polarising=air.polarising,
             phase=pack(np.moveaxis(medium.phase_table, 2, 0)),
             darkening=pack(self.lights[0].darkenings.T),
             basis=pack(medium.map_basis.T),
@@ -363,7 +364,7 @@ def _from_arrays(setup: Setup, arrays: dict[str, NDArray[Any]]) -> Moments | Non
         degree, sweeps = (int(x) for x in arrays["counts"])
         medium, suns = setup.medium, setup.settings.suns
         count, radii = medium.wavelengths.size, setup.gathering.radii.size
-        shape = (radii, suns, coefficient_count(degree), count)
+        shape = (radii, suns, moment_count(degree), count)
         sound = (
             arrays["field"].shape == shape
             and arrays["field"].dtype == np.float32

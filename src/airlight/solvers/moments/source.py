@@ -9,6 +9,7 @@ import numpy as np
 
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, exponential, load, maximum, splat, store
+from airlight.solvers.moments.harmonics import POLARISED
 
 
 @inlined
@@ -78,7 +79,7 @@ def between(field, near, far, block, w00, w01, w10, w11):
 
 @inlined
 def gathered_light(
-    density, moments, field, functions, near, far, block, w00, w01, w10, w11, degree,
+    density, moments, polarising, field, functions, near, far, block, w00, w01, w10, w11, degree,
     constituents, lanes, at,
 ):  # fmt: skip
     """Light scattered before, scattered once more into the line of sight. [m⁻¹ sr⁻¹]
@@ -89,6 +90,8 @@ def gathered_light(
         Relative densities. [1]
     moments : array, shape (nc·(N + 1)·w,)
         Moments of ``Air``. [m⁻¹]
+    polarising : array, shape (nc·2·w,)
+        Elements of degree 2 that polarise, of ``Air``. [m⁻¹]
     field : array
         Field of ``Light``.
     functions : array, shape (k,)
@@ -112,6 +115,16 @@ def gathered_light(
                 field, near + here, far + here, block, w00, w01, w10, w11
             )
         gathered = gathered + strength * part
+    coupling = splat(0.0)
+    for c in range(constituents):
+        coupling = coupling + load(polarising, lanes * 2 * c + at) * density[c]
+    part = splat(0.0)
+    for m in range(POLARISED):
+        here = lanes * (1 + (degree + 1) * (degree + 2) // 2 + m) + at
+        part = part + functions[3 + m] * between(
+            field, near + here, far + here, block, w00, w01, w10, w11
+        )
+    gathered = gathered + coupling * part
     scale = between(field, near + at, far + at, block, w00, w01, w10, w11)
     # A sum of few harmonics may be negative where there is almost no light.
     return maximum(gathered / scale, 0.0)

@@ -23,7 +23,11 @@ from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
 from airlight.optics.reflection import Reflection, sky_factor
 from airlight.solvers.moments.grid import radius_index
-from airlight.solvers.moments.harmonics import legendre_functions
+from airlight.solvers.moments.harmonics import (
+    POLARISED,
+    legendre_functions,
+    polarised_functions,
+)
 
 Float32Array = NDArray[np.float32]
 
@@ -41,12 +45,16 @@ class Air(NamedTuple):
         Reflection by the ground.
     star_radius : float
         Angular radius of the star. [rad]
+    polarising : array, shape (nc·2·8,)
+        Scattering coefficient times the elements of degree 2 that couple moments and polarised
+        moments, and polarised moments with each other; see ``reduced_optics``. [m⁻¹]
     """
 
     extinction: Float32Array
     moments: Float32Array
     ground: Reflection
     star_radius: float
+    polarising: Float32Array
 
 
 class Azimuths(NamedTuple):
@@ -58,10 +66,13 @@ class Azimuths(NamedTuple):
         cos φ. [1]
     multiples : array, shape (N + 1, b)
         cos mφ times the weight 2π/b in ∫ dφ over a whole turn. [rad]
+    sines : array, shape (3, b)
+        sin mφ times that weight. [rad]
     """
 
     cosines: NDArray[np.float64]
     multiples: Float32Array
+    sines: Float32Array
 
 
 @inlined
@@ -87,6 +98,20 @@ def strength_of(moments, amounts, point, l, degree, constituents):
     strength = splat(0.0)
     for c in range(constituents):
         strength = strength + load(moments, LANES * (c * (degree + 1) + l)) * np.float32(
+            amounts[point, c]
+        )
+    return strength
+
+
+@inlined
+def polarising_at(polarising, amounts, point, which, constituents):
+    """Coupling of moments of degree 2 by a point: Σ polarising·amount of eight wavelengths. [1]
+
+    ``which`` is 0 between moments and polarised moments, 1 between polarised moments.
+    """
+    strength = splat(0.0)
+    for c in range(constituents):
+        strength = strength + load(polarising, LANES * (2 * c + which)) * np.float32(
             amounts[point, c]
         )
     return strength
@@ -141,7 +166,7 @@ def azimuth_cosine(mu, mu_s, nu):
 
 @inlined
 def gathered(turn, mu_along, first, points, local, rows, mu_s, nu, places, suns, degree):
-    """Radiance sent along a ray by its points, from light scattered before. [1]
+    """I, Q and U sent along a ray by its points, from light scattered before. [1]
 
     Parameters
     ----------
@@ -151,8 +176,9 @@ def gathered(turn, mu_along, first, points, local, rows, mu_s, nu, places, suns,
         Index of the ray's first point, and number of its points.
     local : int
         Index of the first of them in ``rows``.
-    rows : array, shape (points·s·(2 + N)·8,)
-        For each point and sun (s, A_0 s, … A_N s), A_m from ``contracted``.
+    rows : array, shape (points·s·(5 + N)·8,)
+        For each point and sun (s, A_0 s, … A_N s, e_0 s, e_1 s, e_2 s), A_m from ``contracted`` and
+        e_m the polarised light of the point.
     mu_s, nu : float
         Cosines of the star at the start of the ray. [1]
     places : array
@@ -160,8 +186,8 @@ def gathered(turn, mu_along, first, points, local, rows, mu_s, nu, places, suns,
     suns, degree : int
         Number of sun elevations, and highest degree.
     """
-    block = (degree + 2) * LANES
-    radiance = splat(0.0)
+    block = (degree + 2 + POLARISED) * LANES
+    radiance, along, across = splat(0.0), splat(0.0), splat(0.0)
     for k in range(points):
         mu_sk, nu_k = star_from_point(turn, first + k, mu_s, nu)
         x = sun_index(mu_sk, places)
@@ -182,7 +208,27 @@ def gathered(turn, mu_along, first, points, local, rows, mu_s, nu, places, suns,
             before = multiple
             multiple = following
         radiance = radiance + total / scale
-    return radiance
+        a0, a1, a2, b1, b2 = polarised_functions(mu_along[first + k])
+        sine = sqrt(max((np.float32(1.0) - step) * (np.float32(1.0) + step), np.float32(0.0)))
+        at = LANES * (2 + degree)
+        even = g * load(rows, low + at) + f * load(rows, high + at)
+        once = g * load(rows, low + at + LANES) + f * load(rows, high + at + LANES)
+        twice = g * load(rows, low + at + 2 * LANES) + f * load(rows, high + at + 2 * LANES)
+        double = np.float32(2.0) * step * step - np.float32(1.0)
+        along = (
+            along
+            + (
+                even * np.float32(a0)
+                + once * np.float32(a1 * step)
+                + twice * np.float32(a2 * double)
+            )
+            / scale
+        )
+        across = (
+            across
+            + (once * np.float32(b1 * sine) + twice * np.float32(2.0 * b2 * sine * step)) / scale
+        )
+    return radiance, along, across
 
 
 @inlined
@@ -238,6 +284,41 @@ def project(moments_m, functions, weight, degree, base, out):
             store(out, at, load(out, at) + factor * load(moments_m, LANES * m))
 
 
+@inlined
+def project_polarised(azimuthal, mu, weight, base, out):
+    """Add a ray's azimuth moments of Q and U to the polarised moments of a point.
+
+    Parameters
+    ----------
+    azimuthal : array, shape (5·8,)
+        Of Q with cos 0, cos φ and cos 2φ, of U with sin φ and sin 2φ.
+    mu : float
+        Cosine of the ray's zenith angle. [1]
+    weight : float
+        Weight of the ray in ∫ dmu. [1]
+    base : int
+        Index of the first polarised moment in ``out``, in lanes.
+    """
+    a0, a1, a2, b1, b2 = polarised_functions(mu)
+    store(out, base, load(out, base) + np.float32(weight * a0) * load(azimuthal, 0))
+    once = np.float32(weight * a1) * load(azimuthal, LANES)
+    once = once + np.float32(weight * b1) * load(azimuthal, 3 * LANES)
+    store(out, base + LANES, load(out, base + LANES) + once)
+    twice = np.float32(weight * a2) * load(azimuthal, 2 * LANES)
+    twice = twice + np.float32(weight * b2) * load(azimuthal, 4 * LANES)
+    store(out, base + 2 * LANES, load(out, base + 2 * LANES) + twice)
+
+
+@inlined
+def add_polarised(azimuthal, multiples, sines, b, along, across):
+    """Add Q and U of a ray at azimuth ``b`` to its azimuth moments; see ``project_polarised``."""
+    for m in range(3):
+        store(azimuthal, LANES * m, load(azimuthal, LANES * m) + multiples[m, b] * along)
+    for m in range(1, 3):
+        at = LANES * (2 + m)
+        store(azimuthal, at, load(azimuthal, at) + sines[m, b] * across)
+
+
 @compiled_loop
 def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, out, sky_out):
     """Gather the light scattered once more at all sun elevations of one radius.
@@ -277,22 +358,24 @@ def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, 
         amounts,
         depths,
     ) = rays
-    cosines, multiples = azimuths
-    extinction, moments, surface, _ = air
+    cosines, multiples, sines = azimuths
+    extinction, moments, surface, _, polarising = air
     suns = sun_cosines.size
     degree = multiples.shape[0] - 1
     turns = cosines.size
-    terms = (degree + 1) * (degree + 2) // 2
+    harmonics = (degree + 1) * (degree + 2) // 2
+    terms = harmonics + POLARISED
     constituents = totals.shape[2]
     angles = all_mu.shape[1]
     most = 0
     for a in range(angles):
         most = max(most, starts[i, a + 1] - starts[i, a])
-    block = (degree + 2) * LANES
+    block = (degree + 2 + POLARISED) * LANES
     rows = np.empty(max(most, 1) * suns * block, np.float32)
-    functions = np.empty(terms)
-    factors = np.empty(terms * LANES, np.float32)
+    functions = np.empty(harmonics)
+    factors = np.empty(harmonics * LANES, np.float32)
     azimuthal = np.empty((degree + 1) * LANES, np.float32)
+    polarised = np.empty(5 * LANES, np.float32)
     out[:] = 0.0
     sky_out[:] = 0.0
     for a in range(angles):
@@ -311,6 +394,8 @@ def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, 
                 for m in range(l + 1):
                     index = l * (l + 1) // 2 + m
                     store(factors, LANES * index, strength * np.float32(functions[index]))
+            coupling = through * polarising_at(polarising, amounts, first + k, 0, constituents)
+            keeping = through * polarising_at(polarising, amounts, first + k, 1, constituents)
             x = radius_index(ray_radii[first + k], bottom, top, rows_at)
             row = min(int(x), radii.size - 2)
             f = np.float32(x - row)
@@ -322,6 +407,14 @@ def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, 
                 store(rows, target, g * load(field, low) + f * load(field, high))
                 for m in range(degree + 1):
                     total = contracted(factors, 0, field, low, high, f, m, degree)
+                    if m < POLARISED:
+                        at = LANES * (1 + harmonics + m)
+                        bright = LANES * (1 + POLARISED + m)  # of degree 2
+                        here = g * load(field, low + at) + f * load(field, high + at)
+                        moment = g * load(field, low + bright) + f * load(field, high + bright)
+                        total = total + coupling * here * np.float32(functions[POLARISED + m])
+                        at = target + LANES * (2 + degree + m)
+                        store(rows, at, coupling * moment + keeping * here)
                     store(rows, target + LANES * (1 + m), total)
         reflected = splat(0.0)
         if below:
@@ -333,18 +426,24 @@ def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, 
         for j in range(suns):
             mu_s = sun_cosines[j]
             azimuthal[:] = 0.0
+            polarised[:] = 0.0
             for b in range(turns):
                 nu = star_from_ray(mu, mu_s, cosines[b])
-                radiance = exact * gathered(
+                radiance, along, across = gathered(
                     turns_along, mu_along, first, points, 0, rows, mu_s, nu, places, suns, degree
                 )
+                radiance = exact * radiance
+                add_polarised(polarised, multiples, sines, b, exact * along, exact * across)
                 if below:
                     mu_sg = star_at_end(ends, i, a, mu_s, nu)
                     radiance = radiance + reflected * sky_at(ground, mu_sg, places, suns)
                 for m in range(degree + 1):
                     at = LANES * m
                     store(azimuthal, at, load(azimuthal, at) + multiples[m, b] * radiance)
-            project(azimuthal, functions, all_weights[i, a], degree, j * terms * LANES, out)
+            base = j * terms * LANES
+            project(azimuthal, functions, all_weights[i, a], degree, base, out)
+            base = base + harmonics * LANES
+            project_polarised(polarised, mu, all_weights[i, a], base, out)
             if not below:
                 at = LANES * j
                 flux = np.float32(all_flux[i, a])

@@ -57,7 +57,7 @@ def couple_radius(i, grid, rays, share, mu_along, air, expansion, degree, order,
         Receives the weight of the ground's irradiance. [1]
     """
     bottom, top, radii, _, rows_at, _ = grid
-    extinction, moments, surface, _ = air
+    extinction, moments, surface, _, _ = air
     highest = expansion.degree
     starts, ray_radii = rays.start, rays.radius
     amounts, depths, totals = rays.amount, rays.column, rays.total

@@ -11,6 +11,8 @@ import numpy.typing as npt
 
 from airlight.kernel import vectorized
 from airlight.optics.legendre import legendre_moments
+from airlight.optics.phase_matrix import unpolarising_ratio
+from airlight.optics.phase_table import interpolated
 from airlight.planets.schema.record import Record, fields_of
 from airlight.planets.spectral import Limits, PerWavelength, spectral_at, spectral_limits
 
@@ -25,6 +27,8 @@ _FIRST_ANGLES: Final = 181
 _MOST_HALVINGS: Final = 24
 #: Digits of a parameter that is written into a planet file.
 _DIGITS: Final = 6
+#: Points between two angles of a table in the integrals of its polarisation.
+_STEPS_A_CELL: Final = 4
 
 
 class PhaseRow(NamedTuple):
@@ -75,6 +79,38 @@ class PhaseFunction(Record, ABC):
         Zero where only the phase function is known.
         """
         return np.zeros((*np.shape(nu), np.size(wavelengths)))
+
+    def polarising_moments(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        r"""Elements of degree 2 that polarise, shape (nl, 2). [1]
+
+        .. math:: 2\pi \int F_{12}\, d^2_{02}(\theta)\, d\nu, \quad
+                  \pi \int \left[(F_{22} + F_{33})\, d^2_{22}
+                  + (F_{22} - F_{33})\, d^2_{2,-2}\right] d\nu
+
+        Hovenier, van der Mee & Domke (2004), Transfer of Polarized Light in Planetary Atmospheres,
+        section 2.8: their β₁ and α₂ of degree 2, over 5.
+        """
+        return np.array([self._polarising_moment(float(nm)) for nm in np.atleast_1d(wavelengths)])
+
+    def _polarising_moment(self, wavelength: float) -> tuple[float, float]:
+        coupling, keeping = 0.0, 0.0
+        share = (np.arange(_STEPS_A_CELL) + 0.5) / _STEPS_A_CELL
+        for row in self.sampled(wavelength):
+            width = np.diff(np.radians(row.angles))[:, None]
+            angle = (np.radians(row.angles[:-1, None]) + width * share).ravel()
+            nu = np.cos(angle)
+            rings = 2.0 * np.pi * np.repeat(width / _STEPS_A_CELL, _STEPS_A_CELL) * np.sin(angle)
+            light = interpolated(row.angles, row.values[None], np.degrees(angle))[:, 0] * rings
+            light = row.share * light / light.sum()
+            turned, across = vectorized(unpolarising_ratio)(nu), np.zeros_like(nu)
+            if row.ratios is not None:
+                across, turned = (
+                    np.interp(np.degrees(angle), row.angles, one) for one in row.ratios[:2]
+                )
+            coupling += float(light @ (across * (np.sqrt(6.0) / 4.0) * (1.0 - nu**2)))
+            both = (1.0 + turned) * (1.0 + nu) ** 2 + (1.0 - turned) * (1.0 - nu) ** 2
+            keeping += float(light @ both) / 8.0
+        return coupling, keeping
 
     @abstractmethod
     def sampled(self, wavelength: float) -> tuple[PhaseRow, ...]:
