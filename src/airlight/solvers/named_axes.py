@@ -6,8 +6,8 @@ varies along it. Labelled arrays broadcast by the names of their dimensions.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any, Final, Self
 
 import numpy as np
@@ -191,10 +191,19 @@ class NamedAxes:
         arrays = [np.ascontiguousarray(one.values).ravel() for one in whole]
         return arrays, cls(dims, whole[0].shape, coordinates)
 
+    def beside(self, name: str, labels: Sequence[str]) -> Self:
+        """Axes with one more before the wavelength, with a label for each of its elements."""
+        return replace(
+            self,
+            dims=(*self.dims, name),
+            shape=(*self.shape, len(labels)),
+            coordinates={**self.coordinates, name: (name, list(labels), {})},
+        )
+
     def labelled(
         self, values: NDArray[Any], wavelengths: FloatArray, name: str, unit: str, **attributes: str
     ) -> Any:
-        """Values of shape (n, wavelength) as an xarray.DataArray, shape (..., wavelength)."""
+        """Values of shape (..., wavelength) as an xarray.DataArray, shape (..., wavelength)."""
         import xarray
 
         return xarray.DataArray(

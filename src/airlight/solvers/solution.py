@@ -24,6 +24,7 @@ from airlight.planets.planet import Planet
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.named_axes import Argument, NamedAxes
 from airlight.solvers.sight import Sight, enter_shell
+from airlight.solvers.stokes_frame import STOKES, to_meridian
 from airlight.tables.columns import columns
 
 if TYPE_CHECKING:
@@ -160,6 +161,16 @@ class Solution(ABC):
         ``order`` selects the light scattered or reflected exactly that many times.
         """
 
+    #: Whether the light is polarised; else transfer is scalar.
+    polarised: bool = False
+
+    def relative_stokes(self, sight: Sight, *, order: int | None = None) -> FloatArray:
+        """I, Q and U per irradiance of the star, shape (n, 3, nl), where ``polarised``. [sr⁻¹]
+
+        Azimuths count as 0 to 180, see ``stokes_frame``.
+        """
+        raise NotImplementedError
+
     @abstractmethod
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """Diffuse irradiance of a level surface from above, relative to the star's, (n, nl). [1]"""
@@ -181,6 +192,7 @@ class Solution(ABC):
         view_zenith: ArrayLike,
         azimuth: ArrayLike = 0.0,
         order: int | None = None,
+        stokes: bool = False,
     ) -> xarray.DataArray:
         """Radiance of air and ground for an observer, without the star's own disc.
 
@@ -202,23 +214,33 @@ class Solution(ABC):
         order : int, optional
             Number of scatterings or reflections of the light to return, 1 to ``highest_order``; all
             light if left out.
+        stokes : bool
+            Whether to return Q and U beside the radiance I, in the frame of ``stokes_frame``: Q > 0
+            swings in the plane of line and zenith.
 
         Returns
         -------
-        xarray.DataArray, shape (..., wavelength)
-            Spectral radiance. [W m⁻² sr⁻¹ nm⁻¹]
+        xarray.DataArray, shape (..., wavelength), or (..., stokes, wavelength)
+            Spectral radiance; I, Q and U with ``stokes``. [W m⁻² sr⁻¹ nm⁻¹]
 
         Raises
         ------
         ParameterError
-            If a value is out of its range, or the shapes do not broadcast.
+            If a value is out of its range, the shapes do not broadcast, or polarised light is
+            requested of scalar transfer.
         """
-        sight, axes = self.lines_of_sight(
-            altitude=altitude, sun_zenith=sun_zenith, view_zenith=view_zenith, azimuth=azimuth
-        )
+        arrays, sight, axes = self._questions(altitude, sun_zenith, view_zenith, azimuth)
         self.check_order(order)
-        values = self.relative_radiance(sight, order=order) * self.lights[0].irradiance
-        return self._labelled(values, axes, "radiance", "W m-2 sr-1 nm-1")
+        sun, unit = self.lights[0].irradiance, "W m-2 sr-1 nm-1"
+        if not stokes:
+            values = self.relative_radiance(sight, order=order) * sun
+            return self._labelled(values, axes, "radiance", unit)
+        if not self.polarised:
+            raise ParameterError(
+                "stokes", True, "a solver of polarised light, with polarisation left on"
+            )
+        found = to_meridian(self.relative_stokes(sight, order=order), *arrays[2:]) * sun
+        return self._labelled(found, axes.beside("stokes", STOKES), "radiance", unit)
 
     def check_order(self, order: int | None) -> None:
         """Refuse an order that the solver has not kept apart."""
@@ -246,6 +268,16 @@ class Solution(ABC):
         ParameterError
             If a value is out of its range, or the shapes do not broadcast.
         """
+        return self._questions(altitude, sun_zenith, view_zenith, azimuth)[1:]
+
+    def _questions(
+        self,
+        altitude: ArrayLike,
+        sun_zenith: ArrayLike,
+        view_zenith: ArrayLike,
+        azimuth: ArrayLike,
+    ) -> tuple[list[FloatArray], Sight, NamedAxes]:
+        """Arguments of ``radiance`` as flat arrays, and results of ``lines_of_sight``."""
         arrays, axes = NamedAxes.of(
             altitude=Argument(altitude, 0.0, HIGHEST, "m"),
             sun_zenith=Argument(sun_zenith, 0.0, 180.0, "deg"),
@@ -256,7 +288,8 @@ class Solution(ABC):
         mu, mu_s = np.cos(view), np.cos(sun)
         nu = np.clip(mu * mu_s + np.sin(view) * np.sin(sun) * np.cos(around), -1.0, 1.0)
         bottom, top = self.medium.bottom_radius, self.medium.top_radius
-        return enter_shell(bottom + arrays[0], mu, np.sin(view), mu_s, nu, bottom, top), axes
+        sight = enter_shell(bottom + arrays[0], mu, np.sin(view), mu_s, nu, bottom, top)
+        return arrays, sight, axes
 
     def transmittance(
         self,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Literal, overload
@@ -39,6 +40,7 @@ def solve(
     quality: str | MomentsSettings = "default",
     *,
     solver: Literal["moments"] = "moments",
+    polarisation: bool = True,
     cache: bool = True,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -52,6 +54,7 @@ def solve(
     quality: str | DirectSettings = "default",
     *,
     solver: Literal["direct"],
+    polarisation: bool = True,
     cache: bool = True,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -65,6 +68,7 @@ def solve(
     quality: str | MonteCarloSettings = "default",
     *,
     solver: Literal["montecarlo"],
+    polarisation: bool = True,
     cache: bool = True,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -78,6 +82,7 @@ def solve(
     quality: Any = "default",
     *,
     solver: str,
+    polarisation: bool = True,
     cache: bool = True,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -90,6 +95,7 @@ def solve(
     quality: Any = "default",
     *,
     solver: str = "moments",
+    polarisation: bool = True,
     cache: bool = True,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -108,6 +114,9 @@ def solve(
     solver : str
         ``"moments"``, for all uses; ``"direct"``, the notes' equations order by order, slow;
         ``"montecarlo"``, the referee, which traces each result and estimates its standard error.
+    polarisation : bool
+        Whether light is polarised, which changes its radiance by some percent; without, transfer is
+        scalar, as that of ``"direct"`` always is.
     cache : bool
         Whether to read the solution from disk, and to keep it there.
     progress : callable, optional
@@ -144,6 +153,8 @@ def solve(
         raise ParameterError("planet", planet, "a Planet, the name of a preset, or a path")
     package = SOLVERS[solver]
     settings = import_module(f"{package}.settings").settings_for(quality)
+    if not polarisation and hasattr(settings, "polarisation"):
+        settings = replace(settings, polarisation=False)
     nm = planet.wavelengths if wavelengths is None else wavelengths
     medium = Medium.from_planet(planet, nm, progress=progress, cancel=cancel)
     solution: Solution = import_module(f"{package}.solution").solve(

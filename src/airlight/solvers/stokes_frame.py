@@ -10,11 +10,15 @@ sign.
 
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float64]
 
+#: Names of the Stokes parameters of a line of sight; V is left out.
+STOKES: Final = ("I", "Q", "U")
 #: Sine of the zenith angle below which a line counts as vertical. [1]
 _VERTICAL = 1e-12
 
