@@ -28,6 +28,7 @@ from airlight.solvers.eclipsed.eclipsed_march import (
     end_on_ground,
     march_eclipsed,
 )
+from airlight.solvers.moments.march_tables import MIRRORED
 from airlight.solvers.moments.source import read_phase
 
 
@@ -89,7 +90,7 @@ def eclipsed_light(
     if light.ground.wet:
         _mirrored_sky(p, q, s, u, v, w, leaving, light, shadow, work, spare, found)
         for at in range(0, lanes, LANES):
-            store(work.found, 4 * lanes + at, load(found, at))
+            store(work.found, MIRRORED * lanes + at, load(found, at))
     star_matte, star_gloss, sky_matte, sky_gloss, mirrored = ground_shares(
         x, y, z, sine, bent, observer, screen, light, work, color
     )

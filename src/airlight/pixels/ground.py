@@ -23,6 +23,7 @@ from airlight.pixels.ground_angles import ground_angles
 from airlight.scene.ground_detail import ground_detail
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
 from airlight.solvers.moments.irradiance import ground_light
+from airlight.solvers.moments.march_tables import MIRRORED
 from airlight.solvers.moments.source import through_columns
 
 #: Length of the array that ``ground_color`` fills.
@@ -252,5 +253,5 @@ def ground_factor(
     by_star = star * (albedo * np.float32(star_matte) + np.float32(star_gloss))
     by_sky = sky * (albedo * np.float32(sky_matte) + np.float32(sky_gloss))
     if light.ground.wet:
-        by_sky = by_sky + load(work.found, 4 * light.lanes + at) * np.float32(pi * mirrored)
+        by_sky = by_sky + load(work.found, MIRRORED * light.lanes + at) * np.float32(pi * mirrored)
     return (by_star + by_sky) / maximum(star + sky, splat(1e-30))

@@ -18,6 +18,7 @@ from airlight.geometry.bending import seen_star
 from airlight.pixels.disc_shading import shading_numbers
 from airlight.pixels.observer_numbers import observer_numbers
 from airlight.pixels.pixel import Screen
+from airlight.pixels.polarising_filter import CAMERA, NONE
 from airlight.pixels.sky_by_processor import SkyLayers
 from airlight.pixels.sky_table import Observer
 from airlight.scene import Camera, Scene
@@ -84,6 +85,9 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
         "edges": 1.0,
     }
     source = solution.lights[0]
+    numbers["filter"] = NONE if camera.polariser is None else CAMERA
+    axis = camera.filter_axis
+    numbers |= {f"filter_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
     numbers |= shading_numbers(source.phase, source.limb, sun_level, float(sun[2]))
     for name, axis in zip(("right", "up", "forward"), axes, strict=True):
         numbers |= {f"{name}_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
@@ -145,6 +149,7 @@ def screen_from(
         "draws_disc": bool(numbers["draws_disc"]),
         "draws_air": bool(numbers["draws_air"]),
         "phased": bool(numbers["phased"]),
+        "filter": int(numbers["filter"]),
         "samples": int(numbers["samples"]),
         "edges": bool(numbers["edges"]),
         "mapped": ground is not None,
@@ -160,6 +165,8 @@ def screen_from(
         "sky_ground": layers.ground,
         "sky_first": layers.first,
         "sky_second": layers.second,
+        "sky_along": layers.along,
+        "sky_aslant": layers.aslant,
     }
     return Screen(**values)
 

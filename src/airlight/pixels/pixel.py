@@ -14,9 +14,12 @@ from airlight.mappings.sky_view import angle_above_horizon, row_from_angle, row_
 from airlight.pixels.disc_shading import darkened
 from airlight.pixels.ground import ground_factor, ground_shares, lamp_light
 from airlight.pixels.ground_angles import bent_to_ground, columns_to_ground
+from airlight.pixels.polarising_filter import filter_shares
 from airlight.pixels.sky_table import half_sine_between, look
 from airlight.pixels.star_disc import star_disc
+from airlight.solvers.moments.march_tables import MIRRORED
 from airlight.solvers.moments.source import through_columns
+from airlight.solvers.stokes_frame import star_plane
 
 
 class Screen(NamedTuple):
@@ -82,12 +85,18 @@ class Screen(NamedTuple):
     lamp_red: float
     lamp_green: float
     lamp_blue: float
+    filter: Annotated[int, CHOICE]
+    filter_x: float
+    filter_y: float
+    filter_z: float
     texels: Annotated[np.ndarray, InTexture("ground", packed=True)]
     over_texels: Annotated[np.ndarray, InTexture("overlay", packed=True)]
     sky_air: Annotated[np.ndarray, InTexture("air", spectral=True, whole=True)]
     sky_ground: Annotated[np.ndarray, InTexture("behind", spectral=True, whole=True)]
     sky_first: Annotated[np.ndarray, InTexture("first", spectral=True, whole=True)]
     sky_second: Annotated[np.ndarray, InTexture("second", spectral=True, whole=True)]
+    sky_along: Annotated[np.ndarray, InTexture("along", spectral=True, whole=True)]
+    sky_aslant: Annotated[np.ndarray, InTexture("aslant", spectral=True, whole=True)]
 
 
 @kernel
@@ -141,8 +150,8 @@ def between_texels(table, near, stride, right, down, lanes, at):
 
 
 @inlined
-def phase_of(half_sine, constituent, light, lanes, at):
-    """Phase function of one constituent, from the table of all. [sr⁻¹]
+def phase_of(half_sine, constituent, table, light, lanes, at):
+    """Element of one constituent's phase matrix, from the table of all. [sr⁻¹]
 
     Parameters
     ----------
@@ -150,6 +159,8 @@ def phase_of(half_sine, constituent, light, lanes, at):
         sin(θ/2). [1]
     constituent : int
         Index of the constituent.
+    table : array
+        ``phase`` or ``across`` of the tables.
     light : MarchTables
         Tables of the solution.
     lanes, at : int
@@ -159,8 +170,39 @@ def phase_of(half_sine, constituent, light, lanes, at):
     node = min(int(u), light.phase_nodes - 2)
     f = np.float32(u - node)
     first = lanes * (node * light.constituents + constituent) + at
-    low = load(light.phase, first)
-    return low + f * (load(light.phase, first + lanes * light.constituents) - low)
+    low = load(table, first)
+    return low + f * (load(table, first + lanes * light.constituents) - low)
+
+
+@inlined
+def polarised_between(
+    near, stride, right, down, half_sine, turn, screen, light, lanes, at
+):  # fmt: skip
+    """Q and U of the air from the table of the sky, with exact phase matrices of its peaks. [sr⁻¹]
+
+    Parameters
+    ----------
+    near, stride, right, down, half_sine, screen, light, lanes, at :
+        Arguments of ``air_between``.
+    turn : float, float
+        Result of ``star_plane``.
+    """
+    cosine, sine = turn
+    peaked = splat(0.0)
+    if light.first_peak >= 0:
+        element = phase_of(half_sine, light.first_peak, light.across, light, lanes, at)
+        peaked = peaked + element * between_texels(
+            screen.sky_first, near, stride, right, down, lanes, at
+        )
+    if light.second_peak >= 0:
+        element = phase_of(half_sine, light.second_peak, light.across, light, lanes, at)
+        peaked = peaked + element * between_texels(
+            screen.sky_second, near, stride, right, down, lanes, at
+        )
+    rest = between_texels(screen.sky_air, near, stride, right, down, lanes, at)
+    along = between_texels(screen.sky_along, near, stride, right, down, lanes, at) - rest
+    aslant = between_texels(screen.sky_aslant, near, stride, right, down, lanes, at) - rest
+    return along + peaked * np.float32(cosine), aslant + peaked * np.float32(sine)
 
 
 @inlined
@@ -178,13 +220,13 @@ def air_between(near, stride, right, down, half_sine, screen, light, lanes, at):
     """
     total = between_texels(screen.sky_air, near, stride, right, down, lanes, at)
     if light.first_peak >= 0:
-        total = total + phase_of(half_sine, light.first_peak, light, lanes, at) * between_texels(
-            screen.sky_first, near, stride, right, down, lanes, at
-        )
+        total = total + phase_of(
+            half_sine, light.first_peak, light.phase, light, lanes, at
+        ) * between_texels(screen.sky_first, near, stride, right, down, lanes, at)
     if light.second_peak >= 0:
-        total = total + phase_of(half_sine, light.second_peak, light, lanes, at) * between_texels(
-            screen.sky_second, near, stride, right, down, lanes, at
-        )
+        total = total + phase_of(
+            half_sine, light.second_peak, light.phase, light, lanes, at
+        ) * between_texels(screen.sky_second, near, stride, right, down, lanes, at)
     return total
 
 
@@ -263,8 +305,8 @@ def seen_line(
         Results of ``sight``.
     exact, window, observer, screen, light, work :
         Arguments of ``pixel_light``; ``work.found`` receives the air's radiance and, for a line to
-        the ground, that of a white Lambert ground and, last, that of the sky which water there
-        mirrors. [sr⁻¹]
+        the ground, that of a white Lambert ground and, at ``MIRRORED``, that of the sky which
+        water there mirrors; with a filter Q and U, as ``march`` has them. [sr⁻¹]
 
     Returns
     -------
@@ -282,21 +324,32 @@ def seen_line(
             if not mirrored or (wet and observer.orders != 1):
                 bent = look(
                     z, sine, cos_azimuth, half_sine, to_ground, mirrored, True, True, False,
-                    observer, light, work, work.found,
+                    screen.filter > 0, observer, light, work, work.found,
                 )  # fmt: skip
             if mirrored:
                 for at in range(0, light.lanes, LANES):
                     value = splat(0.0)
                     if wet and observer.orders != 1:
                         value = load(work.found, at)
-                    store(work.found, 4 * light.lanes + at, value)
+                    store(work.found, MIRRORED * light.lanes + at, value)
     else:
         near, right, down = place_in_sky(x, y, row, to_ground, window)
+        turn = 1.0, 0.0
+        if screen.filter > 0:
+            nu = min(max(x * observer.sun_x + z * observer.sun_z, -1.0), 1.0)
+            turn = star_plane(z, observer.sun_z, nu)
         for at in range(0, light.lanes, LANES):
             value = air_between(
                 near, window.column_count, right, down, half_sine, screen, light, light.lanes, at
             )
             store(work.found, at, value)
+            if screen.filter > 0:
+                along, aslant = polarised_between(
+                    near, window.column_count, right, down, half_sine, turn, screen, light,
+                    light.lanes, at,
+                )  # fmt: skip
+                store(work.found, 4 * light.lanes + at, along)
+                store(work.found, 5 * light.lanes + at, aslant)
             if to_ground:
                 value = between_texels(
                     screen.sky_ground, near, window.column_count, right, down, light.lanes, at
@@ -307,7 +360,7 @@ def seen_line(
                     screen.sky_air, near + window.ground_count * window.column_count,
                     window.column_count, right, down, light.lanes, at,
                 )  # fmt: skip
-                store(work.found, 4 * light.lanes + at, value)
+                store(work.found, MIRRORED * light.lanes + at, value)
         if to_ground and light.bend > 0.0:
             bent = bent_to_ground(z, sine, observer, light, work.totals)
     return bent
@@ -351,6 +404,9 @@ def pixel_light(
             )
             if screen.overlaid:
                 columns_to_ground(z, sine, observer, light, work.totals, work.before)
+    whole, along, aslant = 1.0, 0.0, 0.0
+    if screen.filter > 0:
+        whole, along, aslant = filter_shares(x, y, z, screen)
     for at in range(0, light.lanes, LANES):
         total = splat(0.0)
         if through_air:
@@ -363,6 +419,11 @@ def pixel_light(
             total = total + load(work.found, light.lanes + at) * factor
             if screen.overlaid:
                 total = total + lamp_light(color, screen, light, work.totals, at)
+        if screen.filter > 0:
+            total = total * np.float32(whole)
+            if through_air:
+                total = total + load(work.found, 4 * light.lanes + at) * np.float32(along)
+                total = total + load(work.found, 5 * light.lanes + at) * np.float32(aslant)
         store(result, at, total)
     if screen.draws_disc and not to_ground:
         apart = 2.0 * half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
@@ -377,4 +438,4 @@ def pixel_light(
                     work.totals, light.true_extinction, light.constituents, light.lanes, at
                 )
                 disc = darkened(p0, p1, p2, p3, p4, p5, light, at)
-                store(result, at, load(result, at) + through * disc)
+                store(result, at, load(result, at) + through * disc * np.float32(whole))

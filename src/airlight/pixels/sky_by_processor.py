@@ -37,18 +37,22 @@ class SkyLayers(NamedTuple):
         Radiance of the air, and of a ground of albedo 1 behind it. [sr^-¼]
     first, second : array
         Single scattering by the peaked constituents, without their phase functions. [1]
+    along, aslant : array
+        I + Q and I + U of the air, without these; one value if they are not asked. [sr^-¼]
     """
 
     air: Float32Array
     ground: Float32Array
     first: Float32Array
     second: Float32Array
+    along: Float32Array
+    aslant: Float32Array
 
     @classmethod
     def none(cls) -> SkyLayers:
         """Empty table."""
         empty = np.zeros(1, np.float32)
-        return cls(empty, empty, empty, empty)
+        return cls(*[empty] * 6)
 
 
 @compiled_loop
@@ -56,7 +60,7 @@ def fill_texels(begin, end, window, observer, light, work, layers):
     """Fill texels ``begin`` to ``end`` - 1 of all layers."""
     light, work, layers = borrowed((light, work, layers))
     found, lanes = work.found, light.lanes
-    peaks = light.first_peak >= 0
+    peaks, polarised = light.first_peak >= 0, layers.along.size > 1
     stride = window.column_count
     sky_texels = stride * window.sky_count
     for texel in range(begin, end):
@@ -68,8 +72,9 @@ def fill_texels(begin, end, window, observer, light, work, layers):
             if line >= window.ground_count:
                 row += window.rows - window.ground_count
         sky_texel(
-            column, row, window.columns, window.rows, True, peaks, observer, light, work, found
-        )
+            column, row, window.columns, window.rows, True, peaks, polarised, observer, light,
+            work, found,
+        )  # fmt: skip
         for at in range(0, lanes, LANES):
             store(layers.air, lanes * texel + at, load(found, at))
             store(layers.ground, lanes * texel + at, load(found, lanes + at))
@@ -77,6 +82,9 @@ def fill_texels(begin, end, window, observer, light, work, layers):
                 store(layers.first, lanes * texel + at, load(found, 2 * lanes + at))
             if light.second_peak >= 0:
                 store(layers.second, lanes * texel + at, load(found, 3 * lanes + at))
+            if polarised:
+                store(layers.along, lanes * texel + at, load(found, 4 * lanes + at))
+                store(layers.aslant, lanes * texel + at, load(found, 5 * lanes + at))
 
 
 def filled_sky(
@@ -84,6 +92,7 @@ def filled_sky(
     observer: Observer,
     window: SkyWindow,
     *,
+    polarised: bool = False,
     cancel: Cancel | None = None,
     progress: Progress | None = None,
 ) -> SkyLayers:
@@ -97,6 +106,8 @@ def filled_sky(
         Position of observer and star.
     window : SkyWindow
         Part of the table to fill.
+    polarised : bool
+        Whether Q and U are asked.
     cancel, progress : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -114,6 +125,8 @@ def filled_sky(
         ground=np.empty(size, np.float32),
         first=np.zeros(size if tables.first_peak >= 0 else 1, np.float32),
         second=np.zeros(size if tables.second_peak >= 0 else 1, np.float32),
+        along=np.empty(size if polarised else 1, np.float32),
+        aslant=np.empty(size if polarised else 1, np.float32),
     )
 
     def run(index: int) -> None:

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_meeting
 from airlight.kernel import inlined, kernel
-from airlight.kernel.lanes import INVERSE_PI, LANES, fourth_root, load, splat, store
+from airlight.kernel.lanes import INVERSE_PI, LANES, fourth_root, load, maximum, splat, store
 from airlight.mappings.sky_view import direction_from_row, impact_from_row
 from airlight.optics.cox_munk import mean_square_slope
 from airlight.pixels.ground_angles import bent_to_ground, mirrored_line, star_from
@@ -132,8 +132,8 @@ def star_on_ground(sine, cos_azimuth, r, start_mu, nu, length, column, observer,
 
 @inlined
 def look(
-    mu, sine, cos_azimuth, half_sine, to_ground, mirrored, keeps_peaks, air, peaks, observer, light,
-    work, result,
+    mu, sine, cos_azimuth, half_sine, to_ground, mirrored, keeps_peaks, air, peaks, polarised,
+    observer, light, work, result,
 ):  # fmt: skip
     """Light along one line of sight, and that of a ground behind the air.
 
@@ -151,13 +151,13 @@ def look(
         the star than that.
     keeps_peaks : bool
         Whether the air's radiance has the single scattering of the peaked constituents.
-    air, peaks, work : bool, bool, MarchWorkspace
+    air, peaks, polarised, work : bool, bool, bool, MarchWorkspace
         Arguments of ``march``.
     observer, light : Observer, MarchTables
         Observer, and tables of the solution.
-    result : array, shape (4·w,)
-        Receives the air's radiance, that of a white Lambert ground behind it [sr⁻¹], and the single
-        scattering by the two peaked constituents [1].
+    result : array, shape (4·w,), or (6·w,) if ``polarised``
+        Receives the air's radiance, that of a white Lambert ground behind it [sr⁻¹], the single
+        scattering by the two peaked constituents [1], and Q and U of the air's light. [sr⁻¹]
 
     Returns
     -------
@@ -178,8 +178,13 @@ def look(
         length = distance_to_top(r, start_mu, light.top)
         spread = 0.25 * mean_square_slope(light.ground.wind)
         half_sine = sqrt(min(0.5 * (1.0 - nu) + spread, 1.0))
-    phases_towards(half_sine, keeps_peaks or mirrored, light, work.phase)
-    march(r, start_mu, start_mu_s, nu, length, orders, air, peaks, work.phase, light, work, result)
+    phases_towards(half_sine, keeps_peaks or mirrored, light.phase, light, work.phase)
+    if polarised:
+        phases_towards(half_sine, keeps_peaks, light.across, light, work.across)
+    march(
+        r, start_mu, start_mu_s, nu, length, orders, air, peaks, polarised, work.phase, work.across,
+        light, work, result,
+    )  # fmt: skip
     if air and to_ground and not mirrored:
         mu_s, angle = star_on_ground(
             sine, cos_azimuth, r, start_mu, nu, length, work.totals[light.constituents - 1],
@@ -197,8 +202,8 @@ def look(
 
 
 @inlined
-def phases_towards(half_sine, keeps_peaks, light, phase):
-    """Phase functions of all constituents; 0 for the peaked ones unless they are kept. [sr⁻¹]
+def phases_towards(half_sine, keeps_peaks, table, light, phase):
+    """Element of all constituents' phase matrices; 0 for the peaked ones unless kept. [sr⁻¹]
 
     Parameters
     ----------
@@ -206,12 +211,14 @@ def phases_towards(half_sine, keeps_peaks, light, phase):
         sin(θ/2). [1]
     keeps_peaks : bool
         Whether those of the peaked constituents are kept.
+    table : array
+        ``phase`` or ``across`` of the tables.
     light : MarchTables
         Tables of the solution.
     phase : array, shape (c·w,)
-        Receives the phase functions. [sr⁻¹]
+        Receives the elements. [sr⁻¹]
     """
-    read_phase(half_sine, light.phase, light.phase_nodes, light.lanes * light.constituents, phase)
+    read_phase(half_sine, table, light.phase_nodes, light.lanes * light.constituents, phase)
     if not keeps_peaks:
         for at in range(0, light.lanes, LANES):
             if light.first_peak >= 0:
@@ -277,8 +284,10 @@ def row_coordinate(row, rows, outside):
 
 
 @inlined
-def sky_texel(column, row, columns, rows, air, peaks, observer, light, work, result):
+def sky_texel(column, row, columns, rows, air, peaks, polarised, observer, light, work, result):
     """Texel of the table: fourth roots of the results of ``look``.
+
+    Q and U may be negative, and I + Q and I + U are stored.
 
     Parameters
     ----------
@@ -287,7 +296,7 @@ def sky_texel(column, row, columns, rows, air, peaks, observer, light, work, res
         ground's, and the last the mirrored sky's, of the same lines.
     columns, rows : int
         Numbers of azimuths from 0 to π, ends included, and of rows of one half.
-    air, peaks, observer, light, work, result :
+    air, peaks, polarised, observer, light, work, result :
         Arguments of ``look``.
     """
     mirrored = row >= 2 * rows
@@ -298,10 +307,14 @@ def sky_texel(column, row, columns, rows, air, peaks, observer, light, work, res
             column, line, columns, rows, observer, light
         )
         look(
-            mu, sine, cos_azimuth, half_sine, line >= rows, mirrored, False, air, peaks, observer,
-            light, work, result,
+            mu, sine, cos_azimuth, half_sine, line >= rows, mirrored, False, air, peaks, polarised,
+            observer, light, work, result,
         )  # fmt: skip
     for at in range(0, light.lanes, LANES):
+        if polarised:
+            for layer in range(4, 6):
+                both = load(result, at) + load(result, light.lanes * layer + at)
+                store(result, light.lanes * layer + at, fourth_root(maximum(both, 0.0)))
         for layer in range(4):
             root = splat(0.0)
             # The mirrored sky has its peaks in the light of the air.

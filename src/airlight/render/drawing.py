@@ -16,6 +16,7 @@ from airlight.pixels.picture_numbers import (
     screen_from,
 )
 from airlight.pixels.pixels_by_processor import draw_pixels, march_pixels
+from airlight.pixels.polarising_filter import NONE
 from airlight.pixels.shown import shown_solution
 from airlight.pixels.sky_by_processor import SkyLayers, filled_sky
 from airlight.pixels.sky_window import SkyWindow, sky_window
@@ -44,6 +45,8 @@ class Drawing:
         Whether pixels on the horizon and the limb have more.
     air : bool
         Whether the light of air and ground is drawn; otherwise the disc alone.
+    stokes : bool
+        Whether Q and U can be drawn, beside what the camera sees.
 
     Attributes
     ----------
@@ -62,6 +65,7 @@ class Drawing:
         samples: int = 1,
         edges: bool = True,
         air: bool = True,
+        stokes: bool = False,
     ) -> None:
         camera, light = scene.camera, solution.light
         numbers = scene_numbers(scene, solution) | {"orders": order_number(orders)}
@@ -70,6 +74,7 @@ class Drawing:
         numbers |= overlay_numbers(solution)
         numbers |= {"samples": float(checked_samples(samples)), "edges": float(edges)}
         self._numbers, self._camera = numbers, camera
+        self._polarised = stokes or numbers["filter"] != NONE
         self._observer = observer_from(numbers)
         self.window = None
         if not exact and air:
@@ -104,11 +109,12 @@ class Drawing:
         if self.window is None:
             return
         layers = filled_sky(
-            self._tables, self._observer, self.window, cancel=cancel, progress=progress
-        )
+            self._tables, self._observer, self.window, polarised=self._polarised, cancel=cancel,
+            progress=progress,
+        )  # fmt: skip
         self._screen = screen_from(self._numbers, self._camera, self._ground, self._overlay, layers)
 
-    def draw(self, first: int, last: int, rgb: Float32Array) -> None:
+    def draw(self, first: int, last: int, rgb: Float32Array, element: int | None = None) -> None:
         """Draw rows ``first`` to ``last`` - 1 into a black picture, linear sRGB.
 
         Parameters
@@ -117,13 +123,17 @@ class Drawing:
             Range of rows.
         rgb : array, shape (height, width, 3)
             Receives the radiance. [W m⁻² sr⁻¹]
+        element : int, optional
+            ``ALONG`` or ``ASLANT`` of ``polarising_filter``: Q or U is drawn instead.
         """
         px = np.arange(rgb.shape[1]) + 0.5
         py = np.arange(first, last) + 0.5
         x, y = np.broadcast_arrays(px, py[:, None])
-        self.draw_pixels(x.ravel(), y.ravel(), rgb[first:last].reshape(-1, 3))
+        self.draw_pixels(x.ravel(), y.ravel(), rgb[first:last].reshape(-1, 3), element)
 
-    def draw_pixels(self, px: FloatArray, py: FloatArray, rgb: Float32Array) -> None:
+    def draw_pixels(
+        self, px: FloatArray, py: FloatArray, rgb: Float32Array, element: int | None = None
+    ) -> None:
         """Draw pixels anywhere in the picture, linear sRGB.
 
         Parameters
@@ -132,11 +142,14 @@ class Drawing:
             Centres of the pixels, from the picture's left and top edge. [pixel]
         rgb : array, shape (n, 3)
             Receives the radiance. [W m⁻² sr⁻¹]
+        element : int, optional
+            As in ``draw``.
         """
+        screen = self._screen if element is None else self._screen._replace(filter=element)
         pixels = march_pixels if self.window is None else draw_pixels
         window = SkyWindow.whole(0, 0) if self.window is None else self.window
         pixels(
-            px, py, window, self._observer, self._screen, self._tables,
+            px, py, window, self._observer, screen, self._tables,
             new_workspace(self._tables), self._weights, self._reach, rgb,
         )  # fmt: skip
 

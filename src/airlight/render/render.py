@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.pixels.lit_scenes import lit_scenes
+from airlight.pixels.polarising_filter import ALONG, ASLANT
 from airlight.render.drawing import Drawing
 from airlight.scene import Camera, Scene
 from airlight.scene.frame import Frame
@@ -29,6 +31,7 @@ def render(
     exact: bool = False,
     disc: bool = True,
     samples: int = 1,
+    stokes: bool = False,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Frame:
@@ -52,6 +55,8 @@ def render(
     samples : int
         Samples per side of every pixel, 1 to 16. One suffices: pixels on the horizon and on the
         limb have a grid of samples of their own.
+    stokes : bool
+        Whether the frame has Q and U beside the picture, each in its line's own meridian plane.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -63,8 +68,8 @@ def render(
     Raises
     ------
     ParameterError
-        If the solution is of another solver (pictures march the moments), or ``orders`` or
-        ``samples`` has another value.
+        If the solution is of another solver (pictures march the moments), ``orders`` or
+        ``samples`` has another value, or polarised light is requested of scalar transfer.
     Cancelled
         If ``cancel`` requested it.
     """
@@ -73,18 +78,25 @@ def render(
             "solution", solution.report.solver, "a solution of the moments solver: a picture "
             "marches its moments",
         )  # fmt: skip
+    if (stokes or scene.camera.polariser is not None) and not solution.polarised:
+        field = "stokes" if stokes else "camera.polariser"
+        value = True if stokes else scene.camera.polariser
+        raise ParameterError(field, value, "a solution with polarisation left on")
     pictures = lit_scenes(scene, solution)
     frames = []
     for number, (seen, lit, air, _) in enumerate(pictures):
         drawing = Drawing(
-            lit, seen, orders=orders, exact=exact, disc=disc, samples=samples, air=air
-        )
+            lit, seen, orders=orders, exact=exact, disc=disc, samples=samples, air=air,
+            stokes=stokes,
+        )  # fmt: skip
         share = None if progress is None else _shared(progress, number, len(pictures))
-        frames.append(_drawn(drawing, scene.camera, share, cancel))
-    rgb = frames[0] if len(frames) == 1 else np.asarray(np.sum(frames, axis=0, dtype=np.float32))
+        elements = (None, ALONG, ASLANT) if stokes else (None,)
+        frames.append(_drawn(drawing, scene.camera, elements, share, cancel))
+    layers = frames[0] if len(frames) == 1 else np.asarray(np.sum(frames, axis=0, dtype=np.float32))
     wavelengths = ", ".join(f"{nm:g}" for nm in solution.wavelengths)
     return Frame(
-        rgb=rgb,
+        rgb=layers[0],
+        polarised=layers[1:] if stokes else None,
         metadata={
             "solver": str(solution.report),
             "wavelengths": f"{wavelengths} nm",
@@ -102,10 +114,14 @@ def _shared(progress: Progress, number: int, count: int) -> Progress:
 
 
 def _drawn(
-    drawing: Drawing, camera: Camera, progress: Progress | None, cancel: Cancel | None
+    drawing: Drawing,
+    camera: Camera,
+    elements: Sequence[int | None],
+    progress: Progress | None,
+    cancel: Cancel | None,
 ) -> Float32Array:
-    """Linear sRGB of a picture by one light, shape (height, width, 3). [W m⁻² sr⁻¹]"""
-    rgb = np.zeros((camera.height, camera.width, 3), np.float32)
+    """Linear sRGB of pictures by one light, shape (elements, height, width, 3). [W m⁻² sr⁻¹]"""
+    layers = np.zeros((len(elements), camera.height, camera.width, 3), np.float32)
     step = max(1, _BLOCK_PIXELS // camera.width)
     blocks = -(-camera.height // step)
     # Filling the table counts as much as drawing the rows.
@@ -120,8 +136,12 @@ def _drawn(
             progress(total - blocks + done, total, message)
 
     drawing.fill_sky(cancel=cancel, progress=filling)
+
+    def draw(k: int) -> None:
+        for element, rgb in zip(elements, layers, strict=True):
+            drawing.draw(k * step, min((k + 1) * step, camera.height), rgb, element)
+
     run_blocks(
-        lambda k: drawing.draw(k * step, min((k + 1) * step, camera.height), rgb),
-        blocks, cancel=cancel, progress=drawn, message="rendering",
+        draw, blocks, cancel=cancel, progress=drawn, message="rendering",
     )  # fmt: skip
-    return rgb
+    return layers

@@ -47,6 +47,9 @@ class Camera:
         Azimuth of the line of sight. [deg]
     roll : float
         Clockwise rotation of the camera about its line of sight. [deg]
+    polariser : float, optional
+        Ideal polarising filter: angle of its axis, counterclockwise from the camera's up; no filter
+        by default. It halves light that is not polarised. [deg]
 
     Raises
     ------
@@ -67,6 +70,7 @@ class Camera:
     look_zenith: float | None = None
     look_azimuth: float = 0.0
     roll: float = 0.0
+    polariser: float | None = None
 
     def __post_init__(self) -> None:
         if self.projection not in PROJECTIONS:
@@ -88,11 +92,14 @@ class Camera:
             "look_zenith": (0.0, 180.0),
             "look_azimuth": (-360.0, 360.0),
             "roll": (-360.0, 360.0),
+            "polariser": (-360.0, 360.0),
         }
         for name, (low, high) in limits.items():
             value = getattr(self, name)
             if value is None and name in defaults:
                 value = defaults[name]
+            if value is None and name == "polariser":
+                continue
             object.__setattr__(self, name, within(f"camera.{name}", value, low, high, "deg"))
 
     @property
@@ -113,6 +120,16 @@ class Camera:
     def glare_angle(self) -> float:
         """Angle of a pixel as glare takes it: 0 where neighbouring pixels are apart. [rad]"""
         return self.pixel_angle if self._form.connected else 0.0
+
+    @property
+    def filter_axis(self) -> NDArray[np.float64]:
+        """Axis of the polarising filter in the local frame, shape (3,); 0 without one. [1]"""
+        if self.polariser is None:
+            return np.zeros(3)
+        right, up, _ = self.axes
+        angle = math.radians(self.polariser)
+        axis: NDArray[np.float64] = up * math.cos(angle) - right * math.sin(angle)
+        return axis
 
     @property
     def axes(self) -> NDArray[np.float64]:

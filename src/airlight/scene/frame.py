@@ -22,6 +22,9 @@ class Frame:
     rgb : array, shape (height, width, 3), float32
         Linear sRGB of the radiance, weighted by the colour-matching functions; channels outside
         the sRGB gamut may be negative. 683 lm/W times its luminance is in cd m⁻². [W m⁻² sr⁻¹]
+    polarised : array, shape (2, height, width, 3), float32, or None
+        Q and U of the same light, in the meridian plane of each line of sight; None if not drawn.
+        [W m⁻² sr⁻¹]
     metadata : dict
         Description of how it was made, as text.
     pixel_angle : float
@@ -34,6 +37,7 @@ class Frame:
     """
 
     rgb: NDArray[np.float32]
+    polarised: NDArray[np.float32] | None = None
     metadata: dict[str, str] = field(default_factory=dict)
     pixel_angle: float = 0.0
     scene: Scene | None = None

@@ -10,47 +10,57 @@ sign.
 
 from __future__ import annotations
 
+from math import sqrt
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.kernel import kernel
+
 FloatArray = NDArray[np.float64]
 
 #: Names of the Stokes parameters of a line of sight; V is left out.
 STOKES: Final = ("I", "Q", "U")
-#: Sine of the zenith angle below which a line counts as vertical. [1]
-_VERTICAL = 1e-12
+#: Square of the sine of the zenith angle below which a line counts as vertical. [1]
+_VERTICAL: Final = 1e-24
 
 
-def star_plane(mu: FloatArray, mu_s: FloatArray, nu: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Turn from the meridian plane of lines of sight to the plane of line and star.
+@kernel
+def star_plane(mu, mu_s, nu):
+    """Turn from the meridian plane of a line of sight to the plane of line and star.
 
     Parameters
     ----------
-    mu, mu_s, nu : array, shape (n,)
+    mu, mu_s, nu : float
         Cosines of the zenith angles of line and star, and of the angle between them. [1]
 
     Returns
     -------
-    cosine, sine : array, shape (n,)
+    cosine, sine : float
         Of twice the angle from e_θ to the star's side, about the line; a vertical line has
         azimuth 0. [1]
 
     Examples
     --------
-    >>> cosine, sine = star_plane(np.array([0.0]), np.array([0.0]), np.array([0.0]))
-    >>> cosine.round(12).tolist()  # both on the horizon: across the meridian
-    [-1.0]
+    >>> star_plane(0.0, 0.0, 0.0)[0]  # both on the horizon: across the meridian
+    -1.0
     """
     along = mu * nu - mu_s
-    square = 1.0 - mu**2 - mu_s**2 - nu**2 + 2.0 * mu * mu_s * nu
-    across = -np.sqrt(np.maximum(square, 0.0))
-    whole = along**2 + across**2
-    plain = (whole < 1e-24) | ((1.0 - mu) * (1.0 + mu) < _VERTICAL**2)
-    safe = np.where(plain, 1.0, whole)
-    cosine = np.where(plain, 1.0, (along**2 - across**2) / safe)
-    sine = np.where(plain, 0.0, 2.0 * along * across / safe)
+    square = 1.0 - mu * mu - mu_s * mu_s - nu * nu + 2.0 * mu * mu_s * nu
+    across = 0.0 - sqrt(max(square, 0.0))
+    whole = along * along + across * across
+    cosine, sine = 1.0, 0.0
+    if whole > _VERTICAL and (1.0 - mu) * (1.0 + mu) > _VERTICAL:
+        cosine = (along * along - across * across) / whole
+        sine = 2.0 * along * across / whole
+    return cosine, sine
+
+
+def star_planes(mu: FloatArray, mu_s: FloatArray, nu: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Results of ``star_plane`` for many lines of sight, each shape (n,)."""
+    turns = np.array([star_plane(*line) for line in zip(mu, mu_s, nu, strict=True)])
+    cosine, sine = turns.reshape(-1, 2).T
     return cosine, sine
 
 

@@ -24,6 +24,7 @@ from airlight.solvers.moments.sweep import (
     star_from_ray,
     through_ray,
 )
+from airlight.solvers.stokes_frame import star_plane
 
 #: Phase function of isotropic scattering. [sr⁻¹]
 ISOTROPIC: Final = 0.25 / pi
@@ -170,21 +171,6 @@ def scattered_once(
     return radiance, polarised
 
 
-@inlined
-def star_plane_turn(mu, mu_s, nu):
-    """Cosine and sine of twice the angle from a ray's meridian to its plane with the star. [1]
-
-    See ``stokes_frame.star_plane``.
-    """
-    along = mu * nu - mu_s
-    square = 1.0 - mu * mu - mu_s * mu_s - nu * nu + 2.0 * mu * mu_s * nu
-    across = 0.0 - sqrt(max(square, 0.0))
-    whole = along * along + across * across
-    if whole < 1e-24:
-        return 1.0, 0.0
-    return (along * along - across * across) / whole, 2.0 * along * across / whole
-
-
 @compiled_loop
 def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, lift, out, sky_out):
     """Moments of the light scattered or reflected once, at all sun elevations of one radius.
@@ -284,7 +270,7 @@ def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, 
                     0, sun_depths, directions, mu_s, nu, bottom, top, star_radius, lift,
                 )  # fmt: skip
                 radiance, plane = exact * radiance, exact * plane
-                cosine, sine = star_plane_turn(mu, mu_s, nu)
+                cosine, sine = star_plane(mu, mu_s, nu)
                 add_polarised(
                     polarised, multiples, sines, b, np.float32(cosine) * plane,
                     np.float32(sine) * plane,

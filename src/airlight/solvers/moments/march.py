@@ -23,11 +23,13 @@ from airlight.solvers.moments.harmonics import POLARISED, directed_functions
 from airlight.solvers.moments.march_panels import panel_columns, place_panel, place_panels
 from airlight.solvers.moments.source import (
     gathered_light,
+    gathered_polarised,
     scattered_star,
     star_at,
     through_columns,
 )
 from airlight.solvers.moments.sweep import sun_index
+from airlight.solvers.stokes_frame import star_plane
 from airlight.tables.column_ratios import columns_to_top
 
 #: By day, the light scattered before is left out at points that scatter less than this part of
@@ -37,7 +39,9 @@ FAINT = 5e-3
 
 
 @inlined
-def march(r, mu, mu_s, nu, length, orders, air, peaks, phase, light, work, result):
+def march(
+    r, mu, mu_s, nu, length, orders, air, peaks, polarised, phase, across, light, work, result
+):  # fmt: skip
     """Light of a stretch of air towards its start, per irradiance of the star.
 
     Parameters
@@ -50,18 +54,20 @@ def march(r, mu, mu_s, nu, length, orders, air, peaks, phase, light, work, resul
         Length, to the ground or to the top. [m]
     orders : int
         1: the star's light scattered once; 0: all other light; 2: both.
-    air, peaks : bool
-        Whether the air's radiance is found, and single scattering by the peaked constituents.
-        Constants in a shader.
-    phase : array, shape (nc·w,)
-        Phase functions; 0 for constituents kept separate. [sr⁻¹]
+    air, peaks, polarised : bool
+        Whether the air's radiance is found, single scattering by the peaked constituents, and Q and
+        U of the air's light. Constants in a shader.
+    phase, across : array, shape (nc·w,)
+        Phase functions, and elements F₁₂ of the phase matrices; 0 for constituents kept separate.
+        [sr⁻¹]
     light, work : MarchTables, MarchWorkspace
         Tables of the solution; workspace, whose totals receive the columns of the stretch [m].
-    result : array, shape (4·w,)
+    result : array, shape (4·w,), or (6·w,) if ``polarised``
         Receives the air's radiance [sr⁻¹], its transmittance, with forward peaks counted as
-        unscattered [1], and the single scattering by the two peaked constituents, without their
-        phase functions [1].
+        unscattered [1], the single scattering by the two peaked constituents, without their
+        phase functions [1], and Q and U in the frame of ``stokes_frame``. [sr⁻¹]
     """
+    turn = star_plane(mu, mu_s, nu)
     count, rule, day = place_panels(r, mu, mu_s, nu, length, light, work)
     n = int(light.rules[rule])
     scatters = 0.0
@@ -73,11 +79,17 @@ def march(r, mu, mu_s, nu, length, orders, air, peaks, phase, light, work, resul
         store(result, at, splat(0.0))
         store(result, 2 * light.lanes + at, splat(0.0))
         store(result, 3 * light.lanes + at, splat(0.0))
+        if polarised:
+            store(result, 4 * light.lanes + at, splat(0.0))
+            store(result, 5 * light.lanes + at, splat(0.0))
     for panel in range(count - 1):
         place_panel(r, mu, panel, count, rule, light, work)
         panel_columns(rule, light, work)
         for k in range(n):
-            add_point(r, mu, mu_s, nu, k, n, orders, air, peaks, faint, phase, light, work, result)
+            add_point(
+                r, mu, mu_s, nu, k, n, orders, air, peaks, polarised, faint, turn, phase, across,
+                light, work, result,
+            )  # fmt: skip
     for c in range(light.constituents):
         work.totals[c] = work.before[c]
     for at in range(0, light.lanes, LANES):
@@ -88,13 +100,18 @@ def march(r, mu, mu_s, nu, length, orders, air, peaks, phase, light, work, resul
 
 
 @inlined
-def add_point(r, mu, mu_s, nu, k, n, orders, air, peaks, faint, phase, light, work, result):
+def add_point(
+    r, mu, mu_s, nu, k, n, orders, air, peaks, polarised, faint, turn, phase, across, light, work,
+    result,
+):  # fmt: skip
     """Add the light of one point of a panel to the result of a march.
 
     Parameters
     ----------
-    r, mu, mu_s, nu, orders, air, peaks, phase, light, work, result :
+    r, mu, mu_s, nu, orders, air, peaks, polarised, phase, across, light, work, result :
         Arguments of ``march``.
+    turn : float, float
+        Result of ``star_plane``.
     k, n : int
         Index of the point, and number of points of the panel.
     faint : float
@@ -131,11 +148,18 @@ def add_point(r, mu, mu_s, nu, k, n, orders, air, peaks, faint, phase, light, wo
                 light.lanes, at,
             )  # fmt: skip
             add_star(star, air, peaks, phase, light, work, at, result)
+            if polarised:
+                add_polarised_star(star, turn, across, light, work, at, result)
         if air and gathers:
             gathered = through * gathered_at(
                 near, block, np.float32(f), np.float32(e), light, work, at
             )
             store(result, at, load(result, at) + gathered)
+            if polarised:
+                add_polarised_light(
+                    through, mu_q, near, block, np.float32(f), np.float32(e), light, work, at,
+                    result,
+                )  # fmt: skip
 
 
 @inlined
@@ -195,6 +219,43 @@ def add_star(star, air, peaks, phase, light, work, at, result):
 
 
 @inlined
+def add_polarised_star(star, turn, across, light, work, at, result):
+    """Add Q and U of the star's light scattered once at a point; arguments as in ``add_star``."""
+    cosine, sine = turn
+    once = star * scattered_star(
+        work.rho, light.scattering, across, light.constituents, light.lanes, at
+    )
+    along, aslant = 4 * light.lanes + at, 5 * light.lanes + at
+    store(result, along, load(result, along) + once * np.float32(cosine))
+    store(result, aslant, load(result, aslant) + once * np.float32(sine))
+
+
+@inlined
+def add_polarised_light(through, mu, near, block, f, e, light, work, at, result):
+    """Add Q and U of the light scattered before, scattered once more into the line at a point.
+
+    Parameters
+    ----------
+    through : lanes
+        Transmittance from the point times its weight. [m]
+    mu : float
+        Cosine of the line's zenith angle at the point. [1]
+    near, block, f, e, light, work, at :
+        Arguments of ``gathered_at``.
+    result : array, shape (6·w,)
+        Result of a march.
+    """
+    g, h = np.float32(1.0) - f, np.float32(1.0) - e
+    along, aslant = gathered_polarised(
+        work.rho, light.polarising, light.field, mu, work.azimuth[0], near,
+        near + light.suns * block, block, g * h, g * e, f * h, f * e, light.degree,
+        light.constituents, light.lanes, at,
+    )  # fmt: skip
+    store(result, 4 * light.lanes + at, load(result, 4 * light.lanes + at) + through * along)
+    store(result, 5 * light.lanes + at, load(result, 5 * light.lanes + at) + through * aslant)
+
+
+@inlined
 def field_place(q, mu, mu_s, nu, light, work):
     """Position of a point in the field, with the harmonics of the line in the workspace.
 
@@ -204,7 +265,7 @@ def field_place(q, mu, mu_s, nu, light, work):
         Radius of the point [m]; cosines of the line's and of the star's zenith angle there, and
         between line and star. [1]
     light, work : MarchTables, MarchWorkspace
-        Arguments of ``march``; the workspace receives functions.
+        Arguments of ``march``; the workspace receives functions and azimuth.
 
     Returns
     -------
@@ -216,9 +277,10 @@ def field_place(q, mu, mu_s, nu, light, work):
     """
     spread = (1.0 - mu) * (1.0 + mu) * (1.0 - mu_s) * (1.0 + mu_s)
     cosine = (nu - mu * mu_s) / sqrt(max(spread, 1e-24))
+    work.azimuth[0] = min(max(cosine, -1.0), 1.0)
     directed_functions(
         mu,
-        min(max(cosine, -1.0), 1.0),
+        work.azimuth[0],
         (light.degree, light.start, light.ahead, light.back),
         work.functions,
     )
@@ -247,5 +309,6 @@ def gathered_at(near, block, f, e, light, work, at):
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
     return gathered_light(
         work.rho, light.moments, light.polarising, light.field, work.functions, near,
-        near + light.suns * block, block, g * h, g * e, f * h, f * e, light.degree, light.constituents, light.lanes, at,
+        near + light.suns * block, block, g * h, g * e, f * h, f * e, light.degree,
+        light.constituents, light.lanes, at,
     )  # fmt: skip

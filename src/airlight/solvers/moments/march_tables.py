@@ -7,7 +7,7 @@ workspace is arrays of constant size.
 
 from __future__ import annotations
 
-from typing import Annotated, Any, NamedTuple
+from typing import Annotated, Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,10 @@ from airlight.optics.reflection import Reflection
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
+
+
+#: Place of the sky that water mirrors, in the workspace behind the result of a march.
+MIRRORED: Final = 6
 
 
 class MarchTables(NamedTuple):
@@ -68,6 +72,8 @@ class MarchTables(NamedTuple):
         Elements of degree 2 that polarise, times scattering, from ``Air``. [m⁻¹]
     phase : array, shape (phase_nodes·nc·w,)
         Phase functions on even steps of sin(θ/2). [sr⁻¹]
+    across : array, shape (phase_nodes·nc·w,)
+        Elements F₁₂ of the phase matrices on these steps; 0 in scalar transfer. [sr⁻¹]
     darkening : array, shape (6·w,)
         Radiance of the star's disc over its mean, by powers of the cosine of emergence. [1]
     basis : array, shape (3·w,)
@@ -112,6 +118,7 @@ class MarchTables(NamedTuple):
     moments: Annotated[Float32Array, SPECTRA]
     polarising: Annotated[Float32Array, SPECTRA]
     phase: Annotated[Float32Array, SPECTRA]
+    across: Annotated[Float32Array, SPECTRA]
     darkening: Annotated[Float32Array, DISC]
     basis: Annotated[Float32Array, SPECTRA]
     field: Annotated[Float32Array, FIELDS]
@@ -143,10 +150,12 @@ class MarchWorkspace(NamedTuple):
         Harmonics of the line at a point. [1]
     received : array, shape (2·w,)
         Irradiance of the ground by the star and by the sky. [1]
-    phase : array, shape (nc·w,)
-        Phase functions of a line. [sr⁻¹]
-    found : array, shape (5·w,)
-        Result of a march, and the sky that water mirrors.
+    azimuth : array, shape (1,)
+        Cosine of the line's azimuth at a point. [1]
+    phase, across : array, shape (nc·w,)
+        Phase functions and elements F₁₂ of a line. [sr⁻¹]
+    found : array, shape (7·w,)
+        Result of a march, and the sky that water mirrors, at ``MIRRORED``.
     """
 
     edges: FloatArray
@@ -165,7 +174,9 @@ class MarchWorkspace(NamedTuple):
     there: FloatArray
     functions: Float32Array
     received: Float32Array
+    azimuth: FloatArray
     phase: Float32Array
+    across: Float32Array
     found: Float32Array
 
 
@@ -184,6 +195,7 @@ def workspace_sizes(constituents: int, points: int, terms: int) -> dict[str, int
         **dict.fromkeys(("density", "amounts", "columns"), constituents * points),
         **dict.fromkeys(("before", "totals", "rho", "depths", "here", "there"), constituents),
         "functions": terms,
+        "azimuth": 1,
     }
 
 
@@ -195,7 +207,7 @@ def spectral_sizes(constituents: int) -> dict[str, int]:
     constituents : int
         Number of constituents, or more.
     """
-    return {"received": 2, "phase": constituents, "found": 5}
+    return {"received": 2, "phase": constituents, "across": constituents, "found": MIRRORED + 1}
 
 
 def new_workspace(tables: MarchTables) -> MarchWorkspace:

@@ -139,12 +139,34 @@ class MomentsSolution(Solution):
             moments=air.moments,
             polarising=air.polarising,
             phase=pack(np.moveaxis(medium.phase_table, 2, 0)),
+            across=pack(self._across(medium)),
             darkening=pack(self.lights[0].darkenings.T),
             basis=pack(medium.map_basis.T),
             field=field,
             sky=sky,
             ground=air.ground,
         )
+
+    def _across(self, medium: Medium) -> FloatArray:
+        """Elements F₁₂ of the phase matrices on the nodes of the phase table, (nodes, nc, nl)."""
+        nodes, constituents, count = (
+            medium.phase_table.shape[2],
+            len(medium.names),
+            self.wavelengths,
+        )
+        if not self.polarised:
+            return np.zeros((nodes, constituents, count.size))
+        return medium.polarising(1.0 - 2.0 * np.linspace(0.0, 1.0, nodes) ** 2)
+
+    @property
+    def polarised(self) -> bool:
+        """See ``Solution``."""
+        return self.settings.polarisation
+
+    def relative_stokes(self, sight: Sight, *, order: int | None = None) -> FloatArray:
+        """See ``Solution``; all orders, or only the first."""
+        orders = 2 if order is None else 1
+        return self._lines(self.paths.sight(sight), orders, self.light, None, True, stokes=True)[2]
 
     def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
         """See ``Solution``; all orders, or only the first."""
@@ -205,7 +227,7 @@ class MomentsSolution(Solution):
             Transmittance, with light scattered into removed forward peaks as transmitted. [1]
         """
         part = replace(sight, length=length)
-        return self._lines(part, 2, self.light if light is None else light, None, False)
+        return self._lines(part, 2, self.light if light is None else light, None, False)[:2]
 
     def _lines(
         self,
@@ -214,11 +236,21 @@ class MomentsSolution(Solution):
         chosen: MarchTables,
         scatterers: Sequence[int] | None,
         ground: bool,
-    ) -> tuple[FloatArray, FloatArray]:
-        """Radiance [sr⁻¹] and transmittance [1] of lines from ``paths.sight``, each (n, nl)."""
+        *,
+        stokes: bool = False,
+    ) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Light of lines from ``paths.sight``.
+
+        Radiance [sr⁻¹] and transmittance [1], each (n, nl); I, Q and U, (n, 3, nl), 0 without
+        ``stokes``. [sr⁻¹]
+        """
         seen = self.paths.seen_nu(sight)
         n, count = sight.r.size, self.wavelengths.size
-        out, through = np.empty((n, count)), np.empty((n, count))
+        out, through, polarised = (
+            np.empty((n, count)),
+            np.empty((n, count)),
+            np.zeros((n, 3, count)),
+        )
         ends = sight.to_ground if ground else np.zeros_like(sight.to_ground)
 
         def run(index: int) -> None:
@@ -228,7 +260,10 @@ class MomentsSolution(Solution):
                 silent = [c for c in range(phases.shape[1]) if c not in scatterers]
                 phases[:, silent] = 0.0
             phase = pack(phases).reshape(phases.shape[0], -1)
-            result = np.empty((phase.shape[0], 2 * chosen.lanes), np.float32)
+            across = phase[:, :0]
+            if stokes:
+                across = pack(self.paths.medium.polarising(seen[rows])).reshape(phase.shape)
+            result = np.empty((phase.shape[0], (6 if stokes else 2) * chosen.lanes), np.float32)
             _march_all(
                 sight.r[rows],
                 sight.mu[rows],
@@ -237,16 +272,21 @@ class MomentsSolution(Solution):
                 sight.length[rows],
                 ends[rows],
                 orders,
+                stokes,
                 phase,
+                across,
                 chosen,
                 new_workspace(chosen),
                 result,
             )
             out[rows] = result[:, :count]
             through[rows] = result[:, chosen.lanes : chosen.lanes + count]
+            if stokes:
+                kept = result.reshape(-1, 6, chosen.lanes)[:, [0, 4, 5], :count]
+                polarised[rows] = kept
 
         run_blocks(run, -(-n // _BLOCK))
-        return out, through
+        return out, through, polarised
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
@@ -281,14 +321,16 @@ class MomentsSolution(Solution):
 
 
 @compiled_loop
-def _march_all(r, mu, mu_s, nu, length, to_ground, orders, phase, light, work, out):
+def _march_all(
+    r, mu, mu_s, nu, length, to_ground, orders, stokes, phase, across, light, work, out
+):  # fmt: skip
     light, work = borrowed((light, work))
     lanes, bottom = light.lanes, light.bottom
     found, ground = work.found, np.empty(lanes, np.float32)
     for k in range(r.size):
         march(
-            r[k], mu[k], mu_s[k], nu[k], length[k], orders, True, False, phase[k], light, work,
-            found,
+            r[k], mu[k], mu_s[k], nu[k], length[k], orders, True, False, stokes, phase[k],
+            across[k], light, work, found,
         )  # fmt: skip
         if to_ground[k]:
             mu_s_ground = (r[k] * mu_s[k] + length[k] * nu[k]) / bottom
@@ -302,7 +344,7 @@ def _march_all(r, mu, mu_s, nu, length, to_ground, orders, phase, light, work, o
             for at in range(0, lanes, LANES):
                 behind = load(found, lanes + at) * load(ground, at)
                 store(found, at, load(found, at) + behind)
-        out[k] = found[: 2 * lanes]
+        out[k] = found[: out.shape[1]]
 
 
 def solve(

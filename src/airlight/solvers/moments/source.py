@@ -5,11 +5,13 @@ The march runs these for a group of lanes at a time: eight wavelengths on the CP
 
 from __future__ import annotations
 
+from math import sqrt
+
 import numpy as np
 
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, exponential, load, maximum, splat, store
-from airlight.solvers.moments.harmonics import POLARISED
+from airlight.solvers.moments.harmonics import POLARISED, polarised_functions
 
 
 @inlined
@@ -128,6 +130,51 @@ def gathered_light(
     scale = between(field, near + at, far + at, block, w00, w01, w10, w11)
     # A sum of few harmonics may be negative where there is almost no light.
     return maximum(gathered / scale, 0.0)
+
+
+@inlined
+def gathered_polarised(
+    density, polarising, field, mu, cosine, near, far, block, w00, w01, w10, w11, degree,
+    constituents, lanes, at,
+):  # fmt: skip
+    """Q and U of the light scattered before, scattered once more into the line of sight.
+
+    Parameters
+    ----------
+    mu, cosine : float
+        Cosines of the line's zenith angle and of its azimuth. [1]
+    density, polarising, field, near, far, block, w00, w01, w10, w11, degree, constituents, lanes, \
+    at :
+        As in ``gathered_light``.
+
+    Returns
+    -------
+    along, aslant : lanes
+        Q and U in the frame of ``stokes_frame``. [m⁻¹ sr⁻¹]
+    """
+    coupling, keeping = splat(0.0), splat(0.0)
+    for c in range(constituents):
+        coupling = coupling + load(polarising, lanes * 2 * c + at) * density[c]
+        keeping = keeping + load(polarising, lanes * (2 * c + 1) + at) * density[c]
+    a0, a1, a2, b1, b2 = polarised_functions(mu)
+    sine = sqrt(max((1.0 - cosine) * (1.0 + cosine), 0.0))
+    first = lanes * (1 + (degree + 1) * (degree + 2) // 2) + at  # E_20; M_20 has index 3
+    along, aslant = splat(0.0), splat(0.0)
+    for m in range(POLARISED):
+        bright = lanes * (4 + m) + at
+        turned = first + lanes * m
+        part = coupling * between(
+            field, near + bright, far + bright, block, w00, w01, w10, w11
+        ) + keeping * between(field, near + turned, far + turned, block, w00, w01, w10, w11)
+        even, odd = a0, 0.0
+        if m == 1:
+            even, odd = a1 * cosine, b1 * sine
+        if m == 2:
+            even, odd = a2 * (2.0 * cosine * cosine - 1.0), b2 * 2.0 * sine * cosine
+        along = along + part * np.float32(even)
+        aslant = aslant + part * np.float32(odd)
+    scale = between(field, near + at, far + at, block, w00, w01, w10, w11)
+    return along / scale, aslant / scale
 
 
 @inlined

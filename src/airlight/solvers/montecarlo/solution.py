@@ -23,7 +23,7 @@ from airlight.solvers.sight import Sight
 from airlight.solvers.single_scattering import reflected_once, single_scattering
 from airlight.solvers.solution import Report, Solution
 from airlight.solvers.star_light import direct_irradiance
-from airlight.solvers.stokes_frame import star_plane
+from airlight.solvers.stokes_frame import star_planes
 
 if TYPE_CHECKING:
     import xarray
@@ -166,7 +166,7 @@ class MonteCarloSolution(Solution):
         found[:, 0] = (once * phases).sum(axis=1) + reflected_once(self.medium, sight)
         if self.settings.polarisation:
             across = disc_mean(self.medium, self.medium.polarising, sight.nu)
-            cosine, sine = star_plane(sight.mu, sight.mu_s, sight.nu)
+            cosine, sine = star_planes(sight.mu, sight.mu_s, sight.nu)
             polarised = (once * across).sum(axis=1)
             found[:, 1] = polarised * cosine[:, None]
             found[:, 2] = polarised * sine[:, None]
