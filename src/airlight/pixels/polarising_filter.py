@@ -1,7 +1,9 @@
 """Polarising filter in front of a camera, and what it lets through of I, Q and U.
 
 The filter is ideal: it lets half of unpolarised light through, and all of the light that swings
-along its axis. A line of sight sees the axis projected across itself.
+along its axis. A line of sight meets the axis as a lens of circular symmetry turns it: with the
+line, about the camera's own axis. So a filter and one at right angles to it let all light
+through together, wherever the camera looks.
 """
 
 from __future__ import annotations
@@ -38,9 +40,14 @@ def filter_shares(x, y, z, screen):
     cos_azimuth, sin_azimuth = 1.0, 0.0
     if sine > 0.0:
         cos_azimuth, sin_azimuth = x / sine, y / sine
-    down = z * (cos_azimuth * screen.filter_x + sin_azimuth * screen.filter_y)
-    down = down - sine * screen.filter_z
-    side = cos_azimuth * screen.filter_y - sin_azimuth * screen.filter_x
+    ahead = x * screen.forward_x + y * screen.forward_y + z * screen.forward_z
+    part = x * screen.filter_x + y * screen.filter_y + z * screen.filter_z
+    part = part / max(1.0 + ahead, 1e-6)
+    axis_x = screen.filter_x - part * (screen.forward_x + x)
+    axis_y = screen.filter_y - part * (screen.forward_y + y)
+    axis_z = screen.filter_z - part * (screen.forward_z + z)
+    down = z * (cos_azimuth * axis_x + sin_azimuth * axis_y) - sine * axis_z
+    side = cos_azimuth * axis_y - sin_azimuth * axis_x
     square = max(down * down + side * side, 1e-12)
     whole = 0.5
     along, aslant = 0.5 * (down * down - side * side) / square, down * side / square

@@ -8,7 +8,7 @@ third part follows sky and ground: the sky that is seen mirrored at the ground's
 from __future__ import annotations
 
 from math import cos, pi, sqrt
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_meeting
@@ -23,6 +23,9 @@ from airlight.solvers.moments.source import read_phase
 
 #: Position of the last row of the sky, seen from outside, in rows inside the top.
 INSIDE = 0.1
+#: Least sine of the zenith angle of a texel of Q and U, which refer to a vertical line's azimuth:
+#: all azimuths meet there. [1]
+UPRIGHT: Final = 1e-3
 
 
 class Observer(NamedTuple):
@@ -306,6 +309,9 @@ def sky_texel(column, row, columns, rows, air, peaks, polarised, observer, light
         mu, sine, cos_azimuth, half_sine = direction_of_texel(
             column, line, columns, rows, observer, light
         )
+        if polarised and sine < UPRIGHT:
+            sine = UPRIGHT
+            mu = sqrt(1.0 - UPRIGHT * UPRIGHT) * (1.0 if mu > 0.0 else -1.0)
         look(
             mu, sine, cos_azimuth, half_sine, line >= rows, mirrored, False, air, peaks, polarised,
             observer, light, work, result,
