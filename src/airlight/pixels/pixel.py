@@ -176,7 +176,7 @@ def phase_of(half_sine, constituent, table, light, lanes, at):
 
 @inlined
 def polarised_between(
-    near, stride, right, down, half_sine, turn, screen, light, lanes, at
+    near, stride, right, down, half_sine, turn_cosine, turn_sine, screen, light, lanes, at
 ):  # fmt: skip
     """Q and U of the air from the table of the sky, with exact phase matrices of its peaks. [sr⁻¹]
 
@@ -184,10 +184,9 @@ def polarised_between(
     ----------
     near, stride, right, down, half_sine, screen, light, lanes, at :
         Arguments of ``air_between``.
-    turn : float, float
-        Result of ``star_plane``.
+    turn_cosine, turn_sine : float
+        Results of ``star_plane``. [1]
     """
-    cosine, sine = turn
     peaked = splat(0.0)
     if light.first_peak >= 0:
         element = phase_of(half_sine, light.first_peak, light.across, light, lanes, at)
@@ -202,7 +201,7 @@ def polarised_between(
     rest = between_texels(screen.sky_air, near, stride, right, down, lanes, at)
     along = between_texels(screen.sky_along, near, stride, right, down, lanes, at) - rest
     aslant = between_texels(screen.sky_aslant, near, stride, right, down, lanes, at) - rest
-    return along + peaked * np.float32(cosine), aslant + peaked * np.float32(sine)
+    return along + peaked * np.float32(turn_cosine), aslant + peaked * np.float32(turn_sine)
 
 
 @inlined
@@ -334,10 +333,10 @@ def seen_line(
                     store(work.found, MIRRORED * light.lanes + at, value)
     else:
         near, right, down = place_in_sky(x, y, row, to_ground, window)
-        turn = 1.0, 0.0
+        turn_cosine, turn_sine = 1.0, 0.0
         if screen.filter > 0:
             nu = min(max(x * observer.sun_x + z * observer.sun_z, -1.0), 1.0)
-            turn = star_plane(z, observer.sun_z, nu)
+            turn_cosine, turn_sine = star_plane(z, observer.sun_z, nu)
         for at in range(0, light.lanes, LANES):
             value = air_between(
                 near, window.column_count, right, down, half_sine, screen, light, light.lanes, at
@@ -345,7 +344,7 @@ def seen_line(
             store(work.found, at, value)
             if screen.filter > 0:
                 along, aslant = polarised_between(
-                    near, window.column_count, right, down, half_sine, turn, screen, light,
+                    near, window.column_count, right, down, half_sine, turn_cosine, turn_sine, screen, light,
                     light.lanes, at,
                 )  # fmt: skip
                 store(work.found, 4 * light.lanes + at, along)

@@ -22,6 +22,7 @@ from airlight.gpu.picture.light_sum import LightSum
 from airlight.gpu.picture.shaders import (
     picture_shader,
     sky_air_shader,
+    sky_polarised_shader,
     sky_peaks_shader,
 )
 from airlight.gpu.picture.solution_textures import SolutionTextures
@@ -478,7 +479,8 @@ class Pictures:
     ) -> None:
         """Fill the table of the sky of a light, unless it is current for observer and light."""
         sky = self._sky(number, light.solution)
-        seen = observer_from(numbers), numbers["keeps_peaks"], numbers["star_radius"]
+        polarised = numbers["filter"] > 0
+        seen = observer_from(numbers), numbers["keeps_peaks"], numbers["star_radius"], polarised
         if exact or not light.air or seen == sky.seen:
             return
         if self._by_processor:
@@ -487,7 +489,9 @@ class Pictures:
             return
         passes = [(sky_air_shader(), LAYERS[:2])]
         if numbers["keeps_peaks"]:
-            passes.append((sky_peaks_shader(), LAYERS[2:]))
+            passes.append((sky_peaks_shader(), LAYERS[2:4]))
+        if polarised:
+            passes.append((sky_polarised_shader(), LAYERS[4:]))
         for shader, layers in passes:
             targets = [sky.layers[name] for name in layers]
             self._passes.run(
@@ -502,10 +506,13 @@ class Pictures:
         tables = self._shown_tables._replace(
             rules=quadratures(FEW.points), panels=FEW.panels, star_radius=numbers["star_radius"]
         )
-        layers = filled_sky(tables, observer_from(numbers), SkyWindow.whole(*self._sky_shape))
-        names = LAYERS if numbers["keeps_peaks"] else LAYERS[:2]
-        for name, layer in zip(names, layers, strict=False):
-            if layer.size > 1:
+        layers = filled_sky(
+            tables, observer_from(numbers), SkyWindow.whole(*self._sky_shape),
+            polarised=numbers["filter"] > 0,
+        )  # fmt: skip
+        unread = () if numbers["keeps_peaks"] else LAYERS[2:4]
+        for name, layer in zip(LAYERS, layers, strict=True):
+            if layer.size > 1 and name not in unread:
                 update_flat(self.device, sky.layers[name], 0, as_texels(layer, WAVELENGTHS))
 
     def _shown(self) -> MomentsSolution:

@@ -117,7 +117,7 @@ def sky_air_shader(dialect: ShaderDialect = WGSL) -> Shader:
     dialect : ShaderDialect
         Shading language.
     """
-    return _sky_shader(dialect, "sky_air", "air_texel", (0, 1), air=True, peaks=False)
+    return _sky_shader(dialect, "sky_air", "air_texel", (0, 1), air=True)
 
 
 @cache
@@ -129,7 +129,21 @@ def sky_peaks_shader(dialect: ShaderDialect = WGSL) -> Shader:
     dialect : ShaderDialect
         Shading language.
     """
-    return _sky_shader(dialect, "sky_peaks", "peaks_texel", (2, 3), air=False, peaks=True)
+    return _sky_shader(dialect, "sky_peaks", "peaks_texel", (2, 3), peaks=True)
+
+
+@cache
+def sky_polarised_shader(dialect: ShaderDialect = WGSL) -> Shader:
+    """Shader of the air's light plus its Q, and plus its U.
+
+    Parameters
+    ----------
+    dialect : ShaderDialect
+        Shading language.
+    """
+    return _sky_shader(
+        dialect, "sky_polarised", "polarised_texel", (4, 5), air=True, polarised=True
+    )
 
 
 def _sky_shader(
@@ -138,14 +152,15 @@ def _sky_shader(
     function: str,
     layers: tuple[int, int],
     *,
-    air: bool,
-    peaks: bool,
+    air: bool = False,
+    peaks: bool = False,
+    polarised: bool = False,
 ) -> Shader:
     emitter = Emitter(dialect)
-    found = emitter.module_array("result", LocalArray(4, VEC4))
+    found = emitter.module_array("result", LocalArray(6 if polarised else 4, VEC4))
     made = emitter.add(
-        sky_texel, I32, I32, I32, I32, Constant(air), Constant(peaks), FRAME.bundle(Observer),
-        FRAME.bundle(MarchTables), march_workspace(emitter), found, name=function,
+        sky_texel, I32, I32, I32, I32, Constant(air), Constant(peaks), Constant(polarised),
+        FRAME.bundle(Observer), FRAME.bundle(MarchTables), march_workspace(emitter), found, name=function,
     )  # fmt: skip
     columns, rows = (
         dialect.uniform(FRAME.uniform(one).text, I32) for one in ("sky_columns", "sky_rows")

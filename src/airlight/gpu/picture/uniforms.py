@@ -60,7 +60,7 @@ class Lens(NamedTuple):
 FRAME: Final = UniformStruct(
     "frame", (MarchTables, Observer, Screen, Display, Lens, Strip), CHANNELS
 )
-#: Textures of the table of the sky: those of the air, then those of its two peaks.
+#: Textures of the table of the sky: those of the air, of its two peaks, and of Q and U.
 LAYERS: Final = tuple(
     table.texture
     for table in FRAME.tables.values()

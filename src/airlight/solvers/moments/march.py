@@ -67,7 +67,9 @@ def march(
         unscattered [1], the single scattering by the two peaked constituents, without their
         phase functions [1], and Q and U in the frame of ``stokes_frame``. [sr⁻¹]
     """
-    turn = star_plane(mu, mu_s, nu)
+    turn_cosine, turn_sine = 1.0, 0.0
+    if polarised:
+        turn_cosine, turn_sine = star_plane(mu, mu_s, nu)
     count, rule, day = place_panels(r, mu, mu_s, nu, length, light, work)
     n = int(light.rules[rule])
     scatters = 0.0
@@ -87,8 +89,8 @@ def march(
         panel_columns(rule, light, work)
         for k in range(n):
             add_point(
-                r, mu, mu_s, nu, k, n, orders, air, peaks, polarised, faint, turn, phase, across,
-                light, work, result,
+                r, mu, mu_s, nu, k, n, orders, air, peaks, polarised, faint, turn_cosine,
+                turn_sine, phase, across, light, work, result,
             )  # fmt: skip
     for c in range(light.constituents):
         work.totals[c] = work.before[c]
@@ -101,8 +103,8 @@ def march(
 
 @inlined
 def add_point(
-    r, mu, mu_s, nu, k, n, orders, air, peaks, polarised, faint, turn, phase, across, light, work,
-    result,
+    r, mu, mu_s, nu, k, n, orders, air, peaks, polarised, faint, turn_cosine, turn_sine, phase,
+    across, light, work, result,
 ):  # fmt: skip
     """Add the light of one point of a panel to the result of a march.
 
@@ -110,8 +112,8 @@ def add_point(
     ----------
     r, mu, mu_s, nu, orders, air, peaks, polarised, phase, across, light, work, result :
         Arguments of ``march``.
-    turn : float, float
-        Result of ``star_plane``.
+    turn_cosine, turn_sine : float
+        Results of ``star_plane``. [1]
     k, n : int
         Index of the point, and number of points of the panel.
     faint : float
@@ -149,7 +151,7 @@ def add_point(
             )  # fmt: skip
             add_star(star, air, peaks, phase, light, work, at, result)
             if polarised:
-                add_polarised_star(star, turn, across, light, work, at, result)
+                add_polarised_star(star, turn_cosine, turn_sine, across, light, work, at, result)
         if air and gathers:
             gathered = through * gathered_at(
                 near, block, np.float32(f), np.float32(e), light, work, at
@@ -219,15 +221,14 @@ def add_star(star, air, peaks, phase, light, work, at, result):
 
 
 @inlined
-def add_polarised_star(star, turn, across, light, work, at, result):
-    """Add Q and U of the star's light scattered once at a point; arguments as in ``add_star``."""
-    cosine, sine = turn
+def add_polarised_star(star, turn_cosine, turn_sine, across, light, work, at, result):
+    """Add Q and U of the star's light scattered once at a point; arguments as in ``add_point``."""
     once = star * scattered_star(
         work.rho, light.scattering, across, light.constituents, light.lanes, at
     )
     along, aslant = 4 * light.lanes + at, 5 * light.lanes + at
-    store(result, along, load(result, along) + once * np.float32(cosine))
-    store(result, aslant, load(result, aslant) + once * np.float32(sine))
+    store(result, along, load(result, along) + once * np.float32(turn_cosine))
+    store(result, aslant, load(result, aslant) + once * np.float32(turn_sine))
 
 
 @inlined
