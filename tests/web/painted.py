@@ -98,7 +98,8 @@ def program() -> dict[str, Any]:
         return [(f"{name}_2", width, height) for name, width, height in targets]
 
     sky = [(name, FLAT_WIDTH, 1) for name in LAYERS[:2]]
-    peaks = [(name, FLAT_WIDTH, 1) for name in LAYERS[2:]]
+    peaks = [(name, FLAT_WIDTH, 1) for name in LAYERS[2:4]]
+    polarised = [(name, FLAT_WIDTH, 1) for name in LAYERS[4:]]
     return {
         "plan": {
             "layout": places,
@@ -106,10 +107,12 @@ def program() -> dict[str, Any]:
             "passes": [
                 one("sky_air", "sky_air", {"0/1": "fields"}, *sky),
                 one("sky_peaks", "sky_air", {"0/1": "fields"}, *peaks),
+                one("sky_polarised", "sky_air", {"0/1": "fields"}, *polarised),
                 one("glance", "linear_picture", {"0/2": "air"}, ("glance", 64, 64)),
                 one("picture", "linear_picture", {"0/2": "air"}, ("picture", 1, 1)),
                 one("sky_air_2", "sky_air", {"0/1": "fields"}, *second(sky)),
                 one("sky_peaks_2", "sky_air", {"0/1": "fields"}, *second(peaks)),
+                one("sky_polarised_2", "sky_air", {"0/1": "fields"}, *second(polarised)),
                 # the sky of the first light stands for the sum of both
                 *(
                     one(f"{name}_{part}", "linear_picture", {"0/2": air}, (target, 1, 1))

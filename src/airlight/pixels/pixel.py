@@ -344,8 +344,8 @@ def seen_line(
             store(work.found, at, value)
             if screen.filter > 0:
                 along, aslant = polarised_between(
-                    near, window.column_count, right, down, half_sine, turn_cosine, turn_sine, screen, light,
-                    light.lanes, at,
+                    near, window.column_count, right, down, half_sine, turn_cosine, turn_sine,
+                    screen, light, light.lanes, at,
                 )  # fmt: skip
                 store(work.found, 4 * light.lanes + at, along)
                 store(work.found, 5 * light.lanes + at, aslant)

@@ -54,7 +54,7 @@ def filter_shares(x, y, z, screen):
     if screen.filter == ALONG:
         whole, along, aslant = 0.0, 1.0, 0.0
     if screen.filter == ASLANT:
-        whole, along, aslant = 0.0, 0.0, 1.0
+        whole, along, aslant = 0.0, 0.0, -1.0  # azimuths are negative where y is positive
     if y < 0.0:
         aslant = 0.0 - aslant
     return whole, along, aslant

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.eclipsed_pixel import draw_eclipsed
 from airlight.render.drawing import Drawing, color_weights
@@ -32,6 +33,12 @@ class EclipsedDrawing(Drawing):
     """
 
     def __init__(self, eclipsed: EclipsedSolution, scene: Scene, local: FloatArray) -> None:
+        if scene.camera.polariser is not None:
+            raise ParameterError(
+                "camera.polariser",
+                scene.camera.polariser,
+                "no filter where a moon's shadow is drawn",
+            )
         super().__init__(eclipsed.solution, scene, exact=True, disc=False)
         self._shadow = eclipsed.shadow
         self._turn = np.ascontiguousarray(eclipsed.axes @ local.T)
@@ -40,7 +47,9 @@ class EclipsedDrawing(Drawing):
     def fill_sky(self, *, cancel: Cancel | None = None, progress: Progress | None = None) -> None:
         """Do nothing: there is no table of the sky."""
 
-    def draw_pixels(self, px: FloatArray, py: FloatArray, rgb: Float32Array) -> None:
+    def draw_pixels(
+        self, px: FloatArray, py: FloatArray, rgb: Float32Array, element: int | None = None
+    ) -> None:
         """See ``Drawing``."""
         out = np.empty((px.size, self._tables.lanes), np.float32)
         draw_eclipsed(

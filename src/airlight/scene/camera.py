@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.scene.directions import camera_axes
+from airlight.scene.directions import camera_axes, filter_axis
 from airlight.scene.limits import within
 from airlight.scene.projections import PROJECTIONS, Projection
 from airlight.scene.projections.projected import projected_rays
@@ -127,9 +127,8 @@ class Camera:
         if self.polariser is None:
             return np.zeros(3)
         right, up, _ = self.axes
-        angle = math.radians(self.polariser)
-        axis: NDArray[np.float64] = up * math.cos(angle) - right * math.sin(angle)
-        return axis
+        axis = filter_axis(*right.tolist(), *up.tolist(), self.polariser)
+        return np.array(axis, dtype=np.float64)
 
     @property
     def axes(self) -> NDArray[np.float64]:

@@ -47,6 +47,19 @@ def camera_frame(
     )
 
 
+def filter_axis(
+    right_x: float, right_y: float, right_z: float,
+    up_x: float, up_y: float, up_z: float, angle: float,
+) -> tuple[float, float, float]:  # fmt: skip
+    """Axis of a polarising filter, ``angle`` degrees counterclockwise from the camera's up. [1]"""
+    cosine, sine = math.cos(angle * _RADIAN), math.sin(angle * _RADIAN)
+    return (
+        cosine * up_x - sine * right_x,
+        cosine * up_y - sine * right_y,
+        cosine * up_z - sine * right_z,
+    )
+
+
 def direction(zenith: float, azimuth: float) -> NDArray[np.float64]:
     """Unit vector of a direction given by its angles.
 

@@ -161,8 +161,10 @@ class Solution(ABC):
         ``order`` selects the light scattered or reflected exactly that many times.
         """
 
-    #: Whether the light is polarised; else transfer is scalar.
-    polarised: bool = False
+    @property
+    def polarised(self) -> bool:
+        """Whether the light is polarised; else transfer is scalar."""
+        return False
 
     def relative_stokes(self, sight: Sight, *, order: int | None = None) -> FloatArray:
         """I, Q and U per irradiance of the star, shape (n, 3, nl), where ``polarised``. [sr⁻¹]

@@ -20,6 +20,7 @@ from airlight.gpu.picture.shaders import (
     picture_shader,
     sky_air_shader,
     sky_peaks_shader,
+    sky_polarised_shader,
 )
 from airlight.gpu.picture.uniforms import FRAME, Lens
 
@@ -126,6 +127,7 @@ def all_shaders() -> tuple[Shader, ...]:
     return (
         sky_air_shader(),
         sky_peaks_shader(),
+        sky_polarised_shader(),
         picture_shader(False),
         picture_shader(True),
         coarser_shader(),

@@ -22,8 +22,8 @@ from airlight.gpu.picture.light_sum import LightSum
 from airlight.gpu.picture.shaders import (
     picture_shader,
     sky_air_shader,
-    sky_polarised_shader,
     sky_peaks_shader,
+    sky_polarised_shader,
 )
 from airlight.gpu.picture.solution_textures import SolutionTextures
 from airlight.gpu.picture.uniforms import FRAME, LAYERS
@@ -86,7 +86,7 @@ class _Sky:
     layers: dict[str, Any]
     law: Float32Array | None = None
     disc: Any = None
-    seen: tuple[Observer, float, float] | None = None
+    seen: tuple[Observer, float, float, bool] | None = None
 
     @classmethod
     def of(cls, device: Device, shape: tuple[int, int]) -> _Sky:

@@ -160,7 +160,8 @@ def _sky_shader(
     found = emitter.module_array("result", LocalArray(6 if polarised else 4, VEC4))
     made = emitter.add(
         sky_texel, I32, I32, I32, I32, Constant(air), Constant(peaks), Constant(polarised),
-        FRAME.bundle(Observer), FRAME.bundle(MarchTables), march_workspace(emitter), found, name=function,
+        FRAME.bundle(Observer), FRAME.bundle(MarchTables), march_workspace(emitter), found,
+        name=function,
     )  # fmt: skip
     columns, rows = (
         dialect.uniform(FRAME.uniform(one).text, I32) for one in ("sky_columns", "sky_rows")

@@ -211,7 +211,11 @@ def _load(key: str) -> bool:
     if arrays.get("numbers", np.empty(0)).shape != (3,):
         return False
     numbers = arrays["numbers"].tolist()
-    _remember(key, Scattering(*numbers, phase=arrays["phase"], ratios=arrays["ratios"]))
+    extinction, scattering, asymmetry = numbers
+    _remember(
+        key,
+        Scattering(extinction, scattering, asymmetry, arrays["phase"], ratios=arrays["ratios"]),
+    )
     return True
 
 

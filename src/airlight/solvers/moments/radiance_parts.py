@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.solvers.moments.harmonics import coefficient_count
+from airlight.solvers.moments.harmonics import moment_count
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.sight import Sight
 
@@ -73,6 +73,6 @@ def radiance_parts(solution: MomentsSolution, sight: Sight) -> Parts:
 def _without_source(field: NDArray[np.float32], solution: MomentsSolution) -> NDArray[np.float32]:
     """Moments of a field without light: each node keeps its scale, (s, 0)."""
     lanes = solution.light.lanes
-    nodes = field.reshape(-1, 1 + coefficient_count(solution.moments.degree), lanes).copy()
+    nodes = field.reshape(-1, 1 + moment_count(solution.moments.degree), lanes).copy()
     nodes[:, 1:] = 0.0
     return nodes.reshape(field.shape)

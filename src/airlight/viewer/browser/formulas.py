@@ -20,7 +20,7 @@ from airlight.pixels.disc_shading import SHADING, phase_shading
 from airlight.pixels.light_shown import light_shown
 from airlight.pixels.observer_numbers import observer_numbers
 from airlight.scene import flight, great_circle, ground_detail, sun_time
-from airlight.scene.directions import camera_frame, direction_of
+from airlight.scene.directions import camera_frame, direction_of, filter_axis
 from airlight.scene.metering import left_out, metering_weight
 from airlight.scene.moon_light import bright_limb
 from airlight.scene.observer import ground_axes
@@ -36,6 +36,7 @@ from airlight.viewer.parameters.turbidity import haze_of, turbidity_of
 FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     direction_of: (),
     camera_frame: (),
+    filter_axis: (),
     ground_axes: (),
     observer_numbers: (),
     raised_star: (F32, F32, F32, F32, Table("lift", 3)),

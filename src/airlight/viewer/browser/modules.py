@@ -18,6 +18,7 @@ from airlight.errors import FileError
 from airlight.gpu.device.flat import FORMATS
 from airlight.gpu.device.packed import PACKED_FORMAT
 from airlight.gpu.emit.shader_types import FLAT_WIDTH, PACKED_WIDTH
+from airlight.pixels.polarising_filter import ALONG, ASLANT, NONE
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.scene.ground_detail import NOMINAL_ROWS
 from airlight.viewer.browser.formulas import formulas_text
@@ -45,6 +46,8 @@ def _sizes_module() -> str:
         f"export const ROW = {FLAT_WIDTH};\nexport const PACKED_ROW = {PACKED_WIDTH};\n"
         f"export const PACKED_FORMAT = {json.dumps(PACKED_FORMAT)};\n"
         f"export const DISC_FORMAT = {json.dumps(FORMATS[4])};\n"
+        f"export const NONE = {NONE};\nexport const ALONG = {ALONG};\n"
+        f"export const ASLANT = {ASLANT};\n"
         f"export const LANES = {WAVELENGTHS};\nexport const NOMINAL_ROWS = {NOMINAL_ROWS};\n"
         f"export const CHANNELS = {json.dumps(channels)};\n"
     )

@@ -25,7 +25,13 @@ from airlight.gpu.picture.display_shaders import (
     spread_shader,
 )
 from airlight.gpu.picture.pictures import MEDIUM_SKY_SHAPE, QUICK_SKY_SHAPE, SKY_SHAPE
-from airlight.gpu.picture.shaders import Shader, picture_shader, sky_air_shader, sky_peaks_shader
+from airlight.gpu.picture.shaders import (
+    Shader,
+    picture_shader,
+    sky_air_shader,
+    sky_peaks_shader,
+    sky_polarised_shader,
+)
 from airlight.gpu.picture.solution_textures import SolutionTables
 from airlight.gpu.picture.uniforms import FRAME, LAYERS
 from airlight.pixels.picture_numbers import ORDERS, display_numbers, overlay_numbers
@@ -111,10 +117,22 @@ def plan() -> dict[str, Any]:
                 "sky_peaks",
                 sky_peaks_shader(),
                 "sky_peaks",
-                [{**sky, "name": n} for n in LAYERS[2:]],
+                [{**sky, "name": n} for n in LAYERS[2:4]],
+            ),
+            one(
+                "sky_polarised",
+                sky_polarised_shader(),
+                "sky_polarised",
+                [{**sky, "name": n} for n in LAYERS[4:]],
             ),
             one("sky_air_2", sky_air_shader(), "sky_air", [*map(second_layer, LAYERS[:2])]),
-            one("sky_peaks_2", sky_peaks_shader(), "sky_peaks", [*map(second_layer, LAYERS[2:])]),
+            one("sky_peaks_2", sky_peaks_shader(), "sky_peaks", [*map(second_layer, LAYERS[2:4])]),
+            one(
+                "sky_polarised_2",
+                sky_polarised_shader(),
+                "sky_polarised",
+                [*map(second_layer, LAYERS[4:])],
+            ),
             one("glance", picture, "linear_picture", [glance]),
             one("picture", picture, "linear_picture", resized("picture")),
             *summed("glance"),

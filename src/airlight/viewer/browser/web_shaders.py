@@ -14,7 +14,12 @@ from airlight.gpu.picture.display_shaders import (
     display_shader,
     spread_shader,
 )
-from airlight.gpu.picture.shaders import picture_shader, sky_air_shader, sky_peaks_shader
+from airlight.gpu.picture.shaders import (
+    picture_shader,
+    sky_air_shader,
+    sky_peaks_shader,
+    sky_polarised_shader,
+)
 from airlight.gpu.solver.passes import PASSES, shader
 
 #: Vertex function of all passes.
@@ -37,6 +42,7 @@ def web_shaders() -> dict[str, dict[str, Any]]:
         for one in (
             sky_air_shader(dialect),
             sky_peaks_shader(dialect),
+            sky_polarised_shader(dialect),
             picture_shader(False, (), dialect),
             coarser_shader(dialect),
             spread_shader(dialect),

@@ -29,6 +29,7 @@ from airlight.scene.surface_map import surface_map
 from airlight.solvers.moments.radiance_parts import radiance_parts
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.sight import Sight
+from airlight.solvers.stokes_frame import to_meridian
 from airlight.tables.columns import columns
 from airlight.viewer.painting.painted_ground import painted_ground
 from airlight.viewer.painting.probed_clouds import probed_clouds
@@ -78,7 +79,10 @@ class Probe:
     chromaticity : tuple of float
         CIE 1931 x and y; 0 without light. [1]
     rgb : tuple of float
-        Linear sRGB, as in a frame. [W m⁻² sr⁻¹]
+        Linear sRGB, as in a frame without a filter. [W m⁻² sr⁻¹]
+    polarised : tuple of float, or None
+        Degree of linear polarisation of the luminance [1], and angle from the vertical plane,
+        counterclockwise [deg]; None in scalar transfer.
     names : tuple of str, length nc
         Names of the constituents.
     optical_depth : tuple, shape (nc, nl)
@@ -100,6 +104,7 @@ class Probe:
     luminance: float
     chromaticity: tuple[float, float]
     rgb: tuple[float, float, float]
+    polarised: tuple[float, float] | None
     names: tuple[str, ...]
     optical_depth: tuple[tuple[float, ...], ...]
     transmittance: tuple[float, ...]
@@ -204,6 +209,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
     through = np.exp(-depth.sum(axis=0))
     seen = _ground(solution, scene, direction, drawn)
     spectra: list[tuple[str, FloatArray]] = []
+    stokes = np.zeros(2)
     rgb, luminances = np.zeros(3), list[FloatArray]()
     for sight, (_, lit, air, light) in zip(sights, pictures, strict=True):
         source = lit.lights[0]
@@ -211,6 +217,10 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
         star = _star(lit, scene.altitude, light, direction, through, bool(drawn.to_ground[0]))
         clouds = probed_clouds(solution, scene, direction, seen[0], light)
         parts = _spectra(lit, sight, seen[3], clouds) if air else []
+        if parts and solution.polarised:
+            bearing = np.array([azimuth - light.azimuth])
+            found = to_meridian(lit.relative_stokes(sight), np.array([zenith]), bearing)[0, 1:]
+            stokes += [luminance(one * source.irradiance @ weights) for one in found]
         parts += [(STAR, star)] if star.any() else []
         if not parts:
             continue
@@ -229,6 +239,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
         luminance=LUMINOUS_EFFICACY * float(xyz[1]),
         chromaticity=(float(x), float(y)),
         rgb=(float(rgb[0]), float(rgb[1]), float(rgb[2])),
+        polarised=_polarised(stokes, float(xyz[1])) if solution.polarised else None,
         names=medium.names,
         optical_depth=tuple(tuple(row) for row in depth.tolist()),
         transmittance=tuple(through.tolist()),
@@ -244,6 +255,13 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
             for (name, values), bright in zip(spectra, luminances, strict=True)
         ),
     )
+
+
+def _polarised(stokes: FloatArray, whole: float) -> tuple[float, float]:
+    """Degree [1] and angle [deg] of luminances Q and U beside that of all light."""
+    q, u = (float(one) for one in stokes)
+    degree = min(math.hypot(q, u) / whole, 1.0) if whole > 0.0 else 0.0
+    return degree, 0.5 * math.degrees(math.atan2(u, q))
 
 
 def _spectra(

@@ -208,7 +208,8 @@ class TabulatedPhase(PhaseFunction):
         """Rows between which a wavelength [nm] lies, one or two."""
         shares = self._weights([wavelength])[:, 0]
         angles, rows = self._table
-        ratios = [np.array(one) for one in self.ratios] or [None] * len(rows)
+        ratios: list[FloatArray | None] = [np.array(one) for one in self.ratios]
+        ratios = ratios or [None] * len(rows)
         return tuple(
             PhaseRow(float(shares[i]), angles, rows[i], ratios[i]) for i in np.flatnonzero(shares)
         )

@@ -17,7 +17,7 @@ import { cameraNumbers, detailNumbers, observerNumbers } from "./view_uniforms.j
 import { EVEN, lightsOf } from "./lights.js";
 import { Adaptation } from "../state/adaptation.js";
 import { CONNECTED, PIXEL_ANGLES, glare_levels, glare_share } from "../generated/formulas.js";
-import { DISC_FORMAT, PACKED_FORMAT, ROW } from "../generated/sizes.js";
+import { ALONG, ASLANT, DISC_FORMAT, NONE, PACKED_FORMAT, ROW } from "../generated/sizes.js";
 
 /** Time limits of a sky table while the view moves, and while it rests. [ms] */
 const SMOOTH = 60;
@@ -214,7 +214,7 @@ export class Picture {
   async drawSky(lights, effort) {
     const { program, fixed, planet } = this;
     const peaks = planet.uniforms.first_peak >= 0;
-    const keys = lights.map((light) => (light.air ? this.key(light.numbers) : ""));
+    const keys = lights.map((light) => (light.air ? this.skyKey(light) : ""));
     const shape = this.shapeFor(effort);
     if (lights.length > 1) this.takeLaw(lights[1].law ?? EVEN);
     const stale = keys.some((key, i) => key && key !== this.skies[i]);
@@ -232,7 +232,11 @@ export class Picture {
         program.resize(name + suffix, ROW, Math.ceil((3 * columns * rows) / ROW));
       }
       program.setAll(light.numbers);
-      program.run(`sky_air${suffix}`, ...(peaks ? [`sky_peaks${suffix}`] : []));
+      program.run(
+        `sky_air${suffix}`,
+        ...(peaks ? [`sky_peaks${suffix}`] : []),
+        ...(light.camera.filter ? [`sky_polarised${suffix}`] : []),
+      );
       this.skies[i] = keys[i];
       drawn += 1;
     });
@@ -268,8 +272,9 @@ export class Picture {
     return numbers;
   }
 
-  key(numbers) {
-    return JSON.stringify([this.solutions, numbers]);
+  /** Everything on which the table of the sky of a light depends. */
+  skyKey({ numbers, camera }) {
+    return JSON.stringify([this.solutions, numbers, Boolean(camera.filter)]);
   }
 
   /**
@@ -283,11 +288,16 @@ export class Picture {
   async probe(values, size, place) {
     const { program, fixed } = this;
     const lights = this.lightsOf(values);
-    if (lights.some((one, i) => one.air && this.skies[i] !== this.key(one.numbers))) return "";
+    if (lights.some((one, i) => one.air && this.skies[i] !== this.skyKey(one))) return "";
     const area = [...place, 1, 1];
-    this.sum("glance", lights.map((one) => this.numbersOf(one, ...size)), ...size, area);
-    const rgb = await program.read("glance", area);
-    return described(rgb, fixed);
+    const elements = lights[0].camera.filter ? [NONE, ALONG, ASLANT] : [NONE];
+    const found = [];
+    for (const filter of elements) {
+      const numbers = lights.map((one) => ({ ...this.numbersOf(one, ...size), filter }));
+      this.sum("glance", numbers, ...size, area);
+      found.push(await program.read("glance", area));
+    }
+    return described(found, fixed);
   }
 
   /** Automatic exposure of the view. [EV] */
@@ -303,11 +313,23 @@ export class Picture {
   }
 }
 
-/** Text of luminance and chromaticity of linear sRGB light. [W m⁻² sr⁻¹] */
-function described(rgb, { xyz, efficacy }) {
-  const [x, y, z] = [0, 1, 2].map((i) => xyz.reduce((sum, row, c) => sum + row[i] * rgb[c], 0));
+/**
+ * Text of luminance, chromaticity and polarisation.
+ *
+ * @param {Float32Array[]} found Linear sRGB of I, and of Q and U where they are known. [W m⁻² sr⁻¹]
+ */
+function described([rgb, ...polarised], { xyz, efficacy }) {
+  const part = (light, i) => xyz.reduce((sum, row, c) => sum + row[i] * light[c], 0);
+  const [x, y, z] = [0, 1, 2].map((i) => part(rgb, i));
   if (!(y > 0)) return "no light";
   const sum = x + y + z;
   const bright = `${(efficacy * y).toPrecision(3)} cd/m²`;
-  return `luminance ${bright}\nx ${(x / sum).toFixed(4)}, y ${(y / sum).toFixed(4)}`;
+  const lines = [`luminance ${bright}`, `x ${(x / sum).toFixed(4)}, y ${(y / sum).toFixed(4)}`];
+  if (polarised.length) {
+    const [q, u] = polarised.map((light) => part(light, 1));
+    const degree = Math.min(Math.hypot(q, u) / y, 1);
+    const angle = (Math.atan2(u, q) / 2) * (180 / Math.PI);
+    lines.push(`polarised ${(100 * degree).toFixed(1)} % at ${angle.toFixed(1)}°`);
+  }
+  return lines.join("\n");
 }

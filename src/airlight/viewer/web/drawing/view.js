@@ -5,7 +5,7 @@
  * increases clockwise seen from above. The formulas are those of scene/directions.py and
  * scene/observer.py.
  */
-import { ASPECTS, camera_frame, direction_of, ground_axes } from "../generated/formulas.js";
+import { ASPECTS, camera_frame, direction_of, filter_axis, ground_axes } from "../generated/formulas.js";
 
 const RADIAN = Math.PI / 180;
 
@@ -28,16 +28,19 @@ export function fitting(projection, width, height) {
  * @param {Object<string, number | string>} values View values by path.
  * @param {Object<string, [number, number]>} limits Limits of each projection's field of view. [deg]
  * @returns {{axes: number[][], sun: number[], fieldOfView: number, projection: string,
- *     detailed: boolean, ground: number[][]}} Camera, with the field of view in radians.
+ *     detailed: boolean, ground: number[][], filter: number[] | null}} Camera, with the field of
+ *     view in radians, and the axis of its polarising filter.
  */
 export function cameraOf(values, limits) {
   const projection = values["view.projection"];
   const [low, high] = limits[projection];
   const bearing = values["view.sun_azimuth"];
   const azimuth = (((values["view.heading"] - bearing) % 360) + 360) % 360;
+  const axes = rows(camera_frame(values["view.look_zenith"], azimuth, values["view.roll"]));
   return {
     projection,
-    axes: rows(camera_frame(values["view.look_zenith"], azimuth, values["view.roll"])),
+    axes,
+    filter: values["view.filter"] ? filter_axis(...axes[0], ...axes[1], values["view.polariser"]) : null,
     sun: direction_of(values["view.sun_zenith"], 0),
     fieldOfView: Math.min(Math.max(values["view.field_of_view"], low), high) * RADIAN,
     detailed: values["view.ground"] === "detailed",

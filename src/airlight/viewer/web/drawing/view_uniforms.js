@@ -46,7 +46,7 @@ export function observerNumbers(planet, altitude, sun) {
 
 /** Uniforms of the camera. */
 export function cameraNumbers(camera, width, height, projections) {
-  const { projection, fieldOfView: field, axes, ground } = camera;
+  const { projection, fieldOfView: field, axes, ground, filter } = camera;
   const numbers = {
     width,
     height,
@@ -54,8 +54,12 @@ export function cameraNumbers(camera, width, height, projections) {
     projection: Object.keys(projections).indexOf(projection),
     samples: 1,
     edges: 1,
+    filter: Number(Boolean(filter)),
     pixel_angle: PIXEL_ANGLES[projection](width, height, field),
   };
+  "xyz".split("").forEach((c, j) => {
+    numbers[`filter_${c}`] = filter ? filter[j] : 0;
+  });
   ["right", "up", "forward"].forEach((name, i) => {
     "xyz".split("").forEach((c, j) => {
       numbers[`${name}_${c}`] = axes[i][j];

@@ -77,9 +77,14 @@ def numbers_of(probe: Probe) -> tuple[tuple[str, str], ...]:
     nm = f"{probe.wavelengths[green]:.0f} nm"
     depth = sum(row[green] for row in probe.optical_depth)
     x, y = probe.chromaticity
+    polarised = []
+    if probe.polarised is not None:
+        degree, angle = probe.polarised
+        polarised = [("polarised", f"{100.0 * degree:.1f} % at {angle:.1f}°")]
     rows = [
         ("luminance", f"{probe.luminance:.4g} cd/m²"),
         ("colour x, y", f"{x:.4f}, {y:.4f}"),
+        *polarised,
         (f"at {nm}", f"{1e3 * probe.radiance[green]:.4g} mW/(m² sr nm)"),
         ("depth τ", f"{depth:.4g} at {nm}"),
         ("passes", f"{100.0 * probe.transmittance[green]:.3g} % at {nm}"),
