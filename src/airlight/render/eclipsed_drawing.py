@@ -34,11 +34,8 @@ class EclipsedDrawing(Drawing):
 
     def __init__(self, eclipsed: EclipsedSolution, scene: Scene, local: FloatArray) -> None:
         if scene.camera.polariser is not None:
-            raise ParameterError(
-                "camera.polariser",
-                scene.camera.polariser,
-                "no filter where a moon's shadow is drawn",
-            )
+            angle = scene.camera.polariser
+            raise ParameterError("camera.polariser", angle, "none where a moon's shadow is drawn")
         super().__init__(eclipsed.solution, scene, exact=True, disc=False)
         self._shadow = eclipsed.shadow
         self._turn = np.ascontiguousarray(eclipsed.axes @ local.T)

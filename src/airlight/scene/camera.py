@@ -126,9 +126,8 @@ class Camera:
         """Axis of the polarising filter in the local frame, shape (3,); 0 without one. [1]"""
         if self.polariser is None:
             return np.zeros(3)
-        right, up, _ = self.axes
-        axis = filter_axis(*right.tolist(), *up.tolist(), self.polariser)
-        return np.array(axis, dtype=np.float64)
+        (a, b, c), (d, e, f), _ = self.axes
+        return np.array(filter_axis(a, b, c, d, e, f, self.polariser), dtype=np.float64)
 
     @property
     def axes(self) -> NDArray[np.float64]:
