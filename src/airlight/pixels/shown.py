@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.kernel.lanes import LANES
+from airlight.solvers.moments.harmonics import POLARISED
 from airlight.solvers.moments.march_tables import MarchTables, quadratures
 from airlight.solvers.moments.solution import MomentsSolution
 
