@@ -57,6 +57,7 @@ def aerial(
         typer.Option(metavar="rgb|N|LIST", help="As for render; 16 if left out."),
     ] = None,
     quality: options.Quality = "default",
+    no_polarisation: options.NoPolarisation = False,
     set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
@@ -96,7 +97,10 @@ def aerial(
     )  # fmt: skip
     check_request(world.thickness, scene, *between)
     with shown_progress() as report:
-        solution = solve_planet(world, nm, quality, cache=not no_cache, progress=report)
+        solution = solve_planet(
+            world, nm, quality, polarisation=not no_polarisation, cache=not no_cache,
+            progress=report,
+        )  # fmt: skip
         made = AerialPerspective.fill(
             solution, scene, nearest=between[0], farthest=between[1], progress=report
         )

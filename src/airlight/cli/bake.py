@@ -114,6 +114,7 @@ def bake(
         Literal["moments", "direct", "montecarlo"], typer.Option(help="Whose light is baked.")
     ] = "moments",
     quality: options.Quality = "default",
+    no_polarisation: options.NoPolarisation = False,
     set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
@@ -145,6 +146,7 @@ def bake(
             wavelengths=None if wavelengths == "rgb" else wavelengths,
             solver=solver,
             quality=quality,
+            polarisation=not no_polarisation,
             set_=set_,
             cache=not no_cache,
         )
@@ -180,6 +182,7 @@ def bake(
             wavelengths=nm,
             quality=quality,
             solver=solver,
+            polarisation=not no_polarisation,
             cache=not no_cache,
             progress=report,
         )

@@ -25,6 +25,7 @@ def bake_target(
     wavelengths: str | None,
     solver: str,
     quality: str,
+    polarisation: bool,
     set_: list[str] | None,
     cache: bool,
 ) -> None:
@@ -41,8 +42,8 @@ def bake_target(
         ``lowest_sun`` in degrees, others as texts; what was not given is left out.
     wavelengths : str, optional
         Text of ``--wavelengths``, if it was given.
-    cache : bool
-        Whether solutions are read from disk and kept there.
+    polarisation, cache : bool
+        Whether light is polarised; whether solutions are read from disk and kept there.
 
     Raises
     ------
@@ -71,8 +72,9 @@ def bake_target(
 
     with shown_progress() as report:
         solution = solve(
-            world, wavelengths=nm, quality=quality, solver=solver, cache=cache, progress=report
-        )
+            world, wavelengths=nm, quality=quality, solver=solver, polarisation=polarisation,
+            cache=cache, progress=report,
+        )  # fmt: skip
         export = program.write(solution, output, progress=report, **chosen)
     print_export(program, export)
     print(f"\n{export.folder}  {time.perf_counter() - started:.1f} s")

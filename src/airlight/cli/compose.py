@@ -145,6 +145,7 @@ def compose(
         typer.Option(metavar="rgb|N|LIST", help="As for render; 16 if left out."),
     ] = None,
     quality: options.Quality = "default",
+    no_polarisation: options.NoPolarisation = False,
     set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
@@ -176,7 +177,9 @@ def compose(
     if placed is not None:
         world = time_and_place.lit(world, placed, "true")
     place = _placement(block, texts, altitude, metres_per_unit, up, placed, at)
-    solution = _solved(world, place, wavelengths, quality, cache=not no_cache)
+    solution = _solved(
+        world, place, wavelengths, quality, polarisation=not no_polarisation, cache=not no_cache
+    )
     from airlight.composition import compose as composed_over
 
     with shown_progress() as report:
@@ -287,7 +290,13 @@ def _placement(
 
 
 def _solved(
-    world: Planet, place: Placement, wavelengths: str | None, quality: str, *, cache: bool
+    world: Planet,
+    place: Placement,
+    wavelengths: str | None,
+    quality: str,
+    *,
+    polarisation: bool,
+    cache: bool,
 ) -> Any:
     """Solution of the planet for the ground around the scene."""
     from airlight.paint.paint_scene import FEWEST
@@ -303,7 +312,9 @@ def _solved(
         altitude=max(place.altitude, 0.0),
     )  # fmt: skip
     with shown_progress() as report:
-        return solve_planet(world, nm, quality, cache=cache, progress=report)
+        return solve_planet(
+            world, nm, quality, polarisation=polarisation, cache=cache, progress=report
+        )
 
 
 def _write(

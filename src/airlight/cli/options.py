@@ -98,6 +98,14 @@ ToneMap = Annotated[str, typer.Option(metavar="NAME", help="Tone map: natural, h
 Encoding = Annotated[Literal["srgb", "gamma"], typer.Option(help="The picture's transfer curve.")]
 Primaries = Annotated[Literal["srgb", "display-p3"], typer.Option(help="The picture's primaries.")]
 Bits = Annotated[int, typer.Option(metavar="8|16", help="Bits per channel of a PNG.")]
+NoPolarisation = Annotated[
+    bool,
+    typer.Option(
+        "--no-polarisation",
+        help="Solve scalar transfer, to compare: light that is taken as unpolarised is off by some "
+        "percent.",
+    ),
+]
 NoCache = Annotated[
     bool, typer.Option("--no-cache", help="Neither read nor keep solutions on disk.")
 ]

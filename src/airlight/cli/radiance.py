@@ -29,6 +29,7 @@ EPILOG = examples(
     "airlight radiance earth --input - --output - < cases.csv > out.csv",
     "airlight radiance earth --sun-zenith 92 --view-zenith 60 --solver montecarlo "
     "--relative-error 0.005",
+    "airlight radiance earth --sun-zenith 80 --view-zenith 30 --azimuth 180 --stokes",
 )
 
 #: Solvers that can be selected.
@@ -74,6 +75,14 @@ def radiance(
             "output. A file that was stopped is gone on with.",
         ),
     ] = "-",
+    stokes: Annotated[
+        bool,
+        typer.Option(
+            "--stokes",
+            help="Polarised light: I, Q and U, the degree of linear polarisation (dolp) and its "
+            "angle (aolp, from the plane of line and zenith, counterclockwise, in degrees).",
+        ),
+    ] = False,
     wavelengths: Annotated[
         str | None,
         typer.Option(
@@ -81,6 +90,7 @@ def radiance(
         ),
     ] = None,
     quality: options.Quality = "default",
+    no_polarisation: options.NoPolarisation = False,
     solver: Annotated[
         str,
         typer.Option(
@@ -113,6 +123,10 @@ def radiance(
     The observer may be on the ground, in the air or outside it.
     """
     settings = _settings(solver, quality, relative_error, seed)
+    if stokes and solver == "direct":
+        raise ParameterError("--stokes", True, "with --solver moments or montecarlo")
+    if stokes and no_polarisation:
+        raise ParameterError("--stokes", True, "without --no-polarisation")
     single = {
         "--altitude": altitude,
         "--sun-zenith": sun_zenith,
@@ -129,7 +143,11 @@ def radiance(
         world = options.planet(planet, set_)
         world = options.with_solved_ground(world, ground_albedo, None, None)
         nm = world.wavelengths if wavelengths is None else options.wavelengths(wavelengths, world)
-        _long_table(world, input_, output, nm, quality, not no_cache, scheduler, workers)
+        _long_table(
+            world, input_, output, nm, stokes=stokes, quality=quality,
+            polarisation=not no_polarisation, cache=not no_cache, scheduler=scheduler,
+            workers=workers,
+        )  # fmt: skip
         return
     if input_ is None:
         cases = _one_case(single, output)
@@ -150,7 +168,8 @@ def radiance(
 
     for line in missing_bands(world, nm):
         print(f"airlight: {line}", file=sys.stderr)
-    columns = radiance_columns(nm) + (error_columns(nm) if sampled else [])
+    columns = radiance_columns(nm, stokes=stokes)
+    columns += error_columns(nm, stokes=stokes) if sampled else []
     _warn_of_repeated(columns, cases.header)
 
     errors: NDArray[np.float64] | None = None
@@ -161,15 +180,18 @@ def radiance(
             wavelengths=nm,
             quality=settings,
             solver=solver,
+            polarisation=not no_polarisation,
             cache=not no_cache,
             progress=report,
         )
         if sampled:
-            values, errors, histories = _estimates(solution, cases)
+            values, errors, histories = _estimates(solution, cases, stokes)
         else:
-            values = _answers(solution, cases, len(nm), report)
+            values = _answers(solution, cases, len(columns), stokes, report)
     if input_ is not None:
-        write_cases(output, cases, nm, values, errors)
+        write_cases(output, cases, nm, values, errors, stokes=stokes)
+    elif stokes:
+        _print_stokes(nm, values[0], None if errors is None else errors[0], histories)
     else:
         _print(nm, values, errors, histories)
     missed = _missed(solution, cases)
@@ -197,12 +219,34 @@ def _print(
             print(f"{text} ± {errors[0, k]:.1e} W m⁻² sr⁻¹ nm⁻¹  ({histories[0, k]} histories)")
 
 
+def _print_stokes(
+    nm: Sequence[float],
+    values: NDArray[np.float64],
+    errors: NDArray[np.float64] | None,
+    histories: NDArray[np.int64] | None,
+) -> None:
+    """Print the polarised light of one observer, a line per wavelength."""
+    table = values.reshape(5, len(nm)).T
+    spread = None if errors is None else errors.reshape(3, len(nm)).T
+    for k, (wavelength, (*light, degree, angle)) in enumerate(zip(nm, table, strict=True)):
+        texts = [f"{name} {value:.8e}" for name, value in zip("IQU", light, strict=True)]
+        if spread is not None:
+            texts = [f"{text} ± {one:.1e}" for text, one in zip(texts, spread[k], strict=True)]
+        line = f"{wavelength:.10g} nm  {'  '.join(texts)} W m⁻² sr⁻¹ nm⁻¹"
+        seen = f"{angle:.3f}".replace("-90.000", "90.000")  # one angle
+        line += f"  dolp {degree:.5f}  aolp {seen}°"
+        print(line if histories is None else f"{line}  ({histories[0, k]} histories)")
+
+
 def _long_table(
     planet: Planet,
     source: str,
     target: str,
     nm: Sequence[float],
+    *,
+    stokes: bool,
     quality: str,
+    polarisation: bool,
     cache: bool,
     scheduler: str | None,
     workers: int | None,
@@ -212,12 +256,12 @@ def _long_table(
     from airlight.sweep.rows import answer_rows
 
     with case_blocks(source, 1) as (head, _):
-        _warn_of_repeated(radiance_columns(nm), head.header)
+        _warn_of_repeated(radiance_columns(nm, stokes=stokes), head.header)
     alone = 1 if workers is None and scheduler is None else workers
     with shown_progress() as report, distribution_options.named():
         kept = answer_rows(
-            planet, source, target, wavelengths=nm, quality=quality, cache=cache,
-            scheduler=scheduler, workers=alone, progress=report,
+            planet, source, target, wavelengths=nm, quality=quality, polarisation=polarisation,
+            stokes=stokes, cache=cache, scheduler=scheduler, workers=alone, progress=report,
         )  # fmt: skip
     if kept:
         print(f"airlight: {kept} rows had been computed before", file=sys.stderr)
@@ -295,16 +339,22 @@ def _one_case(texts: dict[str, str | None], output: str) -> Cases:
     return Cases(comments=[], header=[], rows=[[]], values=np.array([row]))
 
 
-def _answers(solution: Any, cases: Cases, count: int, report: Report) -> NDArray[np.float64]:
+def _answers(
+    solution: Any, cases: Cases, count: int, stokes: bool, report: Report
+) -> NDArray[np.float64]:
+    """Cells of all rows, shape (n, count)."""
     import numpy as np
+
+    from airlight.sweep.cases import polarised_answers
 
     total = len(cases.values)
     out = np.empty((total, count))
     for start in range(0, total, BLOCK):
         altitude, sun, view, azimuth = cases.values[start : start + BLOCK].T
-        out[start : start + BLOCK] = solution.radiance(
-            altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth
+        found = solution.radiance(
+            altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth, stokes=stokes
         )
+        out[start : start + BLOCK] = polarised_answers(found) if stokes else found
         report(min(start + BLOCK, total), total, "radiance")
     return out
 
@@ -319,9 +369,20 @@ def _missed(solution: Any, cases: Cases) -> int:
 
 
 def _estimates(
-    solution: Any, cases: Cases
+    solution: Any, cases: Cases, stokes: bool
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]:
-    """Radiances, their standard errors and histories, each of shape (n, wavelengths)."""
+    """Cells of all rows, standard errors and histories, (n, 5·, 3· or 1·wavelengths)."""
+    from airlight.sweep.cases import polarised_answers
+
     altitude, sun, view, azimuth = cases.values.T
-    data = solution.estimate(altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth)
-    return data["radiance"].values, data["standard_error"].values, data["histories"].values
+    where = {"altitude": altitude, "sun_zenith": sun, "view_zenith": view, "azimuth": azimuth}
+    if not stokes:
+        data = solution.estimate(**where)
+        return data["radiance"].values, data["standard_error"].values, data["histories"].values
+    data = solution.estimate(**where, stokes=True)
+    errors = data["stokes_standard_error"].values
+    return (
+        polarised_answers(data["stokes_radiance"]),
+        errors.reshape(len(errors), -1),
+        data["histories"].values,
+    )

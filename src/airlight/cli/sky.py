@@ -97,6 +97,7 @@ def sky(
     stars: second_lights.Stars = False,
     wavelengths: options.Wavelengths = None,
     quality: options.Quality = "default",
+    no_polarisation: options.NoPolarisation = False,
     device: options.Device = "cpu",
     exact: options.Exact = False,
     exposure: options.Exposure = None,
@@ -185,8 +186,9 @@ def sky(
     with shown_progress() as report:
         made = environment_map(
             world, scene, consumer, sun=sun, ground=ground, placed=somewhere,
-            local=ground_albedo is None, wavelengths=nm, quality=quality, device=device,
-            exact=exact, stars=stars, cache=not no_cache, refused=refused, progress=report,
+            local=ground_albedo is None, wavelengths=nm, quality=quality,
+            polarisation=not no_polarisation, device=device, exact=exact, stars=stars,
+            cache=not no_cache, refused=refused, progress=report,
         )  # fmt: skip
     metadata = made.scene.metadata()
     metadata |= {"changes": "; ".join(set_)} if set_ else {}

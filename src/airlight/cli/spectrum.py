@@ -96,6 +96,7 @@ def spectrum(
         ),
     ] = None,
     quality: options.Quality = "default",
+    no_polarisation: options.NoPolarisation = False,
     set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
@@ -125,8 +126,9 @@ def spectrum(
 
     with shown_progress() as report:
         solution = solve(
-            world, wavelengths=nm, quality=quality, cache=not no_cache, progress=report
-        )
+            world, wavelengths=nm, quality=quality, polarisation=not no_polarisation,
+            cache=not no_cache, progress=report,
+        )  # fmt: skip
         try:
             data = observe(
                 solution, of, progress=report,

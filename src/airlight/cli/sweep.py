@@ -56,6 +56,7 @@ def sweep(
         str | None, typer.Option(metavar="LIST", help="In nm; the first planet's own if left out.")
     ] = None,
     quality: options.Quality = "default",
+    no_polarisation: options.NoPolarisation = False,
     scheduler: distribution_options.Scheduler = None,
     workers: distribution_options.Workers = None,
 ) -> None:
@@ -91,8 +92,9 @@ def sweep(
         raise ParameterError(option, error.value, error.allowed) from None
     with shown_progress() as report, distribution_options.named():
         done = computed(
-            grid, output, quality=quality, scheduler=scheduler, workers=workers, progress=report
-        )
+            grid, output, quality=quality, polarisation=not no_polarisation, scheduler=scheduler,
+            workers=workers, progress=report,
+        )  # fmt: skip
     size = " x ".join(f"{n} {name}" for n, name in zip(grid.shape, grid.dims, strict=True))
     print(f"{done.path}  {size}  {done.computed} blocks computed, {done.kept} kept  "
           f"{time.perf_counter() - started:.1f} s")  # fmt: skip

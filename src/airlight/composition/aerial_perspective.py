@@ -294,14 +294,16 @@ def check_request(
     Raises
     ------
     ParameterError
-        If the observer is outside the air, there is more than one light, or a value is out of its
-        range.
+        If the observer is outside the air, there is more than one light, the camera has a
+        polarising filter, or a value is out of its range.
     """
     if scene.altitude >= thickness:
         allowed = f"below the top of the air, {thickness:g} m"
         raise ParameterError("scene.altitude", scene.altitude, allowed)
     if len(scene.lights) != 1:
         raise ParameterError("scene.lights", len(scene.lights), "one light")
+    if scene.camera.polariser is not None:
+        raise ParameterError("camera.polariser", scene.camera.polariser, "none of these tables")
     if not 0.0 < nearest < np.inf:
         raise ParameterError("nearest", nearest, "above 0 m")
     if not 2.0 * nearest <= farthest <= 1e9:

@@ -126,6 +126,7 @@ def environment_map(
     local: bool = True,
     wavelengths: Sequence[float] | None = None,
     quality: str = "default",
+    polarisation: bool = True,
     device: Choice = "cpu",
     exact: bool = False,
     stars: bool = False,
@@ -155,7 +156,7 @@ def environment_map(
         of the planet's ground.
     local : bool
         Whether the planet is solved for the ground around a meant place, as by ``paint_scene``.
-    wavelengths, quality, device, exact, stars, cache, refused, progress, cancel :
+    wavelengths, quality, polarisation, device, exact, stars, cache, refused, progress, cancel :
         Arguments of ``paint_scene``.
 
     Returns
@@ -165,11 +166,14 @@ def environment_map(
     Raises
     ------
     ParameterError, ConvergenceError, Cancelled
-        As ``paint_scene``; and for an unknown ``sun`` or ``ground``.
+        As ``paint_scene``; for an unknown ``sun`` or ``ground``, or a camera with a polarising
+        filter.
     """
     for name, value, allowed in (("sun", sun, SUNS), ("ground", ground, GROUNDS)):
         if value not in allowed:
             raise ParameterError(name, value, ", ".join(allowed))
+    if scene.camera.polariser is not None:
+        raise ParameterError("camera.polariser", scene.camera.polariser, "none of a map")
     camera = map_camera(consumer, scene.camera.width, scene.camera.height, scene.sun_azimuth)
     scene = replace(scene, camera=camera)
     if placed and local:
@@ -179,9 +183,9 @@ def environment_map(
     if ground == "neutral":
         planet = grey_ground(planet)
     frame, solution = paint_solved(
-        planet, scene, wavelengths=wavelengths, quality=quality, device=device, exact=exact,
-        disc=False, cache=cache, local=False, stars=stars, refused=refused, progress=progress,
-        cancel=cancel,
+        planet, scene, wavelengths=wavelengths, quality=quality, polarisation=polarisation,
+        device=device, exact=exact, disc=False, cache=cache, local=False, stars=stars,
+        refused=refused, progress=progress, cancel=cancel,
     )  # fmt: skip
     light = frame.rgb
     if ground == "black":

@@ -49,10 +49,12 @@ def paint_scene(
     *,
     wavelengths: Sequence[float] | None = None,
     quality: str = "default",
+    polarisation: bool = True,
     device: Choice = "cpu",
     exact: bool = False,
     orders: str = "all",
     samples: int = 1,
+    stokes: bool = False,
     cache: bool = True,
     local: bool = True,
     stars: bool = False,
@@ -73,6 +75,8 @@ def paint_scene(
         reproduce colours best, with a matrix fitted to the star. [nm]
     quality : str
         Quality as for ``airlight.solve``.
+    polarisation : bool
+        Whether light is polarised, as for ``airlight.solve``.
     device : "cpu", "gpu" or "auto"
         ``gpu`` leaves to the CPU what exceeds the capacity of the device; ``auto`` takes a device
         if it is a hardware GPU.
@@ -82,6 +86,8 @@ def paint_scene(
         Orders as for ``airlight.render``.
     samples : int
         Samples per side of every pixel, as for ``airlight.render``.
+    stokes : bool
+        Whether the frame has Q and U beside the picture, which the CPU draws.
     cache : bool
         Whether the CPU looks for the solution on disk first, and stores it there.
     local : bool
@@ -119,9 +125,9 @@ def paint_scene(
     ((6, 8, 3), 'processor')
     """
     painted = paint_solved(
-        planet, scene, wavelengths=wavelengths, quality=quality, device=device, exact=exact,
-        orders=orders, samples=samples, cache=cache, local=local, stars=stars, refused=refused,
-        progress=progress, cancel=cancel,
+        planet, scene, wavelengths=wavelengths, quality=quality, polarisation=polarisation,
+        device=device, exact=exact, orders=orders, samples=samples, stokes=stokes, cache=cache,
+        local=local, stars=stars, refused=refused, progress=progress, cancel=cancel,
     )  # fmt: skip
     return painted.frame
 
@@ -132,11 +138,13 @@ def paint_solved(
     *,
     wavelengths: Sequence[float] | None = None,
     quality: str = "default",
+    polarisation: bool = True,
     device: Choice = "cpu",
     exact: bool = False,
     orders: str = "all",
     disc: bool = True,
     samples: int = 1,
+    stokes: bool = False,
     cache: bool = True,
     local: bool = True,
     stars: bool = False,
@@ -148,7 +156,9 @@ def paint_solved(
 
     Parameters
     ----------
-    planet, scene, wavelengths, quality, device, exact, orders, samples, cache, local, stars :
+    planet, scene, wavelengths, quality, polarisation, device, exact, orders, samples, stokes :
+        Arguments of ``paint_scene``.
+    cache, local, stars :
         Arguments of ``paint_scene``.
     disc : bool
         Whether the discs of the lights are drawn.
@@ -166,6 +176,10 @@ def paint_solved(
     """
     if wavelengths is not None and len(wavelengths) < FEWEST:
         raise ParameterError("wavelengths", list(wavelengths), f"{FEWEST} or more, or none given")
+    if stokes and device != "cpu":
+        if device == "gpu" and refused is not None:
+            refused("a device draws no Q and U")
+        device = "cpu"
     count = LIVE if wavelengths is None else len(wavelengths)
     chosen = drawing_device(device, planet, count, scene.camera.width, refused)
     weights, told = None, {}
@@ -185,10 +199,13 @@ def paint_solved(
             longitude=scene.longitude,
             altitude=scene.altitude,
         )
-    solution = solve_planet(planet, nm, quality, cache=cache, progress=progress, cancel=cancel)
+    solution = solve_planet(
+        planet, nm, quality, polarisation=polarisation, cache=cache, progress=progress,
+        cancel=cancel,
+    )  # fmt: skip
     frame = ScenePainter(chosen).frame(
-        solution, scene, exact=exact, orders=orders, disc=disc, samples=samples, weights=weights,
-        progress=progress, cancel=cancel,
+        solution, scene, exact=exact, orders=orders, disc=disc, samples=samples, stokes=stokes,
+        weights=weights, progress=progress, cancel=cancel,
     )  # fmt: skip
     if stars:
         from airlight.paint.star_points import add_catalogue

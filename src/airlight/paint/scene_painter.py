@@ -161,6 +161,7 @@ class ScenePainter:
         orders: str = "all",
         disc: bool = True,
         samples: int = 1,
+        stokes: bool = False,
         weights: NDArray[np.float64] | None = None,
         progress: Progress | None = None,
         cancel: Cancel | None = None,
@@ -181,6 +182,8 @@ class ScenePainter:
             Whether the discs of the lights are drawn.
         samples : int
             Samples per side of every pixel, as for ``airlight.render``.
+        stokes : bool
+            Whether the frame has Q and U, which the processor alone draws.
         weights : array, shape (nl, 3), optional
             Linear sRGB per radiance, for a device; by default ``picture_weights``.
         progress, cancel : callable, optional
@@ -194,7 +197,8 @@ class ScenePainter:
         Raises
         ------
         ParameterError
-            If the solution or the picture exceeds the capacity of the device.
+            If the solution or the picture exceeds the capacity of the device, or Q and U are
+            requested of one.
         Cancelled
             If ``cancel`` requested it.
         """
@@ -203,9 +207,11 @@ class ScenePainter:
                 raise Cancelled("the picture")
             frame = render(
                 solution, scene, exact=exact, orders=orders, disc=disc, samples=samples,
-                progress=progress, cancel=cancel,
+                stokes=stokes, progress=progress, cancel=cancel,
             )  # fmt: skip
         else:
+            if stokes:
+                raise ParameterError("stokes", True, "False where a device draws")
             pictures = self._renderer(live=False)
             pictures.show(solution, weights)
             self._shown = None

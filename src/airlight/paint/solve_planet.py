@@ -9,6 +9,7 @@ Edits are many, and few recur: their solutions are not stored on disk, those of 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
@@ -49,6 +50,7 @@ def solve_planet(
     wavelengths: ArrayLike | None = None,
     quality: str | Settings = "default",
     *,
+    polarisation: bool = True,
     device: Device | None = None,
     cache: bool = True,
     progress: Progress | None = None,
@@ -64,6 +66,8 @@ def solve_planet(
         Wavelengths; by default ``picture_wavelengths``. [nm]
     quality : str or Settings
         Quality as for ``airlight.solve``.
+    polarisation : bool
+        Whether light is polarised, as for ``airlight.solve``.
     device : Device, optional
         Device from ``open_device``; without it the CPU solves.
     cache : bool
@@ -93,14 +97,17 @@ def solve_planet(
 
         medium = Medium.from_planet(planet, nm, progress=progress, cancel=cancel)
         try:
-            solution = solve_on(
-                device, medium, settings_for(quality), progress=progress, cancel=cancel
-            )
+            settings = settings_for(quality)
+            settings = settings if polarisation else replace(settings, polarisation=False)
+            solution = solve_on(device, medium, settings, progress=progress, cancel=cancel)
         except (ThickAir, ConvergenceError):
             pass
         else:
             return solution.of(planet)
-    return solvers.solve(planet, nm, quality, cache=cache, progress=progress, cancel=cancel)
+    return solvers.solve(
+        planet, nm, quality, polarisation=polarisation, cache=cache, progress=progress,
+        cancel=cancel,
+    )  # fmt: skip
 
 
 def live_solver(

@@ -70,6 +70,7 @@ def add_catalogue(
     source = solution.lights[0]
     weights = source.colors() / source.irradiance[:, None]
     light_of = (through * catalogue.irradiances(solution.wavelengths)[shown]) @ weights
+    light_of *= 1.0 if camera.polariser is None else 0.5  # starlight is not polarised
     x, y, solid = pixel_positions(camera, rays @ camera.axes.T)
     seen = np.isfinite(x) & (through.max(axis=1) > 0.0)
     add_points(rgb, x[seen], y[seen], light_of[seen] / solid[seen, None])

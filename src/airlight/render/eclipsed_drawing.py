@@ -30,6 +30,12 @@ class EclipsedDrawing(Drawing):
     local : array, shape (3, 3)
         Axes of the observer's frame in that of the eclipse, as rows: x to the side of the star, z
         to the zenith. [1]
+
+    Raises
+    ------
+    ParameterError
+        If the camera has a polarising filter: light in a moon's shadow is drawn without its
+        polarisation.
     """
 
     def __init__(self, eclipsed: EclipsedSolution, scene: Scene, local: FloatArray) -> None:
@@ -47,7 +53,15 @@ class EclipsedDrawing(Drawing):
     def draw_pixels(
         self, px: FloatArray, py: FloatArray, rgb: Float32Array, element: int | None = None
     ) -> None:
-        """See ``Drawing``."""
+        """See ``Drawing``; there is no picture of Q or U.
+
+        Raises
+        ------
+        ParameterError
+            If one is requested.
+        """
+        if element is not None:
+            raise ParameterError("stokes", True, "False where a moon's shadow is drawn")
         out = np.empty((px.size, self._tables.lanes), np.float32)
         draw_eclipsed(
             px, py, self._turn, self._observer, self._screen, self._tables, self._shadow,

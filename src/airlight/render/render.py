@@ -69,7 +69,8 @@ def render(
     ------
     ParameterError
         If the solution is of another solver (pictures march the moments), ``orders`` or
-        ``samples`` has another value, or polarised light is requested of scalar transfer.
+        ``samples`` has another value, or polarised light is requested of scalar transfer or
+        behind a filter.
     Cancelled
         If ``cancel`` requested it.
     """
@@ -82,6 +83,10 @@ def render(
         field = "stokes" if stokes else "camera.polariser"
         value = True if stokes else scene.camera.polariser
         raise ParameterError(field, value, "a solution with polarisation left on")
+    if stokes and scene.camera.polariser is not None:
+        raise ParameterError(
+            "camera.polariser", scene.camera.polariser, "none beside Q and U of the light before it"
+        )
     pictures = lit_scenes(scene, solution)
     frames = []
     for number, (seen, lit, air, _) in enumerate(pictures):

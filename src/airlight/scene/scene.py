@@ -235,6 +235,8 @@ class Scene:
         """
         camera = self.camera
         moment = {} if self.time is None else {"time": universal_time(self.time)}
+        angle = camera.polariser
+        behind = {} if angle is None else {"polariser": f"{angle:.10g} deg"}
         others = {f"light_{k}": one.metadata() for k, one in enumerate(self.others, start=2)}
         return {
             **moment,
@@ -250,4 +252,5 @@ class Scene:
             "field_of_view": f"{camera.field_of_view:.10g} deg",
             "look": f"{camera.look_zenith:.10g},{camera.look_azimuth:.10g} deg",
             "roll": f"{camera.roll:.10g} deg",
+            **behind,
         }

@@ -10,13 +10,18 @@ sign.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import sqrt
-from typing import Final
+from typing import TYPE_CHECKING, Any, Final, overload
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from airlight.errors import ParameterError
 from airlight.kernel import kernel
+
+if TYPE_CHECKING:
+    import xarray
 
 FloatArray = NDArray[np.float64]
 
@@ -84,3 +89,109 @@ def to_meridian(stokes: FloatArray, view_zenith: FloatArray, azimuth: FloatArray
     cosine, side = np.cos(2.0 * turn)[:, None], np.sin(2.0 * turn)[:, None]
     out[:, 1], out[:, 2] = q * cosine + u * side, u * cosine - q * side
     return out
+
+
+@overload
+def degree_of_polarisation(stokes: xarray.DataArray) -> xarray.DataArray: ...
+
+
+@overload
+def degree_of_polarisation(stokes: ArrayLike) -> FloatArray: ...
+
+
+def degree_of_polarisation(stokes: Any) -> Any:
+    """Degree of linear polarisation, √(Q² + U²)/I, and 0 where there is no light.
+
+    Parameters
+    ----------
+    stokes : xarray.DataArray or array, shape (3, ...)
+        I, Q and U: a result of ``Solution.radiance(stokes=True)``, or an array with them on its
+        first axis.
+
+    Returns
+    -------
+    xarray.DataArray or array
+        Degree, without the axis of the Stokes parameters. [1]
+
+    Raises
+    ------
+    ParameterError
+        If there are no I, Q and U.
+
+    Examples
+    --------
+    >>> degree_of_polarisation([2.0, 0.6, -0.8]), degree_of_polarisation([0.0, 0.0, 0.0])
+    (array(0.5), array(0.))
+    """
+    return _of_stokes(stokes, _degree, "degree of linear polarisation", "1")
+
+
+@overload
+def angle_of_polarisation(stokes: xarray.DataArray) -> xarray.DataArray: ...
+
+
+@overload
+def angle_of_polarisation(stokes: ArrayLike) -> FloatArray: ...
+
+
+def angle_of_polarisation(stokes: Any) -> Any:
+    """Angle of linear polarisation, atan2(U, Q)/2, and 0 where light is unpolarised.
+
+    Parameters
+    ----------
+    stokes : xarray.DataArray or array, shape (3, ...)
+        I, Q and U, as for ``degree_of_polarisation``.
+
+    Returns
+    -------
+    xarray.DataArray or array
+        Angle from the plane of line and zenith, counterclockwise to the observer, above -90 to 90,
+        without the axis of the Stokes parameters. [deg]
+
+    Raises
+    ------
+    ParameterError
+        If there are no I, Q and U.
+
+    Examples
+    --------
+    >>> angle_of_polarisation([[2.0, 2.0], [0.5, -0.5], [0.5, 0.0]])
+    array([22.5, 90. ])
+    """
+    return _of_stokes(stokes, _angle, "angle of linear polarisation", "deg")
+
+
+def _degree(i: FloatArray, q: FloatArray, u: FloatArray) -> FloatArray:
+    lit = i > 0.0
+    return np.asarray(np.where(lit, np.hypot(q, u) / np.where(lit, i, 1.0), 0.0))
+
+
+def _angle(i: FloatArray, q: FloatArray, u: FloatArray) -> FloatArray:
+    there = (i > 0.0) & ((q != 0.0) | (u != 0.0))
+    # + 0.0 takes the sign off a zero: -90° and 90° are one angle, and the latter is named
+    angle = 0.5 * np.degrees(np.arctan2(u + 0.0, q + 0.0))
+    return np.asarray(np.where(there, angle, 0.0))
+
+
+def _of_stokes(
+    stokes: Any,
+    formula: Callable[[FloatArray, FloatArray, FloatArray], FloatArray],
+    name: str,
+    unit: str,
+) -> Any:
+    """Results of a formula of I, Q and U, labelled where these are."""
+    if hasattr(stokes, "coords"):
+        there = (
+            [str(one) for one in stokes.coords["stokes"].values] if "stokes" in stokes.dims else []
+        )
+        if not set(STOKES) <= set(there):
+            raise ParameterError("stokes", tuple(stokes.dims), "I, Q and U along an axis stokes")
+        parts = [stokes.sel(stokes=one, drop=True) for one in STOKES]
+        found = parts[0].copy(data=formula(*(np.asarray(one, np.float64) for one in parts)))
+        found.name = name.replace(" ", "_")
+        found.attrs = {**parts[0].attrs, "units": unit, "long_name": name}
+        return found
+    array = np.asarray(stokes, np.float64)
+    if array.ndim == 0 or array.shape[0] != len(STOKES):
+        raise ParameterError("stokes", array.shape, "I, Q and U along the first axis")
+    return formula(*array)

@@ -9,13 +9,21 @@ import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TextIO
+from typing import TYPE_CHECKING, TextIO
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
 from airlight.exports.whole_file import whole_file
+from airlight.solvers.stokes_frame import (
+    STOKES,
+    angle_of_polarisation,
+    degree_of_polarisation,
+)
+
+if TYPE_CHECKING:
+    import xarray
 
 #: Columns that are read, with the smallest and largest number allowed in them.
 COLUMNS: dict[str, tuple[float, float]] = {
@@ -206,26 +214,52 @@ def _number(cell: str, line: int, column: str, limits: tuple[float, float], name
     return value
 
 
-def radiance_columns(wavelengths: Sequence[float]) -> list[str]:
+def radiance_columns(wavelengths: Sequence[float], *, stokes: bool = False) -> list[str]:
     """Names of the columns of radiances.
+
+    Parameters
+    ----------
+    wavelengths : sequence of float
+        Wavelengths. [nm]
+    stokes : bool
+        Whether light is given by I, Q and U, the degree and the angle of its polarisation.
 
     Examples
     --------
     >>> radiance_columns([680.0, 550.5])
     ['radiance_680nm', 'radiance_550.5nm']
+    >>> radiance_columns([680.0], stokes=True)
+    ['I_680nm', 'Q_680nm', 'U_680nm', 'dolp_680nm', 'aolp_680nm']
     """
-    return [f"radiance_{nm:.10g}nm" for nm in wavelengths]
+    names = (*STOKES, "dolp", "aolp") if stokes else ("radiance",)
+    return [f"{name}_{nm:.10g}nm" for name in names for nm in wavelengths]
 
 
-def error_columns(wavelengths: Sequence[float]) -> list[str]:
-    """Names of the columns of standard errors.
+def error_columns(wavelengths: Sequence[float], *, stokes: bool = False) -> list[str]:
+    """Names of the columns of standard errors, of I, Q and U where light is given by them.
 
     Examples
     --------
     >>> error_columns([680.0])
     ['standard_error_680nm']
+    >>> error_columns([680.0], stokes=True)
+    ['standard_error_I_680nm', 'standard_error_Q_680nm', 'standard_error_U_680nm']
     """
-    return [f"standard_error_{nm:.10g}nm" for nm in wavelengths]
+    names = [f"standard_error_{name}" for name in STOKES] if stokes else ["standard_error"]
+    return [f"{name}_{nm:.10g}nm" for name in names for nm in wavelengths]
+
+
+def polarised_answers(found: xarray.DataArray) -> NDArray[np.float64]:
+    """Cells under the columns of I, Q and U, degree and angle, shape (n, 5·wavelengths).
+
+    Parameters
+    ----------
+    found : xarray.DataArray, shape (n, stokes, wavelength)
+        I, Q and U. [W m⁻² sr⁻¹ nm⁻¹]
+    """
+    parts = [found.sel(stokes=name) for name in STOKES]
+    parts += [degree_of_polarisation(found), angle_of_polarisation(found)]
+    return np.concatenate([np.asarray(part, np.float64) for part in parts], axis=-1)
 
 
 def write_cases(
@@ -234,6 +268,8 @@ def write_cases(
     wavelengths: Sequence[float],
     radiance: NDArray[np.float64],
     standard_error: NDArray[np.float64] | None = None,
+    *,
+    stokes: bool = False,
 ) -> None:
     """Write the table with the radiances appended.
 
@@ -249,6 +285,9 @@ def write_cases(
         Radiances, written with nine digits. [W m⁻² sr⁻¹ nm⁻¹]
     standard_error : array, shape (n, wavelengths), optional
         Standard errors, written with two digits in columns after the radiances. [W m⁻² sr⁻¹ nm⁻¹]
+    stokes : bool
+        Whether the numbers are those of polarised light, as ``radiance_columns`` and
+        ``error_columns`` name them.
 
     Raises
     ------
@@ -256,13 +295,13 @@ def write_cases(
         If the file cannot be written; an existing file is then unchanged.
     """
     if path == "-":
-        _write(sys.stdout, cases, wavelengths, radiance, standard_error)
+        _write(sys.stdout, cases, wavelengths, radiance, standard_error, stokes)
         return
     with (
         whole_file(path) as part,
         part.open("w", encoding="utf-8", newline="") as stream,
     ):
-        _write(stream, cases, wavelengths, radiance, standard_error)
+        _write(stream, cases, wavelengths, radiance, standard_error, stokes)
 
 
 def _write(
@@ -271,10 +310,11 @@ def _write(
     wavelengths: Sequence[float],
     radiance: NDArray[np.float64],
     standard_error: NDArray[np.float64] | None,
+    stokes: bool,
 ) -> None:
-    columns = radiance_columns(wavelengths)
+    columns = radiance_columns(wavelengths, stokes=stokes)
     if standard_error is not None:
-        columns += error_columns(wavelengths)
+        columns += error_columns(wavelengths, stokes=stokes)
     write_head(stream, cases, columns)
     write_rows(stream, cases, radiance, standard_error)
 

@@ -18,7 +18,14 @@ from airlight.distribution.fingerprint import check_code, code_digest, digest
 from airlight.errors import FileError
 from airlight.exports.whole_file import check_target
 from airlight.planets.planet import Planet
-from airlight.sweep.cases import Cases, case_blocks, radiance_columns, write_head, write_rows
+from airlight.sweep.cases import (
+    Cases,
+    case_blocks,
+    polarised_answers,
+    radiance_columns,
+    write_head,
+    write_rows,
+)
 from airlight.sweep.shared_solution import shared_solution
 
 if TYPE_CHECKING:
@@ -43,6 +50,8 @@ class Lines:
         Wavelengths. [nm]
     quality : str
         Quality of its solution.
+    polarisation, stokes : bool
+        Whether light is polarised, and whether I, Q and U, degree and angle are wanted.
     cache : bool
         Whether the solution is kept on disk.
     values : array, shape (n, 4)
@@ -52,6 +61,8 @@ class Lines:
     planet: Planet
     wavelengths: tuple[float, ...]
     quality: str
+    polarisation: bool
+    stokes: bool
     cache: bool
     values: FloatArray
 
@@ -63,6 +74,8 @@ def answer_rows(
     *,
     wavelengths: Sequence[float],
     quality: str = "default",
+    polarisation: bool = True,
+    stokes: bool = False,
     cache: bool = True,
     scheduler: str | None = None,
     workers: int | None = 1,
@@ -85,6 +98,10 @@ def answer_rows(
         Wavelengths. [nm]
     quality : str
         Quality as for ``airlight.solve``.
+    polarisation : bool
+        Whether light is polarised, as for ``airlight.solve``.
+    stokes : bool
+        Whether I, Q and U, degree and angle of polarisation are appended.
     cache : bool
         Whether the solution is looked for on disk, and kept there.
     scheduler, workers : optional
@@ -109,12 +126,12 @@ def answer_rows(
     with case_blocks(source, BLOCK) as (head, blocks):
         total = sum(len(block.rows) for block in blocks)
     nm = tuple(float(one) for one in wavelengths)
-    shared_solution(planet, nm, quality, cache=cache, progress=progress)
+    shared_solution(planet, nm, quality, polarisation=polarisation, cache=cache, progress=progress)
     code = code_digest(_SOURCE)
-    mark = digest((planet, nm, quality, code), (Path(source),))
+    mark = digest((planet, nm, quality, polarisation, stokes, code), (Path(source),))
     with _Table.opened(target, mark) as table, case_blocks(source, BLOCK) as (head, blocks):
         if not table.blocks:
-            write_head(table.stream, head, radiance_columns(nm))
+            write_head(table.stream, head, radiance_columns(nm, stokes=stokes))
         waiting: dict[int, Cases] = {}
 
         def tasks() -> Iterator[tuple[int, tuple[Lines, str]]]:
@@ -122,6 +139,7 @@ def answer_rows(
                 if number >= table.kept:
                     waiting[number] = block
                     yield number, (Lines(planet=planet, wavelengths=nm, quality=quality,
+                                         polarisation=polarisation, stokes=stokes,
                                          cache=cache, values=block.values), code)  # fmt: skip
 
         found: dict[int, FloatArray] = {}
@@ -139,7 +157,7 @@ def answer_rows(
 
 
 def radiances_of_lines(lines: Lines, code: str) -> FloatArray:
-    """Radiances of a block, shape (n, wavelengths). [W m⁻² sr⁻¹ nm⁻¹]
+    """Radiances of a block, shape (n, wavelengths), or what ``polarised_answers`` returns.
 
     Parameters
     ----------
@@ -149,10 +167,15 @@ def radiances_of_lines(lines: Lines, code: str) -> FloatArray:
         Hash of the source of the process that sent them.
     """
     check_code(code, _SOURCE)
-    solution = shared_solution(lines.planet, lines.wavelengths, lines.quality, cache=lines.cache)
+    solution = shared_solution(
+        lines.planet, lines.wavelengths, lines.quality, polarisation=lines.polarisation,
+        cache=lines.cache,
+    )  # fmt: skip
     altitude, sun, view, azimuth = lines.values.T
-    found = solution.radiance(altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth)
-    return np.asarray(found, float)
+    found = solution.radiance(
+        altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth, stokes=lines.stokes
+    )
+    return polarised_answers(found) if lines.stokes else np.asarray(found, float)
 
 
 class _Table:

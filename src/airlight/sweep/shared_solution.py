@@ -22,6 +22,7 @@ def shared_solution(
     wavelengths: Sequence[float],
     quality: str,
     *,
+    polarisation: bool = True,
     cache: bool = True,
     progress: Progress | None = None,
 ) -> MomentsSolution:
@@ -35,16 +36,19 @@ def shared_solution(
         Wavelengths. [nm]
     quality : str
         Quality as for ``airlight.solve``.
+    polarisation : bool
+        Whether light is polarised, as for ``airlight.solve``.
     cache : bool
         Whether it is looked for on disk, and kept there.
     progress : callable, optional
         See ``airlight.kernel.threads``.
     """
-    key = digest((planet, tuple(wavelengths), quality))
+    key = digest((planet, tuple(wavelengths), quality, polarisation))
     if key not in _KEPT:
         found = solve(
-            planet, wavelengths=wavelengths, quality=quality, cache=cache, progress=progress
-        )
+            planet, wavelengths=wavelengths, quality=quality, polarisation=polarisation,
+            cache=cache, progress=progress,
+        )  # fmt: skip
         _KEPT.clear()
         _KEPT[key] = found
     return _KEPT[key]

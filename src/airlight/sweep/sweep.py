@@ -57,6 +57,8 @@ class Block:
         Planet.
     quality : str
         Quality of its solution.
+    polarisation : bool
+        Whether light is polarised.
     altitude : float
         Altitude of the observer. [m]
     sun_zenith, view_zenith, azimuth : tuple of float
@@ -67,6 +69,7 @@ class Block:
 
     planet: Planet
     quality: str
+    polarisation: bool
     altitude: float
     sun_zenith: tuple[float, ...]
     view_zenith: tuple[float, ...]
@@ -79,6 +82,7 @@ def sweep(
     path: str | Path,
     *,
     quality: str = "default",
+    polarisation: bool = True,
     scheduler: str | None = None,
     workers: int | None = None,
     progress: Progress | None = None,
@@ -93,6 +97,8 @@ def sweep(
         Folder of the Zarr group: new, or that of the same grid.
     quality : str
         Quality as for ``airlight.solve``.
+    polarisation : bool
+        Whether light is polarised, as for ``airlight.solve``.
     scheduler, workers : optional
         See ``airlight.distribution.opened_runner``.
     progress : callable, optional
@@ -112,13 +118,15 @@ def sweep(
     WorkerError
         If workers or their scheduler are lost.
     """
-    store = SweepStore(Path(path), grid, f"radiance, quality {quality}")
+    light = "radiance" if polarisation else "radiance of scalar transfer"
+    store = SweepStore(Path(path), grid, f"{light}, quality {quality}")
+    how = quality, polarisation
     code = code_digest(_SOURCE)
     missing: list[tuple[int, ...]] = []
     marks: dict[tuple[int, ...], int] = {}
     for block in _indices(grid.blocks):
         # Sixty-three bits of the hash, never 0.
-        marks[block] = 1 + int(digest((_block(grid, block, quality), code))[:15], 16)
+        marks[block] = 1 + int(digest((_block(grid, block, how), code))[:15], 16)
         if not store.has(block, marks[block]):
             missing.append(block)
     if missing:
@@ -128,11 +136,11 @@ def sweep(
                 opened_runner(len(missing), scheduler=scheduler, workers=workers)
             )
             first = {one: next(b for b in missing if b[: len(one)] == one) for one in variants}
-            tasks = ((one, (_block(grid, first[one], quality), code)) for one in variants)
+            tasks = ((one, (_block(grid, first[one], how), code)) for one in variants)
             for done, _ in enumerate(runner.run(solved, tasks)):
                 if progress is not None:
                     progress(done + 1, len(variants), "solving")
-            blocks = ((block, (_block(grid, block, quality), code)) for block in missing)
+            blocks = ((block, (_block(grid, block, how), code)) for block in missing)
             for done, (block, values) in enumerate(runner.run(radiances, blocks)):
                 store.write(grid.region(block), block, values, marks[block])
                 if progress is not None:
@@ -151,7 +159,8 @@ def _indices(shape: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
 _PLANETS: Final[dict[tuple[Any, ...], Planet]] = {}
 
 
-def _block(grid: Grid, block: tuple[int, ...], quality: str) -> Block:
+def _block(grid: Grid, block: tuple[int, ...], how: tuple[str, bool]) -> Block:
+    quality, polarisation = how
     *variant, altitude, _, _ = block
     suns, views = grid.region(block)[-4:-2]
     key = (id(grid), *variant)
@@ -159,7 +168,8 @@ def _block(grid: Grid, block: tuple[int, ...], quality: str) -> Block:
         _PLANETS.clear()
         _PLANETS[key] = grid.planet(tuple(variant))
     return Block(
-        planet=_PLANETS[key], quality=quality, altitude=grid.altitude[altitude],
+        planet=_PLANETS[key], quality=quality, polarisation=polarisation,
+        altitude=grid.altitude[altitude],
         sun_zenith=tuple(grid.sun_zenith[suns]), view_zenith=tuple(grid.view_zenith[views]),
         azimuth=tuple(grid.azimuth), wavelengths=grid.nm,
     )  # fmt: skip
@@ -195,4 +205,6 @@ def radiances(block: Block, code: str) -> NDArray[np.float32]:
 
 
 def _solution(block: Block) -> MomentsSolution:
-    return shared_solution(block.planet, block.wavelengths, block.quality)
+    return shared_solution(
+        block.planet, block.wavelengths, block.quality, polarisation=block.polarisation
+    )
