@@ -369,8 +369,9 @@ def only_for_png(
     primaries: str,
     bits: int,
     glare: float,
+    shown: bool = False,
 ) -> None:
-    """Refuse options of the display for a linear file, which has none of them.
+    """Refuse options of the display for a linear file or a map of numbers, which have none of them.
 
     Parameters
     ----------
@@ -378,14 +379,18 @@ def only_for_png(
         Suffix of the picture.
     exposure, iso, aperture, shutter, tone_map, encoding, primaries, bits, glare :
         Values of the options of that name.
+    shown : bool
+        Whether ``--show`` is given: colours stand for numbers.
 
     Raises
     ------
     ParameterError
-        If the file is an ``.exr`` and an option is not as it is if left out.
+        If the file is an ``.exr``, or shows numbers, and an option is not as it is if left out.
     """
-    if suffix != ".exr":
+    if suffix != ".exr" and not shown:
         return
+    allowed = "left out for an .exr, which is linear radiance"
+    allowed = "left out beside --show, whose colours are a scale" if shown else allowed
     given = {
         "--exposure": (exposure, None), "--iso": (iso, None), "--aperture": (aperture, None),
         "--shutter": (shutter, None), "--tone-map": (tone_map, "natural"),
@@ -394,7 +399,7 @@ def only_for_png(
     }  # fmt: skip
     for option, (value, left_out) in given.items():
         if value != left_out:
-            raise ParameterError(option, value, "left out for an .exr, which is linear radiance")
+            raise ParameterError(option, value, allowed)
 
 
 def camera(

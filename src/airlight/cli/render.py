@@ -38,6 +38,8 @@ EPILOG = examples(
     "--second-star 80,12,3500K,0.4deg -o two.png",
     "airlight render lunar-eclipse --size 800x600 -o moon.png",
     "airlight render mars --at 4.59S,137.44E --ls 250 --time sunset --look-at sun -o gale.png",
+    "airlight render earth --altitude 2m --look 60,90 --polariser 90deg -o dark.png",
+    "airlight render earth --altitude 2m --projection fisheye --show dolp -o degree.png",
 )
 
 #: Where the camera looks if nobody says: across the sunlight, which shows the air best. [deg]
@@ -80,6 +82,26 @@ def render(
     roll: Annotated[
         str, typer.Option(metavar="ANGLE", help="Turns the camera clockwise about its line.")
     ] = "0deg",
+    polariser: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ANGLE",
+            help="An ideal polarising filter in front of the camera: angle of its axis from the "
+            "camera's up, counterclockwise.",
+        ),
+    ] = None,
+    show: Annotated[
+        Literal["dolp", "aolp"] | None,
+        typer.Option(
+            metavar="dolp|aolp",
+            help="Instead of colours, degree or angle of linear polarisation with a legend; of an "
+            ".exr a channel beside the layers of --stokes.",
+        ),
+    ] = None,
+    stokes: Annotated[
+        bool,
+        typer.Option("--stokes", help="Layers Q and U beside the colours of an .exr."),
+    ] = False,
     sun_zenith: options.SunZenith = None,
     moon: second_lights.Moon = None,
     second_star: second_lights.SecondStar = None,
@@ -123,6 +145,7 @@ def render(
     glare: options.Glare = 1.0,
     wavelengths: options.Wavelengths = None,
     quality: options.Quality = "default",
+    no_polarisation: options.NoPolarisation = False,
     device: options.Device = "cpu",
     exact: options.Exact = False,
     samples: Annotated[
@@ -160,10 +183,12 @@ def render(
     from airlight.exports.picture import picture_suffix, write_picture
     from airlight.system import is_scene_file
 
+    suffix = picture_suffix(output)
     options.only_for_png(
-        picture_suffix(output), exposure, iso, aperture, shutter, tone_map, encoding, primaries,
-        bits, glare,
+        suffix, exposure, iso, aperture, shutter, tone_map, encoding, primaries, bits, glare,
+        show is not None,
     )  # fmt: skip
+    _check_polarised(suffix, polariser, show, stokes, no_polarisation)
     ev = options.camera(exposure, iso, aperture, shutter)
     check_tone_map(tone_map)
     check_glare(glare)
@@ -179,7 +204,8 @@ def render(
                 "--ground-albedo": ground_albedo, "--set": set_, "--ls": season,
                 "--zone": zone, "--exact": exact,
                 "--projection": projection if projection != "perspective" else None,
-                "--roll": roll if roll != "0deg" else None,
+                "--roll": roll if roll != "0deg" else None, "--polariser": polariser,
+                "--show": show, "--stokes": stokes, "--no-polarisation": no_polarisation,
                 "--device": device if device == "gpu" else None,
                 "--ground": ground if ground != "detailed" else None,
                 "--moon": moon, "--second-star": second_star,
@@ -218,6 +244,7 @@ def render(
             look_zenith=zenith,
             look_azimuth=azimuth,
             roll=options.angle(roll, "--roll"),
+            polariser=None if polariser is None else options.angle(polariser, "--polariser"),
         ),
         altitude=placed.altitude,
         sun_zenith=placed.sun_zenith,
@@ -231,20 +258,68 @@ def render(
     if placed.time is not None:
         world = time_and_place.lit(world, placed, sun_distance)
     frame = _painted(
-        world, scene, wavelengths, quality, device, exact=exact, samples=samples, stars=stars,
-        cache=not no_cache, local=ground_albedo is None,
+        world, scene, wavelengths, quality, device, polarisation=not no_polarisation, exact=exact,
+        samples=samples, stokes=stokes or show is not None, stars=stars, cache=not no_cache,
+        local=ground_albedo is None,
     )  # fmt: skip
     changes = {"changes": "; ".join(set_)} if set_ else {}
     if ground_albedo is not None:
         changes["ground_albedo"] = ground_albedo
     metadata = {"planet": world.name, **scene.metadata(), **changes}
-    written = write_picture(
-        output, frame, metadata, exposure=ev, tone_map=tone_map, encoding=encoding,
-        primaries=primaries, bits=bits, glare=glare,
-    )  # fmt: skip
+    if show is not None:
+        written = _shown(output, frame, show, metadata)
+    else:
+        written = write_picture(
+            output, frame, metadata, exposure=ev, tone_map=tone_map, encoding=encoding,
+            primaries=primaries, bits=bits, glare=glare,
+        )  # fmt: skip
     if placed.time is not None:
         print(time_and_place.line(world, placed, sun_distance))
     _report(written, frame, started)
+
+
+def _check_polarised(
+    suffix: str, polariser: str | None, show: str | None, stokes: bool, scalar: bool
+) -> None:
+    """Refuse options of polarised light that contradict each other, or the file."""
+    given = {"--polariser": polariser, "--show": show, "--stokes": stokes or None}
+    there = {option: value for option, value in given.items() if value is not None}
+    for option, value in there.items():
+        if scalar:
+            raise ParameterError(option, value, "without --no-polarisation")
+        if option != "--polariser" and polariser is not None:
+            raise ParameterError("--polariser", polariser, f"left out beside {option}")
+    if stokes and suffix != ".exr":
+        raise ParameterError("--stokes", True, "beside a name that ends in .exr")
+    if show is not None and suffix == ".png":
+        from airlight.plots.figure import require_matplotlib
+
+        require_matplotlib()  # before any long work
+
+
+def _shown(
+    output: Path, frame: Frame, show: Literal["dolp", "aolp"], metadata: dict[str, str]
+) -> Written:
+    """Write degree or angle of polarisation: a picture with a legend, or a channel of an EXR."""
+    import numpy as np
+
+    from airlight.exports.picture import Written, write_picture
+    from airlight.exports.png import write_png
+    from airlight.plots.polarised_picture import SHOWN, polarised_picture
+    from airlight.solvers.stokes_frame import angle_of_polarisation, degree_of_polarisation
+
+    if output.suffix.lower() == ".exr":
+        formula = degree_of_polarisation if show == "dolp" else angle_of_polarisation
+        unit = "1" if show == "dolp" else "deg, in the frame of Q and U"
+        layer = {show: formula(frame.stokes).astype(np.float32)}
+        texts = {**metadata, show: f"of the luminance, unit {unit}"}
+        return write_picture(output, frame, texts, layers=layer)
+    try:
+        pixels = polarised_picture(frame, show)
+    except ParameterError as error:
+        raise ParameterError("--size", error.value, error.allowed) from None
+    write_png(output, pixels, {**frame.metadata, **metadata, "shown": SHOWN[show].label})
+    return Written(path=output, size=output.stat().st_size, exposure=None)
 
 
 def _report(written: Written, frame: Frame, started: float) -> None:
@@ -294,8 +369,10 @@ def _painted(
     quality: str,
     device: Choice,
     *,
+    polarisation: bool,
     exact: bool,
     samples: int,
+    stokes: bool,
     stars: bool,
     cache: bool,
     local: bool,
@@ -313,9 +390,9 @@ def _painted(
 
     with shown_progress() as report:
         return paint_scene(
-            planet, scene, wavelengths=nm, quality=quality, device=device, exact=exact,
-            samples=samples, cache=cache, local=local, stars=stars, refused=refused,
-            progress=report,
+            planet, scene, wavelengths=nm, quality=quality, polarisation=polarisation,
+            device=device, exact=exact, samples=samples, stokes=stokes, cache=cache, local=local,
+            stars=stars, refused=refused, progress=report,
         )  # fmt: skip
 
 

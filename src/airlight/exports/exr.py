@@ -37,6 +37,7 @@ def write_exr(
     precision: str = "float",
     compression: str = "zip",
     attributes: Mapping[str, Any] | None = None,
+    layers: Mapping[str, NDArray[np.float32]] | None = None,
 ) -> None:
     """Write linear radiance.
 
@@ -55,6 +56,8 @@ def write_exr(
         Name from ``COMPRESSIONS``.
     attributes : mapping, optional
         OpenEXR's own attributes, which replace those that are written otherwise.
+    layers : mapping of str to array, shape (h, w, 3) or (h, w), optional
+        Further channels, float32: ``NAME.R``, ``NAME.G`` and ``NAME.B`` of a colour, else ``NAME``.
 
     Raises
     ------
@@ -67,13 +70,21 @@ def write_exr(
 
     if rgb.dtype != np.float32 or rgb.ndim != 3 or rgb.shape[2] != 3:
         raise ParameterError("rgb", f"{rgb.dtype} {rgb.shape}", "float32, shape (h, w, 3)")
+    layers = layers or {}
+    for name, layer in layers.items():
+        if layer.dtype != np.float32 or layer.shape not in (rgb.shape, rgb.shape[:2]):
+            allowed = f"float32, shape {rgb.shape} or {rgb.shape[:2]}"
+            raise ParameterError(f"layers[{name}]", f"{layer.dtype} {layer.shape}", allowed)
     if precision not in PRECISIONS:
         raise ParameterError("precision", precision, ", ".join(PRECISIONS))
     if compression not in COMPRESSIONS:
         raise ParameterError("compression", compression, ", ".join(COMPRESSIONS))
     with np.errstate(over="ignore"):
-        pixels = np.ascontiguousarray(rgb.astype(PRECISIONS[precision], copy=False))
-    largest = float(np.abs(rgb).max(initial=0.0))
+        pixels = {
+            name: np.ascontiguousarray(values.astype(PRECISIONS[precision], copy=False))
+            for name, values in _channels(rgb, layers).items()
+        }
+    largest = max(float(np.abs(one).max(initial=0.0)) for one in (rgb, *layers.values()))
     if LARGEST_HALF < largest < np.inf and "half" in (precision, _KEPT.get(compression)):
         words = f"at most {LARGEST_HALF:g} in half floats: scale it"
         raise ParameterError("rgb", f"{largest:.4g}", words)
@@ -88,10 +99,23 @@ def write_exr(
     }
     with whole_file(path) as part:
         try:
-            image = OpenEXR.File(written, {"RGB": pixels})
+            image = OpenEXR.File(written, pixels)
             image.write(str(part))
         except (RuntimeError, ValueError, TypeError) as error:
             raise FileError(path, f"cannot be written: {error}") from error
+
+
+def _channels(
+    rgb: NDArray[np.float32], layers: Mapping[str, NDArray[np.float32]]
+) -> dict[str, NDArray[np.float32]]:
+    """Pixels by the names under which they are written; colours of layers channel by channel."""
+    channels = {"RGB": rgb}
+    for name, layer in layers.items():
+        if layer.ndim == 2:
+            channels[name] = layer
+        else:
+            channels |= {f"{name}.{letter}": layer[..., k] for k, letter in enumerate("RGB")}
+    return channels
 
 
 def write_exr_channels(

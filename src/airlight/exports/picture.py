@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,12 @@ if TYPE_CHECKING:
 
 #: Suffixes of the formats that can be written.
 SUFFIXES = (".png", ".exr")
+#: Text of an EXR with Q and U.
+STOKES_FRAME: Final = (
+    "I in R, G, B; Q and U in the layers Q and U, in the same unit; Q > 0 along the plane of the "
+    "line of sight and the observer's zenith, U > 0 at 45 deg from it, counterclockwise as the "
+    "observer looks"
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -79,8 +85,12 @@ def write_picture(
     bits: int = 8,
     glare: float = 1.0,
     pixel_angle: float = 0.0,
+    layers: Mapping[str, NDArray[np.float32]] | None = None,
 ) -> Written:
     """Write a frame's colours as PNG (exposed, tone mapped, encoded) or EXR (linear, untouched).
+
+    An EXR of a frame with Q and U has them as layers, ``Q.R`` to ``U.B``, beside I in ``R`` to
+    ``B``.
 
     Parameters
     ----------
@@ -107,6 +117,8 @@ def write_picture(
         Amount of glare around bright points, 0 to 10: 1 is that of a lens. Only for PNG. [1]
     pixel_angle : float
         Angle of a pixel of an array; without it there is no glare. [rad]
+    layers : mapping of str to array, optional
+        Further channels of an EXR, as for ``airlight.exports.exr.write_exr``.
 
     Returns
     -------
@@ -128,7 +140,10 @@ def write_picture(
     metadata = {**frame.metadata, **(metadata or {})}
     used: float | None = None
     if suffix == ".exr":
-        write_exr(path, rgb, metadata)
+        if frame.polarised is not None:
+            layers = {"Q": frame.polarised[0], "U": frame.polarised[1], **(layers or {})}
+            metadata = {**metadata, "stokes": STOKES_FRAME}
+        write_exr(path, rgb, metadata, layers=layers)
     else:
         from airlight.color.display import resolve_exposure, to_display
 

@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.color.exposure import automatic_exposure
+from airlight.color.xyz import luminance
+from airlight.errors import ParameterError
 from airlight.scene.metering import scene_exposure
 from airlight.scene.scene import Scene
 
@@ -47,6 +49,19 @@ class Frame:
         height, width = self.rgb.shape[:2]
         of = f" of {self.metadata['planet']}" if "planet" in self.metadata else ""
         return f"<Frame{of}: {width} x {height} pixels of linear sRGB, W m⁻² sr⁻¹>"
+
+    @property
+    def stokes(self) -> NDArray[np.float64]:
+        """I, Q and U of the luminance, shape (3, height, width). [W m⁻² sr⁻¹]
+
+        Raises
+        ------
+        ParameterError
+            If the frame has no Q and U.
+        """
+        if self.polarised is None:
+            raise ParameterError("frame.polarised", None, "Q and U: render(..., stokes=True)")
+        return luminance(np.stack([self.rgb, *self.polarised]).astype(np.float64))
 
     @cached_property
     def exposure(self) -> float:
