@@ -194,6 +194,22 @@ def test_a_picture_from_the_table_is_shown_as_the_processor_s(
     assert difference[away_from_the_rim(solution, seen)].max() <= 2
 
 
+@pytest.mark.parametrize("exact", [False, True])
+def test_a_filter_lets_the_same_light_through_as_the_processor_s(
+    exact: bool, lit: Lit, shows: Shows
+) -> None:
+    # bounds as above, of the table and of the march
+    seen = scene_of(PLANETS["earth, with a map"](), "noon")
+    for angle in (0.0, 55.0):
+        camera = replace(seen.camera, polariser=angle, look_azimuth=90.0)
+        filtered = replace(seen, camera=camera)
+        wanted = render(lit(), filtered, exact=True).rgb
+        rgb = shows().frame(filtered, exact=exact).rgb
+        bright = np.abs(wanted).max(axis=2, keepdims=True) + 1e-4 * np.abs(wanted).max()
+        horizon = np.abs(camera.directions()[..., 2:]) < 2.0 * camera.pixel_angle
+        assert (np.abs(rgb - wanted) < (0.01 if exact else 0.005) * bright + horizon).all()
+
+
 @pytest.mark.parametrize("orders", ["single", "multiple"])
 def test_orders_are_drawn_apart_as_by_the_processor(
     orders: str, device: Device, lit: Lit, shows: Shows, monkeypatch: pytest.MonkeyPatch

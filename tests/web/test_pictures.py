@@ -41,6 +41,12 @@ VIEWS = {
         {"view.altitude": 35e3, "view.look_zenith": 95.0, "view.heading": 120.0,
          "view.sun_zenith": 80.0, "display.exposure": -1.0, "display.tone_map": "aces"},
     ),
+    "earth, a filter": (
+        "earth",
+        {"view.altitude": 2.0, "view.look_zenith": 60.0, "view.heading": 95.0,
+         "view.sun_zenith": 75.0, "view.filter": True, "view.polariser": 35.0,
+         "display.exposure": -1.5},
+    ),
     "earth, 400 km": (
         "earth",
         {"view.altitude": 400e3, "view.look_zenith": 112.0, "view.latitude": 32.0,

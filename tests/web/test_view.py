@@ -23,6 +23,8 @@ VIEW = {
     "view.look_zenith": 71.0,
     "view.heading": 203.0,
     "view.roll": 17.0,
+    "view.filter": True,
+    "view.polariser": 40.0,
     "view.field_of_view": 55.0,
     "view.projection": "perspective",
     "view.sun_zenith": 66.0,
@@ -36,10 +38,11 @@ def test_directions_are_those_of_the_scene(modules: Callable[..., Any]) -> None:
     got = page.evaluate(
         "([view, limits]) => cameraOf(view, limits)", [VIEW, {"perspective": [1e-3, 170]}]
     )
-    camera = Camera(look_zenith=71.0, look_azimuth=203.0 - 141.0, roll=17.0)
+    camera = Camera(look_zenith=71.0, look_azimuth=203.0 - 141.0, roll=17.0, polariser=40.0)
     scene = Scene(camera=camera, sun_zenith=66.0, latitude=47.0, longitude=-12.0, sun_azimuth=141.0)
     # a few rounding errors of float64
     assert_allclose(got["axes"], camera.axes, atol=1e-14)
+    assert_allclose(got["filter"], camera.filter_axis, atol=1e-14)
     assert_allclose(got["sun"], scene.sun_direction, atol=1e-14)
     assert_allclose(got["ground"], scene.ground_frame, atol=1e-14)
     assert_allclose(got["fieldOfView"], np.radians(55.0), rtol=1e-15)

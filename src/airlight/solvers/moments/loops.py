@@ -6,6 +6,7 @@ from typing import Final
 
 from airlight.optics.density_profile import _relative_densities, segment_density
 from airlight.optics.phase_functions import cornette_shanks, rayleigh
+from airlight.optics.phase_table import _interpolate
 from airlight.solvers.moments.acceleration import combine
 from airlight.solvers.moments.convergence import change_at, count_at, is_near, rest_after
 from airlight.solvers.moments.elimination import factorise, substitute
@@ -23,6 +24,7 @@ LOOPS: Final = (
     _relative_densities,
     rayleigh,
     cornette_shanks,
+    _interpolate,
     reduce_optics,
     trace_into,
     share_into,

@@ -1,0 +1,90 @@
+"""Pictures through a polarising filter, and of Q and U, against lines of sight and Malus's law."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight import Camera, ParameterError, Scene, load_planet, render, replace, solve
+from airlight.color.xyz import luminance
+from airlight.render.drawing import color_weights
+from airlight.solvers.moments.solution import MomentsSolution
+
+
+@pytest.fixture(scope="module")
+def solution(solved: Callable[..., Any]) -> MomentsSolution:
+    """Earth at preview quality."""
+    found: MomentsSolution = solved(load_planet("earth-atmosphere-plus"), quality="preview")
+    return found
+
+
+def _scene(**camera: Any) -> Scene:
+    seen = Camera(width=40, height=24, look_zenith=70.0, look_azimuth=-60.0, **camera)
+    return Scene(altitude=200.0, sun_zenith=65.0, camera=seen)
+
+
+def test_a_picture_of_q_and_u_has_those_of_its_lines(solution: MomentsSolution) -> None:
+    # the angles of a pixel, given to ``radiance``; both sides of the sun
+    for turn in (60.0, -60.0):
+        scene = _scene()
+        scene = replace(scene, camera=replace(scene.camera, look_azimuth=turn))
+        frame = render(solution, scene, stokes=True, exact=True, disc=False)
+        assert frame.polarised is not None
+        x, y, z = scene.camera.directions()[5, 7]
+        lines = solution.radiance(
+            altitude=200.0, sun_zenith=65.0, view_zenith=np.degrees(np.arccos(z)),
+            azimuth=np.degrees(np.arctan2(-y, x)), stokes=True,
+        )  # fmt: skip
+        weights = color_weights(solution) / solution.lights[0].irradiance[:, None]
+        wanted = lines.values @ weights
+        got = np.stack([frame.rgb[5, 7], *frame.polarised[:, 5, 7]])
+        assert_allclose(got, wanted, atol=2e-3 * np.abs(wanted[0]).max())
+        assert abs(luminance(wanted[2])) > 0.05 * luminance(wanted[0])  # the sign of U is tested
+
+
+@pytest.mark.parametrize("exact", [False, True])
+def test_filters_at_right_angles_let_all_light_through(
+    exact: bool, solution: MomentsSolution
+) -> None:
+    # an identity of the ideal filter, wherever the camera looks; and Malus's cosine between them
+    whole = render(solution, _scene(), exact=exact).rgb
+    parts = {
+        angle: render(solution, _scene(polariser=angle), exact=exact).rgb.astype(float)
+        for angle in (0.0, 30.0, 60.0, 90.0)
+    }
+    assert_allclose(parts[0.0] + parts[90.0], whole, rtol=2e-6, atol=1e-6 * whole.max())
+    mean, swing = 0.5 * (parts[0.0] + parts[90.0]), 0.5 * (parts[0.0] - parts[90.0])
+    aslant = (parts[30.0] - mean - 0.5 * swing) / np.sin(np.radians(60.0))
+    expected = mean - 0.5 * swing + aslant * np.sin(np.radians(120.0))
+    assert_allclose(parts[60.0], expected, rtol=1e-5, atol=1e-5 * whole.max())
+    assert luminance(parts[0.0] - parts[90.0]).max() > 0.2 * luminance(whole).max()
+
+
+def test_the_table_of_the_sky_keeps_the_degree(solution: MomentsSolution) -> None:
+    # the same picture marched; the zenith, where all azimuths meet, is in it
+    scene = Scene(
+        altitude=2.0, sun_zenith=50.0, camera=Camera(projection="fisheye", width=300, height=300)
+    )
+    quick, exact = (render(solution, scene, stokes=True, exact=one) for one in (False, True))
+    for one in (quick, exact):
+        assert one.polarised is not None
+    bright = luminance(exact.rgb)
+    seen = bright > 0.0
+    apart = luminance(quick.polarised - exact.polarised)[:, seen] / bright[seen]
+    assert np.abs(apart).max() < 2e-3
+
+
+def test_a_filter_needs_polarised_light() -> None:
+    scalar = solve(load_planet("earth-atmosphere-plus"), quality="preview", polarisation=False)
+    with pytest.raises(
+        ParameterError, match=r"camera\.polariser is 30\.0; allowed: .*polarisation"
+    ):
+        render(scalar, _scene(polariser=30.0))
+    with pytest.raises(ParameterError, match="stokes is True"):
+        scalar.radiance(altitude=0.0, sun_zenith=30.0, view_zenith=60.0, azimuth=90.0, stokes=True)
+    with pytest.raises(ParameterError, match=r"camera\.polariser is 500\.0; allowed: -360 to 360"):
+        Camera(polariser=500.0)
