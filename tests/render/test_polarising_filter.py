@@ -29,7 +29,7 @@ def _scene(**camera: Any) -> Scene:
 
 def test_a_picture_of_q_and_u_has_those_of_its_lines(solution: MomentsSolution) -> None:
     # the angles of a pixel, given to ``radiance``; both sides of the sun
-    for turn in (60.0, -60.0):
+    for turn in (100.0, -100.0):
         scene = _scene()
         scene = replace(scene, camera=replace(scene.camera, look_azimuth=turn))
         frame = render(solution, scene, stokes=True, exact=True, disc=False)
@@ -81,7 +81,7 @@ def test_the_table_of_the_sky_keeps_the_degree(solution: MomentsSolution) -> Non
 def test_a_filter_needs_polarised_light() -> None:
     scalar = solve(load_planet("earth-atmosphere-plus"), quality="preview", polarisation=False)
     with pytest.raises(
-        ParameterError, match=r"camera\.polariser is 30\.0; allowed: .*polarisation"
+        ParameterError, match=r"camera\.polariser is 30\.0; allowed: a solution"
     ):
         render(scalar, _scene(polariser=30.0))
     with pytest.raises(ParameterError, match="stokes is True"):
