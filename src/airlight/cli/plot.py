@@ -22,6 +22,7 @@ EPILOG = "\n\n".join(
             "airlight plot earth density -o density.png",
             "airlight plot mars sky-profile --sun-zenith 80 -o sky.svg",
             "airlight plot earth limb --wavelengths 680,550,440 -o limb.pdf",
+            "airlight plot earth polarisation-plane --sun-zenith 70 -o neutral-points.png",
             "airlight plot --list",
         ),
     ]
@@ -73,6 +74,7 @@ def plot(
         Literal["preview", "default", "fine"] | None,
         typer.Option(help="How closely the air is solved, where it must be."),
     ] = None,
+    no_polarisation: options.NoPolarisation = False,
     dpi: Annotated[
         float, typer.Option(metavar="NUMBER", help="Pixels an inch; figures are 8 inches wide.")
     ] = 150.0,
@@ -103,10 +105,13 @@ def plot(
         sun_zenith=None if sun_zenith is None else options.angle(sun_zenith, "--sun-zenith"),
         altitude=None if altitude is None else options.length(altitude, "--altitude"),
         quality=quality,
+        polarisation=False if no_polarisation else None,
     )
     try:
         check_choices(kind, choices)
     except ParameterError as error:
+        if error.field == "polarisation":
+            raise ParameterError("--no-polarisation", True, error.allowed) from None
         option = f"--{error.field.replace('_', '-')}"
         raise ParameterError(option, error.value, error.allowed) from None
     with shown_progress() as report:

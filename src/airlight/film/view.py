@@ -13,7 +13,7 @@ from airlight.planets.schema.key import Key
 from airlight.planets.schema.record import Record
 from airlight.scene import Camera, Scene, look_at
 from airlight.scene.ground_detail import GROUNDS
-from airlight.system.viewpoint import FIELD_OF_VIEW, LOOK_ZENITH, PROJECTION, ROLL
+from airlight.system.viewpoint import FIELD_OF_VIEW, LOOK_ZENITH, POLARISER, PROJECTION, ROLL
 
 
 @parameters
@@ -34,6 +34,8 @@ class PlanetView(Record):
         Instead: zenith angle, and azimuth from the sun's side. [deg]
     roll : float
         Clockwise rotation of the camera. [deg]
+    polariser : float, optional
+        Axis of a polarising filter, counterclockwise from the camera's up. [deg]
     projection : str
         Name of the projection.
     field_of_view : float, optional
@@ -92,6 +94,7 @@ class PlanetView(Record):
         | None
     ) = None  # fmt: skip
     roll: Annotated[float, ROLL] = 0.0
+    polariser: Annotated[float, POLARISER] | None = None
     projection: Annotated[str, PROJECTION] = "perspective"
     field_of_view: Annotated[float, FIELD_OF_VIEW] | None = None
     ground: Annotated[
@@ -126,7 +129,7 @@ class PlanetView(Record):
         camera = Camera(
             projection=self.projection, width=width, height=height, roll=self.roll,
             field_of_view=self.field_of_view, look_zenith=self.look_zenith,
-            look_azimuth=self.look_azimuth or 0.0,
+            look_azimuth=self.look_azimuth or 0.0, polariser=self.polariser,
         )  # fmt: skip
         given = (self.look_zenith, self.look_azimuth) != (None, None)
         target = self.look_at

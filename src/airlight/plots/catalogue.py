@@ -30,12 +30,15 @@ class Choices:
         Altitude of the observer. [m]
     quality : str, optional
         Quality of the solution: ``"preview"``, ``"default"`` or ``"fine"``.
+    polarisation : bool, optional
+        Whether light is polarised, as for ``airlight.solve``.
     """
 
     wavelengths: tuple[float, ...] | None = None
     sun_zenith: float | None = None
     altitude: float | None = None
     quality: str | None = None
+    polarisation: bool | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -87,6 +90,7 @@ def _solve(
         nm,
         choices.quality or quality,
         solver=solver,
+        polarisation=choices.polarisation is not False,
         cache=work.cache,
         progress=work.progress,
         cancel=work.cancel,
@@ -168,6 +172,20 @@ def _sky_profile(planet: Planet, choices: Choices, work: Work) -> Figure:
     return sky_profile(solution, **_given(choices, "sun_zenith", "altitude"))
 
 
+def _polarisation_plane(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.plots.polarisation import polarisation_plane
+
+    solution = _solve(planet, choices, work)
+    return polarisation_plane(solution, **_given(choices, "sun_zenith", "altitude"))
+
+
+def _polarisation_dome(planet: Planet, choices: Choices, work: Work) -> Figure:
+    from airlight.plots.polarisation import polarisation_dome
+
+    solution = _solve(planet, choices, work)
+    return polarisation_dome(solution, **_given(choices, "sun_zenith", "altitude"))
+
+
 def _limb(planet: Planet, choices: Choices, work: Work) -> Figure:
     from airlight.plots.limb import SUN_ZENITHS, limb
 
@@ -201,7 +219,7 @@ KINDS: Final[dict[str, Kind]] = {
     ),
     "cie": Kind(
         "CIE 1931 matching functions, and the sky's colours in the chromaticity diagram.",
-        ("wavelengths", "quality"),
+        ("wavelengths", "quality", "polarisation"),
         _cie,
     ),
     "density": Kind(
@@ -234,17 +252,27 @@ KINDS: Final[dict[str, Kind]] = {
     ),
     "mapping-comparison": Kind(
         "The scattering table on the linear and on the weighted power mapping.",
-        ("wavelengths", "quality"),
+        ("wavelengths", "quality", "polarisation"),
         _mapping_comparison,
     ),
     "sky-profile": Kind(
         "Radiance of the sky through the sun and around at the sun's height.",
-        ("wavelengths", "sun_zenith", "altitude", "quality"),
+        ("wavelengths", "sun_zenith", "altitude", "quality", "polarisation"),
         _sky_profile,
+    ),
+    "polarisation-plane": Kind(
+        "Degree of polarisation in the plane of sun and zenith, with the neutral points.",
+        ("wavelengths", "sun_zenith", "altitude", "quality"),
+        _polarisation_plane,
+    ),
+    "polarisation-dome": Kind(
+        "Degree and angle of polarisation over the sky, with bars along which light swings.",
+        ("wavelengths", "sun_zenith", "altitude", "quality"),
+        _polarisation_dome,
     ),
     "limb": Kind(
         "Radiance of the limb over tangent height, seen from space.",
-        ("wavelengths", "sun_zenith", "quality"),
+        ("wavelengths", "sun_zenith", "quality", "polarisation"),
         _limb,
     ),
     "order-convergence": Kind(

@@ -20,6 +20,10 @@ ROLL: Final = Key(
     label="roll", help="Clockwise rotation of the camera.", unit="deg", range=(-360.0, 360.0),
     example="0 deg",
 )  # fmt: skip
+POLARISER: Final = Key(
+    label="polariser", help="Axis of a polarising filter, counterclockwise from the camera's up; "
+    "no filter if left out.", unit="deg", range=(-360.0, 360.0), example="90 deg",
+)  # fmt: skip
 PROJECTION: Final = Key(
     label="projection", help="Projection of the picture.", kind="choice",
     words=lambda: tuple(PROJECTIONS),

@@ -1,0 +1,102 @@
+"""Neutral points: where the sky's light is unpolarised in the plane through sun and zenith."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from airlight.solvers.solution import Solution
+
+FloatArray = NDArray[np.float64]
+
+#: Names of the points: above and below the sun, above and below the point opposite to it.
+NEUTRAL_POINTS: Final = ("Babinet", "Brewster", "Arago", "fourth")
+#: Zenith angles at which the sky is looked at. [deg]
+_STEP: Final = 0.25
+
+
+def principal_plane(
+    solution: Solution, *, sun_zenith: float, altitude: float = 0.0
+) -> tuple[FloatArray, FloatArray]:
+    """Degree of polarisation in the plane through sun and zenith, above the horizon.
+
+    Parameters
+    ----------
+    solution : Solution
+        Solution of polarised light.
+    sun_zenith : float
+        Zenith angle of the sun, 0 to 180. [deg]
+    altitude : float
+        Altitude of the observer. [m]
+
+    Returns
+    -------
+    view_zenith : array, shape (n,)
+        Zenith angles, positive on the sun's side. [deg]
+    degree : array, shape (n, nl)
+        -Q/I, positive where light swings across the plane; NaN where there is no light. [1]
+
+    Raises
+    ------
+    ParameterError
+        If the solution is of scalar transfer, or a value is out of its range.
+    """
+    view = np.arange(-90.0, 90.0 + 0.5 * _STEP, _STEP)
+    light = solution.radiance(
+        altitude=altitude, sun_zenith=sun_zenith, view_zenith=np.abs(view),
+        azimuth=np.where(view < 0.0, 180.0, 0.0), stokes=True,
+    )  # fmt: skip
+    whole, along = (np.asarray(light.sel(stokes=name), np.float64) for name in "IQ")
+    return view, np.where(whole > 0.0, -along / np.where(whole > 0.0, whole, 1.0), np.nan)
+
+
+def neutral_points(
+    solution: Solution, *, sun_zenith: float, altitude: float = 0.0
+) -> dict[str, FloatArray]:
+    """Neutral points of the sky in the plane through sun and zenith.
+
+    Where light that was scattered more than once, which swings along the plane, outweighs that
+    scattered once, which swings across it, the degree of ``principal_plane`` is negative; it is 0
+    at the ends. Of several zeros of one name the nearest to the sun, or to the point opposite to
+    it, counts.
+
+    Parameters
+    ----------
+    solution, sun_zenith, altitude :
+        Arguments of ``principal_plane``.
+
+    Returns
+    -------
+    dict of str to array, shape (nl,)
+        Zenith angle of each of ``NEUTRAL_POINTS``, positive on the sun's side; NaN where there is
+        none above the horizon. [deg]
+
+    References
+    ----------
+    Coulson (1988), Polarization and Intensity of Light in the Atmosphere, section 4.4; the fourth:
+    Horváth, Bernáth, Suhai, Barta & Wehner (2002), JOSA A 19, 2085.
+    """
+    view, degree = principal_plane(solution, sun_zenith=sun_zenith, altitude=altitude)
+    found = {name: np.full(degree.shape[1], np.nan) for name in NEUTRAL_POINTS}
+    for k, values in enumerate(degree.T):
+        nearest = dict.fromkeys(NEUTRAL_POINTS, np.inf)
+        before, after = values[:-1], values[1:]
+        for at in np.flatnonzero((before < 0.0) != (after < 0.0)):
+            if not (np.isfinite(before[at]) and np.isfinite(after[at])):
+                continue
+            zero = view[at] + _STEP * before[at] / (before[at] - after[at])
+            name, distance = _named(zero, sun_zenith)
+            if distance < nearest[name]:
+                nearest[name], found[name][k] = distance, zero
+    return found
+
+
+def _named(view: float, sun: float) -> tuple[str, float]:
+    """Name of a neutral point, and its angle from the sun or from the point opposite to it."""
+    from_sun, from_opposite = view - sun, view - (sun - 180.0)
+    if abs(from_sun) <= abs(from_opposite):
+        return ("Babinet" if from_sun < 0.0 else "Brewster"), abs(from_sun)
+    return ("Arago" if from_opposite > 0.0 else "fourth"), abs(from_opposite)
