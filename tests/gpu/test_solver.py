@@ -225,7 +225,8 @@ def test_a_cancelled_solve_leaves_the_next_one_whole(device):
 
 @pytest.mark.parametrize("name", sorted(PASSES))
 def test_a_pass_keeps_a_browsers_limits(name):
-    # WebGPU's defaults and WebGL2: 16 textures to read, one target of 16 bytes.
+    # WebGPU's defaults and WebGL2: 16 textures to read, two targets of 16 bytes.
+    assert len(PASSES[name].targets) <= 2
     textures = [one for one in declared_bindings(shader(name)) if "texture" in one.layout]
     assert len(textures) <= BROWSER_LIMITS["max-sampled-textures-per-shader-stage"]
 
@@ -240,17 +241,18 @@ def test_the_plan_can_be_run_by_another_host(name):
     known = {*written["textures"], "scalars", "spectra", "image"}
     for part in written["passes"].values():
         for one in part:
-            assert one["target"] in known
+            assert set(one["targets"]) <= known
             reads = declared_bindings(written["shaders"][one["shader"]])
             assert {two.name for two in reads if "texture" in two.layout} <= known
     for texels in (*map(len, plan.tables.values()), *written["textures"].values()):
         assert texels <= FLAT_WIDTH * BROWSER_LIMITS["max-texture-dimension-2d"]
     # Spans fill each texel of a ray's radiance once.
-    spans = [one["span"] for one in written["passes"]["sweep"] if one["target"] == "radiances"]
+    spans = [one["span"] for one in written["passes"]["sweep"] if one["targets"] == ["radiances"]]
     assert [one[0] for one in spans[1:]] == [one[1] for one in spans[:-1]]
     assert spans[-1][1] == written["textures"]["radiances"]
     # Tables are at their recorded positions.
-    places = written["tables"]["extinction"]
-    rows = plan.tables["spectra"][places["start"] : places["start"] + places["shape"][0]]
     air = plan.setup.optics.air(slice(None))
-    assert_array_equal(rows, air.extinction.reshape(-1, 8)[:, :4])
+    for table in ("extinction", "polarising"):
+        places = written["tables"][table]
+        rows = plan.tables["spectra"][places["start"] : places["start"] + places["shape"][0]]
+        assert_array_equal(rows, getattr(air, table).reshape(-1, 8)[:, :4])

@@ -79,7 +79,8 @@ def test_edited_air_is_that_of_an_edited_medium(
     dip = acos(grid.bottom_radius / grid.top_radius)
     # float32, to which both are rounded, after sums in different orders
     tables = {
-        "extinction": air.extinction, "moments": air.moments, "albedo": air.ground.albedo,
+        "extinction": air.extinction, "moments": air.moments,
+        "polarising": air.polarising, "albedo": air.ground.albedo,
         "true_extinction": pack(paths.medium.extinction),
     }  # fmt: skip
     for name, table in tables.items():

@@ -195,8 +195,10 @@ def test_optics_without_forward_peaks_are_python_s(calls: Callable[..., Any]) ->
     scattering, absorption = RNG.uniform(1e-6, 1e-4, (2, 3, wavelengths))
     scattering[2] = 0.0
     columns = np.array([8e3, 1e3, 2e3])
-    tables = (scattering, absorption, phases, columns)
-    sizes = (3 * wavelengths, 3 * (degree + 1) * wavelengths, 3 * wavelengths)
+    turning = RNG.uniform(-1.0, 1.0, (3, wavelengths, 2))
+    tables = (scattering, absorption, phases, turning, columns)
+    parts = (1, degree + 1, 2, 1)
+    sizes = [3 * wavelengths * part for part in parts]
     filled = [np.zeros(size) for size in sizes]
     functions()["reduce_optics"](*tables, degree, *filled)
     row = [
@@ -204,6 +206,6 @@ def test_optics_without_forward_peaks_are_python_s(calls: Callable[..., Any]) ->
         degree,
         *([0.0] * size for size in sizes),
     ]
-    for index, wanted in enumerate(filled, start=5):
+    for index, wanted in enumerate(filled, start=6):
         assert np.ptp(wanted) > 0.0
         assert_allclose(calls("reduce_optics", [row], index)[0], wanted, rtol=1e-12)

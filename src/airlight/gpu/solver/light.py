@@ -12,11 +12,18 @@ from airlight.kernel import inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, lane_array, load, splat
 from airlight.optics.reflection import sky_factor, star_factor
 from airlight.pixels.shown import MOST_CONSTITUENTS
-from airlight.solvers.moments.first_order import direct_light, fill_phases, scattered_once
+from airlight.solvers.moments.first_order import (
+    direct_light,
+    fill_phases,
+    fill_polarising,
+    scattered_once,
+    star_plane_turn,
+)
 from airlight.solvers.moments.grid import radius_index
-from airlight.solvers.moments.harmonics import degree_of
+from airlight.solvers.moments.harmonics import POLARISED, degree_of
 from airlight.solvers.moments.sweep import (
     contracted,
+    coupled_moments,
     gathered,
     leaving_at_end,
     sky_at,
@@ -53,16 +60,19 @@ def ray_and_star(index, sizes, tables):
 
 @inlined
 def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs, depths):
-    """Radiance of a ray by light that has been scattered or reflected once. [sr⁻¹]
+    """Light of a ray that has been scattered or reflected once. [sr⁻¹]
 
-    Texels (radius, direction, sun, azimuth).
+    Texels (radius, direction, sun, azimuth): I, and Q in the frame of the plane through ray and
+    star.
     """
     ray, i, a, mu_s, nu = ray_and_star(index, sizes, tables)
     first = int(tables.start[i, a])
     points = int(tables.start[i, a + 1]) - first
     phases = lane_array(MOST_CONSTITUENTS)
+    across = lane_array(MOST_CONSTITUENTS)
     fill_phases(tables.moments, nu, sizes.degree, sizes.constituents, phases)
-    radiance = load(shares, LANES * ray) * scattered_once(
+    fill_polarising(tables.polarising, nu, sizes.constituents, across)
+    radiance, plane = scattered_once(
         tables.turn,
         tables.radius,
         first,
@@ -70,6 +80,7 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
         first,
         strengths,
         phases,
+        across,
         sizes.constituents,
         1 + first - first_point,
         depths,
@@ -81,6 +92,8 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
         sizes.star_radius,
         tables.lift,
     )
+    share = load(shares, LANES * ray)
+    radiance = share * radiance
     if a < sizes.angles // 2:
         at_ground = star_at_end(tables.end, i, a, mu_s, nu)
         factor = star_factor(
@@ -96,16 +109,16 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
             sizes.directions,
             tables.lift,
         )
-    return radiance
+    return radiance, share * plane
 
 
 @inlined
 def row(index, sizes, tables, first_point, factors, packed):
     """Moments at a point of a ray, contracted with their contribution along the ray. [1]
 
-    Texels (point, sun, 2 + N): s, then A_0 s … A_N s; the points of one span of radii.
+    Texels (point, sun, ``rows`` of ``gathered``); the points of one span of radii.
     """
-    block = sizes.degree + 2
+    block = sizes.degree + 2 + POLARISED
     part = index % block
     j = index // block % sizes.suns
     point = first_point + index // (block * sizes.suns)
@@ -116,9 +129,18 @@ def row(index, sizes, tables, first_point, factors, packed):
     high = low + sizes.suns * (1 + sizes.terms) * LANES
     if part == 0:
         return (np.float32(1.0) - f) * load(packed, low) + f * load(packed, high)
-    return contracted(
-        factors, LANES * point * sizes.terms, packed, low, high, f, part - 1, sizes.degree
-    )
+    start = LANES * point * (sizes.terms + 2)
+    last = start + LANES * sizes.terms
+    if part > sizes.degree + 1:
+        m = part - 2 - sizes.degree
+        moment, here = coupled_moments(packed, low, high, f, m, sizes.degree)
+        return load(factors, last) * moment + load(factors, last + LANES) * here
+    m = part - 1
+    total = contracted(factors, start, packed, low, high, f, m, sizes.degree)
+    if m < POLARISED:
+        _, here = coupled_moments(packed, low, high, f, m, sizes.degree)
+        total = total + load(factors, last + LANES * (m - POLARISED)) * here
+    return total
 
 
 @inlined
@@ -130,7 +152,7 @@ def radiance_again(index, sizes, tables, first_point, shares, rows, throughs, ir
     ray, i, a, mu_s, nu = ray_and_star(index, sizes, tables)
     first = int(tables.start[i, a])
     points = int(tables.start[i, a + 1]) - first
-    radiance = load(shares, LANES * ray) * gathered(
+    radiance, _, _ = gathered(
         tables.turn,
         tables.mu_along,
         first,
@@ -142,7 +164,10 @@ def radiance_again(index, sizes, tables, first_point, shares, rows, throughs, ir
         tables.place,
         sizes.suns,
         sizes.degree,
+        True,
+        False,
     )
+    radiance = load(shares, LANES * ray) * radiance
     if a < sizes.angles // 2:
         at_ground = star_at_end(tables.end, i, a, mu_s, nu)
         factor = sky_factor(tables.ground, 0, leaving_at_end(tables.end, i, a, tables.mu[i, a]))
@@ -153,16 +178,82 @@ def radiance_again(index, sizes, tables, first_point, shares, rows, throughs, ir
 
 
 @inlined
-def azimuthal(index, sizes, tables, radiances):
-    """Fourier integral ∫ L cos mφ dφ of the radiance. [sr⁻¹]
+def polarised_again(index, sizes, tables, first_point, shares, rows):
+    """Q and U of a ray by light that was scattered or reflected in earlier orders. [sr⁻¹]
 
-    Texels (radius, direction, sun, m).
+    Texels (radius, direction, sun, azimuth).
     """
-    m = index % (sizes.degree + 1)
-    start = index // (sizes.degree + 1) * sizes.turns
+    ray, i, a, mu_s, nu = ray_and_star(index, sizes, tables)
+    first = int(tables.start[i, a])
+    points = int(tables.start[i, a + 1]) - first
+    _, along, across = gathered(
+        tables.turn,
+        tables.mu_along,
+        first,
+        points,
+        first - first_point,
+        rows,
+        mu_s,
+        nu,
+        tables.place,
+        sizes.suns,
+        sizes.degree,
+        False,
+        True,
+    )
+    share = load(shares, LANES * ray)
+    return share * along, share * across
+
+
+@inlined
+def azimuthal_once(index, sizes, tables, radiances, planes):
+    """Fourier integrals over azimuth, from ``radiance_once``; texels of ``azimuthal``. [sr⁻¹]"""
+    width = sizes.degree + 6
+    part = index % width
+    start = index // width * sizes.turns
     total = splat(0.0)
     for b in range(sizes.turns):
-        total = total + np.float32(tables.multiples[m, b]) * load(radiances, LANES * (start + b))
+        value = load(radiances, LANES * (start + b))
+        if part > sizes.degree:
+            _, i, a, mu_s, nu = ray_and_star(start + b, sizes, tables)
+            cosine, sine = star_plane_turn(tables.mu[i, a], mu_s, nu)
+            turn = cosine
+            if part > sizes.degree + POLARISED:
+                turn = sine
+            value = np.float32(turn) * load(planes, LANES * (start + b))
+        total = total + np.float32(azimuthal_weight(tables, part, b, sizes.degree)) * value
+    return total
+
+
+@inlined
+def azimuthal_weight(tables, part, b, degree):
+    """Weight of azimuth ``b`` in an integral of ``azimuthal``. [rad]"""
+    if part > degree + POLARISED:
+        return tables.sines[part - degree - POLARISED, b]
+    if part > degree:
+        return tables.multiples[part - degree - 1, b]
+    return tables.multiples[part, b]
+
+
+@inlined
+def azimuthal(index, sizes, tables, radiances, alongs, acrosses):
+    """Fourier integrals over azimuth of the light of a ray. [sr⁻¹]
+
+    Texels (radius, direction, sun, integral): ∫ I cos mφ dφ, then ∫ Q cos mφ dφ of m = 0 to 2, and
+    ∫ U sin mφ dφ of m = 1 and 2.
+    """
+    width = sizes.degree + 6
+    part = index % width
+    start = index // width * sizes.turns
+    total = splat(0.0)
+    for b in range(sizes.turns):
+        at = LANES * (start + b)
+        value = load(radiances, at)
+        if part > sizes.degree + POLARISED:
+            value = load(acrosses, at)
+        elif part > sizes.degree:
+            value = load(alongs, at)
+        total = total + np.float32(azimuthal_weight(tables, part, b, sizes.degree)) * value
     return total
 
 
@@ -173,26 +264,30 @@ def gathered_moment(index, sizes, projections, azimuthals):
     Texels (radius, sun, moment), and after them (radius, sun).
     """
     nodes = sizes.radii * sizes.suns
-    width = sizes.degree + 1
+    width, weights = sizes.degree + 6, sizes.terms + 2
     total = splat(0.0)
     if index >= nodes * sizes.terms:
         node = index - nodes * sizes.terms
         i, j = node // sizes.suns, node % sizes.suns
-        weights = sizes.radii * sizes.angles * sizes.terms + i * sizes.angles
+        start = sizes.radii * sizes.angles * weights + i * sizes.angles
         for a in range(sizes.angles):
             at = ((i * sizes.angles + a) * sizes.suns + j) * width
-            total = total + np.float32(projections[weights + a]) * load(azimuthals, LANES * at)
+            total = total + np.float32(projections[start + a]) * load(azimuthals, LANES * at)
         return total
     node, term = index // sizes.terms, index % sizes.terms
     i, j = node // sizes.suns, node % sizes.suns
-    l = degree_of(term)
-    m = term - l * (l + 1) // 2
+    harmonics = sizes.terms - POLARISED
+    m = sizes.degree + 1 + term - harmonics
+    if term < harmonics:
+        l = degree_of(term)
+        m = term - l * (l + 1) // 2
     for a in range(sizes.angles):
         ray = i * sizes.angles + a
         at = (ray * sizes.suns + j) * width + m
-        total = total + np.float32(projections[ray * sizes.terms + term]) * load(
-            azimuthals, LANES * at
-        )
+        start = ray * weights + term
+        total = total + np.float32(projections[start]) * load(azimuthals, LANES * at)
+        if term > harmonics:  # U, of m = 1 and 2
+            total = total + np.float32(projections[start + 2]) * load(azimuthals, LANES * (at + 2))
     return total
 
 

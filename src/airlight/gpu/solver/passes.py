@@ -1,8 +1,8 @@
 """Passes of the solver as data, and their shaders.
 
-A pass fills one flat texture with the texels of one function of ``rays``, ``light``, ``packing`` or
-``mixing``. Its inputs are named here; a host, in Python or in a browser, needs the list of passes,
-the shaders and the numbers of ``plan``, and no physics.
+A pass fills one or two flat textures with the texels of one function of ``rays``, ``light``,
+``packing`` or ``mixing``. Its inputs are named here; a host, in Python or in a browser, needs the
+list of passes, the shaders and the numbers of ``plan``, and no physics.
 """
 
 from __future__ import annotations
@@ -13,7 +13,16 @@ from typing import Any, Final, Literal
 
 from airlight.gpu.emit.dialect import ShaderDialect
 from airlight.gpu.emit.emitter import Emitter
-from airlight.gpu.emit.shader_types import F32, FLAT_WIDTH, I32, VEC4, Bundle, Table, Value
+from airlight.gpu.emit.shader_types import (
+    F32,
+    FLAT_WIDTH,
+    I32,
+    VEC4,
+    Bundle,
+    Table,
+    TupleType,
+    Value,
+)
 from airlight.gpu.emit.texture_table import TextureTable
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.solver import light, mixing, packing, rays
@@ -56,8 +65,9 @@ class SolverPass:
         Name of the pass and of its shader.
     function : callable
         Function of a texel; arguments: ``index``, those of ``host_inputs``, then the readings.
-    target : str
-        Texture that it fills.
+    targets : tuple of str
+        Textures of equal size that it fills, one with each result of the function; at most two,
+        since not every browser writes more than 32 bytes a texel.
     host_inputs : tuple of str
         Names from ``sizes``, ``tables``, ``first_point``, ``weights``, ``images``.
     readings : tuple of Reading
@@ -68,7 +78,7 @@ class SolverPass:
 
     name: str
     function: Any
-    target: str
+    targets: tuple[str, ...]
     host_inputs: tuple[str, ...] = ("sizes", "tables")
     readings: tuple[Reading, ...] = ()
     spanned: bool = False
@@ -78,68 +88,82 @@ _ALONG: Final = ("sizes", "tables", "first_point")
 
 #: Passes that run once for a solve: the parts common to all orders, and the first order.
 ONCE: Final = (
-    SolverPass("strength", rays.strength, "strengths"),
-    SolverPass("factor", rays.factor, "factors"),
-    SolverPass("share", rays.share, "shares"),
-    SolverPass("through", rays.through, "throughs"),
-    SolverPass("projection", rays.projection, "projections"),
-    SolverPass("depth", rays.depth, "depths", _ALONG, spanned=True),
+    SolverPass("strength", rays.strength, ("strengths",)),
+    SolverPass("factor", rays.factor, ("factors",)),
+    SolverPass("share", rays.share, ("shares",)),
+    SolverPass("through", rays.through, ("throughs",)),
+    SolverPass("projection", rays.projection, ("projections",)),
+    SolverPass("depth", rays.depth, ("depths",), _ALONG, spanned=True),
     SolverPass(
-        "radiance_once", light.radiance_once, "radiances", _ALONG,
+        "radiance_once", light.radiance_once, ("radiances", "alongs"), _ALONG,
         (Reading("shares"), Reading("strengths"), Reading("throughs"), Reading("depths")),
         spanned=True,
     ),
-    SolverPass("azimuthal", light.azimuthal, "azimuthals", readings=(Reading("radiances"),)),
     SolverPass(
-        "gathered_moment", light.gathered_moment, "first", ("sizes",),
+        "azimuthal_once", light.azimuthal_once, ("azimuthals",),
+        readings=(Reading("radiances"), Reading("alongs")),
+    ),
+    SolverPass(
+        "gathered_moment", light.gathered_moment, ("first",), ("sizes",),
         (Reading("projections", "numbers"), Reading("azimuthals")),
     ),
 )  # fmt: skip
 #: Passes that prepare a light field for the next sweep and for a march.
 PACK: Final = (
-    SolverPass("highest", packing.highest, "heights", ("sizes",), (Reading("light", "numbers"),)),
-    SolverPass("floor", packing.floor, "floors", ("sizes",), (Reading("heights", "numbers"),)),
     SolverPass(
-        "refined", packing.refined, "fine",
+        "highest", packing.highest, ("heights",), ("sizes",), (Reading("light", "numbers"),)
+    ),
+    SolverPass(
+        "floor", packing.floor, ("floors",), ("sizes",), (Reading("heights", "numbers"),)
+    ),
+    SolverPass(
+        "refined", packing.refined, ("fine",),
         readings=(Reading("light", "numbers"), Reading("floors", "numbers")),
     ),
     SolverPass(
-        "highest_level", packing.highest_level, "level_heights", ("sizes",),
+        "highest_level", packing.highest_level, ("level_heights",), ("sizes",),
         (Reading("fine", "numbers"),),
     ),
     SolverPass(
-        "node_scale", packing.node_scale, "scales",
+        "node_scale", packing.node_scale, ("scales",),
         readings=(Reading("fine", "numbers"), Reading("level_heights", "numbers")),
     ),
     SolverPass(
-        "packed", packing.packed, "packed", ("sizes",), (Reading("fine"), Reading("scales"))
+        "packed", packing.packed, ("packed",), ("sizes",), (Reading("fine"), Reading("scales"))
     ),
 )  # fmt: skip
 #: Passes of one more order: from the packed light to its image.
 SWEEP: Final = (
     SolverPass(
-        "row", light.row, "rows", _ALONG, (Reading("factors"), Reading("packed")), spanned=True
+        "row", light.row, ("rows",), _ALONG, (Reading("factors"), Reading("packed")), spanned=True
     ),
     SolverPass(
-        "radiance_again", light.radiance_again, "radiances", _ALONG,
+        "radiance_again", light.radiance_again, ("radiances",), _ALONG,
         (
             Reading("shares"), Reading("rows"), Reading("throughs"),
             Reading("packed", from_sky=True),
         ),
         spanned=True,
     ),
-    SolverPass("azimuthal", light.azimuthal, "azimuthals", readings=(Reading("radiances"),)),
     SolverPass(
-        "gathered_onto", light.gathered_onto, "image", ("sizes",),
+        "polarised_again", light.polarised_again, ("alongs", "acrosses"), _ALONG,
+        (Reading("shares"), Reading("rows")), spanned=True,
+    ),
+    SolverPass(
+        "azimuthal", light.azimuthal, ("azimuthals",),
+        readings=(Reading("radiances"), Reading("alongs"), Reading("acrosses")),
+    ),
+    SolverPass(
+        "gathered_onto", light.gathered_onto, ("image",), ("sizes",),
         (Reading("projections", "numbers"), Reading("azimuthals"), Reading("first")),
     ),
-    SolverPass("mean", mixing.mean, "means", ("sizes",), (Reading("image"), Reading("light"))),
+    SolverPass("mean", mixing.mean, ("means",), ("sizes",), (Reading("image"), Reading("light"))),
 )  # fmt: skip
 #: Passes that make the next guess, from the last images and the host's weights.
 MIX: Final = (
-    SolverPass("sound", mixing.sound, "sounds", ("sizes", "weights", "images:numbers")),
+    SolverPass("sound", mixing.sound, ("sounds",), ("sizes", "weights", "images:numbers")),
     SolverPass(
-        "next_guess", mixing.next_guess, "light", ("sizes", "weights", "images:lanes"),
+        "next_guess", mixing.next_guess, ("light",), ("sizes", "weights", "images:lanes"),
         (Reading("sounds"),),
     ),
 )  # fmt: skip
@@ -214,16 +238,18 @@ def shader(name: str, dialect: ShaderDialect = WGSL) -> str:
         texture = dialect.texture_name(table.texture, 0, slots[table.texture])
         readers.append(table.reader(dialect, texture))
     rest = "".join(f", {text}" for text in handed)
-    if made.result == VEC4:
-        filled = f"{made.name}(index{rest})"
-    else:  # four numbers a texel
+    count = len(one.targets)
+    kind, filled = made.result, f"{made.name}(index{rest})"
+    if not isinstance(kind, TupleType) and kind != VEC4:  # four numbers a texel
         numbers = ", ".join(f"{made.name}(4 * index + {k}{rest})" for k in range(4))
-        filled = f"{dialect.type_name(VEC4)}({numbers})"
-    return dialect.module([*lines, *readers, body, _entry(dialect, filled)])
+        kind, filled = VEC4, f"{dialect.type_name(VEC4)}({numbers})"
+    values = ["value"] if count == 1 else [dialect.part("value", k) for k in range(count)]
+    filled = dialect.kept("value", kind, filled)
+    return dialect.module([*lines, *readers, body, _entry(dialect, filled, values)])
 
 
-def _entry(dialect: ShaderDialect, filled: str) -> str:
-    """Entry point that fills those texels of a flat texture whose numbers lie in a span."""
+def _entry(dialect: ShaderDialect, filled: str, values: list[str]) -> str:
+    """Entry point that fills those texels of flat textures whose numbers lie in a span."""
     x, y = dialect.converted("at.x", I32), dialect.converted("at.y", I32)
     body = [
         dialect.kept("number", I32, f"{y} * {FLAT_WIDTH} + {x}"),
@@ -231,9 +257,9 @@ def _entry(dialect: ShaderDialect, filled: str) -> str:
         dialect.kept("last", I32, dialect.uniform("span.texels.y", I32) + " - 1"),
         # Discarded invocations may continue: they must not follow rays that do not exist.
         dialect.kept("index", I32, "min(max(number, first), last)"),
-        dialect.kept("value", VEC4, filled),
+        filled,
         "if (number != index) {",
         "  discard;",
         "}",
     ]
-    return dialect.fragment("fill", 1, body, ["value"])
+    return dialect.fragment("fill", len(values), body, values)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -21,10 +22,16 @@ from airlight.gpu.solver.passes import (
 )
 from airlight.gpu.solver.tables import SOLVE
 from airlight.pixels.shown import WAVELENGTHS
+from airlight.solvers.moments.harmonics import POLARISED
 from airlight.solvers.moments.setup import Block, Setup
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
+
+
+def row_block(sizes: Mapping[str, Any]) -> int:
+    """Number of texels of a point under one sun in the texture ``rows``."""
+    return int(sizes["degree"]) + 2 + POLARISED
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -98,14 +105,14 @@ class SolverPlan:
         levels = n["levels"] * n["suns"]
         return {
             "strengths": points * n["constituents"],
-            "factors": points * n["terms"],
+            "factors": points * (n["terms"] + 2),
             "shares": rays,
             "throughs": rays,
-            "projections": -(-rays * (n["terms"] + 1) // WAVELENGTHS),
+            "projections": -(-rays * (n["terms"] + 3) // WAVELENGTHS),
             "depths": (1 + most) * n["directions"],
-            "rows": most * n["suns"] * (n["degree"] + 2),
-            "radiances": rays * n["suns"] * n["turns"],
-            "azimuthals": rays * n["suns"] * (n["degree"] + 1),
+            "rows": most * n["suns"] * row_block(n),
+            **dict.fromkeys(("radiances", "alongs", "acrosses"), rays * n["suns"] * n["turns"]),
+            "azimuthals": rays * n["suns"] * (n["degree"] + 6),
             "first": field,
             "light": field,
             "heights": 2 * n["suns"],
@@ -130,16 +137,16 @@ class SolverPlan:
             Span of a spanned pass.
         """
         if span is None:
-            target = IMAGES[0] if one.target == "image" else one.target
+            target = IMAGES[0] if one.targets[0] == "image" else one.targets[0]
             return 0, self.textures[target], 0
         n = self.sizes
-        if one.target == "radiances":
+        if one.targets[-1] in ("radiances", "alongs", "acrosses"):
             each = n["suns"] * n["turns"]
             begin = span.first_ray * each
             return begin, begin + span.rays * each, span.first_point
-        if one.target == "depths":
+        if one.targets == ("depths",):
             return 0, (1 + span.points) * n["directions"], span.first_point
-        return 0, span.points * n["suns"] * (n["degree"] + 2), span.first_point
+        return 0, span.points * n["suns"] * row_block(n), span.first_point
 
     def runs(self, passes: tuple[SolverPass, ...]) -> list[tuple[SolverPass, tuple[int, int, int]]]:
         """Passes in running order, spanned ones span by span, with their texels.
@@ -176,7 +183,7 @@ class SolverPlan:
         The arrays are the uniform ``solve``, and the ``tables``, which fill the flat textures
         ``scalars`` and ``spectra``, ``r32float`` and ``rgba32float``. Every other texture is a flat
         ``rgba32float`` with the number of texels in ``textures``, and every shader has the entry
-        ``fill``, which skips texels beyond its span. A host
+        ``fill``, which fills its ``targets`` and skips texels beyond its span. A host
 
         1. runs ``once`` and copies ``first`` to ``light``;
         2. for each order: rotates the ring of ``images`` by one, so that the oldest is ``image_0``
@@ -186,13 +193,13 @@ class SolverPlan:
            and one for the largest irradiance; and runs ``mix``, which makes the next ``light``;
         3. runs ``pack`` at the end: ``packed`` is the input of a march.
 
-        A change of coefficients alone changes only ``extinction``, ``moments``, ``albedo`` and
-        ``level`` in their textures, at the positions in ``tables``.
+        A change of coefficients alone changes only ``extinction``, ``moments``,
+        ``polarising``, ``albedo`` and ``level`` in their textures, at the positions in ``tables``.
         """
 
         def written(passes: tuple[SolverPass, ...]) -> list[dict[str, Any]]:
             return [
-                {"shader": one.name, "target": one.target, "span": [*texels, 0]}
+                {"shader": one.name, "targets": list(one.targets), "span": [*texels, 0]}
                 for one, texels in self.runs(passes)
             ]
 

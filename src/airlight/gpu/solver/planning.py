@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import AirlightError
-from airlight.gpu.solver.plan import SolverPlan, Span
+from airlight.gpu.solver.plan import SolverPlan, Span, row_block
 from airlight.gpu.solver.tables import SOLVE
 from airlight.kernel.lanes import LANES
 from airlight.optics.reflection import NUMBERS
@@ -71,10 +71,12 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
         "column": rays.column[:, :constituents].reshape(-1),
         "sun_cosines": grid.sun_cosines, "row": grid.row, "place": grid.place,
         "cosines": azimuths.cosines, "multiples": azimuths.multiples,
+        "sines": azimuths.sines,
         "harmonic": expansion.start, "ahead": expansion.ahead, "back": expansion.back,
         "ratios": setup.ratios, "lift": paths.lift,
         "level": block.level[:, :WAVELENGTHS].reshape(-1),
         "extinction": _lanes(air.extinction), "moments": _lanes(air.moments),
+        "polarising": _lanes(air.polarising),
         "albedo": _lanes(air.ground.albedo),
     }  # fmt: skip
     sizes: dict[str, Any] = {
@@ -113,7 +115,7 @@ def _lanes(flat: Float32Array) -> Float32Array:
 def _spans(start: NDArray[np.int64], sizes: dict[str, Any]) -> tuple[Span, ...]:
     """Group radii so that the textures of a group are not too large."""
     angles = sizes["angles"]
-    each = max(sizes["suns"] * (sizes["degree"] + 2), sizes["directions"])
+    each = max(sizes["suns"] * row_block(sizes), sizes["directions"])
     most = _SPAN // each - 1
     bounds = [0]
     for i in range(1, start.shape[0]):

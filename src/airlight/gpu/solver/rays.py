@@ -19,7 +19,12 @@ import numpy as np
 from airlight.kernel import inlined
 from airlight.kernel.lanes import exponential, splat
 from airlight.solvers.moments.first_order import depth_in_row
-from airlight.solvers.moments.harmonics import degree_of, legendre_function
+from airlight.solvers.moments.harmonics import (
+    POLARISED,
+    degree_of,
+    legendre_function,
+    polarised_functions,
+)
 from airlight.solvers.moments.sweep import optical_depth, strength_of, through_ray
 from airlight.solvers.moments.visible_rays import ray_share
 
@@ -41,21 +46,34 @@ def strength(index, sizes, tables):
 def factor(index, sizes, tables):
     """Contribution of a point to its ray from one moment. [1]
 
-    Texels (point, moment).
+    Texels (point, moment), polarised ones by the coupling with the radiance's of degree 2; after
+    them the coupling, and the keeping of polarised moments, themselves.
     """
-    point, term = index // sizes.terms, index % sizes.terms
-    l = degree_of(term)
-    m = term - l * (l + 1) // 2
+    point, part = index // (sizes.terms + 2), index % (sizes.terms + 2)
+    harmonics = sizes.terms - POLARISED
     depth = optical_depth(
         tables.column, point * sizes.constituents, tables.extinction, sizes.constituents
     )
-    scattered = strength_of(
-        tables.moments, tables.amount, point, l, sizes.degree, sizes.constituents
-    )
+    through = exponential(0.0 - depth)
+    if part >= sizes.terms:  # coupling and keeping
+        return through * strength_of(
+            tables.polarising, tables.amount, point, part - sizes.terms, 1, sizes.constituents
+        )
+    l, m = 2, part - harmonics
+    if part < harmonics:
+        l = degree_of(part)
+        m = part - l * (l + 1) // 2
+        through = through * strength_of(
+            tables.moments, tables.amount, point, l, sizes.degree, sizes.constituents
+        )
+    else:
+        through = through * strength_of(
+            tables.polarising, tables.amount, point, 0, 1, sizes.constituents
+        )
     function = legendre_function(
         tables.mu_along[point], l, m, tables.harmonic, tables.ahead, tables.back
     )
-    return exponential(0.0 - depth) * scattered * np.float32(function)
+    return through * np.float32(function)
 
 
 @inlined
@@ -100,15 +118,28 @@ def through(index, sizes, tables):
 def projection(index, sizes, tables):
     """Weight of a direction in one moment. [1]
 
-    Numbers (radius, direction, moment), and after them (radius, direction): weight in the
-    irradiance from above.
+    Numbers (radius, direction, harmonic, and the five ``polarised_functions``), and after them
+    (radius, direction): weight in the irradiance from above.
     """
-    rays = sizes.radii * sizes.angles
-    if index >= rays * sizes.terms:
-        ray = index - rays * sizes.terms
+    rays, width = sizes.radii * sizes.angles, sizes.terms + 2
+    if index >= rays * width:
+        ray = index - rays * width
         return tables.flux[ray // sizes.angles, ray % sizes.angles]
-    ray, term = index // sizes.terms, index % sizes.terms
+    ray, term = index // width, index % width
     i, a = ray // sizes.angles, ray % sizes.angles
+    which = term - (sizes.terms - POLARISED)
+    if which >= 0:
+        a0, a1, a2, b1, b2 = polarised_functions(tables.mu[i, a])
+        value = a0
+        if which == 1:
+            value = a1
+        if which == 2:
+            value = a2
+        if which == 3:
+            value = b1
+        if which == 4:
+            value = b2
+        return tables.weight[i, a] * value
     l = degree_of(term)
     m = term - l * (l + 1) // 2
     function = legendre_function(tables.mu[i, a], l, m, tables.harmonic, tables.ahead, tables.back)

@@ -141,12 +141,12 @@ class GpuSweeper:
         encoder = self.device.device.create_command_encoder()
         for one, texels in self.plan.runs(passes):
             ready = self._pass(one)
-            target = self._images[0] if one.target == "image" else one.target
+            targets = [self._images[0] if name == "image" else name for name in one.targets]
             top, bottom = texels[0] // FLAT_WIDTH, flat_rows(texels[1])
             ready.run(
                 encoder,
                 self._bound(ready, one, texels),
-                [self._views[target]],
+                [self._views[target] for target in targets],
                 (0, top, FLAT_WIDTH, bottom - top),
                 keep=True,
                 timestamps=None if times is None else times(one.name),
@@ -159,7 +159,8 @@ class GpuSweeper:
         """Pass on the device, compiled at its first use."""
         key = (self.device, one.name)
         if key not in _passes:
-            _passes[key] = FragmentPass(self.device, shader(one.name), "fill", (_FORMAT,), one.name)
+            formats = (_FORMAT,) * len(one.targets)
+            _passes[key] = FragmentPass(self.device, shader(one.name), "fill", formats, one.name)
         return _passes[key]
 
     def _bound(

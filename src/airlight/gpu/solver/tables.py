@@ -22,8 +22,8 @@ class Sizes(NamedTuple):
         Numbers of radii that gather light, of directions in zenith angle, of nodes in sun
         elevation, and of azimuths.
     degree, terms, constituents, directions : int
-        Degree of the harmonics, and numbers of harmonics, of constituents, and of directions in
-        the table of columns.
+        Degree of the harmonics, and numbers of moments of a node, of constituents, and of
+        directions in the table of columns.
     levels, parts : int
         Number of radii of the grid; light is gathered at every ``parts``-th of them.
     received : int
@@ -57,7 +57,7 @@ class Tables(NamedTuple):
         Fields of ``Rays``; total and column flat.
     sun_cosines, row, place :
         Fields of ``Grid``.
-    cosines, multiples :
+    cosines, multiples, sines :
         Fields of ``Azimuths``.
     harmonic, ahead, back :
         Fields of ``Harmonics``.
@@ -67,7 +67,7 @@ class Tables(NamedTuple):
         Table from ``star_lift``.
     level : array, shape (s·4,)
         Weights from ``level_weights``, of four wavelengths.
-    extinction, moments :
+    extinction, moments, polarising :
         Fields of ``Air``; four wavelengths a texel.
     ground : Reflection
         Field of ``Air``.
@@ -89,6 +89,7 @@ class Tables(NamedTuple):
     place: Annotated[Any, scalars()]
     cosines: Annotated[Any, scalars()]
     multiples: Annotated[Any, scalars(2)]
+    sines: Annotated[Any, scalars(2)]
     harmonic: Annotated[Any, scalars()]
     ahead: Annotated[Any, scalars()]
     back: Annotated[Any, scalars()]
@@ -97,6 +98,7 @@ class Tables(NamedTuple):
     level: Annotated[Any, scalars()]
     extinction: Annotated[Any, SPECTRA]
     moments: Annotated[Any, SPECTRA]
+    polarising: Annotated[Any, SPECTRA]
     ground: Reflection
 
 

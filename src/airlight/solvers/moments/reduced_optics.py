@@ -77,7 +77,10 @@ def cut_part(beyond, weight):
 
 
 @compiled_loop
-def reduce_optics(scattering, absorption, phases, columns, degree, extinction, moments, depths):
+def reduce_optics(
+    scattering, absorption, phases, turning, columns, degree, extinction, moments, polarising,
+    depths,
+):  # fmt: skip
     """Remove the forward peaks of a medium, at each of its wavelengths.
 
     Parameters
@@ -86,6 +89,8 @@ def reduce_optics(scattering, absorption, phases, columns, degree, extinction, m
         Coefficients of the constituents at relative density 1. [m⁻¹]
     phases : array, shape (nc, nl, degree + 2)
         Legendre moments of the phase functions. [1]
+    turning : array, shape (nc, nl, 2)
+        Elements of degree 2 that polarise, see ``PhaseFunction``; all 0 for scalar transfer. [1]
     columns : array, shape (nc,)
         Vertical columns. [m]
     degree : int
@@ -94,6 +99,10 @@ def reduce_optics(scattering, absorption, phases, columns, degree, extinction, m
         Receives the extinction coefficients without forward peaks. [m⁻¹]
     moments : array, shape (nc·(degree + 1)·nl,)
         Receives scattering coefficient times Legendre moment, both without forward peaks. [m⁻¹]
+    polarising : array, shape (nc·2·nl,)
+        Receives scattering coefficient times those elements, between moments and polarised moments
+        and between the latter, without forward peaks: light in a peak keeps its polarisation.
+        [m⁻¹]
     depths : array, shape (3·nl,)
         Receives the weight of the removal, from 0 (thin) to 1 (thick); the vertical scattering
         optical depth without forward peaks; and the vertical depth in which each scattering counts
@@ -120,32 +129,12 @@ def reduce_optics(scattering, absorption, phases, columns, degree, extinction, m
                 if scattered > 0.0:
                     moment = scattered * (phases[c, w, l] - part)
                 moments[(c * (degree + 1) + l) * wavelengths + w] = moment
+            coupling, keeping = turning[c, w, 0], turning[c, w, 1]
+            polarising[2 * c * wavelengths + w] = scattered * coupling
+            polarising[(2 * c + 1) * wavelengths + w] = scattered * (keeping - part)
         depths[w] = weight
         depths[wavelengths + w] = smooth
         depths[2 * wavelengths + w] = transport
-
-
-def polarising_strengths(
-    medium: Medium, beyond: FloatArray, weight: FloatArray, polarised: bool
-) -> FloatArray:
-    """Scattering coefficient times the elements of degree 2 that polarise, (nc, 2, nl). [m⁻¹]
-
-    Parameters
-    ----------
-    medium : Medium
-    beyond : array, shape (nc, nl)
-        First Legendre moments above the degree. [1]
-    weight : array, shape (nl,)
-        Weights from ``cut_weight``; light in a removed forward peak keeps its polarisation. [1]
-    polarised : bool
-        Whether light is polarised at all; if not, all are 0.
-    """
-    if not polarised:
-        return np.zeros((medium.scattering.shape[0], 2, medium.wavelengths.size))
-    coupling, keeping = np.moveaxis(medium.polarising_moments(), 2, 0)
-    cut = vectorized(cut_part)(beyond, weight)
-    return np.asarray(np.stack([medium.scattering * coupling,
-                                medium.scattering * (keeping - cut)], axis=1))  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -199,39 +188,42 @@ class Optics:
         return self.medium.phase_moments(self.degree + 1)
 
     @cached_property
-    def _reduced(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+    def turning(self) -> FloatArray:
+        """Elements of degree 2 that polarise, shape (nc, nl, 2); 0 without polarisation. [1]"""
+        shape = (*self.medium.scattering.shape, 2)
+        return self.medium.polarising_moments() if self.polarised else np.zeros(shape)
+
+    @cached_property
+    def _reduced(self) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
         medium, (constituents, wavelengths) = self.medium, self.medium.scattering.shape
         extinction = np.empty((constituents, wavelengths))
         moments = np.empty((constituents, self.degree + 1, wavelengths))
+        polarising = np.empty((constituents, 2, wavelengths))
         depths = np.empty((3, wavelengths))
         # Copies, which can be written to: a medium's arrays cannot, and need not be in one piece.
-        given = (medium.scattering, medium.absorption, self.phases, medium.columns)
+        given = (
+            medium.scattering, medium.absorption, self.phases, self.turning, medium.columns
+        )  # fmt: skip
         reduce_optics(
             *(np.array(one, float) for one in given), self.degree, extinction.reshape(-1),
-            moments.reshape(-1), depths.reshape(-1),
+            moments.reshape(-1), polarising.reshape(-1), depths.reshape(-1),
         )  # fmt: skip
-        return extinction, moments, depths
-
-    @cached_property
-    def polarising(self) -> FloatArray:
-        """Elements that polarise, times scattering, from ``polarising_strengths``. [m⁻¹]"""
-        beyond = self.phases[..., self.degree + 1]
-        return polarising_strengths(self.medium, beyond, self.peak_weight, self.polarised)
+        return extinction, moments, polarising, depths
 
     @property
     def peak_weight(self) -> FloatArray:
         """Weight of the removal of forward peaks, from 0 (thin) to 1 (thick), shape (nl,). [1]"""
-        return np.asarray(self._reduced[2][0])
+        return np.asarray(self._reduced[3][0])
 
     @property
     def scattering_depth(self) -> FloatArray:
         """Vertical scattering optical depth without forward peaks, shape (nl,). [1]"""
-        return np.asarray(self._reduced[2][1])
+        return np.asarray(self._reduced[3][1])
 
     @property
     def transport_depth(self) -> FloatArray:
         """Vertical depth in which each scattering counts by 1 - g, shape (nl,). [1]"""
-        return np.asarray(self._reduced[2][2])
+        return np.asarray(self._reduced[3][2])
 
     @cached_property
     def depths(self) -> Depths:
@@ -252,13 +244,13 @@ class Optics:
         block : slice
             Indices of the wavelengths.
         """
-        medium, (extinction, moments, _) = self.medium, self._reduced
+        medium, (extinction, moments, polarising, _) = self.medium, self._reduced
         return Air(
             extinction=pack(extinction[:, block]),
             moments=pack(moments[..., block]),
             ground=medium.ground._replace(albedo=pack(medium.ground.albedo[block])),
             star_radius=medium.lights[0].angular_radius,
-            polarising=pack(self.polarising[..., block]),
+            polarising=pack(polarising[..., block]),
         )
 
 

@@ -104,20 +104,6 @@ def strength_of(moments, amounts, point, l, degree, constituents):
 
 
 @inlined
-def polarising_at(polarising, amounts, point, which, constituents):
-    """Coupling of moments of degree 2 by a point: Σ polarising·amount of eight wavelengths. [1]
-
-    ``which`` is 0 between moments and polarised moments, 1 between polarised moments.
-    """
-    strength = splat(0.0)
-    for c in range(constituents):
-        strength = strength + load(polarising, LANES * (2 * c + which)) * np.float32(
-            amounts[point, c]
-        )
-    return strength
-
-
-@inlined
 def contracted(factors, first, field, low, high, f, m, degree):
     """Moments of one m, times the scattering by a point in each degree, between two radii.
 
@@ -148,6 +134,21 @@ def contracted(factors, first, field, low, high, f, m, degree):
 
 
 @inlined
+def coupled_moments(field, low, high, f, m, degree):
+    """Moments of degree 2 and order m that scattering couples, times s, between two radii.
+
+    Results are that of the radiance and the polarised one; arguments as for ``contracted``.
+    """
+    g = np.float32(1.0) - f
+    bright = LANES * (1 + POLARISED + m)
+    at = LANES * (1 + (degree + 1) * (degree + 2) // 2 + m)
+    return (
+        g * load(field, low + bright) + f * load(field, high + bright),
+        g * load(field, low + at) + f * load(field, high + at),
+    )
+
+
+@inlined
 def star_from_point(turn, point, mu_s, nu):
     """Cosines of the star's zenith angle and between star and ray, at a point of a ray. [1]
 
@@ -165,7 +166,9 @@ def azimuth_cosine(mu, mu_s, nu):
 
 
 @inlined
-def gathered(turn, mu_along, first, points, local, rows, mu_s, nu, places, suns, degree):
+def gathered(
+    turn, mu_along, first, points, local, rows, mu_s, nu, places, suns, degree, bright, polarised
+):
     """I, Q and U sent along a ray by its points, from light scattered before. [1]
 
     Parameters
@@ -185,6 +188,8 @@ def gathered(turn, mu_along, first, points, local, rows, mu_s, nu, places, suns,
         Lookup table ``Grid.place``.
     suns, degree : int
         Number of sun elevations, and highest degree.
+    bright, polarised : bool
+        Whether I, and whether Q and U are found; constants. The others are 0.
     """
     block = (degree + 2 + POLARISED) * LANES
     radiance, along, across = splat(0.0), splat(0.0), splat(0.0)
@@ -198,36 +203,31 @@ def gathered(turn, mu_along, first, points, local, rows, mu_s, nu, places, suns,
         low = ((local + k) * suns + column) * block
         high = low + block
         scale = g * load(rows, low) + f * load(rows, high)
-        total = g * load(rows, low + LANES) + f * load(rows, high + LANES)
-        before = np.float32(1.0)
-        multiple = step
-        for m in range(1, degree + 1):
-            at = LANES * (1 + m)
-            total = total + multiple * (g * load(rows, low + at) + f * load(rows, high + at))
-            following = np.float32(2.0) * step * multiple - before
-            before = multiple
-            multiple = following
-        radiance = radiance + total / scale
-        a0, a1, a2, b1, b2 = polarised_functions(mu_along[first + k])
-        sine = sqrt(max((np.float32(1.0) - step) * (np.float32(1.0) + step), np.float32(0.0)))
-        at = LANES * (2 + degree)
-        even = g * load(rows, low + at) + f * load(rows, high + at)
-        once = g * load(rows, low + at + LANES) + f * load(rows, high + at + LANES)
-        twice = g * load(rows, low + at + 2 * LANES) + f * load(rows, high + at + 2 * LANES)
-        double = np.float32(2.0) * step * step - np.float32(1.0)
-        along = (
-            along
-            + (
-                even * np.float32(a0)
-                + once * np.float32(a1 * step)
-                + twice * np.float32(a2 * double)
-            )
-            / scale
-        )
-        across = (
-            across
-            + (once * np.float32(b1 * sine) + twice * np.float32(2.0 * b2 * sine * step)) / scale
-        )
+        if bright:
+            total = g * load(rows, low + LANES) + f * load(rows, high + LANES)
+            before = np.float32(1.0)
+            multiple = step
+            for m in range(1, degree + 1):
+                at = LANES * (1 + m)
+                total = total + multiple * (g * load(rows, low + at) + f * load(rows, high + at))
+                following = np.float32(2.0) * step * multiple - before
+                before = multiple
+                multiple = following
+            radiance = radiance + total / scale
+        if polarised:
+            a0, a1, a2, b1, b2 = polarised_functions(mu_along[first + k])
+            sine = sqrt(max((np.float32(1.0) - step) * (np.float32(1.0) + step), np.float32(0.0)))
+            at = LANES * (2 + degree)
+            even = g * load(rows, low + at) + f * load(rows, high + at)
+            at = at + LANES
+            once = g * load(rows, low + at) + f * load(rows, high + at)
+            at = at + LANES
+            twice = g * load(rows, low + at) + f * load(rows, high + at)
+            double = np.float32(2.0) * step * step - np.float32(1.0)
+            total = even * np.float32(a0) + once * np.float32(a1 * step)
+            along = along + (total + twice * np.float32(a2 * double)) / scale
+            total = once * np.float32(b1 * sine) + twice * np.float32(2.0 * b2 * sine * step)
+            across = across + total / scale
     return radiance, along, across
 
 
@@ -394,8 +394,8 @@ def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, 
                 for m in range(l + 1):
                     index = l * (l + 1) // 2 + m
                     store(factors, LANES * index, strength * np.float32(functions[index]))
-            coupling = through * polarising_at(polarising, amounts, first + k, 0, constituents)
-            keeping = through * polarising_at(polarising, amounts, first + k, 1, constituents)
+            coupling = through * strength_of(polarising, amounts, first + k, 0, 1, constituents)
+            keeping = through * strength_of(polarising, amounts, first + k, 1, 1, constituents)
             x = radius_index(ray_radii[first + k], bottom, top, rows_at)
             row = min(int(x), radii.size - 2)
             f = np.float32(x - row)
@@ -408,10 +408,7 @@ def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, 
                 for m in range(degree + 1):
                     total = contracted(factors, 0, field, low, high, f, m, degree)
                     if m < POLARISED:
-                        at = LANES * (1 + harmonics + m)
-                        bright = LANES * (1 + POLARISED + m)  # of degree 2
-                        here = g * load(field, low + at) + f * load(field, high + at)
-                        moment = g * load(field, low + bright) + f * load(field, high + bright)
+                        moment, here = coupled_moments(field, low, high, f, m, degree)
                         total = total + coupling * here * np.float32(functions[POLARISED + m])
                         at = target + LANES * (2 + degree + m)
                         store(rows, at, coupling * moment + keeping * here)
@@ -430,8 +427,9 @@ def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, 
             for b in range(turns):
                 nu = star_from_ray(mu, mu_s, cosines[b])
                 radiance, along, across = gathered(
-                    turns_along, mu_along, first, points, 0, rows, mu_s, nu, places, suns, degree
-                )
+                    turns_along, mu_along, first, points, 0, rows, mu_s, nu, places, suns, degree,
+                    True, True,
+                )  # fmt: skip
                 radiance = exact * radiance
                 add_polarised(polarised, multiples, sines, b, exact * along, exact * across)
                 if below:

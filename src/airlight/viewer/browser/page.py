@@ -17,7 +17,7 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.paint.solve_planet import solve_planet
 from airlight.planets import load_planet
 from airlight.planets.picture_wavelengths import texel_wavelengths
-from airlight.solvers.moments.harmonics import coefficient_count
+from airlight.solvers.moments.harmonics import moment_count
 from airlight.viewer.browser.first_view import first_view as first_picture
 from airlight.viewer.browser.package import program, solution_package
 from airlight.viewer.browser.page_solver import MOST, solver_data
@@ -136,7 +136,7 @@ def _table_text(key: str, table: NDArray[np.float32], uniforms: Mapping[str, Any
         return as_text(table, 2 * constituents)
     if key == "fields":
         degree, suns = int(uniforms["degree"]), int(uniforms["suns"])
-        texels = suns * (1 + coefficient_count(degree))
+        texels = suns * (1 + moment_count(degree))
         return as_text(rounded(table, DIGITS), 4 * texels)
     return as_text(rounded(table, DIGITS), 4 if key == "disc" else 4 * constituents)
 

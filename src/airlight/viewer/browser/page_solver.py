@@ -86,6 +86,7 @@ def solver_data(
             "scattering": _table(_four(drawn.scattering)),
             "absorption": _table(_four(drawn.absorption)),
             "phases": _table(np.moveaxis(_four(np.moveaxis(optics.phases, 1, 2)), 2, 1)),
+            "turning": _table(np.moveaxis(_four(np.moveaxis(optics.turning, 1, 2)), 2, 1)),
             "columns": _table(drawn.columns),
             "degree": optics.degree,
             "albedo": _four(drawn.ground_albedo).tolist(),

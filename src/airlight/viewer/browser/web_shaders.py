@@ -65,7 +65,8 @@ def solver_shaders() -> dict[str, dict[str, Any]]:
     Returns
     -------
     dict
-        By name: ``wgsl``, ``glsl`` by entry point, ``uniforms`` and ``reads``.
+        By name: ``wgsl``, ``glsl`` by entry point, number of ``targets``, ``uniforms`` and
+        ``reads``.
     """
     found = {}
     for name in sorted(PASSES):
@@ -77,6 +78,7 @@ def solver_shaders() -> dict[str, dict[str, Any]]:
         found[name] = {
             "wgsl": f"{WGSL.triangle}\n{text}",
             "glsl": {CORNERS: GLSL.triangle, FILL: shader(name, GLSL)},
+            "targets": len(PASSES[name].targets),
             "uniforms": {one: slot for one, (slot, texture) in slots.items() if not texture},
             "reads": {slot: one for one, (slot, texture) in slots.items() if texture},
         }

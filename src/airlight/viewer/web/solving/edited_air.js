@@ -34,20 +34,22 @@ export function isPlain({ amounts, ground }) {
  *
  * @param {object} air
  * @param {{amounts: number[], ground: number}} edit
- * @returns {object} Tables by name, four wavelengths per texel: `extinction` and `moments` without
- *     forward peaks, `true_extinction`, `scattering`, `albedo`, `level`; `strongest` and `brightest`
+ * @returns {object} Tables by name, four wavelengths per texel: `extinction`, `moments` and
+ *     `polarising` without forward peaks, `true_extinction`, `scattering`, `albedo`, `level`; `strongest` and `brightest`
  *     of each constituent; and `thick`, the weight of the night side.
  * @throws {RangeError} If the atmosphere is too thick for this solver; one line.
  */
 export function editedAir(air, { amounts, ground }) {
-  const { phases, columns, degree } = air;
+  const { phases, turning, columns, degree } = air;
   const scattering = scaled(air.scattering, amounts);
   const absorption = scaled(air.absorption, amounts);
   const size = scattering.values.length;
   const extinction = new Float32Array(size);
   const moments = new Float32Array(size * (degree + 1));
+  const polarising = new Float32Array(2 * size);
   const depths = new Float64Array(3 * LANES);
-  reduce_optics(scattering, absorption, phases, columns, degree, extinction, moments, depths);
+  const read = [scattering, absorption, phases, turning, columns];
+  reduce_optics(...read, degree, extinction, moments, polarising, depths);
   const [, depth, transport] = split(depths);
   if (Math.max(...transport) > air.thickest) {
     throw new RangeError("so much air is too thick to be solved here; the desktop viewer solves it");
@@ -58,6 +60,7 @@ export function editedAir(air, { amounts, ground }) {
     true_extinction: Float32Array.from(whole),
     scattering: Float32Array.from(scattering.values),
     moments,
+    polarising,
     albedo: Float32Array.from(air.albedo, (x) => Math.min(x * ground, air.brightest)),
     level: Float32Array.from(air.day.flatMap((day) => depth.map((one) => level_weight(day, one)))),
     strongest: Float32Array.from(split(whole), (row) => Math.max(...row)),

@@ -50,7 +50,7 @@ export class Solver {
         entry: "fill",
         reads: Object.keys(shader.reads),
       };
-      const pipeline = await device.pipeline(text, [FORMAT]);
+      const pipeline = await device.pipeline(text, Array(shader.targets).fill(FORMAT));
       this.passes.set(name, { pipeline, reads: shader.reads, uniforms: shader.uniforms });
     });
     await Promise.all(work);
@@ -103,7 +103,7 @@ export class Solver {
   /** Replace the tables of the atmosphere. */
   load(air) {
     const { plan, scalars } = this;
-    const lanes = ["extinction", "moments", "albedo"].sort(
+    const lanes = ["extinction", "moments", "polarising", "albedo"].sort(
       (a, b) => plan.tables[a].start - plan.tables[b].start,
     );
     const spectra = Float32Array.from(lanes.flatMap((name) => [...air[name]]));
@@ -120,7 +120,7 @@ export class Solver {
 
   /** Run a list of passes of the plan. */
   run(list) {
-    for (const { shader, target, span } of this.plan.passes[list]) {
+    for (const { shader, targets, span } of this.plan.passes[list]) {
       const { pipeline, reads, uniforms } = this.passes.get(shader);
       const numbers = { solve: this.solve, span: Float32Array.from(span), mix: this.mix };
       const top = Math.floor(span[0] / ROW);
@@ -128,7 +128,7 @@ export class Solver {
         pipeline,
         Object.fromEntries(Object.entries(uniforms).map(([name, slot]) => [slot, numbers[name]])),
         Object.fromEntries(Object.entries(reads).map(([slot, name]) => [slot, this.texture(name)])),
-        [this.texture(target, true)],
+        targets.map((one) => this.texture(one, true)),
         [0, top, ROW, Math.ceil(span[1] / ROW) - top],
       );
     }
