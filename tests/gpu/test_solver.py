@@ -23,6 +23,7 @@ from airlight.planets import replace
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.first_order import first_order_radius
+from airlight.solvers.moments.harmonics import POLARISED
 from airlight.solvers.moments.iterate import gather
 from airlight.solvers.moments.packing import pack_light
 from airlight.solvers.moments.settings import settings_for
@@ -32,6 +33,8 @@ from airlight.solvers.moments.sweep import sweep_radius
 
 WAVELENGTHS = [450.0, 530.0, 600.0, 680.0]
 PREVIEW = settings_for("preview")
+#: Its grids, converged further than it.
+STRICT = replace(PREVIEW, tolerance=0.1 * PREVIEW.tolerance)
 #: Sun elevations, from the zenith to deep dusk. [°]
 ELEVATIONS = (90.0, 45.0, 20.0, 5.0, 1.0, 0.0, -1.0, -3.0, -6.0)
 #: Altitudes from the ground to space, in thicknesses of the shell.
@@ -105,6 +108,10 @@ def assert_solutions_agree(gpu: MomentsSolution, cpu: MomentsSolution, rtol: flo
     mean, expected = gpu.moments.field[:, seen, 0], cpu.moments.field[:, seen, 0]
     lit = bright(expected, 1e-6)
     assert_allclose(mean[lit], expected[lit], rtol=rtol)
+    polarised, wanted = (one.moments.field[:, seen, -POLARISED:] for one in (gpu, cpu))
+    scale = np.where(lit, expected, np.inf)[:, :, None]
+    assert np.abs(wanted / scale).max() > 0.01
+    assert_allclose(polarised / scale, wanted / scale, rtol=0, atol=rtol)
     lit = bright(cpu.moments.sky[:, seen], 1e-6)
     assert_allclose(gpu.moments.sky[:, seen][lit], cpu.moments.sky[:, seen][lit], rtol=rtol)
     thickness = grid.top_radius - grid.bottom_radius
@@ -127,14 +134,13 @@ def assert_solutions_agree(gpu: MomentsSolution, cpu: MomentsSolution, rtol: flo
 
 @pytest.mark.parametrize("name", ["earth", "earth-atmosphere-plus", "mars-standard", "early-earth"])
 def test_a_preview_agrees_with_the_cpu(device, name):
-    # Both stop at a remaining change at the darkest node, here a quarter of preview's, so that what
-    # differs is the device: 0.5 % at most. The last is thick: it has levels between the radii.
-    quality = replace(PREVIEW, tolerance=0.25 * PREVIEW.tolerance)
+    # Both stop at a remaining change of the mean radiance, here small, so that what differs is the
+    # device: 0.5 % at most. The last is thick: it has levels between the radii.
     medium = medium_of(name)
-    cpu = solve(medium, quality, cache=False)
-    gpu = solve_on(device, medium, quality)
+    cpu = solve(medium, STRICT, cache=False)
+    gpu = solve_on(device, medium, STRICT)
     assert gpu.moments.sweeps > 1
-    assert gpu.moments.residual.max() <= quality.tolerance
+    assert gpu.moments.residual.max() <= STRICT.tolerance
     assert_solutions_agree(gpu, cpu, 5e-3)
 
 
@@ -142,8 +148,21 @@ def test_ground_of_rock_is_solved_as_by_the_cpu(device):
     # Tolerances as above: the law's two factors, of its own uniform, in every order.
     ground = replace(load_planet("earth-atmosphere-plus").ground, law="lommel-seeliger", albedo=0.4)
     medium = medium_of("earth-atmosphere-plus", ground=ground)
-    cpu, gpu = solve(medium, PREVIEW, cache=False), solve_on(device, medium, PREVIEW)
+    cpu, gpu = solve(medium, STRICT, cache=False), solve_on(device, medium, STRICT)
     assert_solutions_agree(gpu, cpu, 5e-3)
+
+
+def test_scalar_transfer_is_that_of_the_cpu(device):
+    # Tolerances as above; no polarised light anywhere, and another light than with it.
+    scalar = replace(STRICT, polarisation=False)
+    medium = medium_of("earth-atmosphere-plus")
+    cpu, gpu = solve(medium, scalar, cache=False), solve_on(device, medium, scalar)
+    assert_array_equal(gpu.moments.field[:, :, -POLARISED:], 0.0)
+    assert_allclose(gpu.moments.sky[0, -8:], cpu.moments.sky[0, -8:], rtol=2e-3)
+    polarised = solve_on(device, medium, STRICT)
+    overhead = {"altitude": 0.0, "sun_zenith": 5.0, "view_zenith": [0.0, 80.0], "azimuth": 0.0}
+    change = polarised.radiance(**overhead) / gpu.radiance(**overhead) - 1.0
+    assert np.abs(change).max() > 3e-3
 
 
 def test_a_default_solution_agrees_with_the_cpu(device):

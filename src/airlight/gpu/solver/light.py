@@ -17,7 +17,6 @@ from airlight.solvers.moments.first_order import (
     fill_phases,
     fill_polarising,
     scattered_once,
-    star_plane_turn,
 )
 from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.harmonics import POLARISED, degree_of
@@ -30,6 +29,7 @@ from airlight.solvers.moments.sweep import (
     star_at_end,
     star_from_ray,
 )
+from airlight.solvers.stokes_frame import star_plane
 
 
 @inlined
@@ -216,7 +216,7 @@ def azimuthal_once(index, sizes, tables, radiances, planes):
         value = load(radiances, LANES * (start + b))
         if part > sizes.degree:
             _, i, a, mu_s, nu = ray_and_star(start + b, sizes, tables)
-            cosine, sine = star_plane_turn(tables.mu[i, a], mu_s, nu)
+            cosine, sine = star_plane(tables.mu[i, a], mu_s, nu)
             turn = cosine
             if part > sizes.degree + POLARISED:
                 turn = sine

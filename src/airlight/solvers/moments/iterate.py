@@ -16,6 +16,7 @@ from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.convergence import Light, completed_or_swept, mix, trust
 from airlight.solvers.moments.first_order import first_order_radius
 from airlight.solvers.moments.grid import Grid
+from airlight.solvers.moments.harmonics import POLARISED
 from airlight.solvers.moments.packing import pack_light
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.setup import Block, Setup
@@ -190,7 +191,20 @@ def _iterate(
         images.append(
             completed_or_swept(field + more_field, sky + more_sky, swept_field, swept_sky)
         )
-        iteration.judge(field[:, :, 0], images[-1][0][:, :, 0])
+        iteration.judge(*_steering(field, images[-1][0]))
         watch.report(iteration)
         field, sky = mix(images, iteration.weights().astype(np.float32), trusted)
     return field[..., :used], sky[..., :used], iteration.to_come, iteration.sweeps
+
+
+def _steering(before: Float32Array, after: Float32Array) -> tuple[Float32Array, Float32Array]:
+    """Values (r, 4s, 8) whose relative change steers the iteration.
+
+    Mean radiances, and mean radiances that differ by the change of each polarised moment: the
+    inverse along the vertical does not complete those, so they are the last to converge.
+    """
+    which = [0, *range(-POLARISED, 0)]
+    mean = np.repeat(after[:, :, :1], len(which), axis=2)
+    earlier = mean - (after[:, :, which] - before[:, :, which])
+    shape = (mean.shape[0], -1, LANES)
+    return earlier.reshape(shape), mean.reshape(shape)

@@ -135,8 +135,9 @@ class Iteration:
 
         Parameters
         ----------
-        before, after : array, shape (r, s, w)
-            Mean radiance of the guess, and of its image. [1]
+        before, after : array, shape (r, n, w)
+            Values at each radius, of the guess and of its image, whose changes count relative to
+            the image: mean radiances, at least. [1]
         """
         change = relative_change(before, after)
         steering = change * counts(after, self.thick)
