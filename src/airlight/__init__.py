@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from airlight.scene.moon_light import MoonLight
     from airlight.scene.star_light import StarLight
     from airlight.solvers import Solution, solve
+    from airlight.solvers.stokes_frame import angle_of_polarisation, degree_of_polarisation
 
 #: Where each public name lives.
 _HOMES = {
@@ -53,6 +54,8 @@ _HOMES = {
     "replace": "airlight.planets",
     "solve": "airlight.solvers",
     "Solution": "airlight.solvers",
+    "degree_of_polarisation": "airlight.solvers.stokes_frame",
+    "angle_of_polarisation": "airlight.solvers.stokes_frame",
     "Camera": "airlight.scene",
     "Scene": "airlight.scene",
     "look_at": "airlight.scene",
@@ -86,6 +89,8 @@ __all__ = [
     "replace",
     "solve",
     "Solution",
+    "degree_of_polarisation",
+    "angle_of_polarisation",
     "Camera",
     "Scene",
     "look_at",

@@ -80,9 +80,7 @@ def test_the_table_of_the_sky_keeps_the_degree(solution: MomentsSolution) -> Non
 
 def test_a_filter_needs_polarised_light() -> None:
     scalar = solve(load_planet("earth-atmosphere-plus"), quality="preview", polarisation=False)
-    with pytest.raises(
-        ParameterError, match=r"camera\.polariser is 30\.0; allowed: a solution"
-    ):
+    with pytest.raises(ParameterError, match=r"camera\.polariser is 30\.0; allowed: a solution"):
         render(scalar, _scene(polariser=30.0))
     with pytest.raises(ParameterError, match="stokes is True"):
         scalar.radiance(altitude=0.0, sun_zenith=30.0, view_zenith=60.0, azimuth=90.0, stokes=True)
