@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from airlight import Scene, load_planet
+from airlight import Camera, Scene, load_planet
 from airlight.composition.aerial_perspective import AerialPerspective
 from airlight.composition.aerial_shader import TEXTURES, aerial_shader
 from airlight.errors import Cancelled, ParameterError
@@ -94,6 +94,7 @@ def test_the_shader_needs_its_textures_alone(aerial: AerialPerspective, dialect:
     ("scene", "given", "field"),
     [
         ({"altitude": 200e3}, {}, "scene.altitude"),
+        ({"camera": Camera(polariser=30.0)}, {}, "camera.polariser"),
         ({}, {"nearest": 0.0}, "nearest"),
         ({}, {"nearest": 1e3, "farthest": 1.5e3}, "farthest"),
         ({}, {"size": (3, 24, 6)}, "size"),
@@ -101,7 +102,7 @@ def test_the_shader_needs_its_textures_alone(aerial: AerialPerspective, dialect:
     ],
 )
 def test_refused(
-    earth: MomentsSolution, scene: dict[str, float], given: dict[str, Any], field: str
+    earth: MomentsSolution, scene: dict[str, Any], given: dict[str, Any], field: str
 ) -> None:
     with pytest.raises(ParameterError) as refused:
         AerialPerspective.fill(earth, Scene(**scene), **given)

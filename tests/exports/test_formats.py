@@ -92,3 +92,19 @@ def test_a_file_that_is_no_exr_is_one_clear_line(tmp_path: Path) -> None:
     with pytest.raises(FileError, match=r"a\.exr: cannot be read as RGB OpenEXR") as refusal:
         read_exr(tmp_path / "a.exr")
     assert "\n" not in str(refusal.value)
+
+
+def test_exr_layers_are_channels_of_their_names(tmp_path: Path) -> None:
+    random = np.random.default_rng(4)
+    rgb, light = random.normal(size=(2, 5, 4, 3)).astype(np.float32)
+    number = random.normal(size=(5, 4)).astype(np.float32)
+    write_exr(tmp_path / "a.exr", rgb, layers={"Q": light, "dolp": number})
+    with OpenEXR.File(str(tmp_path / "a.exr"), separate_channels=True) as image:
+        found = {name: np.array(one.pixels) for name, one in image.channels().items()}
+    assert sorted(found) == sorted(["R", "G", "B", "Q.R", "Q.G", "Q.B", "dolp"])
+    for k, letter in enumerate("RGB"):
+        assert_array_equal(found[f"Q.{letter}"], light[..., k])
+    assert_array_equal(found["dolp"], number)
+    assert_array_equal(read_exr(tmp_path / "a.exr")[0], rgb)  # readers of colours find them
+    with pytest.raises(ParameterError, match=r"layers\[Q\] is 'float32 \(2, 2\)'; allowed"):
+        write_exr(tmp_path / "b.exr", rgb, layers={"Q": number[:2, :2]})

@@ -70,6 +70,9 @@ def test_keys_reach_the_view_and_the_planet(tmp_path: Path) -> None:
     assert [round(one.scene.altitude, 9) for one in stills] == [1.0, 10.0, 100.0, 1e3, 1e4]
     assert [one.planet.ground.albedo for one in stills] == [0.1, 0.2, 0.3, 0.4, 0.5]
     assert film.name == "Climb"
+    assert stills[0].scene.camera.polariser is None
+    turned = load_film(written(tmp_path, FILM), {"view.polariser": "30 deg"})
+    assert turned.still(0, 16, 9, HOW).scene.camera.polariser == 30.0
 
 
 def test_the_clock_runs_evenly_and_moves_the_sun() -> None:

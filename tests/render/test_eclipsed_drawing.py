@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 import airlight
 from airlight.geometry.occulted_star import occulted_star
+from airlight.pixels.polarising_filter import ALONG
 from airlight.render.drawing import Drawing
 from airlight.render.eclipsed_drawing import EclipsedDrawing
 from airlight.scene import Camera, Scene
@@ -60,6 +63,17 @@ def test_a_tiny_moon_leaves_the_picture(
     got = drawn(EclipsedDrawing(tiny, scene, np.eye(3)))
     expected = drawn(Drawing(earth, scene, exact=True, disc=False))
     assert_allclose(got, expected, rtol=1e-3, atol=1e-4 * expected.max())
+
+
+def test_a_filter_and_q_and_u_are_refused_in_the_shadow(earth: MomentsSolution) -> None:
+    camera = Camera(width=WIDTH, height=HEIGHT)
+    scene = Scene(camera=replace(camera, polariser=30.0), altitude=2.0, sun_zenith=65.0)
+    shadow = eclipsed(earth, 65.0, 0.5)
+    with pytest.raises(airlight.ParameterError, match=r"camera\.polariser is 30\.0; allowed: none"):
+        EclipsedDrawing(shadow, scene, np.eye(3))
+    drawing = EclipsedDrawing(shadow, replace(scene, camera=camera), np.eye(3))
+    with pytest.raises(airlight.ParameterError, match="stokes is True; allowed: False where"):
+        drawing.draw(0, 1, np.zeros((HEIGHT, WIDTH, 3), np.float32), ALONG)
 
 
 def test_the_shadow_is_a_dark_spot_seen_from_space(earth: MomentsSolution) -> None:

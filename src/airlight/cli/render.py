@@ -189,6 +189,7 @@ def render(
         show is not None,
     )  # fmt: skip
     _check_polarised(suffix, polariser, show, stokes, no_polarisation)
+    legend = show is not None and suffix == ".png"
     ev = options.camera(exposure, iso, aperture, shutter)
     check_tone_map(tone_map)
     check_glare(glare)
@@ -232,6 +233,8 @@ def render(
     if placed is None:
         placed = time_and_place.by_angles(sun_zenith, sun_azimuth, latitude, longitude, altitude)
     columns, rows = options.picture_size(size, projection)
+    if legend:
+        _check_legend(columns)
     zenith, azimuth = _target(look, look_at, projection, placed, world)
     from airlight.scene import Camera, Scene
 
@@ -291,10 +294,18 @@ def _check_polarised(
             raise ParameterError("--polariser", polariser, f"left out beside {option}")
     if stokes and suffix != ".exr":
         raise ParameterError("--stokes", True, "beside a name that ends in .exr")
-    if show is not None and suffix == ".png":
-        from airlight.plots.figure import require_matplotlib
 
-        require_matplotlib()  # before any long work
+
+def _check_legend(width: int) -> None:
+    """Refuse what has no room for a legend, before any long work."""
+    from airlight.plots.figure import require_matplotlib
+    from airlight.plots.polarised_picture import check_width
+
+    require_matplotlib()
+    try:
+        check_width(width)
+    except ParameterError as error:
+        raise ParameterError("--size", error.value, error.allowed) from None
 
 
 def _shown(
@@ -314,10 +325,7 @@ def _shown(
         layer = {show: formula(frame.stokes).astype(np.float32)}
         texts = {**metadata, show: f"of the luminance, unit {unit}"}
         return write_picture(output, frame, texts, layers=layer)
-    try:
-        pixels = polarised_picture(frame, show)
-    except ParameterError as error:
-        raise ParameterError("--size", error.value, error.allowed) from None
+    pixels = polarised_picture(frame, show)
     write_png(output, pixels, {**frame.metadata, **metadata, "shown": SHOWN[show].label})
     return Written(path=output, size=output.stat().st_size, exposure=None)
 

@@ -120,8 +120,7 @@ def polarised_picture(frame: Frame, show: Literal["dolp", "aolp"]) -> NDArray[np
     if show not in SHOWN:
         raise ParameterError("show", show, ", ".join(SHOWN))
     width = frame.rgb.shape[1]
-    if width < _LEAST_WIDTH:
-        raise ParameterError("width", width, f"{_LEAST_WIDTH} pixels or more, for the legend")
+    check_width(width)
     stokes = frame.stokes
     degree, angle = degree_of_polarisation(stokes), angle_of_polarisation(stokes)
     if show == "dolp":
@@ -131,6 +130,12 @@ def polarised_picture(frame: Frame, show: Literal["dolp", "aolp"]) -> NDArray[np
     colors = np.where((stokes[0] * LUMINOUS_EFFICACY > DARK)[..., None], colors, 0.0)
     strip = _legend(show, width, max(_LEAST_STRIP, round(_STRIP * width)))
     return np.concatenate([np.round(255.0 * colors).astype(np.uint8), strip])
+
+
+def check_width(width: int) -> None:
+    """Refuse a picture that is too narrow for the labels of a legend. [pixel]"""
+    if width < _LEAST_WIDTH:
+        raise ParameterError("width", width, f"{_LEAST_WIDTH} pixels or more, for the legend")
 
 
 def _legend(show: Literal["dolp", "aolp"], width: int, height: int) -> NDArray[np.uint8]:
