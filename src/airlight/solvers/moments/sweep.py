@@ -202,7 +202,7 @@ def gathered(
         step = np.float32(azimuth_cosine(mu_along[first + k], mu_sk, nu_k))
         low = ((local + k) * suns + column) * block
         high = low + block
-        scale = g * load(rows, low) + f * load(rows, high)
+        scale = splat(1.0) / (g * load(rows, low) + f * load(rows, high))
         if bright:
             total = g * load(rows, low + LANES) + f * load(rows, high + LANES)
             before = np.float32(1.0)
@@ -213,7 +213,7 @@ def gathered(
                 following = np.float32(2.0) * step * multiple - before
                 before = multiple
                 multiple = following
-            radiance = radiance + total / scale
+            radiance = radiance + total * scale
         if polarised:
             a0, a1, a2, b1, b2 = polarised_functions(mu_along[first + k])
             sine = sqrt(max((np.float32(1.0) - step) * (np.float32(1.0) + step), np.float32(0.0)))
@@ -225,9 +225,9 @@ def gathered(
             twice = g * load(rows, low + at) + f * load(rows, high + at)
             double = np.float32(2.0) * step * step - np.float32(1.0)
             total = even * np.float32(a0) + once * np.float32(a1 * step)
-            along = along + (total + twice * np.float32(a2 * double)) / scale
+            along = along + (total + twice * np.float32(a2 * double)) * scale
             total = once * np.float32(b1 * sine) + twice * np.float32(2.0 * b2 * sine * step)
-            across = across + total / scale
+            across = across + total * scale
     return radiance, along, across
 
 
