@@ -239,12 +239,12 @@ def shader(name: str, dialect: ShaderDialect = WGSL) -> str:
         readers.append(table.reader(dialect, texture))
     rest = "".join(f", {text}" for text in handed)
     count = len(one.targets)
-    kind, filled = made.result, f"{made.name}(index{rest})"
-    if not isinstance(kind, TupleType) and kind != VEC4:  # four numbers a texel
+    found, filled = made.result, f"{made.name}(index{rest})"
+    if not isinstance(found, TupleType) and found != VEC4:  # four numbers a texel
         numbers = ", ".join(f"{made.name}(4 * index + {k}{rest})" for k in range(4))
-        kind, filled = VEC4, f"{dialect.type_name(VEC4)}({numbers})"
+        found, filled = VEC4, f"{dialect.type_name(VEC4)}({numbers})"
     values = ["value"] if count == 1 else [dialect.part("value", k) for k in range(count)]
-    filled = dialect.kept("value", kind, filled)
+    filled = dialect.kept("value", found, filled)
     return dialect.module([*lines, *readers, body, _entry(dialect, filled, values)])
 
 
