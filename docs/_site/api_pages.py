@@ -15,7 +15,7 @@ from page_files import write_pages
 STATIONS = (
     ("Planets", ("load_planet", "planet_names", "Planet", "Constituent", "Ground", "Star",
                  "Medium", "replace")),
-    ("Light", ("solve", "Solution")),
+    ("Light", ("solve", "Solution", "degree_of_polarisation", "angle_of_polarisation")),
     ("Pictures", ("Scene", "MoonLight", "StarLight", "Camera", "look_at", "local_ground",
                   "render", "Frame", "write_picture")),
     ("Observables", ("observe",)),

@@ -322,7 +322,7 @@ def _shown(
     if output.suffix.lower() == ".exr":
         formula = degree_of_polarisation if show == "dolp" else angle_of_polarisation
         unit = "1" if show == "dolp" else "deg, in the frame of Q and U"
-        layer = {show: formula(frame.stokes).astype(np.float32)}
+        layer = {str(show): formula(frame.stokes).astype(np.float32)}
         texts = {**metadata, show: f"of the luminance, unit {unit}"}
         return write_picture(output, frame, texts, layers=layer)
     pixels = polarised_picture(frame, show)

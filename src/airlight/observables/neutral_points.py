@@ -14,7 +14,7 @@ FloatArray = NDArray[np.float64]
 
 #: Names of the points: above and below the sun, above and below the point opposite to it.
 NEUTRAL_POINTS: Final = ("Babinet", "Brewster", "Arago", "fourth")
-#: Zenith angles at which the sky is looked at. [deg]
+#: Step of the zenith angles at which the sky is looked at. [deg]
 _STEP: Final = 0.25
 
 
@@ -44,7 +44,7 @@ def principal_plane(
     ParameterError
         If the solution is of scalar transfer, or a value is out of its range.
     """
-    view = np.arange(-90.0, 90.0 + 0.5 * _STEP, _STEP)
+    view = np.arange(-90.0 + 0.5 * _STEP, 90.0, _STEP)  # without the zenith, which has no plane
     light = solution.radiance(
         altitude=altitude, sun_zenith=sun_zenith, view_zenith=np.abs(view),
         azimuth=np.where(view < 0.0, 180.0, 0.0), stokes=True,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,8 +23,8 @@ FloatArray = NDArray[np.float64]
 _MOST: Final = 6
 #: Numbers of zenith angles and azimuths of half a dome that are solved, and that are drawn.
 _SOLVED, _DRAWN = (31, 61), (180, 360)
-#: Lowest zenith angle of the dome. [deg]
-_LOWEST: Final = 89.9
+#: Zenith angles of the dome: not 0, where azimuths are one, and not the horizon. [deg]
+_HIGHEST, _LOWEST = 0.02, 89.9
 #: Zenith angles of the bars, and the length of one of fully polarised light. [deg]
 _BARS, _LENGTH = (15.0, 30.0, 45.0, 60.0, 75.0), 16.0
 
@@ -149,7 +149,8 @@ def polarisation_dome(
     )
     x, y = _position(zenith[:, None], azimuth)
     panels = figure.subplots(1, 2)
-    for axes, show, values in zip(panels, ("dolp", "aolp"), (100.0 * degree, angle), strict=True):
+    names: tuple[Literal["dolp", "aolp"], ...] = ("dolp", "aolp")
+    for axes, show, values in zip(panels, names, (100.0 * degree, angle), strict=True):
         shown = SHOWN[show]
         mesh = axes.pcolormesh(
             x, y, values, cmap=color_map(show), vmin=shown.low, vmax=shown.high, rasterized=True
@@ -177,8 +178,9 @@ class _Dome:
     def __init__(self, solution: Solution, k: int, sun_zenith: float, altitude: float) -> None:
         from scipy.interpolate import RectBivariateSpline
 
-        zenith, azimuth = (np.linspace(0.0, end, n) for end, n in zip(
-            (_LOWEST, 180.0), _SOLVED, strict=True))  # fmt: skip
+        zenith, azimuth = (
+            np.linspace(_HIGHEST, _LOWEST, _SOLVED[0]), np.linspace(0.0, 180.0, _SOLVED[1])
+        )  # fmt: skip
         views, turns = np.meshgrid(zenith, azimuth, indexing="ij")
         light = solution.radiance(
             altitude=altitude, sun_zenith=sun_zenith, view_zenith=views.ravel(),
@@ -232,5 +234,7 @@ def _bars(axes: Axes, dome: _Dome) -> None:
     along = np.stack([-np.sin(turn), np.cos(turn)], axis=-1) * half[:, None]
     at = np.stack(_position(zenith, azimuth), axis=-1)
     axes.add_collection(
-        LineCollection(np.stack([at - along, at + along], axis=1), colors="white", linewidths=1.6)
+        LineCollection(
+            list(np.stack([at - along, at + along], axis=1)), colors="white", linewidths=1.6
+        )
     )
