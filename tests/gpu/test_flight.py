@@ -103,8 +103,10 @@ def test_the_top_of_the_air_is_crossed_without_a_jump(
 
 def stretch(r, mu, mu_s, nu, half_sine, length, light, work, result):
     """Light of the air between an observer and an object, as the shaders march it."""
-    phases_towards(half_sine, True, light, work.phase)
-    march(r, mu, mu_s, nu, length, 2, True, False, work.phase, light, work, result)
+    phases_towards(half_sine, True, light.phase, light, work.phase)
+    march(
+        r, mu, mu_s, nu, length, 2, True, False, False, work.phase, work.across, light, work, result
+    )
 
 
 @pytest.fixture(scope="module")
