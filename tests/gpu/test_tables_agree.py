@@ -37,6 +37,7 @@ METRES = 4.0 * EPS * TOP
 THREE = 3
 DEGREE = 4
 TERMS = 15
+MOMENTS = TERMS + harmonics.POLARISED
 NODES = 9
 EDGES = 64
 STAR = 0.00465
@@ -108,17 +109,17 @@ def some_directed(mu, cosine, start, ahead, back):
     return out[0], out[2], out[7], out[10], out[14]
 
 
-def gathered_of_four(a, b, c, mu, f, e, start, ahead, back, moments, field):
+def gathered_of_four(a, b, c, mu, f, e, start, ahead, back, moments, polarising, field):
     here = np.empty(THREE, np.float32)
     here[0], here[1], here[2] = np.float32(a), np.float32(b), np.float32(c)
     out = np.empty(TERMS, np.float32)
     harmonics.legendre_functions(mu, (DEGREE, start, ahead, back), out)
-    block = LANES * (1 + TERMS)
+    block = LANES * (1 + MOMENTS)
     g, h = np.float32(1.0 - f), np.float32(1.0 - e)
     f, e = np.float32(f), np.float32(e)
     return source.gathered_light(
-        here, moments, field, out, 0, 2 * block, block, g * h, g * e, f * h, f * e, DEGREE, THREE,
-        LANES, 0,
+        here, moments, polarising, field, out, 0, 2 * block, block, g * h, g * e, f * h, f * e,
+        DEGREE, THREE, LANES, 0,
     )  # fmt: skip
 
 
@@ -256,7 +257,7 @@ GRID = np.sort(RNG.uniform(0.0, 40.0, 33))
 RATIOS = 1.0 + RNG.uniform(0.0, 0.2, (8, 16, THREE, 2))
 LIFT = np.stack([RNG.uniform(0.0, 0.01, (8, 12)), RNG.uniform(0.8, 1.0, (8, 12))], -1)
 FIELD = np.concatenate(
-    [lanes(4, 1, low=0.5).reshape(4, 1, 4), lanes(4, TERMS).reshape(4, TERMS, 4)], axis=1
+    [lanes(4, 1, low=0.5).reshape(4, 1, 4), lanes(4, MOMENTS).reshape(4, MOMENTS, 4)], axis=1
 ).reshape(-1, 4)
 
 CASES = [
@@ -280,7 +281,8 @@ CASES = [
     Case(between_four, (source.between,), (UNIT, UNIT, *AMOUNTS[:2]), {}, {"field": lanes(4)}),
     # Sums of 15 harmonics of either sign, over a scale of at least a half.
     Case(gathered_of_four, (source.gathered_light,), (*AMOUNTS, MU, UNIT, 1.0 - UNIT), HARMONICS,
-         {"moments": lanes(THREE * (DEGREE + 1)), "field": FIELD}, rtol=64 * EPS, atol=2048 * EPS),
+         {"moments": lanes(THREE * (DEGREE + 1)), "polarising": lanes(2 * THREE), "field": FIELD},
+         rtol=64 * EPS, atol=2048 * EPS),
     # r - R is accurate to EPS of R, which is 1e-5 of the shell's 100 km; steps of the table: 40.
     Case(row_in_grid, (grid.radius_index,), (R,), {"row": GRID}, atol=40 * 33 * METRES / 1e5),
     Case(place_in_grid, (sweep.sun_index,), (MU,), {"place": GRID}, atol=40 * 33 * 4 * EPS),
@@ -447,6 +449,8 @@ WHOLE = {
         "node_scale", "packed", "projection", "radiance_again", "radiance_once", "ray_and_star",
         "refined", "row", "share", "sound", "strength", "through", "ray_share", "depth_in_row",
         "direct_light", "scattered_once", "contracted", "gathered", "star_factor", "sky_factor",
+        "polarised_again", "azimuthal_once", "azimuthal_weight", "coupled_moments",
+        "fill_polarising", "polarised_functions", "star_plane",
     ),
 }  # fmt: skip
 
