@@ -106,6 +106,8 @@ def answers(
 ) -> list[Answer]:  # fmt: skip
     """Compute the radiances of all cases with every solver, under a point star.
 
+    Without polarisation, of which the direct solver knows nothing.
+
     Parameters
     ----------
     planet_name : str
@@ -136,8 +138,9 @@ def answers(
 
         started = perf_counter()
         solution = solve(
-            planet, wavelengths, quality, solver=name, cache=False, progress=tell, cancel=cancel
-        )
+            planet, wavelengths, quality, solver=name, polarisation=False, cache=False,
+            progress=tell, cancel=cancel,
+        )  # fmt: skip
         sight, _ = solution.lines_of_sight(**geometry(planet, cases))
         if isinstance(solution, MonteCarloSolution):
             traced = solution.trace(sight)

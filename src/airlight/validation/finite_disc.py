@@ -55,7 +55,7 @@ def finite_disc(
         judge = solve(planet, WAVELENGTHS, solver="montecarlo", cancel=cancel)
         assert isinstance(judge, MonteCarloSolution)
         sight, _ = judge.lines_of_sight(**geometry(planet, cases))
-        by_star.append(judge.first_order(sight))
+        by_star.append(judge.first_order(sight)[:, 0])
     once, known = by_star
     bright = known > LEAST_RADIANCE
     off = np.where(bright, relative_errors(once, known), 0.0)

@@ -260,7 +260,7 @@ def _columns(rows: Sequence[Row]) -> list[FloatArray]:
 def _transmittances(rows: Sequence[Row]) -> list[FloatArray]:
     planet = reference_earth(albedo=0.0, aerosol_absorption=CORRECTED_ABSORPTION)
     medium = Medium.from_planet(planet, WAVELENGTHS)
-    solution = solve(planet, quality="preview", cache=False)
+    solution = solve(planet, quality="preview", polarisation=False, cache=False)
     return [
         solution.transmittance(
             altitude=row.at["altitude"], view_zenith=degrees(acos(_cosine(row.at, medium)))
@@ -283,7 +283,7 @@ def _geometry(rows: Sequence[Row]) -> dict[str, FloatArray]:
 
 @cache
 def _printed_solution() -> Solution:
-    return solve(reference_earth(albedo=0.0), cache=False)
+    return solve(reference_earth(albedo=0.0), polarisation=False, cache=False)
 
 
 def _scattered_once(rows: Sequence[Row], constituent: int) -> list[FloatArray]:

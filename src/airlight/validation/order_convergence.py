@@ -59,7 +59,10 @@ def order_convergence(
             raise Cancelled("cancelled")
         if progress is not None:
             progress(done, len(solvers), f"orders by the {name} solver")
-        solution = solve(planet, [WAVELENGTH], quality, solver=name, cache=False, cancel=cancel)
+        solution = solve(
+            planet, [WAVELENGTH], quality, solver=name, polarisation=False, cache=False,
+            cancel=cancel,
+        )  # fmt: skip
         shares[name] = order_shares(solution, geometry(planet, CASES))
     if not shares:
         return []

@@ -10,9 +10,9 @@ Dlugach & Yanovitskij (1974), Icarus 22, 66, have 0.751, as the tests of PICASO 
 (Batalha et al. 2019, ApJ 878, 70). Its albedos of gas that scatters evenly are up to 0.0007 below
 the exact ones, so that its third digit is taken as good to a unit.
 
-Polarisation is left out, here as in airlight: with it the albedo is 0.798 (Prather 1974, ApJ 192,
-787, not checked against the paper), 6 % more; by Monte Carlo 0.796 (Schmid, Joos & Tschan 2006, A&A
-452, 657, Table 3).
+Both leave polarisation out: with it the albedo is 0.798 (Prather 1974, ApJ 192, 787, not checked
+against the paper), 6 % more; by Monte Carlo 0.796 (Schmid, Joos & Tschan 2006, A&A 452, 657, Table
+3).
 """
 
 from __future__ import annotations
@@ -148,7 +148,14 @@ def rayleigh_sphere(solve: Solve, quality: object = "default") -> Section:
         See ``row.Solve``.
     quality : str or Settings
     """
-    ours = float(geometric_albedo(solve(rayleigh_planet(), (_WAVELENGTH,), quality))[0])
+    ours, polarised = (
+        float(
+            geometric_albedo(
+                solve(rayleigh_planet(), (_WAVELENGTH,), quality, polarisation=polarisation)
+            )[0]
+        )
+        for polarisation in (False, True)
+    )
     exact = Row(
         what="geometric albedo, exact solution", published=exact_albedo(), ours=ours,
         source="Chandrasekhar (1950), sections 44 and 45",
@@ -162,8 +169,8 @@ def rayleigh_sphere(solve: Solve, quality: object = "default") -> Section:
             ),
             exact,
             Row(
-                what="geometric albedo with polarisation, left out here", published=0.798,
-                ours=ours, source="Prather (1974); 0.796 by Schmid et al. (2006)",
+                what="geometric albedo of polarised light", published=0.798, ours=polarised,
+                source="Prather (1974); 0.796 by Schmid et al. (2006)",
             ),
         ],
         aims=[
@@ -172,6 +179,7 @@ def rayleigh_sphere(solve: Solve, quality: object = "default") -> Section:
                 allowed=ALBEDO_BAR, unit="%", source="accuracy that counts as done, energy",
             )
         ],
-        note="Rayleigh's phase function without depolarisation; gas of optical depth 8 over white "
-        "ground stands for gas without end, a sphere a thousand times the Earth for a plane.",
+        note="Rayleigh's phase function without depolarisation, scalar transfer but in the last row; "
+        "gas of optical depth 8 over white ground stands for gas without end, a sphere a thousand "
+        "times the Earth for a plane.",
     )  # fmt: skip

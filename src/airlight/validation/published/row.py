@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final, Literal
+from typing import Final, Literal, Protocol
 
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets import Planet
 from airlight.solvers import Solution
 from airlight.validation.suite import Bar, Mark, ReportTable
 
-#: Function that solves a planet at wavelengths [nm] and a quality.
-Solve = Callable[[Planet, Sequence[float], object], Solution]
+
+class Solve(Protocol):
+    """Solver of a planet at wavelengths [nm] with a quality; see ``solver``."""
+
+    def __call__(
+        self, planet: Planet, wavelengths: Sequence[float], quality: object, /, *,
+        polarisation: bool = True,
+    ) -> Solution: ...  # fmt: skip
+
 Compare = Literal["ratio", "difference"]
 
 #: Headings of a table of rows.
@@ -139,13 +146,16 @@ def solver(progress: Progress | None, cancel: Cancel | None) -> Solve:
     """
     from airlight.solvers import solve
 
-    def solved(planet: Planet, wavelengths: Sequence[float], quality: object) -> Solution:
+    def solved(
+        planet: Planet, wavelengths: Sequence[float], quality: object, /, *,
+        polarisation: bool = True,
+    ) -> Solution:  # fmt: skip
         def tell(done: int, total: int, message: str) -> None:
             assert progress is not None
             progress(done, total, f"{planet.name}, {message}")
 
         return solve(
-            planet, wavelengths, quality, solver="moments", cache=False,
+            planet, wavelengths, quality, solver="moments", polarisation=polarisation, cache=False,
             progress=None if progress is None else tell, cancel=cancel,
         )  # fmt: skip
 

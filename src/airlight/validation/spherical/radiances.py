@@ -128,7 +128,10 @@ def spherical(
                 if progress is not None:
                     progress(done, len(scenes), f"{quality} quality: {scene.title}")
                 # The solver's own progress would make the bar jump, so scenes are counted.
-                solution = solve(scene.planet, WAVELENGTHS, quality, cache=False, cancel=cancel)
+                solution = solve(
+                    scene.planet, WAVELENGTHS, quality, polarisation=False, cache=False,
+                    cancel=cancel,
+                )  # fmt: skip
                 got = solution.radiance(**scene.geometry).values
                 judged.append(judge(scene, got))
                 if cancel is not None and cancel():
@@ -157,7 +160,10 @@ def spherical(
         ),
         bars=bars,
         parts=parts,
-        settings=[f"680, 550, 440 nm; qualities {', '.join(qualities)}; point sun"],
+        settings=[
+            f"680, 550, 440 nm; qualities {', '.join(qualities)}; point sun; scalar transfer, as both"
+            " references"
+        ],
     )
 
 
@@ -279,7 +285,7 @@ def _worst(quality: str, judged: list[Judged]) -> ReportTable:
 def _bruneton(data: Path) -> tuple[ReportTable, list[Bar]]:
     geometry, known = read_bruneton(data)
     sun, view, azimuth = geometry.T
-    solution = solve(load_planet("earth-bruneton"), WAVELENGTHS, cache=False)
+    solution = solve(load_planet("earth-bruneton"), WAVELENGTHS, polarisation=False, cache=False)
     got = solution.radiance(altitude=0.0, sun_zenith=sun, view_zenith=view, azimuth=azimuth).values
     error = relative_errors(got, known)
     away = (azimuth == 180.0) | ((view == 0.0) & (sun < 85.0))
