@@ -191,17 +191,18 @@ def reference_earth() -> Callable[..., Planet]:
 
 @pytest.fixture(scope="session")
 def solved() -> Callable[..., MomentsSolution]:
-    """``solve``, each planet, wavelengths and quality only once in a run."""
+    """``solve``, each planet, wavelengths, quality and polarisation only once in a run."""
     from airlight import solve
 
     kept: dict[Any, MomentsSolution] = {}
 
     def solution(
-        planet: Planet, wavelengths: tuple[float, ...] | None = None, quality: str = "default"
-    ) -> MomentsSolution:
-        key = (planet, wavelengths, quality)
+        planet: Planet, wavelengths: tuple[float, ...] | None = None, quality: str = "default",
+        *, polarisation: bool = True,
+    ) -> MomentsSolution:  # fmt: skip
+        key = (planet, wavelengths, quality, polarisation)
         if key not in kept:
-            kept[key] = solve(planet, wavelengths, quality, cache=False)
+            kept[key] = solve(planet, wavelengths, quality, polarisation=polarisation, cache=False)
         return kept[key]
 
     return solution

@@ -237,12 +237,16 @@ class Solution(ABC):
         if not stokes:
             values = self.relative_radiance(sight, order=order) * sun
             return self._labelled(values, axes, "radiance", unit)
+        self.check_polarised()
+        found = to_meridian(self.relative_stokes(sight, order=order), *arrays[2:]) * sun
+        return self._labelled(found, axes.beside("stokes", STOKES), "radiance", unit)
+
+    def check_polarised(self) -> None:
+        """Refuse polarised light of scalar transfer."""
         if not self.polarised:
             raise ParameterError(
                 "stokes", True, "a solver of polarised light, with polarisation left on"
             )
-        found = to_meridian(self.relative_stokes(sight, order=order), *arrays[2:]) * sun
-        return self._labelled(found, axes.beside("stokes", STOKES), "radiance", unit)
 
     def check_order(self, order: int | None) -> None:
         """Refuse an order that the solver has not kept apart."""

@@ -14,6 +14,7 @@ from airlight.errors import Cancelled
 from airlight.kernel import vectorized
 from airlight.planets import Medium, load_planet
 from airlight.solvers import Solution, solve
+from airlight.validation.cases import LinesOfSight
 from airlight.validation.cie_clear_sky import relative_luminance
 from airlight.validation.golden_numbers import Comparison, Group, Row, compare, golden_groups
 from airlight.validation.reference_earth import (
@@ -269,16 +270,16 @@ def _transmittances(rows: Sequence[Row]) -> list[FloatArray]:
     ]
 
 
-def _geometry(rows: Sequence[Row]) -> dict[str, FloatArray]:
+def _geometry(rows: Sequence[Row]) -> LinesOfSight:
     def column(name: str) -> FloatArray:
         return np.array([row.at[name] for row in rows])
 
-    return {
-        "altitude": column("altitude"),
-        "sun_zenith": column("sun"),
-        "view_zenith": column("view"),
-        "azimuth": column("azimuth"),
-    }
+    return LinesOfSight(
+        altitude=column("altitude"),
+        sun_zenith=column("sun"),
+        view_zenith=column("view"),
+        azimuth=column("azimuth"),
+    )
 
 
 @cache

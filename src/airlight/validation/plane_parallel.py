@@ -232,7 +232,7 @@ def disort(
             )
         ],
         settings=[
-            f"moments solver, {quality} quality, scalar transfer as the reference's; grounds of albedo "
-            f"{_ALBEDO:g}"
+            f"moments solver, {quality} quality, scalar transfer as the reference's",
+            f"grounds of albedo {_ALBEDO:g}",
         ],
     )

@@ -111,7 +111,7 @@ def test_gas_without_end_reflects_what_chandrasekhar_says(
     solved: Callable[..., MomentsSolution], tell: Callable[[str], None]
 ) -> None:
     # An exact solution, at a sun on a node and half way to the next one.
-    solution = solved(sphere.rayleigh_planet(), NM, "preview")
+    solution = solved(sphere.rayleigh_planet(), NM, "preview", polarisation=False)
     suns = solution.moments.grid.sun_cosines
     view = np.array([0.2, 0.5, 0.8, 0.98])
     worst = {}
@@ -135,8 +135,11 @@ def test_gas_without_end_reflects_what_chandrasekhar_says(
 def test_a_sphere_of_gas_is_as_bright_as_exactly(
     solved: Callable[..., MomentsSolution], tell: Callable[[str], None]
 ) -> None:
-    # Chandrasekhar's solution integrated over the disc, 0.7518; the bar of light from space.
-    ours = float(sphere.geometric_albedo(solved(sphere.rayleigh_planet(), NM, "default"))[0])
-    error = 100.0 * (ours / sphere.exact_albedo() - 1.0)
-    tell(f"sphere of gas: geometric albedo {ours:.4f}, {error:+.2f} %")
-    assert abs(error) < 0.3
+    # Chandrasekhar's solution integrated over the disc, 0.7518; the bar of light from space. In
+    # polarised light 0.798 (Prather 1974) or, by Monte Carlo, 0.796 (Schmid et al. 2006, table 3).
+    for polarisation, known, bar in ((False, sphere.exact_albedo(), 0.3), (True, 0.797, 0.4)):
+        solution = solved(sphere.rayleigh_planet(), NM, "default", polarisation=polarisation)
+        ours = float(sphere.geometric_albedo(solution)[0])
+        error = 100.0 * (ours / known - 1.0)
+        tell(f"sphere of gas: geometric albedo {ours:.4f}, {error:+.2f} %")
+        assert abs(error) < bar

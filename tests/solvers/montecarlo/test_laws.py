@@ -41,7 +41,7 @@ def test_sampled_first_order_is_the_exact_one(
         altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=40.0
     )
     got = solution.trace(sight, order=1)
-    exact = solution.first_order(sight)[:, 0]
+    exact = solution.first_order(sight)[:, 0, 0]
     value, error = got.parts[:, 0, 0], got.part_errors[:, 0, 0]
     for k in range(sun.size):
         tell(

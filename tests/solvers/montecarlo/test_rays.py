@@ -87,7 +87,7 @@ def test_places_follow_the_exact_distribution(
     # seed, p > 0.001 for each of 72 rays: one right sampler in 14 would need another seed.
     planet = one_air(depth=vertical, profile=PROFILES[profile])
     medium = Medium.from_planet(planet, [550.0])
-    air = history_optics(LightPaths.of(medium), 0)
+    air = history_optics(LightPaths.of(medium), 0, polarised=False)
     for at, (altitude, angle) in enumerate(RAYS):
         r, mu, length, path, count, depth = traced(medium, air, altitude, angle)
         if depth <= 0.0:
@@ -124,7 +124,7 @@ def test_optical_depths_meet_the_quadrature_of_the_profiles(
     generator = np.random.default_rng(4)
     errors = []
     for wavelength in range(2):
-        air = history_optics(paths, wavelength)
+        air = history_optics(paths, wavelength, polarised=False)
         for _ in range(150):
             altitude = medium.thickness * 0.9 * generator.random() ** 3
             angle = np.degrees(np.arccos(generator.uniform(-0.3, 1.0)))
@@ -156,7 +156,7 @@ def test_places_in_light_have_the_density_that_is_said(
     # Importance sampling: the mean of f/p over points drawn from p is ∫ f, here of e^{-τ} dτ over
     # the part of a ray that the star lights; four standard errors of 20 000 points.
     medium = Medium.from_planet(reference_earth(albedo=0.0), [440.0])
-    air = history_optics(LightPaths.of(medium), 0)
+    air = history_optics(LightPaths.of(medium), 0, polarised=False)
     r, mu, _, path, count, _ = traced(medium, air, 0.0, 60.0)
     mu_s, nu = np.cos(np.radians(95.0)), 0.3
     lit = new_lit(air.extinction)

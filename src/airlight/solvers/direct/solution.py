@@ -43,6 +43,8 @@ FloatArray = NDArray[np.float64]
 _BLOCK = 64
 #: Steps in zenith and azimuth for the irradiance of the sky.
 _SKY_STEPS = (12, 28)
+#: Note of a report where the air polarises light.
+SCALAR = "scalar transfer: without polarisation, which changes radiances by some percent"
 
 
 class DirectSolution(Solution):
@@ -228,6 +230,8 @@ def solve(
         If the orders do not fall.
     """
     medium, note = straightened(medium)
+    if medium.polarising(np.zeros(())).any():  # at right angles to the star
+        note = f"{note}; {SCALAR}" if note else SCALAR
     started = perf_counter()
     media = [medium]
     if settings.literal == "atmosphere-plus-1":

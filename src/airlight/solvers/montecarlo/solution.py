@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from airlight.errors import ParameterError
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.shell import distance_to_top
 from airlight.kernel import vectorized
@@ -23,7 +24,7 @@ from airlight.solvers.sight import Sight
 from airlight.solvers.single_scattering import reflected_once, single_scattering
 from airlight.solvers.solution import Report, Solution
 from airlight.solvers.star_light import direct_irradiance
-from airlight.solvers.stokes_frame import star_planes
+from airlight.solvers.stokes_frame import STOKES, star_planes, to_meridian
 
 if TYPE_CHECKING:
     import xarray
@@ -120,8 +121,7 @@ class MonteCarloSolution(Solution):
             Order whose error decides when to stop; all orders together if left out.
         """
         started = perf_counter()
-        exact = self.settings.exact_first_order and self.paths.shell is None
-        known = self.first_order(sight) if exact else None
+        known = self.first_order(sight) if self._integrates_first_order else None
         sight = self.paths.sight(sight)
         lengths = sight.length
         if order == 1 and known is not None:
@@ -177,6 +177,31 @@ class MonteCarloSolution(Solution):
         got = self.trace(sight, order=order)
         return got.total if order is None else got.parts[:, order - 1]
 
+    @property
+    def polarised(self) -> bool:
+        """See ``Solution``."""
+        return self.settings.polarisation
+
+    def relative_stokes(self, sight: Sight, *, order: int | None = None) -> FloatArray:
+        """See ``Solution``; all orders, or only the first where that is integrated.
+
+        Raises
+        ------
+        ParameterError
+            If another order is requested: Q and U are those of all orders together.
+        """
+        if order is None:
+            got = self.trace(sight)
+            return np.concatenate([got.total[:, None], got.polarised], axis=1)
+        if order != 1 or not self._integrates_first_order:
+            allowed = "1, or all orders together" if self._integrates_first_order else "all orders"
+            raise ParameterError("order", order, f"{allowed} for polarised light")
+        return self.first_order(sight)
+
+    @property
+    def _integrates_first_order(self) -> bool:
+        return self.settings.exact_first_order and self.paths.shell is None
+
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``; sampled over directions, the first order too."""
         up = np.ones_like(r)
@@ -199,13 +224,19 @@ class MonteCarloSolution(Solution):
         sun_zenith: ArrayLike,
         view_zenith: ArrayLike,
         azimuth: ArrayLike = 0.0,
+        stokes: bool = False,
     ) -> xarray.Dataset:
         """Radiance with its standard error, and the contribution of each order of scattering.
+
+        The settings' error is that of the radiance; those of Q and U are about as large, in the
+        same unit.
 
         Parameters
         ----------
         altitude, sun_zenith, view_zenith, azimuth : array
             Arguments of ``radiance``. [m], [deg]
+        stokes : bool
+            Whether to return I, Q and U too, as ``radiance`` does.
 
         Returns
         -------
@@ -213,18 +244,22 @@ class MonteCarloSolution(Solution):
             ``radiance`` and ``standard_error`` [W m⁻² sr⁻¹ nm⁻¹], ``histories`` and ``reached``
             (whether the error is as small as requested), each of shape (..., wavelength);
             ``order_radiance`` and ``order_standard_error`` of shape (..., order, wavelength);
-            ``higher_radiance`` and ``higher_standard_error`` of all further orders together.
+            ``higher_radiance`` and ``higher_standard_error`` of all further orders together; with
+            ``stokes``, ``stokes_radiance`` and ``stokes_standard_error`` of shape
+            (..., stokes, wavelength), where those of a vertical line take the errors of Q and U as
+            independent.
 
         Raises
         ------
         ParameterError
-            If a value is out of its range, or the shapes do not broadcast.
+            If a value is out of its range, the shapes do not broadcast, or polarised light is
+            requested of scalar transfer.
         Cancelled
             If ``cancel`` returned True.
         """
-        sight, axes = self.lines_of_sight(
-            altitude=altitude, sun_zenith=sun_zenith, view_zenith=view_zenith, azimuth=azimuth
-        )
+        if stokes:
+            self.check_polarised()
+        arrays, sight, axes = self._questions(altitude, sun_zenith, view_zenith, azimuth)
         got = self.trace(sight)
         sun = self.lights[0].irradiance
         unit = "W m-2 sr-1 nm-1"
@@ -256,8 +291,31 @@ class MonteCarloSolution(Solution):
             ]
             joined = xarray.concat(orders, dim="order").assign_coords(order=np.arange(1, kept + 1))
             data[name] = joined.transpose(..., "order", "wavelength")
+        if stokes:
+            beside = axes.beside("stokes", STOKES)
+            for name, stokes_values in (
+                ("stokes_radiance", _turned(got.total, got.polarised, *arrays[2:])),
+                ("stokes_standard_error", _turned_errors(got, *arrays[2:])),
+            ):
+                data[name] = self._labelled(
+                    stokes_values * sun, beside, name.replace("_", " "), unit
+                )
         data.attrs["solver"] = str(self.report)
         return data
+
+
+def _turned(
+    whole: FloatArray, polarised: FloatArray, view_zenith: FloatArray, azimuth: FloatArray
+) -> FloatArray:
+    """I, Q and U in the frame of the observer's azimuths, (n, 3, nl); see ``to_meridian``."""
+    return to_meridian(np.concatenate([whole[:, None], polarised], axis=1), view_zenith, azimuth)
+
+
+def _turned_errors(got: Estimate, view_zenith: FloatArray, azimuth: FloatArray) -> FloatArray:
+    """Standard errors of I, Q and U in that frame, shape (n, 3, nl), from each one's alone."""
+    alone = np.eye(2)[:, None, :, None] * got.polarised_error
+    q, u = (_turned(got.total_error, one, view_zenith, azimuth) for one in alone)
+    return np.concatenate([q[:, :1], np.hypot(q[:, 1:], u[:, 1:])], axis=1)
 
 
 def disc_mean(

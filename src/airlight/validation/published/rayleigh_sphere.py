@@ -179,7 +179,7 @@ def rayleigh_sphere(solve: Solve, quality: object = "default") -> Section:
                 allowed=ALBEDO_BAR, unit="%", source="accuracy that counts as done, energy",
             )
         ],
-        note="Rayleigh's phase function without depolarisation, scalar transfer but in the last row; "
-        "gas of optical depth 8 over white ground stands for gas without end, a sphere a thousand "
-        "times the Earth for a plane.",
+        note="Rayleigh's phase function without depolarisation, scalar transfer but in the last "
+        "row; gas of optical depth 8 over white ground stands for gas without end, a sphere a "
+        "thousand times the Earth for a plane.",
     )  # fmt: skip

@@ -18,7 +18,10 @@ class Solve(Protocol):
     def __call__(
         self, planet: Planet, wavelengths: Sequence[float], quality: object, /, *,
         polarisation: bool = True,
-    ) -> Solution: ...  # fmt: skip
+    ) -> Solution:  # fmt: skip
+        """Solve; scalar transfer without ``polarisation``."""
+        ...
+
 
 Compare = Literal["ratio", "difference"]
 

@@ -161,8 +161,8 @@ def spherical(
         bars=bars,
         parts=parts,
         settings=[
-            f"680, 550, 440 nm; qualities {', '.join(qualities)}; point sun; scalar transfer, as both"
-            " references"
+            f"680, 550, 440 nm; qualities {', '.join(qualities)}; point sun",
+            "scalar transfer, as the references'",
         ],
     )
 
